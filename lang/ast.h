@@ -1,0 +1,150 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lang/diagnostic.h"
+#include "lang/types.h"
+
+/// The syntax tree: what was written, in the shape of the grammar (docs/rob.ebnf). The parser
+/// builds it; the checker fills in `Expr::type`, the symbols and the constants; the compiler
+/// reads it. The depth of a tree is bounded by the parser, so recursion over it is safe.
+namespace rob::lang {
+
+struct Expr;
+struct Statement;
+struct Symbol;
+using ExprPtr = std::unique_ptr<Expr>;
+using Block = std::vector<Statement>;
+
+// ---------------------------------------------------------------- expressions
+
+/// `10`, `0.5`, `20mm`: the value in SI. For a quantity the dimension is its unit's.
+struct NumberLiteral {
+  double value = 0;
+  std::int64_t integer = 0;  ///< the value where is_integer
+  bool is_integer = false;   ///< written without point, exponent or unit
+  Dimension dimension;
+};
+struct BoolLiteral {
+  bool value = false;
+};
+struct StringLiteral {
+  std::string value;
+};
+/// A variable, constant, signal or built-in value.
+struct Name {
+  std::string text;
+  const Symbol* symbol = nullptr;  ///< set by the checker; owned by the CheckedProgram
+};
+
+enum class UnaryOp : std::uint8_t { Negate, Plus, Not };
+struct Unary {
+  UnaryOp op;
+  ExprPtr operand;
+};
+
+enum class BinaryOp : std::uint8_t {
+  Or, Xor, And,
+  Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual,
+  Add, Subtract, Multiply, Divide, Div, Mod, Power
+};
+struct Binary {
+  BinaryOp op;
+  ExprPtr left;
+  ExprPtr right;
+};
+
+/// `MAX(a, b)`: a built-in function.
+struct Call {
+  std::string callee;
+  std::vector<ExprPtr> arguments;
+};
+
+/// `(140, , )` or `(x: 140mm)`. One unnamed element in parentheses is a group, not a tuple.
+struct Tuple {
+  struct Element {
+    std::string name;  ///< empty where it was not named
+    ExprPtr value;     ///< null where it was left out
+    Place place;
+  };
+  std::vector<Element> elements;
+};
+
+/// Any constant expression's value; settled by the checker.
+using Constant = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+
+struct Expr {
+  Place place;  ///< of the token a message should point at
+  std::variant<NumberLiteral, BoolLiteral, StringLiteral, Name, Unary, Binary, Call, Tuple> node;
+  Type type;          ///< set by the checker
+  Constant constant;  ///< set by the checker where the value is known before the program runs
+};
+
+// ----------------------------------------------------------------- statements
+
+struct Move {
+  ExprPtr target;  ///< a Tuple
+  ExprPtr at;      ///< null where left out
+  ExprPtr over;    ///< null where left out
+};
+struct Stop {};
+/// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm
+struct Declaration {
+  struct Declared {
+    std::string name;
+    Place place;
+    const Symbol* symbol = nullptr;  ///< set by the checker
+  };
+  bool constant = false;
+  std::vector<Declared> names;
+  std::optional<Type> type;  ///< where it was written
+  ExprPtr value;             ///< null where left out
+};
+struct Assign {
+  Name target;
+  Place target_place;
+  ExprPtr value;
+};
+struct Print {
+  std::vector<ExprPtr> values;
+};
+/// IF with any number of ELSIF branches, and ELSE.
+struct If {
+  struct Branch {
+    ExprPtr condition;
+    Block body;
+  };
+  std::vector<Branch> branches;
+  Block otherwise;
+};
+struct While {
+  ExprPtr condition;
+  Block body;
+};
+struct For {
+  std::string variable;
+  Place variable_place;
+  const Symbol* symbol = nullptr;  ///< set by the checker
+  ExprPtr from;
+  ExprPtr to;
+  ExprPtr step;  ///< null: 1
+  Block body;
+};
+
+struct Statement {
+  Place place;  ///< of its first word
+  std::variant<Move, Stop, Declaration, Assign, Print, If, While, For> node;
+};
+
+struct Program {
+  Block statements;
+  /// Where END stands, or the end of the file if there is none.
+  Place end;
+};
+
+}  // namespace rob::lang

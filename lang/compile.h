@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "lang/chunk.h"
+#include "lang/diagnostic.h"
+#include "lang/machine.h"
+#include "lang/robot_signature.h"
+
+namespace rob::lang {
+
+/// A motion whose written coordinates are known before the program runs, so that it can be
+/// checked against the robot while nothing moves yet. `command` holds the constant ones only.
+struct ConstantTarget {
+  Place place;
+  MoveCommand command;
+};
+
+/// What compiling one source text yields.
+struct Compilation {
+  Diagnostics diagnostics;
+  std::optional<Chunk> chunk;  ///< empty if the program has errors
+  std::vector<ConstantTarget> constant_targets;
+};
+
+/// Lexer, parser, checker and compiler in a row; finds all errors of the text. Never throws for
+/// what a text may contain.
+Compilation compile(std::string_view source, const RobotSignature& robot);
+
+}  // namespace rob::lang

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "lang/robot_signature.h"
+
+namespace rob::lang {
+
+/// A MOVE as the program asks for it. SI units: m, rad, s.
+struct MoveCommand {
+  enum class Pace : std::uint8_t {
+    Unspecified,   ///< no AT
+    ToolSpeed,     ///< AT 20mm/s: m/s of the tool point
+    AngularSpeed,  ///< AT 10deg/s: rad/s of every rotary axis
+    Share          ///< AT 50%: of all maxima, 1 = 100 %
+  };
+
+  int count = 0;                                  ///< coordinates of the robot
+  std::uint8_t given = 0;                         ///< bit i: coordinate i was written
+  std::array<double, kMaxCoordinates> target{};   ///< coordinate i; what is not given is 0
+  Pace pace = Pace::Unspecified;
+  double pace_value = 0;
+  double over = 0;  ///< OVER: lower bound on the duration, s; 0 where it was left out
+
+  bool has(int i) const { return (given >> i & 1) != 0; }
+};
+
+/// What became of a command.
+enum class Reply : std::uint8_t {
+  Done,    ///< taken
+  Later,   ///< nothing has happened; give the same command again when woken
+  Refused  ///< it cannot be done; Machine::refusal() says why
+};
+
+/// Why a command was refused, in words for people.
+struct Refusal {
+  std::string code;
+  std::string message;
+  std::string help;
+};
+
+/// All that a program can do to the world. The Vm calls it in program order and knows nothing
+/// else of motion; PrintingMachine, behind the same interface, writes the calls down for tests.
+///
+/// `line` is the source line that asked. Values are SI. Every call returns at once.
+class Machine {
+ public:
+  virtual ~Machine() = default;
+
+  virtual Reply move(int line, const MoveCommand& command) = 0;
+  /// STOP: the last target is reached exactly.
+  virtual Reply stop(int line) = 0;
+  /// END, written or implied by the end of the file: stops, and is Done once all that was
+  /// commanded has been queued (not: carried out).
+  virtual Reply end(int line) = 0;
+  /// Prints `text` (one line, without its line end) in motion order.
+  virtual Reply print(int line, std::string_view text) = 0;
+  /// Sets an output, by its index in the RobotSignature, in motion order.
+  virtual Reply write_signal(int line, int signal, bool value) = 0;
+  /// Reads a signal at the decision point of the motion commanded before. An observation:
+  /// `Later` until that instant has come.
+  virtual Reply read_signal(int line, int signal, bool& value) = 0;
+  /// Valid after a Refused reply, until the next call.
+  virtual const Refusal& refusal() const = 0;
+};
+
+}  // namespace rob::lang

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string>
+
+namespace rob::lang {
+
+/// The dimension of a quantity: the exponents of length, mass, time, angle and voltage.
+/// Angle is a dimension of its own (rad is not 1), so that a bare number is never taken for one.
+struct Dimension {
+  std::int8_t length = 0;
+  std::int8_t mass = 0;
+  std::int8_t time = 0;
+  std::int8_t angle = 0;
+  std::int8_t voltage = 0;
+
+  auto operator<=>(const Dimension&) const = default;
+  bool none() const { return *this == Dimension{}; }
+};
+
+Dimension operator*(Dimension a, Dimension b);
+Dimension operator/(Dimension a, Dimension b);
+Dimension power(Dimension base, int exponent);
+
+inline constexpr Dimension kNone{};
+inline constexpr Dimension kLength{.length = 1};
+inline constexpr Dimension kMass{.mass = 1};
+inline constexpr Dimension kTime{.time = 1};
+inline constexpr Dimension kAngle{.angle = 1};
+inline constexpr Dimension kVoltage{.voltage = 1};
+inline constexpr Dimension kSpeed{.length = 1, .time = -1};
+inline constexpr Dimension kAngularSpeed{.time = -1, .angle = 1};
+inline constexpr Dimension kAcceleration{.length = 1, .time = -2};
+inline constexpr Dimension kForce{.length = 1, .mass = 1, .time = -2};
+inline constexpr Dimension kTorque{.length = 2, .mass = 1, .time = -2};
+inline constexpr Dimension kFrequency{.time = -1};
+
+/// In words, for messages: "a length", "a time", "a plain number", "a [kg*mm]".
+std::string in_words(Dimension dimension);
+
+/// The static type of an expression or a variable. `Unknown` is the type of what is already
+/// reported as wrong: it fits everywhere, so that one mistake makes one message.
+struct Type {
+  enum class Kind : std::uint8_t { Unknown, Bool, Int, Real, String };
+
+  Kind kind = Kind::Unknown;
+  Dimension dimension;  ///< of Real only
+
+  bool operator==(const Type&) const = default;
+  bool numeric() const { return kind == Kind::Int || kind == Kind::Real; }
+
+  static Type boolean() { return {Kind::Bool, {}}; }
+  static Type integer() { return {Kind::Int, {}}; }
+  static Type real(Dimension d = {}) { return {Kind::Real, d}; }
+  static Type string() { return {Kind::String, {}}; }
+};
+
+/// In words: "a whole number", "a length", "a text", "TRUE or FALSE".
+std::string in_words(const Type& type);
+
+}  // namespace rob::lang

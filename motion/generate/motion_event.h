@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include "motion/plan/segment_descriptor.h"
+
+namespace rob::motion {
+
+/// What motion tells those above, in order of time. Fixed size; texts are made above.
+struct MotionEvent {
+  enum class Kind : std::uint8_t {
+    SegmentStarted,  ///< tag; number
+    EffectDue,       ///< effect
+    LateDecision,    ///< tag: nothing was known at the decision point; the target is made exact
+    Finished,        ///< everything commanded has been done; the axes stand
+    Held,            ///< the axes stand on the path by request or by fault; value: progress
+    Overrun          ///< the tick came too late to be made up; value: how late, s
+  };
+
+  Kind kind = Kind::SegmentStarted;
+  double time = 0;  ///< s, exact instant since the start of the run, not rounded to periods
+  Tag tag = 0;
+  std::uint32_t number = 0;
+  double value = 0;
+  Effect effect;
+};
+
+}  // namespace rob::motion

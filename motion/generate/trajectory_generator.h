@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+
+#include "motion/generate/motion_event.h"
+#include "motion/space/joint_vector.h"
+
+namespace rob::motion {
+
+/// What the generator is doing; the numbers stand in the trace.
+enum class MotionState : std::uint8_t { Idle = 0, Running = 1, Held = 2, Stopping = 3 };
+
+/// One reference and where it comes from.
+struct GeneratorSample {
+  JointReference reference;
+  Tag tag = 0;               ///< of the segment that owns this instant; 0 before the first
+  std::uint32_t piece = 0;   ///< number of that segment
+  double sigma = 0;          ///< path parameter inside it (Paul: its own time, s)
+  double rate = 0;           ///< d sigma / dt (Paul: the time scale, 1 = as planned)
+  MotionState state = MotionState::Idle;
+  std::uint8_t limit = 0;    ///< what holds the speed (docs/cli.md, trace)
+};
+
+/// Makes references on line out of what the LookAheadBuffer holds (S2's kinematic part).
+///
+/// Its time runs in whole reference periods from the start of the run; transitions happen at
+/// their exact instants in between. Every call may be used in the tick: no memory, no lock,
+/// bounded work. One thread calls it; hold(), resume() and set_override() come from that thread.
+class TrajectoryGenerator {
+ public:
+  virtual ~TrajectoryGenerator() = default;
+
+  /// Computes every reference up to `period` (the reference stamped period·T) in order, and
+  /// returns the last. If `period` lies too far ahead of the last one to be made up
+  /// (20 periods or 200 ms, whichever is longer), the path is not followed to where it should
+  /// be: it goes on from the last reference into a hold, and an Overrun event says so.
+  virtual const GeneratorSample& advance(std::int64_t period) noexcept = 0;
+
+  /// Slows down on the path to rest, within the limits; resume() speeds up again.
+  virtual void hold() noexcept = 0;
+  virtual void resume() noexcept = 0;
+  /// 0 < share <= 1 of the programmed speed; taken up smoothly.
+  virtual void set_override(double share) noexcept = 0;
+
+  /// The highest segment number at whose decision point the world may be read now: the next call
+  /// of advance() will have to know what follows that segment. At rest: the last one done.
+  virtual std::uint32_t decidable() const noexcept = 0;
+
+  /// Takes the next event, in order of time; false if there is none. Instants lie up to one
+  /// period ahead of the cycle that computed them.
+  virtual bool take_event(MotionEvent& event) noexcept = 0;
+};
+
+}  // namespace rob::motion

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "motion/plan/segment_descriptor.h"
+#include "motion/space/spsc_ring.h"
+
+namespace rob::motion {
+
+/// What has been commanded and not yet begun, between the program (one writer) and the
+/// generator (one reader): S2's buffer of segment descriptors, and beside it the effects in
+/// their order. Memory is taken once, by the constructor; no call locks or waits.
+class LookAheadBuffer {
+ public:
+  /// Effects are carried by the motions and have room of their own. [choice: a thousand
+  /// outputs between two motions is a program of its own]
+  static constexpr std::size_t kEffects = 1024;
+
+  /// `segments`: how many motions the buffer holds (robot file, look_ahead).
+  explicit LookAheadBuffer(std::size_t segments) : segments_(segments), effects_(kEffects) {}
+
+  // The program's side. False: full, nothing has happened.
+  bool push(const SegmentDescriptor& segment) noexcept { return segments_.push(segment); }
+  bool push(const Effect& effect) noexcept { return effects_.push(effect); }
+  bool full() const noexcept { return segments_.full(); }
+  /// Nothing more will come: the generator finishes when it has done what is there.
+  void close() noexcept { closed_.store(true, std::memory_order_release); }
+
+  // The generator's side. The pointers are null when there is nothing.
+  const SegmentDescriptor* next_segment() const noexcept { return segments_.front(); }
+  void pop_segment() noexcept { segments_.pop(); }
+  const Effect* next_effect() const noexcept { return effects_.front(); }
+  void pop_effect() noexcept { effects_.pop(); }
+  bool closed() const noexcept { return closed_.load(std::memory_order_acquire); }
+
+ private:
+  SpscRing<SegmentDescriptor> segments_;
+  SpscRing<Effect> effects_;
+  std::atomic<bool> closed_{false};
+};
+
+}  // namespace rob::motion

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "motion/space/joint_vector.h"
+
+namespace rob::motion {
+
+/// The asker's own number. Motion carries it and does not know what it means.
+using Tag = std::uint32_t;
+
+/// A motion as it was asked for, perhaps incomplete. SI.
+struct MotionRequest {
+  enum class Pace : std::uint8_t { Unspecified, ToolSpeed, AngularSpeed, Share };
+
+  Tag tag = 0;
+  std::uint8_t given = 0;                   ///< bit i: axis i has a target
+  std::array<double, kMaxJoints> target{};  ///< m or rad
+  Pace pace = Pace::Unspecified;
+  double pace_value = 0;  ///< m/s, rad/s, or a share of all maxima (1 = 100 %)
+  double at_least = 0;    ///< s, lower bound on the duration (S1: T_user)
+};
+
+}  // namespace rob::motion

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "motion/plan/motion_request.h"
+#include "motion/space/joint_vector.h"
+
+namespace rob::motion {
+
+/// One motion, complete and admissible: what the generator needs and nothing else.
+/// The segment runs from where the one before it ends (B) to `target` (C).
+struct SegmentDescriptor {
+  Tag tag = 0;
+  std::uint32_t number = 0;  ///< 1, 2, 3 … in the order of the buffer
+  JointVector target;        ///< m, rad
+  double duration = 0;       ///< s: T1 of S1
+  double t_acc = 0;          ///< s: half the transition around `target`
+  bool no_length = false;    ///< target = the target before: the exact pass, or a stop
+  std::uint8_t limit = 0;    ///< what set the duration: 0 nothing, 1 AT, 2 + i the speed of axis i
+};
+
+/// Something that happens in motion order beside the axes: an output, a line of print.
+struct Effect {
+  enum class Kind : std::uint8_t { Output, Note };
+
+  Tag tag = 0;
+  Kind kind = Kind::Note;
+  bool value = false;        ///< of an Output
+  std::uint8_t channel = 0;  ///< of an Output
+  std::uint32_t id = 0;      ///< the asker's own
+  std::uint32_t after = 0;   ///< number of the segment that carries it; 0: before any motion
+};
+
+}  // namespace rob::motion

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "motion/kinematics/kinematics.h"
+#include "motion/servo/drive_data.h"
+#include "motion/space/joint_vector.h"
+
+namespace rob::motion {
+
+enum class AxisKind : std::uint8_t { Linear, Rotary };
+enum class Law : std::uint8_t { Paul, LookAhead };
+
+/// One axis: SI (m, m/s, … or rad, rad/s, …).
+struct Axis {
+  std::string name;
+  AxisKind kind = AxisKind::Linear;
+  double min = 0;
+  double max = 0;
+  double v_max = 0;
+  double a_max = 0;
+  double j_max = 0;
+  DriveData drive;
+};
+
+/// A digital signal that the robot file declares by name.
+struct RobotSignal {
+  std::string name;
+  bool output = false;
+  int channel = 0;
+};
+
+/// A two-position actuator of the simulated machine: an output that takes time to act, and the
+/// inputs that tell when it has arrived. Channels as in RobotSignal.
+struct TwoPositionActuator {
+  int output = 0;         ///< output channel that drives it
+  int input_off = 0;      ///< input channel, true while it stands at its OFF end
+  int input_on = 0;       ///< input channel, true while it stands at its ON end
+  double travel_time = 0; ///< s from end to end
+};
+
+/// Everything that is known of a robot before it moves. Read from a robot file, never changed
+/// afterwards, and shared as const.
+struct RobotModel {
+  std::string name;
+  std::string description;
+  Law law = Law::Paul;
+  double t_acc = 0;             ///< s, half a transition under Paul's law (S1)
+  double reference_period = 0;  ///< s
+  double servo_period = 0;      ///< s; reference_period is a whole multiple
+  int look_ahead = 0;           ///< segments that the buffer holds
+  std::vector<Axis> axes;
+  JointVector start;            ///< m, rad: where the simulated robot stands at power-up
+  std::vector<RobotSignal> signals;
+  std::vector<TwoPositionActuator> actuators;
+  std::shared_ptr<const Kinematics> kinematics;
+
+  int axis_count() const { return static_cast<int>(axes.size()); }
+};
+
+}  // namespace rob::motion

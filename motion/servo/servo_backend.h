@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "motion/space/joint_vector.h"
+
+namespace rob::motion {
+
+/// A backend that cannot be opened: what is wrong, and the remedy.
+class DriverError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+enum class DriverStatus : std::uint8_t { Ok, Silent, Lost };
+
+/// What one servo cycle asks of the machine. A backend with its own position loop follows
+/// `reference`; one that takes forces applies `drive`.
+struct ServoCommand {
+  JointReference reference;
+  JointVector drive;          ///< N or Nm
+  std::uint64_t outputs = 0;  ///< bit i: digital output channel i
+};
+
+/// What one servo cycle learns from it.
+struct ServoState {
+  JointMeasurement measured;
+  std::uint64_t inputs = 0;  ///< bit i: digital input channel i
+};
+
+/// Where motion control ends and a machine begins: a simulation, or drives on a wire.
+///
+/// open() and close() may block and allocate; open() throws DriverError. enable(), disable(),
+/// read() and write() run inside the servo tick: they return at once, take no memory, and report
+/// trouble by their value. `now` is the time of the servo's clock in s and never goes back.
+class ServoBackend {
+ public:
+  virtual ~ServoBackend() = default;
+
+  virtual int axes() const noexcept = 0;
+  virtual void open() = 0;
+  virtual void close() noexcept = 0;
+  /// Drives hold their present position until the first write().
+  virtual DriverStatus enable(double now) noexcept = 0;
+  /// Drives are without force from now on.
+  virtual void disable(double now) noexcept = 0;
+  virtual DriverStatus read(double now, ServoState& state) noexcept = 0;
+  virtual DriverStatus write(double now, const ServoCommand& command) noexcept = 0;
+};
+
+}  // namespace rob::motion

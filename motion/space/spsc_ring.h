@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+namespace rob::motion {
+
+/// A queue of fixed size from one thread to one other, without locks. Memory is taken by the
+/// constructor alone, so every other call may be used in the tick.
+template <typename T>
+class SpscRing {
+ public:
+  explicit SpscRing(std::size_t capacity) : slots_(capacity + 1) {}
+
+  /// The writer's. False: full, nothing has happened.
+  bool push(const T& value) noexcept {
+    const std::size_t tail = tail_.load(std::memory_order_relaxed);
+    const std::size_t next = after(tail);
+    if (next == head_.load(std::memory_order_acquire)) return false;
+    slots_[tail] = value;
+    tail_.store(next, std::memory_order_release);
+    return true;
+  }
+  bool full() const noexcept {
+    return after(tail_.load(std::memory_order_relaxed)) == head_.load(std::memory_order_acquire);
+  }
+
+  /// The reader's. Null when empty; valid until pop().
+  const T* front() const noexcept {
+    const std::size_t head = head_.load(std::memory_order_relaxed);
+    return head == tail_.load(std::memory_order_acquire) ? nullptr : &slots_[head];
+  }
+  void pop() noexcept {
+    head_.store(after(head_.load(std::memory_order_relaxed)), std::memory_order_release);
+  }
+  bool take(T& value) noexcept {
+    const T* oldest = front();
+    if (oldest == nullptr) return false;
+    value = *oldest;
+    pop();
+    return true;
+  }
+
+ private:
+  std::size_t after(std::size_t i) const noexcept { return i + 1 == slots_.size() ? 0 : i + 1; }
+
+  std::vector<T> slots_;
+  alignas(64) std::atomic<std::size_t> head_{0};
+  alignas(64) std::atomic<std::size_t> tail_{0};
+};
+
+}  // namespace rob::motion
