@@ -29,6 +29,7 @@ struct NumberLiteral {
   std::int64_t integer = 0;  ///< the value where is_integer
   bool is_integer = false;   ///< written without point, exponent or unit
   Dimension dimension;
+  bool has_unit = false;  ///< written with a unit: tells 50% from 0.5, both dimensionless
 };
 struct BoolLiteral {
   bool value = false;
