@@ -1,0 +1,48 @@
+#pragma once
+
+#include "drivers/encoder.h"
+#include "motion/servo/drive_data.h"
+
+namespace rob::drivers {
+
+/// One simulated servo axis under a constant force: m·v' = u − b·v − C·sign(v). SI.
+///
+/// Solved in closed form, so that a step may have any length and standstill is exact. At rest it
+/// stays at rest until |u| > C; when friction stops it inside a step, that instant is solved for.
+/// Every call but the constructor may be used in the tick.
+class SimAxis {
+ public:
+  explicit SimAxis(const motion::DriveData& drive);
+
+  /// Stands at q without force.
+  void place(double q) noexcept;
+
+  /// Force from now on, limited to what the motor has; one that is not finite counts as none.
+  void push(double force) noexcept;
+  /// The drive brakes with all its force until the axis stands, and then holds it.
+  void hold() noexcept;
+  void release() noexcept { push(0); }
+
+  void advance(double dt) noexcept;
+  /// The encoder's sample, every Encoder::kPeriod.
+  void sample() noexcept { encoder_.sample(q_); }
+  /// After a time in which no samples were taken.
+  void settle() noexcept { encoder_.settle(q_, v_); }
+
+  double q() const noexcept { return q_; }
+  double v() const noexcept { return v_; }
+  double measured_q() const noexcept { return encoder_.position(q_); }
+  double measured_v() const noexcept { return encoder_.velocity(); }
+
+ private:
+  double resistance() const noexcept;
+
+  motion::DriveData drive_;
+  Encoder encoder_;
+  double q_ = 0;
+  double v_ = 0;
+  double u_ = 0;
+  bool holding_ = false;
+};
+
+}  // namespace rob::drivers

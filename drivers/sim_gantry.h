@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "drivers/sim_actuator.h"
+#include "drivers/sim_axis.h"
+#include "motion/servo/drive_data.h"
+#include "motion/servo/servo_backend.h"
+#include "motion/space/joint_vector.h"
+
+namespace rob::drivers {
+
+struct SimGantryParameters {
+  std::vector<motion::DriveData> drives;  ///< one an axis, at most motion::kMaxJoints
+  motion::JointVector start;              ///< m, rad: where it stands at power-up
+  std::vector<SimActuatorParameters> actuators;
+};
+
+/// A gantry that is not there: independent servo axes with inertia, friction, a motor limit and an
+/// encoder, and two-position actuators (lift, gripper) on digital channels. SI.
+///
+/// Each axis obeys m·q'' = u − b·q' − C·sign(q'), in closed form between calls, with the drive that
+/// was last written (SimAxis). Positions are those of the encoder, velocities its estimate
+/// (Encoder). Without force friction brings the axes to rest. The encoder counts without end: it
+/// does not wrap. The same calls at the same times give the same bits.
+///
+/// A measurement or a command costs a bounded number of steps, however long ago the last one was.
+class SimGantry final : public motion::ServoBackend {
+ public:
+  /// Throws std::invalid_argument for numbers of axes that differ, or a channel beyond 63.
+  explicit SimGantry(const SimGantryParameters& parameters);
+
+  int axes() const noexcept override { return static_cast<int>(axes_.size()); }
+  /// Powers up: standing at `start`, drives disabled, actuators at their OFF ends.
+  void open() override;
+  void close() noexcept override;
+  motion::DriverStatus enable(double now) noexcept override;
+  void disable(double now) noexcept override;
+  motion::DriverStatus read(double now, motion::ServoState& state) noexcept override;
+  motion::DriverStatus write(double now, const motion::ServoCommand& command) noexcept override;
+
+  /// Where an axis really is, which no encoder tells: for tests and pictures.
+  double true_position(int axis) const noexcept;
+
+ private:
+  void advance_to(double now) noexcept;
+
+  motion::JointVector start_;
+  std::vector<SimAxis> axes_;
+  std::vector<SimActuator> actuators_;
+  bool started_ = false;  // the first call tells what time it is
+  bool enabled_ = false;
+  double time_ = 0;
+  double origin_ = 0;  // encoder sample k is taken at origin_ + k·Encoder::kPeriod
+  std::int64_t samples_ = 0;
+};
+
+}  // namespace rob::drivers

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "motion/servo/drive_data.h"
+#include "motion/servo/servo_backend.h"
+#include "motion/space/joint_vector.h"
+
+namespace rob::motion {
+
+/// What the servo found out about the machine in one cycle. Fixed size; texts are made above.
+struct FollowingFinding {
+  enum class Verdict : std::uint8_t { None, Warn, Stop };
+  enum class Cause : std::uint8_t {
+    None,
+    FollowingError,  ///< value: |q0 − q|; limit: the stop limit, also for a warning
+    Frozen,          ///< value: way of the reference without a count; limit: the most allowed
+    Jump,            ///< value: |Δq| since the last measurement; limit: what the axis can do
+    NotFinite,       ///< a reference or a measurement is NaN or infinite
+    Silent,          ///< value: cycles without an answer; limit: so many are too many
+    Lost             ///< the backend is gone
+  };
+
+  Verdict verdict = Verdict::None;
+  Cause cause = Cause::None;
+  int axis = -1;  ///< −1: the whole machine
+  double value = 0;
+  double limit = 0;
+};
+
+/// Does the machine do what it is told, and can what it reports be true? m or rad, s.
+///
+/// *Following error*, as LinuxCNC's FERROR and MIN_FERROR: a cycle with |q0 − q| above
+///
+///     limit(v) = max(following_warn, following_limit·|q0'|/v_max)
+///
+/// is a stop, above half of it a warning. DriveData.following_warn is thus the limit at rest and at
+/// low speed, DriveData.following_limit the one at v_max.
+///
+/// *Frozen*: q has not changed by a single count while the reference went further than
+/// 20 counts + twice the way on which the servo overcomes Coulomb friction (2·C/kp). Because it is
+/// counted in way, not in time, no slow motion can raise it. [choice] 20: real encoders miss a few.
+///
+/// *Jump*: |Δq| > 2·v_max·(time since the last measurement, at least T).
+///
+/// *Silent*: the third cycle in a row without an answer. *Lost*: at once.
+///
+/// The gravest finding is reported, of equals that of the lowest axis; it is reported again every
+/// cycle for as long as it holds. Every call but the constructor may be used in the tick.
+class FollowingSupervisor {
+ public:
+  static constexpr int kSilentCycles = 3;
+  static constexpr int kFrozenCounts = 20;
+
+  /// At most kMaxJoints drives.
+  FollowingSupervisor(std::span<const DriveData> drives, const JointVector& v_max,
+                      double servo_period);
+
+  /// At enable: what is measured now is believed.
+  void reset(const JointReference& reference, const JointMeasurement& measured) noexcept;
+
+  /// Reference and measurement of the same instant. Unless `status` is Ok, `measured` is not
+  /// looked at.
+  FollowingFinding check(DriverStatus status, const JointReference& reference,
+                         const JointMeasurement& measured) noexcept;
+
+ private:
+  struct AxisWatch {
+    double v_max = 0;
+    double limit_at_rest = 0;
+    double limit_at_v_max = 0;
+    double frozen_way = 0;
+    double q = 0;             // last measured
+    double reference_at = 0;  // where the reference was when q last changed
+  };
+
+  FollowingFinding no_answer(DriverStatus status) noexcept;
+  FollowingFinding check_axis(int i, double elapsed, double q, double q0, double v0) noexcept;
+
+  std::array<AxisWatch, kMaxJoints> axes_;
+  int count_;
+  double servo_period_;
+  double time_ = 0;  // of the last measurement
+  int silent_ = 0;
+};
+
+}  // namespace rob::motion

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "motion/servo/drive_data.h"
+#include "motion/space/joint_vector.h"
+
+namespace rob::motion {
+
+/// The gains of one axis: N/m, N/(m/s), N/(m·s), or Nm and rad.
+struct ServoGains {
+  double kp = 0;
+  double kv = 0;
+  double ki = 0;
+};
+
+/// Both error poles at −ω: kp = ω²·H, kv = 2ω·H − Dc, with H the inertia and Dc the viscous
+/// friction, which damps already; kI = 0.1·ω·kp is slow against them.
+/// ω = min(drive.bandwidth, 0.2/T): a sampled loop with an estimated velocity has no phase for
+/// more.
+ServoGains servo_gains(const DriveData& drive, double servo_period);
+
+/// S2's servo law for decoupled axes: feed-forward plus PID, N or Nm.
+///
+///     u  = u0 + kp·(q0 − q) + kv·(q0' − q') + kI·e,   |u| <= force_max
+///     u0 = H·q0'' + Dc·q0'                            Coulomb friction is left to e
+///     e  = e + (q0 − q)·(time really elapsed),        |kI·e| <= force_max/2
+///
+/// e stands still while u is limited. An axis whose values are not finite gets no force.
+/// Every call but the constructor may be used in the tick.
+class ServoLaw {
+ public:
+  /// At most kMaxJoints drives; servo_period in s.
+  ServoLaw(std::span<const DriveData> drives, double servo_period);
+
+  /// At enable: nothing accumulated, time counts from `now`.
+  void reset(double now) noexcept;
+
+  /// Reference and measurement of the same instant `now`, which never goes back.
+  JointVector update(double now, const JointReference& reference,
+                     const JointMeasurement& measured) noexcept;
+
+  /// κ = max |u before limiting|/force_max over axes and cycles since it was last taken: above 1
+  /// the motion asks for more than the drives have.
+  double take_saturation() noexcept;
+
+ private:
+  struct AxisLaw {
+    DriveData drive;
+    ServoGains gains;
+    double e = 0;
+  };
+  double axis_force(AxisLaw& axis, double elapsed, double feed_forward, double position_error,
+                    double velocity_error) noexcept;
+
+  std::array<AxisLaw, kMaxJoints> axes_;
+  int count_;
+  double time_ = 0;
+  double saturation_ = 0;
+};
+
+}  // namespace rob::motion
