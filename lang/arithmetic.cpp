@@ -1,0 +1,92 @@
+#include "lang/arithmetic.h"
+
+namespace rob::lang {
+
+ArithmeticErrorText describe(ArithmeticError error) {
+  switch (error) {
+    case ArithmeticError::None:
+      return {};
+    case ArithmeticError::IntegerOverflow:
+      return {"E301", "the result is too large for a whole number",
+              "INT reaches from -2^63 to 2^63 - 1; compute with REAL, for example REAL(n)"};
+    case ArithmeticError::DivisionByZero:
+      return {"E302", "division by zero", "test the divisor before dividing"};
+    case ArithmeticError::NotFinite:
+      return {"E303", "the result is too large for a number",
+              "numbers reach up to about 1.8e308"};
+    case ArithmeticError::NegativeRoot:
+      return {"E304", "SQRT of a negative number", ""};
+    case ArithmeticError::ArcOutOfRange:
+      return {"E305", "ASIN and ACOS need a number from -1 to 1",
+              "CLAMP(x, -1, 1) forgives rounding"};
+    case ArithmeticError::LogarithmOfNonPositive:
+      return {"E306", "the logarithm of zero or of a negative number", ""};
+    case ArithmeticError::ClampReversed:
+      return {"E307", "the lower bound of CLAMP is above the upper one",
+              "the order is CLAMP(value, lower, upper)"};
+    case ArithmeticError::PowerUndefined:
+      return {"E308", "a negative number has no such power",
+              "only whole exponents are possible here"};
+    case ArithmeticError::ZeroStep:
+      return {"E309", "the STEP of a FOR is zero", "it would never end"};
+    case ArithmeticError::TooManyTurns:
+      return {"E310", "this FOR would run more than 2^53 times", "take a larger STEP"};
+  }
+  return {};
+}
+
+namespace arithmetic {
+
+Error integer_power(std::int64_t base, std::int64_t exponent, std::int64_t& result) {
+  std::int64_t product = 1;
+  while (true) {
+    if ((exponent & 1) != 0) {
+      if (multiply(product, base, product) != Error::None) return Error::IntegerOverflow;
+    }
+    exponent >>= 1;
+    if (exponent == 0) break;
+    // The square is needed for a factor still to come, so its overflow is the result's.
+    if (multiply(base, base, base) != Error::None) return Error::IntegerOverflow;
+  }
+  result = product;
+  return Error::None;
+}
+
+Error real_power(double base, double exponent, double& result) {
+  if (base == 0 && exponent < 0) return Error::DivisionByZero;
+  if (base < 0 && exponent != std::trunc(exponent)) return Error::PowerUndefined;
+  return store_finite(std::pow(base, exponent), result);
+}
+
+Error turns(double from, double to, double step, std::int64_t& result) {
+  // 2^53: up to here every count is a double of its own, and from + i * step is meant exactly.
+  constexpr double kMost = 9007199254740992.0;
+  if (step == 0) return Error::ZeroStep;
+  const double last = std::floor((to - from) / step + 1e-9);
+  if (!(last < kMost)) return Error::TooManyTurns;
+  if (last < 0) {
+    result = 0;
+    return Error::None;
+  }
+  if (!std::isfinite(from + last * step)) return Error::NotFinite;
+  result = static_cast<std::int64_t>(last) + 1;
+  return Error::None;
+}
+
+Error turns(std::int64_t from, std::int64_t to, std::int64_t step, std::int64_t& result) {
+  if (step == 0) return Error::ZeroStep;
+  result = 0;
+  if (step > 0 ? to < from : to > from) return Error::None;
+  // Unsigned, since the distance of two INTs may be as large as 2^64 - 1.
+  using Distance = std::uint64_t;
+  const Distance distance = step > 0 ? static_cast<Distance>(to) - static_cast<Distance>(from)
+                                     : static_cast<Distance>(from) - static_cast<Distance>(to);
+  const Distance stride = step > 0 ? static_cast<Distance>(step) : Distance{0} - static_cast<Distance>(step);
+  const Distance last = distance / stride;
+  if (last >= Distance{1} << 53) return Error::TooManyTurns;
+  result = static_cast<std::int64_t>(last) + 1;
+  return Error::None;
+}
+
+}  // namespace arithmetic
+}  // namespace rob::lang

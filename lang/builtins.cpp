@@ -1,0 +1,168 @@
+#include "lang/builtins.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "lang/symbols.h"
+
+namespace rob::lang {
+namespace {
+
+using arithmetic::store_finite;
+using arithmetic::to_integer;
+using Error = ArithmeticError;
+using Arguments = std::span<const Slot>;
+
+constexpr double kPi = std::numbers::pi;
+
+Error absolute_int(Arguments a, Slot& r) {
+  if (a[0].integer < 0) return arithmetic::negate(a[0].integer, r.integer);
+  r.integer = a[0].integer;
+  return Error::None;
+}
+Error absolute_real(Arguments a, Slot& r) { return store_finite(std::fabs(a[0].real), r.real); }
+
+Error sign_int(Arguments a, Slot& r) {
+  r.integer = (a[0].integer > 0) - (a[0].integer < 0);
+  return Error::None;
+}
+Error sign_real(Arguments a, Slot& r) {
+  r.integer = (a[0].real > 0) - (a[0].real < 0);
+  return Error::None;
+}
+
+Error least_int(Arguments a, Slot& r) {
+  r = *std::ranges::min_element(a, {}, &Slot::integer);
+  return Error::None;
+}
+Error least_real(Arguments a, Slot& r) {
+  r = *std::ranges::min_element(a, {}, &Slot::real);
+  return Error::None;
+}
+Error greatest_int(Arguments a, Slot& r) {
+  r = *std::ranges::max_element(a, {}, &Slot::integer);
+  return Error::None;
+}
+Error greatest_real(Arguments a, Slot& r) {
+  r = *std::ranges::max_element(a, {}, &Slot::real);
+  return Error::None;
+}
+
+Error clamp_int(Arguments a, Slot& r) {
+  if (a[1].integer > a[2].integer) return Error::ClampReversed;
+  r.integer = std::clamp(a[0].integer, a[1].integer, a[2].integer);
+  return Error::None;
+}
+Error clamp_real(Arguments a, Slot& r) {
+  if (a[1].real > a[2].real) return Error::ClampReversed;
+  r.real = std::clamp(a[0].real, a[1].real, a[2].real);
+  return Error::None;
+}
+
+Error square_root(Arguments a, Slot& r) {
+  if (a[0].real < 0) return Error::NegativeRoot;
+  return store_finite(std::sqrt(a[0].real), r.real);
+}
+Error hypotenuse(Arguments a, Slot& r) {
+  return store_finite(std::hypot(a[0].real, a[1].real), r.real);
+}
+Error sine(Arguments a, Slot& r) { return store_finite(std::sin(a[0].real), r.real); }
+Error cosine(Arguments a, Slot& r) { return store_finite(std::cos(a[0].real), r.real); }
+Error tangent(Arguments a, Slot& r) { return store_finite(std::tan(a[0].real), r.real); }
+Error arc_sine(Arguments a, Slot& r) {
+  if (std::fabs(a[0].real) > 1) return Error::ArcOutOfRange;
+  return store_finite(std::asin(a[0].real), r.real);
+}
+Error arc_cosine(Arguments a, Slot& r) {
+  if (std::fabs(a[0].real) > 1) return Error::ArcOutOfRange;
+  return store_finite(std::acos(a[0].real), r.real);
+}
+Error arc_tangent(Arguments a, Slot& r) { return store_finite(std::atan(a[0].real), r.real); }
+/// (0, 0) has no direction; std::atan2 and the language answer 0.
+Error arc_tangent2(Arguments a, Slot& r) {
+  return store_finite(std::atan2(a[0].real, a[1].real), r.real);
+}
+Error exponential(Arguments a, Slot& r) { return store_finite(std::exp(a[0].real), r.real); }
+Error natural_logarithm(Arguments a, Slot& r) {
+  if (a[0].real <= 0) return Error::LogarithmOfNonPositive;
+  return store_finite(std::log(a[0].real), r.real);
+}
+Error decimal_logarithm(Arguments a, Slot& r) {
+  if (a[0].real <= 0) return Error::LogarithmOfNonPositive;
+  return store_finite(std::log10(a[0].real), r.real);
+}
+
+using Rounding = double (*)(double);
+
+template <Rounding kRound>
+Error whole(Arguments a, Slot& r) {
+  return to_integer(kRound(a[0].real), r.integer);
+}
+template <Rounding kRound>
+Error multiple(Arguments a, Slot& r) {
+  if (a[1].real == 0) return Error::DivisionByZero;
+  return store_finite(kRound(a[0].real / a[1].real) * a[1].real, r.real);
+}
+constexpr BuiltinFunction floor_whole = whole<std::floor>;
+constexpr BuiltinFunction floor_step = multiple<std::floor>;
+constexpr BuiltinFunction ceil_whole = whole<std::ceil>;
+constexpr BuiltinFunction ceil_step = multiple<std::ceil>;
+constexpr BuiltinFunction round_whole = whole<std::round>;
+constexpr BuiltinFunction round_step = multiple<std::round>;
+constexpr BuiltinFunction trunc_whole = whole<std::trunc>;
+constexpr BuiltinFunction trunc_step = multiple<std::trunc>;
+
+Error same_real(Arguments a, Slot& r) {
+  r = a[0];
+  return Error::None;
+}
+/// Into (-180deg, 180deg].
+Error wrap(Arguments a, Slot& r) {
+  const double turned = std::remainder(a[0].real, 2 * kPi);
+  return store_finite(turned <= -kPi ? kPi : turned, r.real);
+}
+
+constexpr std::array kBuiltins = std::to_array<Builtin>({
+#define ROB_BUILTIN(name, least, most, rule, integer, real) \
+  {#name, least, most, BuiltinRule::rule, integer, real},
+#include "lang/builtins.def"
+});
+
+constexpr std::array kLater = std::to_array<std::string_view>(
+    {"AIN",   "AOUT", "CLOCK", "CROSS", "DIN",  "DIST",   "DOT",    "DOUT",     "FIND",
+     "FORCE", "FORWARD", "FRAME3", "HERE", "HIT", "HITPOSE", "INV", "JOINTS", "LEN",
+     "LOWER", "MID",  "MIX",   "NORM",  "NUM",  "POSE",   "QUAT",   "RANDOM",   "TARGET",
+     "TORQUE", "TO_FRAME", "TRIM", "TURN", "UNIT", "UPPER", "VEC", "WORLD", "WRENCH",
+     "ZYZ"});
+
+}  // namespace
+
+std::span<const Builtin> builtins() { return kBuiltins; }
+
+const Builtin* find_builtin(std::string_view name, std::size_t arguments) {
+  const std::string key = folded(name);
+  const Builtin* first = nullptr;
+  for (const Builtin& builtin : kBuiltins) {
+    if (builtin.name != key) continue;
+    if (arguments >= builtin.least && arguments <= builtin.most) return &builtin;
+    if (first == nullptr) first = &builtin;
+  }
+  return first;
+}
+
+std::vector<std::string_view> builtin_names() {
+  std::vector<std::string_view> names;
+  for (const Builtin& builtin : kBuiltins) {
+    if (names.empty() || names.back() != builtin.name) names.push_back(builtin.name);
+  }
+  return names;
+}
+
+bool is_later_builtin(std::string_view name) {
+  const std::string key = folded(name);
+  return std::ranges::find(kLater, key) != kLater.end();
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "lang/arithmetic.h"
+
+/// The built-in functions: one table (builtins.def) for the checker, constant folding and the Vm.
+namespace rob::lang {
+
+/// How the types of arguments and result hang together. D is any dimension, or none.
+enum class BuiltinRule : std::uint8_t {
+  SameNumber,    ///< all of one D → D; INT if all are INT
+  NumberToInt,   ///< D → INT
+  Root,          ///< D² → D
+  SameReal,      ///< all of one D → D, never INT
+  AngleToReal,   ///< ANGLE → REAL
+  RealToAngle,   ///< REAL → ANGLE
+  SameToAngle,   ///< all of one D → ANGLE
+  RealToReal,    ///< REAL → REAL
+  RealToInt,     ///< REAL → INT
+  AngleToAngle,  ///< ANGLE → ANGLE
+  AnyToText      ///< any → STRING; compiled in line, so it has no function
+};
+
+/// Pure; takes no memory. All arguments are INT, or all are REAL, as the function was chosen.
+using BuiltinFunction = ArithmeticError (*)(std::span<const Slot> arguments, Slot& result);
+
+struct Builtin {
+  std::string_view name;
+  std::size_t least = 0;  ///< arguments
+  std::size_t most = 0;
+  BuiltinRule rule = BuiltinRule::SameNumber;
+  BuiltinFunction integer = nullptr;
+  BuiltinFunction real = nullptr;
+};
+
+/// All of builtins.def, in its order; the index is what an instruction carries.
+std::span<const Builtin> builtins();
+/// The one that takes so many arguments, or the first of that name, or null. `name` in any case.
+const Builtin* find_builtin(std::string_view name, std::size_t arguments);
+/// Each name once, for "did you mean".
+std::vector<std::string_view> builtin_names();
+/// A function or value of the language that this version does not have yet.
+bool is_later_builtin(std::string_view name);
+
+}  // namespace rob::lang

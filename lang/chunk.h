@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/arithmetic.h"
+#include "lang/diagnostic.h"
+#include "lang/machine.h"
+#include "lang/types.h"
+
+/// A compiled program: what the Vm executes and the disassembler lists.
+namespace rob::lang {
+
+enum class Opcode : std::uint8_t {
+#define ROB_OPCODE(name, operands) name,
+#include "lang/opcodes.def"
+};
+
+/// One word of code; its fields are explained in opcodes.def.
+struct Instruction {
+  std::uint32_t word = 0;
+
+  static constexpr Instruction abc(Opcode op, unsigned a = 0, unsigned b = 0, unsigned c = 0) {
+    return {static_cast<std::uint32_t>(op) | a << 8 | b << 16 | c << 24};
+  }
+  static constexpr Instruction ax(Opcode op, unsigned a, unsigned x) {
+    return {static_cast<std::uint32_t>(op) | a << 8 | x << 16};
+  }
+  static constexpr Instruction jump(Opcode op, std::int32_t distance) {
+    return {static_cast<std::uint32_t>(op) | static_cast<std::uint32_t>(distance) << 8};
+  }
+
+  constexpr Opcode opcode() const { return static_cast<Opcode>(word & 0xff); }
+  constexpr std::uint8_t a() const { return static_cast<std::uint8_t>(word >> 8); }
+  constexpr std::uint8_t b() const { return static_cast<std::uint8_t>(word >> 16); }
+  constexpr std::uint8_t c() const { return static_cast<std::uint8_t>(word >> 24); }
+  constexpr std::uint16_t x() const { return static_cast<std::uint16_t>(word >> 16); }
+  constexpr std::int16_t signed_x() const { return static_cast<std::int16_t>(word >> 16); }
+  constexpr std::int32_t distance() const { return static_cast<std::int32_t>(word) >> 8; }
+};
+
+/// The farthest that a jump reaches, in words: what fits 24 bits with a sign.
+inline constexpr std::size_t kFarthestJump = (std::size_t{1} << 23) - 1;
+/// Number registers, and text registers, that one frame can have: what fits 8 bits.
+inline constexpr int kMostRegisters = 256;
+
+/// What a `move` instruction finds in the registers from A on: the given coordinates in order,
+/// then the value of AT, then that of OVER.
+struct MoveForm {
+  int count = 0;           ///< coordinates of the robot
+  std::uint8_t given = 0;  ///< as in MoveCommand
+  MoveCommand::Pace pace = MoveCommand::Pace::Unspecified;
+  bool over = false;
+
+  bool operator==(const MoveForm&) const = default;
+};
+
+/// Where a variable lives; for listings and, later, for looking at a halted program.
+struct NamedRegister {
+  std::string name;
+  std::uint8_t index = 0;
+  bool text = false;       ///< a text register
+  std::uint32_t from = 0;  ///< first instruction at which the name means this register
+  std::uint32_t to = 0;    ///< one past the last
+};
+
+struct Chunk {
+  std::vector<Instruction> code;
+  std::vector<Place> places;  ///< of every word of code: where it comes from
+  std::vector<Slot> constants;
+  std::vector<Type> constant_types;  ///< parallel to constants; for listings
+  std::vector<std::string> texts;
+  std::vector<Dimension> dimensions;
+  std::vector<MoveForm> moves;
+  std::vector<std::string> signals;  ///< names by number; for listings
+  std::vector<NamedRegister> names;
+  int registers = 0;
+  int text_registers = 0;
+};
+
+/// "add_int", and what its operands are: the letters of opcodes.def.
+struct OpcodeInfo {
+  std::string_view name;
+  std::string_view operands;
+};
+const OpcodeInfo& info(Opcode opcode);
+
+}  // namespace rob::lang

@@ -1,0 +1,68 @@
+#include "lang/symbols.h"
+
+#include <numbers>
+#include <utility>
+
+namespace rob::lang {
+
+std::string folded(std::string_view name) {
+  std::string upper(name);
+  for (char& c : upper) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return upper;
+}
+
+Scopes::Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot) : symbols_(symbols) {
+  enter();
+  Symbol pi;
+  pi.kind = Symbol::Kind::BuiltIn;
+  pi.name = "PI";
+  pi.type = Type::real();
+  pi.value = std::numbers::pi;
+  declare(std::move(pi));
+  for (std::size_t i = 0; i < robot.signals.size(); ++i) {
+    Symbol signal;
+    signal.kind = Symbol::Kind::Signal;
+    signal.name = robot.signals[i].name;
+    signal.type = Type::boolean();
+    signal.signal = static_cast<int>(i);
+    signal.output = robot.signals[i].output;
+    declare(std::move(signal));
+  }
+}
+
+const Symbol* Scopes::find(std::string_view name) const {
+  const std::string key = folded(name);
+  for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
+    if (const auto found = scope->find(key); found != scope->end()) return found->second;
+  }
+  return nullptr;
+}
+
+const Symbol* Scopes::find_innermost(std::string_view name) const {
+  const auto found = scopes_.back().find(folded(name));
+  return found == scopes_.back().end() ? nullptr : found->second;
+}
+
+bool Scopes::provided(std::string_view name) const {
+  return scopes_.front().contains(folded(name));
+}
+
+const Symbol* Scopes::declare(Symbol symbol) {
+  symbol.id = symbols_.size();
+  symbols_.push_back(std::move(symbol));
+  const Symbol* const declared = &symbols_.back();
+  scopes_.back()[folded(declared->name)] = declared;
+  return declared;
+}
+
+std::vector<std::string_view> Scopes::visible() const {
+  std::vector<std::string_view> names;
+  for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
+    for (const auto& [key, symbol] : *scope) names.push_back(symbol->name);
+  }
+  return names;
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/ast.h"
+#include "lang/robot_signature.h"
+
+namespace rob::lang {
+
+/// What a name stands for.
+struct Symbol {
+  enum class Kind : std::uint8_t {
+    Variable,      ///< VAR: may be assigned
+    NamedConstant, ///< CONST: computed where it stands, at the latest
+    LoopVariable,  ///< of FOR: read-only in the body
+    Signal,        ///< declared by the robot's file
+    BuiltIn        ///< PI
+  };
+
+  Kind kind = Kind::Variable;
+  std::string name;    ///< as it was declared
+  Type type;
+  Place place;         ///< of its declaration; line 0 for what is not declared in the program
+  std::size_t id = 0;  ///< dense, from 0: an index for what later stages know of it
+  Constant value;      ///< where it is known before the program runs
+  int signal = 0;      ///< its index in the RobotSignature
+  bool output = false; ///< a signal that may be assigned
+};
+
+/// Upper-case ASCII: names are case-insensitive, and this is how they are compared.
+std::string folded(std::string_view name);
+
+/// The names that may be used at one place of the program. Scopes nest; the outermost holds what
+/// the language and the robot provide, the second the program's own top level. A name declared in
+/// an inner scope hides the same name further out.
+class Scopes {
+ public:
+  /// `symbols` owns all symbols ever declared, and keeps their addresses.
+  Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot);
+
+  void enter() { scopes_.emplace_back(); }
+  void leave() { scopes_.pop_back(); }
+
+  /// Null if the name is unknown here.
+  const Symbol* find(std::string_view name) const;
+  /// Null if the innermost scope has no such name.
+  const Symbol* find_innermost(std::string_view name) const;
+  /// Whether the language or the robot gives this name a meaning.
+  bool provided(std::string_view name) const;
+  /// Declares in the innermost scope; what had the same name there is replaced.
+  const Symbol* declare(Symbol symbol);
+  /// All names that can be seen from here, for "did you mean".
+  std::vector<std::string_view> visible() const;
+
+ private:
+  using Scope = std::map<std::string, const Symbol*, std::less<>>;
+
+  std::deque<Symbol>& symbols_;
+  std::vector<Scope> scopes_;
+};
+
+}  // namespace rob::lang
