@@ -44,7 +44,10 @@ class SimGantry final : public motion::ServoBackend {
   double true_position(int axis) const noexcept;
 
  private:
+  void power_up() noexcept;
   void advance_to(double now) noexcept;
+  void skip_to(double now) noexcept;
+  void move_to(double now) noexcept;
 
   motion::JointVector start_;
   std::vector<SimAxis> axes_;

@@ -47,8 +47,8 @@ struct FollowingFinding {
 ///
 /// *Silent*: the third cycle in a row without an answer. *Lost*: at once.
 ///
-/// The gravest finding is reported, of equals that of the lowest axis; it is reported again every
-/// cycle for as long as it holds. Every call but the constructor may be used in the tick.
+/// The gravest finding is reported, of equals that of the lowest axis, in every cycle in which it
+/// holds: a jump once. Every call but the constructor may be used in the tick.
 class FollowingSupervisor {
  public:
   static constexpr int kSilentCycles = 3;

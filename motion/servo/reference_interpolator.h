@@ -38,8 +38,8 @@ class ReferenceInterpolator {
   /// `now` never goes back. Before the oldest reference that is kept: that reference.
   JointReference at(double now) noexcept;
 
-  /// Periods for which there was no reference while the axes moved, since the constructor. Less
-  /// than half a period is not counted: it is the jitter of two threads.
+  /// Periods without a reference after one that moved, since the constructor. Less than half a
+  /// period is not counted: it is the jitter of two threads.
   std::uint64_t starved() const noexcept { return starved_; }
 
   /// True while the way back to the references is not finished.
@@ -51,9 +51,11 @@ class ReferenceInterpolator {
 
   const JointReference& kept(int i) const noexcept;
   void drop_oldest() noexcept;
+  bool neighbours_connected() const noexcept;
   bool must_extrapolate(double now) const noexcept;
   JointReference on_references(double now) const noexcept;
-  void leave_extrapolation(double now, const JointReference& references) noexcept;
+  void begin_extrapolation() noexcept;
+  JointReference extrapolated(double now) noexcept;
   void count_starvation(double now) noexcept;
 
   double period_;
@@ -64,7 +66,7 @@ class ReferenceInterpolator {
   ReferenceExtrapolation extrapolation_;
   ReferenceJoin join_;
   std::uint64_t starved_ = 0;
-  std::uint64_t starved_here_ = 0;  // in the present gap
+  std::uint64_t starved_here_ = 0;  // since extrapolation_.base()
 };
 
 }  // namespace rob::motion

@@ -1,0 +1,100 @@
+#include "motion/servo/following_supervisor.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "motion/servo/servo_law.h"
+
+namespace rob::motion {
+namespace {
+
+using Verdict = FollowingFinding::Verdict;
+using Cause = FollowingFinding::Cause;
+
+constexpr double kWarnShare = 0.5;      // of the limit
+constexpr double kJumpMargin = 2;       // of what v_max allows
+constexpr double kBreakawayMargin = 2;  // of the way that overcomes Coulomb friction
+
+FollowingFinding stop(Cause cause, int axis, double value, double limit) noexcept {
+  return {Verdict::Stop, cause, axis, value, limit};
+}
+
+}  // namespace
+
+FollowingSupervisor::FollowingSupervisor(std::span<const DriveData> drives,
+                                         const JointVector& v_max, double servo_period)
+    : count_(static_cast<int>(drives.size())), servo_period_(servo_period) {
+  assert(drives.size() <= axes_.size());
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    const DriveData& drive = drives[i];
+    AxisWatch& axis = axes_[i];
+    axis.v_max = v_max[static_cast<Eigen::Index>(i)];
+    axis.limit_at_rest = drive.following_warn;
+    axis.limit_at_v_max = drive.following_limit;
+    axis.frozen_way =
+        kFrozenCounts * drive.encoder_resolution +
+        kBreakawayMargin * drive.coulomb_friction / servo_gains(drive, servo_period).kp;
+  }
+}
+
+void FollowingSupervisor::reset(const JointReference& reference,
+                                const JointMeasurement& measured) noexcept {
+  time_ = measured.time;
+  silent_ = 0;
+  for (int i = 0; i < count_; ++i) {
+    AxisWatch& axis = axes_[static_cast<std::size_t>(i)];
+    axis.q = measured.q[i];
+    axis.reference_at = reference.q[i];
+  }
+}
+
+FollowingFinding FollowingSupervisor::check(DriverStatus status, const JointReference& reference,
+                                            const JointMeasurement& measured) noexcept {
+  if (status != DriverStatus::Ok) return no_answer(status);
+  silent_ = 0;
+  const double elapsed = std::max(measured.time - time_, servo_period_);
+  time_ = measured.time;
+  FollowingFinding gravest;
+  for (int i = 0; i < count_; ++i) {
+    // The velocities are looked at for being numbers alone.
+    const double rates = measured.qd[i] + reference.qdd[i];
+    const FollowingFinding finding =
+        std::isfinite(rates)
+            ? check_axis(i, elapsed, measured.q[i], reference.q[i], reference.qd[i])
+            : stop(Cause::NotFinite, i, rates, 0);
+    if (finding.verdict > gravest.verdict) gravest = finding;
+  }
+  return gravest;
+}
+
+FollowingFinding FollowingSupervisor::no_answer(DriverStatus status) noexcept {
+  if (status == DriverStatus::Lost) return stop(Cause::Lost, -1, 0, 0);
+  silent_ = std::min(silent_ + 1, kSilentCycles);
+  if (silent_ < kSilentCycles) return {};
+  return stop(Cause::Silent, -1, silent_, kSilentCycles);
+}
+
+FollowingFinding FollowingSupervisor::check_axis(int i, double elapsed, double q, double q0,
+                                                 double v0) noexcept {
+  AxisWatch& axis = axes_[static_cast<std::size_t>(i)];
+  if (!std::isfinite(q + q0 + v0)) return stop(Cause::NotFinite, i, q, 0);
+
+  const double moved = std::abs(q - axis.q);
+  if (q != axis.q) axis.reference_at = q0;
+  axis.q = q;
+  const double credible = kJumpMargin * axis.v_max * elapsed;
+  if (moved > credible) return stop(Cause::Jump, i, moved, credible);
+
+  const double way = std::abs(q0 - axis.reference_at);
+  if (way > axis.frozen_way) return stop(Cause::Frozen, i, way, axis.frozen_way);
+
+  const double error = std::abs(q0 - q);
+  const double limit =
+      std::max(axis.limit_at_rest, axis.limit_at_v_max * std::abs(v0) / axis.v_max);
+  if (error > limit) return stop(Cause::FollowingError, i, error, limit);
+  if (error > kWarnShare * limit) return {Verdict::Warn, Cause::FollowingError, i, error, limit};
+  return {};
+}
+
+}  // namespace rob::motion

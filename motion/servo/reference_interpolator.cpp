@@ -1,0 +1,116 @@
+#include "motion/servo/reference_interpolator.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "motion/servo/quintic.h"
+
+namespace rob::motion {
+namespace {
+
+// Stamps are whole multiples of the period, computed in floating point.
+constexpr double kStampTolerance = 1e-6;  // of a period
+
+bool is_finite(const JointReference& reference) noexcept {
+  return std::isfinite(reference.time) && reference.q.allFinite() && reference.qd.allFinite() &&
+         reference.qdd.allFinite();
+}
+
+JointReference back_from(const JointReference& reference, double now) noexcept {
+  const double t = now - reference.time;
+  JointReference before = reference;
+  before.time = now;
+  before.q += reference.qd * t + reference.qdd * (0.5 * t * t);
+  before.qd += reference.qdd * t;
+  return before;
+}
+
+}  // namespace
+
+ReferenceInterpolator::ReferenceInterpolator(double period, const JointVector& v_max,
+                                             const JointVector& a_max)
+    : period_(period), extrapolation_(period, v_max, a_max), join_(period, v_max, a_max) {}
+
+void ReferenceInterpolator::reset(const JointReference& stand) noexcept {
+  first_ = 0;
+  count_ = 1;
+  ring_[0] = stand;
+  ring_[0].qd.setZero(stand.q.size());
+  ring_[0].qdd.setZero(stand.q.size());
+  extrapolating_ = false;
+  join_.clear();
+}
+
+bool ReferenceInterpolator::push(const JointReference& reference) noexcept {
+  assert(count_ > 0 && "reset() comes first");
+  if (!is_finite(reference) || reference.time <= kept(count_ - 1).time) return false;
+  if (count_ == kKept) drop_oldest();
+  ring_[static_cast<std::size_t>((first_ + count_) % kKept)] = reference;
+  ++count_;
+  return true;
+}
+
+JointReference ReferenceInterpolator::at(double now) noexcept {
+  assert(count_ > 0 && "reset() comes first");
+  while (count_ > 1 && kept(1).time <= now) drop_oldest();
+
+  const bool goes_on = must_extrapolate(now);
+  const bool base_passed = extrapolating_ && kept(0).time != extrapolation_.base().time;
+  const bool joins = extrapolating_ && (base_passed || !goes_on);
+  const JointReference sent = joins ? extrapolated(now) : JointReference{};
+  if (goes_on && (base_passed || !extrapolating_)) begin_extrapolation();
+  extrapolating_ = goes_on;
+
+  JointReference reference = goes_on ? extrapolation_.at(now) : on_references(now);
+  if (goes_on) count_starvation(now);
+  if (joins) join_.start(sent, reference);
+  join_.apply(reference);
+  return reference;
+}
+
+const JointReference& ReferenceInterpolator::kept(int i) const noexcept {
+  return ring_[static_cast<std::size_t>((first_ + i) % kKept)];
+}
+
+void ReferenceInterpolator::drop_oldest() noexcept {
+  first_ = (first_ + 1) % kKept;
+  --count_;
+}
+
+bool ReferenceInterpolator::neighbours_connected() const noexcept {
+  return kept(1).time - kept(0).time <= (kLongestGap + kStampTolerance) * period_;
+}
+
+bool ReferenceInterpolator::must_extrapolate(double now) const noexcept {
+  if (now <= kept(0).time) return false;
+  if (count_ == 1) return true;
+  return !neighbours_connected() && now < kept(1).time - (1 + kStampTolerance) * period_;
+}
+
+JointReference ReferenceInterpolator::on_references(double now) const noexcept {
+  if (now <= kept(0).time) return kept(0);
+  if (neighbours_connected()) return quintic_between(kept(0), kept(1), now);
+  return back_from(kept(1), now);
+}
+
+void ReferenceInterpolator::begin_extrapolation() noexcept {
+  extrapolation_.start(kept(0));
+  starved_here_ = 0;
+}
+
+JointReference ReferenceInterpolator::extrapolated(double now) noexcept {
+  JointReference reference = extrapolation_.at(now);
+  join_.apply(reference);
+  return reference;
+}
+
+void ReferenceInterpolator::count_starvation(double now) noexcept {
+  if (extrapolation_.at_rest()) return;
+  const double periods = (now - extrapolation_.base().time) / period_;
+  const auto missing = static_cast<std::uint64_t>(std::floor(periods + 0.5));
+  if (missing <= starved_here_) return;
+  starved_ += missing - starved_here_;
+  starved_here_ = missing;
+}
+
+}  // namespace rob::motion

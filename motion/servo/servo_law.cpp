@@ -1,0 +1,75 @@
+#include "motion/servo/servo_law.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace rob::motion {
+namespace {
+
+constexpr double kPhasePerPeriod = 0.2;  // rad: the most that ω·T may be
+constexpr double kIntegralShare = 0.1;   // kI = 0.1·ω·kp
+constexpr double kIntegralReach = 0.5;   // of force_max
+
+}  // namespace
+
+ServoGains servo_gains(const DriveData& drive, double servo_period) {
+  const double omega = std::min(drive.bandwidth, kPhasePerPeriod / servo_period);
+  ServoGains gains;
+  gains.kp = omega * omega * drive.inertia;
+  gains.kv = 2 * omega * drive.inertia - drive.viscous_friction;
+  gains.ki = kIntegralShare * omega * gains.kp;
+  return gains;
+}
+
+ServoLaw::ServoLaw(std::span<const DriveData> drives, double servo_period)
+    : count_(static_cast<int>(drives.size())) {
+  assert(drives.size() <= axes_.size());
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    axes_[i].drive = drives[i];
+    axes_[i].gains = servo_gains(drives[i], servo_period);
+  }
+}
+
+void ServoLaw::reset(double now) noexcept {
+  for (AxisLaw& axis : axes_) axis.e = 0;
+  time_ = now;
+  saturation_ = 0;
+}
+
+JointVector ServoLaw::update(double now, const JointReference& reference,
+                             const JointMeasurement& measured) noexcept {
+  const double elapsed = std::max(0.0, now - time_);
+  time_ = now;
+  JointVector u(count_);
+  for (int i = 0; i < count_; ++i) {
+    AxisLaw& axis = axes_[static_cast<std::size_t>(i)];
+    const double u0 =
+        axis.drive.inertia * reference.qdd[i] + axis.drive.viscous_friction * reference.qd[i];
+    u[i] = axis_force(axis, elapsed, u0, reference.q[i] - measured.q[i],
+                      reference.qd[i] - measured.qd[i]);
+  }
+  return u;
+}
+
+double ServoLaw::axis_force(AxisLaw& axis, double elapsed, double feed_forward,
+                            double position_error, double velocity_error) noexcept {
+  const auto& [kp, kv, ki] = axis.gains;
+  const double u_max = axis.drive.force_max;
+  const double reach = kIntegralReach * u_max / ki;
+  const double e = std::clamp(axis.e + position_error * elapsed, -reach, reach);
+  const double u = feed_forward + kp * position_error + kv * velocity_error + ki * e;
+  if (!std::isfinite(u)) return 0;
+  saturation_ = std::max(saturation_, std::abs(u) / u_max);
+  if (std::abs(u) > u_max) return std::copysign(u_max, u);
+  axis.e = e;
+  return u;
+}
+
+double ServoLaw::take_saturation() noexcept {
+  const double taken = saturation_;
+  saturation_ = 0;
+  return taken;
+}
+
+}  // namespace rob::motion
