@@ -1,5 +1,7 @@
 #include "lang/arithmetic.h"
 
+#include "lang/codes.h"
+
 namespace rob::lang {
 
 ArithmeticErrorText describe(ArithmeticError error) {
@@ -7,30 +9,30 @@ ArithmeticErrorText describe(ArithmeticError error) {
     case ArithmeticError::None:
       return {};
     case ArithmeticError::IntegerOverflow:
-      return {"E301", "the result is too large for a whole number",
+      return {code::kIntegerOverflow, "the result is too large for a whole number",
               "INT reaches from -2^63 to 2^63 - 1; compute with REAL, for example REAL(n)"};
     case ArithmeticError::DivisionByZero:
-      return {"E302", "division by zero", "test the divisor before dividing"};
+      return {code::kDivisionByZero, "division by zero", "test the divisor before dividing"};
     case ArithmeticError::NotFinite:
-      return {"E303", "the result is too large for a number",
+      return {code::kNotFinite, "the result is too large for a number",
               "numbers reach up to about 1.8e308"};
     case ArithmeticError::NegativeRoot:
-      return {"E304", "SQRT of a negative number", ""};
+      return {code::kNegativeRoot, "SQRT of a negative number", ""};
     case ArithmeticError::ArcOutOfRange:
-      return {"E305", "ASIN and ACOS need a number from -1 to 1",
+      return {code::kArcOutOfRange, "ASIN and ACOS need a number from -1 to 1",
               "CLAMP(x, -1, 1) forgives rounding"};
     case ArithmeticError::LogarithmOfNonPositive:
-      return {"E306", "the logarithm of zero or of a negative number", ""};
+      return {code::kLogarithmOfNonPositive, "the logarithm of zero or of a negative number", ""};
     case ArithmeticError::ClampReversed:
-      return {"E307", "the lower bound of CLAMP is above the upper one",
+      return {code::kClampReversed, "the lower bound of CLAMP is above the upper one",
               "the order is CLAMP(value, lower, upper)"};
     case ArithmeticError::PowerUndefined:
-      return {"E308", "a negative number has no such power",
+      return {code::kPowerUndefined, "a negative number has no such power",
               "only whole exponents are possible here"};
     case ArithmeticError::ZeroStep:
-      return {"E309", "the STEP of a FOR is zero", "it would never end"};
+      return {code::kZeroStep, "the STEP of a FOR is zero", "it would never end"};
     case ArithmeticError::TooManyTurns:
-      return {"E310", "this FOR would run more than 2^53 times", "take a larger STEP"};
+      return {code::kTooManyTurns, "this FOR would run more than 2^53 times", "take a larger STEP"};
   }
   return {};
 }

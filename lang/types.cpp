@@ -4,7 +4,8 @@
 #include <array>
 #include <limits>
 #include <string_view>
-#include <utility>
+
+#include "lang/units.h"
 
 namespace rob::lang {
 namespace {
@@ -47,26 +48,6 @@ Dimension combine(Dimension a, Dimension b, Combine exponent) {
           .voltage = saturated(exponent(a.voltage, b.voltage))};
 }
 
-/// The product of base units as the language reads it: "kg*mm/s^3", "1/s^2".
-std::string unit_product(Dimension d) {
-  const std::array<std::pair<std::string_view, int>, 5> factors{
-      {{"kg", d.mass}, {"mm", d.length}, {"deg", d.angle}, {"s", d.time}, {"V", d.voltage}}};
-  std::string above;
-  std::string below;
-  for (const auto& [unit, exponent] : factors) {
-    if (exponent == 0) continue;
-    std::string& side = exponent > 0 ? above : below;
-    if (exponent < 0) {
-      side += '/';
-    } else if (!side.empty()) {
-      side += '*';
-    }
-    side += unit;
-    if (exponent != 1 && exponent != -1) side += "^" + std::to_string(std::abs(exponent));
-  }
-  return (above.empty() ? "1" : above) + below;
-}
-
 }  // namespace
 
 Dimension operator*(Dimension a, Dimension b) {
@@ -88,7 +69,7 @@ std::string in_words(Dimension dimension) {
       kNamedDimensions.begin(), kNamedDimensions.end(),
       [dimension](const NamedDimension& entry) { return entry.dimension == dimension; });
   if (named != kNamedDimensions.end()) return std::string(named->words);
-  return "a [" + unit_product(dimension) + "]";
+  return "a [" + unit_text(dimension) + "]";
 }
 
 std::string in_words(const Type& type) {
