@@ -84,6 +84,7 @@ struct Expr {
   std::variant<NumberLiteral, BoolLiteral, StringLiteral, Name, Unary, Binary, Call, Tuple> node;
   Type type;          ///< set by the checker
   Constant constant;  ///< set by the checker where the value is known before the program runs
+  int height = 1;     ///< levels of this tree; the parser keeps it at kMaxDepth (parser.h) at most
 };
 
 // ----------------------------------------------------------------- statements
@@ -103,7 +104,7 @@ struct Declaration {
   };
   bool constant = false;
   std::vector<Declared> names;
-  std::optional<Type> type;  ///< where it was written
+  std::optional<Type> type;  ///< where it was written; Unknown where the parser found it faulty
   ExprPtr value;             ///< null where left out
 };
 struct Assign {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+/// Letters and digits of the language, independent of the locale.
+namespace rob::lang {
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+constexpr bool begins_word(char c) { return is_letter(c) || c == '_'; }
+constexpr bool in_word(char c) { return begins_word(c) || is_digit(c); }
+
+constexpr char to_upper(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+inline std::string to_upper(std::string_view text) {
+  std::string upper(text);
+  std::ranges::transform(upper, upper.begin(), [](char c) { return to_upper(c); });
+  return upper;
+}
+
+/// Keywords and names are the same whatever their capital letters.
+inline bool same_word(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, [](char x, char y) { return to_upper(x) == to_upper(y); });
+}
+
+}  // namespace rob::lang
