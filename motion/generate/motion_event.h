@@ -13,8 +13,10 @@ struct MotionEvent {
     EffectDue,       ///< effect
     LateDecision,    ///< tag: nothing was known at the decision point; the target is made exact
     Finished,        ///< everything commanded has been done; the axes stand
-    Held,            ///< the axes stand on the path by request or by fault; value: progress
-    Overrun          ///< the tick came too late to be made up; value: how late, s
+    Held,            ///< the axes stand on the path by request or by fault; value: share of the
+                     ///< segment's time that is done, 0…1
+    Overrun,         ///< the tick came too late to be made up; value: how late, s
+    Fault            ///< axis: its reference was no number; it has not been handed out
   };
 
   Kind kind = Kind::SegmentStarted;
@@ -22,7 +24,8 @@ struct MotionEvent {
   Tag tag = 0;
   std::uint32_t number = 0;
   double value = 0;
-  Effect effect;
+  Effect effect{};
+  int axis = -1;
 };
 
 }  // namespace rob::motion

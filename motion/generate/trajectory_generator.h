@@ -13,12 +13,12 @@ enum class MotionState : std::uint8_t { Idle = 0, Running = 1, Held = 2, Stoppin
 /// One reference and where it comes from.
 struct GeneratorSample {
   JointReference reference;
-  Tag tag = 0;               ///< of the segment that owns this instant; 0 before the first
-  std::uint32_t piece = 0;   ///< number of that segment
-  double sigma = 0;          ///< path parameter inside it (Paul: its own time, s)
-  double rate = 0;           ///< d sigma / dt (Paul: the time scale, 1 = as planned)
+  Tag tag = 0;              ///< of the segment that owns this instant; 0 before the first
+  std::uint32_t piece = 0;  ///< number of that segment
+  double sigma = 0;         ///< path parameter inside it (Paul: its own time, s)
+  double rate = 0;          ///< d sigma / dt (Paul: the time scale, 1 = as planned)
   MotionState state = MotionState::Idle;
-  std::uint8_t limit = 0;    ///< what holds the speed (docs/cli.md, trace)
+  std::uint8_t limit = 0;  ///< what holds the speed (docs/cli.md, trace)
 };
 
 /// Makes references on line out of what the LookAheadBuffer holds (S2's kinematic part).

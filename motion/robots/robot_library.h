@@ -17,4 +17,10 @@ struct EmbeddedRobot {
 
 std::span<const EmbeddedRobot> embedded_robots();
 
+/// In alphabetical order.
+std::vector<std::string_view> robot_names();
+
+/// The robot of that name; throws RobotFileError, with a suggestion, if there is none.
+RobotModel embedded_robot(std::string_view name);
+
 }  // namespace rob::motion

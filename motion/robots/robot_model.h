@@ -36,10 +36,10 @@ struct RobotSignal {
 /// A two-position actuator of the simulated machine: an output that takes time to act, and the
 /// inputs that tell when it has arrived. Channels as in RobotSignal.
 struct TwoPositionActuator {
-  int output = 0;         ///< output channel that drives it
-  int input_off = 0;      ///< input channel, true while it stands at its OFF end
-  int input_on = 0;       ///< input channel, true while it stands at its ON end
-  double travel_time = 0; ///< s from end to end
+  int output = 0;          ///< output channel that drives it
+  int input_off = 0;       ///< input channel, true while it stands at its OFF end
+  int input_on = 0;        ///< input channel, true while it stands at its ON end
+  double travel_time = 0;  ///< s from end to end
 };
 
 /// Everything that is known of a robot before it moves. Read from a robot file, never changed
@@ -53,7 +53,7 @@ struct RobotModel {
   double servo_period = 0;      ///< s; reference_period is a whole multiple
   int look_ahead = 0;           ///< segments that the buffer holds
   std::vector<Axis> axes;
-  JointVector start;            ///< m, rad: where the simulated robot stands at power-up
+  JointVector start;  ///< m, rad: where the simulated robot stands at power-up
   std::vector<RobotSignal> signals;
   std::vector<TwoPositionActuator> actuators;
   std::shared_ptr<const Kinematics> kinematics;

@@ -1,0 +1,272 @@
+#include "motion/generate/paul_generator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rob::motion {
+
+namespace {
+
+using Kind = MotionEvent::Kind;
+
+/// s. Instants that differ by less are one: rounding of sums of times, days long.
+constexpr double kSameInstant = 1e-9;
+
+/// [choice: four times what the buffer's effects can make in one period; taken every period]
+constexpr std::size_t kEvents = 4 * LookAheadBuffer::kEffects;
+
+constexpr std::uint8_t kLimitEndOfBuffer = 20;
+constexpr std::uint8_t kLimitOverride = 21;
+
+/// Missed periods that are made up: 20, or 200 ms where that is more.
+std::int64_t most_missed(double period) {
+  return std::max<std::int64_t>(20, std::llround(0.2 / period));
+}
+
+}  // namespace
+
+PaulGenerator::PaulGenerator(const RobotModel& robot, LookAheadBuffer& buffer,
+                             const JointVector& start)
+    : period_(robot.reference_period),
+      most_missed_(most_missed(robot.reference_period)),
+      buffer_(buffer),
+      clock_(time_scale_limits(robot), robot.reference_period),
+      events_(kEvents),
+      t_acc_(robot.t_acc) {
+  segment_.target = start;
+  const JointVector zero = JointVector::Zero(start.size());
+  sample_.reference = {0, start, zero, zero};
+}
+
+const GeneratorSample& PaulGenerator::advance(std::int64_t period) noexcept {
+  catch_up(period);
+  while (last_period_ < period) step(static_cast<double>(++last_period_) * period_);
+  return sample_;
+}
+
+/// A delay that is too long to be made up is taken out of the path's time.
+void PaulGenerator::catch_up(std::int64_t period) noexcept {
+  const std::int64_t missed = period - last_period_ - 1;
+  if (missed <= most_missed_) return;
+  const double lateness = static_cast<double>(missed) * period_;
+  clock_.skip(lateness);
+  clock_.hold();
+  last_period_ = period - 1;
+  tell({.kind = Kind::Overrun,
+        .time = static_cast<double>(last_period_) * period_,
+        .tag = segment_.tag,
+        .number = segment_.number,
+        .value = lateness});
+}
+
+void PaulGenerator::resume() noexcept {
+  clock_.resume();
+  held_told_ = false;
+}
+
+void PaulGenerator::step(double stamp) noexcept {
+  clock_.advance(stamp, !running_);
+  if (running_) run_segments();
+  report_held();
+  fire_effects(stamp);
+  if (!running_) start_from_rest();
+  finish_if_done();
+  make_sample();
+  publish_decidable();
+}
+
+/// All that lies between the reference before and this one, in order of time. A segment lasts at
+/// least two half transitions, so the turns of the loop are few.
+void PaulGenerator::run_segments() noexcept {
+  pass_milestone();
+  while (running_ && clock_.path_time() > end_ + kSameInstant) {
+    decide();
+    pass_milestone();
+  }
+  if (running_ && segment_.no_length && clock_.path_time() >= end_ - kSameInstant) arrive();
+}
+
+void PaulGenerator::pass_milestone() noexcept {
+  if (passed_ >= passing_ || clock_.path_time() < milestone_ - kSameInstant) return;
+  passed_ = passing_;
+  latest_ = std::max(latest_, clock_.run_time(milestone_));
+  fire_effects(latest_);
+}
+
+/// At the end of a segment of no length the axes stand at its target. What follows at this very
+/// instant is not decided before the next reference; here it only matters whether anything can.
+void PaulGenerator::arrive() noexcept {
+  latest_ = std::max(latest_, clock_.run_time(end_));
+  const bool closed = buffer_.closed();
+  if (closed && buffer_.next_segment() == nullptr) running_ = false;
+}
+
+/// The decision instant has passed: what follows the present segment?
+void PaulGenerator::decide() noexcept {
+  const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
+  const SegmentDescriptor* next = faulted_ ? nullptr : buffer_.next_segment();
+  if (next != nullptr && take_up(*next, end_)) {
+    buffer_.pop_segment();
+  } else if (segment_.no_length) {
+    running_ = false;
+  } else {
+    if (!closed && !faulted_) {
+      late_decisions_.fetch_add(1, std::memory_order_relaxed);
+      tell({.kind = Kind::LateDecision,
+            .time = clock_.run_time(end_),
+            .tag = segment_.tag,
+            .number = segment_.number});
+    }
+    begin_stop(end_);
+  }
+}
+
+/// Begins `segment` and says so; false, with a fault, if its references would not be finite.
+bool PaulGenerator::take_up(const SegmentDescriptor& segment, double instant) noexcept {
+  for (int i = 0; i < segment_.target.size(); ++i) {
+    const double rate = (segment.target[i] - segment_.target[i]) / segment.duration;
+    if (std::isfinite(rate) && std::isfinite(segment.target[i])) continue;
+    fail(segment, i, instant);
+    return false;
+  }
+  begin(segment, instant);
+  inserted_ = false;
+  tell({.kind = Kind::SegmentStarted,
+        .time = clock_.run_time(instant),
+        .tag = segment.tag,
+        .number = segment.number});
+  return true;
+}
+
+void PaulGenerator::fail(const SegmentDescriptor& segment, int axis, double instant) noexcept {
+  faulted_ = true;
+  tell({.kind = Kind::Fault,
+        .time = clock_.run_time(instant),
+        .tag = segment.tag,
+        .number = segment.number,
+        .axis = axis});
+}
+
+/// S1: A := X, B := C, C := D, T1 := T2, t := −t_acc.
+void PaulGenerator::begin(const SegmentDescriptor& segment, double instant) noexcept {
+  const JointVector b = segment_.target;
+  const JointVector a = running_ ? path_.sample(exit()).q : b;
+  path_ = PaulTransition(a, b, segment.target, segment.duration, t_acc_);
+  zero_ = instant + t_acc_;
+  end_ = zero_ + segment.duration - segment.t_acc;
+  const std::uint32_t before = segment_.number;
+  segment_ = segment;
+  t_acc_ = segment.t_acc;
+  running_ = true;
+  milestone_ = segment.no_length ? end_ : zero_;
+  passing_ = segment.no_length ? segment.number : before;
+}
+
+/// Arrives at the present target and stands there; the present segment goes on owning the time.
+void PaulGenerator::begin_stop(double instant) noexcept {
+  SegmentDescriptor stop = segment_;
+  stop.duration = 2 * t_acc_;
+  stop.no_length = true;
+  stop.limit = kLimitEndOfBuffer;
+  begin(stop, instant);
+  inserted_ = true;
+}
+
+void PaulGenerator::start_from_rest() noexcept {
+  if (faulted_ || clock_.rate() == 0) return;
+  const SegmentDescriptor* next = buffer_.next_segment();
+  if (next == nullptr) return;
+  finished_ = false;
+  if (take_up(*next, clock_.path_time())) buffer_.pop_segment();
+}
+
+void PaulGenerator::finish_if_done() noexcept {
+  if (running_ || finished_ || faulted_ || !buffer_.closed()) return;
+  if (buffer_.next_segment() != nullptr || buffer_.next_effect() != nullptr) return;
+  finished_ = true;
+  tell({.kind = Kind::Finished, .time = latest_, .tag = segment_.tag, .number = segment_.number});
+}
+
+void PaulGenerator::report_held() noexcept {
+  const bool stands = clock_.held() || (faulted_ && !running_);
+  if (!stands || held_told_) return;
+  held_told_ = true;
+  const double begun = end_ - exit();
+  const double share = running_ ? (clock_.path_time() - begun) / (end_ - begun) : 1;
+  tell({.kind = Kind::Held,
+        .time = clock_.held() ? clock_.steady_since() : latest_,
+        .tag = segment_.tag,
+        .number = segment_.number,
+        .value = share});
+}
+
+/// Effects that are due, in their order. With the event ring full they wait in the buffer.
+void PaulGenerator::fire_effects(double time) noexcept {
+  for (const Effect* effect = buffer_.next_effect();
+       effect != nullptr && effect->after <= passed_ && !events_.full();
+       effect = buffer_.next_effect()) {
+    tell({.kind = Kind::EffectDue, .time = time, .tag = effect->tag, .effect = *effect});
+    buffer_.pop_effect();
+  }
+}
+
+void PaulGenerator::make_sample() noexcept {
+  sample_.reference.time = clock_.stamp();
+  if (running_) follow_path();
+  if (!running_) stand();
+  sample_.tag = segment_.tag;
+  sample_.piece = segment_.number;
+  if (clock_.held() || (faulted_ && !running_)) {
+    sample_.state = MotionState::Held;
+  } else if (!running_) {
+    sample_.state = MotionState::Idle;
+  } else {
+    sample_.state = clock_.holding() ? MotionState::Stopping : MotionState::Running;
+  }
+}
+
+/// The chain rule: q' and q'' are along the path's time, which runs at the rate r.
+void PaulGenerator::follow_path() noexcept {
+  const double r = clock_.rate();
+  const double sigma = clock_.path_time() - zero_;
+  const PathPoint p = path_.sample(sigma);
+  const JointVector qdd = p.qdd * (r * r) + p.qd * clock_.slope();
+  for (int i = 0; i < qdd.size(); ++i) {
+    if (std::isfinite(p.q[i]) && std::isfinite(p.qd[i]) && std::isfinite(qdd[i])) continue;
+    // No descriptor that the planner makes comes here. The last reference is held.
+    fail(segment_, i, clock_.path_time());
+    segment_.target = sample_.reference.q;
+    running_ = false;
+    return;
+  }
+  sample_.reference.q = p.q;
+  sample_.reference.qd = p.qd * r;
+  sample_.reference.qdd = qdd;
+  sample_.sigma = sigma;
+  sample_.rate = r;
+  const bool slowed = clock_.override_share() < 1 && !inserted_;
+  sample_.limit = slowed ? kLimitOverride : segment_.limit;
+}
+
+void PaulGenerator::stand() noexcept {
+  sample_.reference.q = segment_.target;
+  sample_.reference.qd.setZero();
+  sample_.reference.qdd.setZero();
+  sample_.sigma = exit();
+  sample_.rate = 0;
+  sample_.limit = 0;
+}
+
+void PaulGenerator::publish_decidable() noexcept {
+  std::uint32_t number = segment_.number;
+  const bool due = !running_ || inserted_ || clock_.next() > end_ + kSameInstant;
+  if (!due) --number;
+  if (number > decidable()) decidable_.store(number, std::memory_order_release);
+}
+
+void PaulGenerator::tell(MotionEvent event) noexcept {
+  event.time = latest_ = std::max(latest_, event.time);
+  events_.push(event);
+}
+
+}  // namespace rob::motion

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "motion/generate/path_clock.h"
+#include "motion/generate/paul_transition.h"
+#include "motion/generate/trajectory_generator.h"
+#include "motion/plan/look_ahead_buffer.h"
+#include "motion/robots/robot_model.h"
+#include "motion/space/spsc_ring.h"
+
+namespace rob::motion {
+
+/// References on line by S1's law: straight segments in axis space, joined by transitions around
+/// their via points (PaulTransition).
+///
+/// A segment is left at its decision instant, t_acc before its target would be reached; what
+/// follows is taken from the buffer only when a reference later than that instant is computed. The
+/// new segment starts at the exact instant and from the exact place, whatever the periods. If
+/// nothing is known by then, a segment of no length follows of itself: the axes arrive at the
+/// target and stand (LateDecision, unless the buffer is closed). From rest a segment starts at the
+/// stamp at which it is first seen.
+///
+/// An effect behind segment n is due where the path passes n's target: at the end of n, or of what
+/// follows it, where that has no length; else in the middle of the corner, t = 0 of what follows.
+/// One that comes later than that, or before any motion, is due at once.
+///
+/// A segment whose rates would not be finite is not begun: Fault, the axes arrive at the target
+/// before it, and nothing more is begun. A reference that is no number all the same is not handed
+/// out: Fault, and the one before is held.
+///
+/// Sample: sigma is S1's t, s; limit 20 stands for the end of the buffer, 21 for an override
+/// below 1. The trajectory_generator.h rules on threads and the tick hold; decidable() and
+/// late_decisions() may be read, and events taken, by one other thread.
+class PaulGenerator final : public TrajectoryGenerator {
+ public:
+  /// `start`: where the axes stand, m, rad. Takes memory; nothing else here does.
+  PaulGenerator(const RobotModel& robot, LookAheadBuffer& buffer, const JointVector& start);
+
+  const GeneratorSample& advance(std::int64_t period) noexcept override;
+  void hold() noexcept override { clock_.hold(); }
+  void resume() noexcept override;
+  void set_override(double share) noexcept override { clock_.set_override(share); }
+  std::uint32_t decidable() const noexcept override {
+    return decidable_.load(std::memory_order_acquire);
+  }
+  bool take_event(MotionEvent& event) noexcept override { return events_.take(event); }
+
+  /// How often nothing was known at a decision instant.
+  std::uint32_t late_decisions() const noexcept {
+    return late_decisions_.load(std::memory_order_relaxed);
+  }
+
+ private:
+  void catch_up(std::int64_t period) noexcept;
+  void step(double stamp) noexcept;
+  void run_segments() noexcept;
+  void pass_milestone() noexcept;
+  void arrive() noexcept;
+  void decide() noexcept;
+  void begin(const SegmentDescriptor& segment, double instant) noexcept;
+  void begin_stop(double instant) noexcept;
+  bool take_up(const SegmentDescriptor& segment, double instant) noexcept;
+  void start_from_rest() noexcept;
+  void finish_if_done() noexcept;
+  void report_held() noexcept;
+  void fire_effects(double time) noexcept;
+  void make_sample() noexcept;
+  void follow_path() noexcept;
+  void stand() noexcept;
+  void fail(const SegmentDescriptor& segment, int axis, double instant) noexcept;
+  void publish_decidable() noexcept;
+  void tell(MotionEvent event) noexcept;
+  double exit() const noexcept { return segment_.duration - segment_.t_acc; }
+
+  const double period_;
+  const std::int64_t most_missed_;
+  LookAheadBuffer& buffer_;
+  PathClock clock_;
+  SpscRing<MotionEvent> events_;
+  std::atomic<std::uint32_t> decidable_{0};
+  std::atomic<std::uint32_t> late_decisions_{0};
+  std::int64_t last_period_ = -1;
+
+  // The segment under way, or the last one.
+  SegmentDescriptor segment_;
+  PaulTransition path_;
+  bool running_ = false;
+  bool inserted_ = false;  ///< a stop of its own, for want of a successor
+  double t_acc_;           ///< half the transition around segment_.target: t_B of the next
+  double zero_ = 0;        ///< path time at t = 0
+  double end_ = 0;         ///< path time of the decision instant
+  double milestone_ = 0;   ///< path time at which the effects up to number `passing_` are due
+  std::uint32_t passing_ = 0;
+  std::uint32_t passed_ = 0;  ///< effects up to this number are due
+
+  bool held_told_ = false;
+  bool faulted_ = false;
+  bool finished_ = false;
+  double latest_ = 0;  ///< the latest instant told or arrived at, s
+  GeneratorSample sample_;
+};
+
+}  // namespace rob::motion

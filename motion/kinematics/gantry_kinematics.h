@@ -1,0 +1,16 @@
+#pragma once
+
+#include "motion/kinematics/kinematics.h"
+
+namespace rob::motion {
+
+/// S1's gantry: axes x, y (m) and theta (rad) place and turn the tool in the plane z = 0. Linear
+/// in the axes is linear in the world; there are no singularities.
+class GantryKinematics final : public Kinematics {
+ public:
+  int axes() const noexcept override { return 3; }
+  /// (x, y, theta) → position (x, y, 0), turned by c = theta about z.
+  Pose forward(const JointVector& q) const noexcept override;
+};
+
+}  // namespace rob::motion

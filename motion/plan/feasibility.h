@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "motion/robots/robot_model.h"
+
+namespace rob::motion {
+
+/// Why a motion cannot be. Nothing has moved, nothing has been queued. SI.
+struct Refusal {
+  enum class Kind : std::uint8_t {
+    NotFinite,     ///< axis; the target is no number
+    BelowMinimum,  ///< axis, value = target, limit = the axis' minimum
+    AboveMaximum,  ///< axis, value = target, limit = the axis' maximum
+    BadPace,       ///< value = the pace, which must be a number above limit = 0
+    BadDuration,   ///< value = the duration asked for, which must be a number of at least limit = 0
+    TooLong        ///< value = the duration needed, limit = the longest, s
+  };
+
+  Kind kind = Kind::NotFinite;
+  int axis = -1;  ///< −1 where no axis is to blame
+  double value = 0;
+  double limit = 0;
+};
+
+/// A target may lie this much (m, rad) outside a limit: what rounding in units and arithmetic
+/// can do; the planner puts it back onto the limit. [choice: 1 nm, far below any encoder]
+inline constexpr double kLimitTolerance = 1e-9;
+
+/// Checks the components of a target that are given (bit i: axis i), and those alone, so that a
+/// constant target can be judged before the program runs. The lowest axis at fault is reported.
+std::optional<Refusal> check_target(const RobotModel& robot, std::uint8_t given,
+                                    const std::array<double, kMaxJoints>& target) noexcept;
+
+}  // namespace rob::motion

@@ -1,0 +1,145 @@
+#include "motion/plan/motion_planner.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rob::motion {
+
+namespace {
+
+/// Relative difference below which two times are the same: rounding of a few operations.
+constexpr double kSameTime = 1e-9;
+
+bool longer(double time, double than) { return time > than * (1 + kSameTime); }
+
+std::optional<Refusal> check_wishes(const MotionRequest& request) {
+  using Kind = Refusal::Kind;
+  const bool paced = request.pace != MotionRequest::Pace::Unspecified;
+  if (paced && !(std::isfinite(request.pace_value) && request.pace_value > 0))
+    return Refusal{Kind::BadPace, -1, request.pace_value, 0};
+  if (!(std::isfinite(request.at_least) && request.at_least >= 0))
+    return Refusal{Kind::BadDuration, -1, request.at_least, 0};
+  return std::nullopt;
+}
+
+}  // namespace
+
+MotionPlanner::MotionPlanner(const RobotModel& robot, const JointVector& start) noexcept
+    : robot_(robot), commanded_(start), t_acc_before_(robot.t_acc) {}
+
+PlanOutcome MotionPlanner::plan(const MotionRequest& request) noexcept {
+  if (const auto refusal = check_target(robot_, request.given, request.target)) return *refusal;
+  if (const auto refusal = check_wishes(request)) return *refusal;
+  JointVector target = complete(request);
+  const bool no_length = (target - commanded_).cwiseAbs().maxCoeff() <= kLimitTolerance;
+  if (no_length) target = commanded_;
+  const Timing timing = time(target, request);
+  if (!(timing.duration <= kLongest))
+    return Refusal{Refusal::Kind::TooLong, -1, timing.duration, kLongest};
+  return PlannedSegment{commit(request.tag, target, no_length, timing), timing.warnings};
+}
+
+std::optional<SegmentDescriptor> MotionPlanner::stop(Tag tag) noexcept {
+  if (exact_) return std::nullopt;
+  return commit(tag, commanded_, true, Timing{t_acc_before_ + robot_.t_acc, 0, 0});
+}
+
+void MotionPlanner::retarget(const JointVector& q) noexcept {
+  commanded_ = q;
+  exact_ = true;
+}
+
+JointVector MotionPlanner::complete(const MotionRequest& request) const noexcept {
+  JointVector target = commanded_;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    if ((request.given >> i & 1) == 0) continue;
+    const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
+    target[i] = std::clamp(request.target[static_cast<std::size_t>(i)], axis.min, axis.max);
+  }
+  return target;
+}
+
+MotionPlanner::Timing MotionPlanner::time(const JointVector& target,
+                                          const MotionRequest& request) const noexcept {
+  const JointVector delta = (target - commanded_).cwiseAbs();
+  Timing timing;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    const double needed = delta[i] / robot_.axes[static_cast<std::size_t>(i)].v_max;
+    if (needed <= timing.duration) continue;
+    timing.duration = needed;
+    timing.limit = static_cast<std::uint8_t>(2 + i);
+  }
+  const double corners = t_acc_before_ + robot_.t_acc;
+  const double least = std::max(timing.duration, corners);
+  if (request.at_least > 0 && longer(least, request.at_least))
+    timing.warnings |= PlannedSegment::kStretched;
+
+  const double paced = pace_time(delta, target, request);
+  if (longer(named_axes_time(delta, request.pace), paced))
+    timing.warnings |= PlannedSegment::kPaceCut;
+
+  if (longer(paced / boost_, timing.duration)) timing.limit = 1;
+  timing.duration = std::max(timing.duration, paced / boost_);
+  if (const double other = std::max(corners, request.at_least / boost_); other > timing.duration) {
+    timing.duration = other;
+    timing.limit = 0;
+  }
+  return timing;
+}
+
+double MotionPlanner::pace_time(const JointVector& delta, const JointVector& target,
+                                const MotionRequest& request) const noexcept {
+  switch (request.pace) {
+    case MotionRequest::Pace::Unspecified:
+      return 0;
+    case MotionRequest::Pace::ToolSpeed: {
+      const Eigen::Vector3d from = robot_.kinematics->forward(commanded_).position;
+      const Eigen::Vector3d to = robot_.kinematics->forward(target).position;
+      return (to - from).norm() / request.pace_value;
+    }
+    case MotionRequest::Pace::AngularSpeed: {
+      double turn = 0;
+      for (int i = 0; i < robot_.axis_count(); ++i)
+        if (robot_.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
+          turn = std::max(turn, delta[i]);
+      return turn / request.pace_value;
+    }
+    case MotionRequest::Pace::Share:
+      return named_axes_time(delta, request.pace) / request.pace_value;
+  }
+  return 0;
+}
+
+/// The least time of the axes that a pace speaks of: the linear ones for a tool speed, the rotary
+/// ones for an angular speed, all for a share.
+double MotionPlanner::named_axes_time(const JointVector& delta,
+                                      MotionRequest::Pace pace) const noexcept {
+  using Pace = MotionRequest::Pace;
+  double least = 0;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
+    const bool named = pace == Pace::Share ||
+                       (pace == Pace::ToolSpeed && axis.kind == AxisKind::Linear) ||
+                       (pace == Pace::AngularSpeed && axis.kind == AxisKind::Rotary);
+    if (named) least = std::max(least, delta[i] / axis.v_max);
+  }
+  return least;
+}
+
+SegmentDescriptor MotionPlanner::commit(Tag tag, const JointVector& target, bool no_length,
+                                        const Timing& timing) noexcept {
+  SegmentDescriptor segment;
+  segment.tag = tag;
+  segment.number = ++number_;
+  segment.target = target;
+  segment.duration = timing.duration;
+  segment.t_acc = robot_.t_acc;
+  segment.no_length = no_length;
+  segment.limit = timing.limit;
+  commanded_ = target;
+  exact_ = no_length;
+  t_acc_before_ = segment.t_acc;
+  return segment;
+}
+
+}  // namespace rob::motion

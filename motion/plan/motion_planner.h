@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "motion/plan/feasibility.h"
+#include "motion/plan/motion_request.h"
+#include "motion/plan/segment_descriptor.h"
+#include "motion/robots/robot_model.h"
+
+namespace rob::motion {
+
+/// A motion that can be, and what its asker should be told of it.
+struct PlannedSegment {
+  /// AT asks for more than the axes it names can do; they go as fast as they can.
+  static constexpr std::uint8_t kPaceCut = 1;
+  /// The axes or the corners need longer than OVER asks; segment.duration is the true time.
+  static constexpr std::uint8_t kStretched = 2;
+
+  SegmentDescriptor segment;
+  std::uint8_t warnings = 0;  ///< kPaceCut | kStretched
+};
+
+using PlanOutcome = std::variant<PlannedSegment, Refusal>;
+
+/// Completes, checks and times motions under Paul's law (S1; S2's "interface part").
+///
+/// Left-out axes keep the last commanded target. The time of a segment from B to C, whose
+/// transitions take 2·t_B and 2·t_C, is
+///
+///   T1 = max{ |ΔC_i|/v_i,max ; t_B + t_C ; T_user ; what AT asks for }
+///
+/// where AT bounds the straight distance of the tool (ToolSpeed), every rotary axis
+/// (AngularSpeed), or all axes by a share of their maxima (Share). A target within
+/// kLimitTolerance of the last one on every axis is the last one: a segment of no length, which
+/// takes t_B + t_C and passes the target exactly.
+///
+/// SI. No call throws or takes memory. One thread, the program's.
+class MotionPlanner {
+ public:
+  /// A motion that takes longer is refused. [choice: 11 days; the generator's clock resolves
+  /// 1e-9 s well beyond that]
+  static constexpr double kLongest = 1e6;
+
+  /// `start`: where the axes stand.
+  MotionPlanner(const RobotModel& robot, const JointVector& start) noexcept;
+
+  /// The request as a segment; a refusal leaves everything as it was.
+  PlanOutcome plan(const MotionRequest& request) noexcept;
+
+  /// A segment of no length that ends exactly at the last target. None where the axes stand there
+  /// anyhow: nothing has moved, or the last motion was exact.
+  std::optional<SegmentDescriptor> stop(Tag tag) noexcept;
+
+  /// Override above 1 divides T_user and raises AT from the next segment on, never v_max. Up to
+  /// 1 it is the generator's affair and changes nothing here.
+  void set_override(double share) noexcept { boost_ = share > 1 ? share : 1; }
+
+  const JointVector& commanded() const noexcept { return commanded_; }
+  /// Number of the last segment made; 0: none yet. What an effect behind it carries.
+  std::uint32_t last_number() const noexcept { return number_; }
+  /// After an early end the axes stand at q, not at the last target.
+  void retarget(const JointVector& q) noexcept;
+
+ private:
+  struct Timing {
+    double duration = 0;
+    std::uint8_t limit = 0;
+    std::uint8_t warnings = 0;
+  };
+
+  JointVector complete(const MotionRequest& request) const noexcept;
+  Timing time(const JointVector& target, const MotionRequest& request) const noexcept;
+  double pace_time(const JointVector& delta, const JointVector& target,
+                   const MotionRequest& request) const noexcept;
+  double named_axes_time(const JointVector& delta, MotionRequest::Pace pace) const noexcept;
+  SegmentDescriptor commit(Tag tag, const JointVector& target, bool no_length,
+                           const Timing& timing) noexcept;
+
+  const RobotModel& robot_;
+  JointVector commanded_;
+  double t_acc_before_;  ///< t_B of the next segment
+  bool exact_ = true;    ///< the last target is reached exactly
+  std::uint32_t number_ = 0;
+  double boost_ = 1;
+};
+
+}  // namespace rob::motion
