@@ -1,0 +1,250 @@
+// Holds every include of the four layers to docs/architecture.md: who may know whom, and which
+// package may be seen where.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Include {
+  std::string path;     ///< "motion/space/pose.h", "fmt/format.h"
+  bool angled = false;  ///< <…>: not of this project
+};
+
+/// Folders whose names begin a path: "motion/space" covers "motion/space/pose.h".
+bool lies_in(std::string_view path, std::string_view folder) {
+  return path.size() > folder.size() && path.starts_with(folder) && path[folder.size()] == '/';
+}
+
+/// What each folder may include of the project, itself aside. The first entry that covers a file
+/// counts.
+struct LayerRule {
+  std::string_view folder;
+  std::vector<std::string_view> may_include;
+};
+
+const std::vector<LayerRule>& layer_rules() {
+  static const std::vector<LayerRule> rules = [] {
+    // Inside motion: space → kinematics, dynamics → robots → path → plan → generate → force.
+    std::vector<LayerRule> made = {
+        {"lang", {"lang"}},
+        {"motion/space", {}},
+        {"motion/kinematics", {"motion/space"}},
+        {"motion/dynamics", {"motion/space"}},
+        {"motion/servo", {"motion/space", "motion/dynamics"}},
+    };
+    std::vector<std::string_view> below = {"motion/space", "motion/kinematics", "motion/dynamics"};
+    for (const char* folder :
+         {"motion/robots", "motion/path", "motion/plan", "motion/generate", "motion/force"}) {
+      made.push_back({folder, below});
+      below.push_back(folder);
+    }
+    made.push_back({"drivers", {"motion/space", "motion/servo"}});
+    made.push_back({"runtime", {"lang", "motion", "drivers"}});
+    return made;
+  }();
+  return rules;
+}
+
+/// The layers that may see a package, by the first part of its headers' names.
+const std::map<std::string, std::set<std::string>, std::less<>>& package_layers() {
+  static const std::map<std::string, std::set<std::string>, std::less<>> layers = {
+      {"fmt", {"lang", "runtime"}}, {"Eigen", {"motion", "drivers", "runtime"}},
+      {"toml++", {"motion"}},       {"nlohmann", {"runtime"}},
+      {"CLI", {"runtime"}},         {"readline", {"runtime"}},
+  };
+  return layers;
+}
+
+/// Packages that only one file of the project may see: they compile slowly, or are to be
+/// replaceable in one place.
+constexpr std::array<std::string_view, 2> kOneFileEach = {"CLI", "readline"};
+
+/// Time and threads belong to runtime; a driver may need a thread for its wire.
+constexpr std::array<std::string_view, 7> kThreading = {
+    "thread", "mutex", "shared_mutex", "condition_variable", "future", "semaphore", "stop_token"};
+
+std::string layer_of(std::string_view file) { return std::string(file.substr(0, file.find('/'))); }
+
+std::string package_of(std::string_view header) {
+  return std::string(header.substr(0, header.find_first_of("/.")));
+}
+
+bool known_package(std::string_view header) {
+  return package_layers().contains(package_of(header)) &&
+         header.find('/') != std::string_view::npos;
+}
+
+/// Empty, or why `file` may not include a header of this project.
+std::string breach_of_layers(std::string_view file, std::string_view header) {
+  for (const LayerRule& rule : layer_rules()) {
+    if (!lies_in(file, rule.folder)) continue;
+    if (lies_in(header, rule.folder)) return "";
+    for (std::string_view folder : rule.may_include) {
+      if (lies_in(header, folder)) return "";
+    }
+    // A robot file describes its drives.
+    if (rule.folder == "motion/robots" && header == "motion/servo/drive_data.h") return "";
+    return std::string(rule.folder) + " may not know " + std::string(header);
+  }
+  return "no layer is known for this folder";
+}
+
+/// Empty, or why `file` may not include a header of the system or of a package.
+std::string breach_of_packages(std::string_view file, std::string_view header) {
+  const std::string layer = layer_of(file);
+  if (known_package(header)) {
+    return package_layers().at(package_of(header)).contains(layer)
+               ? ""
+               : layer + " may not see the package " + package_of(header);
+  }
+  if (layer != "lang" && layer != "motion") return "";
+  // What is left are the headers of C++, which have neither a dot nor a folder, and the system's.
+  if (header.find_first_of("./") != std::string_view::npos) {
+    return layer + " may not see the system's " + std::string(header);
+  }
+  if (std::find(kThreading.begin(), kThreading.end(), header) != kThreading.end()) {
+    return layer + " knows no threads";
+  }
+  return "";
+}
+
+std::string breach(std::string_view file, const Include& include) {
+  return include.angled ? breach_of_packages(file, include.path)
+                        : breach_of_layers(file, include.path);
+}
+
+std::vector<Include> includes_of(std::string_view text) {
+  std::vector<Include> includes;
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
+    std::erase_if(line, [](char c) { return c == ' ' || c == '\t'; });
+    constexpr std::string_view kDirective = "#include";
+    if (!line.starts_with(kDirective) || line.size() <= kDirective.size()) continue;
+    const char open = line[kDirective.size()];
+    const std::size_t end = line.find(open == '<' ? '>' : '"', kDirective.size() + 1);
+    if (end == std::string::npos) continue;
+    includes.push_back(
+        {line.substr(kDirective.size() + 1, end - kDirective.size() - 1), open == '<'});
+  }
+  return includes;
+}
+
+struct SourceFile {
+  std::string path;  ///< from the root of the project, with '/'
+  std::string text;
+};
+
+std::vector<SourceFile> sources_in(const std::vector<std::string>& folders) {
+  const fs::path root = ROB_SOURCE_DIR;
+  std::vector<SourceFile> files;
+  for (const std::string& folder : folders) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
+      const fs::path extension = entry.path().extension();
+      if (extension != ".h" && extension != ".cpp" && extension != ".def") continue;
+      std::ostringstream text;
+      text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+      files.push_back({entry.path().lexically_relative(root).generic_string(), text.str()});
+    }
+  }
+  return files;
+}
+
+std::vector<SourceFile> layers() { return sources_in({"lang", "motion", "drivers", "runtime"}); }
+
+}  // namespace
+
+TEST_CASE("no layer includes what lies above or beside it") {
+  const std::vector<SourceFile> files = layers();
+  REQUIRE(files.size() > 20);
+  for (const SourceFile& file : files) {
+    for (const Include& include : includes_of(file.text)) {
+      const std::string found = breach(file.path, include);
+      CHECK_MESSAGE(found.empty(), file.path << ": " << found);
+    }
+  }
+}
+
+TEST_CASE("a package that belongs in one place is seen by one file") {
+  for (std::string_view package : kOneFileEach) {
+    std::set<std::string> seen_by;
+    for (const SourceFile& file : layers()) {
+      for (const Include& include : includes_of(file.text)) {
+        if (include.angled && known_package(include.path) && package_of(include.path) == package) {
+          seen_by.insert(file.path);
+        }
+      }
+    }
+    CHECK_MESSAGE(seen_by.size() <= 1, package << " is seen by " << seen_by.size() << " files");
+  }
+}
+
+TEST_CASE("no source file is longer than 400 lines") {
+  for (const SourceFile& file : sources_in({"lang", "motion", "drivers", "runtime", "tests"})) {
+    const auto lines = std::count(file.text.begin(), file.text.end(), '\n');
+    CHECK_MESSAGE(lines <= 400, file.path << " has " << lines << " lines");
+  }
+}
+
+TEST_CASE("the rules refuse what the architecture forbids") {
+  const auto refused = [](std::string_view file, std::string_view directive) {
+    const std::vector<Include> includes = includes_of(directive);
+    REQUIRE(includes.size() == 1);
+    return !breach(file, includes.front()).empty();
+  };
+  CHECK(refused("lang/vm.cpp", "#include \"motion/plan/motion_request.h\""));
+  CHECK(refused("lang/vm.cpp", "#include \"language/vm.h\""));
+  CHECK(refused("motion/plan/feasibility.cpp", "#include \"lang/machine.h\""));
+  CHECK(refused("motion/plan/feasibility.cpp", "#include \"motion/generate/motion_event.h\""));
+  CHECK(refused("motion/plan/feasibility.cpp", "#include \"feasibility.h\""));
+  CHECK(refused("motion/space/pose.h", "  #  include \"motion/kinematics/kinematics.h\""));
+  CHECK(refused("motion/kinematics/kinematics.h", "#include \"motion/dynamics/dynamics.h\""));
+  CHECK(refused("motion/servo/servo_law.h", "#include \"motion/robots/robot_model.h\""));
+  CHECK(refused("motion/robots/robot_model.h", "#include \"motion/servo/servo_law.h\""));
+  CHECK(refused("motion/new_folder/thing.h", "#include \"motion/space/pose.h\""));
+  CHECK(refused("drivers/sim_gantry.cpp", "#include \"motion/robots/robot_model.h\""));
+  CHECK(refused("drivers/sim_gantry.cpp", "#include \"runtime/time/clock.h\""));
+  CHECK(refused("runtime/main.cpp", "#include \"tests/support/judge.h\""));
+  CHECK(refused("motion/plan/feasibility.cpp", "#include <fmt/format.h>"));
+  CHECK(refused("lang/types.cpp", "#include <Eigen/Core>"));
+  CHECK(refused("runtime/report.cpp", "#include <toml++/toml.h>"));
+  CHECK(refused("motion/robots/robot_file.cpp", "#include <nlohmann/json.hpp>"));
+  CHECK(refused("lang/vm.cpp", "#include <CLI/CLI.hpp>"));
+  CHECK(refused("motion/generate/paul.cpp", "#include <thread>"));
+  CHECK(refused("motion/generate/paul.cpp", "#include <pthread.h>"));
+  CHECK(refused("lang/lexer.cpp", "#include <sys/stat.h>"));
+}
+
+TEST_CASE("the rules admit what the architecture allows") {
+  const auto admitted = [](std::string_view file, std::string_view directive) {
+    const std::vector<Include> includes = includes_of(directive);
+    REQUIRE(includes.size() == 1);
+    return breach(file, includes.front()).empty();
+  };
+  CHECK(admitted("lang/vm.cpp", "#include \"lang/opcodes.def\""));
+  CHECK(admitted("lang/types.cpp", "#include <fmt/format.h>"));
+  CHECK(admitted("motion/generate/paul.cpp", "#include \"motion/plan/segment_descriptor.h\""));
+  CHECK(admitted("motion/generate/paul.cpp", "#include <atomic>  // one writer"));
+  CHECK(admitted("motion/robots/robot_model.h", "#include \"motion/servo/drive_data.h\""));
+  CHECK(admitted("motion/servo/servo_law.h", "#include <Eigen/Core>"));
+  CHECK(admitted("drivers/serial_port.cpp", "#include <termios.h>"));
+  CHECK(admitted("drivers/sim_gantry.cpp", "#include \"motion/servo/servo_backend.h\""));
+  CHECK(admitted("runtime/control/motion_task.cpp", "#include \"drivers/sim_gantry.h\""));
+  CHECK(admitted("runtime/prompt/repl.cpp", "#include <readline/readline.h>"));
+}
+
+TEST_CASE("what is no include is not taken for one") {
+  CHECK(includes_of("// #include \"runtime/main.h\"\nint include;\n#include\n").empty());
+}
