@@ -58,8 +58,8 @@ Decimal shortest_before(double si, double factor) {
   const double below = std::nextafter(middle, 0.0);
   const double above = std::nextafter(middle, kInfinity);
   Decimal best;
-  for (const double candidate : {middle, below, above, std::nextafter(below, 0.0),
-                                 std::nextafter(above, kInfinity)}) {
+  for (const double candidate :
+       {middle, below, above, std::nextafter(below, 0.0), std::nextafter(above, kInfinity)}) {
     if (candidate * factor != si) continue;
     Decimal decimal = shortest(candidate);
     if (best.digits.empty() || decimal.digits.size() < best.digits.size()) best = decimal;

@@ -46,9 +46,10 @@ class Scan {
           fmt::format("byte {} is NUL: this is not a text file{}", nul_.first, nul_.more()));
     }
     if (invalid_.count > 0) {
-      diagnostics.error(code::kInvalidUtf8, invalid_.place,
-                        fmt::format("byte {} is not valid UTF-8{}", invalid_.first, invalid_.more()),
-                        "save the file as UTF-8");
+      diagnostics.error(
+          code::kInvalidUtf8, invalid_.place,
+          fmt::format("byte {} is not valid UTF-8{}", invalid_.first, invalid_.more()),
+          "save the file as UTF-8");
     }
     if (lone_return_.count > 0) {
       diagnostics.error(code::kLoneCarriageReturn, lone_return_.place,
@@ -57,10 +58,9 @@ class Scan {
                         "end lines with LF or CR LF");
     }
     if (long_line_.count > 0) {
-      diagnostics.error(
-          code::kLineTooLong, long_line_.place,
-          fmt::format("the line is too long: more than {} bytes{}", kMaxLineBytes,
-                      long_line_.more()));
+      diagnostics.error(code::kLineTooLong, long_line_.place,
+                        fmt::format("the line is too long: more than {} bytes{}", kMaxLineBytes,
+                                    long_line_.more()));
     }
     return nul_.count + invalid_.count + lone_return_.count + long_line_.count == 0;
   }

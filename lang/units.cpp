@@ -150,9 +150,8 @@ std::optional<UnitMatch> match_unit(std::string_view text) {
 }
 
 std::optional<Unit> find_unit(std::string_view text) {
-  const auto match = text.starts_with("1/")
-                         ? std::optional(with_further_factors(text, {Unit{}, 1}))
-                         : match_unit(text);
+  const auto match = text.starts_with("1/") ? std::optional(with_further_factors(text, {Unit{}, 1}))
+                                            : match_unit(text);
   if (!match || match->length != text.size()) return std::nullopt;
   return match->unit;
 }
