@@ -25,6 +25,7 @@ class LookAheadBuffer {
   bool push(const SegmentDescriptor& segment) noexcept { return segments_.push(segment); }
   bool push(const Effect& effect) noexcept { return effects_.push(effect); }
   bool full() const noexcept { return segments_.full(); }
+  bool effects_full() const noexcept { return effects_.full(); }
   /// Nothing more will come: the generator finishes when it has done what is there.
   void close() noexcept { closed_.store(true, std::memory_order_release); }
 

@@ -1,0 +1,158 @@
+#include "runtime/commands.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "lang/disassembler.h"
+#include "motion/robots/robot_library.h"
+#include "runtime/control/units.h"
+#include "runtime/program/json_report.h"
+#include "runtime/program/load.h"
+#include "runtime/program/progress.h"
+#include "runtime/program/run.h"
+#include "runtime/program/text_report.h"
+
+namespace rob::runtime {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// The graver of two: the first that is not Done.
+ExitCode worse(ExitCode a, ExitCode b) { return a == ExitCode::Done ? b : a; }
+
+void print_json(const std::vector<Json>& documents) {
+  const Json json = documents.size() == 1 ? documents.front() : Json(documents);
+  // PRINT can write any text; what is not UTF-8 in it must not end the run.
+  fmt::print(stdout, "{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+RunListener listener_of(const Options& options, Progress& progress) {
+  RunListener listener;
+  listener.warn = [&](const std::string& message) {
+    progress.clear();
+    fmt::print(stderr, "rob: {}\n", message);
+  };
+  if (options.json) return listener;
+  listener.print = [&](const std::string& text) {
+    progress.clear();
+    fmt::print(stdout, "{}\n", text);
+    std::fflush(stdout);
+  };
+  listener.progress = [&](int line, double time) { progress.show(line, time); };
+  return listener;
+}
+
+RunResult run_one(const LoadedProgram& program, const motion::RobotModel& robot,
+                  const Options& options) {
+  if (!program.runnable()) return refused(program, robot);
+  const double planned = isatty(STDERR_FILENO) != 0 ? foretell(program, robot).planned : 0;
+  Progress progress(planned / options.override_share);
+  const RunOptions run_options{options.fast, options.override_share, options.trace};
+  RunResult result = run(program, robot, run_options, listener_of(options, progress));
+  progress.clear();
+  return result;
+}
+
+ExitCode run_files(const Options& options) {
+  const motion::RobotModel robot = load_robot(options.robot);
+  ExitCode worst = ExitCode::Done;
+  std::vector<Json> documents;
+  for (const std::string& file : options.files) {
+    const LoadedProgram program = load_program(file, robot);
+    const RunResult result = run_one(program, robot, options);
+    fmt::print(stderr, "{}", problems_text(result, program.source));
+    if (options.json) {
+      documents.push_back(run_json(result));
+    } else if (program.runnable()) {
+      fmt::print(stdout, "{}", run_table(result));
+    }
+    worst = worse(worst, result.exit_code);
+    if (result.status == "interrupted") break;
+  }
+  if (options.json) print_json(documents);
+  return worst;
+}
+
+ExitCode check_files(const Options& options) {
+  const motion::RobotModel robot = load_robot(options.robot);
+  ExitCode worst = ExitCode::Done;
+  std::vector<Json> documents;
+  for (const std::string& file : options.files) {
+    const LoadedProgram program = load_program(file, robot);
+    RunResult result = program.runnable() ? foretell(program, robot) : refused(program, robot);
+    if (result.exit_code != ExitCode::Done) result.exit_code = ExitCode::ProgramError;
+    fmt::print(stderr, "{}", problems_text(result, program.source));
+    if (options.json) {
+      documents.push_back(check_json(result));
+    } else if (program.runnable()) {
+      fmt::print(stdout, "{}", check_table(result));
+    }
+    worst = worse(worst, result.exit_code);
+  }
+  if (options.json) print_json(documents);
+  return worst;
+}
+
+ExitCode compile_files(const Options& options) {
+  const motion::RobotModel robot = load_robot(options.robot);
+  ExitCode worst = ExitCode::Done;
+  for (const std::string& file : options.files) {
+    const LoadedProgram program = load_program(file, robot);
+    for (const lang::Diagnostic& found : program.compilation.diagnostics.all()) {
+      fmt::print(stderr, "{}", lang::render(found, file, program.source));
+    }
+    if (!program.runnable()) {
+      worst = ExitCode::ProgramError;
+    } else if (options.listing) {
+      fmt::print(stdout, "{}", lang::disassemble(*program.compilation.chunk));
+    }
+  }
+  return worst;
+}
+
+std::string describe(const motion::RobotModel& robot) {
+  std::string text = fmt::format("{}: {}\n", robot.name, robot.description);
+  for (const motion::Axis& axis : robot.axes) {
+    text += fmt::format("    {:<8} {} … {}, {}/s\n", axis.name, shown(axis.min, axis.kind),
+                        shown(axis.max, axis.kind), shown(axis.v_max, axis.kind));
+  }
+  std::string signals;
+  for (const motion::RobotSignal& signal : robot.signals) {
+    signals += fmt::format(" {} ({})", signal.name, signal.output ? "output" : "input");
+  }
+  text += signals.empty() ? "" : "    signals:" + signals + "\n";
+  return text + "    MOVE under Paul's law; simulated\n";
+}
+
+ExitCode list_robots() {
+  for (const motion::EmbeddedRobot& robot : motion::embedded_robots()) {
+    fmt::print(stdout, "{}", describe(load_robot(std::string(robot.name))));
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+ExitCode carry_out(const Options& options) {
+  switch (options.command) {
+    case Options::Command::Run:
+      return run_files(options);
+    case Options::Command::Check:
+      return check_files(options);
+    case Options::Command::Compile:
+      return compile_files(options);
+    case Options::Command::Robots:
+      return list_robots();
+    case Options::Command::Help:
+      fmt::print(stdout, "{}", options.help_text);
+      return ExitCode::Done;
+  }
+  return ExitCode::Usage;
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "motion/generate/trajectory_generator.h"
+#include "motion/servo/following_supervisor.h"
+#include "motion/space/joint_vector.h"
+#include "motion/space/spsc_ring.h"
+
+namespace rob::runtime {
+
+/// What the servo tells of one of its cycles.
+struct ServoSample {
+  motion::JointMeasurement measured;
+  motion::JointVector drive;  ///< N, Nm
+  std::uint64_t inputs = 0;
+  double saturation = 0;  ///< greatest demanded force / what the drive can give
+  motion::FollowingFinding finding;
+};
+
+/// What is known of one reference period, for the trace and the report: the reference and what
+/// was measured at the same instant.
+struct Snapshot {
+  motion::GeneratorSample sample;
+  motion::JointVector measured;
+  motion::JointVector drive;
+  double lateness = 0;  ///< s, of the cycle that handed the reference out
+  double override_share = 1;
+};
+
+/// A finding of the servo's supervision that the user has to know.
+struct ServoNotice {
+  double time = 0;
+  motion::FollowingFinding finding;
+};
+
+/// Everything through which the tasks of one run talk: rings and atomics with one writer each, so
+/// that no tick ever waits for another. Memory is taken by the constructor alone.
+struct Channels {
+  // [choice] 0.64 s of references, 1 s of servo samples at 5 ms, and 20 s of rows and events at
+  // 10 ms: what the reader may be late before something is lost.
+  static constexpr std::size_t kReferences = 64;
+  static constexpr std::size_t kSamples = 256;
+  static constexpr std::size_t kSnapshots = 2048;
+  static constexpr std::size_t kEvents = 4096;
+
+  motion::SpscRing<motion::JointReference> references{kReferences};  ///< motion → servo
+  motion::SpscRing<ServoSample> samples{kSamples};                   ///< servo → motion
+  motion::SpscRing<Snapshot> snapshots{kSnapshots};                  ///< motion → main
+  motion::SpscRing<motion::MotionEvent> events{kEvents};             ///< motion → main
+
+  motion::SpscRing<ServoNotice> notices{16};  ///< motion → main
+
+  std::atomic<std::uint64_t> outputs{0};    ///< motion → servo: bit i is output channel i
+  std::atomic<std::uint64_t> inputs{0};     ///< motion → program: latched in this cycle
+  std::atomic<std::uint32_t> decidable{0};  ///< motion → program: see TrajectoryGenerator
+  std::atomic<bool> hold_requested{false};  ///< main → motion
+  std::atomic<std::int64_t> lost{0};        ///< snapshots that found their ring full
+};
+
+}  // namespace rob::runtime

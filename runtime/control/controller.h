@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+
+#include "motion/generate/paul_generator.h"
+#include "motion/plan/look_ahead_buffer.h"
+#include "motion/plan/motion_planner.h"
+#include "motion/robots/robot_model.h"
+#include "motion/servo/servo_backend.h"
+#include "runtime/control/channels.h"
+#include "runtime/control/motion_task.h"
+#include "runtime/control/program_log.h"
+#include "runtime/control/robot_machine.h"
+#include "runtime/control/servo_task.h"
+
+namespace rob::runtime {
+
+/// One robot under control for one run: planner, buffer, generator, servo and backend, and the
+/// channels between them, each owned here and joined by reference. It has no thread and no clock:
+/// run_stepped() and run_threaded() drive the same object.
+class Controller {
+ public:
+  /// Opens the backend: throws motion::DriverError. `override_share`: 1 is the programmed speed.
+  Controller(const motion::RobotModel& robot, std::unique_ptr<motion::ServoBackend> backend,
+             double override_share);
+  /// Drives without force, backend closed.
+  ~Controller();
+  Controller(const Controller&) = delete;
+  Controller& operator=(const Controller&) = delete;
+
+  const motion::RobotModel& robot() const { return robot_; }
+  RobotMachine& machine() { return machine_; }
+  MotionTask& motion() { return motion_task_; }
+  ServoTask& servo() { return servo_task_; }
+  Channels& channels() { return channels_; }
+  ProgramLog& log() { return log_; }
+
+  /// Slow down on the path to rest, within the limits. From any thread.
+  void request_hold() { channels_.hold_requested.store(true, std::memory_order_relaxed); }
+  bool holding() const { return channels_.hold_requested.load(std::memory_order_relaxed); }
+
+ private:
+  const motion::RobotModel& robot_;
+  std::unique_ptr<motion::ServoBackend> backend_;
+  Channels channels_;
+  ProgramLog log_;
+  motion::LookAheadBuffer buffer_;
+  motion::MotionPlanner planner_;
+  motion::PaulGenerator generator_;
+  RobotMachine machine_;
+  MotionTask motion_task_;
+  ServoTask servo_task_;
+};
+
+}  // namespace rob::runtime

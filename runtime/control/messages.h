@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "lang/machine.h"
+#include "motion/plan/feasibility.h"
+#include "motion/robots/robot_model.h"
+#include "motion/servo/following_supervisor.h"
+
+/// Everything motion tells by numbers, in words for people: motion knows neither lines nor texts.
+namespace rob::runtime {
+
+/// Code, what is wrong, and the remedy. What a program's commands are refused with.
+using Words = lang::Refusal;
+
+/// "axis x: 9000 mm is beyond 400 mm".
+Words words_for(const motion::Refusal& refusal, const motion::RobotModel& robot);
+/// "axis x follows 2.1 mm behind; 2 mm are permitted here".
+Words words_for(const motion::FollowingFinding& finding, const motion::RobotModel& robot);
+/// The motion task was so late that the path could not be made up.
+Words words_for_overrun(double lateness);
+/// A reference that is no number was about to be sent.
+Words words_for_not_finite(int axis, const motion::RobotModel& robot);
+
+}  // namespace rob::runtime

@@ -1,0 +1,134 @@
+#include "runtime/control/motion_task.h"
+
+#include <algorithm>
+
+namespace rob::runtime {
+
+using motion::Effect;
+using motion::FollowingFinding;
+using motion::MotionEvent;
+
+namespace {
+
+constexpr double kInstantTolerance = 1e-9;  // s: an instant on the period's border is in it
+
+}  // namespace
+
+MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenerator& generator,
+                       double override_share, Channels& channels)
+    : generator_(generator),
+      channels_(channels),
+      period_(robot.reference_period),
+      override_share_(std::min(override_share, 1.0)) {
+  if (override_share_ < 1) generator_.set_override(override_share_);
+}
+
+void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
+  take_samples();
+  take_requests();
+  if (!started_) {
+    current_ = generator_.advance(number);
+    collect_events();
+    started_ = true;
+  }
+  publish(current_);
+  release_events(static_cast<double>(number) * period_);
+  if (over()) return;
+
+  current_ = generator_.advance(number + 1);
+  lateness_ = lateness;
+  channels_.references.push(current_.reference);
+  collect_events();
+  channels_.decidable.store(generator_.decidable(), std::memory_order_release);
+}
+
+void MotionTask::take_samples() noexcept {
+  ServoSample sample;
+  while (channels_.samples.take(sample)) {
+    history_[samples_++ % kHistory] = sample;
+    channels_.inputs.store(sample.inputs, std::memory_order_relaxed);
+    if (sample.finding.verdict != FollowingFinding::Verdict::None) take_finding(sample);
+  }
+}
+
+void MotionTask::take_finding(const ServoSample& sample) noexcept {
+  const bool stop = sample.finding.verdict == FollowingFinding::Verdict::Stop;
+  if (faulted_ || (warned_ && !stop)) return;
+  channels_.notices.push({sample.measured.time, sample.finding});
+  warned_ = true;
+  if (!stop) return;
+  faulted_ = true;
+  generator_.hold();
+}
+
+void MotionTask::take_requests() noexcept {
+  if (channels_.hold_requested.load(std::memory_order_relaxed)) generator_.hold();
+}
+
+const ServoSample* MotionTask::sample_at(double stamp) const noexcept {
+  const std::size_t kept = std::min(samples_, kHistory);
+  const ServoSample* best = nullptr;
+  for (std::size_t back = 1; back <= kept; ++back) {
+    best = &history_[(samples_ - back) % kHistory];
+    if (best->measured.time <= stamp + kInstantTolerance) break;
+  }
+  return best;
+}
+
+void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
+  Snapshot snapshot{sample, sample.reference.q, sample.reference.q, lateness_, override_share_};
+  snapshot.drive.setZero();
+  if (const ServoSample* servo = sample_at(sample.reference.time)) {
+    // On the virtual clock both instants are the same; in real time the servo's is the nearer past.
+    const double since = sample.reference.time - servo->measured.time;
+    snapshot.measured = servo->measured.q + servo->measured.qd * since;
+    snapshot.drive = servo->drive;
+  }
+  if (!channels_.snapshots.push(snapshot)) channels_.lost.fetch_add(1, std::memory_order_relaxed);
+}
+
+void MotionTask::collect_events() noexcept {
+  MotionEvent event;
+  while (generator_.take_event(event)) pending_.push(event);
+}
+
+void MotionTask::release_events(double until) noexcept {
+  while (const MotionEvent* next = pending_.front()) {
+    if (next->time > until + kInstantTolerance) return;
+    release(*next, until);
+    pending_.pop();
+  }
+}
+
+void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
+  switch (event.kind) {
+    case MotionEvent::Kind::EffectDue:
+      if (faulted_) return;  // a fault drops what is behind it
+      if (event.effect.kind == Effect::Kind::Output) {
+        const std::uint64_t bit = std::uint64_t{1} << event.effect.channel;
+        outputs_ = event.effect.value ? outputs_ | bit : outputs_ & ~bit;
+        channels_.outputs.store(outputs_, std::memory_order_relaxed);
+      }
+      event.time = cycle_time;  // it acts in this cycle, and says so
+      break;
+    case MotionEvent::Kind::Overrun:
+    case MotionEvent::Kind::Fault:
+      faulted_ = true;
+      generator_.hold();
+      break;
+    case MotionEvent::Kind::Finished:
+    case MotionEvent::Kind::Held:
+      tell(event);
+      over_.store(true, std::memory_order_release);
+      return;
+    default:
+      break;
+  }
+  tell(event);
+}
+
+void MotionTask::tell(const MotionEvent& event) noexcept {
+  if (!channels_.events.push(event)) channels_.lost.fetch_add(1, std::memory_order_relaxed);
+}
+
+}  // namespace rob::runtime

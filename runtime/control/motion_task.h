@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "motion/generate/trajectory_generator.h"
+#include "motion/robots/robot_model.h"
+#include "runtime/control/channels.h"
+
+namespace rob::runtime {
+
+/// One control cycle of motion: takes up what the servo measured, lets effects act, and hands out
+/// the next reference. The cycle that starts at k·T makes the reference stamped (k + 1)·T, so that
+/// the servo interpolates between two known ones and a cycle late by less than T is not noticed.
+///
+/// cycle() is the tick: no memory, no lock, no text, bounded work. One thread calls it.
+class MotionTask {
+ public:
+  MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenerator& generator,
+             double override_share, Channels& channels);
+
+  /// `number`: k, ever greater; what lies between was missed. `lateness`: s after its deadline.
+  void cycle(std::int64_t number, double lateness) noexcept;
+
+  /// Everything is done, or stands still for good: further cycles change nothing.
+  bool over() const noexcept { return over_.load(std::memory_order_acquire); }
+
+ private:
+  void take_samples() noexcept;
+  void take_finding(const ServoSample& sample) noexcept;
+  void take_requests() noexcept;
+  void publish(const motion::GeneratorSample& sample) noexcept;
+  void collect_events() noexcept;
+  void release_events(double until) noexcept;
+  void release(motion::MotionEvent event, double cycle_time) noexcept;
+  void tell(const motion::MotionEvent& event) noexcept;
+  /// What was measured at `stamp`; null before the first servo cycle.
+  const ServoSample* sample_at(double stamp) const noexcept;
+
+  motion::TrajectoryGenerator& generator_;
+  Channels& channels_;
+  double period_;
+  double override_share_;
+
+  motion::GeneratorSample current_;  ///< handed out last, measured when its stamp has come
+  bool started_ = false;
+  double lateness_ = 0;
+  std::uint64_t outputs_ = 0;
+  bool warned_ = false;
+  bool faulted_ = false;
+
+  /// The servo's last samples: what was measured at the stamp of a reference is looked up here.
+  static constexpr std::size_t kHistory = 64;
+  std::array<ServoSample, kHistory> history_;
+  std::size_t samples_ = 0;  ///< taken so far; the newest is at (samples_ − 1) % kHistory
+
+  /// Events are computed up to a period ahead and wait here for their instant.
+  motion::SpscRing<motion::MotionEvent> pending_{Channels::kEvents};
+  std::atomic<bool> over_{false};
+};
+
+}  // namespace rob::runtime

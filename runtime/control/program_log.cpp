@@ -1,0 +1,64 @@
+#include "runtime/control/program_log.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rob::runtime {
+
+void ProgramLog::planned(const LoggedSegment& segment) {
+  const std::scoped_lock lock(mutex_);
+  planned_.push_back(segment);
+}
+
+void ProgramLog::queued_effect() {
+  const std::scoped_lock lock(mutex_);
+  ++effects_;
+}
+
+std::uint32_t ProgramLog::keep_text(std::string text) {
+  const std::scoped_lock lock(mutex_);
+  texts_.push_back(std::move(text));
+  return first_text_ + static_cast<std::uint32_t>(texts_.size()) - 1;
+}
+
+void ProgramLog::found(lang::Diagnostic finding) {
+  const std::scoped_lock lock(mutex_);
+  const bool known = std::any_of(findings_.begin(), findings_.end(), [&](const auto& other) {
+    return other.code == finding.code && other.place == finding.place;
+  });
+  if (!known) findings_.push_back(std::move(finding));  // a loop finds it only once
+}
+
+std::optional<LoggedSegment> ProgramLog::take_planned(std::uint32_t number) {
+  const std::scoped_lock lock(mutex_);
+  while (!planned_.empty() && planned_.front().number < number) planned_.pop_front();
+  if (planned_.empty() || planned_.front().number != number) return std::nullopt;
+  const LoggedSegment segment = planned_.front();
+  planned_.pop_front();
+  return segment;
+}
+
+std::string ProgramLog::take_text(std::uint32_t id) {
+  const std::scoped_lock lock(mutex_);
+  while (first_text_ < id && !texts_.empty()) {
+    texts_.pop_front();
+    ++first_text_;
+  }
+  if (texts_.empty()) return "";
+  std::string text = std::move(texts_.front());
+  texts_.pop_front();
+  ++first_text_;
+  return text;
+}
+
+std::vector<lang::Diagnostic> ProgramLog::findings() const {
+  const std::scoped_lock lock(mutex_);
+  return findings_;
+}
+
+std::int64_t ProgramLog::effects() const {
+  const std::scoped_lock lock(mutex_);
+  return effects_;
+}
+
+}  // namespace rob::runtime

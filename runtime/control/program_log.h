@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lang/diagnostic.h"
+#include "motion/plan/segment_descriptor.h"
+
+namespace rob::runtime {
+
+/// A motion as it was planned. `stop`: made by STOP or the end of the program, not by a MOVE.
+struct LoggedSegment : motion::SegmentDescriptor {
+  bool stop = false;
+};
+
+/// What the program's thread leaves for the thread that reports: motions as they were planned,
+/// texts to be printed when their turn comes, findings. Not for the tick: it locks and allocates.
+class ProgramLog {
+ public:
+  void planned(const LoggedSegment& segment);
+  /// An effect has been queued.
+  void queued_effect();
+  /// Keeps a text until its effect is due; the number goes with the effect.
+  std::uint32_t keep_text(std::string text);
+  void found(lang::Diagnostic finding);
+
+  /// Segment `number`, once; those before it are forgotten.
+  std::optional<LoggedSegment> take_planned(std::uint32_t number);
+  std::string take_text(std::uint32_t id);
+  std::vector<lang::Diagnostic> findings() const;
+  std::int64_t effects() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::deque<LoggedSegment> planned_;
+  std::deque<std::string> texts_;
+  std::uint32_t first_text_ = 0;  ///< the number of texts_.front()
+  std::vector<lang::Diagnostic> findings_;
+  std::int64_t effects_ = 0;
+};
+
+}  // namespace rob::runtime

@@ -1,0 +1,31 @@
+#include "runtime/control/program_task.h"
+
+namespace rob::runtime {
+
+ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine)
+    : vm_(chunk, machine), machine_(machine) {}
+
+ProgramTask::State ProgramTask::step(std::int64_t budget) {
+  if (failure_) return finish_after_failure();
+  switch (vm_.run(budget)) {
+    case lang::Vm::State::Running:
+      return State::Busy;
+    case lang::Vm::State::Waiting:
+    case lang::Vm::State::NextCycle:
+      return State::Waiting;
+    case lang::Vm::State::Done:
+      return State::Over;
+    case lang::Vm::State::Failed:
+      break;
+  }
+  failure_ = vm_.error();
+  return finish_after_failure();
+}
+
+/// An error takes effect in motion order: the last motion commanded before it is made exact.
+ProgramTask::State ProgramTask::finish_after_failure() {
+  const lang::Reply reply = machine_.end(static_cast<int>(failure_->place.line));
+  return reply == lang::Reply::Later ? State::Waiting : State::Over;
+}
+
+}  // namespace rob::runtime

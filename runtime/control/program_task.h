@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "lang/vm.h"
+#include "runtime/control/robot_machine.h"
+
+namespace rob::runtime {
+
+/// Runs a program ahead of the motion, a slice at a time, and never blocks: the same object is
+/// stepped by the virtual clock and by a thread of its own in real time.
+class ProgramTask {
+ public:
+  enum class State : std::uint8_t {
+    Busy,     ///< has more to calculate
+    Waiting,  ///< for room in the buffer, a decision point or the next cycle
+    Over      ///< all that was commanded is queued
+  };
+
+  ProgramTask(const lang::Chunk& chunk, RobotMachine& machine);
+
+  /// At most `budget` instructions.
+  State step(std::int64_t budget);
+
+  /// How the program failed; what it had commanded before is finished all the same. Valid once
+  /// step() has returned Over.
+  const std::optional<lang::RuntimeError>& failure() const { return failure_; }
+  std::int64_t executed() const { return vm_.executed(); }
+
+ private:
+  State finish_after_failure();
+
+  lang::Vm vm_;
+  RobotMachine& machine_;
+  std::optional<lang::RuntimeError> failure_;
+};
+
+}  // namespace rob::runtime

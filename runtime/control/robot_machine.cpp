@@ -1,0 +1,132 @@
+#include "runtime/control/robot_machine.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <variant>
+
+#include "runtime/control/messages.h"
+#include "runtime/control/units.h"
+
+namespace rob::runtime {
+
+using lang::Reply;
+
+lang::RobotSignature signature_of(const motion::RobotModel& robot) {
+  lang::RobotSignature signature;
+  signature.name = robot.name;
+  for (const motion::Axis& axis : robot.axes) {
+    const bool linear = axis.kind == motion::AxisKind::Linear;
+    signature.coordinates.push_back({axis.name, linear ? lang::kLength : lang::kAngle});
+  }
+  for (const motion::RobotSignal& signal : robot.signals) {
+    signature.signals.push_back({signal.name, signal.output});
+  }
+  return signature;
+}
+
+motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
+  using From = lang::MoveCommand::Pace;
+  using To = motion::MotionRequest::Pace;
+  motion::MotionRequest request;
+  request.tag = static_cast<motion::Tag>(line);
+  request.given = command.given;
+  request.target = command.target;
+  request.pace = command.pace == From::ToolSpeed      ? To::ToolSpeed
+                 : command.pace == From::AngularSpeed ? To::AngularSpeed
+                 : command.pace == From::Share        ? To::Share
+                                                      : To::Unspecified;
+  request.pace_value = command.pace_value;
+  request.at_least = command.over;
+  return request;
+}
+
+RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanner& planner,
+                           motion::LookAheadBuffer& buffer, Channels& channels, ProgramLog& log)
+    : robot_(robot), planner_(planner), buffer_(buffer), channels_(channels), log_(log) {}
+
+Reply RobotMachine::move(int line, const lang::MoveCommand& command) {
+  if (buffer_.full()) return Reply::Later;
+  const motion::PlanOutcome outcome = planner_.plan(request_of(line, command));
+  if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
+    refusal_ = words_for(*refusal, robot_);
+    return Reply::Refused;
+  }
+  const auto& planned = std::get<motion::PlannedSegment>(outcome);
+  warn(line, planned);
+  queue(planned.segment, false);
+  return Reply::Done;
+}
+
+Reply RobotMachine::stop(int line) {
+  if (buffer_.full()) return Reply::Later;
+  const auto segment = planner_.stop(static_cast<motion::Tag>(line));
+  if (segment) queue(*segment, true);
+  return Reply::Done;
+}
+
+Reply RobotMachine::end(int line) {
+  const Reply reply = stop(line);
+  if (reply == Reply::Done) buffer_.close();
+  return reply;
+}
+
+Reply RobotMachine::print(int line, std::string_view text) {
+  if (buffer_.effects_full()) return Reply::Later;
+  motion::Effect effect;
+  effect.tag = static_cast<motion::Tag>(line);
+  effect.kind = motion::Effect::Kind::Note;
+  effect.id = log_.keep_text(std::string(text));
+  return queue(effect);
+}
+
+Reply RobotMachine::write_signal(int line, int signal, bool value) {
+  const motion::RobotSignal& output = robot_.signals.at(static_cast<std::size_t>(signal));
+  motion::Effect effect;
+  effect.tag = static_cast<motion::Tag>(line);
+  effect.kind = motion::Effect::Kind::Output;
+  effect.channel = static_cast<std::uint8_t>(output.channel);
+  effect.value = value;
+  return queue(effect);
+}
+
+Reply RobotMachine::read_signal(int /*line*/, int signal, bool& value) {
+  // Program and motion share the number of the last segment: its decision point has come once the
+  // generator names it.
+  if (channels_.decidable.load(std::memory_order_acquire) < planner_.last_number()) {
+    return Reply::Later;
+  }
+  const motion::RobotSignal& asked = robot_.signals.at(static_cast<std::size_t>(signal));
+  const std::uint64_t bits = asked.output ? channels_.outputs.load(std::memory_order_relaxed)
+                                          : channels_.inputs.load(std::memory_order_relaxed);
+  value = (bits >> asked.channel & 1U) != 0;
+  return Reply::Done;
+}
+
+void RobotMachine::queue(const motion::SegmentDescriptor& segment, bool stop) {
+  log_.planned({segment, stop});  // before the generator can report it
+  buffer_.push(segment);          // there is room: only this thread fills the buffer
+}
+
+Reply RobotMachine::queue(motion::Effect effect) {
+  effect.after = planner_.last_number();
+  if (!buffer_.push(effect)) return Reply::Later;
+  log_.queued_effect();
+  return Reply::Done;
+}
+
+void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
+  const lang::Place place{static_cast<std::uint32_t>(line), 0, 0};
+  if ((planned.warnings & motion::PlannedSegment::kPaceCut) != 0) {
+    log_.found({lang::Severity::Warning, "W501", place, "AT asks for more than the axes can do",
+                "the motion runs as fast as its axes permit"});
+  }
+  if ((planned.warnings & motion::PlannedSegment::kStretched) != 0) {
+    log_.found({lang::Severity::Warning, "W502", place,
+                fmt::format("OVER is too short: this motion takes {} s",
+                            shown(planned.segment.duration, 3)),
+                "OVER is a lower bound; the axes and the corners need longer here"});
+  }
+}
+
+}  // namespace rob::runtime

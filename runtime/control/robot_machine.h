@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string_view>
+
+#include "lang/machine.h"
+#include "motion/plan/look_ahead_buffer.h"
+#include "motion/plan/motion_planner.h"
+#include "motion/robots/robot_model.h"
+#include "runtime/control/channels.h"
+#include "runtime/control/program_log.h"
+
+namespace rob::runtime {
+
+/// What the language knows of a robot, taken from its model.
+lang::RobotSignature signature_of(const motion::RobotModel& robot);
+
+/// The MotionRequest of a MOVE; the source line is its tag.
+motion::MotionRequest request_of(int line, const lang::MoveCommand& command);
+
+/// The program's side of a robot: completes and checks what is asked, puts it into the buffer,
+/// and answers Later while the buffer is full or a decision point has not come. All calls come
+/// from the program's thread.
+class RobotMachine final : public lang::Machine {
+ public:
+  RobotMachine(const motion::RobotModel& robot, motion::MotionPlanner& planner,
+               motion::LookAheadBuffer& buffer, Channels& channels, ProgramLog& log);
+
+  lang::Reply move(int line, const lang::MoveCommand& command) override;
+  lang::Reply stop(int line) override;
+  lang::Reply end(int line) override;
+  lang::Reply print(int line, std::string_view text) override;
+  lang::Reply write_signal(int line, int signal, bool value) override;
+  lang::Reply read_signal(int line, int signal, bool& value) override;
+  const lang::Refusal& refusal() const override { return refusal_; }
+
+ private:
+  void queue(const motion::SegmentDescriptor& segment, bool stop);
+  lang::Reply queue(motion::Effect effect);
+  void warn(int line, const motion::PlannedSegment& planned);
+
+  const motion::RobotModel& robot_;
+  motion::MotionPlanner& planner_;
+  motion::LookAheadBuffer& buffer_;
+  Channels& channels_;
+  ProgramLog& log_;
+  lang::Refusal refusal_;
+};
+
+}  // namespace rob::runtime

@@ -1,0 +1,75 @@
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include "runtime/control/execution.h"
+#include "runtime/time/clock.h"
+#include "runtime/time/periodic_task.h"
+#include "runtime/time/real_time.h"
+
+namespace rob::runtime {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kLead = 0.02;                  // s [choice] for every thread to be ready
+constexpr std::int64_t kHeadStart = 1'000'000;  // instructions before the clock starts
+constexpr std::int64_t kSlice = 10'000;         // instructions between looks at the stop flag
+constexpr auto kProgramPause = 1ms;             // [choice] a tenth of a reference period
+constexpr auto kReportPause = 10ms;             // [choice] what an eye does not notice
+
+/// The program's thread: sleeps while the program has to wait. It works far ahead of the motion,
+/// so that its pauses shape nothing.
+void run_program(ProgramTask& program, const std::atomic<bool>& stopping) {
+  while (!stopping.load(std::memory_order_relaxed)) {
+    const auto state = program.step(kSlice);
+    if (state == ProgramTask::State::Over) return;
+    if (state == ProgramTask::State::Waiting) std::this_thread::sleep_for(kProgramPause);
+  }
+}
+
+}  // namespace
+
+Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& attend) {
+  const motion::RobotModel& robot = controller.robot();
+  std::atomic<bool> program_stops{false};
+  std::atomic<bool> servo_stops{false};
+  std::optional<double> first;  // when the first cycle began, s
+  double drift = 0;
+
+  const auto program_state = program.step(kHeadStart);
+  SystemClock clock(kLead);
+  controller.servo().enable(clock.now());
+  PeriodicTask servo(clock, robot.servo_period, kServoPriority,
+                     [&](std::int64_t, double now, double) {
+                       controller.servo().cycle(now);
+                       return !servo_stops.load(std::memory_order_relaxed);
+                     });
+  PeriodicTask motion(clock, robot.reference_period, kMotionPriority,
+                      [&](std::int64_t number, double now, double lateness) {
+                        if (!first) first = now;
+                        drift = now - *first - static_cast<double>(number) * robot.reference_period;
+                        controller.motion().cycle(number, lateness);
+                        return !controller.motion().over();
+                      });
+  std::thread program_thread([&] {
+    if (program_state != ProgramTask::State::Over) run_program(program, program_stops);
+  });
+
+  while (!controller.motion().over()) {
+    std::this_thread::sleep_for(kReportPause);
+    attend();
+    if (controller.holding()) program_stops = true;
+  }
+  program_stops = true;
+  servo_stops = true;
+  program_thread.join();
+  motion.join();
+  servo.join();
+  attend();
+  return {motion.punctuality().missed, motion.punctuality().worst_lateness, drift, false};
+}
+
+}  // namespace rob::runtime

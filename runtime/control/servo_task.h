@@ -1,0 +1,37 @@
+#pragma once
+
+#include "motion/robots/robot_model.h"
+#include "motion/servo/following_supervisor.h"
+#include "motion/servo/reference_interpolator.h"
+#include "motion/servo/servo_backend.h"
+#include "motion/servo/servo_law.h"
+#include "runtime/control/channels.h"
+
+namespace rob::runtime {
+
+/// One servo cycle (S2's dynamic part): reads the machine, follows the references, supervises,
+/// writes. cycle() is a tick: no memory, no lock, no text, bounded work. One thread calls it.
+class ServoTask {
+ public:
+  ServoTask(const motion::RobotModel& robot, motion::ServoBackend& backend, Channels& channels);
+
+  /// Takes the robot as it stands: call once, before the first cycle. What the machine answers is
+  /// judged by the cycles that follow.
+  void enable(double now) noexcept;
+  void cycle(double now) noexcept;
+  /// The drives are without force from now on; further cycles only read.
+  void disable(double now) noexcept;
+
+ private:
+  motion::ServoBackend& backend_;
+  Channels& channels_;
+  motion::ReferenceInterpolator interpolator_;
+  motion::ServoLaw law_;
+  motion::FollowingSupervisor supervisor_;
+  motion::ServoState state_;
+  motion::ServoCommand command_;
+  motion::DriverStatus written_ = motion::DriverStatus::Ok;
+  bool enabled_ = false;
+};
+
+}  // namespace rob::runtime

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "motion/robots/robot_model.h"
+
+/// The border between what people read (mm, deg) and what motion computes with (m, rad).
+namespace rob::runtime {
+
+inline constexpr double kDegreesPerRadian = 57.295779513082320877;  // 180 / π
+inline constexpr double kMillimetresPerMetre = 1000.0;
+
+/// Factor from SI to the unit in which an axis of this kind is shown: mm or deg, or their rates.
+constexpr double shown_per_si(motion::AxisKind kind) {
+  return kind == motion::AxisKind::Linear ? kMillimetresPerMetre : kDegreesPerRadian;
+}
+
+/// "mm" or "deg".
+constexpr const char* unit_name(motion::AxisKind kind) {
+  return kind == motion::AxisKind::Linear ? "mm" : "deg";
+}
+
+/// "400 mm", "12.5 deg": at most six decimals, no trailing zeros.
+std::string shown(double si, motion::AxisKind kind);
+
+/// A plain number with at most `decimals` decimals and no trailing zeros; never "-0".
+std::string shown(double value, int decimals);
+
+/// x, y, z in mm, a, b, c in deg.
+std::vector<double> shown_pose(const motion::Pose& pose);
+
+}  // namespace rob::runtime

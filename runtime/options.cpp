@@ -1,0 +1,147 @@
+#include "runtime/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <sstream>
+
+namespace rob::runtime {
+
+namespace {
+
+constexpr const char* kVersion = "rob 0.1.0";
+constexpr double kMostOverride = 200;  // % (docs/cli.md)
+
+/// "50%" or "50": a share of the programmed speed.
+std::string check_override(const std::string& text) {
+  double percent = 0;
+  const char* end = text.data() + text.size() - (text.ends_with('%') ? 1 : 0);
+  const auto [rest, error] = std::from_chars(text.data(), end, percent);
+  const bool number = error == std::errc() && rest == end;
+  if (number && percent > 0 && percent <= kMostOverride) return "";
+  return fmt::format("--override takes a share from above 0% to {}%, not '{}'", kMostOverride,
+                     text);
+}
+
+double share_of(const std::string& text) {
+  double percent = 100;
+  std::from_chars(text.data(), text.data() + text.size(), percent);
+  return percent / 100;
+}
+
+std::string check_law(const std::string& law) {
+  if (law == "paul") return "";
+  if (law == "lookahead") return "the look-ahead law is not in this version of Rob yet; use paul";
+  return fmt::format("there is no law '{}'; use paul", law);
+}
+
+std::string check_backend(const std::string& backend) {
+  if (backend == "sim") return "";
+  return fmt::format("there is no backend '{}' in this version of Rob; use sim", backend);
+}
+
+/// CLI11's objects and the texts that they write into.
+struct Parser {
+  CLI::App app{"Rob: programs that move robots, exactly where and exactly when they say.", "rob"};
+  Options options;
+  std::string override_text = "100%";
+  std::string law = "paul";
+  std::string backend = "sim";
+  std::string topic;
+
+  Parser();
+  void add_files(CLI::App& command) {
+    command.add_option("FILE", options.files, "programs (.rob)")->required();
+  }
+  void add_robot(CLI::App& command) {
+    command.add_option("--robot", options.robot, "a robot's name (rob robots), or its file.toml");
+    command.add_option("--law", law, "transition law: paul")->check(check_law);
+  }
+  void add_json(CLI::App& command) {
+    command.add_flag("--json", options.json, "print one JSON document, and nothing else");
+  }
+  void add_run();
+  void add_check();
+  void add_others();
+};
+
+Parser::Parser() {
+  app.set_version_flag("--version", kVersion);
+  app.require_subcommand(0, 1);
+  app.footer("Start with: rob run examples/01_triangle.rob");
+  add_run();
+  add_check();
+  add_others();
+}
+
+void Parser::add_run() {
+  CLI::App& run = *app.add_subcommand("run", "run a program");
+  run.callback([this] { options.command = Options::Command::Run; });
+  add_files(run);
+  add_robot(run);
+  add_json(run);
+  run.add_option("--backend", backend, "what moves: sim")->check(check_backend);
+  run.add_flag("--fast", options.fast, "on the virtual clock, as fast as possible");
+  run.add_option("--trace", options.trace, "write a row for each reference period to this file");
+  run.add_option("--override", override_text, "share of the programmed speed, such as 50%")
+      ->check(check_override);
+}
+
+void Parser::add_check() {
+  CLI::App& check = *app.add_subcommand("check", "compile, and foretell each line; nothing moves");
+  check.callback([this] { options.command = Options::Command::Check; });
+  add_files(check);
+  add_robot(check);
+  add_json(check);
+}
+
+void Parser::add_others() {
+  CLI::App& compile = *app.add_subcommand("compile", "compile a program");
+  compile.callback([this] { options.command = Options::Command::Compile; });
+  add_files(compile);
+  add_robot(compile);
+  compile.add_flag("--listing", options.listing, "print the bytecode");
+
+  app.add_subcommand("robots", "the robots known, and what each can do")->callback([this] {
+    options.command = Options::Command::Robots;
+  });
+  CLI::App& help = *app.add_subcommand("help", "explain a command");
+  help.add_option("COMMAND", topic, "run, check, compile or robots");
+}
+
+CommandLineEnd usage_error(const std::string& message) {
+  return {ExitCode::Usage, "", "rob: " + message + "\nrob --help lists the commands\n"};
+}
+
+std::variant<Options, CommandLineEnd> help_on(Parser& parser) {
+  if (parser.topic.empty()) {
+    parser.options.help_text = parser.app.help();
+    return parser.options;
+  }
+  for (const CLI::App* command : parser.app.get_subcommands([](CLI::App*) { return true; })) {
+    if (!command->check_name(parser.topic)) continue;
+    parser.options.help_text = command->help();
+    return parser.options;
+  }
+  return usage_error("there is no command '" + parser.topic + "'");
+}
+
+}  // namespace
+
+std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* const* argv) {
+  Parser parser;
+  try {
+    parser.app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) return usage_error(error.what());
+    std::ostringstream out;  // --help and --version end the parsing with what they print
+    parser.app.exit(error, out, out);
+    return CommandLineEnd{ExitCode::Done, out.str(), ""};
+  }
+  parser.options.override_share = share_of(parser.override_text);
+  if (parser.options.command == Options::Command::Help) return help_on(parser);
+  return parser.options;
+}
+
+}  // namespace rob::runtime

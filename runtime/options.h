@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "runtime/program/run_result.h"
+
+namespace rob::runtime {
+
+/// The command line of `rob`, understood (docs/cli.md).
+struct Options {
+  enum class Command { Run, Check, Compile, Robots, Help };
+
+  Command command = Command::Help;
+  std::vector<std::string> files;
+  std::string robot = "gantry";  ///< a name, or a file that ends in .toml
+  std::string trace;
+  double override_share = 1;
+  bool fast = false;
+  bool json = false;
+  bool listing = false;
+  std::string help_text;  ///< of Help
+};
+
+/// What could not be understood, or what was answered already (--help, --version).
+struct CommandLineEnd {
+  ExitCode exit_code = ExitCode::Done;
+  std::string to_stdout;
+  std::string to_stderr;
+};
+
+std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* const* argv);
+
+}  // namespace rob::runtime

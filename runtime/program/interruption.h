@@ -1,0 +1,22 @@
+#pragma once
+
+#include "runtime/program/run_result.h"
+
+namespace rob::runtime {
+
+/// Ctrl-C, SIGTERM and SIGHUP, taken as requests while an object of this class lives: the run
+/// stops on its path first and the process ends afterwards. One object at a time.
+class Interruption {
+ public:
+  Interruption();
+  ~Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+  /// Since the object was made.
+  static bool requested();
+  /// Of the first request: 130, 143 or 129.
+  static ExitCode exit_code();
+};
+
+}  // namespace rob::runtime

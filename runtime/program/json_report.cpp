@@ -1,0 +1,155 @@
+#include "runtime/program/json_report.h"
+
+#include <cmath>
+
+namespace rob::runtime {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// To nanoseconds and nanometres: what lies beyond is rounding in the arithmetic.
+double rounded(double value, double step) {
+  const double result = std::round(value / step) * step;
+  // Round once more through the decimal nearest to it, so that 19.1 is written as 19.1.
+  const double scale = std::round(1 / step);
+  return result == 0 ? 0 : std::round(result * scale) / scale;
+}
+double seconds(double value) { return rounded(value, 1e-9); }
+double millimetres(double value) { return rounded(value, 1e-6); }
+
+Json optional_seconds(const std::optional<double>& value) {
+  return value ? Json(seconds(*value)) : Json(nullptr);
+}
+Json optional_millimetres(const std::optional<double>& value) {
+  return value ? Json(millimetres(*value)) : Json(nullptr);
+}
+
+Json line_json(const LineResult& line, bool measured) {
+  Json json{{"line", line.line},
+            {"starts_s", seconds(line.starts)},
+            {"planned_s", seconds(line.planned)}};
+  if (measured) json["measured_s"] = seconds(line.measured);
+  json["decides_s"] = optional_seconds(line.decides);
+  if (!line.miss_planned) {
+    json["corner_miss_mm"] = nullptr;
+  } else {
+    json["corner_miss_mm"] = Json{{"planned", optional_millimetres(line.miss_planned)}};
+    if (measured) json["corner_miss_mm"]["measured"] = optional_millimetres(line.miss_measured);
+  }
+  if (line.count > 1) json["count"] = line.count;
+  if (measured) json["ended"] = line.ended;
+  return json;
+}
+
+Json lines_json(const RunResult& result, bool measured) {
+  Json lines = Json::array();
+  for (const LineResult& line : result.lines) lines.push_back(line_json(line, measured));
+  return lines;
+}
+
+Json final_json(const RunResult& result) {
+  if (result.final_joints.empty()) return nullptr;
+  Json joints = Json::array();
+  for (const double q : result.final_joints) joints.push_back(millimetres(q));
+  Json pose;
+  const char* names[] = {"x", "y", "z", "a", "b", "c"};
+  for (std::size_t i = 0; i < result.final_pose.size(); ++i) {
+    pose[names[i]] = millimetres(result.final_pose[i]);
+  }
+  return {{"joints", joints}, {"pose", pose}};
+}
+
+Json problem_json(const std::optional<Problem>& problem) {
+  if (!problem) return nullptr;
+  return {{"code", problem->code},       {"file", problem->file},
+          {"line", problem->place.line}, {"column", problem->place.column},
+          {"message", problem->message}, {"help", problem->help}};
+}
+
+Json signals_json(const RunResult& result) {
+  Json signals = Json::array();
+  for (const SignalChange& change : result.signals) {
+    signals.push_back({{"t", seconds(change.time)},
+                       {"name", change.name},
+                       {"value", change.value},
+                       {"line", change.line}});
+  }
+  return signals;
+}
+
+Json events_json(const RunResult& result) {
+  Json events = Json::array();
+  for (const RunEvent& event : result.events) {
+    events.push_back({{"t", seconds(event.time)},
+                      {"kind", event.kind},
+                      {"line", event.line},
+                      {"text", event.text}});
+  }
+  return events;
+}
+
+Json peaks_json(const RunResult& result) {
+  Json peaks = Json::object();
+  for (const AxisPeak& peak : result.peaks) {
+    peaks[peak.axis] = {{"v", peak.v}, {"a", peak.a}, {"j", peak.j}};
+  }
+  return peaks;
+}
+
+const char* name_of(lang::Severity severity) {
+  return severity == lang::Severity::Error     ? "error"
+         : severity == lang::Severity::Warning ? "warning"
+                                               : "note";
+}
+
+Json findings_json(const RunResult& result) {
+  Json findings = Json::array();
+  for (const lang::Diagnostic& finding : result.findings) {
+    findings.push_back({{"severity", name_of(finding.severity)},
+                        {"code", finding.code},
+                        {"line", finding.place.line},
+                        {"column", finding.place.column},
+                        {"message", finding.message},
+                        {"help", finding.help}});
+  }
+  return findings;
+}
+
+}  // namespace
+
+Json run_json(const RunResult& result) {
+  return {{"status", result.status},
+          {"robot", result.robot},
+          {"law", result.law},
+          {"clock", result.clock},
+          {"planned_s", seconds(result.planned)},
+          {"measured_s", seconds(result.measured)},
+          {"cycles", result.cycles},
+          {"late_cycles", result.late_cycles},
+          {"worst_lateness_us", rounded(result.worst_lateness * 1e6, 1e-3)},
+          {"lines", lines_json(result, true)},
+          {"final", final_json(result)},
+          {"signals", signals_json(result)},
+          {"output", result.output},
+          {"events", events_json(result)},
+          {"findings", findings_json(result)},
+          {"starved", result.starved},
+          {"dropped_effects", result.dropped_effects},
+          {"lost_rows", result.lost_rows},
+          {"worst_u_sat", result.worst_saturation},
+          {"peak", peaks_json(result)},
+          {"error", problem_json(result.error)}};
+}
+
+Json check_json(const RunResult& result) {
+  return {{"status", result.status},
+          {"robot", result.robot},
+          {"law", result.law},
+          {"planned_s", seconds(result.planned)},
+          {"lines", lines_json(result, false)},
+          {"findings", findings_json(result)},
+          {"error", problem_json(result.error)}};
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,50 @@
+#include "runtime/program/load.h"
+
+#include <utility>
+
+#include "motion/plan/feasibility.h"
+#include "motion/robots/robot_file.h"
+#include "motion/robots/robot_library.h"
+#include "runtime/control/messages.h"
+#include "runtime/control/robot_machine.h"
+#include "runtime/program/files.h"
+
+namespace rob::runtime {
+
+namespace {
+
+constexpr std::size_t kMostSource = std::size_t{32} << 20U;    // bytes, the language's own limit
+constexpr std::size_t kMostRobotFile = std::size_t{1} << 20U;  // bytes [choice] 100 × the longest
+
+void refuse_targets_out_of_reach(lang::Compilation& compilation, const motion::RobotModel& robot) {
+  for (const lang::ConstantTarget& target : compilation.constant_targets) {
+    const auto refusal = motion::check_target(robot, target.command.given, target.command.target);
+    if (!refusal) continue;
+    const Words words = words_for(*refusal, robot);
+    compilation.diagnostics.error(words.code, target.place, words.message, words.help);
+    compilation.chunk.reset();
+  }
+}
+
+}  // namespace
+
+motion::RobotModel load_robot(const std::string& name_or_file) {
+  if (!std::string_view(name_or_file).ends_with(".toml")) {
+    return motion::embedded_robot(name_or_file);
+  }
+  return motion::parse_robot_file(read_file(name_or_file, kMostRobotFile), name_or_file);
+}
+
+LoadedProgram load_program(const std::string& file, const motion::RobotModel& robot) {
+  return compile_program(file, read_file(file, kMostSource), robot);
+}
+
+LoadedProgram compile_program(std::string file, std::string source,
+                              const motion::RobotModel& robot) {
+  LoadedProgram program{std::move(file), std::move(source), {}};
+  program.compilation = lang::compile(program.source, signature_of(robot));
+  refuse_targets_out_of_reach(program.compilation, robot);
+  return program;
+}
+
+}  // namespace rob::runtime

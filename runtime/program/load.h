@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lang/compile.h"
+#include "motion/robots/robot_model.h"
+
+namespace rob::runtime {
+
+/// A program that has been read and compiled for a robot; `compilation` tells all its errors.
+struct LoadedProgram {
+  std::string file;
+  std::string source;
+  lang::Compilation compilation;
+
+  bool runnable() const { return compilation.chunk.has_value(); }
+};
+
+/// A robot by its name, or by its file if that ends in ".toml". Throws motion::RobotFileError for
+/// an unknown name or a faulty file, FileError for one that cannot be read.
+motion::RobotModel load_robot(const std::string& name_or_file);
+
+/// Reads and compiles; checks the targets that are known beforehand against the robot, so that
+/// nothing moves if one of them cannot be reached. Throws FileError.
+LoadedProgram load_program(const std::string& file, const motion::RobotModel& robot);
+
+/// The same from text: `file` is for messages only.
+LoadedProgram compile_program(std::string file, std::string source,
+                              const motion::RobotModel& robot);
+
+}  // namespace rob::runtime

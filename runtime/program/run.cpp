@@ -1,0 +1,163 @@
+#include "runtime/program/run.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "drivers/sim_gantry.h"
+#include "runtime/control/controller.h"
+#include "runtime/control/execution.h"
+#include "runtime/control/program_task.h"
+#include "runtime/program/interruption.h"
+#include "runtime/program/run_recorder.h"
+#include "runtime/program/trace_writer.h"
+#include "runtime/time/real_time.h"
+
+namespace rob::runtime {
+
+namespace {
+
+constexpr RunLimits kNoLimits{std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<std::int64_t>::max()};
+/// docs/language.md, what `rob check` assumes.
+constexpr RunLimits kForetellLimits{3600, 100'000'000};
+
+std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& robot) {
+  drivers::SimGantryParameters parameters;
+  parameters.start = robot.start;
+  for (const motion::Axis& axis : robot.axes) parameters.drives.push_back(axis.drive);
+  for (const motion::TwoPositionActuator& a : robot.actuators) {
+    parameters.actuators.push_back({a.output, a.input_off, a.input_on, a.travel_time});
+  }
+  return std::make_unique<drivers::SimGantry>(parameters);
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  struct stat first {};
+  struct stat second {};
+  return ::stat(a.c_str(), &first) == 0 && ::stat(b.c_str(), &second) == 0 &&
+         first.st_dev == second.st_dev && first.st_ino == second.st_ino;
+}
+
+/// The trace asked for, opened before anything moves.
+std::optional<TraceWriter> open_trace(const RunOptions& options, const LoadedProgram& program,
+                                      const motion::RobotModel& robot) {
+  if (options.trace.empty()) return std::nullopt;
+  if (same_file(options.trace, program.file)) {
+    throw FileError(
+        fmt::format("the trace would overwrite the program '{}'; name another file", program.file));
+  }
+  return std::optional<TraceWriter>(std::in_place, options.trace, robot);
+}
+
+Problem problem_of(const lang::Diagnostic& diagnostic, const std::string& file) {
+  return {diagnostic.code, file, diagnostic.place, diagnostic.message, diagnostic.help};
+}
+
+void add_failure(RunResult& result, const lang::RuntimeError& failure) {
+  if (result.error) return;  // the robot's own trouble came first
+  result.status = "program-error";
+  result.exit_code = ExitCode::Fault;
+  result.error = Problem{failure.code, "", failure.place, failure.message, failure.help};
+}
+
+void add_timing(RunResult& result, const Timing& timing) {
+  result.measured += timing.drift;
+  result.late_cycles = timing.late_cycles;
+  result.worst_lateness = timing.worst_lateness;
+}
+
+void close_trace(std::optional<TraceWriter>& trace, const RunOptions& options, RunResult& result,
+                 const RunListener& listener) {
+  if (!trace) return;
+  trace->close();
+  result.lost_rows += trace->lost();
+  if (result.lost_rows > 0 && listener.warn) {
+    listener.warn(fmt::format("the trace '{}' is incomplete: {} rows are lost; is the disk full?",
+                              options.trace, result.lost_rows));
+  }
+}
+
+RunResult start_of(const LoadedProgram& program, RunResult result) {
+  result.file = program.file;
+  if (result.error) result.error->file = program.file;
+  const auto& found = program.compilation.diagnostics.all();
+  result.findings.insert(result.findings.begin(), found.begin(), found.end());
+  return result;
+}
+
+}  // namespace
+
+RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
+              const RunOptions& options, const RunListener& listener) {
+  std::optional<TraceWriter> trace = open_trace(options, program, robot);
+  Controller controller(robot, simulation_of(robot), options.override_share);
+  ProgramTask task(*program.compilation.chunk, controller.machine());
+  RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
+                       {listener.print, [&](const Snapshot& snapshot) {
+                          if (trace) trace->write(snapshot);
+                        }});
+
+  const Interruption interruption;
+  const Attend attend = [&] {
+    recorder.drain();
+    if (Interruption::requested()) controller.request_hold();
+    if (listener.progress) listener.progress(recorder.line(), recorder.time());
+  };
+  if (!options.fast && listener.warn) {
+    const std::string missing = prepare_real_time();
+    if (!missing.empty()) listener.warn(missing);
+  }
+  const Timing timing = options.fast ? run_stepped(controller, task, kNoLimits, attend)
+                                     : run_threaded(controller, task, attend);
+
+  RunResult result = recorder.finish();
+  result.clock = options.fast ? "virtual" : "system";
+  add_timing(result, timing);
+  if (task.failure()) add_failure(result, *task.failure());
+  if (Interruption::requested() && !result.error) {
+    result.status = "interrupted";
+    result.exit_code = Interruption::exit_code();
+  }
+  close_trace(trace, options, result, listener);
+  return start_of(program, std::move(result));
+}
+
+RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot) {
+  Controller controller(robot, simulation_of(robot), 1);
+  ProgramTask task(*program.compilation.chunk, controller.machine());
+  RunRecorder recorder(robot, 1, controller.channels(), controller.log(), {});
+
+  const Timing timing = run_stepped(controller, task, kForetellLimits, [&] { recorder.drain(); });
+  RunResult result = recorder.finish();
+  result.clock = "virtual";
+  if (task.failure()) add_failure(result, *task.failure());
+  if (timing.gave_up) {
+    result.findings.push_back({lang::Severity::Note,
+                               "N601",
+                               {},
+                               "assumed: the program does not end; foretold as far as "
+                               "one hour of its time or 100,000,000 instructions",
+                               ""});
+  }
+  return start_of(program, std::move(result));
+}
+
+RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot) {
+  RunResult result;
+  result.status = "program-error";
+  result.exit_code = ExitCode::ProgramError;
+  result.robot = robot.name;
+  for (const lang::Diagnostic& diagnostic : program.compilation.diagnostics.all()) {
+    if (diagnostic.severity != lang::Severity::Error) continue;
+    result.error = problem_of(diagnostic, program.file);
+    break;
+  }
+  return start_of(program, std::move(result));
+}
+
+}  // namespace rob::runtime

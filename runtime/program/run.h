@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "motion/robots/robot_model.h"
+#include "runtime/program/load.h"
+#include "runtime/program/run_result.h"
+
+namespace rob::runtime {
+
+/// How a program is to be run.
+struct RunOptions {
+  bool fast = false;          ///< on the virtual clock
+  double override_share = 1;  ///< 1 = 100 %
+  std::string trace;          ///< file, or empty
+};
+
+/// What a run tells while it goes on; either may be empty.
+struct RunListener {
+  std::function<void(const std::string& text)> print;  ///< a line of PRINT, in motion order
+  std::function<void(int line, double time)> progress;
+  std::function<void(const std::string& message)> warn;  ///< a line for the user about the run
+};
+
+/// Runs a compiled program on the simulated robot, in real time or on the virtual clock. Ctrl-C,
+/// SIGTERM and SIGHUP stop it on its path. Throws FileError before anything moves.
+RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
+              const RunOptions& options, const RunListener& listener);
+
+/// Runs it in virtual time to learn what it will do: per line start, duration, decision point and
+/// corner miss, and all findings. Nothing moves and nothing is printed; a program that does not
+/// end is given up after an hour of its time, with a finding that says so.
+RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot);
+
+/// The result of a program that does not compile.
+RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot);
+
+}  // namespace rob::runtime

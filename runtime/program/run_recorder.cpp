@@ -1,0 +1,226 @@
+#include "runtime/program/run_recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "motion/generate/corner_miss.h"
+#include "runtime/control/units.h"
+
+namespace rob::runtime {
+
+using motion::Effect;
+using motion::MotionEvent;
+
+namespace {
+
+void raise(std::optional<double>& most, double value) {
+  most = std::max(most.value_or(value), value);
+}
+
+std::string name_of_output(const motion::RobotModel& robot, int channel) {
+  for (const motion::RobotSignal& signal : robot.signals) {
+    if (signal.output && signal.channel == channel) return signal.name;
+  }
+  return fmt::format("DOUT[{}]", channel + 1);
+}
+
+}  // namespace
+
+RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,
+                         ProgramLog& log, Listener listener)
+    : robot_(robot),
+      override_share_(std::min(override_share, 1.0)),
+      channels_(channels),
+      log_(log),
+      listener_(std::move(listener)),
+      meter_(*robot.kinematics),
+      reached_(robot.start) {
+  result_.robot = robot.name;
+  for (const motion::Axis& axis : robot.axes) result_.peaks.push_back({axis.name});
+}
+
+void RunRecorder::drain() {
+  Snapshot snapshot;
+  while (channels_.snapshots.take(snapshot)) {
+    const MotionEvent* event = nullptr;
+    while ((event = channels_.events.front()) != nullptr &&
+           event->time <= snapshot.sample.reference.time) {
+      take(*event);
+      channels_.events.pop();
+    }
+    take(snapshot);
+  }
+  MotionEvent event;
+  while (channels_.events.take(event)) take(event);
+  ServoNotice notice;
+  while (channels_.notices.take(notice)) take(notice);
+}
+
+void RunRecorder::take(const Snapshot& snapshot) {
+  meter_.measured(snapshot.measured);
+  take_peaks(snapshot);
+  last_ = snapshot;
+  if (listener_.snapshot) listener_.snapshot(snapshot);
+}
+
+void RunRecorder::take(const MotionEvent& event) {
+  switch (event.kind) {
+    case MotionEvent::Kind::SegmentStarted:
+      begin_segment(event);
+      break;
+    case MotionEvent::Kind::EffectDue:
+      take_effect(event);
+      break;
+    case MotionEvent::Kind::LateDecision:
+      ++result_.starved;
+      add_event(event.time, "late-decision", static_cast<int>(event.tag),
+                "the next motion was not known in time; the target was made exact");
+      break;
+    case MotionEvent::Kind::Overrun:
+      fail(event.time, "overrun", words_for_overrun(event.value));
+      break;
+    case MotionEvent::Kind::Fault:
+      fail(event.time, "fault", words_for_not_finite(event.axis, robot_));
+      break;
+    case MotionEvent::Kind::Held:
+      if (running_) line_of(*running_).ended = result_.error ? "fault" : "hold";
+      [[fallthrough]];
+    case MotionEvent::Kind::Finished:
+      end_segment(event.time, nullptr);
+      end_corner();
+      result_.measured = event.time;
+      break;
+  }
+}
+
+void RunRecorder::take(const ServoNotice& notice) {
+  const Words words = words_for(notice.finding, robot_);
+  if (notice.finding.verdict == motion::FollowingFinding::Verdict::Stop) {
+    fail(notice.time, "fault", words);
+  } else {
+    add_event(notice.time, "warning", line(), words.message);
+  }
+}
+
+void RunRecorder::begin_segment(const MotionEvent& event) {
+  const std::optional<LoggedSegment> planned = log_.take_planned(event.number);
+  if (!planned) return;  // a stop that the generator made by itself belongs to the line before
+  end_segment(event.time, &*planned);
+  running_ = Running{*planned, reached_, event.time};
+  reached_ = planned->target;
+  meter_.watch(planned->number, planned->target);
+
+  LineResult& line = line_of(*planned);
+  const double duration = planned->duration / override_share_;
+  if (line.count++ == 0) {
+    line.starts = event.time;
+    line.decides = event.time + duration;
+  }
+  line.planned += duration;
+  result_.planned += duration;
+}
+
+void RunRecorder::end_segment(double time, const LoggedSegment* next) {
+  end_corner();
+  if (!running_) return;
+  LineResult& line = line_of(*running_);
+  line.measured += time - running_->started;
+  if (!running_->stop) raise(line.miss_planned, planned_miss(*running_, next));
+  if (next != nullptr && next->stop) line.exact = true;
+  if (next == nullptr && line.count == 1) line.decides.reset();  // nothing follows it
+  behind_ = running_;
+  running_.reset();
+}
+
+void RunRecorder::end_corner() {
+  if (!behind_) return;
+  const std::optional<double> miss = meter_.take(behind_->number);
+  if (miss && !behind_->stop) {
+    raise(line_of(*behind_).miss_measured, *miss * kMillimetresPerMetre);
+  }
+  behind_.reset();
+}
+
+double RunRecorder::planned_miss(const Running& segment, const LoggedSegment* next) const {
+  if (next == nullptr) return 0;
+  return kMillimetresPerMetre *
+         motion::corner_miss(*robot_.kinematics, segment.from, segment, *next);
+}
+
+void RunRecorder::take_effect(const MotionEvent& event) {
+  const int line = static_cast<int>(event.tag);
+  --result_.dropped_effects;
+  if (event.effect.kind == Effect::Kind::Output) {
+    result_.signals.push_back(
+        {event.time, name_of_output(robot_, event.effect.channel), event.effect.value, line});
+    return;
+  }
+  result_.output.push_back(log_.take_text(event.effect.id));
+  if (listener_.print) listener_.print(result_.output.back());
+}
+
+void RunRecorder::take_peaks(const Snapshot& snapshot) {
+  const motion::JointReference& now = snapshot.sample.reference;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double scale = shown_per_si(robot_.axes[at].kind);
+    AxisPeak& peak = result_.peaks[at];
+    peak.v = std::max(peak.v, scale * std::abs(now.qd[i]));
+    peak.a = std::max(peak.a, scale * std::abs(now.qdd[i]));
+    if (!last_) continue;
+    const motion::JointReference& before = last_->sample.reference;
+    const double dt = now.time - before.time;
+    if (dt > 0) peak.j = std::max(peak.j, scale * std::abs(now.qdd[i] - before.qdd[i]) / dt);
+  }
+  if (!snapshot.drive.size()) return;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    const double share =
+        std::abs(snapshot.drive[i]) / robot_.axes[static_cast<std::size_t>(i)].drive.force_max;
+    result_.worst_saturation = std::max(result_.worst_saturation, share);
+  }
+}
+
+void RunRecorder::add_event(double time, const char* kind, int line, std::string text) {
+  result_.events.push_back({time, kind, line, std::move(text)});
+}
+
+void RunRecorder::fail(double time, const char* kind, Words words) {
+  add_event(time, kind, line(), words.message);
+  if (result_.error) return;  // the first cause is the one to mend
+  result_.status = "fault";
+  result_.exit_code = ExitCode::Fault;
+  result_.error = Problem{std::move(words.code),
+                          "",
+                          {static_cast<std::uint32_t>(line()), 0, 0},
+                          std::move(words.message),
+                          std::move(words.help)};
+}
+
+LineResult& RunRecorder::line_of(const LoggedSegment& segment) {
+  LineResult& result = lines_[static_cast<int>(segment.tag)];
+  result.line = static_cast<int>(segment.tag);
+  return result;
+}
+
+RunResult RunRecorder::finish() {
+  result_.dropped_effects += log_.effects();
+  result_.findings = log_.findings();
+  result_.lost_rows = channels_.lost.load();
+  // An instant that is a whole number of periods must not become one cycle more by rounding.
+  constexpr double kRounding = 1e-7;
+  result_.cycles =
+      static_cast<std::int64_t>(std::ceil(result_.measured / robot_.reference_period - kRounding));
+  for (auto& [number, line] : lines_) result_.lines.push_back(line);
+  const motion::JointVector q = last_ ? last_->sample.reference.q : robot_.start;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    result_.final_joints.push_back(q[i] *
+                                   shown_per_si(robot_.axes[static_cast<std::size_t>(i)].kind));
+  }
+  result_.final_pose = shown_pose(robot_.kinematics->forward(q));
+  return std::move(result_);
+}
+
+}  // namespace rob::runtime

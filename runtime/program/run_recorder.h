@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "motion/robots/robot_model.h"
+#include "runtime/control/channels.h"
+#include "runtime/control/messages.h"
+#include "runtime/control/program_log.h"
+#include "runtime/program/corner_meter.h"
+#include "runtime/program/run_result.h"
+
+namespace rob::runtime {
+
+/// Watches a run and makes its RunResult: per line what was planned and what was measured, every
+/// effect, event and peak. It reads the channels, in one thread that has no deadline.
+class RunRecorder {
+ public:
+  /// Both are called from drain(), in motion order; either may be empty.
+  struct Listener {
+    std::function<void(const std::string& text)> print;
+    std::function<void(const Snapshot& snapshot)> snapshot;
+  };
+
+  RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,
+              ProgramLog& log, Listener listener);
+
+  /// Takes everything that has come up the channels.
+  void drain();
+  /// The line that runs now; 0 before the first.
+  int line() const { return running_ ? static_cast<int>(running_->tag) : 0; }
+  /// Of the last snapshot, s.
+  double time() const { return last_ ? last_->sample.reference.time : 0; }
+  /// After the last drain(): closes the books. What the program did wrong is the caller's to add.
+  RunResult finish();
+
+ private:
+  struct Running : LoggedSegment {
+    motion::JointVector from;
+    double started = 0;
+  };
+
+  void take(const motion::MotionEvent& event);
+  void take(const ServoNotice& notice);
+  void take(const Snapshot& snapshot);
+  void begin_segment(const motion::MotionEvent& event);
+  void end_segment(double time, const LoggedSegment* next);
+  void end_corner();
+  double planned_miss(const Running& segment, const LoggedSegment* next) const;
+  void take_effect(const motion::MotionEvent& event);
+  void take_peaks(const Snapshot& snapshot);
+  void add_event(double time, const char* kind, int line, std::string text);
+  void fail(double time, const char* kind, Words words);
+  LineResult& line_of(const LoggedSegment& segment);
+
+  const motion::RobotModel& robot_;
+  double override_share_;
+  Channels& channels_;
+  ProgramLog& log_;
+  Listener listener_;
+  CornerMeter meter_;
+  RunResult result_;
+  std::map<int, LineResult> lines_;
+  std::optional<Running> running_;
+  std::optional<Running> behind_;  ///< the one before, whose corner running_ makes
+  motion::JointVector reached_;    ///< the last programmed point
+  std::optional<Snapshot> last_;
+};
+
+}  // namespace rob::runtime

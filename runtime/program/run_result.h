@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lang/diagnostic.h"
+
+namespace rob::runtime {
+
+/// Exit codes of `rob` (docs/cli.md).
+enum class ExitCode : int {
+  Done = 0,
+  Usage = 64,
+  ProgramError = 65,
+  Fault = 70,
+  InputOutput = 74,
+  HungUp = 129,
+  Interrupted = 130,
+  Terminated = 143
+};
+
+/// One source line's share of a run. Times in s, misses in mm.
+struct LineResult {
+  int line = 0;
+  std::int64_t count = 0;  ///< how often it ran
+  double starts = 0;       ///< when it ran first
+  double planned = 0;      ///< how long it takes, the sum over all times
+  double measured = 0;
+  std::optional<double> decides;       ///< when what follows must be known, the first time
+  std::optional<double> miss_planned;  ///< the greatest of all times; none for a STOP
+  std::optional<double> miss_measured;
+  bool exact = false;  ///< its last motion was made exact by a STOP or the end
+  std::string ended = "reached";
+};
+
+struct SignalChange {
+  double time = 0;
+  std::string name;
+  bool value = false;
+  int line = 0;
+};
+
+struct RunEvent {
+  double time = 0;
+  std::string kind;
+  int line = 0;
+  std::string text;
+};
+
+/// What an axis was asked for at most: mm, deg and their rates.
+struct AxisPeak {
+  std::string axis;
+  double v = 0;
+  double a = 0;
+  double j = 0;
+};
+
+/// What went wrong, as JSON and people get it.
+struct Problem {
+  std::string code;
+  std::string file;
+  lang::Place place;
+  std::string message;
+  std::string help;
+};
+
+/// Everything that `rob run` and `rob check` tell of one program.
+struct RunResult {
+  std::string status = "done";  ///< done | program-error | fault | interrupted
+  ExitCode exit_code = ExitCode::Done;
+  std::string file;
+  std::string robot;
+  std::string law = "paul";
+  std::string clock;
+  double planned = 0;   ///< s
+  double measured = 0;  ///< s
+  std::int64_t cycles = 0;
+  std::int64_t late_cycles = 0;
+  double worst_lateness = 0;  ///< s
+  std::vector<LineResult> lines;
+  std::vector<double> final_joints;  ///< mm, deg
+  std::vector<double> final_pose;    ///< x, y, z in mm, a, b, c in deg
+  std::vector<SignalChange> signals;
+  std::vector<std::string> output;
+  std::vector<RunEvent> events;
+  std::vector<lang::Diagnostic> findings;
+  std::optional<Problem> error;
+  std::int64_t starved = 0;          ///< decision points at which nothing was known
+  std::int64_t dropped_effects = 0;  ///< outputs and prints behind a fault or an interruption
+  std::int64_t lost_rows = 0;        ///< of the trace
+  double worst_saturation = 0;       ///< greatest force demanded / what the drive can give
+  std::vector<AxisPeak> peaks;
+};
+
+}  // namespace rob::runtime

@@ -1,0 +1,75 @@
+#include "runtime/program/text_report.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace rob::runtime {
+
+namespace {
+
+std::string miss(const std::optional<double>& mm) {
+  return mm ? fmt::format("{:.1f} mm", *mm) : "";
+}
+
+std::string decides(const LineResult& line) {
+  return line.decides ? fmt::format("{:.2f}", *line.decides) : "";
+}
+
+std::string remark(const LineResult& line) {
+  std::string text = line.exact ? "   (STOP)" : "";
+  if (line.count > 1) text += fmt::format("   {} times", line.count);
+  return text;
+}
+
+}  // namespace
+
+std::string check_table(const RunResult& result) {
+  std::string table = "   line  starts   takes   decides at   corner missed by\n";
+  for (const LineResult& line : result.lines) {
+    std::string row =
+        fmt::format("{:>6}  {:>6.2f}  {:>7.2f}  {:>9}  {:>11}{}", line.line, line.starts,
+                    line.planned, decides(line), miss(line.miss_planned), remark(line));
+    if (&line == &result.lines.back()) {
+      row = fmt::format("{:<47}   total {:.2f} s", row, result.planned);
+    }
+    table += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+  }
+  return result.lines.empty() ? "nothing moves\n" : table;
+}
+
+std::string run_table(const RunResult& result) {
+  std::string table;
+  if (!result.lines.empty()) {
+    table += "                  takes            corner missed by\n";
+    table += "   line  starts   planned measured   planned  measured\n";
+  }
+  for (const LineResult& line : result.lines) {
+    const std::string row = fmt::format(
+        "{:>6}  {:>6.2f}  {:>8.2f} {:>8.2f}  {:>8}  {:>8}{}", line.line, line.starts, line.planned,
+        line.measured, miss(line.miss_planned), miss(line.miss_measured), remark(line));
+    table += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+  }
+  table += fmt::format(
+      "{}: planned {:.2f} s, measured {:.2f} s, {} cycles, {} late, worst lateness {:.2f} ms\n",
+      result.status, result.planned, result.measured, result.cycles, result.late_cycles,
+      result.worst_lateness * 1e3);
+  return table;
+}
+
+std::string problems_text(const RunResult& result, std::string_view source) {
+  std::string text;
+  bool told = false;
+  for (const lang::Diagnostic& finding : result.findings) {
+    text += lang::render(finding, result.file, source);
+    told = told || finding.severity == lang::Severity::Error;
+  }
+  if (result.error && !told) {
+    const Problem& e = *result.error;
+    text += lang::render({lang::Severity::Error, e.code, e.place, e.message, e.help}, result.file,
+                         source);
+  }
+  return text;
+}
+
+}  // namespace rob::runtime

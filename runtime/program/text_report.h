@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "runtime/program/run_result.h"
+
+namespace rob::runtime {
+
+/// What `rob check` prints: a line each with start, duration, decision point and corner miss.
+std::string check_table(const RunResult& result);
+/// What `rob run` prints at the end: the same with what was measured beside it, and the totals.
+std::string run_table(const RunResult& result);
+
+/// The findings and the error of a result, each as lang::render writes it.
+std::string problems_text(const RunResult& result, std::string_view source);
+
+}  // namespace rob::runtime

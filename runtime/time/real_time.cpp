@@ -1,0 +1,54 @@
+#include "runtime/time/real_time.h"
+
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+
+#include <cstddef>
+
+namespace rob::runtime {
+
+namespace {
+
+bool set_fifo(int priority) noexcept {
+  const sched_param parameter{.sched_priority = priority};
+  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter) == 0;
+}
+
+/// Whether fixed priorities are permitted: asked by taking one and giving it back.
+bool fifo_permitted() {
+  if (!set_fifo(1)) return false;
+  const sched_param normal{.sched_priority = 0};
+  pthread_setschedparam(pthread_self(), SCHED_OTHER, &normal);
+  return true;
+}
+
+/// [choice] far more than the tick's deepest call, far less than a thread's stack (8 MiB).
+constexpr std::size_t kWarmStack = 128 * 1024;
+
+void warm_up_stack() noexcept {
+  constexpr std::size_t kPage = 4096;
+  unsigned char stack[kWarmStack];
+  volatile unsigned char* touched = stack;
+  for (std::size_t i = 0; i < kWarmStack; i += kPage) touched[i] = 0;
+}
+
+}  // namespace
+
+std::string prepare_real_time() {
+  const bool locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+  const bool fifo = fifo_permitted();
+  if (locked && fifo) return "";
+  std::string missing = !fifo ? "fixed priorities (SCHED_FIFO)" : "";
+  if (!locked) missing += missing.empty() ? "locked memory" : " and locked memory";
+  return missing +
+         " not permitted: running at normal priority, lateness is counted"
+         " (to permit: ulimit -r 99 -l unlimited, see docs/realtime.md)";
+}
+
+void enter_real_time(int priority) noexcept {
+  set_fifo(priority);
+  warm_up_stack();
+}
+
+}  // namespace rob::runtime
