@@ -1,0 +1,253 @@
+#include "motion/robots/robot_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "motion/kinematics/gantry_kinematics.h"
+#include "motion/robots/table_reader.h"
+#include "motion/robots/time_scaling.h"
+
+namespace rob::motion {
+
+namespace {
+
+// Bounds on what a robot file may say. [choice] They leave room for every machine that is a robot,
+// from a microscope's stage to a port crane, and catch a slip in a unit or an exponent.
+constexpr Range kPeriod{1e-4, 1};
+constexpr Range kServoPeriod{5e-5, 1};
+constexpr Range kHalfTransition{1e-3, 60};
+constexpr int kLookAheadMin = 2;
+constexpr int kLookAheadMax = 4096;
+constexpr int kChannels = 64;  // bits of ServoCommand::outputs, ServoState::inputs
+constexpr Range kTravelTime{1e-3, 60};
+constexpr Range kResolution{1e-10, 1e-2};
+constexpr Range kBandwidth{0.1, 1e4};
+constexpr Range kFollowing{1e-6, 1};
+constexpr Range kViscous{0, 1e6};
+constexpr Range kCoulomb{0, 1e5};
+constexpr Range kForce{1e-6, 1e7};
+constexpr Range kInertia{1e-9, 1e6};
+
+/// A motion that is held must stand within this time. [choice: a controlled stop is over within
+/// 1 s, so that the drives can then be switched off]
+constexpr double kLongestStop = 1.0;
+
+/// Units and bounds of one kind of axis.
+struct KindRules {
+  Quantity position, speed, acceleration, jerk, inertia, viscous, force;
+  Range position_range, speed_range, acceleration_range, jerk_range;
+};
+
+constexpr KindRules kLinear{Quantity::Length, Quantity::Speed, Quantity::Acceleration,
+                            Quantity::Jerk,   Quantity::Mass,  Quantity::LinearFriction,
+                            Quantity::Force,  {-100, 100},     {1e-6, 10},
+                            {1e-6, 1e3},      {1e-6, 1e6}};
+constexpr KindRules kRotary{Quantity::Angle,
+                            Quantity::AngularSpeed,
+                            Quantity::AngularAcceleration,
+                            Quantity::AngularJerk,
+                            Quantity::Inertia,
+                            Quantity::RotaryFriction,
+                            Quantity::Torque,
+                            {-1e3, 1e3},
+                            {1e-6, 100},
+                            {1e-6, 1e4},
+                            {1e-6, 1e7}};
+
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+/// A whole multiple, up to the rounding of two decimal numbers.
+bool is_multiple(double whole, double part) {
+  const double ratio = whole / part;
+  return ratio > 0.5 && std::abs(ratio - std::round(ratio)) <= 1e-9 * ratio;
+}
+
+template <typename T>
+bool has_name(const std::vector<T>& entries, std::string_view name) {
+  return std::any_of(entries.begin(), entries.end(),
+                     [&](const T& entry) { return entry.name == name; });
+}
+
+DriveData read_drive(const TableReader& file, const KindRules& rules, const Axis& axis) {
+  DriveData drive;
+  drive.inertia = file.quantity("inertia", rules.inertia, kInertia);
+  drive.viscous_friction = file.quantity("viscous_friction", rules.viscous, kViscous);
+  drive.coulomb_friction = file.quantity("coulomb_friction", rules.force, kCoulomb);
+  drive.force_max = file.quantity("force_max", rules.force, kForce);
+  drive.encoder_resolution = file.quantity("encoder_resolution", rules.position, kResolution);
+  drive.bandwidth = file.quantity("bandwidth", Quantity::Bandwidth, kBandwidth);
+  drive.following_warn = file.quantity("following_warn", rules.position, kFollowing);
+  drive.following_limit = file.quantity("following_limit", rules.position, kFollowing);
+  if (drive.following_warn > drive.following_limit)
+    file.fail("following_warn", "is more than following_limit");
+  const double needed =
+      drive.inertia * axis.a_max + drive.viscous_friction * axis.v_max + drive.coulomb_friction;
+  if (drive.force_max < needed) {
+    file.fail("force_max", "a_max at v_max takes " + number_text(needed) + " " +
+                               std::string(si_unit(rules.force)) + "; allow more, or lower a_max");
+  }
+  return drive;
+}
+
+/// Reads one [[axis]]; `start` is where the simulated axis stands.
+Axis read_axis(TableReader& file, double& start) {
+  Axis axis;
+  axis.name = file.name("name");
+  file.rename("axis " + axis.name);
+  axis.kind = file.choice("kind", {"linear", "rotary"}) == 0 ? AxisKind::Linear : AxisKind::Rotary;
+  const KindRules& rules = axis.kind == AxisKind::Linear ? kLinear : kRotary;
+  axis.min = file.quantity("min", rules.position, rules.position_range);
+  axis.max = file.quantity("max", rules.position, rules.position_range);
+  if (axis.min >= axis.max) file.fail("min", "must be less than max");
+  start = file.quantity("start", rules.position, rules.position_range);
+  if (start < axis.min || start > axis.max) file.fail("start", "must lie from min to max");
+  axis.v_max = file.quantity("v_max", rules.speed, rules.speed_range);
+  axis.a_max = file.quantity("a_max", rules.acceleration, rules.acceleration_range);
+  axis.j_max = file.quantity("j_max", rules.jerk, rules.jerk_range);
+  const TableReader drive =
+      file.table("drive", {"inertia", "viscous_friction", "coulomb_friction", "force_max",
+                           "encoder_resolution", "bandwidth", "following_warn", "following_limit"});
+  axis.drive = read_drive(drive, rules, axis);
+  return axis;
+}
+
+void read_timing(const TableReader& file, RobotModel& robot) {
+  robot.law = file.choice("law", {"paul", "lookahead"}) == 0 ? Law::Paul : Law::LookAhead;
+  robot.reference_period = file.quantity("reference_period", Quantity::Time, kPeriod);
+  robot.servo_period = file.quantity("servo_period", Quantity::Time, kServoPeriod);
+  if (!is_multiple(robot.reference_period, robot.servo_period))
+    file.fail("servo_period", "reference_period must be a whole multiple of it");
+  robot.t_acc = file.quantity("t_acc", Quantity::Time, kHalfTransition);
+  // A segment lasts at least 2·t_acc: no more than one transition begins in a period.
+  if (robot.t_acc < robot.reference_period)
+    file.fail("t_acc", "must not be less than reference_period");
+  robot.look_ahead = file.integer("look_ahead", kLookAheadMin, kLookAheadMax);
+}
+
+/// Returns the readers, for the checks that need the whole robot.
+std::vector<TableReader> read_axes(const TableReader& file, RobotModel& robot) {
+  std::vector<TableReader> tables = file.tables(
+      "axis", {"name", "kind", "min", "max", "start", "v_max", "a_max", "j_max", "drive"});
+  if (tables.empty()) file.fail("axis", "is missing; write a table [[axis]] for each");
+  if (tables.size() > static_cast<std::size_t>(kMaxJoints))
+    file.fail("axis", "more than " + std::to_string(kMaxJoints) + " axes");
+  robot.start.resize(static_cast<Eigen::Index>(tables.size()));
+  for (TableReader& table : tables) {
+    double start = 0;
+    Axis axis = read_axis(table, start);
+    if (has_name(robot.axes, axis.name)) table.fail("name", "there is another axis of this name");
+    robot.start[robot.axis_count()] = start;
+    robot.axes.push_back(std::move(axis));
+  }
+  return tables;
+}
+
+void read_signals(const TableReader& file, RobotModel& robot) {
+  for (const TableReader& table : file.tables("signal", {"name", "direction", "channel"})) {
+    RobotSignal signal;
+    signal.name = table.name("name");
+    signal.output = table.choice("direction", {"input", "output"}) == 1;
+    signal.channel = table.integer("channel", 0, kChannels - 1);
+    if (has_name(robot.signals, signal.name) || has_name(robot.axes, signal.name))
+      table.fail("name", "there is another signal or axis of this name");
+    for (const RobotSignal& other : robot.signals)
+      if (other.output == signal.output && other.channel == signal.channel)
+        table.fail("channel", "is that of signal " + other.name);
+    robot.signals.push_back(std::move(signal));
+  }
+}
+
+/// The channel of the signal that `key` names.
+int signal_channel(const TableReader& table, std::string_view key, bool output,
+                   const RobotModel& robot) {
+  std::vector<std::string_view> names;
+  for (const RobotSignal& signal : robot.signals)
+    if (signal.output == output) names.push_back(signal.name);
+  const auto wanted = static_cast<std::size_t>(table.choice(key, names));
+  const auto found = std::find_if(robot.signals.begin(), robot.signals.end(),
+                                  [&](const RobotSignal& s) { return s.name == names[wanted]; });
+  return found->channel;
+}
+
+void read_actuators(const TableReader& file, RobotModel& robot) {
+  for (const TableReader& table :
+       file.tables("actuator", {"output", "off_input", "on_input", "travel_time"})) {
+    TwoPositionActuator actuator;
+    actuator.output = signal_channel(table, "output", true, robot);
+    actuator.input_off = signal_channel(table, "off_input", false, robot);
+    actuator.input_on = signal_channel(table, "on_input", false, robot);
+    actuator.travel_time = table.quantity("travel_time", Quantity::Time, kTravelTime);
+    if (actuator.input_on == actuator.input_off)
+      table.fail("on_input", "must be another input than off_input");
+    for (const TwoPositionActuator& other : robot.actuators)
+      if (other.output == actuator.output) table.fail("output", "drives another actuator already");
+    robot.actuators.push_back(actuator);
+  }
+}
+
+void choose_kinematics(const TableReader& file, RobotModel& robot) {
+  file.choice("kinematics", {"gantry"});
+  const bool fits = robot.axis_count() == 3 && robot.axes[0].kind == AxisKind::Linear &&
+                    robot.axes[1].kind == AxisKind::Linear &&
+                    robot.axes[2].kind == AxisKind::Rotary;
+  if (!fits) file.fail("kinematics", "a gantry has two linear axes, then a rotary one");
+  robot.kinematics = std::make_shared<GantryKinematics>();
+}
+
+/// Paul's corners, and a stop anywhere on the path, must leave every axis within its limits.
+void check_paul(const TableReader& file, const std::vector<TableReader>& axes,
+                const RobotModel& robot) {
+  const double t = robot.t_acc;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const Axis& axis = robot.axes[i];
+    const KindRules& rules = axis.kind == AxisKind::Linear ? kLinear : kRotary;
+    const double acceleration = 1.5 * axis.v_max / t;
+    if (acceleration > axis.a_max) {
+      axes[i].fail("a_max", "Paul's law needs 1.5*v_max/t_acc = " + number_text(acceleration) +
+                                " " + std::string(si_unit(rules.acceleration)) +
+                                "; allow more, lower v_max or raise t_acc");
+    }
+    const double jerk = 3 * axis.v_max / (t * t);
+    if (jerk > axis.j_max) {
+      axes[i].fail("j_max", "Paul's law needs 3*v_max/t_acc^2 = " + number_text(jerk) + " " +
+                                std::string(si_unit(rules.jerk)) +
+                                "; allow more, lower v_max or raise t_acc");
+    }
+  }
+  const TimeScaleLimits limits = time_scale_limits(robot);
+  if (limits.slope > 0 && limits.bend > 0 && stopping_time(limits) <= kLongestStop) return;
+  file.fail("t_acc",
+            "Paul's corners leave too little of a_max and j_max to stop on the path within " +
+                number_text(kLongestStop) + " s; raise t_acc, a_max or j_max, or lower v_max");
+}
+
+}  // namespace
+
+RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
+  toml::table table;
+  try {
+    table = toml::parse(text, file_name);
+  } catch (const toml::parse_error& error) {
+    fail_in_file(file_name, error.source().begin, std::string(error.description()));
+  }
+  const TableReader file(table, file_name, "",
+                         {"name", "description", "kinematics", "law", "t_acc", "reference_period",
+                          "servo_period", "look_ahead", "axis", "signal", "actuator"});
+  RobotModel robot;
+  robot.name = file.name("name");
+  robot.description = file.text("description");
+  read_timing(file, robot);
+  const std::vector<TableReader> axes = read_axes(file, robot);
+  read_signals(file, robot);
+  read_actuators(file, robot);
+  choose_kinematics(file, robot);
+  check_paul(file, axes, robot);
+  return robot;
+}
+
+}  // namespace rob::motion

@@ -1,0 +1,157 @@
+#include "motion/robots/table_reader.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "motion/robots/closest_name.h"
+#include "motion/robots/robot_file.h"
+
+namespace rob::motion {
+
+namespace {
+
+constexpr std::size_t kLongestName = 32;
+
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+std::string quoted(std::string_view word) { return std::string("\"").append(word).append("\""); }
+
+std::string list(const std::vector<std::string_view>& words) {
+  std::string text;
+  for (const std::string_view word : words) {
+    if (!text.empty()) text += ", ";
+    text += quoted(word);
+  }
+  return text;
+}
+
+/// What to do about an unknown word.
+std::string remedy(std::string_view word, const std::vector<std::string_view>& known) {
+  const std::string_view close = closest_name(word, known);
+  if (close.empty()) return "; known are " + list(known);
+  return "; did you mean " + quoted(close) + "?";
+}
+
+bool is_name(std::string_view text) {
+  const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  const auto later = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  return !text.empty() && text.size() <= kLongestName && letter(text.front()) &&
+         std::all_of(text.begin(), text.end(), later);
+}
+
+}  // namespace
+
+void fail_in_file(std::string_view file, const toml::source_position& place,
+                  const std::string& message) {
+  throw RobotFileError(std::string(file) + ":" + std::to_string(place.line) + ":" +
+                       std::to_string(place.column) + ": " + message);
+}
+
+TableReader::TableReader(const toml::table& table, std::string_view file, std::string what,
+                         std::vector<std::string_view> keys)
+    : table_(&table), file_(file), what_(std::move(what)) {
+  for (const auto& [key, value] : table) {
+    if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
+    const std::string place = what_.empty() ? "" : " in " + what_;
+    fail_at(key.source().begin,
+            "unknown key " + quoted(key.str()) + place + remedy(key.str(), keys));
+  }
+}
+
+std::string TableReader::text(std::string_view key) const {
+  const toml::node& node = need(key);
+  const auto* value = node.as_string();
+  if (value == nullptr) fail(key, "must be a text in quotation marks");
+  return value->get();
+}
+
+std::string TableReader::name(std::string_view key) const {
+  const std::string value = text(key);
+  if (!is_name(value)) {
+    fail(key, quoted(value) +
+                  " is no name; write a small letter, then small letters, digits or _, at most " +
+                  std::to_string(kLongestName));
+  }
+  return value;
+}
+
+double TableReader::quantity(std::string_view key, Quantity quantity, Range range) const {
+  const auto* written = need(key).as_string();
+  if (written == nullptr) {
+    const std::string unit(si_unit(quantity));
+    fail(key, "must be a number with its unit, in quotation marks, as \"1 " + unit + "\"");
+  }
+  double value = 0;
+  try {
+    value = parse_quantity(written->get(), quantity);
+  } catch (const std::invalid_argument& problem) {
+    fail(key, problem.what());
+  }
+  if (value >= range.low && value <= range.high) return value;
+  fail(key, quoted(written->get()) + " is out of range; it must lie from " +
+                number_text(range.low) + " to " + number_text(range.high) + " " +
+                std::string(si_unit(quantity)));
+}
+
+int TableReader::integer(std::string_view key, int low, int high) const {
+  const auto* value = need(key).as_integer();
+  if (value != nullptr && value->get() >= low && value->get() <= high)
+    return static_cast<int>(value->get());
+  fail(key, "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+}
+
+int TableReader::choice(std::string_view key, const std::vector<std::string_view>& words) const {
+  const std::string value = text(key);
+  const auto found = std::find(words.begin(), words.end(), value);
+  if (found != words.end()) return static_cast<int>(found - words.begin());
+  fail(key, quoted(value) + " is not known" + remedy(value, words));
+}
+
+TableReader TableReader::table(std::string_view key, std::vector<std::string_view> keys) const {
+  const auto* child = need(key).as_table();
+  if (child == nullptr) fail(key, "must be a table");
+  return TableReader(*child, file_, title(key), std::move(keys));
+}
+
+std::vector<TableReader> TableReader::tables(std::string_view key,
+                                             const std::vector<std::string_view>& keys) const {
+  std::vector<TableReader> readers;
+  const toml::node* node = table_->get(key);
+  if (node == nullptr) return readers;
+  const auto* array = node->as_array();
+  if (array == nullptr) fail(key, "must be written as tables [[" + std::string(key) + "]]");
+  for (const toml::node& element : *array) {
+    const auto* child = element.as_table();
+    if (child == nullptr) fail(key, "must be written as tables [[" + std::string(key) + "]]");
+    readers.emplace_back(*child, file_, std::string(key) + " " + std::to_string(readers.size() + 1),
+                         keys);
+  }
+  return readers;
+}
+
+void TableReader::fail(std::string_view key, const std::string& problem) const {
+  const toml::node* node = table_->get(key);
+  fail_at(node == nullptr ? table_->source().begin : node->source().begin,
+          title(key) + ": " + problem);
+}
+
+const toml::node& TableReader::need(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  if (node == nullptr) fail(key, "is missing");
+  return *node;
+}
+
+void TableReader::fail_at(const toml::source_position& place, const std::string& message) const {
+  fail_in_file(file_, place, message);
+}
+
+std::string TableReader::title(std::string_view key) const {
+  return std::string(key) + (what_.empty() ? "" : " of " + what_);
+}
+
+}  // namespace rob::motion
