@@ -1,5 +1,6 @@
 #include "motion/servo/reference_interpolator.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -38,6 +39,7 @@ void ReferenceInterpolator::reset(const JointReference& stand) noexcept {
   ring_[0].qd.setZero(stand.q.size());
   ring_[0].qdd.setZero(stand.q.size());
   extrapolating_ = false;
+  last_ = stand.time;
   join_.clear();
 }
 
@@ -55,15 +57,17 @@ JointReference ReferenceInterpolator::at(double now) noexcept {
   while (count_ > 1 && kept(1).time <= now) drop_oldest();
 
   const bool goes_on = must_extrapolate(now);
-  const bool base_passed = extrapolating_ && kept(0).time != extrapolation_.base().time;
-  const bool joins = extrapolating_ && (base_passed || !goes_on);
-  const JointReference sent = joins ? extrapolated(now) : JointReference{};
-  if (goes_on && (base_passed || !extrapolating_)) begin_extrapolation();
+  const bool base_passed = kept(0).time != extrapolation_.base().time;
+  if (extrapolating_ && (base_passed || !goes_on)) {
+    begin_join(now, goes_on);
+  } else if (goes_on && !extrapolating_) {
+    begin_extrapolation();
+  }
   extrapolating_ = goes_on;
+  if (goes_on) count_starvation(now);
+  last_ = now;
 
   JointReference reference = goes_on ? extrapolation_.at(now) : on_references(now);
-  if (goes_on) count_starvation(now);
-  if (joins) join_.start(sent, reference);
   join_.apply(reference);
   return reference;
 }
@@ -77,20 +81,20 @@ void ReferenceInterpolator::drop_oldest() noexcept {
   --count_;
 }
 
-bool ReferenceInterpolator::neighbours_connected() const noexcept {
-  return kept(1).time - kept(0).time <= (kLongestGap + kStampTolerance) * period_;
+bool ReferenceInterpolator::gap_follows() const noexcept {
+  return count_ > 1 && kept(1).time - kept(0).time > (kLongestGap + kStampTolerance) * period_;
 }
 
 bool ReferenceInterpolator::must_extrapolate(double now) const noexcept {
   if (now <= kept(0).time) return false;
   if (count_ == 1) return true;
-  return !neighbours_connected() && now < kept(1).time - (1 + kStampTolerance) * period_;
+  return gap_follows() && now < kept(1).time - (1 + kStampTolerance) * period_;
 }
 
 JointReference ReferenceInterpolator::on_references(double now) const noexcept {
   if (now <= kept(0).time) return kept(0);
-  if (neighbours_connected()) return quintic_between(kept(0), kept(1), now);
-  return back_from(kept(1), now);
+  if (gap_follows()) return back_from(kept(1), now);
+  return quintic_between(kept(0), kept(1), now);
 }
 
 void ReferenceInterpolator::begin_extrapolation() noexcept {
@@ -98,10 +102,15 @@ void ReferenceInterpolator::begin_extrapolation() noexcept {
   starved_here_ = 0;
 }
 
-JointReference ReferenceInterpolator::extrapolated(double now) noexcept {
-  JointReference reference = extrapolation_.at(now);
-  join_.apply(reference);
-  return reference;
+// From what was sent last, or as soon after it as the new references are known.
+void ReferenceInterpolator::begin_join(double now, bool goes_on) noexcept {
+  double start = std::max(last_, kept(0).time);
+  if (!goes_on && gap_follows()) start = std::max(start, kept(1).time - period_);
+  start = std::min(start, now);
+  JointReference sent = extrapolation_.at(start);
+  join_.apply(sent);
+  if (goes_on) begin_extrapolation();
+  join_.start(sent, goes_on ? extrapolation_.at(start) : on_references(start));
 }
 
 void ReferenceInterpolator::count_starvation(double now) noexcept {

@@ -51,11 +51,11 @@ class ReferenceInterpolator {
 
   const JointReference& kept(int i) const noexcept;
   void drop_oldest() noexcept;
-  bool neighbours_connected() const noexcept;
+  bool gap_follows() const noexcept;
   bool must_extrapolate(double now) const noexcept;
   JointReference on_references(double now) const noexcept;
   void begin_extrapolation() noexcept;
-  JointReference extrapolated(double now) noexcept;
+  void begin_join(double now, bool goes_on) noexcept;
   void count_starvation(double now) noexcept;
 
   double period_;
@@ -63,6 +63,7 @@ class ReferenceInterpolator {
   int first_ = 0;  // oldest; its successor is the next stamp
   int count_ = 0;
   bool extrapolating_ = false;
+  double last_ = 0;  // of at()
   ReferenceExtrapolation extrapolation_;
   ReferenceJoin join_;
   std::uint64_t starved_ = 0;

@@ -1,0 +1,228 @@
+#include "motion/servo/following_supervisor.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/support/no_allocation.h"
+
+namespace rob::motion {
+namespace {
+
+using Verdict = FollowingFinding::Verdict;
+using Cause = FollowingFinding::Cause;
+
+constexpr double kPeriod = 0.005;
+constexpr double kCount = 1e-6;
+
+// 12 kg at 40 rad/s: kp = 19200 N/m; 0.48 N of Coulomb friction are 25 µm. A reference may thus go
+// 20 counts + 50 µm = 70 µm before a count is due.
+DriveData drive() {
+  DriveData d;
+  d.inertia = 12;
+  d.coulomb_friction = 0.48;
+  d.force_max = 60;
+  d.encoder_resolution = kCount;
+  d.bandwidth = 40;
+  d.following_warn = 0.0005;
+  d.following_limit = 0.001;
+  return d;
+}
+
+const JointVector kVMax = JointVector::Constant(2, 0.020);
+
+JointVector both(double x, double y) {
+  JointVector v(2);
+  v << x, y;
+  return v;
+}
+
+// Two axes, both at 0 with their reference at 0, at t = 0.
+FollowingSupervisor supervisor_at_rest() {
+  FollowingSupervisor supervisor(std::vector{drive(), drive()}, kVMax, kPeriod);
+  const JointVector zero = both(0, 0);
+  supervisor.reset({0, zero, zero, zero}, {0, zero, zero});
+  return supervisor;
+}
+
+FollowingFinding check(FollowingSupervisor& supervisor, double t, const JointVector& q0,
+                       const JointVector& v0, const JointVector& q) {
+  return supervisor.check(DriverStatus::Ok, {t, q0, v0, both(0, 0)}, {t, q, both(0, 0)});
+}
+
+// One check of the second axis, which is `error` behind a reference of velocity v0.
+FollowingFinding error_of(double error, double v0) {
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  const JointVector at = both(0, 0.0001);
+  return check(supervisor, kPeriod, both(0, 0.0001 + error), both(0, v0), at);
+}
+
+}  // namespace
+
+TEST_CASE("a machine that follows raises nothing") {
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  for (int k = 1; k < 1000; ++k) {
+    const double t = k * kPeriod;
+    const JointVector q0 = both(0.02 * t, -0.01 * t);
+    CHECK(check(supervisor, t, q0, both(0.02, -0.01), q0 - both(1e-5, 1e-5)).verdict ==
+          Verdict::None);
+  }
+}
+
+TEST_CASE("fault 18: the following error warns at half its limit and stops at it") {
+  CHECK(error_of(0.000249, 0).verdict == Verdict::None);
+  const FollowingFinding warning = error_of(0.000251, 0);
+  CHECK(warning.verdict == Verdict::Warn);
+  CHECK(warning.cause == Cause::FollowingError);
+  CHECK(warning.axis == 1);
+  CHECK(warning.value == doctest::Approx(0.000251));
+  CHECK(warning.limit == doctest::Approx(0.0005));
+  CHECK(error_of(0.000499, 0).verdict == Verdict::Warn);
+  const FollowingFinding stop = error_of(-0.000501, 0);
+  CHECK(stop.verdict == Verdict::Stop);
+  CHECK(stop.cause == Cause::FollowingError);
+  CHECK(stop.value == doctest::Approx(0.000501));
+}
+
+TEST_CASE("fault 18: the limit grows with speed, from half the greatest speed on") {
+  CHECK(error_of(0.000501, 0.010).verdict == Verdict::Stop);
+  CHECK(error_of(0.000501, -0.0101).verdict == Verdict::Warn);
+  CHECK(error_of(0.000749, 0.015).limit == doctest::Approx(0.00075));
+  CHECK(error_of(0.000999, -0.020).verdict == Verdict::Warn);
+  CHECK(error_of(0.001001, 0.020).verdict == Verdict::Stop);
+}
+
+TEST_CASE("fault 19: an encoder without a count while the reference moves is frozen") {
+  for (const double speed : {0.020, 0.0001}) {
+    FollowingSupervisor supervisor = supervisor_at_rest();
+    FollowingFinding found;
+    double way = 0;
+    for (int k = 1; found.verdict == Verdict::None; ++k) {
+      way = speed * k * kPeriod;
+      found = check(supervisor, k * kPeriod, both(way, 0), both(speed, 0), both(0, 0));
+    }
+    CHECK(found.verdict == Verdict::Stop);
+    CHECK(found.cause == Cause::Frozen);
+    CHECK(found.axis == 0);
+    CHECK(way > 70e-6);
+    CHECK(way <= 70e-6 + speed * kPeriod * (1 + 1e-9));
+  }
+}
+
+TEST_CASE("no motion is so slow that it looks like a frozen encoder") {
+  // One count every 20 s, behind by all that friction can hold.
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  const double speed = 50e-9;
+  for (int k = 1; k < 100000; ++k) {
+    const double q0 = speed * k * kPeriod;
+    const double q = std::floor(std::max(0.0, q0 - 25e-6) / kCount) * kCount;
+    REQUIRE(check(supervisor, k * kPeriod, both(q0, 0), both(speed, 0), both(q, 0)).verdict ==
+            Verdict::None);
+  }
+}
+
+TEST_CASE("an axis that is held at rest may stand for ever") {
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  for (int k = 1; k < 1000; ++k) {
+    const double wobble = (k % 2 == 0) ? 60e-6 : 0;  // below what must move it
+    CHECK(check(supervisor, k * kPeriod, both(wobble, 0), both(0, 0), both(0, 0)).verdict ==
+          Verdict::None);
+  }
+}
+
+TEST_CASE("fault 19: no axis moves more than twice its greatest speed allows") {
+  // 2·20 mm/s·5 ms = 0.2 mm
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  CHECK(check(supervisor, kPeriod, both(0, 0.0001), both(0, 0), both(0, 0.000199)).verdict ==
+        Verdict::None);
+  const FollowingFinding jump =
+      check(supervisor, 2 * kPeriod, both(0, 0.0001), both(0, 0), both(0, -0.000002));
+  CHECK(jump.verdict == Verdict::Stop);
+  CHECK(jump.cause == Cause::Jump);
+  CHECK(jump.axis == 1);
+  CHECK(jump.value == doctest::Approx(0.000201));
+  CHECK(jump.limit == doctest::Approx(0.0002));
+}
+
+TEST_CASE("after a late cycle an axis may have gone further") {
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  CHECK(check(supervisor, 4 * kPeriod, both(0.0006, 0), both(0, 0), both(0.00079, 0)).verdict ==
+        Verdict::None);
+}
+
+TEST_CASE("fault 7: what is not a number is found, whichever value it is") {
+  const double bad[] = {std::numeric_limits<double>::quiet_NaN(),
+                        std::numeric_limits<double>::infinity()};
+  for (const double value : bad) {
+    for (int where = 0; where < 5; ++where) {
+      JointVector v[5] = {both(0, 0), both(0, 0), both(0, 0), both(0, 0), both(0, 0)};
+      v[where][1] = value;
+      FollowingSupervisor supervisor = supervisor_at_rest();
+      const FollowingFinding found =
+          supervisor.check(DriverStatus::Ok, {kPeriod, v[0], v[1], v[2]}, {kPeriod, v[3], v[4]});
+      CHECK(found.verdict == Verdict::Stop);
+      CHECK(found.cause == Cause::NotFinite);
+      CHECK(found.axis == 1);
+    }
+  }
+}
+
+TEST_CASE("the gravest finding is reported, of equals that of the lowest axis") {
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  const JointVector q = both(0.0001, 0.0001);
+  const FollowingFinding found =
+      check(supervisor, kPeriod, q + both(0.0003, 0.0006), both(0, 0), q);
+  CHECK(found.verdict == Verdict::Stop);
+  CHECK(found.axis == 1);
+  CHECK(check(supervisor, 2 * kPeriod, q + both(0.0006, 0.0007), both(0, 0), q).axis == 0);
+}
+
+TEST_CASE("a machine may miss two answers in a row, not three") {
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  const JointVector zero = both(0, 0);
+  const JointReference reference{0, zero, zero, zero};
+  const JointMeasurement stale{0, zero, zero};
+  const auto silent = [&] { return supervisor.check(DriverStatus::Silent, reference, stale); };
+  for (int round = 0; round < 3; ++round) {
+    CHECK(silent().verdict == Verdict::None);
+    CHECK(silent().verdict == Verdict::None);
+    CHECK(supervisor.check(DriverStatus::Ok, reference, stale).verdict == Verdict::None);
+  }
+  silent();
+  silent();
+  const FollowingFinding found = silent();
+  CHECK(found.verdict == Verdict::Stop);
+  CHECK(found.cause == Cause::Silent);
+  CHECK(found.axis == -1);
+  CHECK(silent().verdict == Verdict::Stop);
+}
+
+TEST_CASE("a machine that is gone stops the run at once") {
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  const FollowingFinding found = supervisor.check(DriverStatus::Lost, {}, {});
+  CHECK(found.verdict == Verdict::Stop);
+  CHECK(found.cause == Cause::Lost);
+}
+
+TEST_CASE("reset believes what is measured now") {
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  const JointVector there = both(0.3, 0.2);
+  supervisor.reset({9, there, both(0, 0), both(0, 0)}, {9, there, both(0, 0)});
+  CHECK(check(supervisor, 9 + kPeriod, there, both(0, 0), there).verdict == Verdict::None);
+}
+
+TEST_CASE("supervision takes no memory") {
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  const JointReference reference{0, both(0, 0), both(0, 0), both(0, 0)};
+  const JointMeasurement at{0, both(0, 0), both(0, 0)};
+  test::NoAllocation guard;
+  supervisor.reset(reference, at);
+  const FollowingFinding found = supervisor.check(DriverStatus::Ok, reference, at);
+  CHECK(guard.count() == 0);
+  CHECK(found.verdict == Verdict::None);
+}
+
+}  // namespace rob::motion
