@@ -6,32 +6,22 @@
 #include <cstddef>
 #include <utility>
 
-using rob::test::AxisState;
-using rob::test::AxisValues;
-using rob::test::PaulModel;
-using rob::test::PaulRobot;
-using rob::test::PaulStep;
+#include "tests/support/gantry.h"
+#include "tests/support/published_program.h"
+
+using namespace rob::test;
 
 namespace {
-
-PaulRobot gantry() { return {.v_max = {20, 20, 20}, .t_acc = 1.375, .tool_axes = 2}; }
 
 PaulStep move(int line, AxisValues target, double t_user = 0) {
   return {.line = line, .stop = false, .target = std::move(target), .t_user = t_user};
 }
 PaulStep stop(int line) { return {.line = line, .stop = true, .target = {}, .t_user = 0}; }
 
-/// The program that S1 measures; line 6 is END.
-PaulModel triangle() {
-  return PaulModel(gantry(), {0, 0, 0},
-                   {move(1, {40, 40, 0}), move(2, {140, 40, 0}), move(3, {90, 126, 0}),
-                    move(4, {40, 40, 0}), stop(5), stop(6)});
-}
-
 }  // namespace
 
 TEST_CASE("the published gantry program has five segments and lasts 19.10 s") {
-  const PaulModel model = triangle();
+  const PaulModel model = published_program();
   const double starts[] = {0, 2.75, 7.75, 12.05, 16.35};  // S1's segment times, added by hand
   REQUIRE(model.segments().size() == 5);
   for (std::size_t i = 0; i < 5; ++i)
@@ -40,7 +30,7 @@ TEST_CASE("the published gantry program has five segments and lasts 19.10 s") {
 }
 
 TEST_CASE("the corners of the published program are missed by 4.0, 9.6 and 10.3 mm") {
-  const PaulModel model = triangle();
+  const PaulModel model = published_program();
   CHECK(std::abs(model.corner_miss(0) - 4.0) < 0.05);
   CHECK(std::abs(model.corner_miss(1) - 9.6) < 0.05);
   CHECK(std::abs(model.corner_miss(2) - 10.3) < 0.05);
@@ -48,7 +38,7 @@ TEST_CASE("the corners of the published program are missed by 4.0, 9.6 and 10.3 
 }
 
 TEST_CASE("at the middle of a corner the vertex is missed by 3/16 t_acc |v2 - v1|") {
-  const PaulModel model = triangle();
+  const PaulModel model = published_program();
   // Leg 2 runs at (20, 0) mm/s, leg 3 at (-50, 86)/4.3 mm/s; the vertex is (140, 40).
   const double dv_x = -50 / 4.3 - 20;
   const double dv_y = 86 / 4.3;
@@ -60,7 +50,8 @@ TEST_CASE("at the middle of a corner the vertex is missed by 3/16 t_acc |v2 - v1
 }
 
 TEST_CASE("between corners the axes run straight and evenly") {
-  const AxisState state = triangle().at(2.75 + 1.375 + 2.0);  // 2 s behind the vertex (40, 40)
+  const AxisState state =
+      published_program().at(2.75 + 1.375 + 2.0);  // 2 s behind the vertex (40, 40)
   CHECK(state.q[0] == doctest::Approx(40 + 2.0 * 20).epsilon(1e-12));
   CHECK(state.q[1] == doctest::Approx(40).epsilon(1e-12));
   CHECK(state.qd[0] == doctest::Approx(20).epsilon(1e-12));
@@ -68,7 +59,7 @@ TEST_CASE("between corners the axes run straight and evenly") {
 }
 
 TEST_CASE("velocity is the slope of position and acceleration the slope of velocity, everywhere") {
-  const PaulModel model = triangle();
+  const PaulModel model = published_program();
   constexpr double kStep = 1e-5;
   for (double t = 0.01; t < 19.09; t += 0.0373) {
     const AxisState before = model.at(t - kStep);
@@ -83,7 +74,7 @@ TEST_CASE("velocity is the slope of position and acceleration the slope of veloc
 }
 
 TEST_CASE("a run begins and ends at rest, exactly at its places") {
-  const PaulModel model = triangle();
+  const PaulModel model = published_program();
   CHECK(model.at(0).q == AxisValues{0, 0, 0});
   CHECK(model.at(0).qd == AxisValues{0, 0, 0});
   const AxisState end = model.at(19.2);
@@ -93,7 +84,7 @@ TEST_CASE("a run begins and ends at rest, exactly at its places") {
 }
 
 TEST_CASE("the slowest axis, the user's time and twice t_acc bound a segment from below") {
-  const PaulModel model(gantry(), {0, 0, 0},
+  const PaulModel model(gantry_robot(), {0, 0, 0},
                         {move(1, {10, 0, 90}), move(2, {11, 0, 90}), move(3, {21, 0, 90}, 6.5)});
   CHECK(model.segments()[0].t1 == 4.5);
   CHECK(model.segments()[1].t1 == 2.75);
@@ -101,7 +92,7 @@ TEST_CASE("the slowest axis, the user's time and twice t_acc bound a segment fro
 }
 
 TEST_CASE("a repeated MOVE makes its target exact, and STOP after it costs nothing") {
-  const PaulModel model(gantry(), {0, 0, 0},
+  const PaulModel model(gantry_robot(), {0, 0, 0},
                         {move(1, {60, 0, 0}), move(2, {60, 0, 0}), stop(3), stop(4)});
   REQUIRE(model.segments().size() == 2);
   CHECK(model.total() == doctest::Approx(3 + 2.75));
@@ -109,7 +100,7 @@ TEST_CASE("a repeated MOVE makes its target exact, and STOP after it costs nothi
 }
 
 TEST_CASE("where nothing has moved STOP and END cost nothing") {
-  const PaulModel model(gantry(), {5, 6, 7}, {stop(1), stop(2)});
+  const PaulModel model(gantry_robot(), {5, 6, 7}, {stop(1), stop(2)});
   CHECK(model.segments().empty());
   CHECK(model.total() == 0);
   CHECK(model.at(1).q == AxisValues{5, 6, 7});

@@ -6,56 +6,20 @@
 #include <functional>
 #include <limits>
 
+#include "tests/support/published_program.h"
 #include "tests/support/traced_corner.h"
 
 using namespace rob::test;
 
 namespace {
 
-constexpr double kPeriod = 0.01;
-
-PaulModel triangle() {
-  const auto move = [](int line, AxisValues target) {
-    return PaulStep{.line = line, .stop = false, .target = std::move(target), .t_user = 0};
-  };
-  return PaulModel({.v_max = {20, 20, 20}, .t_acc = 1.375, .tool_axes = 2}, {0, 0, 0},
-                   {move(1, {40, 40, 0}), move(2, {140, 40, 0}), move(3, {90, 126, 0}),
-                    move(4, {40, 40, 0}), PaulStep{.line = 5, .stop = true, .target = {}}});
-}
-
-RunLimits gantry_limits() {
-  return {.period = kPeriod, .min = {0, 0, -180}, .max = {400, 300, 180}};
-}
-
-/// The trace that a faultless controller would write of the published program: 1911 rows.
-TraceFile faultless() {
-  const PaulModel model = triangle();
-  const int lines_from[] = {0, 275, 775, 1205, 1635};  // S1's segment times in periods
-  TraceFile trace{.axes = 3, .rows = {}};
-  for (int k = 0; k <= 1910; ++k) {
-    TraceRow row;
-    row.t = k * kPeriod;
-    for (int from : lines_from) row.line += k >= from ? 1 : 0;
-    row.state = 1;
-    row.rate = 1;
-    const AxisState state = model.at(row.t);
-    row.q = state.q;
-    row.qd = state.qd;
-    row.qdd = state.qdd;
-    row.measured = state.q;
-    row.pose = {state.q[0], state.q[1], 0, 0, 0, state.q[2]};
-    row.drive = {0, 0, 0};
-    trace.rows.push_back(row);
-  }
-  return trace;
-}
-
 Findings judged(const TraceFile& trace) {
-  return judge_against_model(trace, triangle(), gantry_limits());
+  return judge_against_model(trace, published_program(), gantry_limits());
 }
 
 Findings judged_smooth(const TraceFile& trace) {
-  return judge_smoothness(trace, kPeriod, greatest_jerk(triangle().robot()));
+  return judge_smoothness(trace, gantry_limits().period,
+                          greatest_jerk(published_program().robot()));
 }
 
 }  // namespace
@@ -68,32 +32,32 @@ TEST_CASE("19.10 s are 1910 periods of 10 ms, whatever the sum rounds to") {
 }
 
 TEST_CASE("a faultless trace is found faultless") {
-  const TraceFile trace = faultless();
+  const TraceFile trace = published_trace();
   CHECK(judged(trace).empty());
   CHECK(judged_smooth(trace).empty());
 }
 
 TEST_CASE("a row too few, a late row and a wrong line are found") {
-  TraceFile trace = faultless();
+  TraceFile trace = published_trace();
   trace.rows.pop_back();
   CHECK_FALSE(judged(trace).empty());
-  trace = faultless();
+  trace = published_trace();
   trace.rows[700].t += 1e-6;
   CHECK_FALSE(judged(trace).empty());
-  trace = faultless();
+  trace = published_trace();
   trace.rows[776].line = 2;  // line 3 owns 7.76 s
   CHECK_FALSE(judged(trace).empty());
 }
 
 TEST_CASE("at a decision point either line may own the instant") {
-  TraceFile trace = faultless();
+  TraceFile trace = published_trace();
   trace.rows[775].line = 2;
   CHECK(judged(trace).empty());
 }
 
 TEST_CASE("a micrometre, a hundredth of that in a rate, and a NaN are found") {
   const auto found = [](const std::function<void(TraceRow&)>& spoil) {
-    TraceFile trace = faultless();
+    TraceFile trace = published_trace();
     spoil(trace.rows[900]);
     return !judged(trace).empty();
   };
@@ -108,12 +72,12 @@ TEST_CASE("a micrometre, a hundredth of that in a rate, and a NaN are found") {
 TEST_CASE("a limit that the run crosses is found") {
   RunLimits narrow = gantry_limits();
   narrow.max[0] = 130;  // the triangle reaches about x = 132 mm
-  CHECK_FALSE(judge_against_model(faultless(), triangle(), narrow).empty());
+  CHECK_FALSE(judge_against_model(published_trace(), published_program(), narrow).empty());
 }
 
 TEST_CASE("the smoothness rules find a jump of each derivative without knowing the law") {
   const auto found = [](const std::function<void(TraceRow&)>& spoil) {
-    TraceFile trace = faultless();
+    TraceFile trace = published_trace();
     for (std::size_t k = 900; k < trace.rows.size(); ++k) spoil(trace.rows[k]);
     return !judged_smooth(trace).empty();
   };
@@ -123,11 +87,11 @@ TEST_CASE("the smoothness rules find a jump of each derivative without knowing t
 }
 
 TEST_CASE("the fastest change of acceleration is 1.5 (v2 - v1) / t_acc^2") {
-  CHECK(greatest_jerk(triangle().robot()) == doctest::Approx(1.5 * 40 / (1.375 * 1.375)));
+  CHECK(greatest_jerk(published_program().robot()) == doctest::Approx(1.5 * 40 / (1.375 * 1.375)));
 }
 
 TEST_CASE("the corners found in a trace are those of the published program") {
-  const TraceFile trace = faultless();
+  const TraceFile trace = published_trace();
   CHECK(std::abs(traced_corner_miss(trace, {40, 40, 0}, 2.75, 5.5, 2) - 4.0) < 0.05);
   CHECK(std::abs(traced_corner_miss(trace, {140, 40, 0}, 7.75, 10.5, 2) - 9.6) < 0.05);
   CHECK(std::abs(measured_corner_miss(trace, {90, 126, 0}, 12.05, 14.8, 2) - 10.3) < 0.05);
