@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lang/ascii.h"
+#include "lang/codes.h"
+#include "lang/parser_impl.h"
+#include "lang/suggest.h"
+#include "lang/units.h"
+#include "lang/utf8.h"
+
+/// The parser's rules for VAR and CONST.
+namespace rob::lang {
+
+namespace {
+
+struct NamedType {
+  std::string_view name;
+  Type type;
+};
+
+constexpr auto real(Dimension dimension) { return Type{Type::Kind::Real, dimension}; }
+
+constexpr auto kTypes = std::to_array<NamedType>({
+    {"BOOL", {Type::Kind::Bool, {}}},
+    {"INT", {Type::Kind::Int, {}}},
+    {"REAL", real(kNone)},
+    {"STRING", {Type::Kind::String, {}}},
+    {"LENGTH", real(kLength)},
+    {"ANGLE", real(kAngle)},
+    {"TIME", real(kTime)},
+    {"SPEED", real(kSpeed)},
+    {"ANGULAR_SPEED", real(kAngularSpeed)},
+    {"ACCELERATION", real(kAcceleration)},
+    {"FORCE", real(kForce)},
+    {"TORQUE", real(kTorque)},
+    {"MASS", real(kMass)},
+    {"FREQUENCY", real(kFrequency)},
+    {"VOLTAGE", real(kVoltage)},
+});
+
+constexpr std::array<std::string_view, 7> kLaterTypes{"VEC",   "POSE",  "JOINTS", "WRENCH",
+                                                      "ARRAY", "FRAME", "TOOL"};
+
+std::string type_help(std::string_view word) {
+  std::array<std::string_view, kTypes.size()> names;
+  std::ranges::transform(kTypes, names.begin(), &NamedType::name);
+  const std::string help = did_you_mean(suggest(word, names));
+  if (!help.empty() || !find_unit(word)) return help;
+  return fmt::format("a unit as a type stands in brackets: [{}]", word);
+}
+
+}  // namespace
+
+// decl = "CONST" IDENT [ ":" type ] "=" expr eol
+//      | "VAR" names ( ":" type [ "=" expr ] | "=" expr ) eol .
+void Parser::declaration(Block& block) {
+  const Place place = current_.place;
+  Declaration declaration;
+  declaration.constant = at(Keyword::Const);
+  advance();
+  try {
+    declared_names(declaration);
+    declared_type_and_value(declaration);
+  } catch (const SyntaxError&) {
+    declaration.type = Type{};
+    declaration.value = nullptr;
+    if (!declaration.names.empty()) add(block, place, std::move(declaration));
+    throw;
+  }
+  add(block, place, std::move(declaration));
+}
+
+// names = IDENT { "," IDENT } .
+void Parser::declared_names(Declaration& declaration) {
+  const std::string_view kind = declaration.constant ? "CONST" : "VAR";
+  declaration.names.push_back(declared_name(kind));
+  while (!declaration.constant && accept(TokenKind::Comma)) {
+    declaration.names.push_back(declared_name(kind));
+  }
+}
+
+void Parser::declared_type_and_value(Declaration& declaration) {
+  if (accept(TokenKind::Colon)) declaration.type = type();
+  if (at(TokenKind::Equal)) {
+    report(code::kAssignExpected, current_.place, "'==' compares, it does not give a value",
+           "write =");
+    current_.kind = TokenKind::Assign;
+  }
+  if (accept(TokenKind::Assign)) {
+    declaration.value = expression();
+    return;
+  }
+  if (!at_line_end()) {
+    fail_here(code::kAssignExpected, fmt::format("'=' expected, not {}", described(current_)));
+  }
+  const std::string& name = declaration.names.front().name;
+  if (declaration.constant) {
+    fail(code::kIncompleteDeclaration, behind_previous(), "a constant needs a value",
+         fmt::format("CONST {} = 10mm", name));
+  }
+  if (!declaration.type) {
+    fail(code::kIncompleteDeclaration, behind_previous(), "a variable needs a type or a value",
+         fmt::format("VAR {0} = 10mm, or VAR {0}: LENGTH", name));
+  }
+}
+
+Declaration::Declared Parser::declared_name(std::string_view kind) {
+  if (at(TokenKind::Reserved)) {
+    fail_here(code::kReservedName,
+              fmt::format("{} is a reserved word and cannot be a name", described(current_)),
+              "choose another name");
+  }
+  if (!at(TokenKind::Word)) {
+    fail_here(code::kNameExpected,
+              fmt::format("a name expected after {}, not {}", kind, described(current_)));
+  }
+  Declaration::Declared declared{std::string(current_.text), current_.place};
+  advance();
+  return declared;
+}
+
+// type = ( IDENT | "FRAME" | "TOOL" ) [ "IN" IDENT ] | "[" unit "]"
+//      | "ARRAY" "[" expr "]" "OF" type .
+Type Parser::type() {
+  if (at(TokenKind::LeftBracket)) return unit_type();
+  const Token word = current_;
+  if (!at(TokenKind::Word) && !at(Keyword::Array)) {
+    fail_here(code::kUnknownType, fmt::format("a type expected, not {}", described(word)),
+              type_help(word.text));
+  }
+  const auto known = std::ranges::find_if(
+      kTypes, [&](const NamedType& type) { return same_word(type.name, word.text); });
+  if (known != kTypes.end()) {
+    advance();
+    return known->type;
+  }
+  for (const std::string_view later : kLaterTypes) {
+    if (same_word(later, word.text)) fail_not_yet(word.place, fmt::format("the type {}", later));
+  }
+  fail_here(code::kUnknownType, fmt::format("{} is no type", described(word)),
+            type_help(word.text));
+}
+
+// "[" unit "]": names are units here, reserved words or not, so the source itself is looked at.
+Type Parser::unit_type() {
+  advance();
+  const Token first = current_;
+  while (!at_line_end() && !at(TokenKind::RightBracket) && !at(TokenKind::Bad)) advance();
+  if (!at(TokenKind::RightBracket) || current_.place.line != first.place.line) {
+    fail(code::kBracketExpected, behind_previous(), "']' expected after the unit");
+  }
+  std::string unit_name(source_.substr(first.offset, current_.offset - first.offset));
+  std::erase_if(unit_name, [](char c) { return c == ' ' || c == '\t'; });
+  const auto unit = find_unit(unit_name);
+  if (!unit) {
+    Token written = first;
+    written.text = unit_name;
+    written.place.length = std::max(count_code_points(unit_name), 1U);
+    fail(code::kUnknownUnit, written.place, fmt::format("{} is no unit", described(written)),
+         did_you_mean(suggest(unit_name, unit_names())));
+  }
+  advance();
+  return real(unit->dimension);
+}
+
+}  // namespace rob::lang

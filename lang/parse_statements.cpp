@@ -1,0 +1,157 @@
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lang/codes.h"
+#include "lang/parser_impl.h"
+#include "lang/suggest.h"
+
+/// The parser's rules for statements on one line, and what becomes of unknown ones.
+namespace rob::lang {
+
+/// One statement, or what an error left of it.
+void Parser::statement(Block& block) {
+  const std::size_t open = open_blocks_.size();
+  try {
+    any_statement(block);
+  } catch (const SyntaxError&) {
+    open_blocks_.resize(open);
+    recover();
+  }
+}
+
+// statement = simple eol | compound .   block = { decl | statement } .
+void Parser::any_statement(Block& block) {
+  if (at(TokenKind::Reserved) && next_.kind == TokenKind::Assign) {
+    fail_here(code::kReservedName,
+              fmt::format("{} is a reserved word and cannot be a name", described(current_)),
+              "choose another name");
+  }
+  if (!block_statement(block)) simple(block);
+  const bool misspelt_closer = at_block_end() && current_.first_on_line;
+  if (!misspelt_closer) end_of_line();
+}
+
+/// What cannot stand behind THEN on the same line; false if nothing of the kind stands here.
+bool Parser::block_statement(Block& block) {
+  if (!at(TokenKind::Reserved)) return false;
+  switch (current_.keyword) {
+    case Keyword::If:
+      if_statement(block);
+      return true;
+    case Keyword::While:
+      while_statement(block);
+      return true;
+    case Keyword::For:
+      for_statement(block);
+      return true;
+    case Keyword::Var:
+    case Keyword::Const:
+      declaration(block);
+      return true;
+    default:
+      return false;
+  }
+}
+
+// simple = action | motion [ until ] | wait .
+void Parser::simple(Block& block) {
+  const Place place = current_.place;
+  if (at(Keyword::Move)) return move(block);
+  if (at(Keyword::Print)) return print(block);
+  if (at(Keyword::Stop)) {
+    advance();
+    return add(block, place, Stop{});
+  }
+  if (at(TokenKind::Word)) return word_statement(block);
+  if (!at(TokenKind::Reserved)) {
+    fail_here(code::kStatementExpected,
+              fmt::format("a statement begins with a word, not with {}", described(current_)),
+              remedy());
+  }
+  switch (role(current_.keyword)) {
+    case KeywordRole::Later:
+    case KeywordRole::LaterMotion:
+    case KeywordRole::LaterBlock:
+      later_statement(block);
+    case KeywordRole::Closer:
+      stray_closer();
+    default:
+      fail_here(code::kStatementExpected,
+                fmt::format("no statement begins with {}", described(current_)));
+  }
+}
+
+/// What begins with a word that is not reserved: an assignment, a statement known by its place
+/// at the beginning of a line, or a mistake.
+void Parser::word_statement(Block& block) {
+  if (at_later_word()) later_statement(block);
+  if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
+  if (next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket) {
+    fail_not_yet(current_.place, "an assignment to a field or an element");
+  }
+  unknown_word(block);
+}
+
+/// Reports the word, then goes on as if the word that was meant stood there; the line has had its
+/// message. The head of a block is taken for one only if its line ends like one: a block opened
+/// by mistake would swallow the rest of the program.
+void Parser::unknown_word(Block& block) {
+  const std::string_view meant = suggest(current_.text, statement_words());
+  const std::string message = fmt::format("{} is no statement", described(current_));
+  if (meant.empty()) {
+    fail_here(code::kUnknownStatement, message,
+              "a line begins with a statement's word, or with a name and '='");
+  }
+  report(code::kUnknownStatement, current_.place, message, did_you_mean(meant));
+  muted_line_ = current_.place.line;
+  const Keyword keyword = find_keyword(meant).value();
+  const bool needs_do = keyword == Keyword::While || keyword == Keyword::For;
+  if (keyword == Keyword::End || (needs_do && !line_ends_with(Keyword::Do)) ||
+      (keyword == Keyword::If && !line_ends_with(Keyword::Then))) {
+    throw SyntaxError{};
+  }
+  current_.kind = TokenKind::Reserved;
+  current_.keyword = keyword;
+  if (!at_block_end()) any_statement(block);
+}
+
+// assign = place "=" expr .
+void Parser::assignment(Block& block) {
+  const Place place = current_.place;
+  Assign assign;
+  assign.target.text = current_.text;
+  assign.target_place = place;
+  advance();
+  if (at(TokenKind::Equal)) {
+    report(code::kAssignExpected, current_.place, "'==' compares, it does not assign", "write =");
+  }
+  advance();
+  assign.value = expression();
+  add(block, place, std::move(assign));
+}
+
+// panel = "PRINT" expr { "," expr } .
+void Parser::print(Block& block) {
+  const Place place = current_.place;
+  Print print;
+  advance();
+  do {
+    print.values.push_back(expression());
+  } while (accept(TokenKind::Comma));
+  add(block, place, std::move(print));
+}
+
+// eol = NL { NL } .
+void Parser::end_of_line() {
+  if (at_line_end()) return;
+  fail_here(code::kLineEndExpected,
+            fmt::format("the end of the line expected, not {}", described(current_)), remedy());
+}
+
+void Parser::add(Block& block, const Place& place, decltype(Statement::node) node) {
+  count_node(place);
+  block.push_back({place, std::move(node)});
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,169 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/ast.h"
+#include "lang/diagnostic.h"
+#include "lang/lexer.h"
+#include "lang/parser.h"
+#include "lang/token.h"
+
+/// Private to the parser: recursive descent, one function a grammar rule, the rule above it.
+///
+/// Where a rule cannot go on it reports and throws SyntaxError; the statement loop catches it and
+/// goes on behind the statement (recover()). Rules whose block must be read all the same catch it
+/// earlier. GiveUp ends the parsing of a text that is hopeless.
+namespace rob::lang {
+
+/// Whether a line can go on with this token inside brackets: a reserved word that is neither
+/// operator nor value ends the statement, so that a bracket left open costs one line.
+bool begins_statement(const Token& token);
+
+/// A token for messages: 'MOVE', "the end of the line".
+std::string described(const Token& token);
+
+class Parser {
+ public:
+  Parser(std::string_view source, Diagnostics& diagnostics);
+  Program program();
+
+ private:
+  struct SyntaxError {};
+  struct GiveUp {};
+
+  /// A block that is being read, and the word that closes it.
+  struct OpenBlock {
+    Keyword opener;
+    Keyword closer;
+    Place place;
+  };
+
+  // Tokens (parser.cpp)
+  void shift();
+  void advance();
+  bool at(TokenKind kind) const { return current_.kind == kind; }
+  bool at(Keyword keyword) const;
+  bool at_word(std::string_view word) const;
+  bool accept(TokenKind kind);
+  bool at_line_end() const;
+  bool at_new_statement() const;
+  bool line_ends_with(Keyword keyword) const;
+  Place behind_previous() const;
+
+  // Errors (parser.cpp)
+  void report(std::string_view code, const Place& place, std::string message,
+              std::string help = "");
+  [[noreturn]] void fail(std::string_view code, const Place& place, std::string message,
+                         std::string help = "");
+  [[noreturn]] void fail_here(std::string_view code, std::string message, std::string help = "");
+  [[noreturn]] void fail_not_yet(const Place& place, std::string_view what);
+  void recover();
+  void recover_until(Keyword keyword);
+  std::string remedy() const;
+
+  // Statements (parse_statements.cpp)
+  void statement(Block& block);
+  void any_statement(Block& block);
+  bool block_statement(Block& block);
+  void simple(Block& block);
+  void word_statement(Block& block);
+  void unknown_word(Block& block);
+  void assignment(Block& block);
+  void print(Block& block);
+  void end_of_line();
+  void add(Block& block, const Place& place, decltype(Statement::node) node);
+
+  // Declarations (parse_declarations.cpp)
+  void declaration(Block& block);
+  void declared_names(Declaration& declaration);
+  void declared_type_and_value(Declaration& declaration);
+  Declaration::Declared declared_name(std::string_view kind);
+  Type type();
+  Type unit_type();
+
+  // Motions (parse_motion.cpp)
+  void move(Block& block);
+  ExprPtr target();
+  [[noreturn]] void fail_target();
+  void clauses(Move& move);
+  void clause(ExprPtr& slot, std::string_view word);
+  [[noreturn]] void fail_clause();
+
+  // Blocks (parse_blocks.cpp)
+  Block block_of(const OpenBlock& open);
+  bool at_block_end() const;
+  void close(const OpenBlock& open);
+  void close_with_end(const OpenBlock& open);
+  void report_unclosed(const OpenBlock& open);
+  bool closes_outer() const;
+  [[noreturn]] void stray_closer();
+  void if_statement(Block& block);
+  void behind_then(Block& body);
+  void further_branches(If& node, const OpenBlock& open);
+  void while_statement(Block& block);
+  void for_statement(Block& block);
+  void for_header(For& loop);
+  ExprPtr condition(Keyword last);
+  void header_word(Keyword word, std::string_view behind);
+
+  // What later versions have (parse_later.cpp)
+  bool at_later_word() const;
+  [[noreturn]] void later_statement(Block& block);
+  void declare_unknown(Block& block);
+  void skip_later_block(std::string_view opener, std::string_view closer, bool always);
+  bool skip_line();
+
+  // Expressions (parse_expressions.cpp)
+  ExprPtr expression();
+  ExprPtr conjunction();
+  ExprPtr inversion();
+  ExprPtr relation();
+  ExprPtr sum();
+  ExprPtr term();
+  ExprPtr unary();
+  ExprPtr power();
+  ExprPtr postfix();
+  ExprPtr primary();
+  ExprPtr literal(decltype(Expr::node) node);
+  ExprPtr parenthesized();
+  ExprPtr tuple(const Place& place, Tuple elements);
+  Tuple elements(std::string_view what);
+  Tuple::Element element();
+  ExprPtr call(const Place& place, std::string callee);
+  void close_bracket(std::string_view what);
+  [[noreturn]] void fail_value();
+  ExprPtr binary(BinaryOp op, const Place& place, ExprPtr left, ExprPtr right);
+  ExprPtr make(const Place& place, decltype(Expr::node) node, int height = 1);
+  void count_node(const Place& place);
+
+  /// Bounds the recursion of the parser: one level a bracket, sign or block.
+  class Level {
+   public:
+    explicit Level(Parser& parser);
+    ~Level() { --parser_.level_; }
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+
+   private:
+    Parser& parser_;
+  };
+  [[noreturn]] void fail_too_deep(const Place& place);
+
+  std::string_view source_;
+  Diagnostics& diagnostics_;
+  Lexer lexer_;
+  Token previous_;
+  Token current_;
+  Token next_;
+  int brackets_ = 0;  ///< open ones; inside them line ends do not count
+  int level_ = 0;
+  std::size_t nodes_ = 0;
+  std::uint32_t muted_line_ = 0;  ///< has had its message
+  std::vector<OpenBlock> open_blocks_;
+};
+
+}  // namespace rob::lang
