@@ -46,6 +46,7 @@ void FollowingSupervisor::reset(const JointReference& reference,
     AxisWatch& axis = axes_[static_cast<std::size_t>(i)];
     axis.q = measured.q[i];
     axis.reference_at = reference.q[i];
+    axis.unchanged = 0;
   }
 }
 
@@ -81,13 +82,12 @@ FollowingFinding FollowingSupervisor::check_axis(int i, double elapsed, double q
   if (!std::isfinite(q + q0 + v0)) return stop(Cause::NotFinite, i, q, 0);
 
   const double moved = std::abs(q - axis.q);
-  if (q != axis.q) axis.reference_at = q0;
+  const bool frozen = is_frozen(axis, q, q0);
   axis.q = q;
   const double credible = kJumpMargin * axis.v_max * elapsed;
   if (moved > credible) return stop(Cause::Jump, i, moved, credible);
 
-  const double way = std::abs(q0 - axis.reference_at);
-  if (way > axis.frozen_way) return stop(Cause::Frozen, i, way, axis.frozen_way);
+  if (frozen) return stop(Cause::Frozen, i, std::abs(q0 - axis.reference_at), axis.frozen_way);
 
   const double error = std::abs(q0 - q);
   const double limit =
@@ -95,6 +95,16 @@ FollowingFinding FollowingSupervisor::check_axis(int i, double elapsed, double q
   if (error > limit) return stop(Cause::FollowingError, i, error, limit);
   if (error > kWarnShare * limit) return {Verdict::Warn, Cause::FollowingError, i, error, limit};
   return {};
+}
+
+bool FollowingSupervisor::is_frozen(AxisWatch& axis, double q, double q0) noexcept {
+  if (q != axis.q) {
+    axis.reference_at = q0;
+    axis.unchanged = 0;
+    return false;
+  }
+  axis.unchanged = std::min(axis.unchanged + 1, kFrozenCycles);
+  return axis.unchanged == kFrozenCycles && std::abs(q0 - axis.reference_at) > axis.frozen_way;
 }
 
 }  // namespace rob::motion

@@ -39,9 +39,10 @@ struct FollowingFinding {
 /// is a stop, above half of it a warning. DriveData.following_warn is thus the limit at rest and at
 /// low speed, DriveData.following_limit the one at v_max.
 ///
-/// *Frozen*: q has not changed by a single count while the reference went further than
-/// 20 counts + twice the way on which the servo overcomes Coulomb friction (2·C/kp). Because it is
-/// counted in way, not in time, no slow motion can raise it. [choice] 20: real encoders miss a few.
+/// *Frozen*: q has not changed by a single count, in three cycles at least, while the reference
+/// went further than 20 counts + twice the way on which the servo overcomes Coulomb friction
+/// (2·C/kp). Because it is counted in way, not in time, no slow motion can raise it. [choice] 20
+/// counts: real encoders miss a few; three cycles: a drive that answers late repeats itself once.
 ///
 /// *Jump*: |Δq| > 2·v_max·(time since the last measurement, at least T).
 ///
@@ -53,6 +54,7 @@ class FollowingSupervisor {
  public:
   static constexpr int kSilentCycles = 3;
   static constexpr int kFrozenCounts = 20;
+  static constexpr int kFrozenCycles = 3;
 
   /// At most kMaxJoints drives.
   FollowingSupervisor(std::span<const DriveData> drives, const JointVector& v_max,
@@ -74,10 +76,12 @@ class FollowingSupervisor {
     double frozen_way = 0;
     double q = 0;             // last measured
     double reference_at = 0;  // where the reference was when q last changed
+    int unchanged = 0;        // cycles since then, as far as they count
   };
 
   FollowingFinding no_answer(DriverStatus status) noexcept;
   FollowingFinding check_axis(int i, double elapsed, double q, double q0, double v0) noexcept;
+  static bool is_frozen(AxisWatch& axis, double q, double q0) noexcept;
 
   std::array<AxisWatch, kMaxJoints> axes_;
   int count_;
