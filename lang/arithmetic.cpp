@@ -83,7 +83,8 @@ Error turns(std::int64_t from, std::int64_t to, std::int64_t step, std::int64_t&
   using Distance = std::uint64_t;
   const Distance distance = step > 0 ? static_cast<Distance>(to) - static_cast<Distance>(from)
                                      : static_cast<Distance>(from) - static_cast<Distance>(to);
-  const Distance stride = step > 0 ? static_cast<Distance>(step) : Distance{0} - static_cast<Distance>(step);
+  const Distance stride =
+      step > 0 ? static_cast<Distance>(step) : Distance{0} - static_cast<Distance>(step);
   const Distance last = distance / stride;
   if (last >= Distance{1} << 53) return Error::TooManyTurns;
   result = static_cast<std::int64_t>(last) + 1;

@@ -131,11 +131,11 @@ constexpr std::array kBuiltins = std::to_array<Builtin>({
 });
 
 constexpr std::array kLater = std::to_array<std::string_view>(
-    {"AIN",   "AOUT", "CLOCK", "CROSS", "DIN",  "DIST",   "DOT",    "DOUT",     "FIND",
-     "FORCE", "FORWARD", "FRAME3", "HERE", "HIT", "HITPOSE", "INV", "JOINTS", "LEN",
-     "LOWER", "MID",  "MIX",   "NORM",  "NUM",  "POSE",   "QUAT",   "RANDOM",   "TARGET",
-     "TORQUE", "TO_FRAME", "TRIM", "TURN", "UNIT", "UPPER", "VEC", "WORLD", "WRENCH",
-     "ZYZ"});
+    {"AIN",    "AOUT",   "CLOCK",   "CROSS",  "DIN",      "DIST", "DOT",     "DOUT",
+     "FIND",   "FORCE",  "FORWARD", "FRAME3", "HERE",     "HIT",  "HITPOSE", "INV",
+     "JOINTS", "LEN",    "LOWER",   "MID",    "MIX",      "NORM", "NUM",     "POSE",
+     "QUAT",   "RANDOM", "TARGET",  "TORQUE", "TO_FRAME", "TRIM", "TURN",    "UNIT",
+     "UPPER",  "VEC",    "WORLD",   "WRENCH", "ZYZ"});
 
 }  // namespace
 
@@ -150,6 +150,13 @@ const Builtin* find_builtin(std::string_view name, std::size_t arguments) {
     if (first == nullptr) first = &builtin;
   }
   return first;
+}
+
+bool computes_whole(const Builtin& builtin, const Call& call) {
+  return builtin.integer != nullptr &&
+         std::ranges::all_of(call.arguments, [](const ExprPtr& argument) {
+           return argument->type.kind == Type::Kind::Int;
+         });
 }
 
 std::vector<std::string_view> builtin_names() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lang/arithmetic.h"
+#include "lang/ast.h"
 
 /// The built-in functions: one table (builtins.def) for the checker, constant folding and the Vm.
 namespace rob::lang {
@@ -29,6 +30,9 @@ enum class BuiltinRule : std::uint8_t {
 /// Pure; takes no memory. All arguments are INT, or all are REAL, as the function was chosen.
 using BuiltinFunction = ArithmeticError (*)(std::span<const Slot> arguments, Slot& result);
 
+/// No built-in takes more arguments than this. [choice] a MIN of more is not readable.
+inline constexpr std::size_t kMostArguments = 16;
+
 struct Builtin {
   std::string_view name;
   std::size_t least = 0;  ///< arguments
@@ -42,6 +46,9 @@ struct Builtin {
 std::span<const Builtin> builtins();
 /// The one that takes so many arguments, or the first of that name, or null. `name` in any case.
 const Builtin* find_builtin(std::string_view name, std::size_t arguments);
+/// Whether a checked call computes with INT slots: all its arguments are INT, and the function has
+/// such a case. Otherwise its arguments are converted to REAL.
+bool computes_whole(const Builtin& builtin, const Call& call);
 /// Each name once, for "did you mean".
 std::vector<std::string_view> builtin_names();
 /// A function or value of the language that this version does not have yet.

@@ -17,21 +17,21 @@ namespace rob::lang {
 /// What a name stands for.
 struct Symbol {
   enum class Kind : std::uint8_t {
-    Variable,      ///< VAR: may be assigned
-    NamedConstant, ///< CONST: computed where it stands, at the latest
-    LoopVariable,  ///< of FOR: read-only in the body
-    Signal,        ///< declared by the robot's file
-    BuiltIn        ///< PI
+    Variable,       ///< VAR: may be assigned
+    NamedConstant,  ///< CONST: computed where it stands, at the latest
+    LoopVariable,   ///< of FOR: read-only in the body
+    Signal,         ///< declared by the robot's file
+    BuiltIn         ///< PI
   };
 
   Kind kind = Kind::Variable;
-  std::string name;    ///< as it was declared
+  std::string name;  ///< as it was declared
   Type type;
-  Place place;         ///< of its declaration; line 0 for what is not declared in the program
-  std::size_t id = 0;  ///< dense, from 0: an index for what later stages know of it
-  Constant value;      ///< where it is known before the program runs
-  int signal = 0;      ///< its index in the RobotSignature
-  bool output = false; ///< a signal that may be assigned
+  Place place;          ///< of its declaration; line 0 for what is not declared in the program
+  std::size_t id = 0;   ///< dense, from 0: an index for what later stages know of it
+  Constant value;       ///< where it is known before the program runs
+  int signal = 0;       ///< its index in the RobotSignature
+  bool output = false;  ///< a signal that may be assigned
 };
 
 /// Upper-case ASCII: names are case-insensitive, and this is how they are compared.

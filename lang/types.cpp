@@ -35,8 +35,7 @@ constexpr std::array kNamedDimensions = std::to_array<NamedDimension>({
 /// long before that (kMostExponent).
 std::int8_t saturated(int exponent) {
   using Limits = std::numeric_limits<std::int8_t>;
-  return static_cast<std::int8_t>(
-      std::clamp(exponent, int{Limits::min()}, int{Limits::max()}));
+  return static_cast<std::int8_t>(std::clamp(exponent, int{Limits::min()}, int{Limits::max()}));
 }
 
 template <typename Combine>

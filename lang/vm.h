@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lang/chunk.h"
@@ -18,8 +21,20 @@ struct RuntimeError {
   std::string help;
 };
 
+/// The longest text that a program can build, in bytes. [choice] far more than a line to be read,
+/// and with at most 256 text registers a program never holds more than 16 MiB of text.
+inline constexpr std::size_t kMostText = 65536;
+
 /// Executes a Chunk against a Machine. It never blocks: where the program has to wait, run()
 /// returns and is called again. `chunk` and `machine` must outlive it.
+///
+/// Observations. At standstill a program would see the same world again and again without any time
+/// passing; so the first observation after a loop has turned is put off to the next control cycle
+/// if the present one was observed before. All observations of one expression belong to one cycle:
+/// run() stops for its budget only where a loop turns, which never is inside an expression, and if
+/// the machine has to wait in the middle of one, the expression starts anew from its beginning.
+///
+/// Arithmetic, loops, motions and observations take no memory. Texts do.
 class Vm {
  public:
   enum class State : std::uint8_t {
@@ -27,25 +42,61 @@ class Vm {
     Waiting,    ///< the machine said Later; call again when something has changed
     NextCycle,  ///< a loop reads the world again: call again in the next control cycle
     Done,
-    Failed      ///< error() says why; what was commanded before stays commanded
+    Failed  ///< error() says why; what was commanded before stays commanded
   };
 
   Vm(const Chunk& chunk, Machine& machine);
 
-  /// Executes at most `budget` instructions.
+  /// Executes until the program has to wait or is over, or until `budget` instructions are spent.
+  /// The budget is looked at where a loop turns, so a run may exceed it by the length of the code,
+  /// but no program can run on for ever.
   State run(std::int64_t budget);
 
   State state() const { return state_; }
   const RuntimeError& error() const { return error_; }
-  /// Instructions executed since the start.
+  /// Instructions executed since the start; those that a forward jump passed over count too.
   std::int64_t executed() const { return executed_; }
 
  private:
+  using Code = const Instruction*;
+
+  State execute(Code pc);
+  /// Ends a run: `resume` is where the next one goes on.
+  State leave(Code pc, Code resume, State state);
+  State fail(Code pc, RuntimeError error);
+  State fail(Code pc, ArithmeticError error);
+  /// What a reply other than Done to the instruction at `pc` means.
+  State pause(Code pc, Code resume, Reply reply);
+  /// A loop turns: pays for the instructions up to here; false if the budget is used up.
+  bool turn(Code pc, Code target);
+  bool next_cycle_is_due() const { return turned_ && observed_; }
+  Reply observe(Code pc);
+
+  /// False, with error_ set, if AT or OVER turned out not to be above zero.
+  bool build(Code pc, MoveCommand& command);
+  /// Texts by register; false if the result would be too long.
+  bool append(std::uint8_t target, std::string_view more);
+  bool join(std::uint8_t target, std::uint8_t left, std::uint8_t right);
+  State fail_too_long(Code pc);
+  bool check_positive(Code pc, const char* word, double value, Dimension dimension);
+
+  Place place(Code pc) const { return chunk_.places[index(pc)]; }
+  int line(Code pc) const { return static_cast<int>(place(pc).line); }
+  std::size_t index(Code pc) const { return static_cast<std::size_t>(pc - chunk_.code.data()); }
+
   const Chunk& chunk_;
   Machine& machine_;
+  std::array<Slot, kMostRegisters> numbers_{};
+  std::vector<std::string> texts_;
   State state_ = State::Running;
   RuntimeError error_;
+  Code next_;   ///< where the next run() goes on
+  Code latch_;  ///< the `latch` of the expression that is being computed
+  Code paid_;   ///< what lies between here and the present instruction is not counted yet
   std::int64_t executed_ = 0;
+  std::int64_t budget_ = 0;
+  bool turned_ = false;    ///< a loop has turned since the last observation
+  bool observed_ = false;  ///< the world was observed in the present cycle
 };
 
 }  // namespace rob::lang

@@ -1,0 +1,158 @@
+#include <array>
+#include <string>
+
+#include "fmt/core.h"
+#include "lang/codes.h"
+#include "lang/expression_checker.h"
+#include "lang/suggest.h"
+
+/// The part of ExpressionChecker that knows how built-in functions are called.
+namespace rob::lang {
+namespace {
+
+std::string count_of_arguments(const Builtin& builtin) {
+  if (builtin.most != builtin.least) return fmt::format("at least {} arguments", builtin.least);
+  return builtin.least == 1 ? "one argument" : fmt::format("{} arguments", builtin.least);
+}
+
+/// The exponents halved, or nothing if they are not even.
+std::optional<Dimension> root_of(Dimension d) {
+  const auto odd = [](std::int8_t exponent) { return exponent % 2 != 0; };
+  if (odd(d.length) || odd(d.mass) || odd(d.time) || odd(d.angle) || odd(d.voltage)) {
+    return std::nullopt;
+  }
+  const auto half = [](std::int8_t exponent) { return static_cast<std::int8_t>(exponent / 2); };
+  return Dimension{.length = half(d.length),
+                   .mass = half(d.mass),
+                   .time = half(d.time),
+                   .angle = half(d.angle),
+                   .voltage = half(d.voltage)};
+}
+
+}  // namespace
+
+Type ExpressionChecker::check(Call& call, Expr& expression) {
+  bool sound = true;
+  for (const ExprPtr& argument : call.arguments) {
+    sound = check(argument).kind != Type::Kind::Unknown && sound;
+  }
+  const Builtin* const builtin = resolve_function(call, expression.place);
+  if (builtin == nullptr) return {};
+  if (call.arguments.size() < builtin->least || call.arguments.size() > builtin->most) {
+    diagnostics_.error(code::kArgumentCount, expression.place,
+                       fmt::format("{} needs {}; here are {}", builtin->name,
+                                   count_of_arguments(*builtin), call.arguments.size()));
+    return {};
+  }
+  if (!sound) return {};
+  expression.type = check_arguments(*builtin, call);
+  if (expression.type.kind != Type::Kind::Unknown) fold_call(*builtin, call, expression);
+  return expression.type;
+}
+
+const Builtin* ExpressionChecker::resolve_function(const Call& call, Place place) {
+  if (scopes_.find(call.callee) != nullptr) {
+    diagnostics_.error(code::kNotAFunction, place,
+                       fmt::format("{} is a value, not a function", call.callee),
+                       find_builtin(call.callee, 0) == nullptr
+                           ? "leave out the parentheses, or write * between"
+                           : "it hides the function of that name: give it another name");
+    return nullptr;
+  }
+  const Builtin* const builtin = find_builtin(call.callee, call.arguments.size());
+  if (builtin != nullptr) return builtin;
+  if (is_later_builtin(call.callee)) {
+    diagnostics_.error(code::kNotYet, place,
+                       fmt::format("{} is not in this version of Rob yet", folded(call.callee)));
+    return nullptr;
+  }
+  diagnostics_.error(code::kUnknownFunction, place, fmt::format("unknown function {}", call.callee),
+                     did_you_mean(suggest(call.callee, builtin_names())));
+  return nullptr;
+}
+
+Type ExpressionChecker::check_arguments(const Builtin& builtin, const Call& call) {
+  const std::string needs = fmt::format("{} needs", builtin.name);
+  const Expr& first = *call.arguments.front();
+  const auto only = [&](const Type& wanted, const Type& result) {
+    return accept(first, wanted, needs) ? result : Type{};
+  };
+  switch (builtin.rule) {
+    case BuiltinRule::SameNumber:
+      return common_dimension(call);
+    case BuiltinRule::NumberToInt:
+      return common_dimension(call).numeric() ? Type::integer() : Type{};
+    case BuiltinRule::Root: {
+      const Type type = common_dimension(call);
+      if (!type.numeric()) return {};
+      if (const auto root = root_of(type.dimension)) return Type::real(*root);
+      diagnostics_.error(
+          code::kDimensionMismatch, first.place,
+          fmt::format("{} has no root: SQRT halves the exponents of the unit", in_words(type)));
+      return {};
+    }
+    case BuiltinRule::SameReal: {
+      const Type type = common_dimension(call);
+      return type.numeric() ? Type::real(type.dimension) : Type{};
+    }
+    case BuiltinRule::SameToAngle:
+      return common_dimension(call).numeric() ? Type::real(kAngle) : Type{};
+    case BuiltinRule::AngleToReal:
+      return only(Type::real(kAngle), Type::real());
+    case BuiltinRule::RealToAngle:
+      return only(Type::real(), Type::real(kAngle));
+    case BuiltinRule::AngleToAngle:
+      return only(Type::real(kAngle), Type::real(kAngle));
+    case BuiltinRule::RealToReal:
+      return only(Type::real(), Type::real());
+    case BuiltinRule::RealToInt:
+      return only(Type::real(), Type::integer());
+    case BuiltinRule::AnyToText:
+      return Type::string();
+  }
+  return {};
+}
+
+/// The type that all arguments share: INT, or REAL of one dimension.
+Type ExpressionChecker::common_dimension(const Call& call) {
+  Type common;
+  for (const ExprPtr& argument : call.arguments) {
+    if (!argument->type.numeric()) {
+      diagnostics_.error(
+          code::kTypeMismatch, argument->place,
+          fmt::format("{} needs numbers; this is {}", folded(call.callee), described(*argument)));
+      return {};
+    }
+    const Type next = common_type(common, argument->type);
+    if (!next.numeric()) {
+      diagnostics_.error(code::kDimensionMismatch, argument->place,
+                         fmt::format("this is {}; {} needs {} here, as before",
+                                     described(*argument), folded(call.callee), in_words(common)));
+      return {};
+    }
+    common = next;
+  }
+  return common;
+}
+
+void ExpressionChecker::fold_call(const Builtin& builtin, const Call& call, Expr& expression) {
+  if (builtin.rule == BuiltinRule::AnyToText) {
+    const Expr& value = *call.arguments.front();
+    if (known(value.constant) && value.type != Type::string()) {
+      expression.constant = text_of(value.constant, value.type);
+    }
+    return;
+  }
+  std::array<Constant, kMostArguments> arguments;
+  const bool whole = computes_whole(builtin, call);
+  const Type common = whole ? Type::integer() : Type::real();
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+    arguments[i] = converted(call.arguments[i]->constant, common);
+    if (!known(arguments[i])) return;
+  }
+  keep(fold(whole ? builtin.integer : builtin.real, {arguments.data(), call.arguments.size()},
+            expression.type),
+       expression);
+}
+
+}  // namespace rob::lang

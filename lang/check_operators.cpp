@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "fmt/core.h"
+#include "lang/codes.h"
+#include "lang/expression_checker.h"
+
+/// The part of ExpressionChecker that knows the operators: which types they take and what comes
+/// out, in the order of their precedence.
+namespace rob::lang {
+namespace {
+
+bool unknown(const Type& type) { return type.kind == Type::Kind::Unknown; }
+bool is_text(const Type& type) { return type.kind == Type::Kind::String; }
+
+/// The remedy where a number and a text meet.
+std::string text_remedy(const Type& a, const Type& b) {
+  return is_text(a) != is_text(b) ? "STR(x) makes a text of any value" : "";
+}
+
+/// The remedy where a bare number meets a quantity.
+std::string unit_remedy(const Type& a, const Type& b) {
+  if (!a.numeric() || !b.numeric() || a.dimension.none() == b.dimension.none()) return "";
+  return "write the unit at the number, for example " +
+         example_of(a.dimension.none() ? b.dimension : a.dimension);
+}
+
+}  // namespace
+
+std::string_view symbol_of(BinaryOp op) {
+  switch (op) {
+    case BinaryOp::Or:
+      return "OR";
+    case BinaryOp::Xor:
+      return "XOR";
+    case BinaryOp::And:
+      return "AND";
+    case BinaryOp::Equal:
+      return "==";
+    case BinaryOp::NotEqual:
+      return "<>";
+    case BinaryOp::Less:
+      return "<";
+    case BinaryOp::LessEqual:
+      return "<=";
+    case BinaryOp::Greater:
+      return ">";
+    case BinaryOp::GreaterEqual:
+      return ">=";
+    case BinaryOp::Add:
+      return "+";
+    case BinaryOp::Subtract:
+      return "-";
+    case BinaryOp::Multiply:
+      return "*";
+    case BinaryOp::Divide:
+      return "/";
+    case BinaryOp::Div:
+      return "DIV";
+    case BinaryOp::Mod:
+      return "MOD";
+    case BinaryOp::Power:
+      return "^";
+  }
+  return {};
+}
+
+Type common_type(const Type& a, const Type& b) {
+  if (unknown(a)) return b;
+  if (unknown(b) || a == b) return a;
+  if (a.numeric() && b.numeric() && a.dimension == b.dimension) return Type::real(a.dimension);
+  return {};
+}
+
+Type ExpressionChecker::check(Binary& binary, Expr& expression) {
+  if (binary.op <= BinaryOp::And) return check_logical(binary, expression);
+  const Type left = check(binary.left);
+  const Type right = check(binary.right);
+  if (unknown(left) || unknown(right)) {
+    return binary.op <= BinaryOp::GreaterEqual ? Type::boolean() : Type{};
+  }
+  Type type;
+  switch (binary.op) {
+    case BinaryOp::Add:
+    case BinaryOp::Subtract:
+      type = check_sum(binary, expression);
+      break;
+    case BinaryOp::Multiply:
+      type = check_product(binary, expression);
+      break;
+    case BinaryOp::Divide:
+    case BinaryOp::Div:
+    case BinaryOp::Mod:
+      type = check_division(binary, expression);
+      break;
+    case BinaryOp::Power:
+      type = check_power(binary, expression);
+      break;
+    default:
+      type = check_comparison(binary, expression);
+  }
+  expression.type = type;
+  if (!unknown(type)) fold_binary(binary, expression);
+  return type;
+}
+
+/// The right side of AND is not executed where the left is FALSE, that of OR where it is TRUE.
+Type ExpressionChecker::check_logical(Binary& binary, Expr& expression) {
+  const auto check_side = [&](const ExprPtr& side) {
+    const Type type = check(side);
+    if (unknown(type) || type == Type::boolean()) return true;
+    diagnostics_.error(code::kTypeMismatch, side->place,
+                       fmt::format("{} needs TRUE or FALSE on both sides; this is {}",
+                                   symbol_of(binary.op), described(*side)),
+                       type.numeric() ? "compare it, for example x > 0" : "");
+    return false;
+  };
+  bool sound = check_side(binary.left);
+  const bool* const settled = std::get_if<bool>(&binary.left->constant);
+  const bool skipped =
+      settled != nullptr && binary.op != BinaryOp::Xor && *settled == (binary.op == BinaryOp::Or);
+  if (skipped) enter_unreached();
+  sound = check_side(binary.right) && sound;
+  if (skipped) leave_unreached();
+  if (sound) {
+    keep(fold(binary.op, binary.left->constant, binary.right->constant, Type::boolean()),
+         expression);
+  }
+  return Type::boolean();
+}
+
+Type ExpressionChecker::check_comparison(const Binary& binary, const Expr& expression) {
+  const Type common = common_type(binary.left->type, binary.right->type);
+  if (unknown(common)) {
+    unlike(binary, expression);
+  } else if (common == Type::boolean() && binary.op > BinaryOp::NotEqual) {
+    diagnostics_.error(code::kTypeMismatch, expression.place,
+                       fmt::format("'{}' has no meaning for TRUE and FALSE", symbol_of(binary.op)),
+                       "use ==, <>, AND, OR or NOT");
+  }
+  return Type::boolean();
+}
+
+Type ExpressionChecker::check_sum(const Binary& binary, const Expr& expression) {
+  const Type common = common_type(binary.left->type, binary.right->type);
+  if (unknown(common)) return unlike(binary, expression);
+  if (common.numeric() || (is_text(common) && binary.op == BinaryOp::Add)) return common;
+  diagnostics_.error(code::kTypeMismatch, expression.place,
+                     fmt::format("'{}' needs two numbers; these are {}", symbol_of(binary.op),
+                                 is_text(common) ? "texts" : "TRUE or FALSE"));
+  return {};
+}
+
+Type ExpressionChecker::check_product(const Binary& binary, const Expr& expression) {
+  if (!both_numbers(binary)) return {};
+  const Type& left = binary.left->type;
+  const Type& right = binary.right->type;
+  if (left == Type::integer() && right == Type::integer()) return Type::integer();
+  return bounded(left.dimension * right.dimension, expression);
+}
+
+/// `/` is always real; DIV counts how often the right goes into the left, MOD is what remains.
+Type ExpressionChecker::check_division(const Binary& binary, const Expr& expression) {
+  if (!both_numbers(binary)) return {};
+  const Type& left = binary.left->type;
+  const Type& right = binary.right->type;
+  if (binary.op == BinaryOp::Divide) {
+    return bounded(left.dimension / right.dimension, expression);
+  }
+  const Type common = common_type(left, right);
+  if (unknown(common)) return unlike(binary, expression);
+  return binary.op == BinaryOp::Div ? Type::integer() : common;
+}
+
+/// INT to a constant whole number >= 0 is INT, every other power REAL. The dimension of a quantity
+/// must not hang on what happens at run time, so its exponent is a constant whole number.
+Type ExpressionChecker::check_power(const Binary& binary, const Expr& expression) {
+  if (!both_numbers(binary)) return {};
+  const Type& base = binary.left->type;
+  const Type& exponent = binary.right->type;
+  if (!exponent.dimension.none()) {
+    diagnostics_.error(code::kDimensionMismatch, binary.right->place,
+                       "an exponent is a plain number; this is " + described(*binary.right));
+    return {};
+  }
+  const auto* const whole = std::get_if<std::int64_t>(&binary.right->constant);
+  if (base == Type::integer()) {
+    return whole != nullptr && *whole >= 0 ? Type::integer() : Type::real();
+  }
+  if (base.dimension.none()) return Type::real();
+  if (whole == nullptr) {
+    diagnostics_.error(
+        code::kExponentNotConstant, binary.right->place,
+        fmt::format("{} can be raised only to a constant whole number", in_words(base)),
+        "SQRT(x) takes the root of a quantity");
+    return {};
+  }
+  // Whatever is beyond these is refused by bounded() all the same.
+  constexpr std::int64_t kBeyondUse = 100;
+  const auto bounded_exponent =
+      static_cast<int>(std::min(std::max(*whole, -kBeyondUse), kBeyondUse));
+  return bounded(power(base.dimension, bounded_exponent), expression);
+}
+
+bool ExpressionChecker::both_numbers(const Binary& binary) {
+  for (const Expr* side : {binary.left.get(), binary.right.get()}) {
+    if (side->type.numeric()) continue;
+    diagnostics_.error(
+        code::kTypeMismatch, side->place,
+        fmt::format("'{}' needs two numbers; this is {}", symbol_of(binary.op), described(*side)));
+    return false;
+  }
+  return true;
+}
+
+/// Reports two operands that should be of one kind and are not.
+Type ExpressionChecker::unlike(const Binary& binary, const Expr& expression) {
+  const Type& left = binary.left->type;
+  const Type& right = binary.right->type;
+  const bool quantities = left.numeric() && right.numeric();
+  const std::string remedy = quantities ? unit_remedy(left, right) : text_remedy(left, right);
+  diagnostics_.error(
+      quantities ? code::kDimensionMismatch : code::kTypeMismatch, expression.place,
+      fmt::format("'{}' needs two values of one kind; left is {}, right is {}",
+                  symbol_of(binary.op), described(*binary.left), described(*binary.right)),
+      remedy);
+  return {};
+}
+
+Type ExpressionChecker::bounded(Dimension d, const Expr& expression) {
+  // [choice] physics needs 4 at most; 16 leaves room for intermediate results, and products of two
+  // such dimensions are still far from the range of the exponents.
+  constexpr int kMostExponent = 16;
+  for (const int exponent : {d.length, d.mass, d.time, d.angle, d.voltage}) {
+    if (std::abs(exponent) <= kMostExponent) continue;
+    diagnostics_.error(
+        code::kDimensionTooHigh, expression.place,
+        fmt::format("this would be {}; exponents of units end at {}", in_words(d), kMostExponent));
+    return {};
+  }
+  return Type::real(d);
+}
+
+void ExpressionChecker::fold_binary(const Binary& binary, Expr& expression) {
+  const Type& left = binary.left->type;
+  const Type& right = binary.right->type;
+  const Constant& a = binary.left->constant;
+  const Constant& b = binary.right->constant;
+  if (!known(a) || !known(b)) return;
+  const bool whole =
+      left == Type::integer() && right == Type::integer() && binary.op != BinaryOp::Divide;
+  if (whole || !left.numeric() || !right.numeric()) {
+    keep(fold(binary.op, a, b, expression.type), expression);
+  } else {
+    keep(fold(binary.op, converted(a, Type::real()), converted(b, Type::real()), expression.type),
+         expression);
+  }
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,227 @@
+#include "lang/checker.h"
+
+#include <string>
+#include <utility>
+
+#include "fmt/core.h"
+#include "lang/codes.h"
+#include "lang/expression_checker.h"
+#include "lang/move_checker.h"
+
+namespace rob::lang {
+namespace {
+
+class StatementChecker {
+ public:
+  StatementChecker(CheckedProgram& checked, const RobotSignature& robot, Diagnostics& diagnostics)
+      : scopes_(checked.symbols, robot),
+        expressions_(scopes_, checked.program, diagnostics),
+        moves_(robot, expressions_, diagnostics, checked.constant_targets),
+        diagnostics_(diagnostics) {}
+
+  /// A block is a scope: what it declares lives to its end.
+  void check(Block& block) {
+    scopes_.enter();
+    for (Statement& statement : block) {
+      std::visit([&](auto& node) { check(node); }, statement.node);
+    }
+    scopes_.leave();
+  }
+
+ private:
+  void check(Move& move) { moves_.check(move); }
+  void check(Stop&) {}
+  void check(Declaration& declaration);
+  void check(Assign& assign);
+  void check(Print& print) {
+    for (const ExprPtr& value : print.values) expressions_.check(value);
+  }
+  void check(If& conditional);
+  void check(While& loop);
+  void check(For& loop);
+
+  const Symbol* declare(Symbol::Kind kind, const std::string& name, Place place, Type type,
+                        Constant value);
+  /// Checks a block that is executed only if `condition` has the value `when`.
+  void check_guarded(Block& block, bool unreached);
+  Type check_range(For& loop);
+  void check_constant_range(const For& loop, const Type& type);
+  bool assignable(const Symbol& symbol, Place place);
+
+  Scopes scopes_;
+  ExpressionChecker expressions_;
+  MoveChecker moves_;
+  Diagnostics& diagnostics_;
+};
+
+bool is_constant(const ExprPtr& condition, bool value) {
+  if (condition == nullptr) return false;
+  const bool* const constant = std::get_if<bool>(&condition->constant);
+  return constant != nullptr && *constant == value;
+}
+
+const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& name, Place place,
+                                        Type type, Constant value) {
+  if (const Symbol* const earlier = scopes_.find_innermost(name)) {
+    diagnostics_.error(code::kDeclaredTwice, place,
+                       fmt::format("{} is already declared, in line {}", name, earlier->place.line),
+                       "to give it another value, write it without VAR");
+  } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr || is_later_builtin(name)) {
+    diagnostics_.warning(code::kHidesBuiltIn, place,
+                         fmt::format("{} hides what the language or the robot calls so", name),
+                         "give it another name");
+  }
+  Symbol symbol;
+  symbol.kind = kind;
+  symbol.name = name;
+  symbol.type = type;
+  symbol.place = place;
+  symbol.value = std::move(value);
+  return scopes_.declare(std::move(symbol));
+}
+
+/// The value is checked before the names are known: VAR x = x + 1 means an earlier x.
+void StatementChecker::check(Declaration& declaration) {
+  Type type = expressions_.check(declaration.value);
+  Constant value;
+  if (declaration.type) {
+    type = *declaration.type;
+    if (declaration.value != nullptr) {
+      expressions_.accept(*declaration.value, type,
+                          fmt::format("{} needs", declaration.names.front().name));
+    }
+  }
+  // A constant text lives in a register: each use of it in the tree would be a copy.
+  if (declaration.constant && declaration.value != nullptr && type != Type::string()) {
+    value = converted(declaration.value->constant, type);
+  }
+  const auto kind = declaration.constant ? Symbol::Kind::NamedConstant : Symbol::Kind::Variable;
+  for (Declaration::Declared& declared : declaration.names) {
+    declared.symbol = declare(kind, declared.name, declared.place, type, value);
+  }
+}
+
+void StatementChecker::check(Assign& assign) {
+  expressions_.check(assign.value);
+  const Symbol* const symbol = expressions_.resolve(assign.target.text, assign.target_place);
+  assign.target.symbol = symbol;
+  if (symbol == nullptr || !assignable(*symbol, assign.target_place)) return;
+  if (assign.value == nullptr) return;
+  expressions_.accept(*assign.value, symbol->type, fmt::format("{} needs", symbol->name));
+}
+
+bool StatementChecker::assignable(const Symbol& symbol, Place place) {
+  const auto refuse = [&](std::string_view what, std::string help) {
+    diagnostics_.error(code::kNotAssignable, place, fmt::format("{} {}", symbol.name, what),
+                       std::move(help));
+    return false;
+  };
+  switch (symbol.kind) {
+    case Symbol::Kind::Variable:
+      return true;
+    case Symbol::Kind::NamedConstant:
+      return refuse("is a constant",
+                    fmt::format("declare it with VAR in line {} to change it", symbol.place.line));
+    case Symbol::Kind::LoopVariable:
+      return refuse("is the variable of a FOR, which alone changes it",
+                    "use a variable of its own, or WHILE");
+    case Symbol::Kind::Signal:
+      return symbol.output || refuse("is an input of the robot and can only be read", "");
+    case Symbol::Kind::BuiltIn:
+      return refuse("belongs to the language and cannot be changed", "");
+  }
+  return false;
+}
+
+void StatementChecker::check_guarded(Block& block, bool unreached) {
+  if (unreached) expressions_.enter_unreached();
+  check(block);
+  if (unreached) expressions_.leave_unreached();
+}
+
+void StatementChecker::check(If& conditional) {
+  bool settled = false;
+  for (If::Branch& branch : conditional.branches) {
+    if (settled) expressions_.enter_unreached();
+    expressions_.check_condition(branch.condition, "IF");
+    if (settled) expressions_.leave_unreached();
+    check_guarded(branch.body, settled || is_constant(branch.condition, false));
+    settled = settled || is_constant(branch.condition, true);
+  }
+  check_guarded(conditional.otherwise, settled);
+}
+
+void StatementChecker::check(While& loop) {
+  expressions_.check_condition(loop.condition, "WHILE");
+  check_guarded(loop.body, is_constant(loop.condition, false));
+}
+
+void StatementChecker::check(For& loop) {
+  const Type type = check_range(loop);
+  scopes_.enter();
+  loop.symbol = declare(Symbol::Kind::LoopVariable, loop.variable, loop.variable_place, type, {});
+  check(loop.body);
+  scopes_.leave();
+}
+
+/// The type of the loop variable: what first value, last value and step have in common.
+Type StatementChecker::check_range(For& loop) {
+  Type type;
+  for (const ExprPtr* part : {&loop.from, &loop.to, &loop.step}) {
+    const Type next = expressions_.check(*part);
+    if (*part == nullptr || next.kind == Type::Kind::Unknown) continue;
+    if (!next.numeric()) {
+      diagnostics_.error(code::kTypeMismatch, (*part)->place,
+                         "FOR counts with numbers; this is " + described(**part));
+      return {};
+    }
+    const Type common = common_type(type, next);
+    if (!common.numeric()) {
+      diagnostics_.error(
+          code::kDimensionMismatch, (*part)->place,
+          fmt::format("this is {}; the FOR began with {}", described(**part), in_words(type)),
+          "first value, last value and STEP need the same unit");
+      return {};
+    }
+    type = common;
+  }
+  if (loop.step == nullptr && !type.dimension.none()) {
+    diagnostics_.error(code::kStepMissing, loop.variable_place,
+                       fmt::format("a FOR over {} needs a STEP", in_words(type)),
+                       "for example STEP " + example_of(type.dimension));
+    return type;
+  }
+  check_constant_range(loop, type);
+  return type;
+}
+
+void StatementChecker::check_constant_range(const For& loop, const Type& type) {
+  if (loop.from == nullptr || loop.to == nullptr || !expressions_.reached()) return;
+  const Constant step = loop.step == nullptr ? Constant(std::int64_t{1}) : loop.step->constant;
+  if (!known(step) || type.kind == Type::Kind::Unknown) return;
+  // The step alone can be wrong even where the range is not known.
+  const bool range_known = known(loop.from->constant) && known(loop.to->constant);
+  const Constant zero(std::int64_t{0});
+  const Slot first = to_slot(converted(range_known ? loop.from->constant : zero, type));
+  const Slot last = to_slot(converted(range_known ? loop.to->constant : zero, type));
+  const Slot stride = to_slot(converted(step, type));
+  std::int64_t turns = 0;
+  const ArithmeticError error =
+      type.kind == Type::Kind::Int
+          ? arithmetic::turns(first.integer, last.integer, stride.integer, turns)
+          : arithmetic::turns(first.real, last.real, stride.real, turns);
+  if (error == ArithmeticError::None) return;
+  const ArithmeticErrorText text = describe(error);
+  diagnostics_.error(text.code, loop.step == nullptr ? loop.variable_place : loop.step->place,
+                     std::string(text.message), std::string(text.help));
+}
+
+}  // namespace
+
+CheckedProgram check(Program program, const RobotSignature& robot, Diagnostics& diagnostics) {
+  CheckedProgram checked{.program = std::move(program), .symbols = {}, .constant_targets = {}};
+  StatementChecker(checked, robot, diagnostics).check(checked.program.statements);
+  return checked;
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,144 @@
+#include "lang/code_builder.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace rob::lang {
+namespace {
+
+/// A word that is an operand of the instruction before it.
+Instruction operand_word(std::size_t value) { return {static_cast<std::uint32_t>(value)}; }
+
+/// The index of `value` in `table`, where it is appended if it is new.
+template <typename T>
+std::size_t index_in(std::vector<T>& table, const T& value) {
+  const auto found = std::ranges::find(table, value);
+  if (found != table.end()) return static_cast<std::size_t>(found - table.begin());
+  table.push_back(value);
+  return table.size() - 1;
+}
+
+}  // namespace
+
+Register CodeBuilder::Registers::take(int count) {
+  const int first = used;
+  used += count;
+  most = std::max(most, used);
+  return static_cast<Register>(std::min(first, kMostRegisters - 1));
+}
+
+void CodeBuilder::fail(Limit limit, Place place) {
+  if (failed_ != Limit::None) return;
+  failed_ = limit;
+  failed_at_ = place;
+}
+
+void CodeBuilder::emit(Instruction instruction, Place place) {
+  if (numbers_.used > kMostRegisters || texts_.used > kMostRegisters) {
+    fail(Limit::Registers, place);
+  }
+  chunk_.code.push_back(instruction);
+  chunk_.places.push_back(place);
+}
+
+void CodeBuilder::load_constant(Register target, Slot value, std::uint64_t bits, Type type,
+                                Place place) {
+  const auto next = static_cast<std::uint32_t>(chunk_.constants.size());
+  const auto [entry, added] =
+      constant_indices_.try_emplace(std::tuple(bits, type.kind, type.dimension), next);
+  if (added) {
+    chunk_.constants.push_back(value);
+    chunk_.constant_types.push_back(type);
+  }
+  if (entry->second <= std::numeric_limits<std::uint16_t>::max()) {
+    emit(Instruction::ax(Opcode::load_constant, target, entry->second), place);
+  } else {
+    emit(Opcode::load_constant_wide, place, target);
+    emit(operand_word(entry->second), place);
+  }
+}
+
+void CodeBuilder::load_integer(Register target, std::int64_t value, Place place) {
+  using Short = std::numeric_limits<std::int16_t>;
+  if (value >= Short::min() && value <= Short::max()) {
+    const auto bits = static_cast<std::uint16_t>(value);
+    emit(Instruction::ax(Opcode::load_int, target, bits), place);
+    return;
+  }
+  load_constant(target, Slot{.integer = value}, static_cast<std::uint64_t>(value), Type::integer(),
+                place);
+}
+
+void CodeBuilder::load_real(Register target, double value, Dimension dimension, Place place) {
+  load_constant(target, Slot{.real = value}, std::bit_cast<std::uint64_t>(value),
+                Type::real(dimension), place);
+}
+
+void CodeBuilder::load_text(Register target, const std::string& text, Place place) {
+  const auto [entry, added] =
+      text_indices_.try_emplace(text, static_cast<std::uint32_t>(chunk_.texts.size()));
+  if (added) chunk_.texts.push_back(text);
+  emit(Opcode::load_text, place, target);
+  emit(operand_word(entry->second), place);
+}
+
+void CodeBuilder::append_real(Register text, Register value, Dimension dimension, Place place) {
+  const std::size_t index = index_in(chunk_.dimensions, dimension);
+  if (index > std::numeric_limits<std::uint8_t>::max()) fail(Limit::Table, place);
+  emit(Opcode::append_real, place, text, value, static_cast<std::uint8_t>(index));
+}
+
+void CodeBuilder::move(Register first, const MoveForm& form, Place place) {
+  // At most 2^8 sets of coordinates, 4 paces and OVER or not: they always fit 16 bits.
+  const std::size_t index = index_in(chunk_.moves, form);
+  emit(Instruction::ax(Opcode::move, first, static_cast<std::uint16_t>(index)), place);
+}
+
+CodeBuilder::Jump CodeBuilder::jump(Place place) {
+  emit(Instruction::jump(Opcode::jump, 0), place);
+  return here() - 1;
+}
+
+void CodeBuilder::set_distance(std::size_t at, std::size_t target) {
+  const auto distance = static_cast<std::int64_t>(target) - static_cast<std::int64_t>(at) - 1;
+  const auto reach = static_cast<std::int64_t>(kFarthestJump);
+  if (distance > reach || distance < -reach) {
+    fail(Limit::Jump, chunk_.places[at]);
+    return;
+  }
+  chunk_.code[at] =
+      Instruction::jump(chunk_.code[at].opcode(), static_cast<std::int32_t>(distance));
+}
+
+void CodeBuilder::land(const Jumps& jumps) {
+  for (const Jump jump : jumps) set_distance(jump, here());
+}
+
+void CodeBuilder::loop(std::size_t target, Place place) {
+  emit(Instruction::jump(Opcode::loop, 0), place);
+  set_distance(here() - 1, target);
+}
+
+void CodeBuilder::name_register(const std::string& name, Register index, bool text) {
+  const auto now = static_cast<std::uint32_t>(here());
+  live_names_.push_back(chunk_.names.size());
+  chunk_.names.push_back({.name = name, .index = index, .text = text, .from = now, .to = now});
+}
+
+void CodeBuilder::release(const Mark& mark) {
+  numbers_.used = mark.numbers;
+  texts_.used = mark.texts;
+  while (live_names_.size() > mark.names) {
+    chunk_.names[live_names_.back()].to = static_cast<std::uint32_t>(here());
+    live_names_.pop_back();
+  }
+}
+
+Chunk CodeBuilder::finish() {
+  chunk_.registers = numbers_.most;
+  chunk_.text_registers = texts_.most;
+  return std::move(chunk_);
+}
+
+}  // namespace rob::lang

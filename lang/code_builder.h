@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "lang/chunk.h"
+
+namespace rob::lang {
+
+using Register = std::uint8_t;
+
+/// Instructions, constants and registers of a Chunk in the making. Knows the encoding and its
+/// limits, and nothing of the language.
+///
+/// Registers are given out like a stack: what a block or an expression takes is given back in one
+/// go. Beyond a limit the code is worthless but building goes on; failed() tells at the end.
+class CodeBuilder {
+ public:
+  /// Code that is still to be told where to go.
+  using Jump = std::size_t;
+  using Jumps = std::vector<Jump>;
+
+  explicit CodeBuilder(std::vector<std::string> signals) { chunk_.signals = std::move(signals); }
+
+  void emit(Instruction instruction, Place place);
+  void emit(Opcode op, Place place, unsigned a = 0, unsigned b = 0, unsigned c = 0) {
+    emit(Instruction::abc(op, a, b, c), place);
+  }
+  void load_integer(Register target, std::int64_t value, Place place);
+  void load_real(Register target, double value, Dimension dimension, Place place);
+  void load_text(Register target, const std::string& text, Place place);
+  void append_real(Register text, Register value, Dimension dimension, Place place);
+  void move(Register first, const MoveForm& form, Place place);
+
+  /// A jump forward, aimed later with land().
+  [[nodiscard]] Jump jump(Place place);
+  /// Lets jumps arrive at the next instruction.
+  void land(const Jumps& jumps);
+  void land(Jump jump) { land(Jumps{jump}); }
+  /// The place of the next instruction, as a target for loop().
+  std::size_t here() const { return chunk_.code.size(); }
+  /// A jump backward.
+  void loop(std::size_t target, Place place);
+
+  /// The first of `count` new registers in a row.
+  Register number_registers(int count = 1) { return numbers_.take(count); }
+  Register text_register() { return texts_.take(1); }
+  struct Mark {
+    int numbers;
+    int texts;
+    std::size_t names;
+  };
+  Mark mark() const { return {numbers_.used, texts_.used, live_names_.size()}; }
+  /// Gives back all registers taken, and forgets all names given, since `mark`.
+  void release(const Mark& mark);
+  /// Tells listings that a variable lives in a register from here on.
+  void name_register(const std::string& name, Register index, bool text);
+
+  enum class Limit { None, Registers, Jump, Table };
+  /// The limit that was exceeded, and where first.
+  Limit failed() const { return failed_; }
+  Place failed_at() const { return failed_at_; }
+
+  Chunk finish();
+
+ private:
+  struct Registers {
+    int used = 0;
+    int most = 0;
+    Register take(int count);
+  };
+
+  void fail(Limit limit, Place place);
+  void load_constant(Register target, Slot value, std::uint64_t bits, Type type, Place place);
+  void set_distance(std::size_t at, std::size_t target);
+
+  Chunk chunk_;
+  Registers numbers_;
+  Registers texts_;
+  std::vector<std::size_t> live_names_;  ///< indices into chunk_.names
+  /// Constants are kept once: by bits, kind and dimension (which only listings look at).
+  std::map<std::tuple<std::uint64_t, Type::Kind, Dimension>, std::uint32_t> constant_indices_;
+  std::map<std::string, std::uint32_t> text_indices_;
+  Limit failed_ = Limit::None;
+  Place failed_at_;
+};
+
+}  // namespace rob::lang

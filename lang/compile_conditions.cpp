@@ -1,0 +1,131 @@
+#include "lang/expression_compiler.h"
+#include "lang/fold.h"
+
+/// Conditions: what becomes jumps. AND and OR decide as soon as one side settles the matter.
+namespace rob::lang {
+namespace {
+
+/// A comparison reduced to ==, < or <=, with its sides exchanged and its outcome reversed as
+/// needed. Reversing is sound, since no operand is a NaN.
+struct Comparison {
+  BinaryOp op;
+  bool exchanged = false;
+  bool reversed = false;
+};
+
+Comparison reduced(BinaryOp op) {
+  switch (op) {
+    case BinaryOp::NotEqual:
+      return {.op = BinaryOp::Equal, .reversed = true};
+    case BinaryOp::Greater:
+      return {.op = BinaryOp::Less, .exchanged = true};
+    case BinaryOp::GreaterEqual:
+      return {.op = BinaryOp::LessEqual, .exchanged = true};
+    default:
+      return {.op = op};
+  }
+}
+
+struct ComparisonOpcodes {
+  Opcode whole;
+  Opcode real;
+  Opcode text;
+};
+
+ComparisonOpcodes opcodes_of(BinaryOp op) {
+  if (op == BinaryOp::Equal) {
+    return {Opcode::if_equal_int, Opcode::if_equal_real, Opcode::equal_text};
+  }
+  if (op == BinaryOp::Less) {
+    return {Opcode::if_less_int, Opcode::if_less_real, Opcode::less_text};
+  }
+  return {Opcode::if_less_equal_int, Opcode::if_less_equal_real, Opcode::less_equal_text};
+}
+
+}  // namespace
+
+CodeBuilder::Jumps ExpressionCompiler::jumps_if(const Expr& condition, bool when) {
+  begin(condition);
+  return jumps(condition, when);
+}
+
+CodeBuilder::Jumps ExpressionCompiler::jumps(const Expr& condition, bool when) {
+  if (const bool* const constant = std::get_if<bool>(&condition.constant)) {
+    if (*constant == when) return {code_.jump(condition.place)};
+    return {};
+  }
+  if (const auto* const unary = std::get_if<Unary>(&condition.node)) {
+    return jumps(*unary->operand, !when);
+  }
+  const auto mark = code_.mark();
+  CodeBuilder::Jumps result;
+  const auto* const binary = std::get_if<Binary>(&condition.node);
+  if (binary == nullptr) {
+    result = {jump_if(operand(condition, false), when, condition.place)};
+  } else if (binary->op == BinaryOp::And || binary->op == BinaryOp::Or) {
+    result = jumps_of_logical(*binary, when);
+  } else if (binary->left->type.kind == Type::Kind::String) {
+    result = jumps_of_texts(*binary, when, condition.place);
+  } else {
+    result = jumps_of_comparison(*binary, when, condition.place);
+  }
+  code_.release(mark);
+  return result;
+}
+
+CodeBuilder::Jumps ExpressionCompiler::jumps_of_logical(const Binary& binary, bool when) {
+  const bool settling = binary.op == BinaryOp::Or;
+  if (when == settling) {
+    CodeBuilder::Jumps taken = jumps(*binary.left, when);
+    const CodeBuilder::Jumps more = jumps(*binary.right, when);
+    taken.insert(taken.end(), more.begin(), more.end());
+    return taken;
+  }
+  const CodeBuilder::Jumps settled = jumps(*binary.left, settling);
+  CodeBuilder::Jumps taken = jumps(*binary.right, when);
+  code_.land(settled);
+  return taken;
+}
+
+/// XOR is the inequality of two BOOLs.
+CodeBuilder::Jumps ExpressionCompiler::jumps_of_comparison(const Binary& binary, bool when,
+                                                           Place place) {
+  const Comparison comparison =
+      reduced(binary.op == BinaryOp::Xor ? BinaryOp::NotEqual : binary.op);
+  const bool real =
+      binary.left->type.kind == Type::Kind::Real || binary.right->type.kind == Type::Kind::Real;
+  const Register left = operand(*binary.left, real);
+  const Register right = operand(*binary.right, real);
+  const ComparisonOpcodes opcodes = opcodes_of(comparison.op);
+  code_.emit(real ? opcodes.real : opcodes.whole, place, comparison.exchanged ? right : left,
+             comparison.exchanged ? left : right, when != comparison.reversed ? 1 : 0);
+  return {code_.jump(place)};
+}
+
+CodeBuilder::Jumps ExpressionCompiler::jumps_of_texts(const Binary& binary, bool when,
+                                                      Place place) {
+  const Comparison comparison = reduced(binary.op);
+  const Register left = operand(*binary.left, false);
+  const Register right = operand(*binary.right, false);
+  const Register truth = code_.number_registers();
+  code_.emit(opcodes_of(comparison.op).text, place, truth, comparison.exchanged ? right : left,
+             comparison.exchanged ? left : right);
+  return {jump_if(truth, when != comparison.reversed, place)};
+}
+
+CodeBuilder::Jump ExpressionCompiler::jump_if(Register truth, bool when, Place place) {
+  code_.emit(Opcode::if_bool, place, truth, when ? 1 : 0);
+  return code_.jump(place);
+}
+
+/// The value of a condition: the target is written only after all that it depends on was read.
+void ExpressionCompiler::compile_truth(const Expr& expression, Register target) {
+  const CodeBuilder::Jumps otherwise = jumps(expression, false);
+  code_.load_integer(target, 1, expression.place);
+  const CodeBuilder::Jump done = code_.jump(expression.place);
+  code_.land(otherwise);
+  code_.load_integer(target, 0, expression.place);
+  code_.land(done);
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,224 @@
+#include <string>
+#include <utility>
+
+#include "lang/builtins.h"
+#include "lang/expression_compiler.h"
+#include "lang/fold.h"
+
+/// Values: what ends up in a register.
+namespace rob::lang {
+namespace {
+
+bool is_text(const Expr& expression) { return expression.type.kind == Type::Kind::String; }
+
+bool is_truth(const Expr& expression) { return expression.type.kind == Type::Kind::Bool; }
+
+/// How many observations an expression can make.
+int observations(const Expr& expression) {
+  struct Counter {
+    int operator()(const Name& name) const {
+      return name.symbol->kind == Symbol::Kind::Signal ? 1 : 0;
+    }
+    int operator()(const Unary& unary) const { return observations(*unary.operand); }
+    int operator()(const Binary& binary) const {
+      return observations(*binary.left) + observations(*binary.right);
+    }
+    int operator()(const Call& call) const {
+      int sum = 0;
+      for (const ExprPtr& argument : call.arguments) sum += observations(*argument);
+      return sum;
+    }
+    int operator()(const NumberLiteral&) const { return 0; }
+    int operator()(const BoolLiteral&) const { return 0; }
+    int operator()(const StringLiteral&) const { return 0; }
+    int operator()(const Tuple&) const { return 0; }
+  };
+  if (known(expression.constant)) return 0;
+  return std::visit(Counter{}, expression.node);
+}
+
+Opcode whole_opcode(BinaryOp op) {
+  switch (op) {
+    case BinaryOp::Add:
+      return Opcode::add_int;
+    case BinaryOp::Subtract:
+      return Opcode::sub_int;
+    case BinaryOp::Multiply:
+      return Opcode::mul_int;
+    case BinaryOp::Div:
+      return Opcode::div_int;
+    case BinaryOp::Mod:
+      return Opcode::mod_int;
+    default:
+      return Opcode::pow_int;
+  }
+}
+
+Opcode real_opcode(BinaryOp op) {
+  switch (op) {
+    case BinaryOp::Add:
+      return Opcode::add_real;
+    case BinaryOp::Subtract:
+      return Opcode::sub_real;
+    case BinaryOp::Multiply:
+      return Opcode::mul_real;
+    case BinaryOp::Divide:
+      return Opcode::quot_real;
+    case BinaryOp::Div:
+      return Opcode::div_real;
+    case BinaryOp::Mod:
+      return Opcode::mod_real;
+    default:
+      return Opcode::pow_real;
+  }
+}
+
+/// Whether an operation works on INT slots. INT / INT is real, and so is INT ^ INT unless the
+/// checker says otherwise.
+bool on_whole_numbers(const Binary& binary, const Type& result) {
+  if (binary.left->type != Type::integer() || binary.right->type != Type::integer()) return false;
+  return result.kind == Type::Kind::Int;
+}
+
+}  // namespace
+
+void ExpressionCompiler::begin(const Expr& expression) {
+  latched_ = observations(expression) > 1;
+  if (latched_) code_.emit(Opcode::latch, expression.place);
+}
+
+void ExpressionCompiler::value_into(const Expr& expression, Register target, bool as_real) {
+  begin(expression);
+  into(expression, target, as_real);
+}
+
+Register ExpressionCompiler::value(const Expr& expression, bool as_real) {
+  begin(expression);
+  return operand(expression, as_real);
+}
+
+void ExpressionCompiler::append_value(const Expr& expression, Register text) {
+  begin(expression);
+  append(expression, text);
+}
+
+Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
+  const auto* const name = std::get_if<Name>(&expression.node);
+  const bool convert = as_real && expression.type == Type::integer();
+  if (name != nullptr && !known(expression.constant) && !convert &&
+      name->symbol->kind != Symbol::Kind::Signal) {
+    return home(*name->symbol);
+  }
+  const Register target = is_text(expression) ? code_.text_register() : code_.number_registers();
+  into(expression, target, as_real);
+  return target;
+}
+
+void ExpressionCompiler::into(const Expr& expression, Register target, bool as_real) {
+  const auto mark = code_.mark();
+  if (known(expression.constant)) {
+    load(expression, target, as_real);
+  } else if (as_real && expression.type == Type::integer()) {
+    code_.emit(Opcode::int_to_real, expression.place, target, operand(expression, false));
+  } else if (const auto* const name = std::get_if<Name>(&expression.node)) {
+    compile(*name, expression, target);
+  } else if (const auto* const call = std::get_if<Call>(&expression.node)) {
+    compile(*call, expression, target);
+  } else if (is_truth(expression)) {
+    compile_truth(expression, target);
+  } else if (const auto* const unary = std::get_if<Unary>(&expression.node)) {
+    compile(*unary, expression, target);
+  } else {
+    compile(std::get<Binary>(expression.node), expression, target);
+  }
+  code_.release(mark);
+}
+
+void ExpressionCompiler::load(const Expr& expression, Register target, bool as_real) {
+  const Constant constant =
+      as_real ? converted(expression.constant, Type::real()) : expression.constant;
+  if (const auto* const text = std::get_if<std::string>(&constant)) {
+    code_.load_text(target, *text, expression.place);
+  } else if (const auto* const real = std::get_if<double>(&constant)) {
+    code_.load_real(target, *real, expression.type.dimension, expression.place);
+  } else {
+    code_.load_integer(target, to_slot(constant).integer, expression.place);
+  }
+}
+
+void ExpressionCompiler::compile(const Name& name, const Expr& expression, Register target) {
+  const Symbol& symbol = *name.symbol;
+  if (symbol.kind == Symbol::Kind::Signal) {
+    const Opcode op = latched_ ? Opcode::read_latched : Opcode::read_signal;
+    code_.emit(Instruction::ax(op, target, static_cast<std::uint16_t>(symbol.signal)),
+               expression.place);
+  } else {
+    code_.emit(is_text(expression) ? Opcode::copy_text : Opcode::copy, expression.place, target,
+               home(symbol));
+  }
+}
+
+void ExpressionCompiler::compile(const Unary& unary, const Expr& expression, Register target) {
+  if (unary.op == UnaryOp::Plus) {
+    into(*unary.operand, target, false);
+    return;
+  }
+  const Opcode op = expression.type == Type::integer() ? Opcode::neg_int : Opcode::neg_real;
+  code_.emit(op, expression.place, target, operand(*unary.operand, false));
+}
+
+void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, Register target) {
+  if (is_text(expression)) {
+    const Register left = operand(*binary.left, false);
+    const Register right = operand(*binary.right, false);
+    code_.emit(Opcode::join_text, expression.place, target, left, right);
+    return;
+  }
+  // DIV of reals yields an INT from REAL operands.
+  const bool whole = on_whole_numbers(binary, expression.type);
+  const Register left = operand(*binary.left, !whole);
+  const Register right = operand(*binary.right, !whole);
+  code_.emit(whole ? whole_opcode(binary.op) : real_opcode(binary.op), expression.place, target,
+             left, right);
+}
+
+void ExpressionCompiler::compile(const Call& call, const Expr& expression, Register target) {
+  const Builtin& builtin = *find_builtin(call.callee, call.arguments.size());
+  if (builtin.rule == BuiltinRule::AnyToText) {
+    const Register text = code_.text_register();
+    code_.load_text(text, "", expression.place);
+    append(*call.arguments.front(), text);
+    code_.emit(Opcode::copy_text, expression.place, target, text);
+    return;
+  }
+  const bool whole = computes_whole(builtin, call);
+  const Register first = code_.number_registers(static_cast<int>(call.arguments.size()));
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+    into(*call.arguments[i], static_cast<Register>(first + i), !whole);
+  }
+  const auto index = static_cast<unsigned>(&builtin - builtins().data());
+  code_.emit(whole ? Opcode::call_int : Opcode::call_real, expression.place, first, index,
+             static_cast<unsigned>(call.arguments.size()));
+  code_.emit(Opcode::copy, expression.place, target, first);
+}
+
+void ExpressionCompiler::append(const Expr& expression, Register text) {
+  const auto mark = code_.mark();
+  const Register value = operand(expression, false);
+  switch (expression.type.kind) {
+    case Type::Kind::Bool:
+      code_.emit(Opcode::append_bool, expression.place, text, value);
+      break;
+    case Type::Kind::Int:
+      code_.emit(Opcode::append_int, expression.place, text, value);
+      break;
+    case Type::Kind::Real:
+      code_.append_real(text, value, expression.type.dimension, expression.place);
+      break;
+    default:
+      code_.emit(Opcode::append_text, expression.place, text, value);
+  }
+  code_.release(mark);
+}
+
+}  // namespace rob::lang

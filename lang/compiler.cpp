@@ -1,0 +1,267 @@
+#include "lang/compiler.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fmt/core.h"
+#include "lang/code_builder.h"
+#include "lang/codes.h"
+#include "lang/expression_compiler.h"
+#include "lang/fold.h"
+#include "lang/target.h"
+
+namespace rob::lang {
+namespace {
+
+bool is_text(const Type& type) { return type.kind == Type::Kind::String; }
+bool is_real(const Type& type) { return type.kind == Type::Kind::Real; }
+
+std::vector<std::string> signal_names(const RobotSignature& robot) {
+  std::vector<std::string> names;
+  for (const RobotSignature::Signal& signal : robot.signals) names.push_back(signal.name);
+  return names;
+}
+
+/// Code for statements, one compile() for each kind.
+class StatementCompiler {
+ public:
+  StatementCompiler(const CheckedProgram& checked, const RobotSignature& robot)
+      : robot_(robot), code_(signal_names(robot)), expressions_(code_, checked.symbols.size()) {}
+
+  std::optional<Chunk> compile(const Program& program, Diagnostics& diagnostics) {
+    compile(program.statements);
+    code_.emit(Opcode::end, program.end);
+    if (code_.failed() == CodeBuilder::Limit::None) return code_.finish();
+    report_limit(diagnostics);
+    return std::nullopt;
+  }
+
+ private:
+  /// What a block declares is given back at its end.
+  void compile(const Block& block) {
+    const auto mark = code_.mark();
+    for (const Statement& statement : block) compile(statement);
+    code_.release(mark);
+  }
+  void compile(const Statement& statement) {
+    place_ = statement.place;
+    std::visit([&](const auto& node) { compile(node); }, statement.node);
+  }
+
+  void compile(const Move& move);
+  void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
+  void compile(const Declaration& declaration);
+  void compile(const Assign& assign);
+  void compile(const Print& print);
+  void compile(const If& conditional);
+  void compile(const While& loop);
+  void compile(const For& loop);
+
+  Register declare(const Symbol& symbol);
+  void compile_component(const Expr& component, Dimension dimension, Register target);
+  void default_value(const Type& type, Register home, Place place);
+  void report_limit(Diagnostics& diagnostics) const;
+
+  const RobotSignature& robot_;
+  CodeBuilder code_;
+  ExpressionCompiler expressions_;
+  Place place_;  ///< of the present statement: its line is what the Machine is told
+};
+
+void StatementCompiler::compile(const Move& move) {
+  const Place place = place_;
+  const auto mark = code_.mark();
+  const auto elements = by_coordinate(std::get<Tuple>(move.target->node), robot_);
+  MoveForm form{.count = static_cast<int>(elements.size()),
+                .given = 0,
+                .pace = MoveCommand::Pace::Unspecified,
+                .over = move.over != nullptr};
+  int values = (move.at != nullptr ? 1 : 0) + (move.over != nullptr ? 1 : 0);
+  for (const Tuple::Element* element : elements) values += element != nullptr ? 1 : 0;
+  const Register first = code_.number_registers(values);
+  Register next = first;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (elements[i] == nullptr) continue;
+    form.given = static_cast<std::uint8_t>(form.given | 1U << i);
+    compile_component(*elements[i]->value, robot_.coordinates[i].dimension, next++);
+  }
+  if (move.at != nullptr) {
+    form.pace = *pace_of(move.at->type);
+    expressions_.value_into(*move.at, next++);
+  }
+  if (move.over != nullptr) expressions_.value_into(*move.over, next++);
+  code_.move(first, form, place);
+  code_.release(mark);
+}
+
+/// A component in SI; a bare number takes the UNITS of its place.
+void StatementCompiler::compile_component(const Expr& component, Dimension dimension,
+                                          Register target) {
+  if (const auto constant = constant_component(component, dimension)) {
+    code_.load_real(target, *constant, dimension, component.place);
+    return;
+  }
+  expressions_.value_into(component, target, true);
+  if (!is_bare(component.type)) return;
+  const auto mark = code_.mark();
+  const BareUnit unit = bare_unit(dimension);
+  const Register scale = code_.number_registers();
+  if (unit.divisor != 1) {
+    code_.load_real(scale, unit.divisor, kNone, component.place);
+    code_.emit(Opcode::quot_real, component.place, target, target, scale);
+  }
+  if (unit.factor != 1) {
+    code_.load_real(scale, unit.factor, kNone, component.place);
+    code_.emit(Opcode::mul_real, component.place, target, target, scale);
+  }
+  code_.release(mark);
+}
+
+Register StatementCompiler::declare(const Symbol& symbol) {
+  const bool text = is_text(symbol.type);
+  const Register home = text ? code_.text_register() : code_.number_registers();
+  code_.name_register(symbol.name, home, text);
+  expressions_.settle(symbol, home);
+  return home;
+}
+
+void StatementCompiler::default_value(const Type& type, Register home, Place place) {
+  if (is_text(type)) {
+    code_.load_text(home, "", place);
+  } else {
+    code_.load_integer(home, 0, place);  // the bits of 0, FALSE and 0.0 are the same
+  }
+}
+
+void StatementCompiler::compile(const Declaration& declaration) {
+  const Symbol& first = *declaration.names.front().symbol;
+  // Constants that are known live in the code.
+  if (declaration.constant && known(first.value)) return;
+  const Register home = declare(first);
+  if (declaration.value != nullptr) {
+    expressions_.value_into(*declaration.value, home, is_real(first.type));
+  } else {
+    default_value(first.type, home, place_);
+  }
+  const Opcode copy = is_text(first.type) ? Opcode::copy_text : Opcode::copy;
+  for (std::size_t i = 1; i < declaration.names.size(); ++i) {
+    code_.emit(copy, place_, declare(*declaration.names[i].symbol), home);
+  }
+}
+
+void StatementCompiler::compile(const Assign& assign) {
+  const Symbol& symbol = *assign.target.symbol;
+  if (symbol.kind != Symbol::Kind::Signal) {
+    expressions_.value_into(*assign.value, expressions_.home(symbol), is_real(symbol.type));
+    return;
+  }
+  const auto mark = code_.mark();
+  const Register value = expressions_.value(*assign.value);
+  code_.emit(
+      Instruction::ax(Opcode::write_signal, value, static_cast<std::uint16_t>(symbol.signal)),
+      place_);
+  code_.release(mark);
+}
+
+/// What is constant between two computed values is one text.
+void StatementCompiler::compile(const Print& print) {
+  const Place place = place_;
+  const auto mark = code_.mark();
+  const Register text = code_.text_register();
+  std::string pending;
+  bool begun = false;
+  const auto flush = [&] {
+    if (!begun) {
+      code_.load_text(text, pending, place);
+    } else if (!pending.empty()) {
+      const auto inner = code_.mark();
+      const Register piece = code_.text_register();
+      code_.load_text(piece, pending, place);
+      code_.emit(Opcode::append_text, place, text, piece);
+      code_.release(inner);
+    }
+    begun = true;
+    pending.clear();
+  };
+  for (const ExprPtr& value : print.values) {
+    if (known(value->constant)) {
+      pending += text_of(value->constant, value->type);
+    } else {
+      flush();
+      expressions_.append_value(*value, text);
+    }
+  }
+  flush();
+  code_.emit(Opcode::print, place, text);
+  code_.release(mark);
+}
+
+void StatementCompiler::compile(const If& conditional) {
+  CodeBuilder::Jumps done;
+  for (const If::Branch& branch : conditional.branches) {
+    const CodeBuilder::Jumps otherwise = expressions_.jumps_if(*branch.condition, false);
+    compile(branch.body);
+    done.push_back(code_.jump(branch.condition->place));
+    code_.land(otherwise);
+  }
+  compile(conditional.otherwise);
+  code_.land(done);
+}
+
+void StatementCompiler::compile(const While& loop) {
+  const Place place = place_;
+  const std::size_t top = code_.here();
+  const CodeBuilder::Jumps exits = expressions_.jumps_if(*loop.condition, false);
+  compile(loop.body);
+  code_.loop(top, place);
+  code_.land(exits);
+}
+
+/// The registers are laid out as opcodes.def says.
+void StatementCompiler::compile(const For& loop) {
+  const Place place = place_;
+  const auto mark = code_.mark();
+  const bool real = is_real(loop.symbol->type);
+  const Register value = declare(*loop.symbol);
+  code_.number_registers(real ? 4 : 2);
+  expressions_.value_into(*loop.from, value, real);
+  expressions_.value_into(*loop.to, static_cast<Register>(value + 1), real);
+  const auto step = static_cast<Register>(value + 2);
+  if (loop.step != nullptr) {
+    expressions_.value_into(*loop.step, step, real);
+  } else if (real) {
+    code_.load_real(step, 1, kNone, place);
+  } else {
+    code_.load_integer(step, 1, place);
+  }
+  code_.emit(real ? Opcode::for_prepare_real : Opcode::for_prepare_int, place, value);
+  const CodeBuilder::Jump none = code_.jump(place);
+  const std::size_t top = code_.here();
+  compile(loop.body);
+  code_.emit(real ? Opcode::for_next_real : Opcode::for_next_int, place, value);
+  code_.loop(top, place);
+  code_.land(none);
+  code_.release(mark);
+}
+
+void StatementCompiler::report_limit(Diagnostics& diagnostics) const {
+  if (code_.failed() == CodeBuilder::Limit::Jump) {
+    diagnostics.error(code::kBlockTooLong, code_.failed_at(),
+                      "the block that begins here is too long", "divide it");
+    return;
+  }
+  diagnostics.error(
+      code::kTooManyVariables, code_.failed_at(),
+      fmt::format("more than {} variables and intermediate values at once", kMostRegisters),
+      "declare variables in the block that needs them, and what does not change with CONST");
+}
+
+}  // namespace
+
+std::optional<Chunk> generate(const CheckedProgram& checked, const RobotSignature& robot,
+                              Diagnostics& diagnostics) {
+  return StatementCompiler(checked, robot).compile(checked.program, diagnostics);
+}
+
+}  // namespace rob::lang

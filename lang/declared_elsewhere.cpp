@@ -1,0 +1,51 @@
+#include "lang/declared_elsewhere.h"
+
+#include "lang/symbols.h"
+
+namespace rob::lang {
+namespace {
+
+using Found = std::optional<Place>;
+
+Found search(const Block& block, const std::string& key);
+
+struct Search {
+  const std::string& key;
+
+  Found operator()(const Declaration& declaration) const {
+    for (const Declaration::Declared& declared : declaration.names) {
+      if (folded(declared.name) == key) return declared.place;
+    }
+    return std::nullopt;
+  }
+  Found operator()(const If& conditional) const {
+    for (const If::Branch& branch : conditional.branches) {
+      if (const Found found = search(branch.body, key)) return found;
+    }
+    return search(conditional.otherwise, key);
+  }
+  Found operator()(const While& loop) const { return search(loop.body, key); }
+  Found operator()(const For& loop) const {
+    if (folded(loop.variable) == key) return loop.variable_place;
+    return search(loop.body, key);
+  }
+  template <typename Other>
+  Found operator()(const Other&) const {
+    return std::nullopt;
+  }
+};
+
+Found search(const Block& block, const std::string& key) {
+  for (const Statement& statement : block) {
+    if (const Found found = std::visit(Search{key}, statement.node)) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Place> find_declaration(const Program& program, std::string_view name) {
+  return search(program.statements, folded(name));
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "lang/ast.h"
+
+namespace rob::lang {
+
+/// Where a program declares a name (VAR, CONST or FOR), the first time in the order of the text.
+std::optional<Place> find_declaration(const Program& program, std::string_view name);
+
+}  // namespace rob::lang

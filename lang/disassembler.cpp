@@ -1,0 +1,151 @@
+#include "lang/disassembler.h"
+
+#include <string_view>
+
+#include "fmt/core.h"
+#include "lang/builtins.h"
+#include "lang/number_text.h"
+#include "lang/types.h"
+
+namespace rob::lang {
+namespace {
+
+/// One instruction's text: operands, and remarks on what they mean.
+class Line {
+ public:
+  Line(const Chunk& chunk, std::size_t offset) : chunk_(chunk), offset_(offset) {
+    unsigned field = 0;
+    for (const char kind : info(instruction().opcode()).operands) {
+      operand(kind, field);
+      ++field;
+    }
+  }
+
+  /// Words that the instruction takes.
+  std::size_t words() const { return words_; }
+  std::string text() const {
+    std::string line = fmt::format("{:<18} {}", info(instruction().opcode()).name, operands_);
+    while (line.back() == ' ') line.pop_back();
+    if (!remarks_.empty()) line = fmt::format("{:<38} // {}", line, remarks_);
+    return line + '\n';
+  }
+
+ private:
+  Instruction instruction() const { return chunk_.code[offset_]; }
+  std::uint32_t next_word() const { return chunk_.code[offset_ + 1].word; }
+  unsigned byte(unsigned field) const { return instruction().word >> (8 * (field + 1)) & 0xff; }
+
+  void operand(char kind, unsigned field);
+  void add(std::string_view letter, std::size_t number) {
+    operands_ += fmt::format("{}{} ", letter, number);
+  }
+  void remark(std::string_view text) {
+    if (!remarks_.empty()) remarks_ += ", ";
+    remarks_ += text;
+  }
+  void add_register(bool text, unsigned index);
+  void add_constant(std::size_t index);
+  void add_move(std::size_t index);
+
+  const Chunk& chunk_;
+  std::size_t offset_;
+  std::size_t words_ = 1;
+  std::string operands_;
+  std::string remarks_;
+};
+
+void Line::operand(char kind, unsigned field) {
+  switch (kind) {
+    case 'r':
+      return add_register(false, byte(field));
+    case 's':
+      return add_register(true, byte(field));
+    case 'b':
+      operands_ += byte(field) != 0 ? "TRUE " : "FALSE ";
+      return;
+    case 'n':
+      add("", byte(field));
+      return;
+    case 'd':
+      add("d", byte(field));
+      return remark(in_words(chunk_.dimensions[byte(field)]));
+    case 'f':
+      add("f", byte(field));
+      return remark(builtins()[byte(field)].name);
+    case 'i':
+      operands_ += fmt::format("{} ", instruction().signed_x());
+      return;
+    case 'k':
+      return add_constant(instruction().x());
+    case 'g':
+      add("g", instruction().x());
+      return remark(chunk_.signals[instruction().x()]);
+    case 'm':
+      return add_move(instruction().x());
+    case 'j':
+      // As an offset: that is what can be found in the listing.
+      operands_ +=
+          fmt::format("-> {}", static_cast<std::int64_t>(offset_) + 1 + instruction().distance());
+      return;
+    case 'K':
+      words_ = 2;
+      return add_constant(next_word());
+    case 'T':
+      words_ = 2;
+      add("t", next_word());
+      return remark(fmt::format("\"{}\"", chunk_.texts[next_word()]));
+    default:  // 'J': the jump that follows is listed on a line of its own
+      return;
+  }
+}
+
+void Line::add_register(bool text, unsigned index) {
+  add(text ? "s" : "r", index);
+  for (const NamedRegister& name : chunk_.names) {
+    if (name.index == index && name.text == text && offset_ >= name.from && offset_ < name.to) {
+      operands_.pop_back();
+      operands_ += fmt::format("({}) ", name.name);
+      return;
+    }
+  }
+}
+
+void Line::add_constant(std::size_t index) {
+  add("k", index);
+  const Slot value = chunk_.constants[index];
+  const Type& type = chunk_.constant_types[index];
+  remark(type.kind == Type::Kind::Int ? std::to_string(value.integer)
+                                      : number_text(value.real, type.dimension));
+}
+
+void Line::add_move(std::size_t index) {
+  const MoveForm& form = chunk_.moves[index];
+  add("m", index);
+  std::string target = "(";
+  for (int i = 0; i < form.count; ++i) {
+    if (i > 0) target += ", ";
+    target += (form.given >> i & 1) != 0 ? "given" : "-";
+  }
+  remark(target + ")");
+  if (form.pace != MoveCommand::Pace::Unspecified) remark("AT");
+  if (form.over) remark("OVER");
+}
+
+}  // namespace
+
+std::string disassemble(const Chunk& chunk) {
+  std::string listing;
+  std::uint32_t last_line = 0;
+  for (std::size_t offset = 0; offset < chunk.code.size();) {
+    const Line line(chunk, offset);
+    const std::uint32_t source = chunk.places[offset].line;
+    listing += fmt::format("{:>6} {:>5}  ", offset,
+                           source == last_line ? std::string() : std::to_string(source));
+    listing += line.text();
+    last_line = source;
+    offset += line.words();
+  }
+  return listing;
+}
+
+}  // namespace rob::lang

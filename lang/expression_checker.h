@@ -1,0 +1,86 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lang/ast.h"
+#include "lang/builtins.h"
+#include "lang/diagnostic.h"
+#include "lang/fold.h"
+#include "lang/symbols.h"
+
+namespace rob::lang {
+
+/// Settles the type, the dimension and, where there is one, the constant value of expressions, and
+/// reports what does not fit together. What is wrong becomes Unknown, which fits everywhere.
+class ExpressionChecker {
+ public:
+  /// `program` is only searched, for names that are declared elsewhere.
+  ExpressionChecker(const Scopes& scopes, const Program& program, Diagnostics& diagnostics)
+      : scopes_(scopes), program_(program), diagnostics_(diagnostics) {}
+
+  /// `expression` may be null: what could not be read is Unknown.
+  Type check(const ExprPtr& expression);
+
+  /// Checks that a checked expression can be given where `wanted` is needed: the same type, or an
+  /// INT for a REAL. `needed` is the subject of the message: "the variable x needs".
+  bool accept(const Expr& expression, const Type& wanted, std::string_view needed);
+
+  /// Checks a condition; `word` is the statement it belongs to.
+  void check_condition(const ExprPtr& condition, std::string_view word);
+
+  /// A symbol that may be used here; null, and a message, if there is none.
+  const Symbol* resolve(std::string_view name, Place place);
+
+  /// While constants say that a part of the program is never executed, a computation in it that
+  /// must fail is no mistake: `IF n <> 0 THEN x = 10 / n` with CONST n = 0.
+  void enter_unreached() { ++unreached_; }
+  void leave_unreached() { --unreached_; }
+  bool reached() const { return unreached_ == 0; }
+
+ private:
+  Type check_node(Expr& expression);
+  Type check(const NumberLiteral& literal, Expr& expression);
+  Type check(const BoolLiteral& literal, Expr& expression);
+  Type check(const StringLiteral& literal, Expr& expression);
+  Type check(const Tuple& tuple, Expr& expression);
+  Type check(Name& name, Expr& expression);
+  Type check(Unary& unary, Expr& expression);
+  Type check(Binary& binary, Expr& expression);
+  Type check(Call& call, Expr& expression);
+
+  Type check_logical(Binary& binary, Expr& expression);
+  Type check_comparison(const Binary& binary, const Expr& expression);
+  Type check_sum(const Binary& binary, const Expr& expression);
+  Type check_product(const Binary& binary, const Expr& expression);
+  Type check_division(const Binary& binary, const Expr& expression);
+  Type check_power(const Binary& binary, const Expr& expression);
+  Type check_arguments(const Builtin& builtin, const Call& call);
+  Type common_dimension(const Call& call);
+
+  bool both_numbers(const Binary& binary);
+  Type unlike(const Binary& binary, const Expr& expression);
+  Type bounded(Dimension dimension, const Expr& expression);
+  void keep(const Folded& folded, Expr& expression);
+  void fold_binary(const Binary& binary, Expr& expression);
+  void fold_call(const Builtin& builtin, const Call& call, Expr& expression);
+  void report_unknown(std::string_view name, Place place);
+  const Builtin* resolve_function(const Call& call, Place place);
+
+  const Scopes& scopes_;
+  const Program& program_;
+  Diagnostics& diagnostics_;
+  int unreached_ = 0;
+};
+
+/// "a length, 5mm": type and, where it is known, value; for messages.
+std::string described(const Expr& expression);
+/// The type that two operands share: INT, or REAL of their dimension, or BOOL or STRING; Unknown
+/// if they do not fit together. One of them Unknown: the other.
+Type common_type(const Type& a, const Type& b);
+/// "20mm", an example of a value of a dimension, for remedies.
+std::string example_of(Dimension dimension);
+/// "+", "AND": as it is written.
+std::string_view symbol_of(BinaryOp op);
+
+}  // namespace rob::lang

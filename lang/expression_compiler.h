@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "lang/ast.h"
+#include "lang/code_builder.h"
+#include "lang/symbols.h"
+
+namespace rob::lang {
+
+/// Code for expressions. A value ends up in a number register (BOOL, INT, REAL) or a text register
+/// (STRING), as the checker has settled.
+///
+/// Of the targets given to into() nothing is overwritten before all operands have been read, so a
+/// variable can be computed from itself in place.
+class ExpressionCompiler {
+ public:
+  ExpressionCompiler(CodeBuilder& code, std::size_t symbols) : code_(code), homes_(symbols) {}
+
+  /// Where a variable lives, from its declaration on.
+  void settle(const Symbol& symbol, Register home) { homes_[symbol.id] = home; }
+  Register home(const Symbol& symbol) const { return homes_[symbol.id]; }
+
+  /// Every expression of a statement begins here: its observations belong to one control cycle.
+  /// With `as_real` an INT becomes a REAL.
+  void value_into(const Expr& expression, Register target, bool as_real = false);
+  /// The register of a variable, or a new one with the value of the expression.
+  Register value(const Expr& expression, bool as_real = false);
+  /// Appends the value, as PRINT writes it, to a text register.
+  void append_value(const Expr& expression, Register text);
+  /// Jumps that are taken if the condition has the value `when`; else execution goes on behind.
+  CodeBuilder::Jumps jumps_if(const Expr& condition, bool when);
+
+ private:
+  void into(const Expr& expression, Register target, bool as_real);
+  Register operand(const Expr& expression, bool as_real);
+  void load(const Expr& expression, Register target, bool as_real);
+  void append(const Expr& expression, Register text);
+
+  void compile(const Name& name, const Expr& expression, Register target);
+  void compile(const Unary& unary, const Expr& expression, Register target);
+  void compile(const Binary& binary, const Expr& expression, Register target);
+  void compile(const Call& call, const Expr& expression, Register target);
+  void compile_truth(const Expr& expression, Register target);
+
+  CodeBuilder::Jumps jumps(const Expr& condition, bool when);
+  CodeBuilder::Jumps jumps_of_logical(const Binary& binary, bool when);
+  CodeBuilder::Jumps jumps_of_comparison(const Binary& binary, bool when, Place place);
+  CodeBuilder::Jumps jumps_of_texts(const Binary& binary, bool when, Place place);
+  CodeBuilder::Jump jump_if(Register truth, bool when, Place place);
+
+  void begin(const Expr& expression);
+
+  CodeBuilder& code_;
+  std::vector<Register> homes_;  ///< by Symbol::id
+  bool latched_ = false;         ///< the present expression reads more than one signal
+};
+
+}  // namespace rob::lang

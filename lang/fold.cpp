@@ -1,0 +1,168 @@
+#include "lang/fold.h"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "lang/number_text.h"
+
+namespace rob::lang {
+namespace {
+
+template <typename T>
+Folded made(ArithmeticError error, T value) {
+  if (error != ArithmeticError::None) return {error, {}};
+  return {error, Constant(std::move(value))};
+}
+
+template <typename T>
+std::optional<bool> compare(BinaryOp op, const T& a, const T& b) {
+  switch (op) {
+    case BinaryOp::Equal:
+      return a == b;
+    case BinaryOp::NotEqual:
+      return !(a == b);
+    case BinaryOp::Less:
+      return a < b;
+    case BinaryOp::LessEqual:
+      return a <= b;
+    case BinaryOp::Greater:
+      return b < a;
+    case BinaryOp::GreaterEqual:
+      return b <= a;
+    default:
+      return std::nullopt;
+  }
+}
+
+Folded fold_reals(BinaryOp op, double a, double b) {
+  double real = 0;
+  std::int64_t whole = 0;
+  switch (op) {
+    case BinaryOp::Add:
+      return made(arithmetic::add(a, b, real), real);
+    case BinaryOp::Subtract:
+      return made(arithmetic::subtract(a, b, real), real);
+    case BinaryOp::Multiply:
+      return made(arithmetic::multiply(a, b, real), real);
+    case BinaryOp::Divide:
+      return made(arithmetic::divide(a, b, real), real);
+    case BinaryOp::Div:
+      return made(arithmetic::floor_divide(a, b, whole), whole);
+    case BinaryOp::Mod:
+      return made(arithmetic::floor_modulo(a, b, real), real);
+    case BinaryOp::Power:
+      return made(arithmetic::real_power(a, b, real), real);
+    default:
+      return {};
+  }
+}
+
+Folded fold_integers(BinaryOp op, std::int64_t a, std::int64_t b, const Type& result) {
+  std::int64_t whole = 0;
+  switch (op) {
+    case BinaryOp::Add:
+      return made(arithmetic::add(a, b, whole), whole);
+    case BinaryOp::Subtract:
+      return made(arithmetic::subtract(a, b, whole), whole);
+    case BinaryOp::Multiply:
+      return made(arithmetic::multiply(a, b, whole), whole);
+    case BinaryOp::Div:
+      return made(arithmetic::floor_divide(a, b, whole), whole);
+    case BinaryOp::Mod:
+      return made(arithmetic::floor_modulo(a, b, whole), whole);
+    case BinaryOp::Power:
+      if (result.kind == Type::Kind::Int) {
+        return made(arithmetic::integer_power(a, b, whole), whole);
+      }
+      [[fallthrough]];
+    default:
+      return fold_reals(op, static_cast<double>(a), static_cast<double>(b));
+  }
+}
+
+/// AND and OR: one side may settle the matter, whatever the other is.
+Folded fold_logical(BinaryOp op, const Constant& left, const Constant& right) {
+  const bool* const a = std::get_if<bool>(&left);
+  const bool* const b = std::get_if<bool>(&right);
+  const bool settling = op == BinaryOp::Or;
+  if (op != BinaryOp::Xor && a != nullptr && *a == settling) return {{}, settling};
+  if (a == nullptr || b == nullptr) return {};
+  return {{}, op == BinaryOp::Xor ? *a != *b : *b};
+}
+
+}  // namespace
+
+Constant converted(const Constant& constant, const Type& wanted) {
+  const auto* const integer = std::get_if<std::int64_t>(&constant);
+  if (integer == nullptr || wanted.kind != Type::Kind::Real) return constant;
+  return static_cast<double>(*integer);
+}
+
+Slot to_slot(const Constant& constant) {
+  Slot slot{.integer = 0};
+  if (const auto* const real = std::get_if<double>(&constant)) slot.real = *real;
+  if (const auto* const integer = std::get_if<std::int64_t>(&constant)) slot.integer = *integer;
+  if (const auto* const truth = std::get_if<bool>(&constant)) slot.integer = *truth ? 1 : 0;
+  return slot;
+}
+
+std::string text_of(bool value) { return value ? "TRUE" : "FALSE"; }
+
+std::string text_of(const Constant& constant, const Type& type) {
+  if (const auto* const truth = std::get_if<bool>(&constant)) return text_of(*truth);
+  if (const auto* const integer = std::get_if<std::int64_t>(&constant)) {
+    return std::to_string(*integer);
+  }
+  if (const auto* const real = std::get_if<double>(&constant)) {
+    return number_text(*real, type.dimension);
+  }
+  const auto* const text = std::get_if<std::string>(&constant);
+  return text == nullptr ? std::string() : *text;
+}
+
+Folded fold(UnaryOp op, const Constant& operand) {
+  if (const auto* const truth = std::get_if<bool>(&operand)) return {{}, !*truth};
+  if (op == UnaryOp::Plus) return {{}, operand};
+  if (const auto* const integer = std::get_if<std::int64_t>(&operand)) {
+    std::int64_t result = 0;
+    return made(arithmetic::negate(*integer, result), result);
+  }
+  if (const auto* const real = std::get_if<double>(&operand)) {
+    double result = 0;
+    return made(arithmetic::negate(*real, result), result);
+  }
+  return {};
+}
+
+Folded fold(BinaryOp op, const Constant& left, const Constant& right, const Type& result) {
+  if (op == BinaryOp::And || op == BinaryOp::Or || op == BinaryOp::Xor) {
+    return fold_logical(op, left, right);
+  }
+  if (!known(left) || left.index() != right.index()) return {};
+  const auto comparison = std::visit(
+      [&](const auto& a) { return compare(op, a, std::get<std::decay_t<decltype(a)>>(right)); },
+      left);
+  if (comparison) return {{}, *comparison};
+  if (const auto* const a = std::get_if<std::int64_t>(&left)) {
+    return fold_integers(op, *a, std::get<std::int64_t>(right), result);
+  }
+  if (const auto* const a = std::get_if<double>(&left)) {
+    return fold_reals(op, *a, std::get<double>(right));
+  }
+  return {};
+}
+
+Folded fold(BuiltinFunction function, std::span<const Constant> arguments, const Type& result) {
+  std::array<Slot, kMostArguments> slots{};
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (!known(arguments[i])) return {};
+    slots[i] = to_slot(arguments[i]);
+  }
+  Slot value{.integer = 0};
+  const ArithmeticError error = function({slots.data(), arguments.size()}, value);
+  if (result.kind == Type::Kind::Int) return made(error, value.integer);
+  return made(error, value.real);
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,107 @@
+#include "lang/printing_machine.h"
+
+#include <utility>
+
+#include "fmt/core.h"
+#include "lang/number_text.h"
+#include "lang/units.h"
+
+namespace rob::lang {
+namespace {
+
+std::string pace_text(const MoveCommand& command) {
+  switch (command.pace) {
+    case MoveCommand::Pace::Unspecified:
+      return "";
+    case MoveCommand::Pace::ToolSpeed:
+      return " at " + number_text(command.pace_value, kSpeed);
+    case MoveCommand::Pace::AngularSpeed:
+      return " at " + number_text(command.pace_value, kAngularSpeed);
+    case MoveCommand::Pace::Share:
+      return " at " + number_text(command.pace_value * 100, kNone) + "%";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string move_text(const RobotSignature& robot, const MoveCommand& command) {
+  std::string text = "move";
+  for (int i = 0; i < command.count; ++i) {
+    text += ' ';
+    if (!command.has(i)) {
+      text += '-';
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(i);
+    const Dimension dimension = robot.coordinates[index].dimension;
+    const std::string number = number_text(command.target[index], dimension);
+    text += number.substr(0, number.size() - unit_text(dimension).size());
+  }
+  text += pace_text(command);
+  if (command.over > 0) text += " over " + number_text(command.over, kTime);
+  return text;
+}
+
+PrintingMachine::PrintingMachine(const RobotSignature& robot) : robot_(robot) {}
+
+void PrintingMachine::script(int signal, std::vector<bool> values) {
+  scripts_[signal] = {.values = std::move(values)};
+}
+
+void PrintingMachine::refuse_after(int calls, Refusal refusal) {
+  refuse_after_ = calls;
+  refusal_ = std::move(refusal);
+}
+
+std::vector<std::string> PrintingMachine::texts() const {
+  std::vector<std::string> texts;
+  for (const Call& call : calls_) texts.push_back(call.text);
+  return texts;
+}
+
+Reply PrintingMachine::ready() {
+  if (later_ > 0) {
+    --later_;
+    return Reply::Later;
+  }
+  if (refuse_after_ && (*refuse_after_)-- == 0) return Reply::Refused;
+  return Reply::Done;
+}
+
+Reply PrintingMachine::note(int line, std::string text) {
+  const Reply reply = ready();
+  if (reply == Reply::Done) calls_.push_back({.line = line, .text = std::move(text)});
+  return reply;
+}
+
+Reply PrintingMachine::move(int line, const MoveCommand& command) {
+  return note(line, move_text(robot_, command));
+}
+
+Reply PrintingMachine::print(int line, std::string_view text) {
+  return note(line, fmt::format("print {}", text));
+}
+
+Reply PrintingMachine::write_signal(int line, int signal, bool value) {
+  const std::string& name = robot_.signals[static_cast<std::size_t>(signal)].name;
+  const Reply reply = note(line, fmt::format("{} {}", name, value ? "on" : "off"));
+  if (reply == Reply::Done) written_[signal] = value;
+  return reply;
+}
+
+Reply PrintingMachine::read_signal(int, int signal, bool& value) {
+  const Reply reply = ready();
+  if (reply != Reply::Done) return reply;
+  ++reads_;
+  Script& script = scripts_[signal];
+  if (script.values.empty()) {
+    value = written_[signal];
+  } else {
+    value = script.values[script.next];
+    if (script.next + 1 < script.values.size()) ++script.next;
+  }
+  return reply;
+}
+
+}  // namespace rob::lang

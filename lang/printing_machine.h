@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lang/machine.h"
+#include "lang/robot_signature.h"
+
+namespace rob::lang {
+
+/// A Machine that writes down what it is told, a line for each call, and moves nothing: for tests.
+///
+///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
+///     stop · end · print TEXT · lift on
+///
+/// Everything is taken at once, unless a test asks for something else.
+class PrintingMachine : public Machine {
+ public:
+  struct Call {
+    int line = 0;  ///< of the source
+    std::string text;
+  };
+
+  /// `robot` must outlive it.
+  explicit PrintingMachine(const RobotSignature& robot);
+
+  /// What the following reads of a signal answer, one after another; the last stays. Without a
+  /// script an output answers what was written last, an input FALSE.
+  void script(int signal, std::vector<bool> values);
+  /// The next `times` calls are answered Later.
+  void answer_later(int times) { later_ = times; }
+  /// The call that comes after `calls` further ones is refused.
+  void refuse_after(int calls, Refusal refusal);
+
+  const std::vector<Call>& calls() const { return calls_; }
+  /// The texts of all calls.
+  std::vector<std::string> texts() const;
+  /// Reads that were answered.
+  int reads() const { return reads_; }
+
+  Reply move(int line, const MoveCommand& command) override;
+  Reply stop(int line) override { return note(line, "stop"); }
+  Reply end(int line) override { return note(line, "end"); }
+  Reply print(int line, std::string_view text) override;
+  Reply write_signal(int line, int signal, bool value) override;
+  Reply read_signal(int line, int signal, bool& value) override;
+  const Refusal& refusal() const override { return refusal_; }
+
+ private:
+  struct Script {
+    std::vector<bool> values;
+    std::size_t next = 0;
+  };
+
+  /// Done where the call may be carried out.
+  Reply ready();
+  Reply note(int line, std::string text);
+
+  const RobotSignature& robot_;
+  std::vector<Call> calls_;
+  std::map<int, Script> scripts_;
+  std::map<int, bool> written_;
+  int later_ = 0;
+  int reads_ = 0;
+  std::optional<int> refuse_after_;
+  Refusal refusal_;
+};
+
+/// "move 40 40 0 at 50%": a motion as PrintingMachine writes it.
+std::string move_text(const RobotSignature& robot, const MoveCommand& command);
+
+}  // namespace rob::lang

@@ -1,0 +1,88 @@
+#include "lang/target.h"
+
+#include <cmath>
+#include <string>
+
+#include "lang/arithmetic.h"
+#include "lang/fold.h"
+#include "lang/number_text.h"
+#include "lang/symbols.h"
+#include "lang/units.h"
+
+namespace rob::lang {
+namespace {
+
+Unit default_unit(Dimension dimension) {
+  return find_unit(unit_text(dimension)).value_or(Unit{.dimension = dimension});
+}
+
+/// The value of `0.3` or `-0.3` with the default unit behind its digits.
+std::optional<double> bare_literal(const Expr& component, Dimension dimension) {
+  if (const auto* const unary = std::get_if<Unary>(&component.node)) {
+    const auto value = bare_literal(*unary->operand, dimension);
+    if (!value || unary->op != UnaryOp::Negate) return value;
+    return 0 - *value;
+  }
+  const auto* const literal = std::get_if<NumberLiteral>(&component.node);
+  if (literal == nullptr || literal->has_unit) return std::nullopt;
+  const std::string digits =
+      literal->is_integer ? std::to_string(literal->integer) : number_text(literal->value, kNone);
+  return to_si(digits, default_unit(dimension));
+}
+
+}  // namespace
+
+std::optional<std::size_t> coordinate_named(const RobotSignature& robot, std::string_view name) {
+  for (std::size_t i = 0; i < robot.coordinates.size(); ++i) {
+    if (folded(robot.coordinates[i].name) == folded(name)) return i;
+  }
+  return std::nullopt;
+}
+
+std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple, const RobotSignature& robot) {
+  std::vector<const Tuple::Element*> elements(robot.coordinates.size(), nullptr);
+  for (std::size_t i = 0; i < tuple.elements.size(); ++i) {
+    const Tuple::Element& element = tuple.elements[i];
+    if (element.value == nullptr) continue;
+    const std::size_t place =
+        element.name.empty() ? i : coordinate_named(robot, element.name).value_or(i);
+    if (place < elements.size()) elements[place] = &element;
+  }
+  return elements;
+}
+
+BareUnit bare_unit(Dimension dimension) {
+  const Unit unit = default_unit(dimension);
+  return {.divisor = std::pow(10.0, -unit.exponent10), .factor = unit.factor};
+}
+
+bool is_bare(const Type& type) { return type.numeric() && type.dimension.none(); }
+
+std::optional<double> constant_component(const Expr& component, Dimension dimension) {
+  const auto number = constant_number(component);
+  if (!number || !is_bare(component.type)) return number;
+  if (const auto literal = bare_literal(component, dimension)) return literal;
+  const BareUnit unit = bare_unit(dimension);
+  double si = 0;
+  if (arithmetic::divide(*number, unit.divisor, si) != ArithmeticError::None ||
+      arithmetic::multiply(si, unit.factor, si) != ArithmeticError::None) {
+    return std::nullopt;
+  }
+  return si;
+}
+
+std::optional<MoveCommand::Pace> pace_of(const Type& type) {
+  if (type.kind != Type::Kind::Real) return std::nullopt;
+  if (type.dimension == kSpeed) return MoveCommand::Pace::ToolSpeed;
+  if (type.dimension == kAngularSpeed) return MoveCommand::Pace::AngularSpeed;
+  if (type.dimension.none()) return MoveCommand::Pace::Share;
+  return std::nullopt;
+}
+
+std::optional<double> constant_number(const Expr& expression) {
+  const Constant real = converted(expression.constant, Type::real());
+  const auto* const value = std::get_if<double>(&real);
+  return value == nullptr ? std::nullopt : std::optional(*value);
+}
+
+}  // namespace rob::lang

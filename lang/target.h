@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lang/ast.h"
+#include "lang/machine.h"
+#include "lang/robot_signature.h"
+
+/// What checker and compiler both have to know of target tuples and of AT.
+namespace rob::lang {
+
+/// The element of a well-formed tuple for each coordinate of the robot, in the robot's order; null
+/// where the coordinate was left out.
+std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple, const RobotSignature& robot);
+
+/// The index of a coordinate by its name in any case, or nothing.
+std::optional<std::size_t> coordinate_named(const RobotSignature& robot, std::string_view name);
+
+/// A bare number in a target takes the UNITS of its place: si = number / divisor * factor, in two
+/// steps since 40 / 1000 is the double nearest to 0.04, which 40 * 0.001 need not be.
+struct BareUnit {
+  double divisor = 1;
+  double factor = 1;
+};
+BareUnit bare_unit(Dimension dimension);
+
+/// Whether a component is a bare number, to be taken in UNITS.
+bool is_bare(const Type& type);
+
+/// The value of a constant component in SI. A bare literal is read as though its unit stood behind
+/// it, so that 0.3 and 0.3mm are the same bits; other bare values are converted as computed ones
+/// are. Nothing if it is not constant, or beyond the range of numbers.
+std::optional<double> constant_component(const Expr& component, Dimension dimension);
+
+/// What an AT of this type bounds; nothing if AT takes no such type.
+std::optional<MoveCommand::Pace> pace_of(const Type& type);
+
+/// A constant INT or REAL as a double.
+std::optional<double> constant_number(const Expr& expression);
+
+}  // namespace rob::lang

@@ -1,0 +1,340 @@
+#include "lang/vm.h"
+
+#include <span>
+#include <utility>
+
+#include "fmt/core.h"
+#include "lang/builtins.h"
+#include "lang/codes.h"
+#include "lang/fold.h"
+#include "lang/number_text.h"
+
+namespace rob::lang {
+
+Vm::Vm(const Chunk& chunk, Machine& machine)
+    : chunk_(chunk),
+      machine_(machine),
+      texts_(static_cast<std::size_t>(chunk.text_registers)),
+      next_(chunk.code.data()),
+      latch_(next_),
+      paid_(next_) {}
+
+Vm::State Vm::run(std::int64_t budget) {
+  if (state_ == State::Done || state_ == State::Failed) return state_;
+  budget_ = budget;
+  state_ = execute(next_);
+  return state_;
+}
+
+Vm::State Vm::leave(Code pc, Code resume, State state) {
+  executed_ += pc - paid_;
+  paid_ = resume;
+  next_ = resume;
+  // When the program goes on, time has passed; only a used-up budget stays in the present cycle.
+  if (state != State::Running) observed_ = false;
+  return state;
+}
+
+Vm::State Vm::fail(Code pc, RuntimeError error) {
+  error_ = std::move(error);
+  return leave(pc, pc, State::Failed);
+}
+
+Vm::State Vm::fail(Code pc, ArithmeticError error) {
+  const ArithmeticErrorText text = describe(error);
+  return fail(pc, {.code = std::string(text.code),
+                   .place = place(pc),
+                   .message = std::string(text.message),
+                   .help = std::string(text.help)});
+}
+
+Vm::State Vm::pause(Code pc, Code resume, Reply reply) {
+  if (reply == Reply::Later) return leave(pc, resume, State::Waiting);
+  const Refusal& refusal = machine_.refusal();
+  return fail(
+      pc,
+      {.code = refusal.code, .place = place(pc), .message = refusal.message, .help = refusal.help});
+}
+
+bool Vm::turn(Code pc, Code target) {
+  const auto spent = pc - paid_;
+  executed_ += spent;
+  budget_ -= spent;
+  paid_ = target;
+  turned_ = true;
+  return budget_ > 0;
+}
+
+Reply Vm::observe(Code pc) {
+  bool value = false;
+  const Reply reply = machine_.read_signal(line(pc), pc->x(), value);
+  if (reply == Reply::Done) {
+    numbers_[pc->a()].integer = value ? 1 : 0;
+    observed_ = true;
+    turned_ = false;
+  }
+  return reply;
+}
+
+bool Vm::append(std::uint8_t target, std::string_view more) {
+  if (texts_[target].size() + more.size() > kMostText) return false;
+  texts_[target] += more;
+  return true;
+}
+
+bool Vm::join(std::uint8_t target, std::uint8_t left, std::uint8_t right) {
+  if (texts_[left].size() + texts_[right].size() > kMostText) return false;
+  if (target == left) {
+    texts_[target] += texts_[right];
+  } else {
+    texts_[target] = texts_[left] + texts_[right];
+  }
+  return true;
+}
+
+Vm::State Vm::fail_too_long(Code pc) {
+  return fail(pc, {.code = std::string(code::kTextTooLong),
+                   .place = place(pc),
+                   .message = fmt::format("a text of more than {} bytes", kMostText),
+                   .help = ""});
+}
+
+bool Vm::check_positive(Code pc, const char* word, double value, Dimension dimension) {
+  if (value > 0) return true;
+  error_ = {.code = std::string(code::kPaceNotPositive),
+            .place = place(pc),
+            .message = fmt::format("{} turned out to be {}; it has to be above zero", word,
+                                   number_text(value, dimension)),
+            .help = ""};
+  return false;
+}
+
+bool Vm::build(Code pc, MoveCommand& command) {
+  const MoveForm& form = chunk_.moves[pc->x()];
+  const Slot* next = &numbers_[pc->a()];
+  command.count = form.count;
+  command.given = form.given;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(form.count); ++i) {
+    if ((form.given >> i & 1) != 0) command.target[i] = (next++)->real;
+  }
+  command.pace = form.pace;
+  if (form.pace != MoveCommand::Pace::Unspecified) {
+    command.pace_value = (next++)->real;
+    const Dimension dimension = form.pace == MoveCommand::Pace::ToolSpeed      ? kSpeed
+                                : form.pace == MoveCommand::Pace::AngularSpeed ? kAngularSpeed
+                                                                               : kNone;
+    if (!check_positive(pc, "AT", command.pace_value, dimension)) return false;
+  }
+  if (!form.over) return true;
+  command.over = next->real;
+  return check_positive(pc, "OVER", command.over, kTime);
+}
+
+// Computed goto, an extension that g++ and clang share: a jump of its own behind each instruction
+// lets the processor predict the next one by the present one.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpedantic"
+
+#define ROB_NEXT(words)                                    \
+  do {                                                     \
+    pc += (words);                                         \
+    goto* kLabels[static_cast<std::size_t>(pc->opcode())]; \
+  } while (false)
+#define ROB_CHECKED(operation)                                  \
+  do {                                                          \
+    const ArithmeticError error = (operation);                  \
+    if (error != ArithmeticError::None) return fail(pc, error); \
+  } while (false)
+#define ROB_BINARY(name, function, in, out)                                        \
+  name:                                                                            \
+  ROB_CHECKED(arithmetic::function(n[pc->b()].in, n[pc->c()].in, n[pc->a()].out)); \
+  ROB_NEXT(1)
+#define ROB_IF(name, condition, expected)                                   \
+  name:                                                                     \
+  if ((condition) == ((expected) != 0)) ROB_NEXT(2 + (pc + 1)->distance()); \
+  ROB_NEXT(2)
+#define ROB_TURN(target)                                            \
+  do {                                                              \
+    const Code top = (target);                                      \
+    if (!turn(pc + 1, top)) return leave(top, top, State::Running); \
+    pc = top;                                                       \
+    ROB_NEXT(0);                                                    \
+  } while (false)
+#define ROB_ASK(call, resume)                                  \
+  do {                                                         \
+    const Reply reply = (call);                                \
+    if (reply != Reply::Done) return pause(pc, resume, reply); \
+  } while (false)
+
+Vm::State Vm::execute(Code pc) {
+  static constexpr const void* kLabels[] = {
+#define ROB_OPCODE(name, operands) &&name,
+#include "lang/opcodes.def"
+  };
+  Slot* const n = numbers_.data();
+  ROB_NEXT(0);
+
+load_constant:
+  n[pc->a()] = chunk_.constants[pc->x()];
+  ROB_NEXT(1);
+load_constant_wide:
+  n[pc->a()] = chunk_.constants[(pc + 1)->word];
+  ROB_NEXT(2);
+load_int:
+  n[pc->a()].integer = pc->signed_x();
+  ROB_NEXT(1);
+copy:
+  n[pc->a()] = n[pc->b()];
+  ROB_NEXT(1);
+int_to_real:
+  n[pc->a()].real = static_cast<double>(n[pc->b()].integer);
+  ROB_NEXT(1);
+
+  ROB_BINARY(add_int, add, integer, integer);
+  ROB_BINARY(sub_int, subtract, integer, integer);
+  ROB_BINARY(mul_int, multiply, integer, integer);
+  ROB_BINARY(div_int, floor_divide, integer, integer);
+  ROB_BINARY(mod_int, floor_modulo, integer, integer);
+  ROB_BINARY(pow_int, integer_power, integer, integer);
+  ROB_BINARY(add_real, add, real, real);
+  ROB_BINARY(sub_real, subtract, real, real);
+  ROB_BINARY(mul_real, multiply, real, real);
+  ROB_BINARY(quot_real, divide, real, real);
+  ROB_BINARY(div_real, floor_divide, real, integer);
+  ROB_BINARY(mod_real, floor_modulo, real, real);
+  ROB_BINARY(pow_real, real_power, real, real);
+neg_int:
+  ROB_CHECKED(arithmetic::negate(n[pc->b()].integer, n[pc->a()].integer));
+  ROB_NEXT(1);
+neg_real:
+  ROB_CHECKED(arithmetic::negate(n[pc->b()].real, n[pc->a()].real));
+  ROB_NEXT(1);
+call_int:
+  ROB_CHECKED(builtins()[pc->b()].integer({&n[pc->a()], pc->c()}, n[pc->a()]));
+  ROB_NEXT(1);
+call_real:
+  ROB_CHECKED(builtins()[pc->b()].real({&n[pc->a()], pc->c()}, n[pc->a()]));
+  ROB_NEXT(1);
+
+equal_text:
+  n[pc->a()].integer = texts_[pc->b()] == texts_[pc->c()] ? 1 : 0;
+  ROB_NEXT(1);
+less_text:  // UTF-8 sorts by bytes as by code points
+  n[pc->a()].integer = texts_[pc->b()] < texts_[pc->c()] ? 1 : 0;
+  ROB_NEXT(1);
+less_equal_text:
+  n[pc->a()].integer = texts_[pc->b()] <= texts_[pc->c()] ? 1 : 0;
+  ROB_NEXT(1);
+
+jump:
+  ROB_NEXT(1 + pc->distance());
+loop:
+  ROB_TURN(pc + 1 + pc->distance());
+  ROB_IF(if_bool, n[pc->a()].integer != 0, pc->b());
+  ROB_IF(if_equal_int, n[pc->a()].integer == n[pc->b()].integer, pc->c());
+  ROB_IF(if_less_int, n[pc->a()].integer < n[pc->b()].integer, pc->c());
+  ROB_IF(if_less_equal_int, n[pc->a()].integer <= n[pc->b()].integer, pc->c());
+  ROB_IF(if_equal_real, n[pc->a()].real == n[pc->b()].real, pc->c());
+  ROB_IF(if_less_real, n[pc->a()].real < n[pc->b()].real, pc->c());
+  ROB_IF(if_less_equal_real, n[pc->a()].real <= n[pc->b()].real, pc->c());
+
+for_prepare_int : {
+  Slot* const f = &n[pc->a()];
+  std::int64_t turns = 0;
+  ROB_CHECKED(arithmetic::turns(f[0].integer, f[1].integer, f[2].integer, turns));
+  if (turns == 0) ROB_NEXT(2 + (pc + 1)->distance());
+  f[1].integer = turns - 1;
+  ROB_NEXT(2);
+}
+for_next_int : {
+  Slot* const f = &n[pc->a()];
+  if (f[1].integer == 0) ROB_NEXT(2);
+  f[1].integer -= 1;
+  f[0].integer += f[2].integer;
+  ++pc;
+  ROB_TURN(pc + 1 + pc->distance());
+}
+for_prepare_real : {
+  Slot* const f = &n[pc->a()];
+  std::int64_t turns = 0;
+  ROB_CHECKED(arithmetic::turns(f[0].real, f[1].real, f[2].real, turns));
+  if (turns == 0) ROB_NEXT(2 + (pc + 1)->distance());
+  f[1].integer = turns - 1;
+  f[3].real = f[0].real;
+  f[4].real = 0;
+  ROB_NEXT(2);
+}
+for_next_real : {
+  Slot* const f = &n[pc->a()];
+  if (f[1].integer == 0) ROB_NEXT(2);
+  f[1].integer -= 1;
+  f[4].real += 1;
+  f[0].real = f[3].real + f[4].real * f[2].real;
+  ++pc;
+  ROB_TURN(pc + 1 + pc->distance());
+}
+
+load_text:
+  texts_[pc->a()] = chunk_.texts[(pc + 1)->word];
+  ROB_NEXT(2);
+copy_text:
+  texts_[pc->a()] = texts_[pc->b()];
+  ROB_NEXT(1);
+join_text:
+  if (!join(pc->a(), pc->b(), pc->c())) return fail_too_long(pc);
+  ROB_NEXT(1);
+append_int:
+  if (!append(pc->a(), std::to_string(n[pc->b()].integer))) return fail_too_long(pc);
+  ROB_NEXT(1);
+append_real:
+  if (!append(pc->a(), number_text(n[pc->b()].real, chunk_.dimensions[pc->c()]))) {
+    return fail_too_long(pc);
+  }
+  ROB_NEXT(1);
+append_bool:
+  if (!append(pc->a(), text_of(n[pc->b()].integer != 0))) return fail_too_long(pc);
+  ROB_NEXT(1);
+append_text:
+  if (!append(pc->a(), texts_[pc->b()])) return fail_too_long(pc);
+  ROB_NEXT(1);
+
+latch:
+  latch_ = pc;
+  ROB_NEXT(1);
+read_signal:
+  if (next_cycle_is_due()) return leave(pc, pc, State::NextCycle);
+  ROB_ASK(observe(pc), pc);
+  ROB_NEXT(1);
+read_latched:
+  if (next_cycle_is_due()) return leave(pc, latch_, State::NextCycle);
+  ROB_ASK(observe(pc), latch_);
+  ROB_NEXT(1);
+write_signal:
+  ROB_ASK(machine_.write_signal(line(pc), pc->x(), n[pc->a()].integer != 0), pc);
+  ROB_NEXT(1);
+move : {
+  MoveCommand command;
+  if (!build(pc, command)) return leave(pc, pc, State::Failed);
+  ROB_ASK(machine_.move(line(pc), command), pc);
+  ROB_NEXT(1);
+}
+stop:
+  ROB_ASK(machine_.stop(line(pc)), pc);
+  ROB_NEXT(1);
+print:
+  ROB_ASK(machine_.print(line(pc), texts_[pc->a()]), pc);
+  ROB_NEXT(1);
+end:
+  ROB_ASK(machine_.end(line(pc)), pc);
+  return leave(pc + 1, pc, State::Done);
+}
+
+#undef ROB_ASK
+#undef ROB_TURN
+#undef ROB_IF
+#undef ROB_BINARY
+#undef ROB_CHECKED
+#undef ROB_NEXT
+#pragma GCC diagnostic pop
+
+}  // namespace rob::lang
