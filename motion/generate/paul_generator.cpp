@@ -121,11 +121,13 @@ void PaulGenerator::decide() noexcept {
   }
 }
 
-/// Begins `segment` and says so; false, with a fault, if its references would not be finite.
+/// Begins `segment` and says so; false, with a fault, if its rates would not be finite. The lowest
+/// axis is told.
 bool PaulGenerator::take_up(const SegmentDescriptor& segment, double instant) noexcept {
+  const bool timed = std::isfinite(segment.duration) && std::isfinite(segment.t_acc);
   for (int i = 0; i < segment_.target.size(); ++i) {
     const double rate = (segment.target[i] - segment_.target[i]) / segment.duration;
-    if (std::isfinite(rate) && std::isfinite(segment.target[i])) continue;
+    if (timed && std::isfinite(rate) && std::isfinite(segment.target[i])) continue;
     fail(segment, i, instant);
     return false;
   }
