@@ -108,6 +108,7 @@ Token Lexer::quantity(std::string_view digits) {
   if (!value) return too_large("");
   token.number.value = *value;
   token.number.dimension = match->unit.dimension;
+  token.number.has_unit = true;
   return token;
 }
 
