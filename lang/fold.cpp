@@ -2,17 +2,17 @@
 
 #include <array>
 #include <string>
-#include <utility>
 
 #include "lang/number_text.h"
 
 namespace rob::lang {
 namespace {
 
+/// `value` is taken by reference, since the call that yields `error` stores it.
 template <typename T>
-Folded made(ArithmeticError error, T value) {
+Folded made(ArithmeticError error, const T& value) {
   if (error != ArithmeticError::None) return {error, {}};
-  return {error, Constant(std::move(value))};
+  return {error, Constant(value)};
 }
 
 template <typename T>
