@@ -13,15 +13,15 @@ namespace rob::lang {
 
 namespace {
 
-/// Signs, longer ones before those they begin with.
+/// Signs, longer ones before those they begin with, otherwise frequent ones first.
 constexpr auto kSigns = std::to_array<std::pair<std::string_view, TokenKind>>({
-    {"==", TokenKind::Equal},        {"<>", TokenKind::NotEqual},    {"<=", TokenKind::LessEqual},
-    {">=", TokenKind::GreaterEqual}, {"<", TokenKind::Less},         {">", TokenKind::Greater},
-    {"=", TokenKind::Assign},        {"(", TokenKind::LeftParen},    {")", TokenKind::RightParen},
-    {"[", TokenKind::LeftBracket},   {"]", TokenKind::RightBracket}, {",", TokenKind::Comma},
-    {":", TokenKind::Colon},         {".", TokenKind::Dot},          {"+", TokenKind::Plus},
-    {"-", TokenKind::Minus},         {"*", TokenKind::Star},         {"/", TokenKind::Slash},
-    {"^", TokenKind::Caret},         {"%", TokenKind::Percent},
+    {",", TokenKind::Comma},      {"(", TokenKind::LeftParen},     {")", TokenKind::RightParen},
+    {"+", TokenKind::Plus},       {"-", TokenKind::Minus},         {"*", TokenKind::Star},
+    {"/", TokenKind::Slash},      {"==", TokenKind::Equal},        {"<>", TokenKind::NotEqual},
+    {"<=", TokenKind::LessEqual}, {">=", TokenKind::GreaterEqual}, {"=", TokenKind::Assign},
+    {"<", TokenKind::Less},       {">", TokenKind::Greater},       {":", TokenKind::Colon},
+    {".", TokenKind::Dot},        {"[", TokenKind::LeftBracket},   {"]", TokenKind::RightBracket},
+    {"^", TokenKind::Caret},      {"%", TokenKind::Percent},
 });
 
 struct ForeignSign {
@@ -148,7 +148,7 @@ Token Lexer::word() {
 Token Lexer::sign() {
   const std::string_view rest = source_.substr(offset_);
   for (const ForeignSign& foreign : kForeignSigns) {
-    if (!rest.starts_with(foreign.sign)) continue;
+    if (rest.front() != foreign.sign.front() || !rest.starts_with(foreign.sign)) continue;
     offset_ += foreign.sign.size();
     report(code::kForeignOperator, begin_, fmt::format("'{}' is no operator of Rob", foreign.sign),
            fmt::format("write {}", foreign.ours));

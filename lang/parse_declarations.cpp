@@ -54,6 +54,12 @@ std::string type_help(std::string_view word) {
 
 }  // namespace
 
+std::optional<Type> named_type(std::string_view word) {
+  const auto found = std::ranges::find_if(
+      kTypes, [&](const NamedType& type) { return same_word(type.name, word); });
+  return found == kTypes.end() ? std::nullopt : std::optional(found->type);
+}
+
 // decl = "CONST" IDENT [ ":" type ] "=" expr eol
 //      | "VAR" names ( ":" type [ "=" expr ] | "=" expr ) eol .
 void Parser::declaration(Block& block) {
@@ -131,11 +137,9 @@ Type Parser::type() {
     fail_here(code::kUnknownType, fmt::format("a type expected, not {}", described(word)),
               type_help(word.text));
   }
-  const auto known = std::ranges::find_if(
-      kTypes, [&](const NamedType& type) { return same_word(type.name, word.text); });
-  if (known != kTypes.end()) {
+  if (const auto known = named_type(word.text)) {
     advance();
-    return known->type;
+    return *known;
   }
   for (const std::string_view later : kLaterTypes) {
     if (same_word(later, word.text)) fail_not_yet(word.place, fmt::format("the type {}", later));

@@ -207,7 +207,6 @@ Tuple Parser::elements(std::string_view what) {
     fail(code::kValueExpected, place, "there is nothing between the parentheses");
   }
   do {
-    count_node(current_.place);
     tuple.elements.push_back(element());
   } while (accept(TokenKind::Comma));
   close_bracket(what);
@@ -218,7 +217,10 @@ Tuple Parser::elements(std::string_view what) {
 Tuple::Element Parser::element() {
   Tuple::Element element;
   element.place = current_.place;
-  if (at(TokenKind::Comma) || at(TokenKind::RightParen) || at_line_end()) return element;
+  if (at(TokenKind::Comma) || at(TokenKind::RightParen) || at_line_end()) {
+    count_node(element.place);
+    return element;
+  }
   const bool assigned = next_.kind == TokenKind::Assign;
   if (at(TokenKind::Word) && (assigned || next_.kind == TokenKind::Colon)) {
     if (assigned) {

@@ -88,8 +88,8 @@ void Parser::fail_target() {
   }
   constexpr std::size_t kMostShown = 60;
   const std::string_view written = source_.substr(first.offset, end - first.offset);
-  const std::string help =
-      end - first.offset <= kMostShown ? fmt::format("MOVE({})", written) : "MOVE(140, 40, 0)";
+  const bool list = written.find(',') != std::string_view::npos && written.size() <= kMostShown;
+  const std::string help = list ? fmt::format("MOVE({})", written) : "MOVE(140, 40, 0)";
   fail(code::kTargetExpected, first.place,
        "a target is written in parentheses: '(' expected after MOVE", help);
 }

@@ -28,8 +28,8 @@ void Parser::any_statement(Block& block) {
               "choose another name");
   }
   if (!block_statement(block)) simple(block);
-  const bool misspelt_closer = at_block_end() && current_.first_on_line;
-  if (!misspelt_closer) end_of_line();
+  // At the beginning of a line stands the end of a block, for the rule of that block.
+  if (!current_.first_on_line) end_of_line();
 }
 
 /// What cannot stand behind THEN on the same line; false if nothing of the kind stands here.
@@ -97,8 +97,12 @@ void Parser::word_statement(Block& block) {
 /// message. The head of a block is taken for one only if its line ends like one: a block opened
 /// by mistake would swallow the rest of the program.
 void Parser::unknown_word(Block& block) {
-  const std::string_view meant = suggest(current_.text, statement_words());
   const std::string message = fmt::format("{} is no statement", described(current_));
+  if (named_type(current_.text) && next_.kind == TokenKind::Word) {
+    fail_here(code::kUnknownStatement, message,
+              fmt::format("a variable is declared so: VAR {}: {}", next_.text, current_.text));
+  }
+  const std::string_view meant = suggest(current_.text, statement_words());
   if (meant.empty()) {
     fail_here(code::kUnknownStatement, message,
               "a line begins with a statement's word, or with a name and '='");

@@ -171,14 +171,17 @@ void Parser::recover_until(Keyword keyword) {
 /// What helps against frequent mistakes that show as an unexpected token.
 std::string Parser::remedy() const {
   const bool behind_number = previous_.kind == TokenKind::Number && !previous_.has_unit;
-  if (behind_number && find_unit(current_.text)) {
+  const bool value_follows = next_.kind == TokenKind::Number || next_.kind == TokenKind::Word ||
+                             next_.kind == TokenKind::LeftParen;
+  if (at(TokenKind::Percent) && value_follows) return "the remainder is written x MOD y";
+  const auto unit = match_unit(source_.substr(current_.offset));
+  if (behind_number && unit) {
     return fmt::format("a unit follows its number without a blank: {}{}", previous_.text,
-                       current_.text);
+                       source_.substr(current_.offset, unit->length));
   }
   if (behind_number && at(TokenKind::Comma) && next_.kind == TokenKind::Number) {
     return fmt::format("the decimal sign is a point: {}.{}", previous_.text, next_.text);
   }
-  if (at(TokenKind::Percent)) return "the remainder is written x MOD y";
   if (at(TokenKind::RightParen) || at(TokenKind::RightBracket)) return "no bracket is open here";
   return "";
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,9 @@ bool begins_statement(const Token& token);
 
 /// A token for messages: 'MOVE', "the end of the line".
 std::string described(const Token& token);
+
+/// BOOL, LENGTH, …, in any case; empty if this version has no such type.
+std::optional<Type> named_type(std::string_view word);
 
 class Parser {
  public:

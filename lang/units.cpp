@@ -161,9 +161,14 @@ std::optional<double> to_si(std::string_view number, const Unit& unit) {
   const std::string_view mantissa = number.substr(0, e);
   const long written = e < number.size() ? exponent_value(number.substr(e + 1)) : 0;
   const long exponent = written + unit.exponent10;
-  const std::string shifted = fmt::format("{}e{}", mantissa, exponent);
   double value = 0;
-  const auto result = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
+  std::from_chars_result result{};
+  if (unit.exponent10 == 0) {
+    result = std::from_chars(number.data(), number.data() + number.size(), value);
+  } else {
+    const std::string shifted = fmt::format("{}e{}", mantissa, exponent);
+    result = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
+  }
   if (result.ec == std::errc::result_out_of_range) {
     if (magnitude(mantissa) + exponent > 0) return std::nullopt;
     value = 0;
