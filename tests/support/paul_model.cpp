@@ -94,16 +94,29 @@ AxisState PaulModel::in_segment(const PaulSegment& segment, double t) const {
   return state;
 }
 
-double PaulModel::corner_miss(std::size_t segment) const {
+double PaulModel::least_distance(const AxisValues& place, double from, double to) const {
   constexpr int kPlaces = 4000;
-  const PaulSegment& passed = segments_[segment];
-  const double decision = passed.start + passed.t1;
-  double least = tool_distance(at(decision).q, passed.c, robot_.tool_axes);
+  double least = tool_distance(at(from).q, place, robot_.tool_axes);
   for (int k = 1; k <= kPlaces; ++k) {
-    const double time = decision + 2 * robot_.t_acc * k / kPlaces;
-    least = std::min(least, tool_distance(at(time).q, passed.c, robot_.tool_axes));
+    const double time = from + (to - from) * k / kPlaces;
+    least = std::min(least, tool_distance(at(time).q, place, robot_.tool_axes));
   }
   return least;
+}
+
+double PaulModel::corner_miss(std::size_t segment) const {
+  const PaulSegment& passed = segments_[segment];
+  const double decision = passed.start + passed.t1;
+  return least_distance(passed.c, decision, decision + 2 * robot_.t_acc);
+}
+
+double PaulModel::nearest_pass(std::size_t segment) const {
+  const PaulSegment& passed = segments_[segment];
+  const double decision = passed.start + passed.t1;
+  const double end =
+      segment + 1 < segments_.size() ? decision + segments_[segment + 1].t1 : total();
+  return std::min({corner_miss(segment), least_distance(passed.c, passed.start, decision),
+                   least_distance(passed.c, decision, end)});
 }
 
 }  // namespace rob::test

@@ -105,3 +105,15 @@ TEST_CASE("where nothing has moved STOP and END cost nothing") {
   CHECK(model.total() == 0);
   CHECK(model.at(1).q == AxisValues{5, 6, 7});
 }
+
+TEST_CASE("a tool that turns back passes nearer before the corner than in it") {
+  // To x = 50 and 1 mm back: at the end of the first corner the tool comes back over x = 49.5, so
+  // it has been on the second target, 49, on its way out. The corner there begins 0.5 mm away.
+  const PaulModel model(gantry_robot(), {0, 0, 0},
+                        {move(1, {50, 0, 0}), move(2, {49, 0, 0}), move(3, {49, 60, 0}), stop(4)});
+  CHECK(model.nearest_pass(1) < 0.02);
+  CHECK(model.at(5.5).q[0] == doctest::Approx(49.5));
+  CHECK(model.corner_miss(1) > 0.2);
+  CHECK(model.corner_miss(1) < 0.5);
+  CHECK(model.nearest_pass(0) <= model.corner_miss(0));
+}
