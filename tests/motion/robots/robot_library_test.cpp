@@ -1,0 +1,83 @@
+#include "motion/robots/robot_library.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+#include "motion/robots/robot_file.h"
+
+using namespace rob::motion;
+
+namespace {
+
+const RobotSignal& signal(const RobotModel& robot, std::string_view name) {
+  return *std::find_if(robot.signals.begin(), robot.signals.end(),
+                       [&](const RobotSignal& s) { return s.name == name; });
+}
+
+}  // namespace
+
+TEST_CASE("the gantry is S1's") {
+  const RobotModel robot = embedded_robot("gantry");
+  CHECK(robot.name == "gantry");
+  CHECK(robot.law == Law::Paul);
+  CHECK(robot.reference_period == 0.01);
+  CHECK(robot.servo_period == 0.005);
+  CHECK(robot.t_acc == 1.375);
+  REQUIRE(robot.axis_count() == 3);
+  const char* names[] = {"x", "y", "theta"};
+  const double min[] = {0, 0, -std::numbers::pi};
+  const double max[] = {0.4, 0.3, std::numbers::pi};
+  const double unit[] = {0.001, 0.001, std::numbers::pi / 180};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Axis& axis = robot.axes[i];
+    CHECK(axis.name == names[i]);
+    CHECK(axis.kind == (i < 2 ? AxisKind::Linear : AxisKind::Rotary));
+    CHECK(axis.min == doctest::Approx(min[i]));
+    CHECK(axis.max == doctest::Approx(max[i]));
+    CHECK(axis.v_max == doctest::Approx(20 * unit[i]));
+    CHECK(axis.a_max == doctest::Approx(100 * unit[i]));
+    CHECK(axis.j_max == doctest::Approx(1000 * unit[i]));
+    CHECK(robot.start[static_cast<int>(i)] == 0);
+  }
+  REQUIRE(robot.kinematics);
+  CHECK(robot.kinematics->axes() == 3);
+}
+
+TEST_CASE("the gantry lifts and grips by signals that take time") {
+  const RobotModel robot = embedded_robot("gantry");
+  CHECK(robot.signals.size() == 6);
+  CHECK(signal(robot, "lift").output);
+  CHECK(signal(robot, "gripper").output);
+  for (const char* name : {"lift_up", "lift_down", "gripper_open", "gripper_closed"})
+    CHECK_FALSE(signal(robot, name).output);
+  REQUIRE(robot.actuators.size() == 2);
+  const TwoPositionActuator& lift = robot.actuators[0];
+  CHECK(lift.output == signal(robot, "lift").channel);
+  CHECK(lift.input_on == signal(robot, "lift_up").channel);
+  CHECK(lift.input_off == signal(robot, "lift_down").channel);
+  CHECK(lift.travel_time == 0.5);
+  const TwoPositionActuator& gripper = robot.actuators[1];
+  CHECK(gripper.output == signal(robot, "gripper").channel);
+  CHECK(gripper.input_on == signal(robot, "gripper_closed").channel);
+  CHECK(gripper.input_off == signal(robot, "gripper_open").channel);
+  CHECK(gripper.travel_time == 0.1);
+}
+
+TEST_CASE("every robot that Rob carries can be read and is called as its file") {
+  REQUIRE_FALSE(robot_names().empty());
+  for (const std::string_view name : robot_names()) CHECK(embedded_robot(name).name == name);
+}
+
+TEST_CASE("an unknown robot is refused, with the name that was probably meant") {
+  CHECK_THROWS_WITH_AS(embedded_robot("gantyr"),
+                       "there is no robot 'gantyr'; did you mean 'gantry'?", RobotFileError);
+  try {
+    embedded_robot("puma");
+    FAIL("puma is not known");
+  } catch (const RobotFileError& error) {
+    CHECK(std::string(error.what()).find("known are gantry") != std::string::npos);
+  }
+}
