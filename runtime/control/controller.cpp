@@ -1,6 +1,5 @@
 #include "runtime/control/controller.h"
 
-#include <limits>
 #include <utility>
 
 namespace rob::runtime {
@@ -20,7 +19,7 @@ Controller::Controller(const motion::RobotModel& robot,
 }
 
 Controller::~Controller() {
-  backend_->disable(std::numeric_limits<double>::max());
+  servo_task_.disable();
   backend_->close();
 }
 

@@ -40,6 +40,7 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
 }
 
 void ServoTask::enable(double now) noexcept {
+  now_ = now;
   command_.reference.time = now;
   interpolator_.reset(command_.reference);
   law_.reset(now);
@@ -49,12 +50,13 @@ void ServoTask::enable(double now) noexcept {
   enabled_ = true;
 }
 
-void ServoTask::disable(double now) noexcept {
-  backend_.disable(now);
+void ServoTask::disable() noexcept {
+  backend_.disable(now_);
   enabled_ = false;
 }
 
 void ServoTask::cycle(double now) noexcept {
+  now_ = now;
   const DriverStatus read = backend_.read(now, state_);
   const DriverStatus status = read == DriverStatus::Ok ? written_ : read;
   motion::JointReference newest;

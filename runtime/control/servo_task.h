@@ -20,7 +20,7 @@ class ServoTask {
   void enable(double now) noexcept;
   void cycle(double now) noexcept;
   /// The drives are without force from now on; further cycles only read.
-  void disable(double now) noexcept;
+  void disable() noexcept;
 
  private:
   motion::ServoBackend& backend_;
@@ -31,6 +31,7 @@ class ServoTask {
   motion::ServoState state_;
   motion::ServoCommand command_;
   motion::DriverStatus written_ = motion::DriverStatus::Ok;
+  double now_ = 0;  ///< of the last call
   bool enabled_ = false;
 };
 
