@@ -39,6 +39,18 @@ TEST_CASE("a constant force brings the axis to u/b as 1 − exp(−b·t/m)") {
   }
 }
 
+TEST_CASE("a step is exact on both sides of where the series takes over from the closed form") {
+  for (const double x : {0.0031, 0.0099, 0.0101, 0.4, 5.0}) {  // b·t/m
+    SimAxis axis = at_rest(drive(0));
+    axis.push(2);
+    axis.advance(3 * x);
+    const long double fade = -std::expm1(-static_cast<long double>(x));
+    const long double q = 0.5L * 3 * x - 3 * 0.5L * fade;
+    CHECK(axis.q() == doctest::Approx(static_cast<double>(q)).epsilon(1e-12));
+    CHECK(axis.v() == doctest::Approx(static_cast<double>(0.5L * fade)).epsilon(1e-14));
+  }
+}
+
 TEST_CASE("one long step and many short ones lead to the same place") {
   for (const double viscous : {0.0, 1e-6, 4.0, 400.0}) {
     motion::DriveData d = drive(0.3);

@@ -100,12 +100,13 @@ TEST_CASE("however long a call was awaited, the answer is the same to a count") 
     gantry->enable(0);
     gantry->write(0, drive_with(three(3, -2, 0.01)));
   }
-  for (int k = 1; k < 400; ++k) read(often, k * 0.005);
-  const motion::ServoState a = read(rare, 2);
-  const motion::ServoState b = read(often, 2);
+  for (int k = 1; k < 40; ++k) read(often, k * 0.005);
+  const motion::ServoState a = read(rare, 0.2);
+  const motion::ServoState b = read(often, 0.2);
   for (int i = 0; i < 3; ++i) {
     CHECK(rare.true_position(i) == doctest::Approx(often.true_position(i)).epsilon(1e-10));
-    CHECK(a.measured.qd[i] == doctest::Approx(b.measured.qd[i]).epsilon(0.001));
+    // The estimates are equally late, by 2% of the velocity here.
+    CHECK(a.measured.qd[i] == doctest::Approx(b.measured.qd[i]).epsilon(0.005));
   }
 }
 

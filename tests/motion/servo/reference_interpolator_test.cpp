@@ -235,6 +235,24 @@ TEST_CASE("a single reference that comes at its own instant is joined from there
   CHECK(interpolator.starved() == 7);
 }
 
+TEST_CASE("a reference that comes when its instant is past corrects the extrapolation") {
+  ReferenceInterpolator interpolator = standing_at_start();
+  for (int k = 1; k <= 20; ++k) interpolator.push(on_path(stamp(k)));
+  interpolator.at(stamp(20));
+  std::vector<JointReference> sent;
+  for (int ms = 0; ms < 4000; ++ms) {
+    if (ms == 25) interpolator.push(on_path(stamp(21)));
+    sent.push_back(interpolator.at(stamp(20) + 0.001 * ms));
+  }
+  const Worst worst = worst_of(sent, 0);
+  CHECK(worst.position_jump[0] <= 2 * kAMax[0] * 0.001 * 0.001);
+  CHECK(worst.acceleration[0] <= 2 * kAMax[0]);
+  ReferenceExtrapolation from_21(kPeriod, kVMax, kAMax);
+  from_21.start(on_path(stamp(21)));
+  CHECK(sent.back().q == from_21.at(sent.back().time).q);
+  CHECK_FALSE(interpolator.joining());
+}
+
 TEST_CASE("a reference that comes a moment late is not counted as starvation") {
   ReferenceInterpolator interpolator = standing_at_start();
   interpolator.push(on_path(stamp(1)));

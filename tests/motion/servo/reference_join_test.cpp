@@ -104,6 +104,14 @@ TEST_CASE("a difference in position alone is made up at a tenth of the greatest 
   CHECK(offset(join, 0.93751).q[0] == 0);
 }
 
+TEST_CASE("a difference in acceleration, however great, is given a whole period") {
+  JointReference from = standing(0);
+  from.qdd[0] = 2;  // after h = 1/2 of it (1 − h)(1 − 3h) = −1/4 is left
+  ReferenceJoin join(kPeriod, kVMax, kAMax);
+  join.start(from, standing(0));
+  CHECK(offset(join, 0.5 * kPeriod).qdd[0] == doctest::Approx(-0.5).epsilon(0.05));
+}
+
 TEST_CASE("axes that are off in a fixed proportion join in that proportion") {
   JointReference from = standing(0);
   from.q = both(0.001, 0.0005);
