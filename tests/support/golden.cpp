@@ -1,0 +1,145 @@
+#include "tests/support/golden.h"
+
+#include <algorithm>
+
+#include "fmt/core.h"
+#include "lang/compile.h"
+#include "lang/printing_machine.h"
+#include "lang/vm.h"
+
+namespace rob::test {
+namespace {
+
+using Kind = Expectation::Kind;
+
+std::string_view name_of(Kind kind) {
+  switch (kind) {
+    case Kind::Call:
+      return "call";
+    case Kind::Error:
+      return "error";
+    case Kind::Warning:
+      return "warning";
+    case Kind::Failure:
+      return "failure";
+    case Kind::Refusal:
+      return "refusal";
+  }
+  return {};
+}
+
+/// Holds what happens against what is expected, and keeps the differences.
+class Comparison {
+ public:
+  explicit Comparison(GoldenScript script) : open_(std::move(script.expectations)) {
+    for (std::string& mistake : script.mistakes) differences_.push_back(std::move(mistake));
+    if (open_.empty()) differences_.emplace_back("the program expects nothing");
+  }
+
+  /// A message: it must contain the text of an expectation of its line.
+  void message(Kind kind, int line, const std::string& text) {
+    const auto met = std::ranges::find_if(open_, [&](const Expectation& expected) {
+      return expected.kind == kind && expected.line == line &&
+             text.find(expected.text) != std::string::npos;
+    });
+    settle(met, kind, line, text);
+  }
+
+  /// A call: it must be the next one that is expected of its line.
+  void call(int line, const std::string& text) {
+    const auto next = std::ranges::find_if(open_, [&](const Expectation& expected) {
+      return expected.kind == Kind::Call && expected.line == line;
+    });
+    if (next == open_.end() && text == "end") return;
+    if (next != open_.end() && next->text != text) {
+      differences_.push_back(
+          fmt::format("line {}: expected call: {}, but got: {}", line, next->text, text));
+      open_.erase(next);
+      return;
+    }
+    settle(next, Kind::Call, line, text);
+  }
+
+  GoldenResult result() {
+    GoldenResult result{.differences = std::move(differences_), .refusals = {}};
+    for (const Expectation& expected : open_) {
+      if (expected.kind == Kind::Refusal) {
+        result.refusals.push_back(expected);
+      } else {
+        result.differences.push_back(fmt::format("line {}: expected {} did not come: {}",
+                                                 expected.line, name_of(expected.kind),
+                                                 expected.text));
+      }
+    }
+    return result;
+  }
+
+  void difference(std::string text) { differences_.push_back(std::move(text)); }
+
+ private:
+  void settle(std::vector<Expectation>::iterator met, Kind kind, int line,
+              const std::string& text) {
+    if (met != open_.end()) {
+      open_.erase(met);
+    } else {
+      differences_.push_back(fmt::format("line {}: unexpected {}: {}", line, name_of(kind), text));
+    }
+  }
+
+  std::vector<Expectation> open_;
+  std::vector<std::string> differences_;
+};
+
+void prepare(lang::PrintingMachine& machine, const lang::RobotSignature& robot,
+             const GoldenScript& script, Comparison& comparison) {
+  machine.answer_later(script.later);
+  for (const auto& [name, values] : script.signals) {
+    const auto signal = std::ranges::find(robot.signals, name, &lang::RobotSignature::Signal::name);
+    if (signal == robot.signals.end()) {
+      comparison.difference("there is no signal " + name);
+    } else {
+      machine.script(static_cast<int>(signal - robot.signals.begin()), values);
+    }
+  }
+}
+
+void run(const lang::Chunk& chunk, lang::PrintingMachine& machine, Comparison& comparison) {
+  // [choice] a golden program is small: what takes longer never ends.
+  constexpr std::int64_t kMostInstructions = 10'000'000;
+  lang::Vm vm(chunk, machine);
+  while (vm.state() != lang::Vm::State::Done && vm.state() != lang::Vm::State::Failed) {
+    if (vm.executed() > kMostInstructions) {
+      comparison.difference("the program does not end");
+      break;
+    }
+    vm.run(kMostInstructions);
+  }
+  for (const auto& call : machine.calls()) comparison.call(call.line, call.text);
+  if (vm.state() == lang::Vm::State::Failed) {
+    const lang::RuntimeError& error = vm.error();
+    comparison.message(Kind::Failure, static_cast<int>(error.place.line),
+                       fmt::format("{}: {}; {}", error.code, error.message, error.help));
+  }
+}
+
+}  // namespace
+
+GoldenResult check_golden(std::string_view source, const lang::RobotSignature& robot) {
+  const GoldenScript script = read_golden(source);
+  Comparison comparison(script);
+  const lang::Compilation compilation = lang::compile(source, robot);
+  for (const lang::Diagnostic& diagnostic : compilation.diagnostics.all()) {
+    comparison.message(
+        diagnostic.severity == lang::Severity::Error ? Kind::Error : Kind::Warning,
+        static_cast<int>(diagnostic.place.line),
+        fmt::format("{}: {}; {}", diagnostic.code, diagnostic.message, diagnostic.help));
+  }
+  if (compilation.chunk) {
+    lang::PrintingMachine machine(robot);
+    prepare(machine, robot, script, comparison);
+    run(*compilation.chunk, machine, comparison);
+  }
+  return comparison.result();
+}
+
+}  // namespace rob::test

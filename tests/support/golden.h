@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/robot_signature.h"
+
+/// Golden programs: .rob files with the expectation in a comment on the line it is about.
+///
+///     MOVE(40,40,0)      // expect: move 40 40 0
+///     MOVE(140,40        // expect error: ')' expected
+///     VAR sin = 3        // expect warning: hides
+///     PRINT 1 / n        // expect failure: division by zero
+///     MOVE(9000,0,0)     // expect refusal: beyond
+///
+/// `expect:` names a call to the Machine, as PrintingMachine writes it, in full; the others a part
+/// of a message. A comment that stands alone belongs to the line of code above it. Every message
+/// must be expected and every expectation met. The calls of one line must come in the order of its
+/// expectations, however often a loop passes the line; the final `end` need not be expected.
+///
+///     // given lift_up: OFF OFF ON     what reading a signal answers; the last stays
+///     // given later: 3                the first three calls are answered "later"
+///
+/// Refusals need the real planner, which is none of the language's business: they are handed on.
+namespace rob::test {
+
+struct Expectation {
+  enum class Kind { Call, Error, Warning, Failure, Refusal };
+
+  Kind kind = Kind::Call;
+  int line = 0;
+  std::string text;
+};
+
+/// What a golden program says about itself.
+struct GoldenScript {
+  std::vector<Expectation> expectations;
+  std::map<std::string, std::vector<bool>> signals;  ///< by name
+  int later = 0;
+  std::vector<std::string> mistakes;  ///< comments that look like expectations and are none
+};
+
+GoldenScript read_golden(std::string_view source);
+
+struct GoldenResult {
+  std::vector<std::string> differences;  ///< empty if all is as expected
+  std::vector<Expectation> refusals;     ///< still to be checked against the planner
+};
+
+/// Compiles and runs a golden program against a PrintingMachine.
+GoldenResult check_golden(std::string_view source, const lang::RobotSignature& robot);
+
+}  // namespace rob::test

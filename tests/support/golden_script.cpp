@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "tests/support/golden.h"
+
+namespace rob::test {
+namespace {
+
+struct Directive {
+  std::string_view opening;
+  Expectation::Kind kind;
+};
+
+constexpr std::array kDirectives = std::to_array<Directive>({
+    {"expect: ", Expectation::Kind::Call},
+    {"expect error: ", Expectation::Kind::Error},
+    {"expect warning: ", Expectation::Kind::Warning},
+    {"expect failure: ", Expectation::Kind::Failure},
+    {"expect refusal: ", Expectation::Kind::Refusal},
+});
+
+/// Where the comment of a line begins. A text in the program may hold "//" too, so what looks like
+/// a directive goes first.
+std::size_t comment_of(std::string_view text) {
+  for (const std::string_view opening : {"// expect", "// given", "//"}) {
+    if (const auto at = text.find(opening); at != std::string_view::npos) return at;
+  }
+  return std::string_view::npos;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// "lift_up: OFF ON" or "later: 3".
+bool read_given(std::string_view text, GoldenScript& script) {
+  const auto colon = text.find(':');
+  if (colon == std::string_view::npos) return false;
+  const std::string name(trimmed(text.substr(0, colon)));
+  std::istringstream values{std::string(text.substr(colon + 1))};
+  if (name == "later") return static_cast<bool>(values >> script.later);
+  for (std::string value; values >> value;) {
+    if (value != "ON" && value != "OFF") return false;
+    script.signals[name].push_back(value == "ON");
+  }
+  return !script.signals[name].empty();
+}
+
+bool read_comment(std::string_view comment, int line, GoldenScript& script) {
+  constexpr std::string_view kGiven = "given ";
+  if (comment.starts_with(kGiven)) return read_given(comment.substr(kGiven.size()), script);
+  for (const Directive& directive : kDirectives) {
+    if (!comment.starts_with(directive.opening)) continue;
+    script.expectations.push_back(
+        {.kind = directive.kind,
+         .line = line,
+         .text = std::string(trimmed(comment.substr(directive.opening.size())))});
+    return true;
+  }
+  return !comment.starts_with("expect");
+}
+
+}  // namespace
+
+GoldenScript read_golden(std::string_view source) {
+  GoldenScript script;
+  int line = 0;
+  int line_of_code = 0;
+  while (!source.empty()) {
+    const std::string_view text = source.substr(0, source.find('\n'));
+    source.remove_prefix(std::min(text.size() + 1, source.size()));
+    ++line;
+    const auto slashes = comment_of(text);
+    if (!trimmed(text.substr(0, slashes)).empty()) line_of_code = line;
+    if (slashes == std::string_view::npos) continue;
+    if (!read_comment(trimmed(text.substr(slashes + 2)), line_of_code, script)) {
+      script.mistakes.push_back("line " + std::to_string(line) + ": cannot read " +
+                                std::string(text.substr(slashes)));
+    }
+  }
+  return script;
+}
+
+}  // namespace rob::test
