@@ -45,7 +45,9 @@ Decimal seventeen_digits(double value) {
   std::array<char, 32> text;
   const auto end =
       std::to_chars(text.begin(), text.end(), value, std::chars_format::scientific, 16);
-  return from_scientific({text.data(), end.ptr});
+  Decimal decimal = from_scientific({text.data(), end.ptr});
+  while (decimal.digits.size() > 1 && decimal.digits.back() == '0') decimal.digits.pop_back();
+  return decimal;
 }
 
 /// The shortest decimal whose value times `factor` is `si`. All doubles of which that holds lie

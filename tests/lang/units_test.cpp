@@ -1,0 +1,166 @@
+#include "lang/units.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+using namespace rob::lang;
+
+namespace {
+
+double si(std::string_view number, std::string_view unit) {
+  return to_si(number, find_unit(unit).value()).value();
+}
+
+}  // namespace
+
+TEST_CASE("every unit of the language has its dimension and its size in SI") {
+  struct Row {
+    const char* unit;
+    Dimension dimension;
+    double one;
+  };
+  const double pi = 3.14159265358979323846;
+  for (const Row& row :
+       {Row{"um", kLength, 1e-6}, {"mm", kLength, 1e-3},   {"cm", kLength, 1e-2},
+        {"m", kLength, 1},        {"in", kLength, 0.0254}, {"deg", kAngle, pi / 180},
+        {"rad", kAngle, 1},       {"rev", kAngle, 2 * pi}, {"rpm", kAngularSpeed, 2 * pi / 60},
+        {"us", kTime, 1e-6},      {"ms", kTime, 1e-3},     {"s", kTime, 1},
+        {"min", kTime, 60},       {"N", kForce, 1},        {"kN", kForce, 1e3},
+        {"Nm", kTorque, 1},       {"g", kMass, 1e-3},      {"kg", kMass, 1},
+        {"Hz", kFrequency, 1},    {"V", kVoltage, 1},      {"%", kNone, 0.01}}) {
+    CAPTURE(row.unit);
+    const auto unit = find_unit(row.unit);
+    REQUIRE(unit);
+    CHECK(unit->dimension == row.dimension);
+    CHECK(si("1", row.unit) == doctest::Approx(row.one).epsilon(1e-15));
+    CHECK(std::ranges::count(unit_names(), std::string_view(row.unit)) == 1);
+  }
+  CHECK(unit_names().size() == 21);
+}
+
+TEST_CASE("units are multiplied, divided and raised to powers") {
+  CHECK(find_unit("mm/s")->dimension == kSpeed);
+  CHECK(find_unit("m/s^2")->dimension == kAcceleration);
+  CHECK(find_unit("N*m")->dimension == find_unit("Nm")->dimension);
+  CHECK(find_unit("kg*m/s^2")->dimension == kForce);
+  CHECK(find_unit("1/s")->dimension == kFrequency);
+  CHECK(find_unit("s^-1")->dimension == kFrequency);
+  CHECK(find_unit("1/mm*mm")->dimension == kNone);
+  CHECK(si("50", "mm/s") == 0.05);
+  CHECK(si("2", "mm^2") == 2e-6);
+  CHECK(si("30", "N/mm") == 30000);
+  CHECK(si("3", "1/ms") == 3000);
+  CHECK(si("6", "m/min") == doctest::Approx(0.1));
+  CHECK(si("60", "rev/min") == si("60", "rpm"));
+}
+
+TEST_CASE("units are case-sensitive and have no blanks") {
+  for (const char* none : {"MM", "Mm", "S", "nm", "", " mm", "mm ", "mm / s", "mm/", "mm^", "mm^0",
+                           "mm^2.5", "/s", "1", "1/", "2/s", "mm//s", "mm*3"}) {
+    CAPTURE(none);
+    CHECK_FALSE(find_unit(none));
+  }
+}
+
+TEST_CASE("the longest unit behind a number is taken, and it ends at the border of a word") {
+  const auto length = [](std::string_view text) {
+    const auto match = match_unit(text);
+    return match ? static_cast<int>(match->length) : -1;
+  };
+  CHECK(length("mm/s, 3") == 4);
+  CHECK(length("mm / s") == 2);    // divides by the variable s
+  CHECK(length("mm/speed") == 2);  // divides by the variable speed
+  CHECK(length("m/s^2)") == 5);
+  CHECK(length("mm^2.5") == 2);  // the power of a length, not a unit
+  CHECK(length("mm*2") == 2);
+  CHECK(length("Nm") == 2);
+  CHECK(length("N*m*x") == 3);
+  CHECK(length("%") == 1);
+  CHECK(length("%x") == -1);
+  CHECK(length("mmm") == -1);
+  CHECK(length("mm2") == -1);
+  CHECK(length("mm_") == -1);
+}
+
+TEST_CASE("an absurd power is no unit, whatever its length") {
+  std::string text = "mm";
+  for (int i = 0; i < 1000; ++i) text += "*mm";
+  const auto match = match_unit(text);
+  REQUIRE(match);
+  CHECK(match->unit.dimension.length == 127);
+  CHECK_FALSE(find_unit(text));
+  CHECK_FALSE(find_unit("deg^99/rad^99*deg^99"));
+  CHECK_FALSE(find_unit("mm^100"));
+}
+
+TEST_CASE("a literal in a power-of-ten unit is the double nearest to its decimal value") {
+  CHECK(si("9", "mm") == 0.009);  // 9 * 0.001 is the next double
+  CHECK(si("0.1", "mm") == 0.0001);
+  CHECK(si("123.456", "mm") == 0.123456);
+  CHECK(si("35", "um") == 35e-6);
+  CHECK(si("1.375", "s") == 1.375);
+  CHECK(si("7", "ms") == 0.007);
+  CHECK(si("1e3", "mm") == 1);
+  CHECK(si("2.5E-1", "mm") == 0.00025);
+  CHECK(si("15", "%") == 0.15);
+  CHECK(si("180", "deg") == 3.14159265358979323846);
+}
+
+TEST_CASE("a number beyond a double is refused, one below it is zero") {
+  const Unit none;
+  CHECK_FALSE(to_si("1e400", none));
+  CHECK_FALSE(to_si("1e308", *find_unit("kN")));
+  CHECK_FALSE(to_si("1e308", *find_unit("min")));
+  CHECK_FALSE(to_si("1e99999999999999999999", none));
+  CHECK(to_si("1e308", *find_unit("mm")) == 1e305);
+  CHECK(to_si("1e309", *find_unit("mm")) == 1e306);
+  CHECK(to_si("1e-400", none) == 0);
+  CHECK(to_si("1e-99999999999999999999", none) == 0);
+  CHECK(to_si("0e99999999999999999999", none) == 0);
+  CHECK(to_si("4.9406564584124654e-324", none) == 4.9406564584124654e-324);
+  CHECK(to_si("0." + std::string(500, '0') + "1e501", none) == 1);
+  CHECK(to_si("1" + std::string(500, '0') + "e-500", none) == 1);
+}
+
+TEST_CASE("a dimension names the unit in which its values are written") {
+  CHECK(unit_text(kLength) == "mm");
+  CHECK(unit_text(kSpeed) == "mm/s");
+  CHECK(unit_text(kAcceleration) == "mm/s^2");
+  CHECK(unit_text(kAngle) == "deg");
+  CHECK(unit_text(kAngularSpeed) == "deg/s");
+  CHECK(unit_text({.time = -2, .angle = 1}) == "deg/s^2");
+  CHECK(unit_text(kTime) == "s");
+  CHECK(unit_text(kForce) == "N");
+  CHECK(unit_text(kTorque) == "Nm");
+  CHECK(unit_text({.mass = 1, .time = -2}) == "N/mm");
+  CHECK(unit_text(kMass) == "kg");
+  CHECK(unit_text(kFrequency) == "Hz");
+  CHECK(unit_text(kVoltage) == "V");
+  CHECK(unit_text(kNone).empty());
+  CHECK(unit_text({.length = 1, .mass = 1}) == "kg*mm");
+  CHECK(unit_text({.length = 2}) == "mm^2");
+  CHECK(unit_text({.length = -1}) == "mm^-1");
+  CHECK(unit_text({.length = -1, .mass = 1, .time = -1}) == "kg/mm/s");
+}
+
+TEST_CASE("the written unit of every dimension is read back as that dimension") {
+  for (int length = -3; length <= 3; ++length) {
+    for (int mass = -2; mass <= 2; ++mass) {
+      for (int time = -3; time <= 3; ++time) {
+        for (int angle = -2; angle <= 2; ++angle) {
+          const Dimension d{.length = static_cast<std::int8_t>(length),
+                            .mass = static_cast<std::int8_t>(mass),
+                            .time = static_cast<std::int8_t>(time),
+                            .angle = static_cast<std::int8_t>(angle),
+                            .voltage = static_cast<std::int8_t>(length - mass)};
+          if (d.none()) continue;
+          const auto unit = find_unit(unit_text(d));
+          REQUIRE_MESSAGE(unit, unit_text(d));
+          CHECK(unit->dimension == d);
+        }
+      }
+    }
+  }
+}
