@@ -306,12 +306,13 @@ TEST_CASE("all errors of a file are found, in their order, and the sound lines a
 }
 
 TEST_CASE("a misspelt word is read as the word that was meant") {
-  for (const auto& [wrong, right] : {std::pair{"MOV(1,2,3)", "MOVE"},
-                                     {"MOEV(1,2,3)", "MOVE"},
-                                     {"PRNT \"a\"", "PRINT"},
-                                     {"STPO", "STOP"},
-                                     {"CONTS c = 3mm", "CONST"},
-                                     {"WAITT 0.2s", "WAIT"}}) {
+  for (const auto& [misspelt, right] : {std::pair{"MOV(1,2,3)", "MOVE"},
+                                        {"MOEV(1,2,3)", "MOVE"},
+                                        {"PRNT \"a\"", "PRINT"},
+                                        {"STPO", "STOP"},
+                                        {"CONTS c = 3mm", "CONST"},
+                                        {"WAITT 0.2s", "WAIT"}}) {
+    const std::string wrong = misspelt;
     CAPTURE(wrong);
     const Diagnostic error = only_error(wrong);
     CHECK(error.code == "E120");
