@@ -40,7 +40,7 @@ void check_on_path(const GantryRun& run, const Superposition& law) {
   double worst = 0;
   double worst_rate = 0;
   for (const GeneratorSample& sample : run.samples()) {
-    if (sample.state == MotionState::Idle) continue;
+    if (sample.state == MotionState::Idle || sample.piece == 0) continue;
     const double t = law.via(sample.piece) + sample.sigma;
     worst = std::max(worst, distance(sample.reference.q, law.q(t)));
     worst_rate = std::max(worst_rate, distance(sample.reference.qd, law.qd(t) * sample.rate));
