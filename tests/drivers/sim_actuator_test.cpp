@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/support/relative.h"
+
 namespace rob::drivers {
 namespace {
 
@@ -29,7 +31,7 @@ TEST_CASE("an actuator leaves one end at once and reaches the other after its tr
   lift.command(1.0, kOn);
   CHECK(lift.inputs(1.0) == kAtOff);
   CHECK(lift.inputs(1.005) == 0);
-  CHECK(lift.position(1.125) == doctest::Approx(0.25));
+  CHECK(lift.position(1.125) == test::relative(0.25));
   CHECK(lift.inputs(1.499) == 0);
   CHECK(lift.inputs(1.5) == kAtOn);
   CHECK(lift.inputs(9.0) == kAtOn);
@@ -39,8 +41,8 @@ TEST_CASE("an actuator that is turned round on the way takes as long back as it 
   SimActuator lift = lift_at_off();
   lift.command(1.0, kOn);
   lift.command(1.2, 0);
-  CHECK(lift.position(1.2) == doctest::Approx(0.4));
-  CHECK(lift.position(1.3) == doctest::Approx(0.2));
+  CHECK(lift.position(1.2) == test::relative(0.4));
+  CHECK(lift.position(1.3) == test::relative(0.2));
   CHECK(lift.inputs(1.399) == 0);
   CHECK(lift.inputs(1.4) == kAtOff);
   lift.command(1.3, kOn);

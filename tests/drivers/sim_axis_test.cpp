@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/relative.h"
+
 namespace rob::drivers {
 namespace {
 
@@ -34,8 +36,8 @@ TEST_CASE("a constant force brings the axis to u/b as 1 − exp(−b·t/m)") {
     axis.advance(0.01);
     const double t = 0.01 * k;
     const double expected = 0.5 * (1 - std::exp(-t / 3));
-    REQUIRE(axis.v() == doctest::Approx(expected).epsilon(1e-10));
-    REQUIRE(axis.q() == doctest::Approx(0.5 * t - 3 * expected).epsilon(1e-10));
+    REQUIRE(axis.v() == test::relative(expected, 1e-10));
+    REQUIRE(axis.q() == test::relative(0.5 * t - 3 * expected, 1e-10));
   }
 }
 
@@ -46,8 +48,8 @@ TEST_CASE("a step is exact on both sides of where the series takes over from the
     axis.advance(3 * x);
     const long double fade = -std::expm1(-static_cast<long double>(x));
     const long double q = 0.5L * 3 * x - 3 * 0.5L * fade;
-    CHECK(axis.q() == doctest::Approx(static_cast<double>(q)).epsilon(1e-12));
-    CHECK(axis.v() == doctest::Approx(static_cast<double>(0.5L * fade)).epsilon(1e-14));
+    CHECK(axis.q() == test::relative(static_cast<double>(q), 1e-12));
+    CHECK(axis.v() == test::relative(static_cast<double>(0.5L * fade), 1e-14));
   }
 }
 
@@ -62,8 +64,8 @@ TEST_CASE("one long step and many short ones lead to the same place") {
       many.push(force);
       one.advance(0.7);
       for (int k = 0; k < 2800; ++k) many.advance(0.7 / 2800);
-      CHECK(one.q() == doctest::Approx(many.q()).epsilon(1e-9));
-      CHECK(one.v() == doctest::Approx(many.v()).epsilon(1e-9).scale(1));
+      CHECK(one.q() == test::relative(many.q()));
+      CHECK(one.v() == test::relative(many.v()));
     }
   }
 }
@@ -74,14 +76,14 @@ TEST_CASE("without viscous friction the axis accelerates evenly") {
   SimAxis axis = at_rest(d);
   axis.push(14);  // (14 − 2)/12 = 1 m/s²
   axis.advance(0.5);
-  CHECK(axis.v() == doctest::Approx(0.5).epsilon(1e-14));
-  CHECK(axis.q() == doctest::Approx(0.125).epsilon(1e-14));
+  CHECK(axis.v() == test::relative(0.5, 1e-14));
+  CHECK(axis.q() == test::relative(0.125, 1e-14));
   axis.release();  // 2/12 m/s² stop it after 3 s and 0.75 m
   axis.advance(2.9);
   CHECK(axis.v() > 0);
   axis.advance(0.2);
   CHECK(axis.v() == 0);
-  CHECK(axis.q() == doctest::Approx(0.875).epsilon(1e-12));
+  CHECK(axis.q() == test::relative(0.875, 1e-12));
 }
 
 TEST_CASE("a force below Coulomb friction moves nothing at all") {
@@ -122,8 +124,8 @@ TEST_CASE("a force that outlasts the stop turns the axis round") {
   axis.advance(0.7);  // 0.7 m/s at 0.245 m
   axis.push(-14);     // −16/12 m/s²: rest after 0.525 s and 0.18375 m; back with 1 m/s²
   axis.advance(0.525 + 0.4);
-  CHECK(axis.v() == doctest::Approx(-0.4).epsilon(1e-12));
-  CHECK(axis.q() == doctest::Approx(0.245 + 0.18375 - 0.08).epsilon(1e-12));
+  CHECK(axis.v() == test::relative(-0.4, 1e-12));
+  CHECK(axis.q() == test::relative(0.245 + 0.18375 - 0.08, 1e-12));
 }
 
 TEST_CASE("work done is kinetic energy and what friction took") {
@@ -147,7 +149,7 @@ TEST_CASE("work done is kinetic energy and what friction took") {
     }
   }
   const double kinetic = 0.5 * d.inertia * axis.v() * axis.v();
-  CHECK(work == doctest::Approx(kinetic + taken).epsilon(1e-4));
+  CHECK(work == test::relative(kinetic + taken, 1e-4));
   CHECK(taken > 0.1);
 }
 

@@ -8,6 +8,7 @@
 
 #include "tests/drivers/gantry_bench.h"
 #include "tests/support/no_allocation.h"
+#include "tests/support/relative.h"
 
 namespace rob::drivers {
 namespace {
@@ -43,8 +44,8 @@ TEST_CASE("the simulated gantry powers up at its start position, at rest") {
   gantry.open();
   const motion::ServoState state = read(gantry, 12.5);
   CHECK(state.measured.time == 12.5);
-  CHECK(state.measured.q[0] == doctest::Approx(0.04).epsilon(1e-15));
-  CHECK(state.measured.q[1] == doctest::Approx(0.04).epsilon(1e-15));  // a whole count
+  CHECK(state.measured.q[0] == test::relative(0.04, 1e-15));
+  CHECK(state.measured.q[1] == test::relative(0.04, 1e-15));  // a whole count
   CHECK(state.measured.qd.isZero(0));
   CHECK(gantry.axes() == 3);
 }
@@ -58,12 +59,12 @@ TEST_CASE("each axis obeys its own inertia and friction") {
   const motion::ServoState state = read(gantry, t);
   // v = (u/b)·(1 − exp(−b·t/m)), q = (u/b)·t − (m/b)·v
   const double v = 0.5 * (1 - std::exp(-t / 3));
-  CHECK(gantry.true_position(0) == doctest::Approx(0.5 * t - 3 * v).epsilon(1e-9));
-  CHECK(gantry.true_position(1) == doctest::Approx(-0.5 * (0.5 * t - 3 * v)).epsilon(1e-9));
+  CHECK(gantry.true_position(0) == test::relative(0.5 * t - 3 * v));
+  CHECK(gantry.true_position(1) == test::relative(-0.5 * (0.5 * t - 3 * v)));
   CHECK(gantry.true_position(2) == 0);
   CHECK(std::abs(state.measured.q[0] - gantry.true_position(0)) <= 0.5e-6);
   // The estimate is 2/ω behind.
-  CHECK(state.measured.qd[0] == doctest::Approx(v - 2.0 / 600 * (2 - 4 * v) / 12).epsilon(0.01));
+  CHECK(state.measured.qd[0] == test::relative(v - 2.0 / 600 * (2 - 4 * v) / 12, 0.01));
 }
 
 TEST_CASE("drives that are not enabled give no force, whatever is written") {
@@ -104,9 +105,9 @@ TEST_CASE("however long a call was awaited, the answer is the same to a count") 
   const motion::ServoState a = read(rare, 0.2);
   const motion::ServoState b = read(often, 0.2);
   for (int i = 0; i < 3; ++i) {
-    CHECK(rare.true_position(i) == doctest::Approx(often.true_position(i)).epsilon(1e-10));
+    CHECK(rare.true_position(i) == test::relative(often.true_position(i), 1e-10));
     // The estimates are equally late, by 2% of the velocity here.
-    CHECK(a.measured.qd[i] == doctest::Approx(b.measured.qd[i]).epsilon(0.005));
+    CHECK(a.measured.qd[i] == test::relative(b.measured.qd[i], 0.005));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/no_allocation.h"
+#include "tests/support/relative.h"
 
 namespace rob::motion {
 namespace {
@@ -78,19 +79,19 @@ TEST_CASE("fault 18: the following error warns at half its limit and stops at it
   CHECK(warning.verdict == Verdict::Warn);
   CHECK(warning.cause == Cause::FollowingError);
   CHECK(warning.axis == 1);
-  CHECK(warning.value == doctest::Approx(0.000251));
-  CHECK(warning.limit == doctest::Approx(0.0005));
+  CHECK(warning.value == test::relative(0.000251));
+  CHECK(warning.limit == test::relative(0.0005));
   CHECK(error_of(0.000499, 0).verdict == Verdict::Warn);
   const FollowingFinding stop = error_of(-0.000501, 0);
   CHECK(stop.verdict == Verdict::Stop);
   CHECK(stop.cause == Cause::FollowingError);
-  CHECK(stop.value == doctest::Approx(0.000501));
+  CHECK(stop.value == test::relative(0.000501));
 }
 
 TEST_CASE("fault 18: the limit grows with speed, from half the greatest speed on") {
   CHECK(error_of(0.000501, 0.010).verdict == Verdict::Stop);
   CHECK(error_of(0.000501, -0.0101).verdict == Verdict::Warn);
-  CHECK(error_of(0.000749, 0.015).limit == doctest::Approx(0.00075));
+  CHECK(error_of(0.000749, 0.015).limit == test::relative(0.00075));
   CHECK(error_of(0.000999, -0.020).verdict == Verdict::Warn);
   CHECK(error_of(0.001001, 0.020).verdict == Verdict::Stop);
 }
@@ -154,8 +155,8 @@ TEST_CASE("fault 19: no axis moves more than twice its greatest speed allows") {
   CHECK(jump.verdict == Verdict::Stop);
   CHECK(jump.cause == Cause::Jump);
   CHECK(jump.axis == 1);
-  CHECK(jump.value == doctest::Approx(0.000201));
-  CHECK(jump.limit == doctest::Approx(0.0002));
+  CHECK(jump.value == test::relative(0.000201));
+  CHECK(jump.limit == test::relative(0.0002));
 }
 
 TEST_CASE("after a late cycle an axis may have gone further") {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/support/no_allocation.h"
+#include "tests/support/relative.h"
 
 namespace rob::motion {
 namespace {
@@ -98,8 +99,8 @@ TEST_CASE("a difference in position alone is made up at a tenth of the greatest 
   from.q[0] = 0.001;  // 1.875·1 mm/T = 2 mm/s: T = 0.9375 s
   ReferenceJoin join(kPeriod, kVMax, kAMax);
   join.start(from, standing(0));
-  CHECK(offset(join, 0.9375 / 2).q[0] == doctest::Approx(0.0005).epsilon(1e-12));
-  CHECK(offset(join, 0.9375 / 2).qd[0] == doctest::Approx(-0.002).epsilon(1e-12));
+  CHECK(offset(join, 0.9375 / 2).q[0] == test::relative(0.0005, 1e-12));
+  CHECK(offset(join, 0.9375 / 2).qd[0] == test::relative(-0.002, 1e-12));
   CHECK(offset(join, 0.93749).q[0] > 0);
   CHECK(offset(join, 0.93751).q[0] == 0);
 }
@@ -109,7 +110,7 @@ TEST_CASE("a difference in acceleration, however great, is given a whole period"
   from.qdd[0] = 2;  // after h = 1/2 of it (1 − h)(1 − 3h) = −1/4 is left
   ReferenceJoin join(kPeriod, kVMax, kAMax);
   join.start(from, standing(0));
-  CHECK(offset(join, 0.5 * kPeriod).qdd[0] == doctest::Approx(-0.5).epsilon(0.05));
+  CHECK(offset(join, 0.5 * kPeriod).qdd[0] == test::relative(-0.5, 0.05));
 }
 
 TEST_CASE("axes that are off in a fixed proportion join in that proportion") {
@@ -120,7 +121,7 @@ TEST_CASE("axes that are off in a fixed proportion join in that proportion") {
   join.start(from, standing(0));
   for (double t = 0; t < 2; t += 0.05) {
     const JointReference now = offset(join, t);
-    CHECK(now.q[1] == doctest::Approx(0.5 * now.q[0]).epsilon(1e-12));
+    CHECK(now.q[1] == test::relative(0.5 * now.q[0], 1e-12));
   }
 }
 

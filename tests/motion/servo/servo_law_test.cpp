@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "tests/support/no_allocation.h"
+#include "tests/support/relative.h"
 
 namespace rob::motion {
 namespace {
@@ -67,23 +68,23 @@ double spectral_radius(const Eigen::Matrix4d& A) { return A.eigenvalues().cwiseA
 TEST_CASE("the gains put both error poles at the bandwidth") {
   DriveData drive = linear_drive();
   const ServoGains gains = servo_gains(drive, kPeriod);
-  CHECK(gains.kp == doctest::Approx(40.0 * 40 * 12));
-  CHECK(gains.kv == doctest::Approx(2 * 40.0 * 12 - 4));
-  CHECK(gains.ki == doctest::Approx(0.1 * 40 * 19200));
+  CHECK(gains.kp == test::relative(40.0 * 40 * 12));
+  CHECK(gains.kv == test::relative(2 * 40.0 * 12 - 4));
+  CHECK(gains.ki == test::relative(0.1 * 40 * 19200));
   drive.bandwidth = 10;
-  CHECK(servo_gains(drive, kPeriod).kp == doctest::Approx(1200));
+  CHECK(servo_gains(drive, kPeriod).kp == test::relative(1200));
 }
 
 TEST_CASE("a longer servo period lowers the bandwidth") {
   const ServoGains gains = servo_gains(linear_drive(), 0.010);  // 0.2/T = 20 rad/s
-  CHECK(gains.kp == doctest::Approx(20.0 * 20 * 12));
+  CHECK(gains.kp == test::relative(20.0 * 20 * 12));
 }
 
 TEST_CASE("the force is feed-forward, proportional, derivative and integral part") {
   ServoLaw law = law_of(linear_drive());
   // 12·0.1 + 4·0.02 = 1.28; 19200·0.1 mm = 1.92; 956·1 mm/s = 0.956; 76800·0.1 mm·5 ms = 0.0384
   const JointVector u = law.update(kPeriod, reference(0.1001, 0.020, 0.1), measured(0.1, 0.019));
-  CHECK(u[0] == doctest::Approx(1.28 + 1.92 + 0.956 + 0.0384).epsilon(1e-9));
+  CHECK(u[0] == test::relative(1.28 + 1.92 + 0.956 + 0.0384));
 }
 
 TEST_CASE("the integral grows with the time that has really passed") {
@@ -94,8 +95,8 @@ TEST_CASE("the integral grows with the time that has really passed") {
   late.update(2 * kPeriod, target, measured(0, 0));
   late.update(2 * kPeriod, target, measured(0, 0));
   const double u = late.update(7 * kPeriod, target, measured(0, 0))[0];
-  CHECK(u == doctest::Approx(1.92 + 76800 * 1e-4 * 7 * kPeriod).epsilon(1e-9));
-  CHECK(steady.update(7 * kPeriod, target, measured(0, 0))[0] == doctest::Approx(u));
+  CHECK(u == test::relative(1.92 + 76800 * 1e-4 * 7 * kPeriod));
+  CHECK(steady.update(7 * kPeriod, target, measured(0, 0))[0] == test::relative(u));
 }
 
 TEST_CASE("the integral never takes more than half of the drive") {
@@ -105,7 +106,7 @@ TEST_CASE("the integral never takes more than half of the drive") {
     law.reset(0);
     for (int k = 1; k < 10000; ++k)
       u = law.update(k * kPeriod, reference(sign * 1e-4, 0, 0), measured(0, 0))[0];
-    CHECK(u == doctest::Approx(sign * (1.92 + 30)).epsilon(1e-9));
+    CHECK(u == test::relative(sign * (1.92 + 30)));
   }
 }
 
@@ -121,9 +122,9 @@ TEST_CASE("saturation is the greatest share of the drive since it was last asked
   ServoLaw law = law_of(linear_drive());
   law.update(0, reference(0.010, 0, 0), measured(0, 0));
   law.update(0, reference(0.001, 0, 0), measured(0, 0));
-  CHECK(law.take_saturation() == doctest::Approx(192.0 / 60));
+  CHECK(law.take_saturation() == test::relative(192.0 / 60));
   law.update(0, reference(-0.001, 0, 0), measured(0, 0));
-  CHECK(law.take_saturation() == doctest::Approx(19.2 / 60));
+  CHECK(law.take_saturation() == test::relative(19.2 / 60));
   CHECK(law.take_saturation() == 0);
 }
 
@@ -136,17 +137,17 @@ TEST_CASE("an axis whose values are no numbers gets no force, the others theirs"
   broken.q[0] = std::numeric_limits<double>::quiet_NaN();
   const JointVector u = law.update(kPeriod, target, broken);
   CHECK(u[0] == 0);
-  CHECK(u[1] == doctest::Approx(1.92 + 0.0384));
+  CHECK(u[1] == test::relative(1.92 + 0.0384));
   // The integral of the first has not become NaN: it begins now.
   const JointVector next = law.update(2 * kPeriod, target, {0, zero, zero});
-  CHECK(next[0] == doctest::Approx(1.92 + 0.0384));
+  CHECK(next[0] == test::relative(1.92 + 0.0384));
 }
 
 TEST_CASE("reset forgets the integral and the time before") {
   ServoLaw law = law_of(linear_drive());
   law.update(1, reference(1e-4, 0, 0), measured(0, 0));
   law.reset(100);
-  CHECK(law.update(100, reference(1e-4, 0, 0), measured(0, 0))[0] == doctest::Approx(1.92));
+  CHECK(law.update(100, reference(1e-4, 0, 0), measured(0, 0))[0] == test::relative(1.92));
 }
 
 TEST_CASE("without its integral an error dies away as (1 + ωt)·exp(−ωt)") {
@@ -158,7 +159,7 @@ TEST_CASE("without its integral an error dies away as (1 + ωt)·exp(−ωt)") {
   double v = 0;
   for (int k = 0; k < 2000; ++k) {
     const double t = k * T;
-    CHECK(q == doctest::Approx(1e-4 * (1 + 40 * t) * std::exp(-40 * t)).scale(1e-4).epsilon(0.005));
+    CHECK(q == test::relative(1e-4 * (1 + 40 * t) * std::exp(-40 * t), 0.005));
     law.reset(t);
     const double u = law.update(t, reference(0, 0, 0), measured(q, v))[0];
     q += plant.way_of_v * v + plant.way_of_u * u;
