@@ -79,7 +79,7 @@ step_thread() {
   run_ctest "$root/build-tsan" --label-regex '^threads$'
 }
 
-# The same inputs each time: new ones are found by running the target by hand for longer.
+# The same inputs each time, found anew in a folder that is thrown away: the seeds stay as they are.
 step_fuzz() {
   heading "fuzzing the front end"
   local folder=$root/build-fuzz corpus=$root/build-fuzz/corpus
@@ -87,7 +87,8 @@ step_fuzz() {
   rm -rf "$corpus"
   mkdir -p "$corpus"
   quietly "$(find "$folder" -type f -name front_end_fuzz -print -quit)" -seed=1 -runs=20000 \
-    -max_len=4096 -artifact_prefix="$folder/" "$corpus" "$root/tests/fuzz/seeds" ||
+    -max_len=4096 -timeout=10 -rss_limit_mb=1024 -dict="$root/tests/fuzz/rob.dict" \
+    -artifact_prefix="$folder/" "$corpus" "$root/tests/fuzz/seeds" ||
     fail "the front end failed on the input that is named above"
   passed=$((passed + 1))
 }
