@@ -1,0 +1,84 @@
+#include "lang/compiler.h"
+
+#include <doctest/doctest.h>
+
+#include "tests/lang/program_run.h"
+
+using namespace rob::lang;
+using rob::test::ProgramRun;
+
+TEST_CASE("a variable can be computed from itself in place") {
+  CHECK(ProgramRun("VAR a = TRUE\nVAR b = FALSE\nb = a AND NOT b\nPRINT b").printed() == "TRUE");
+  CHECK(ProgramRun("VAR a = TRUE\nVAR b = TRUE\na = b XOR a\nPRINT a").printed() == "FALSE");
+  CHECK(ProgramRun("VAR x = 3\nx = (x + 1) * x - x\nPRINT x").printed() == "9");
+  CHECK(ProgramRun("VAR s = \"a\"\nVAR t = \"b\"\ns = t + s\nPRINT s").printed() == "ba");
+  CHECK(ProgramRun("VAR s = \"a\"\ns = s + s + s\nPRINT s").printed() == "aaa");
+  CHECK(ProgramRun("VAR s = \"a\"\ns = STR(s) + STR(s == \"a\")\nPRINT s").printed() == "aTRUE");
+}
+
+TEST_CASE("more constants than 16 bits can number are still told apart") {
+  // 70,000 constants of their own, beyond what load_int can carry.
+  std::string source = "VAR sum = 0\n";
+  std::int64_t sum = 0;
+  for (std::int64_t i = 0; i < 70'000; ++i) {
+    source += "sum = sum + " + std::to_string(100'000 + 3 * i) + "\n";
+    sum += 100'000 + 3 * i;
+  }
+  ProgramRun program(source + "PRINT sum\n");
+  REQUIRE(program.compiled());
+  CHECK(program.chunk().constants.size() == 70'000);
+  CHECK(program.printed() == std::to_string(sum));
+}
+
+TEST_CASE("a loop may be longer than 16 bits can jump") {
+  std::string source = "VAR n = 0\nFOR i = 1 TO 2 DO\n";
+  for (int i = 0; i < 40'000; ++i) source += "n = n + 1\n";
+  ProgramRun program(source + "ENDFOR\nPRINT n\n");
+  CHECK(program.printed() == "80000");
+}
+
+TEST_CASE("more variables than there are registers is an error of its own") {
+  std::string source;
+  for (int i = 0; i < 300; ++i) source += "VAR v" + std::to_string(i) + " = 1\n";
+  const ProgramRun program(source);
+  CHECK_FALSE(program.compiled());
+  CHECK(program.first_error().code == "E220");
+  CHECK(program.first_error().place.line == 257);
+}
+
+TEST_CASE("registers are given back at the end of a block, and constants take none") {
+  std::string source;
+  for (int i = 0; i < 1000; ++i) {
+    const std::string name = std::to_string(i);
+    source += "CONST c" + name + " = " + name + "\nIF TRUE THEN\n  VAR v = c" + name + "\nENDIF\n";
+  }
+  const ProgramRun program(source);
+  REQUIRE(program.compiled());
+  CHECK(program.chunk().registers == 1);
+}
+
+TEST_CASE("every instruction knows the line that it comes from") {
+  const ProgramRun program("VAR n = 1\n\nMOVE(n, 2, 3)\n\nEND\n");
+  REQUIRE(program.compiled());
+  const Chunk& chunk = program.chunk();
+  REQUIRE(chunk.places.size() == chunk.code.size());
+  for (const Place& place : chunk.places) {
+    const bool named = place.line == 1 || place.line == 3 || place.line == 5;
+    CHECK(named);
+  }
+  CHECK(chunk.places.back().line == 5);
+}
+
+TEST_CASE("an expression that reads two signals is latched, one that reads one is not") {
+  const auto latches = [](std::string_view source) {
+    const ProgramRun program(source);
+    int count = 0;
+    for (const Instruction& instruction : program.chunk().code) {
+      count += instruction.opcode() == Opcode::latch ? 1 : 0;
+    }
+    return count;
+  };
+  CHECK(latches("PRINT lift_up") == 0);
+  CHECK(latches("PRINT lift_up AND lift_down") == 1);
+  CHECK(latches("PRINT lift_up, lift_down") == 0);
+}
