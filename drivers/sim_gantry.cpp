@@ -53,6 +53,7 @@ void SimGantry::power_up() noexcept {
 DriverStatus SimGantry::enable(double now) noexcept {
   advance_to(now);
   enabled_ = true;
+  written_ = now;
   for (SimAxis& axis : axes_) axis.hold();
   return DriverStatus::Ok;
 }
@@ -83,6 +84,7 @@ DriverStatus SimGantry::write(double now, const motion::ServoCommand& command) n
   for (SimActuator& actuator : actuators_) actuator.command(now, command.outputs);
   if (!enabled_) return DriverStatus::Ok;
   assert(command.drive.size() == start_.size());
+  written_ = now;
   for (std::size_t i = 0; i < axes_.size(); ++i)
     axes_[i].push(command.drive[static_cast<Eigen::Index>(i)]);
   return DriverStatus::Ok;
@@ -92,7 +94,16 @@ double SimGantry::true_position(int axis) const noexcept {
   return axes_[static_cast<std::size_t>(axis)].q();
 }
 
+// Without a word from above the drives brake, at the very instant.
+void SimGantry::watch(double now) noexcept {
+  const double alarm = written_ + kWatchdog;
+  if (!enabled_ || time_ >= alarm || now < alarm) return;
+  move_to(alarm);
+  for (SimAxis& axis : axes_) axis.hold();
+}
+
 void SimGantry::advance_to(double now) noexcept {
+  if (started_) watch(now);
   if (!started_ || now - time_ > kSampledGap) skip_to(started_ ? now - kSampledGap : now);
   double next = origin_ + static_cast<double>(samples_ + 1) * Encoder::kPeriod;
   while (next <= now) {

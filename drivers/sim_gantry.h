@@ -25,9 +25,15 @@ struct SimGantryParameters {
 /// (Encoder). Without force friction brings the axes to rest. The encoder counts without end: it
 /// does not wrap. The same calls at the same times give the same bits.
 ///
+/// The drives have a watchdog: kWatchdog after the last write() they brake and hold by themselves.
+///
 /// A measurement or a command costs a bounded number of steps, however long ago the last one was.
 class SimGantry final : public motion::ServoBackend {
  public:
+  /// s [choice] beyond the 200 ms that motion control makes up, so that it never cuts in on a run
+  /// that goes on; at 20 mm/s an axis goes 5 mm in that time.
+  static constexpr double kWatchdog = 0.25;
+
   /// Throws std::invalid_argument for numbers of axes that differ, or a channel beyond 63.
   explicit SimGantry(const SimGantryParameters& parameters);
 
@@ -46,6 +52,7 @@ class SimGantry final : public motion::ServoBackend {
  private:
   void power_up() noexcept;
   void advance_to(double now) noexcept;
+  void watch(double now) noexcept;
   void skip_to(double now) noexcept;
   void move_to(double now) noexcept;
 
@@ -55,7 +62,8 @@ class SimGantry final : public motion::ServoBackend {
   bool started_ = false;  // the first call tells what time it is
   bool enabled_ = false;
   double time_ = 0;
-  double origin_ = 0;  // encoder sample k is taken at origin_ + k·Encoder::kPeriod
+  double written_ = 0;  // when the drives heard last
+  double origin_ = 0;   // encoder sample k is taken at origin_ + k·Encoder::kPeriod
   std::int64_t samples_ = 0;
 };
 

@@ -20,7 +20,8 @@ struct FollowingFinding {
     Jump,            ///< value: |Δq| since the last measurement; limit: what the axis can do
     NotFinite,       ///< a reference or a measurement is NaN or infinite
     Silent,          ///< value: cycles without an answer; limit: so many are too many
-    Lost             ///< the backend is gone
+    Lost,            ///< the backend is gone
+    Overrun  ///< value: s without a servo cycle; limit: so long is too long. Its task says so
   };
 
   Verdict verdict = Verdict::None;

@@ -54,6 +54,7 @@ Words words_for(const Refusal& refusal, const motion::RobotModel& robot) {
 }
 
 Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot) {
+  if (finding.cause == FollowingFinding::Cause::Overrun) return words_for_overrun(finding.value);
   if (finding.axis < 0) {
     return finding.cause == FollowingFinding::Cause::Lost
                ? Words{"E507", "the machine is gone", "check its power and its cable"}
@@ -86,8 +87,8 @@ Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot
 
 Words words_for_overrun(double lateness) {
   return {"E501",
-          fmt::format("the motion task was {:.0f} ms late, more than can be made up; the robot was"
-                      " stopped on its path from the last reference sent",
+          fmt::format("motion control came {:.0f} ms late, more than can be made up; the robot was"
+                      " stopped from the last reference sent",
                       lateness * 1e3),
           "start the program again; see docs/realtime.md if it happens often"};
 }

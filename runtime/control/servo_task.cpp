@@ -1,5 +1,6 @@
 #include "runtime/control/servo_task.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace rob::runtime {
@@ -23,6 +24,12 @@ JointVector limits_of(const motion::RobotModel& robot, double motion::Axis::*lim
   return values;
 }
 
+/// s. As long as the generator makes up (20 reference periods, at least 200 ms): after more the
+/// machine has been on its own.
+double longest_gap(const motion::RobotModel& robot) {
+  return std::max(20 * robot.reference_period, 0.2);
+}
+
 }  // namespace
 
 ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& backend,
@@ -32,7 +39,8 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
       interpolator_(robot.reference_period, limits_of(robot, &motion::Axis::v_max),
                     limits_of(robot, &motion::Axis::a_max)),
       law_(drives_of(robot), robot.servo_period),
-      supervisor_(drives_of(robot), limits_of(robot, &motion::Axis::v_max), robot.servo_period) {
+      supervisor_(drives_of(robot), limits_of(robot, &motion::Axis::v_max), robot.servo_period),
+      longest_gap_(longest_gap(robot)) {
   const JointVector zero = JointVector::Zero(robot.axis_count());
   state_.measured = {0, robot.start, zero};
   command_.reference = {0, robot.start, zero, zero};
@@ -41,13 +49,29 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
 
 void ServoTask::enable(double now) noexcept {
   now_ = now;
-  command_.reference.time = now;
-  interpolator_.reset(command_.reference);
-  law_.reset(now);
   backend_.read(now, state_);
-  supervisor_.reset(command_.reference, state_.measured);
+  take_as_it_stands(now);
   written_ = backend_.enable(now);
   enabled_ = true;
+}
+
+/// What follows starts from the measured place: nothing is made up, nothing is pulled at.
+void ServoTask::take_as_it_stands(double now) noexcept {
+  const JointVector zero = JointVector::Zero(state_.measured.q.size());
+  command_.reference = {now, state_.measured.q, zero, zero};
+  interpolator_.reset(command_.reference);
+  law_.reset(now);
+  supervisor_.reset(command_.reference, state_.measured);
+}
+
+/// Nobody looked after the machine for too long: its drives have stopped it by themselves, and
+/// where it should be by now no longer counts.
+motion::FollowingFinding ServoTask::judge(DriverStatus status, double gap) noexcept {
+  using motion::FollowingFinding;
+  if (gap <= longest_gap_) {
+    return supervisor_.check(status, command_.reference, state_.measured);
+  }
+  return {FollowingFinding::Verdict::Stop, FollowingFinding::Cause::Overrun, -1, gap, longest_gap_};
 }
 
 void ServoTask::disable() noexcept {
@@ -56,16 +80,18 @@ void ServoTask::disable() noexcept {
 }
 
 void ServoTask::cycle(double now) noexcept {
+  const double gap = now - now_;
   now_ = now;
   const DriverStatus read = backend_.read(now, state_);
   const DriverStatus status = read == DriverStatus::Ok ? written_ : read;
+  if (gap > longest_gap_ && read == DriverStatus::Ok) take_as_it_stands(now);
   motion::JointReference newest;
   while (channels_.references.take(newest)) interpolator_.push(newest);
   command_.reference = interpolator_.at(now);
   command_.outputs = channels_.outputs.load(std::memory_order_relaxed);
 
   ServoSample sample;
-  sample.finding = supervisor_.check(status, command_.reference, state_.measured);
+  sample.finding = judge(status, gap);
   if (enabled_ && read == DriverStatus::Ok) {
     command_.drive = law_.update(now, command_.reference, state_.measured);
     written_ = backend_.write(now, command_);

@@ -23,11 +23,15 @@ class ServoTask {
   void disable() noexcept;
 
  private:
+  void take_as_it_stands(double now) noexcept;
+  motion::FollowingFinding judge(motion::DriverStatus status, double gap) noexcept;
+
   motion::ServoBackend& backend_;
   Channels& channels_;
   motion::ReferenceInterpolator interpolator_;
   motion::ServoLaw law_;
   motion::FollowingSupervisor supervisor_;
+  double longest_gap_;
   motion::ServoState state_;
   motion::ServoCommand command_;
   motion::DriverStatus written_ = motion::DriverStatus::Ok;

@@ -17,7 +17,7 @@ std::string decides(const LineResult& line) {
 }
 
 std::string remark(const LineResult& line) {
-  std::string text = line.exact ? "   (STOP)" : "";
+  std::string text = line.exact && line.miss_planned == 0.0 ? "   (STOP)" : "";
   if (line.count > 1) text += fmt::format("   {} times", line.count);
   return text;
 }

@@ -76,8 +76,9 @@ TEST_CASE("fault 41: a log is a regular file; what cannot be one is refused at o
   CHECK(message_of([&] { open_log(scratch.path.string()); }).find("Is a directory") !=
         std::string::npos);
   CHECK(message_of([&] { open_log("/dev/zero"); }).find("it is a device") != std::string::npos);
-  CHECK(message_of([&] { open_log(scratch.file("no/such/folder")); })
-            .find("check the name and the folder") != std::string::npos);
+  CHECK(message_of([&] {
+          open_log(scratch.file("no/such/folder"));
+        }).find("check the name and the folder") != std::string::npos);
   CHECK(message_of([&] { open_log("/dev/full"); }) == "no error");
 }
 
