@@ -95,15 +95,16 @@ double SimGantry::true_position(int axis) const noexcept {
 }
 
 // Without a word from above the drives brake, at the very instant.
-void SimGantry::watch(double now) noexcept {
+void SimGantry::advance_to(double now) noexcept {
   const double alarm = written_ + kWatchdog;
-  if (!enabled_ || time_ >= alarm || now < alarm) return;
-  move_to(alarm);
-  for (SimAxis& axis : axes_) axis.hold();
+  if (enabled_ && time_ < alarm && alarm <= now) {
+    sample_to(alarm);
+    for (SimAxis& axis : axes_) axis.hold();
+  }
+  sample_to(now);
 }
 
-void SimGantry::advance_to(double now) noexcept {
-  if (started_) watch(now);
+void SimGantry::sample_to(double now) noexcept {
   if (!started_ || now - time_ > kSampledGap) skip_to(started_ ? now - kSampledGap : now);
   double next = origin_ + static_cast<double>(samples_ + 1) * Encoder::kPeriod;
   while (next <= now) {

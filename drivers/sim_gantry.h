@@ -52,7 +52,7 @@ class SimGantry final : public motion::ServoBackend {
  private:
   void power_up() noexcept;
   void advance_to(double now) noexcept;
-  void watch(double now) noexcept;
+  void sample_to(double now) noexcept;
   void skip_to(double now) noexcept;
   void move_to(double now) noexcept;
 

@@ -55,7 +55,7 @@ TEST_CASE("each axis obeys its own inertia and friction") {
   gantry.open();
   gantry.enable(0);
   gantry.write(0, drive_with(three(2, -1, 0)));
-  const double t = 0.4;
+  const double t = 0.2;
   const motion::ServoState state = read(gantry, t);
   // v = (u/b)·(1 − exp(−b·t/m)), q = (u/b)·t − (m/b)·v
   const double v = 0.5 * (1 - std::exp(-t / 3));
@@ -91,6 +91,36 @@ TEST_CASE("after disable friction brings the axes to rest, and they stay there")
   const motion::ServoState late = read(gantry, 100);
   CHECK(late.measured.q[0] == q);
   CHECK(late.measured.qd[0] == 0);
+}
+
+TEST_CASE("drives that hear nothing for a quarter of a second brake and hold by themselves") {
+  for (const double asked_at : {SimGantry::kWatchdog, 0.4, 60.0}) {
+    SimGantry gantry(test::gantry_parameters(0));
+    gantry.open();
+    gantry.enable(0);
+    gantry.write(1, drive_with(three(2, 0, 0)));
+    const motion::ServoState state = read(gantry, 1 + asked_at);
+    // v = 0.5·(1 − exp(−0.25/3)) = 40 mm/s; 60 N on 12 kg brake it in 8 ms, on 0.16 mm.
+    const double v = 0.5 * (1 - std::exp(-SimGantry::kWatchdog / 3));
+    const double q = 0.5 * SimGantry::kWatchdog - 3 * v;
+    if (asked_at == SimGantry::kWatchdog) {
+      CHECK(gantry.true_position(0) == test::relative(q));
+      CHECK(state.measured.qd[0] == test::relative(v, 0.02));
+      continue;
+    }
+    CHECK(gantry.true_position(0) == test::relative(q + v * v * 12 / (2 * 60), 1e-4));
+    CHECK(state.measured.qd[0] == 0);
+  }
+}
+
+TEST_CASE("drives that are written to in time are not cut in on") {
+  SimGantry gantry(test::gantry_parameters(0));
+  gantry.open();
+  gantry.enable(0);
+  for (int k = 0; k < 10; ++k) gantry.write(0.2 * k, drive_with(three(2, 0, 0)));
+  const double v = 0.5 * (1 - std::exp(-2.0 / 3));
+  read(gantry, 2.0);
+  CHECK(gantry.true_position(0) == test::relative(0.5 * 2 - 3 * v));
 }
 
 TEST_CASE("however long a call was awaited, the answer is the same to a count") {
