@@ -1,7 +1,8 @@
 #include <array>
 #include <string>
 
-#include "fmt/core.h"
+#include <fmt/core.h>
+
 #include "lang/codes.h"
 #include "lang/expression_checker.h"
 #include "lang/suggest.h"

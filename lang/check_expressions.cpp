@@ -3,7 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "fmt/core.h"
+#include <fmt/core.h>
+
 #include "lang/codes.h"
 #include "lang/declared_elsewhere.h"
 #include "lang/expression_checker.h"

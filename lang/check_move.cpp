@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <string>
 
-#include "fmt/core.h"
-#include "fmt/ranges.h"
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
 #include "lang/codes.h"
 #include "lang/move_checker.h"
 #include "lang/number_text.h"

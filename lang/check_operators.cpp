@@ -2,7 +2,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "fmt/core.h"
+#include <fmt/core.h>
+
 #include "lang/codes.h"
 #include "lang/expression_checker.h"
 

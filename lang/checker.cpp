@@ -3,7 +3,8 @@
 #include <string>
 #include <utility>
 
-#include "fmt/core.h"
+#include <fmt/core.h>
+
 #include "lang/codes.h"
 #include "lang/expression_checker.h"
 #include "lang/move_checker.h"

@@ -4,7 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "fmt/core.h"
+#include <fmt/core.h>
+
 #include "lang/code_builder.h"
 #include "lang/codes.h"
 #include "lang/expression_compiler.h"

@@ -2,7 +2,8 @@
 
 #include <string_view>
 
-#include "fmt/core.h"
+#include <fmt/core.h>
+
 #include "lang/builtins.h"
 #include "lang/number_text.h"
 #include "lang/types.h"

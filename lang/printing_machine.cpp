@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "fmt/core.h"
+#include <fmt/core.h>
+
 #include "lang/number_text.h"
 #include "lang/units.h"
 

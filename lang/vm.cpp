@@ -3,7 +3,8 @@
 #include <span>
 #include <utility>
 
-#include "fmt/core.h"
+#include <fmt/core.h>
+
 #include "lang/builtins.h"
 #include "lang/codes.h"
 #include "lang/fold.h"

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "fmt/core.h"
+#include <fmt/core.h>
+
 #include "lang/compile.h"
 #include "lang/printing_machine.h"
 #include "lang/vm.h"
