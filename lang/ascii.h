@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,12 @@ inline std::string to_upper(std::string_view text) {
 /// Keywords and names are the same whatever their capital letters.
 inline bool same_word(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, [](char x, char y) { return to_upper(x) == to_upper(y); });
+}
+
+/// A piece of a program for a message: at most 40 bytes of it. What is cut is ASCII.
+inline std::string shortened(std::string_view text) {
+  constexpr std::size_t kMost = 40;
+  return text.size() <= kMost ? std::string(text) : std::string(text.substr(0, kMost)) + "\u2026";
 }
 
 }  // namespace rob::lang

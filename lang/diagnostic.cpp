@@ -133,9 +133,9 @@ std::string render(const Diagnostic& diagnostic, std::string_view file_name,
   std::string text(file_name);
   if (place.line > 0) text += fmt::format(":{}:{}", place.line, place.column);
   text += fmt::format(": {}[{}]: {}\n", word_of(diagnostic.severity), diagnostic.code,
-                      diagnostic.message);
+                      printable(diagnostic.message));
   if (place.line > 0) text += excerpt(place, source);
-  if (!diagnostic.help.empty()) text += fmt::format("help: {}\n", diagnostic.help);
+  if (!diagnostic.help.empty()) text += fmt::format("help: {}\n", printable(diagnostic.help));
   return text;
 }
 

@@ -17,12 +17,6 @@ namespace rob::lang {
 
 namespace {
 
-/// A piece of the source for a message: at most 40 bytes of ASCII.
-std::string shortened(std::string_view text) {
-  constexpr std::size_t kMost = 40;
-  return text.size() <= kMost ? std::string(text) : fmt::format("{}…", text.substr(0, kMost));
-}
-
 /// What was meant by a unit that is none. Capital letters are a likely mistake.
 std::string unit_help(std::string_view unit) {
   if (unit.starts_with("\u00B0")) return "degrees are written 90deg";

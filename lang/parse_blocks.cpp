@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/parser_impl.h"
 
@@ -212,7 +213,8 @@ void Parser::for_header(For& loop) {
   loop.variable = std::move(variable.name);
   loop.variable_place = variable.place;
   if (!accept(TokenKind::Assign)) {
-    fail_here(code::kAssignExpected, fmt::format("'=' expected after {}", loop.variable));
+    fail_here(code::kAssignExpected,
+              fmt::format("'=' expected after {}", shortened(loop.variable)));
   }
   loop.from = expression();
   if (!at_word("TO")) {

@@ -105,11 +105,11 @@ void Parser::declared_type_and_value(Declaration& declaration) {
   const std::string& name = declaration.names.front().name;
   if (declaration.constant) {
     fail(code::kIncompleteDeclaration, behind_previous(), "a constant needs a value",
-         fmt::format("CONST {} = 10mm", name));
+         fmt::format("CONST {} = 10mm", shortened(name)));
   }
   if (!declaration.type) {
     fail(code::kIncompleteDeclaration, behind_previous(), "a variable needs a type or a value",
-         fmt::format("VAR {0} = 10mm, or VAR {0}: LENGTH", name));
+         fmt::format("VAR {0} = 10mm, or VAR {0}: LENGTH", shortened(name)));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/parser_impl.h"
 
@@ -225,7 +226,7 @@ Tuple::Element Parser::element() {
   if (at(TokenKind::Word) && (assigned || next_.kind == TokenKind::Colon)) {
     if (assigned) {
       report(code::kAssignInExpression, next_.place, "a component is named with ':', not with '='",
-             fmt::format("write {}:", current_.text));
+             fmt::format("write {}:", shortened(current_.text)));
     }
     element.name = current_.text;
     advance();
@@ -240,7 +241,7 @@ ExprPtr Parser::call(const Place& place, std::string callee) {
   const Level level(*this);
   Call node;
   int height = 0;
-  const std::string what = fmt::format("the arguments of {}", callee);
+  const std::string what = fmt::format("the arguments of {}", shortened(callee));
   node.callee = std::move(callee);
   advance();
   while (!at(TokenKind::RightParen)) {

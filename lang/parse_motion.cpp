@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -88,7 +89,9 @@ void Parser::fail_target() {
   }
   constexpr std::size_t kMostShown = 60;
   const std::string_view written = source_.substr(first.offset, end - first.offset);
-  const bool list = written.find(',') != std::string_view::npos && written.size() <= kMostShown;
+  const bool plain = written.size() <= kMostShown &&
+                     std::ranges::all_of(written, [](char c) { return c >= ' ' && c <= '~'; });
+  const bool list = plain && written.find(',') != std::string_view::npos;
   const std::string help = list ? fmt::format("MOVE({})", written) : "MOVE(140, 40, 0)";
   fail(code::kTargetExpected, first.place,
        "a target is written in parentheses: '(' expected after MOVE", help);

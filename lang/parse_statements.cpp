@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/parser_impl.h"
 #include "lang/suggest.h"
@@ -99,8 +100,9 @@ void Parser::word_statement(Block& block) {
 void Parser::unknown_word(Block& block) {
   const std::string message = fmt::format("{} is no statement", described(current_));
   if (named_type(current_.text) && next_.kind == TokenKind::Word) {
-    fail_here(code::kUnknownStatement, message,
-              fmt::format("a variable is declared so: VAR {}: {}", next_.text, current_.text));
+    fail_here(
+        code::kUnknownStatement, message,
+        fmt::format("a variable is declared so: VAR {}: {}", shortened(next_.text), current_.text));
   }
   const std::string_view meant = suggest(current_.text, statement_words());
   if (meant.empty()) {

@@ -23,12 +23,10 @@ bool begins_statement(const Token& token) {
 }
 
 std::string described(const Token& token) {
-  constexpr std::size_t kMost = 40;
   if (token.kind == TokenKind::EndOfFile) return "the end of the file";
   if (token.kind == TokenKind::EndOfLine) return "the end of the line";
   if (token.kind == TokenKind::String) return "a text";
-  if (token.text.size() > kMost) return fmt::format("'{}…'", token.text.substr(0, kMost));
-  return fmt::format("'{}'", token.text);
+  return fmt::format("'{}'", shortened(token.text));
 }
 
 Parser::Parser(std::string_view source, Diagnostics& diagnostics)
@@ -176,11 +174,12 @@ std::string Parser::remedy() const {
   if (at(TokenKind::Percent) && value_follows) return "the remainder is written x MOD y";
   const auto unit = match_unit(source_.substr(current_.offset));
   if (behind_number && unit) {
-    return fmt::format("a unit follows its number without a blank: {}{}", previous_.text,
+    return fmt::format("a unit follows its number without a blank: {}{}", shortened(previous_.text),
                        source_.substr(current_.offset, unit->length));
   }
   if (behind_number && at(TokenKind::Comma) && next_.kind == TokenKind::Number) {
-    return fmt::format("the decimal sign is a point: {}.{}", previous_.text, next_.text);
+    return fmt::format("the decimal sign is a point: {}.{}", shortened(previous_.text),
+                       shortened(next_.text));
   }
   if (at(TokenKind::RightParen) || at(TokenKind::RightBracket)) return "no bracket is open here";
   return "";

@@ -577,3 +577,20 @@ TEST_CASE("an empty program draws a warning") {
     CHECK_FALSE(p.diagnostics.has_errors());
   }
 }
+
+TEST_CASE("messages stay short and free of control characters, whatever they quote") {
+  const std::string longest(60000, 'a');
+  const std::string digits(60000, '1');
+  for (const std::string& source :
+       {longest, longest + " = ", "CONST " + longest, "VAR " + longest, "v = " + longest + "(1",
+        "INT " + longest, "MOVE(" + longest + " = 1)", "FOR " + longest + " 1",
+        "v = 1." + digits + " mm", "v = 1." + digits + "," + digits, "v = 1" + longest,
+        "MOVE 1," + longest, "VAR x: " + longest, std::string("MOVE 40,\x02\x02 0"),
+        std::string("MOVE 40,\t0"), std::string("\x1b[2J")}) {
+    const Parsed p = parsed(source);
+    for (const Diagnostic& d : p.diagnostics.all()) {
+      CHECK(d.message.size() + d.help.size() < 300);
+      for (const char c : d.message + d.help) CHECK(static_cast<unsigned char>(c) >= 0x20);
+    }
+  }
+}
