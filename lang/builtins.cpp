@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lang/symbols.h"
+#include "lang/ascii.h"
 
 namespace rob::lang {
 namespace {
@@ -142,7 +142,7 @@ constexpr std::array kLater = std::to_array<std::string_view>(
 std::span<const Builtin> builtins() { return kBuiltins; }
 
 const Builtin* find_builtin(std::string_view name, std::size_t arguments) {
-  const std::string key = folded(name);
+  const std::string key = to_upper(name);
   const Builtin* first = nullptr;
   for (const Builtin& builtin : kBuiltins) {
     if (builtin.name != key) continue;
@@ -168,7 +168,7 @@ std::vector<std::string_view> builtin_names() {
 }
 
 bool is_later_builtin(std::string_view name) {
-  const std::string key = folded(name);
+  const std::string key = to_upper(name);
   return std::ranges::find(kLater, key) != kLater.end();
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/expression_checker.h"
 #include "lang/suggest.h"
@@ -54,7 +55,7 @@ Type ExpressionChecker::check(Call& call, Expr& expression) {
 const Builtin* ExpressionChecker::resolve_function(const Call& call, Place place) {
   if (scopes_.find(call.callee) != nullptr) {
     diagnostics_.error(code::kNotAFunction, place,
-                       fmt::format("{} is a value, not a function", call.callee),
+                       fmt::format("{} is a value, not a function", shortened(call.callee)),
                        find_builtin(call.callee, 0) == nullptr
                            ? "leave out the parentheses, or write * between"
                            : "it hides the function of that name: give it another name");
@@ -64,10 +65,11 @@ const Builtin* ExpressionChecker::resolve_function(const Call& call, Place place
   if (builtin != nullptr) return builtin;
   if (is_later_builtin(call.callee)) {
     diagnostics_.error(code::kNotYet, place,
-                       fmt::format("{} is not in this version of Rob yet", folded(call.callee)));
+                       fmt::format("{} is not in this version of Rob yet", to_upper(call.callee)));
     return nullptr;
   }
-  diagnostics_.error(code::kUnknownFunction, place, fmt::format("unknown function {}", call.callee),
+  diagnostics_.error(code::kUnknownFunction, place,
+                     fmt::format("unknown function {}", shortened(call.callee)),
                      did_you_mean(suggest(call.callee, builtin_names())));
   return nullptr;
 }
@@ -121,14 +123,15 @@ Type ExpressionChecker::common_dimension(const Call& call) {
     if (!argument->type.numeric()) {
       diagnostics_.error(
           code::kTypeMismatch, argument->place,
-          fmt::format("{} needs numbers; this is {}", folded(call.callee), described(*argument)));
+          fmt::format("{} needs numbers; this is {}", to_upper(call.callee), described(*argument)));
       return {};
     }
     const Type next = common_type(common, argument->type);
     if (!next.numeric()) {
-      diagnostics_.error(code::kDimensionMismatch, argument->place,
-                         fmt::format("this is {}; {} needs {} here, as before",
-                                     described(*argument), folded(call.callee), in_words(common)));
+      diagnostics_.error(
+          code::kDimensionMismatch, argument->place,
+          fmt::format("this is {}; {} needs {} here, as before", described(*argument),
+                      to_upper(call.callee), in_words(common)));
       return {};
     }
     common = next;

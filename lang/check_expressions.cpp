@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/declared_elsewhere.h"
 #include "lang/expression_checker.h"
@@ -136,26 +137,26 @@ void ExpressionChecker::report_unknown(std::string_view name, Place place) {
   }
   if (find_builtin(name, 0) != nullptr) {
     diagnostics_.error(code::kNotAFunction, place, fmt::format("{} is a function", name),
-                       fmt::format("give it its arguments: {}(…)", folded(name)));
+                       fmt::format("give it its arguments: {}(…)", to_upper(name)));
     return;
   }
   if (is_later_builtin(name)) {
     diagnostics_.error(code::kNotYet, place,
-                       fmt::format("{} is not in this version of Rob yet", folded(name)));
+                       fmt::format("{} is not in this version of Rob yet", to_upper(name)));
     return;
   }
   if (const auto declared = find_declaration(program_, name)) {
     const bool later = declared->line > place.line ||
                        (declared->line == place.line && declared->column >= place.column);
     diagnostics_.error(
-        code::kUnknownName, place, fmt::format("{} is not known here", name),
+        code::kUnknownName, place, fmt::format("{} is not known here", shortened(name)),
         later || declared->line == place.line
             ? fmt::format("it is declared in line {}: declare it before using it", declared->line)
             : fmt::format("it is declared in the block of line {} and lives only there",
                           declared->line));
     return;
   }
-  diagnostics_.error(code::kUnknownName, place, fmt::format("unknown name {}", name),
+  diagnostics_.error(code::kUnknownName, place, fmt::format("unknown name {}", shortened(name)),
                      did_you_mean(suggest(name, scopes_.visible())));
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/move_checker.h"
 #include "lang/number_text.h"
@@ -105,11 +106,11 @@ bool MoveChecker::check_names(const Tuple& tuple) {
     const auto coordinate = coordinate_named(robot_, element.name);
     if (!coordinate) {
       const std::string meant = did_you_mean(suggest(element.name, coordinate_names(robot_)));
-      diagnostics_.error(code::kUnknownComponent, element.place,
-                         fmt::format("{} has no coordinate {}", robot_.name, element.name),
-                         meant.empty()
-                             ? fmt::format("it has {}", fmt::join(coordinate_names(robot_), ", "))
-                             : meant);
+      diagnostics_.error(
+          code::kUnknownComponent, element.place,
+          fmt::format("{} has no coordinate {}", robot_.name, shortened(element.name)),
+          meant.empty() ? fmt::format("it has {}", fmt::join(coordinate_names(robot_), ", "))
+                        : meant);
       sound = false;
     } else if (given[*coordinate]) {
       diagnostics_.error(code::kComponentTwice, element.place,

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/expression_checker.h"
 #include "lang/move_checker.h"
@@ -64,13 +65,15 @@ bool is_constant(const ExprPtr& condition, bool value) {
 const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& name, Place place,
                                         Type type, Constant value) {
   if (const Symbol* const earlier = scopes_.find_innermost(name)) {
-    diagnostics_.error(code::kDeclaredTwice, place,
-                       fmt::format("{} is already declared, in line {}", name, earlier->place.line),
-                       "to give it another value, write it without VAR");
+    diagnostics_.error(
+        code::kDeclaredTwice, place,
+        fmt::format("{} is already declared, in line {}", shortened(name), earlier->place.line),
+        "to give it another value, write it without VAR");
   } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr || is_later_builtin(name)) {
-    diagnostics_.warning(code::kHidesBuiltIn, place,
-                         fmt::format("{} hides what the language or the robot calls so", name),
-                         "give it another name");
+    diagnostics_.warning(
+        code::kHidesBuiltIn, place,
+        fmt::format("{} hides what the language or the robot calls so", shortened(name)),
+        "give it another name");
   }
   Symbol symbol;
   symbol.kind = kind;
@@ -89,7 +92,7 @@ void StatementChecker::check(Declaration& declaration) {
     type = *declaration.type;
     if (declaration.value != nullptr) {
       expressions_.accept(*declaration.value, type,
-                          fmt::format("{} needs", declaration.names.front().name));
+                          fmt::format("{} needs", shortened(declaration.names.front().name)));
     }
   }
   // A constant text lives in a register: each use of it in the tree would be a copy.
@@ -108,13 +111,14 @@ void StatementChecker::check(Assign& assign) {
   assign.target.symbol = symbol;
   if (symbol == nullptr || !assignable(*symbol, assign.target_place)) return;
   if (assign.value == nullptr) return;
-  expressions_.accept(*assign.value, symbol->type, fmt::format("{} needs", symbol->name));
+  expressions_.accept(*assign.value, symbol->type,
+                      fmt::format("{} needs", shortened(symbol->name)));
 }
 
 bool StatementChecker::assignable(const Symbol& symbol, Place place) {
   const auto refuse = [&](std::string_view what, std::string help) {
-    diagnostics_.error(code::kNotAssignable, place, fmt::format("{} {}", symbol.name, what),
-                       std::move(help));
+    diagnostics_.error(code::kNotAssignable, place,
+                       fmt::format("{} {}", shortened(symbol.name), what), std::move(help));
     return false;
   };
   switch (symbol.kind) {

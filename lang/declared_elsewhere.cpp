@@ -1,6 +1,6 @@
 #include "lang/declared_elsewhere.h"
 
-#include "lang/symbols.h"
+#include "lang/ascii.h"
 
 namespace rob::lang {
 namespace {
@@ -14,7 +14,7 @@ struct Search {
 
   Found operator()(const Declaration& declaration) const {
     for (const Declaration::Declared& declared : declaration.names) {
-      if (folded(declared.name) == key) return declared.place;
+      if (to_upper(declared.name) == key) return declared.place;
     }
     return std::nullopt;
   }
@@ -26,7 +26,7 @@ struct Search {
   }
   Found operator()(const While& loop) const { return search(loop.body, key); }
   Found operator()(const For& loop) const {
-    if (folded(loop.variable) == key) return loop.variable_place;
+    if (to_upper(loop.variable) == key) return loop.variable_place;
     return search(loop.body, key);
   }
   template <typename Other>
@@ -45,7 +45,7 @@ Found search(const Block& block, const std::string& key) {
 }  // namespace
 
 std::optional<Place> find_declaration(const Program& program, std::string_view name) {
-  return search(program.statements, folded(name));
+  return search(program.statements, to_upper(name));
 }
 
 }  // namespace rob::lang

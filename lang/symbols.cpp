@@ -3,15 +3,9 @@
 #include <numbers>
 #include <utility>
 
-namespace rob::lang {
+#include "lang/ascii.h"
 
-std::string folded(std::string_view name) {
-  std::string upper(name);
-  for (char& c : upper) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  return upper;
-}
+namespace rob::lang {
 
 Scopes::Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot) : symbols_(symbols) {
   enter();
@@ -33,7 +27,7 @@ Scopes::Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot) : symbo
 }
 
 const Symbol* Scopes::find(std::string_view name) const {
-  const std::string key = folded(name);
+  const std::string key = to_upper(name);
   for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
     if (const auto found = scope->find(key); found != scope->end()) return found->second;
   }
@@ -41,19 +35,19 @@ const Symbol* Scopes::find(std::string_view name) const {
 }
 
 const Symbol* Scopes::find_innermost(std::string_view name) const {
-  const auto found = scopes_.back().find(folded(name));
+  const auto found = scopes_.back().find(to_upper(name));
   return found == scopes_.back().end() ? nullptr : found->second;
 }
 
 bool Scopes::provided(std::string_view name) const {
-  return scopes_.front().contains(folded(name));
+  return scopes_.front().contains(to_upper(name));
 }
 
 const Symbol* Scopes::declare(Symbol symbol) {
   symbol.id = symbols_.size();
   symbols_.push_back(std::move(symbol));
   const Symbol* const declared = &symbols_.back();
-  scopes_.back()[folded(declared->name)] = declared;
+  scopes_.back()[to_upper(declared->name)] = declared;
   return declared;
 }
 

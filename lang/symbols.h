@@ -34,9 +34,6 @@ struct Symbol {
   bool output = false;  ///< a signal that may be assigned
 };
 
-/// Upper-case ASCII: names are case-insensitive, and this is how they are compared.
-std::string folded(std::string_view name);
-
 /// The names that may be used at one place of the program. Scopes nest; the outermost holds what
 /// the language and the robot provide, the second the program's own top level. A name declared in
 /// an inner scope hides the same name further out.

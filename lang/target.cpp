@@ -4,9 +4,9 @@
 #include <string>
 
 #include "lang/arithmetic.h"
+#include "lang/ascii.h"
 #include "lang/fold.h"
 #include "lang/number_text.h"
-#include "lang/symbols.h"
 #include "lang/units.h"
 
 namespace rob::lang {
@@ -34,7 +34,7 @@ std::optional<double> bare_literal(const Expr& component, Dimension dimension) {
 
 std::optional<std::size_t> coordinate_named(const RobotSignature& robot, std::string_view name) {
   for (std::size_t i = 0; i < robot.coordinates.size(); ++i) {
-    if (folded(robot.coordinates[i].name) == folded(name)) return i;
+    if (same_word(robot.coordinates[i].name, name)) return i;
   }
   return std::nullopt;
 }

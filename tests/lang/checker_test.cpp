@@ -90,3 +90,18 @@ TEST_CASE("thousands of unknown names are counted without a search for each") {
   CHECK(program.compilation().diagnostics.error_count() == 5000);
   CHECK(program.compilation().diagnostics.all().size() == Diagnostics::kMost);
 }
+
+TEST_CASE("a message that quotes a name stays short however long the name is") {
+  const std::string name(60'000, 'a');
+  for (const std::string& source :
+       {"PRINT " + name, "PRINT " + name + "(1)", name + " = 1",
+        "VAR " + name + " = 1\nVAR " + name + " = 1", "MOVE(" + name + ": 1)",
+        "CONST " + name + " = 1\n" + name + " = 2", "VAR " + name + ": LENGTH = 1",
+        "VAR " + name + " = 1mm\n" + name + " = 1"}) {
+    const ProgramRun program(source);
+    REQUIRE_FALSE(program.compiled());
+    for (const Diagnostic& diagnostic : program.compilation().diagnostics.all()) {
+      CHECK(diagnostic.message.size() + diagnostic.help.size() < 300);
+    }
+  }
+}
