@@ -43,6 +43,14 @@ void ReferenceInterpolator::reset(const JointReference& stand) noexcept {
   join_.clear();
 }
 
+// The stand is dated back by more than a curve connects, and counts as extrapolated since.
+void ReferenceInterpolator::rejoin(const JointReference& stand) noexcept {
+  reset(stand);
+  ring_[0].time -= (kLongestGap + 1) * period_;
+  begin_extrapolation();
+  extrapolating_ = true;
+}
+
 bool ReferenceInterpolator::push(const JointReference& reference) noexcept {
   assert(count_ > 0 && "reset() comes first");
   if (!is_finite(reference) || reference.time <= kept(count_ - 1).time) return false;

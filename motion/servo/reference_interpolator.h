@@ -31,6 +31,10 @@ class ReferenceInterpolator {
   /// Stands still at q from `stand.time` on, whatever its velocity; forgets what it had.
   void reset(const JointReference& stand) noexcept;
 
+  /// As reset(), for a machine that has been on its own: the references that come next may lie
+  /// anywhere, and are joined as after an extrapolation.
+  void rejoin(const JointReference& stand) noexcept;
+
   /// Stamps may skip periods. False, and nothing has happened: the stamp is not later than the last
   /// one, or a value is not finite.
   bool push(const JointReference& reference) noexcept;

@@ -55,11 +55,11 @@ void ServoTask::enable(double now) noexcept {
   enabled_ = true;
 }
 
-/// What follows starts from the measured place: nothing is made up, nothing is pulled at.
+/// What follows starts from the measured place and joins the references slowly, wherever they are.
 void ServoTask::take_as_it_stands(double now) noexcept {
   const JointVector zero = JointVector::Zero(state_.measured.q.size());
   command_.reference = {now, state_.measured.q, zero, zero};
-  interpolator_.reset(command_.reference);
+  interpolator_.rejoin(command_.reference);
   law_.reset(now);
   supervisor_.reset(command_.reference, state_.measured);
 }

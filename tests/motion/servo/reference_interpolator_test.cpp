@@ -265,6 +265,30 @@ TEST_CASE("a reference that comes a moment late is not counted as starvation") {
   CHECK(interpolator.starved() == 0);
 }
 
+TEST_CASE("a machine found elsewhere is led back to the references slowly, whoever comes first") {
+  for (const int known_before : {0, 1, 2}) {
+    ReferenceInterpolator interpolator = standing_at_start();
+    JointReference found = on_path(stamp(50));
+    found.q += both(0.003, -0.003);
+    interpolator.rejoin(found);
+    for (int k = 1; k <= known_before; ++k) interpolator.push(on_path(stamp(50 + k)));
+    std::vector<JointReference> sent;
+    for (int ms = 0; ms < 20000; ++ms) {
+      if (ms % 10 == 9) interpolator.push(on_path(stamp(51 + known_before + ms / 10)));
+      sent.push_back(interpolator.at(stamp(50) + 0.0003 + 0.001 * ms));
+    }
+    CAPTURE(known_before);
+    CHECK((sent.front().q - found.q).cwiseAbs().maxCoeff() < 20e-6);
+    const Worst worst = worst_of(sent, 1);
+    CHECK(worst.position_jump[0] <= 2 * kAMax[0] * 0.001 * 0.001);
+    // The path's speed, the difference in speed at the start, and the join's 15 %.
+    CHECK(worst.speed[0] <= 0.018 + 0.018 + 0.15 * kVMax[0]);
+    CHECK_FALSE(interpolator.joining());
+    const double end = sent.back().time;
+    CHECK((sent.back().q - on_path(end).q).cwiseAbs().maxCoeff() < 1e-8);
+  }
+}
+
 TEST_CASE("interpolation, extrapolation and the way back take no memory") {
   ReferenceInterpolator interpolator = standing_at_start();
   const JointReference one = on_path(stamp(1));
