@@ -271,10 +271,11 @@ TEST_CASE("a machine found elsewhere is led back to the references slowly, whoev
     JointReference found = on_path(stamp(50));
     found.q += both(0.003, -0.003);
     interpolator.rejoin(found);
-    for (int k = 1; k <= known_before; ++k) interpolator.push(on_path(stamp(50 + k)));
+    for (int k = 1; k <= known_before; ++k)  // in time, or not yet
+      interpolator.push(on_path(stamp(50 + k)));
     std::vector<JointReference> sent;
     for (int ms = 0; ms < 20000; ++ms) {
-      if (ms % 10 == 9) interpolator.push(on_path(stamp(51 + known_before + ms / 10)));
+      if (ms % 10 == 9) interpolator.push(on_path(stamp(52 + ms / 10)));
       sent.push_back(interpolator.at(stamp(50) + 0.0003 + 0.001 * ms));
     }
     CAPTURE(known_before);
