@@ -44,7 +44,7 @@ class StatementChecker {
 
   const Symbol* declare(Symbol::Kind kind, const std::string& name, Place place, Type type,
                         Constant value);
-  /// Checks a block that is executed only if `condition` has the value `when`.
+  /// Checks a block that is never executed if `unreached`.
   void check_guarded(Block& block, bool unreached);
   Type check_range(For& loop);
   void check_constant_range(const For& loop, const Type& type);

@@ -85,7 +85,7 @@ void CodeBuilder::load_text(Register target, const std::string& text, Place plac
 
 void CodeBuilder::append_real(Register text, Register value, Dimension dimension, Place place) {
   const std::size_t index = index_in(chunk_.dimensions, dimension);
-  if (index > std::numeric_limits<std::uint8_t>::max()) fail(Limit::Table, place);
+  if (index > std::numeric_limits<std::uint8_t>::max()) fail(Limit::Dimensions, place);
   emit(Opcode::append_real, place, text, value, static_cast<std::uint8_t>(index));
 }
 

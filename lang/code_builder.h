@@ -61,7 +61,7 @@ class CodeBuilder {
   /// Tells listings that a variable lives in a register from here on.
   void name_register(const std::string& name, Register index, bool text);
 
-  enum class Limit { None, Registers, Jump, Table };
+  enum class Limit { None, Registers, Jump, Dimensions };
   /// The limit that was exceeded, and where first.
   Limit failed() const { return failed_; }
   Place failed_at() const { return failed_at_; }

@@ -247,15 +247,26 @@ void StatementCompiler::compile(const For& loop) {
 }
 
 void StatementCompiler::report_limit(Diagnostics& diagnostics) const {
-  if (code_.failed() == CodeBuilder::Limit::Jump) {
-    diagnostics.error(code::kBlockTooLong, code_.failed_at(),
-                      "the block that begins here is too long", "divide it");
-    return;
+  const Place place = code_.failed_at();
+  switch (code_.failed()) {
+    case CodeBuilder::Limit::None:
+      return;
+    case CodeBuilder::Limit::Registers:
+      diagnostics.error(
+          code::kTooManyVariables, place,
+          fmt::format("more than {} variables and intermediate values at once", kMostRegisters),
+          "declare variables in the block that needs them, and what does not change with CONST");
+      return;
+    case CodeBuilder::Limit::Jump:
+      diagnostics.error(code::kBlockTooLong, place, "the block that begins here is too long",
+                        "divide it");
+      return;
+    case CodeBuilder::Limit::Dimensions:
+      diagnostics.error(code::kTooManyUnits, place,
+                        "the program makes texts of more than 256 kinds of quantities",
+                        "divide by a unit to print a plain number, for example x / 1mm");
+      return;
   }
-  diagnostics.error(
-      code::kTooManyVariables, code_.failed_at(),
-      fmt::format("more than {} variables and intermediate values at once", kMostRegisters),
-      "declare variables in the block that needs them, and what does not change with CONST");
 }
 
 }  // namespace
