@@ -100,9 +100,12 @@ void Parser::word_statement(Block& block) {
 void Parser::unknown_word(Block& block) {
   const std::string message = fmt::format("{} is no statement", described(current_));
   if (named_type(current_.text) && next_.kind == TokenKind::Word) {
-    fail_here(
-        code::kUnknownStatement, message,
+    report(
+        code::kUnknownStatement, current_.place, message,
         fmt::format("a variable is declared so: VAR {}: {}", shortened(next_.text), current_.text));
+    advance();
+    declare_unknown(block);
+    throw SyntaxError{};
   }
   const std::string_view meant = suggest(current_.text, statement_words());
   if (meant.empty()) {

@@ -17,7 +17,7 @@ namespace rob::lang {
 inline constexpr int kMaxDepth = 200;
 
 /// The most statements and expressions of one program. [choice] a tree node takes some 200 bytes,
-/// so a program's tree stays below 200 MB.
+/// so the greatest tree takes about 200 MB.
 inline constexpr std::size_t kMaxNodes = 1'000'000;
 
 /// After this many errors the rest of a text is not read: they are one mistake.

@@ -482,11 +482,12 @@ TEST_CASE("what a later version will have is named once, and skipped with all th
   CHECK(errors("MOVE(1,2,3) AT LIVE 5%").size() == 1);
 }
 
-TEST_CASE("the names that a later statement declares are known") {
+TEST_CASE("the names that a later or a foreign statement declares are known") {
   const Parsed p = parsed("SIGNAL vacuum = DOUT[1]\nPOINT pick, place");
   CHECK(p.statement<Declaration>(0).names[0].name == "vacuum");
   CHECK(p.statement<Declaration>(1).names[1].name == "place");
   CHECK(p.statement<Declaration>(1).type == Type{});
+  CHECK(parsed("INT n = 3").statement<Declaration>().names[0].name == "n");
 }
 
 // ------------------------------------------------------------- hostile input
