@@ -23,8 +23,8 @@ inline constexpr std::size_t kMaxNodes = 1'000'000;
 /// After this many errors the rest of a text is not read: they are one mistake.
 inline constexpr std::size_t kMaxSyntaxErrors = 1000;
 
-/// Where a declaration or a loop could not be read in full, its names are still declared, with
-/// the type Unknown, so that their uses draw no further messages.
+/// Reads a program. Where a declaration could not be read in full its names are still declared,
+/// with the type Unknown, so that their uses draw no further messages.
 Program parse(std::string_view source, Diagnostics& diagnostics);
 
 }  // namespace rob::lang
