@@ -1,0 +1,64 @@
+#include "tests/bench/robs_organisation.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <thread>
+
+#include "runtime/time/clock.h"
+#include "runtime/time/periodic_task.h"
+#include "runtime/time/real_time.h"
+#include "tests/bench/busy.h"
+#include "tests/support/stepped_run.h"
+
+namespace rob::bench {
+
+namespace {
+
+constexpr double kLead = 0.02;  // s [choice] for both threads to be ready
+constexpr std::chrono::milliseconds kReportPause(10);
+
+}  // namespace
+
+Outcome run_robs_organisation(double work) {
+  test::SteppedRun parts(test::kPublishedProgram);
+  runtime::Controller& controller = parts.controller;
+  SampleCount samples(parts.robot.reference_period, 1);  // reference 0 is where the robot stands
+  std::optional<double> first;
+  double measured = 0;
+  std::atomic<bool> servo_stops{false};
+
+  // The buffer holds more than this program: it is decoded before the clock starts.
+  parts.task.step(std::numeric_limits<std::int64_t>::max());
+  runtime::SystemClock clock(kLead);
+  controller.servo().enable(clock.now());
+  runtime::PeriodicTask servo(clock, parts.robot.servo_period, runtime::kServoPriority,
+                              [&](std::int64_t, double, double) {
+                                work_for(work);
+                                controller.servo().cycle(clock.now());
+                                return !servo_stops.load(std::memory_order_relaxed);
+                              });
+  runtime::PeriodicTask motion(clock, parts.robot.reference_period, runtime::kMotionPriority,
+                               [&](std::int64_t number, double now, double lateness) {
+                                 if (!first) first = now;
+                                 measured = now - *first;
+                                 work_for(work);
+                                 controller.motion().cycle(number, lateness);
+                                 if (controller.motion().over()) return false;
+                                 samples.hand_out(number + 1, clock.now());
+                                 return true;
+                               });
+  while (!controller.motion().over()) {
+    std::this_thread::sleep_for(kReportPause);
+    parts.recorder.drain();
+  }
+  motion.join();
+  servo_stops = true;
+  servo.join();
+  parts.recorder.drain();
+  return samples.outcome(parts.recorder.finish().status == "done", measured);
+}
+
+}  // namespace rob::bench
