@@ -92,6 +92,10 @@ std::string printable(std::string_view text) {
 std::string excerpt(const Place& place, std::string_view source) {
   const std::string_view line = source_line(source, place.line);
   if (line.empty()) return "";
+  if (place.column == 0) {
+    const auto [begin, end] = window(line, 0);
+    return fmt::format("  {}\n", printable(line.substr(begin, end - begin)));
+  }
   const std::size_t byte = byte_of_column(line, place.column);
   const auto [begin, end] = window(line, byte);
   const std::uint32_t blanks = count_code_points(line.substr(begin, byte - begin));
@@ -131,7 +135,8 @@ std::string render(const Diagnostic& diagnostic, std::string_view file_name,
                    std::string_view source) {
   const Place& place = diagnostic.place;
   std::string text(file_name);
-  if (place.line > 0) text += fmt::format(":{}:{}", place.line, place.column);
+  if (place.line > 0) text += fmt::format(":{}", place.line);
+  if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
   text += fmt::format(": {}[{}]: {}\n", word_of(diagnostic.severity), diagnostic.code,
                       printable(diagnostic.message));
   if (place.line > 0) text += excerpt(place, source);

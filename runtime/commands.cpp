@@ -4,12 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 #include "lang/disassembler.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/control/units.h"
+#include "runtime/program/console.h"
 #include "runtime/program/json_report.h"
 #include "runtime/program/load.h"
 #include "runtime/program/progress.h"
@@ -28,22 +28,21 @@ ExitCode worse(ExitCode a, ExitCode b) { return a == ExitCode::Done ? b : a; }
 void print_json(const std::vector<Json>& documents) {
   const Json json = documents.size() == 1 ? documents.front() : Json(documents);
   // PRINT can write any text; what is not UTF-8 in it must not end the run.
-  fmt::print(stdout, "{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  put_result(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 RunListener listener_of(const Options& options, Progress& progress) {
   RunListener listener;
   listener.warn = [&](const std::string& message) {
     progress.clear();
-    fmt::print(stderr, "rob: {}\n", message);
+    put_message("rob: " + message + "\n");
   };
   if (options.json) return listener;
   listener.print = [&](const std::string& text) {
     progress.clear();
-    fmt::print(stdout, "{}\n", text);
-    std::fflush(stdout);
+    put_result(text + "\n");
   };
-  listener.progress = [&](int line, double time) { progress.show(line, time); };
+  listener.progress = [&](const Position& position) { progress.show(position); };
   return listener;
 }
 
@@ -51,7 +50,7 @@ RunResult run_one(const LoadedProgram& program, const motion::RobotModel& robot,
                   const Options& options) {
   if (!program.runnable()) return refused(program, robot);
   const double planned = isatty(STDERR_FILENO) != 0 ? foretell(program, robot).planned : 0;
-  Progress progress(planned / options.override_share);
+  Progress progress(planned / options.override_share, options.override_share);
   const RunOptions run_options{options.fast, options.override_share, options.trace};
   RunResult result = run(program, robot, run_options, listener_of(options, progress));
   progress.clear();
@@ -65,11 +64,11 @@ ExitCode run_files(const Options& options) {
   for (const std::string& file : options.files) {
     const LoadedProgram program = load_program(file, robot);
     const RunResult result = run_one(program, robot, options);
-    fmt::print(stderr, "{}", problems_text(result, program.source));
+    put_message(problems_text(result, program.source));
     if (options.json) {
       documents.push_back(run_json(result));
     } else if (program.runnable()) {
-      fmt::print(stdout, "{}", run_table(result));
+      put_result(run_table(result));
     }
     worst = worse(worst, result.exit_code);
     if (result.status == "interrupted") break;
@@ -86,11 +85,11 @@ ExitCode check_files(const Options& options) {
     const LoadedProgram program = load_program(file, robot);
     RunResult result = program.runnable() ? foretell(program, robot) : refused(program, robot);
     if (result.exit_code != ExitCode::Done) result.exit_code = ExitCode::ProgramError;
-    fmt::print(stderr, "{}", problems_text(result, program.source));
+    put_message(problems_text(result, program.source));
     if (options.json) {
       documents.push_back(check_json(result));
     } else if (program.runnable()) {
-      fmt::print(stdout, "{}", check_table(result));
+      put_result(check_table(result));
     }
     worst = worse(worst, result.exit_code);
   }
@@ -104,12 +103,12 @@ ExitCode compile_files(const Options& options) {
   for (const std::string& file : options.files) {
     const LoadedProgram program = load_program(file, robot);
     for (const lang::Diagnostic& found : program.compilation.diagnostics.all()) {
-      fmt::print(stderr, "{}", lang::render(found, file, program.source));
+      put_message(lang::render(found, file, program.source));
     }
     if (!program.runnable()) {
       worst = ExitCode::ProgramError;
     } else if (options.listing) {
-      fmt::print(stdout, "{}", lang::disassemble(*program.compilation.chunk));
+      put_result(lang::disassemble(*program.compilation.chunk));
     }
   }
   return worst;
@@ -131,7 +130,7 @@ std::string describe(const motion::RobotModel& robot) {
 
 ExitCode list_robots() {
   for (const motion::EmbeddedRobot& robot : motion::embedded_robots()) {
-    fmt::print(stdout, "{}", describe(load_robot(std::string(robot.name))));
+    put_result(describe(load_robot(std::string(robot.name))));
   }
   return ExitCode::Done;
 }
@@ -149,7 +148,7 @@ ExitCode carry_out(const Options& options) {
     case Options::Command::Robots:
       return list_robots();
     case Options::Command::Help:
-      fmt::print(stdout, "{}", options.help_text);
+      put_result(options.help_text);
       return ExitCode::Done;
   }
   return ExitCode::Usage;

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <csignal>
 #include <new>
 #include <variant>
 
@@ -8,6 +8,7 @@
 #include "motion/servo/servo_backend.h"
 #include "runtime/commands.h"
 #include "runtime/options.h"
+#include "runtime/program/console.h"
 #include "runtime/program/files.h"
 
 using rob::runtime::CommandLineEnd;
@@ -17,21 +18,26 @@ using rob::runtime::Options;
 namespace {
 
 int fail(ExitCode code, const char* what) {
-  fmt::print(stderr, "rob: {}\n", what);
+  rob::runtime::put_message(fmt::format("rob: {}\n", what));
   return static_cast<int>(code);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away must not stop a robot anywhere
   try {
     const auto parsed = rob::runtime::parse_command_line(argc, argv);
     if (const auto* end = std::get_if<CommandLineEnd>(&parsed)) {
-      fmt::print(stdout, "{}", end->to_stdout);
-      fmt::print(stderr, "{}", end->to_stderr);
+      rob::runtime::put_result(end->to_stdout);
+      rob::runtime::put_message(end->to_stderr);
       return static_cast<int>(end->exit_code);
     }
-    return static_cast<int>(rob::runtime::carry_out(std::get<Options>(parsed)));
+    const ExitCode code = rob::runtime::carry_out(std::get<Options>(parsed));
+    if (code == ExitCode::Done && !rob::runtime::results_written()) {
+      return fail(ExitCode::InputOutput, "the results could not be written; is the disk full?");
+    }
+    return static_cast<int>(code);
   } catch (const rob::runtime::FileError& error) {
     return fail(ExitCode::InputOutput, error.what());
   } catch (const rob::motion::RobotFileError& error) {

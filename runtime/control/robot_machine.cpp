@@ -118,11 +118,11 @@ Reply RobotMachine::queue(motion::Effect effect) {
 void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
   const lang::Place place{static_cast<std::uint32_t>(line), 0, 0};
   if ((planned.warnings & motion::PlannedSegment::kPaceCut) != 0) {
-    log_.found({lang::Severity::Warning, "W501", place, "AT asks for more than the axes can do",
+    log_.found({lang::Severity::Warning, "W601", place, "AT asks for more than the axes can do",
                 "the motion runs as fast as its axes permit"});
   }
   if ((planned.warnings & motion::PlannedSegment::kStretched) != 0) {
-    log_.found({lang::Severity::Warning, "W502", place,
+    log_.found({lang::Severity::Warning, "W602", place,
                 fmt::format("OVER is too short: this motion takes {} s",
                             shown(planned.segment.duration, 3)),
                 "OVER is a lower bound; the axes and the corners need longer here"});

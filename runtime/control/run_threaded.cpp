@@ -1,5 +1,6 @@
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <optional>
 #include <thread>
 
@@ -30,6 +31,24 @@ void run_program(ProgramTask& program, const std::atomic<bool>& stopping) {
   }
 }
 
+/// Reports until the robot stands for good. If the reporting itself fails, the robot is stopped on
+/// its path first; what went wrong is returned.
+std::exception_ptr watch_over(Controller& controller, std::atomic<bool>& program_stops,
+                              const Attend& attend) {
+  std::exception_ptr trouble;
+  while (!controller.motion().over()) {
+    std::this_thread::sleep_for(kReportPause);
+    try {
+      if (!trouble) attend();
+    } catch (...) {
+      trouble = std::current_exception();
+      controller.request_hold();
+    }
+    if (controller.holding()) program_stops = true;
+  }
+  return trouble;
+}
+
 }  // namespace
 
 Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& attend) {
@@ -58,16 +77,13 @@ Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& 
     if (program_state != ProgramTask::State::Over) run_program(program, program_stops);
   });
 
-  while (!controller.motion().over()) {
-    std::this_thread::sleep_for(kReportPause);
-    attend();
-    if (controller.holding()) program_stops = true;
-  }
+  const std::exception_ptr trouble = watch_over(controller, program_stops, attend);
   program_stops = true;
   servo_stops = true;
   program_thread.join();
   motion.join();
   servo.join();
+  if (trouble) std::rethrow_exception(trouble);
   attend();
   return {motion.punctuality().missed, motion.punctuality().worst_lateness, drift, false};
 }

@@ -4,30 +4,51 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <string>
+
+#include "runtime/program/console.h"
 
 namespace rob::runtime {
 
 namespace {
 
 constexpr double kEvery = 0.1;  // s of the run: as often as an eye reads
+constexpr const char* kClearLine = "\r\033[K";
+
+const char* name_of(motion::MotionState state) {
+  switch (state) {
+    case motion::MotionState::Idle:
+      return "idle";
+    case motion::MotionState::Running:
+      return "running";
+    case motion::MotionState::Held:
+      return "held";
+    case motion::MotionState::Stopping:
+      return "stopping";
+  }
+  return "";
+}
 
 }  // namespace
 
-Progress::Progress(double planned) : planned_(planned), terminal_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(double planned, double override_share)
+    : planned_(planned), override_share_(override_share), terminal_(isatty(STDERR_FILENO) != 0) {}
 
-void Progress::show(int line, double time) {
-  if (!terminal_ || line == 0 || time - last_ < kEvery) return;
-  last_ = time;
+void Progress::show(const Position& position) {
+  if (!terminal_ || position.line == 0 || position.time - last_ < kEvery) return;
+  last_ = position.time;
   shown_ = true;
-  fmt::print(stderr, "\r\033[Kline {}  {:.1f} s", line, time);
-  if (planned_ > 0) fmt::print(stderr, "  {:.1f} s left", std::max(0.0, planned_ - time));
+  std::string text = fmt::format("{}line {}  {:.1f} s", kClearLine, position.line, position.time);
+  if (planned_ > 0) {
+    text += fmt::format("  {:.1f} s left", std::max(0.0, planned_ - position.time));
+  }
+  put_message(text + fmt::format("  {:.0f}%  {}", 100 * override_share_, name_of(position.state)));
 }
 
 void Progress::clear() {
   if (!shown_) return;
   shown_ = false;
-  fmt::print(stderr, "\r\033[K");
+  put_message(kClearLine);
 }
 
 }  // namespace rob::runtime

@@ -1,20 +1,23 @@
 #pragma once
 
+#include "runtime/program/run.h"
+
 namespace rob::runtime {
 
 /// A line at the bottom of a terminal that tells how far a run is: source line, time, time left as
-/// planned. Prints nothing where stderr is no terminal.
+/// planned, override and state. Prints nothing where stderr is no terminal.
 class Progress {
  public:
-  /// `planned`: s, or 0 where it is not known.
-  explicit Progress(double planned);
+  /// `planned`: s, or 0 where it is not known. `override_share`: 1 is 100 %.
+  Progress(double planned, double override_share);
 
-  void show(int line, double time);
+  void show(const Position& position);
   /// Makes room for other output.
   void clear();
 
  private:
   double planned_;
+  double override_share_;
   bool terminal_;
   bool shown_ = false;
   double last_ = -1;

@@ -106,7 +106,9 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
   const Attend attend = [&] {
     recorder.drain();
     if (Interruption::requested()) controller.request_hold();
-    if (listener.progress) listener.progress(recorder.line(), recorder.time());
+    if (listener.progress) {
+      listener.progress({recorder.line(), recorder.time(), recorder.state()});
+    }
   };
   if (!options.fast && listener.warn) {
     const std::string missing = prepare_real_time();
@@ -138,7 +140,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   if (task.failure()) add_failure(result, *task.failure());
   if (timing.gave_up) {
     result.findings.push_back({lang::Severity::Note,
-                               "N601",
+                               "N603",
                                {},
                                "assumed: the program does not end; foretold as far as "
                                "one hour of its time or 100,000,000 instructions",

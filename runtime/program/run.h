@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "motion/generate/trajectory_generator.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/program/load.h"
 #include "runtime/program/run_result.h"
@@ -16,10 +17,17 @@ struct RunOptions {
   std::string trace;          ///< file, or empty
 };
 
+/// How far a run is: source line, s, what motion is doing.
+struct Position {
+  int line = 0;
+  double time = 0;
+  motion::MotionState state = motion::MotionState::Idle;
+};
+
 /// What a run tells while it goes on; either may be empty.
 struct RunListener {
   std::function<void(const std::string& text)> print;  ///< a line of PRINT, in motion order
-  std::function<void(int line, double time)> progress;
+  std::function<void(const Position& position)> progress;
   std::function<void(const std::string& message)> warn;  ///< a line for the user about the run
 };
 

@@ -86,12 +86,8 @@ void RunRecorder::take(const MotionEvent& event) {
       fail(event.time, "fault", words_for_not_finite(event.axis, robot_));
       break;
     case MotionEvent::Kind::Held:
-      if (running_) line_of(*running_).ended = result_.error ? "fault" : "hold";
-      [[fallthrough]];
     case MotionEvent::Kind::Finished:
-      end_segment(event.time, nullptr);
-      end_corner();
-      result_.measured = event.time;
+      stand_still(event);
       break;
   }
 }
@@ -121,6 +117,20 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   }
   line.planned += duration;
   result_.planned += duration;
+}
+
+void RunRecorder::stand_still(const MotionEvent& event) {
+  result_.measured = event.time;
+  if (event.kind == MotionEvent::Kind::Held) {  // neither point nor corner has been reached
+    if (running_) {
+      LineResult& line = line_of(*running_);
+      line.measured += event.time - running_->started;
+      line.ended = result_.error ? "fault" : "hold";
+    }
+    return;
+  }
+  end_segment(event.time, nullptr);
+  end_corner();
 }
 
 void RunRecorder::end_segment(double time, const LoggedSegment* next) {

@@ -32,6 +32,9 @@ class RunRecorder {
   void drain();
   /// The line that runs now; 0 before the first.
   int line() const { return running_ ? static_cast<int>(running_->tag) : 0; }
+  motion::MotionState state() const {
+    return last_ ? last_->sample.state : motion::MotionState::Idle;
+  }
   /// Of the last snapshot, s.
   double time() const { return last_ ? last_->sample.reference.time : 0; }
   /// After the last drain(): closes the books. What the program did wrong is the caller's to add.
@@ -48,6 +51,7 @@ class RunRecorder {
   void take(const Snapshot& snapshot);
   void begin_segment(const motion::MotionEvent& event);
   void end_segment(double time, const LoggedSegment* next);
+  void stand_still(const motion::MotionEvent& event);
   void end_corner();
   double planned_miss(const Running& segment, const LoggedSegment* next) const;
   void take_effect(const motion::MotionEvent& event);

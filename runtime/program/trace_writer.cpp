@@ -43,10 +43,6 @@ void TraceWriter::header() {
 }
 
 void TraceWriter::write(const Snapshot& snapshot) {
-  if (full_) {
-    ++lost_;
-    return;
-  }
   const motion::GeneratorSample& sample = snapshot.sample;
   row_.clear();
   fmt::format_to(std::back_inserter(row_), "{:.17g},{},{},{:.17g},{:.17g},{},{:.17g},{},{:.17g}",
@@ -62,13 +58,12 @@ void TraceWriter::write(const Snapshot& snapshot) {
   }
   for (int i = 0; i < robot_.axis_count(); ++i) append(row_, snapshot.drive[i]);
   row_ += '\n';
-  put(row_);
+  if (!put(row_)) ++lost_;
 }
 
-void TraceWriter::put(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size()) return;
-  full_ = true;
-  ++lost_;
+bool TraceWriter::put(const std::string& text) {
+  full_ = full_ || std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size();
+  return !full_;
 }
 
 bool TraceWriter::close() { return std::fclose(file_.release()) == 0 && !full_; }

@@ -25,7 +25,7 @@ class TraceWriter {
 
  private:
   void header();
-  void put(const std::string& text);
+  bool put(const std::string& text);
 
   const motion::RobotModel& robot_;
   FileHandle file_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,10 +14,6 @@ struct ProcessResult {
   std::string out;
   std::string err;
 };
-
-/// Starts `arguments[0]` with the others, waits for its end and returns what it wrote. Standard
-/// input is empty. Throws std::system_error if it cannot be started.
-ProcessResult run_process(const std::vector<std::string>& arguments);
 
 /// The whole of a file, byte by byte; throws std::runtime_error if it cannot be read.
 std::string read_whole_file(const std::filesystem::path& file);
@@ -33,5 +31,31 @@ class ScratchFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// A program that runs beside the test: `arguments[0]` with the others, standard input empty.
+/// The constructor throws std::system_error if it cannot be started; the destructor kills what has
+/// not been waited for.
+class Process {
+ public:
+  explicit Process(const std::vector<std::string>& arguments);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  void send(int signal) const;
+  /// Its end, and all that it wrote. Once.
+  ProcessResult wait();
+
+ private:
+  std::filesystem::path out() const { return scratch_.path() / "out"; }
+  std::filesystem::path err() const { return scratch_.path() / "err"; }
+
+  ScratchFolder scratch_;
+  pid_t child_ = 0;
+  bool ended_ = false;
+};
+
+/// Starts, waits, and returns what it wrote.
+ProcessResult run_process(const std::vector<std::string>& arguments);
 
 }  // namespace rob::test

@@ -1,0 +1,164 @@
+// `rob run` and `rob check` from outside: documents, traces, real time and signals.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <sstream>
+#include <thread>
+
+#include "tests/support/rob_command.h"
+
+using nlohmann::json;
+using rob::test::contains;
+using rob::test::Process;
+using rob::test::ProcessResult;
+using rob::test::RobCommand;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr const char* kTriangle =
+    "MOVE(40,40,0)\nMOVE(140,40,0)\nMOVE(90,126,0)\nMOVE(40,40,0)\nSTOP\nEND\n";
+
+std::size_t lines_in(const std::string& path) {
+  std::ifstream file(path);
+  std::size_t count = 0;
+  for (std::string line; std::getline(file, line);) ++count;
+  return count;
+}
+
+/// Waits until the run's trace shows that the robot moves. Bounded only against hanging: a loaded
+/// machine may take its time.
+void wait_until_it_moves(const std::string& trace) {
+  for (int i = 0; i < 6000 && lines_in(trace) < 60; ++i) std::this_thread::sleep_for(10ms);
+  REQUIRE(lines_in(trace) >= 60);
+}
+
+/// The greatest step of an axis between two rows, mm or deg: a jump would show.
+double greatest_step(const std::string& trace, std::size_t axes) {
+  std::ifstream file(trace);
+  std::string line;
+  std::getline(file, line);
+  std::vector<double> before;
+  double most = 0;
+  while (std::getline(file, line)) {
+    std::istringstream row(line);
+    std::vector<double> values;
+    for (std::string field; std::getline(row, field, ',');) values.push_back(std::stod(field));
+    for (std::size_t i = 0; i < axes && !before.empty(); ++i) {
+      most = std::max(most, std::abs(values.at(9 + i) - before.at(9 + i)));
+    }
+    before = values;
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("the check table is the one that the manual promises") {
+  const ProcessResult result = RobCommand(kTriangle)("check");
+  CHECK(result.exit_code == 0);
+  CHECK(result.err.empty());
+  CHECK(result.out ==
+        "   line  starts   takes   decides at   corner missed by\n"
+        "     1    0.00     2.75       2.75       4.0 mm\n"
+        "     2    2.75     5.00       7.75       9.6 mm\n"
+        "     3    7.75     4.30      12.05      10.3 mm\n"
+        "     4   12.05     4.30      16.35       0.0 mm   (STOP)\n"
+        "     5   16.35     2.75                           total 19.10 s\n");
+}
+
+TEST_CASE("two runs on the virtual clock write the same trace, byte for byte") {
+  const RobCommand rob(kTriangle);
+  CHECK(rob("run", {"--fast", "--trace", rob.file("a.csv")}).exit_code == 0);
+  CHECK(rob("run", {"--fast", "--trace", rob.file("b.csv")}).exit_code == 0);
+  CHECK(rob::test::read_whole_file(rob.file("a.csv")) ==
+        rob::test::read_whole_file(rob.file("b.csv")));
+  CHECK(lines_in(rob.file("a.csv")) == 1912);  // header and 1911 rows
+}
+
+TEST_CASE("with --json standard output is one document, whatever the program prints") {
+  const ProcessResult result = RobCommand(
+      "PRINT \"a \\\"quoted\\\" line\"\nMOVE(10,0,0)\nPRINT 20mm\n")("run", {"--fast", "--json"});
+  const json report = json::parse(result.out);
+  CHECK(report["output"] == json::array({"a \"quoted\" line", "20mm"}));
+  CHECK(report["clock"] == "virtual");
+  CHECK(report["final"]["joints"][0] == 10.0);
+}
+
+TEST_CASE("a run-time error tells its line, exit code 70, behind what was commanded before") {
+  const ProcessResult result =
+      RobCommand("VAR n = 0\nMOVE(10,0,0)\nPRINT \"before\"\nPRINT 1 / n\nPRINT \"after\"\n")(
+          "run", {"--fast", "--json"});
+  CHECK(result.exit_code == 70);
+  const json report = json::parse(result.out);
+  CHECK(report["output"] == json::array({"before"}));
+  CHECK(report["error"]["line"] == 4);
+  CHECK(report["final"]["joints"][0] == 10.0);
+}
+
+TEST_CASE("in real time a program takes the time that was foretold") {
+  // Generous on purpose: a loaded machine may stall the whole process (docs/realtime.md). A stall
+  // that could not be made up is a fault of the machine's, and tried again.
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    const ProcessResult result = RobCommand("MOVE(20,0,0)\n")("run", {"--json"});
+    const json report = json::parse(result.out);
+    if (report["status"] == "fault") continue;
+    CHECK(result.exit_code == 0);
+    CHECK(report["clock"] == "system");
+    CHECK(report["planned_s"] == 5.5);
+    CHECK(std::abs(report["measured_s"].get<double>() - 5.5) < 0.3);
+    CHECK(report["cycles"] == 550);
+    return;
+  }
+  FAIL("three runs in a row were stalled");
+}
+
+TEST_CASE("faults 35 and 36: Ctrl-C, SIGTERM and SIGHUP stop on the path, then exit") {
+  struct Case {
+    int signal;
+    int exit_code;
+  };
+  for (const Case c : {Case{SIGINT, 130}, Case{SIGTERM, 143}, Case{SIGHUP, 129}}) {
+    const RobCommand rob(kTriangle);
+    const std::string trace = rob.file("t.csv");
+    Process run(rob.line("run", {"--json", "--trace", trace}));
+    wait_until_it_moves(trace);
+    run.send(c.signal);
+    const ProcessResult result = run.wait();
+    CHECK(result.exit_code == c.exit_code);
+    const json report = json::parse(result.out);  // not killed: it told its result
+    CHECK(report["status"] != "done");
+    CHECK(greatest_step(trace, 3) <= 0.2 + 1e-9);  // 20 mm/s in 10 ms
+    // Line 1 goes along the diagonal: a stop on the path stands on it.
+    if (report["measured_s"] < 2.75) {
+      CHECK(report["final"]["joints"][0] == report["final"]["joints"][1]);
+    }
+  }
+}
+
+TEST_CASE("fault 13: an endless loop without motion ends at Ctrl-C") {
+  const RobCommand rob("MOVE(10,0,0)\nWHILE TRUE DO\nENDWHILE\n");
+  Process run(rob.line("run", {"--json", "--trace", rob.file("t.csv")}));
+  wait_until_it_moves(rob.file("t.csv"));
+  run.send(SIGINT);
+  CHECK(run.wait().exit_code == 130);
+}
+
+TEST_CASE("faults 16 and 38: a process that was stopped holds the robot where it was") {
+  const RobCommand rob(kTriangle);
+  const std::string trace = rob.file("t.csv");
+  Process run(rob.line("run", {"--json", "--trace", trace}));
+  wait_until_it_moves(trace);
+  run.send(SIGSTOP);
+  std::this_thread::sleep_for(1s);
+  run.send(SIGCONT);
+  const ProcessResult result = run.wait();
+  CHECK(result.exit_code == 70);
+  const json report = json::parse(result.out);
+  CHECK(report["status"] == "fault");
+  CHECK(report["error"]["code"] == "E501");
+  // References go on from the last one sent: no step is longer than v_max in the periods made up.
+  CHECK(greatest_step(trace, 3) <= 20 * 0.2 + 1e-9);
+}
