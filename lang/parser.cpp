@@ -46,6 +46,10 @@ Program Parser::program() {
       }
     }
     program.end = current_.place;
+    // A file without END ends as if END stood on the line behind its last one.
+    if (at(TokenKind::EndOfFile) && current_.place.column > 1) {
+      program.end = Place{current_.place.line + 1, 1};
+    }
     if (at(Keyword::End)) advance();
     while (accept(TokenKind::EndOfLine)) {
     }

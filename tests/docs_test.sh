@@ -6,7 +6,8 @@
 #   ```console             lines "$ COMMAND", each with exactly what it prints, messages included
 #
 # Commands run in a folder of their own, which holds ./rob, examples/ and the programs with a FILE
-# name that stand above them on the page. Links to files have to lead somewhere.
+# name that stand above them on the page. Links to files have to lead somewhere; the list of messages
+# and that of the built-in functions have to be complete.
 set -uo pipefail
 
 rob=$(readlink -f "$1")
@@ -82,6 +83,29 @@ check_links() {
   done < <(grep -o '](\([^)#]\+\)' "$page" | cut -c 3-)
 }
 
+check_mentions() { # WHAT WORD…
+  local what=$1 word
+  shift
+  for word in "$@"; do
+    grep -qw -- "$word" "$page" || fail 1 "$what $word is not mentioned"
+  done
+}
+
+# What this page lists in full.
+check_lists() {
+  local in_code='s/^ROB_[A-Z]*(\([A-Z0-9]*\),.*/\1/p'
+  case ${page#"$root/"} in
+    docs/errors.md)
+      check_mentions "the code" $(sed -n "$in_code" "$root/lang/codes.def") \
+        $(grep -rhoE '"[ENW][0-9]{3}"' "$root/runtime" | tr -d '"')
+      ;;
+    docs/language.md)
+      check_mentions "the function" $(sed -n "$in_code" "$root/lang/builtins.def")
+      ;;
+  esac
+}
+
 check_blocks
 check_links
+check_lists
 [[ $failures -eq 0 ]]

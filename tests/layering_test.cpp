@@ -191,6 +191,14 @@ TEST_CASE("a package that belongs in one place is seen by one file") {
   }
 }
 
+TEST_CASE("fault 17: no source asks for the time of day, so that setting it moves nothing") {
+  for (const SourceFile& file : layers()) {
+    for (const char* asking : {"CLOCK_REALTIME", "system_clock", "gettimeofday", "localtime"}) {
+      CHECK_MESSAGE(file.text.find(asking) == std::string::npos, file.path << " uses " << asking);
+    }
+  }
+}
+
 TEST_CASE("no source file is longer than 400 lines") {
   for (const SourceFile& file : sources_in({"lang", "motion", "drivers", "runtime", "tests"})) {
     const auto lines = std::count(file.text.begin(), file.text.end(), '\n');

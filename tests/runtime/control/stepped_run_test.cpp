@@ -149,6 +149,72 @@ TEST_CASE("fault 8: a target that turns out to be out of reach ends the run behi
   CHECK(run.rows.back().sample.reference.q[0] == 0.050);  // line 2 was finished, exactly
 }
 
+TEST_CASE("a program without END stops as if END stood on the line behind its last one") {
+  for (const char* text : {"MOVE(100,0,0)\n", "MOVE(100,0,0)"}) {
+    const RunResult result = SteppedRun(text).run();
+    REQUIRE(result.lines.size() == 2);
+    CHECK(result.lines[0].planned == doctest::Approx(5.0));
+    CHECK(result.lines[1].line == 2);
+    CHECK(result.lines[1].planned == doctest::Approx(2.75));
+  }
+}
+
+TEST_CASE("fault 11: targets on the limits are joined by corners inside them") {
+  SteppedRun run(
+      "MOVE(400,0,180)\nMOVE(400,300,-180)\nMOVE(0,300,180)\nMOVE(0,0,-180)\nMOVE(400,300,0)\n");
+  run.run();
+  for (const Snapshot& row : run.rows) {
+    for (int i = 0; i < 3; ++i) {
+      const auto& axis = run.robot.axes[static_cast<std::size_t>(i)];
+      const double q = row.sample.reference.q[i];
+      if (q < axis.min || q > axis.max) CHECK(q == doctest::Approx(axis.min));
+    }
+  }
+}
+
+TEST_CASE("fault 12: a time that is too short is stretched, with a warning of the true time") {
+  SteppedRun run("MOVE(100,0,0) OVER 3s\nMOVE(0,0,0) AT 40mm/s\nMOVE(100,0,0) OVER 8s\n");
+  const RunResult result = run.run();
+  REQUIRE(result.findings.size() == 2);
+  CHECK(result.findings[0].place.line == 1);
+  CHECK(result.findings[0].message == "OVER is too short: this motion takes 5 s");
+  CHECK(result.findings[1].place.line == 2);
+  CHECK(result.lines[0].planned == doctest::Approx(5.0));
+  CHECK(result.lines[1].planned == doctest::Approx(5.0));
+  CHECK(result.lines[2].planned == doctest::Approx(8.0));
+}
+
+TEST_CASE("fault 14: a program that comes too late lets the robot arrive, stand, and go on") {
+  SteppedRun run("MOVE(40,0,0)\nMOVE(40,40,0)\n");
+  auto& controller = run.controller;
+  const rob::lang::MoveCommand first{3, 7, {0.04, 0, 0}};
+  const rob::lang::MoveCommand second{3, 7, {0.04, 0.04, 0}};
+  controller.machine().move(1, first);
+  controller.servo().enable(0);
+  for (std::int64_t cycle = 0; !controller.motion().over() && cycle < 3000; ++cycle) {
+    controller.servo().cycle(static_cast<double>(cycle) * 0.01);
+    controller.motion().cycle(cycle, 0);
+    run.recorder.drain();
+    if (cycle == 1000) {  // 10 s: long after the decision point of line 1, at 2.75 s
+      controller.machine().move(2, second);
+      controller.machine().end(3);
+    }
+  }
+  const RunResult result = run.recorder.finish();
+  CHECK(result.status == "done");
+  CHECK(result.starved == 1);
+  REQUIRE(result.events.size() == 1);
+  CHECK(result.events[0].kind == "late-decision");
+  CHECK(result.events[0].time == doctest::Approx(2.75));
+  CHECK(run.rows.at(900).sample.reference.q[0] == 0.04);  // arrived, exactly
+  CHECK(run.rows.at(900).sample.reference.qd.norm() == 0.0);
+  CHECK(run.rows.back().sample.reference.q[1] == 0.04);
+  const double a = greatest(run.rows, [](const Snapshot& row) {
+    return row.sample.reference.qdd.head(2).cwiseAbs().maxCoeff();
+  });
+  CHECK(a <= 1.5 * 0.020 / 1.375 + 1e-12);  // Paul's law's own peak: no jerk out of the ordinary
+}
+
 TEST_CASE("fault 13: an endless loop without motion lets the motion end and can be interrupted") {
   SteppedRun run("MOVE(20,0,0)\nWHILE TRUE DO\nENDWHILE\n");
   run.each_cycle = [&](double time) {
