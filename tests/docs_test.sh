@@ -5,9 +5,9 @@
 #   ```rob-error [FILE]    a program that `rob check` has to refuse
 #   ```console             lines "$ COMMAND", each with exactly what it prints, messages included
 #
-# Commands run in a folder of their own, which holds ./rob, examples/ and the programs with a FILE
-# name that stand above them on the page. Links to files have to lead somewhere; the list of messages
-# and that of the built-in functions have to be complete.
+# Commands run in a folder of their own, which holds ./rob, examples/, motion/ and the programs with
+# a FILE name that stand above them on the page. Links to files have to lead somewhere; the lists of
+# messages and of built-in functions have to be complete.
 set -uo pipefail
 
 rob=$(readlink -f "$1")
@@ -16,7 +16,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 ln -s "$rob" "$scratch/rob"
-ln -s "$root/examples" "$scratch/examples"
+ln -s "$root/examples" "$root/motion" "$scratch"
 cd "$scratch" || exit 1
 failures=0
 
