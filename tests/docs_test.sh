@@ -83,25 +83,22 @@ check_links() {
   done < <(grep -o '](\([^)#]\+\)' "$page" | cut -c 3-)
 }
 
-check_mentions() { # WHAT WORD…
-  local what=$1 word
-  shift
-  for word in "$@"; do
-    grep -qw -- "$word" "$page" || fail 1 "$what $word is not mentioned"
+check_mentions() { # WHAT, and the words on standard input
+  local word
+  while IFS= read -r word; do
+    grep -qwF -- "$word" "$page" || fail 1 "the $1 $word is not mentioned"
   done
 }
 
-# What this page lists in full.
+# What a page lists in full.
 check_lists() {
-  local in_code='s/^ROB_[A-Z]*(\([A-Z0-9]*\),.*/\1/p'
+  local names='s/^ROB_[A-Z]*(\([A-Z0-9]*\),.*/\1/p'
   case ${page#"$root/"} in
     docs/errors.md)
-      check_mentions "the code" $(sed -n "$in_code" "$root/lang/codes.def") \
-        $(grep -rhoE '"[ENW][0-9]{3}"' "$root/runtime" | tr -d '"')
+      check_mentions code < <(sed -n "$names" "$root/lang/codes.def")
+      check_mentions code < <(grep -rhoE '"[ENW][0-9]{3}"' "$root/runtime" | tr -d '"')
       ;;
-    docs/language.md)
-      check_mentions "the function" $(sed -n "$in_code" "$root/lang/builtins.def")
-      ;;
+    docs/language.md) check_mentions function < <(sed -n "$names" "$root/lang/builtins.def") ;;
   esac
 }
 
