@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -12,8 +13,13 @@
 namespace rob::lang {
 namespace {
 
+/// Of all forms of the function: FLOOR(x) and FLOOR(x, step) make "1 to 2 arguments".
 std::string count_of_arguments(const Builtin& builtin) {
-  if (builtin.most != builtin.least) return fmt::format("at least {} arguments", builtin.least);
+  std::size_t most = builtin.most;
+  for (const Builtin& other : builtins()) {
+    if (other.name == builtin.name) most = std::max<std::size_t>(most, other.most);
+  }
+  if (most > builtin.least) return fmt::format("{} to {} arguments", builtin.least, most);
   return builtin.least == 1 ? "one argument" : fmt::format("{} arguments", builtin.least);
 }
 

@@ -44,6 +44,7 @@ class Lexer {
   Token plain_number(std::string_view digits, bool whole);
   Token quantity(std::string_view digits);
   Token unknown_unit(std::string_view digits);
+  Token stray_point(std::string_view digits, bool whole);
   Token too_large(std::string help);
   bool escape(std::string& text);
   bool unicode_escape(std::string& text);

@@ -61,14 +61,23 @@ Token Lexer::number() {
   }
   scan_number();
   const std::string_view digits = source_.substr(begin_, offset_ - begin_);
-  if (at() == '.') {
-    ++offset_;
-    return bad(code::kMalformedNumber, "digits follow the point of a number",
-               fmt::format("write {0} or {0}.0", shortened(digits)));
-  }
   const bool whole = digits.find_first_of(".eE") == std::string_view::npos;
+  if (at() == '.') return stray_point(digits, whole);
   const bool ends = !in_word(at()) && at() != '%' && static_cast<unsigned char>(at()) < 0x80;
   return ends ? plain_number(digits, whole) : quantity(digits);
+}
+
+/// A point behind the digits of a number that does not go on with digits: `5.`, `1.5.2`, `1e3.`.
+Token Lexer::stray_point(std::string_view digits, bool whole) {
+  ++offset_;
+  skip_word();
+  const std::string number = shortened(digits);
+  if (!whole) {
+    return bad(code::kMalformedNumber, "the number has ended before this point",
+               fmt::format("write {}", number));
+  }
+  return bad(code::kMalformedNumber, "digits follow the point of a number",
+             fmt::format("write {0} or {0}.0", number));
 }
 
 Token Lexer::too_large(std::string help) {

@@ -17,7 +17,14 @@ namespace {
 constexpr std::array<std::string_view, 7> kClauses{"AT",      "OVER", "ACCEL", "JERK",
                                                    "PROFILE", "ZONE", "FINE"};
 
-/// A clause of the language, whether this version has it or not; empty if it is none.
+/// Whether a value may go on with this sign: then the target is computed.
+bool goes_on(TokenKind kind) {
+  return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star ||
+         kind == TokenKind::Slash || kind == TokenKind::Caret || kind == TokenKind::Dot;
+}
+
+}  // namespace
+
 std::string_view clause_word(const Token& token) {
   if (token.kind == TokenKind::Word) {
     for (const std::string_view word : kClauses) {
@@ -36,14 +43,6 @@ std::string_view clause_word(const Token& token) {
       return {};
   }
 }
-
-/// Whether a value may go on with this sign: then the target is computed.
-bool goes_on(TokenKind kind) {
-  return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star ||
-         kind == TokenKind::Slash || kind == TokenKind::Caret || kind == TokenKind::Dot;
-}
-
-}  // namespace
 
 // motion = "MOVE" expr { clause } .
 void Parser::move(Block& block) {
@@ -91,7 +90,8 @@ void Parser::fail_target() {
   const std::string_view written = source_.substr(first.offset, end - first.offset);
   const bool plain = written.size() <= kMostShown &&
                      std::ranges::all_of(written, [](char c) { return c >= ' ' && c <= '~'; });
-  const bool list = plain && written.find(',') != std::string_view::npos;
+  const bool list =
+      plain && !at(TokenKind::LeftBracket) && written.find(',') != std::string_view::npos;
   const std::string help = list ? fmt::format("MOVE({})", written) : "MOVE(140, 40, 0)";
   fail(code::kTargetExpected, first.place,
        "a target is written in parentheses: '(' expected after MOVE", help);

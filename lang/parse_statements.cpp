@@ -107,6 +107,9 @@ void Parser::unknown_word(Block& block) {
     declare_unknown(block);
     throw SyntaxError{};
   }
+  if (!clause_word(current_).empty()) {
+    fail_here(code::kUnknownStatement, message, "a clause stands on the line of its motion");
+  }
   const std::string_view meant = suggest(current_.text, statement_words());
   if (meant.empty()) {
     fail_here(code::kUnknownStatement, message,

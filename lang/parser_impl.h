@@ -30,6 +30,9 @@ std::string described(const Token& token);
 /// BOOL, LENGTH, …, in any case; empty if this version has no such type.
 std::optional<Type> named_type(std::string_view word);
 
+/// A clause of the language, whether this version has it or not; empty if it is none.
+std::string_view clause_word(const Token& token);
+
 class Parser {
  public:
   Parser(std::string_view source, Diagnostics& diagnostics);

@@ -179,6 +179,8 @@ TEST_CASE("hexadecimal digits, bare points and grouped digits are refused") {
   CHECK(lex("0b101").only().message == "numbers are written in decimal digits");
   CHECK(lex(".5").only().help == "write 0.5");
   CHECK(lex("5.").only().help == "write 5 or 5.0");
+  CHECK(lex("1.5.").only().help == "write 1.5");
+  CHECK(lex("1e3.").only().help == "write 1e3");
   CHECK(lex("1_000").only().code == "E109");
 }
 

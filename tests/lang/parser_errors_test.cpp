@@ -135,6 +135,7 @@ TEST_CASE("'=' in an expression is an error that shows '=='") {
 TEST_CASE("beginners' mistakes with MOVE are answered with the right form") {
   CHECK(only_error("MOVE 40,40,0").help == "MOVE(40,40,0)");
   CHECK(only_error("MOVE 40, 40, 0 OVER 2s").help == "MOVE(40, 40, 0)");
+  CHECK(only_error("MOVE[40,40,0]").help == "MOVE(140, 40, 0)");
   CHECK(errors("MOVE") == Errors{"1:5 E127 a target expected after MOVE"});
   CHECK(errors("MOVE()") == Errors{"1:5 E124 there is nothing between the parentheses"});
   CHECK(only_error("MOVE(1,2,3) AT 50 mm/s").help ==
@@ -143,6 +144,7 @@ TEST_CASE("beginners' mistakes with MOVE are answered with the right form") {
         "a unit follows its number without a blank: 140mm");
   CHECK(only_error("MOVE(1,2,3) OVR 3s").help == "did you mean OVER?");
   CHECK(errors("MOVE(1,2,3) AT 5% OVER 1s AT 6%") == Errors{"1:27 E128 AT is given twice"});
+  CHECK(only_error("MOVE(1,2,3)\n  AT 5%").help == "a clause stands on the line of its motion");
   CHECK(errors("MOVE(1,2,3) AT") == Errors{"1:15 E124 a value expected after 'AT'"});
 }
 
