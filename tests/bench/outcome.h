@@ -12,6 +12,7 @@ struct Outcome {
   std::int64_t samples = 0;   ///< references that were due
   std::int64_t late = 0;      ///< of these, handed out after their instant, or never
   double worst_lateness = 0;  ///< s
+  bool fixed_priority = false;
 };
 
 /// Counts late samples, alike for every organisation: reference k is meant for the instant k·T
@@ -31,7 +32,7 @@ class SampleCount {
   }
 
   Outcome outcome(bool done, double measured) const {
-    return {done, measured, samples_, late_, worst_};
+    return {done, measured, samples_, late_, worst_, false};
   }
 
  private:

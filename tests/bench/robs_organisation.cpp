@@ -1,5 +1,7 @@
 #include "tests/bench/robs_organisation.h"
 
+#include <sched.h>
+
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -28,6 +30,7 @@ Outcome run_robs_organisation(double work) {
   SampleCount samples(parts.robot.reference_period, 1);  // reference 0 is where the robot stands
   std::optional<double> first;
   double measured = 0;
+  bool fixed_priority = false;
   std::atomic<bool> servo_stops{false};
 
   // The buffer holds more than this program: it is decoded before the clock starts.
@@ -42,7 +45,10 @@ Outcome run_robs_organisation(double work) {
                               });
   runtime::PeriodicTask motion(clock, parts.robot.reference_period, runtime::kMotionPriority,
                                [&](std::int64_t number, double now, double lateness) {
-                                 if (!first) first = now;
+                                 if (!first) {
+                                   first = now;
+                                   fixed_priority = sched_getscheduler(0) == SCHED_FIFO;
+                                 }
                                  measured = now - *first;
                                  work_for(work);
                                  controller.motion().cycle(number, lateness);
@@ -58,7 +64,9 @@ Outcome run_robs_organisation(double work) {
   servo_stops = true;
   servo.join();
   parts.recorder.drain();
-  return samples.outcome(parts.recorder.finish().status == "done", measured);
+  Outcome outcome = samples.outcome(parts.recorder.finish().status == "done", measured);
+  outcome.fixed_priority = fixed_priority;
+  return outcome;
 }
 
 }  // namespace rob::bench

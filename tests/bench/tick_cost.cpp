@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -133,7 +134,6 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
-    rob::runtime::prepare_real_time();
     rob::bench::Costs stepped;
     rob::bench::Costs real;
     for (int i = 0; i < stepped_runs; ++i) rob::bench::measure_stepped(stepped);

@@ -9,12 +9,12 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "motion/robots/robot_library.h"
 #include "runtime/program/load.h"
 #include "runtime/program/run.h"
-#include "runtime/time/real_time.h"
 #include "tests/bench/busy.h"
 #include "tests/bench/first_organisation.h"
 #include "tests/bench/robs_organisation.h"
@@ -46,9 +46,10 @@ class Series {
 
   std::string row(double theoretical) const {
     if (runs_.empty()) return fmt::format("  {:<12} every run was stalled\n", name_);
-    return fmt::format("  {:<12} {:>9.2f} s {:>8.2f} s  {:>5.2f}…{:<5.2f} s {:>14} {:>12.1f} ms\n",
-                       name_, theoretical, mean(&Outcome::measured), least(), most(), late(),
-                       worst() * 1e3);
+    return fmt::format(
+        "  {:<12} {:<8} {:>9.2f} s {:>8.2f} s  {:>5.2f}…{:<5.2f} s {:>14} {:>12.1f} ms\n", name_,
+        runs_.front().fixed_priority ? "fixed" : "normal", theoretical, mean(&Outcome::measured),
+        least(), most(), late(), worst() * 1e3);
   }
   int stalled() const { return stalled_; }
 
@@ -82,34 +83,37 @@ struct Options {
   int load = 0;
 };
 
-void measure(const Options& options) {
-  const std::string missing = runtime::prepare_real_time();
-  const double work = options.work_ms * 1e-3;
+void print(const Options& options, const Series& first, const Series& robs) {
   const double theoretical = theoretical_time();
   fmt::print(
-      "the published program in real time, {} run(s) each, on one processor\n"
-      "added work: {} ms for each reference, servo cycle and instruction; busy threads: {}\n"
-      "Rob's fixed priorities: {}\n\n"
-      "  {:<12} {:>11} {:>10}  {:<13} {:>14} {:>15}\n",
-      options.runs, options.work_ms, options.load, missing.empty() ? "used" : "not permitted",
-      "organisation", "theoretical", "measured", "from…to", "late samples", "worst lateness");
-
-  Series first("S1's first");
-  Series robs("Rob's");
-  const Load load(options.load);
-  stay_on_one_processor();
-  for (int i = 0; i < options.runs; ++i) {
-    first.add(FirstOrganisation(work).run());
-    robs.add(run_robs_organisation(work));
-  }
+      "the published program in real time, {} run(s) of each organisation, on one processor\n"
+      "added work: {} ms for each reference, servo cycle and instruction; busy threads: {}\n\n",
+      options.runs, options.work_ms, options.load);
+  fmt::print("  {:<12} {:<8} {:>11} {:>10}  {:<13} {:>14} {:>15}\n", "organisation", "priority",
+             "theoretical", "measured", "from…to", "late samples", "worst lateness");
   fmt::print("{}{}\n", first.row(theoretical), robs.row(theoretical));
   fmt::print(
       "Reference k is meant for the instant k * 10 ms after the start. A sample is late if it is\n"
-      "handed out after that instant, or left out. Times are means, lateness is the worst.\n");
+      "handed out after that instant, or left out. Measured is a mean, lateness the worst.\n");
   if (robs.stalled() > 0) {
     fmt::print("{} run(s) not counted: the machine stood still for more than 200 ms.\n",
                robs.stalled());
   }
+}
+
+void measure(const Options& options) {
+  const double work = options.work_ms * 1e-3;
+  Series first("S1's first");
+  Series robs("Rob's");
+  {
+    const Load load(options.load);
+    stay_on_one_processor();
+    for (int i = 0; i < options.runs; ++i) {
+      first.add(FirstOrganisation(work).run());
+      robs.add(run_robs_organisation(work));
+    }
+  }
+  print(options, first, robs);
 }
 
 }  // namespace
