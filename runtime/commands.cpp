@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "lang/disassembler.h"
 #include "motion/robots/robot_library.h"
@@ -57,12 +58,18 @@ RunResult run_one(const LoadedProgram& program, const motion::RobotModel& robot,
   return result;
 }
 
+/// All of them, before the first one starts: a file that cannot be read leaves nothing half done.
+std::vector<LoadedProgram> load_programs(const Options& options, const motion::RobotModel& robot) {
+  std::vector<LoadedProgram> programs;
+  for (const std::string& file : options.files) programs.push_back(load_program(file, robot));
+  return programs;
+}
+
 ExitCode run_files(const Options& options) {
   const motion::RobotModel robot = load_robot(options.robot);
   ExitCode worst = ExitCode::Done;
   std::vector<Json> documents;
-  for (const std::string& file : options.files) {
-    const LoadedProgram program = load_program(file, robot);
+  for (const LoadedProgram& program : load_programs(options, robot)) {
     const RunResult result = run_one(program, robot, options);
     put_message(problems_text(result, program.source));
     if (options.json) {
@@ -81,8 +88,7 @@ ExitCode check_files(const Options& options) {
   const motion::RobotModel robot = load_robot(options.robot);
   ExitCode worst = ExitCode::Done;
   std::vector<Json> documents;
-  for (const std::string& file : options.files) {
-    const LoadedProgram program = load_program(file, robot);
+  for (const LoadedProgram& program : load_programs(options, robot)) {
     RunResult result = program.runnable() ? foretell(program, robot) : refused(program, robot);
     if (result.exit_code != ExitCode::Done) result.exit_code = ExitCode::ProgramError;
     put_message(problems_text(result, program.source));
@@ -100,10 +106,9 @@ ExitCode check_files(const Options& options) {
 ExitCode compile_files(const Options& options) {
   const motion::RobotModel robot = load_robot(options.robot);
   ExitCode worst = ExitCode::Done;
-  for (const std::string& file : options.files) {
-    const LoadedProgram program = load_program(file, robot);
+  for (const LoadedProgram& program : load_programs(options, robot)) {
     for (const lang::Diagnostic& found : program.compilation.diagnostics.all()) {
-      put_message(lang::render(found, file, program.source));
+      put_message(lang::render(found, program.file, program.source));
     }
     if (!program.runnable()) {
       worst = ExitCode::ProgramError;

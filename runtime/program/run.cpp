@@ -58,6 +58,11 @@ Problem problem_of(const lang::Diagnostic& diagnostic, const std::string& file) 
   return {diagnostic.code, file, diagnostic.place, diagnostic.message, diagnostic.help};
 }
 
+/// What stops the program is also a finding, as the errors of the compiler are.
+lang::Diagnostic finding_of(const Problem& problem) {
+  return {lang::Severity::Error, problem.code, problem.place, problem.message, problem.help};
+}
+
 void add_failure(RunResult& result, const lang::RuntimeError& failure) {
   if (result.error) return;  // the robot's own trouble came first
   result.status = "program-error";
@@ -142,10 +147,11 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
     result.findings.push_back({lang::Severity::Note,
                                "N603",
                                {},
-                               "assumed: the program does not end; foretold as far as "
-                               "one hour of its time or 100,000,000 instructions",
+                               "the program goes on; it was foretold as far as one hour of its "
+                               "time or 100,000,000 instructions",
                                ""});
   }
+  if (result.error) result.findings.push_back(finding_of(*result.error));
   return start_of(program, std::move(result));
 }
 

@@ -103,6 +103,14 @@ TEST_CASE("fault 41: a program that is missing, a folder or a device is refused 
   }
 }
 
+TEST_CASE("of several programs none starts if one of them cannot be read") {
+  const RobCommand rob("PRINT \"started\"\n");
+  const ProcessResult result = rob("run", {rob.file("nowhere.rob"), "--fast"});
+  CHECK(result.exit_code == 74);
+  CHECK(result.out.empty());
+  CHECK(contains(result.err, "nowhere.rob"));
+}
+
 TEST_CASE("fault 41: a trace that cannot be written is refused before anything moves") {
   const RobCommand rob("MOVE(10,0,0)\nPRINT \"moved\"\n");
   for (const std::string& path : {std::string("/no/such/folder/t.csv"), std::string("/tmp"),

@@ -98,6 +98,30 @@ TEST_CASE("a run-time error tells its line, exit code 70, behind what was comman
   CHECK(report["final"]["joints"][0] == 10.0);
 }
 
+TEST_CASE(
+    "an error that shows only in the computation is foretold, and is a finding of the check") {
+  const ProcessResult result =
+      RobCommand("VAR far = 500mm\nMOVE(10,0,0)\nMOVE(far,0,0)\n")("check", {"--json"});
+  CHECK(result.exit_code == 65);
+  const json report = json::parse(result.out);
+  REQUIRE(report["findings"].size() == 1);
+  CHECK(report["findings"][0]["severity"] == "error");
+  CHECK(report["findings"][0]["line"] == 3);
+  CHECK(report["findings"][0]["message"] == report["error"]["message"]);
+}
+
+TEST_CASE("a program of more than an hour is foretold for an hour, and a note says so") {
+  std::string text;  // 190 lines of 20 s each
+  for (int i = 0; i < 190; ++i) text += i % 2 == 0 ? "MOVE(400,0,0)\n" : "MOVE(0,0,0)\n";
+  const json report = json::parse(RobCommand(text)("check", {"--json"}).out);
+  CHECK(report["status"] == "done");
+  REQUIRE(report["findings"].size() == 1);
+  CHECK(report["findings"][0]["severity"] == "note");
+  CHECK(contains(report["findings"][0]["message"], "one hour"));
+  CHECK(report["planned_s"] >= 3600.0);
+  CHECK(report["planned_s"] <= 3640.0);  // at most the two lines that the buffer had begun
+}
+
 TEST_CASE("in real time a program takes the time that was foretold") {
   // Generous on purpose: a loaded machine may stall the whole process (docs/realtime.md). A stall
   // that could not be made up is a fault of the machine's, and tried again.
