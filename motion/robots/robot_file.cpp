@@ -16,6 +16,7 @@ namespace {
 // from a microscope's stage to a port crane, and catch a slip in a unit or an exponent.
 constexpr Range kPeriod{1e-4, 1};
 constexpr Range kServoPeriod{5e-5, 1};
+constexpr int kMostServoCycles = 100;  // a reference; above, samples pile up between the tasks
 constexpr Range kHalfTransition{1e-3, 60};
 constexpr int kLookAheadMin = 2;
 constexpr int kLookAheadMax = 4096;
@@ -122,6 +123,9 @@ void read_timing(const TableReader& file, RobotModel& robot) {
   robot.servo_period = file.quantity("servo_period", Quantity::Time, kServoPeriod);
   if (!is_multiple(robot.reference_period, robot.servo_period))
     file.fail("servo_period", "reference_period must be a whole multiple of it");
+  if (robot.reference_period > (kMostServoCycles + 0.5) * robot.servo_period)
+    file.fail("servo_period", "reference_period must not be more than " +
+                                  std::to_string(kMostServoCycles) + " times as long");
   robot.t_acc = file.quantity("t_acc", Quantity::Time, kHalfTransition);
   // A segment lasts at least 2·t_acc: no more than one transition begins in a period.
   if (robot.t_acc < robot.reference_period)
