@@ -8,11 +8,15 @@ namespace {
 
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
-// A signal handler can reach nothing but this.
+// A signal handler can reach nothing but these.
 volatile std::sig_atomic_t first_signal = 0;
+std::atomic<std::atomic<bool>*> hold_flag{nullptr};
+static_assert(std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);
 
 void remember(int signal) {
   if (first_signal == 0) first_signal = signal;
+  if (std::atomic<bool>* const hold = hold_flag.load()) hold->store(true);
 }
 
 void handle_with(void (*handler)(int)) {
@@ -24,12 +28,16 @@ void handle_with(void (*handler)(int)) {
 
 }  // namespace
 
-Interruption::Interruption() {
+Interruption::Interruption(std::atomic<bool>& hold) {
   first_signal = 0;
+  hold_flag = &hold;
   handle_with(remember);
 }
 
-Interruption::~Interruption() { handle_with(SIG_DFL); }
+Interruption::~Interruption() {
+  handle_with(SIG_DFL);
+  hold_flag = nullptr;
+}
 
 bool Interruption::requested() { return first_signal != 0; }
 

@@ -1,14 +1,19 @@
 #pragma once
 
+#include <atomic>
+
 #include "runtime/program/run_result.h"
 
 namespace rob::runtime {
 
 /// Ctrl-C, SIGTERM and SIGHUP, taken as requests while an object of this class lives: the run
 /// stops on its path first and the process ends afterwards. One object at a time.
+///
+/// The handler itself sets `hold`: the robot stops even while the thread that reports waits for
+/// somebody to read what it wrote.
 class Interruption {
  public:
-  Interruption();
+  explicit Interruption(std::atomic<bool>& hold);
   ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;

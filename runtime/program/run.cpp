@@ -107,10 +107,9 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
                           if (trace) trace->write(snapshot);
                         }});
 
-  const Interruption interruption;
+  const Interruption interruption(controller.channels().hold_requested);
   const Attend attend = [&] {
     recorder.drain();
-    if (Interruption::requested()) controller.request_hold();
     if (listener.progress) {
       listener.progress({recorder.line(), recorder.time(), recorder.state()});
     }
