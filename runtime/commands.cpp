@@ -26,8 +26,9 @@ namespace {
 /// The graver of two: the first that is not Done.
 ExitCode worse(ExitCode a, ExitCode b) { return a == ExitCode::Done ? b : a; }
 
-void print_json(const std::vector<Json>& documents) {
-  const Json json = documents.size() == 1 ? documents.front() : Json(documents);
+/// One document, or a list where several programs were named, however many of them ran.
+void print_json(const Options& options, const std::vector<Json>& documents) {
+  const Json json = options.files.size() == 1 ? documents.front() : Json(documents);
   // PRINT can write any text; what is not UTF-8 in it must not end the run.
   put_result(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -80,7 +81,7 @@ ExitCode run_files(const Options& options) {
     worst = worse(worst, result.exit_code);
     if (result.status == "interrupted") break;
   }
-  if (options.json) print_json(documents);
+  if (options.json) print_json(options, documents);
   return worst;
 }
 
@@ -99,7 +100,7 @@ ExitCode check_files(const Options& options) {
     }
     worst = worse(worst, result.exit_code);
   }
-  if (options.json) print_json(documents);
+  if (options.json) print_json(options, documents);
   return worst;
 }
 

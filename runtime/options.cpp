@@ -140,6 +140,9 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
     return CommandLineEnd{ExitCode::Done, out.str(), ""};
   }
   parser.options.override_share = share_of(parser.override_text);
+  if (!parser.options.trace.empty() && parser.options.files.size() > 1) {
+    return usage_error("--trace records one program; run the others without it");
+  }
   if (parser.options.command == Options::Command::Help) return help_on(parser);
   return parser.options;
 }

@@ -111,6 +111,15 @@ TEST_CASE("of several programs none starts if one of them cannot be read") {
   CHECK(contains(result.err, "nowhere.rob"));
 }
 
+TEST_CASE("a trace is of one program: with two the second would overwrite the first") {
+  const RobCommand rob("PRINT \"started\"\n");
+  const ProcessResult result =
+      rob("run", {rob.program(), "--fast", "--trace", rob.file("trace.csv")});
+  CHECK(result.exit_code == 64);
+  CHECK(result.out.empty());
+  CHECK(contains(result.err, "--trace records one program"));
+}
+
 TEST_CASE("fault 41: a trace that cannot be written is refused before anything moves") {
   const RobCommand rob("MOVE(10,0,0)\nPRINT \"moved\"\n");
   for (const std::string& path : {std::string("/no/such/folder/t.csv"), std::string("/tmp"),
