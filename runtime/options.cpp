@@ -20,8 +20,7 @@ std::string check_override(const std::string& text) {
   const auto [rest, error] = std::from_chars(text.data(), end, percent);
   const bool number = error == std::errc() && rest == end;
   if (number && percent > 0 && percent <= kMostOverride) return "";
-  return fmt::format("--override takes a share from above 0% to {}%, not '{}'", kMostOverride,
-                     text);
+  return fmt::format("takes a share from above 0% to {}%, not '{}'", kMostOverride, text);
 }
 
 double share_of(const std::string& text) {
@@ -121,7 +120,7 @@ std::variant<Options, CommandLineEnd> help_on(Parser& parser) {
   }
   for (const CLI::App* command : parser.app.get_subcommands([](CLI::App*) { return true; })) {
     if (!command->check_name(parser.topic)) continue;
-    parser.options.help_text = command->help();
+    parser.options.help_text = command->help("rob");
     return parser.options;
   }
   return usage_error("there is no command '" + parser.topic + "'");
@@ -140,10 +139,10 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
     return CommandLineEnd{ExitCode::Done, out.str(), ""};
   }
   parser.options.override_share = share_of(parser.override_text);
+  if (parser.options.command == Options::Command::Help) return help_on(parser);
   if (!parser.options.trace.empty() && parser.options.files.size() > 1) {
     return usage_error("--trace records one program; run the others without it");
   }
-  if (parser.options.command == Options::Command::Help) return help_on(parser);
   return parser.options;
 }
 

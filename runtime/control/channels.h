@@ -26,7 +26,8 @@ struct Snapshot {
   motion::GeneratorSample sample;
   motion::JointVector measured;
   motion::JointVector drive;
-  double lateness = 0;  ///< s, of the cycle that handed the reference out
+  double saturation = 0;  ///< greatest force demanded since the last one / what the drive can give
+  double lateness = 0;    ///< s, of the cycle that handed the reference out
   double override_share = 1;
 };
 
@@ -53,11 +54,13 @@ struct Channels {
 
   motion::SpscRing<ServoNotice> notices{16};  ///< motion → main
 
-  std::atomic<std::uint64_t> outputs{0};    ///< motion → servo: bit i is output channel i
-  std::atomic<std::uint64_t> inputs{0};     ///< motion → program: latched in this cycle
-  std::atomic<std::uint32_t> decidable{0};  ///< motion → program: see TrajectoryGenerator
-  std::atomic<bool> hold_requested{false};  ///< main → motion
-  std::atomic<std::int64_t> lost{0};        ///< snapshots that found their ring full
+  std::atomic<std::uint64_t> outputs{0};      ///< motion → servo: bit i is output channel i
+  std::atomic<std::uint64_t> inputs{0};       ///< motion → program: latched in this cycle
+  std::atomic<std::uint32_t> decidable{0};    ///< motion → program: see TrajectoryGenerator
+  std::atomic<bool> standing{true};           ///< motion → program: nothing is under way
+  std::atomic<std::int64_t> effects_done{0};  ///< motion → program: effects that have acted
+  std::atomic<bool> hold_requested{false};    ///< main → motion
+  std::atomic<std::int64_t> lost{0};          ///< snapshots that found their ring full
 };
 
 }  // namespace rob::runtime

@@ -39,6 +39,7 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   lateness_ = lateness;
   channels_.references.push(current_.reference);
   collect_events();
+  channels_.standing.store(current_.state == motion::MotionState::Idle, std::memory_order_relaxed);
   channels_.decidable.store(generator_.decidable(), std::memory_order_release);
 }
 
@@ -46,6 +47,7 @@ void MotionTask::take_samples() noexcept {
   ServoSample sample;
   while (channels_.samples.take(sample)) {
     history_[samples_++ % kHistory] = sample;
+    saturation_ = std::max(saturation_, sample.saturation);
     channels_.inputs.store(sample.inputs, std::memory_order_relaxed);
     if (sample.finding.verdict != FollowingFinding::Verdict::None) take_finding(sample);
   }
@@ -76,7 +78,9 @@ const ServoSample* MotionTask::sample_at(double stamp) const noexcept {
 }
 
 void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
-  Snapshot snapshot{sample, sample.reference.q, sample.reference.q, lateness_, override_share_};
+  Snapshot snapshot{sample,      sample.reference.q, sample.reference.q,
+                    saturation_, lateness_,          override_share_};
+  saturation_ = 0;
   snapshot.drive.setZero();
   if (const ServoSample* servo = sample_at(sample.reference.time)) {
     // On the virtual clock both instants are the same; in real time the servo's is the nearer past.
@@ -109,6 +113,7 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
         outputs_ = event.effect.value ? outputs_ | bit : outputs_ & ~bit;
         channels_.outputs.store(outputs_, std::memory_order_relaxed);
       }
+      channels_.effects_done.fetch_add(1, std::memory_order_release);
       event.time = cycle_time;  // it acts in this cycle, and says so
       break;
     case MotionEvent::Kind::Overrun:

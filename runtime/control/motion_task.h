@@ -48,6 +48,7 @@ class MotionTask {
   bool started_ = false;
   double lateness_ = 0;
   std::uint64_t outputs_ = 0;
+  double saturation_ = 0;
   bool warned_ = false;
   bool faulted_ = false;
 

@@ -96,6 +96,12 @@ Reply RobotMachine::read_signal(int /*line*/, int signal, bool& value) {
   if (channels_.decidable.load(std::memory_order_acquire) < planner_.last_number()) {
     return Reply::Later;
   }
+  // At standstill what was written before acts first; in a corner it acts behind the decision
+  // point.
+  const bool stands = exact_ || channels_.standing.load(std::memory_order_relaxed);
+  if (stands && channels_.effects_done.load(std::memory_order_acquire) < effects_) {
+    return Reply::Later;
+  }
   const motion::RobotSignal& asked = robot_.signals.at(static_cast<std::size_t>(signal));
   const std::uint64_t bits = asked.output ? channels_.outputs.load(std::memory_order_relaxed)
                                           : channels_.inputs.load(std::memory_order_relaxed);
@@ -105,13 +111,15 @@ Reply RobotMachine::read_signal(int /*line*/, int signal, bool& value) {
 
 void RobotMachine::queue(const motion::SegmentDescriptor& segment, bool stop) {
   log_.planned({segment, stop});  // before the generator can report it
-  buffer_.push(segment);          // there is room: only this thread fills the buffer
+  exact_ = segment.no_length;
+  buffer_.push(segment);  // there is room: only this thread fills the buffer
 }
 
 Reply RobotMachine::queue(motion::Effect effect) {
   effect.after = planner_.last_number();
   if (!buffer_.push(effect)) return Reply::Later;
   log_.queued_effect();
+  ++effects_;
   return Reply::Done;
 }
 

@@ -44,6 +44,8 @@ class RobotMachine final : public lang::Machine {
   Channels& channels_;
   ProgramLog& log_;
   lang::Refusal refusal_;
+  std::int64_t effects_ = 0;  ///< queued so far
+  bool exact_ = true;         ///< the last motion queued ends at standstill
 };
 
 }  // namespace rob::runtime

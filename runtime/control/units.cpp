@@ -21,12 +21,11 @@ std::string shown(double si, motion::AxisKind kind) {
 std::vector<double> shown_pose(const motion::Pose& pose) {
   const Eigen::Vector3d mm = pose.position * kMillimetresPerMetre;
   const motion::FixedAngles angles = motion::fixed_angles(pose.orientation);
-  return {mm.x(),
-          mm.y(),
-          mm.z(),
-          angles.a * kDegreesPerRadian,
-          angles.b * kDegreesPerRadian,
-          angles.c * kDegreesPerRadian};
+  std::vector<double> values = {mm.x(), mm.y(), mm.z()};
+  for (const double angle : {angles.a, angles.b, angles.c}) {
+    values.push_back(angle * kDegreesPerRadian + 0.0);  // adding 0 makes -0 a 0
+  }
+  return values;
 }
 
 }  // namespace rob::runtime

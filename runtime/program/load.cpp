@@ -29,10 +29,16 @@ void refuse_targets_out_of_reach(lang::Compilation& compilation, const motion::R
 }  // namespace
 
 motion::RobotModel load_robot(const std::string& name_or_file) {
-  if (!std::string_view(name_or_file).ends_with(".toml")) {
-    return motion::embedded_robot(name_or_file);
+  const bool is_file = std::string_view(name_or_file).ends_with(".toml");
+  motion::RobotModel robot =
+      is_file ? motion::parse_robot_file(read_file(name_or_file, kMostRobotFile), name_or_file)
+              : motion::embedded_robot(name_or_file);
+  if (robot.law != motion::Law::Paul) {
+    throw motion::RobotFileError(name_or_file +
+                                 ": the look-ahead law is not in this version of Rob yet; write"
+                                 " law = \"paul\"");
   }
-  return motion::parse_robot_file(read_file(name_or_file, kMostRobotFile), name_or_file);
+  return robot;
 }
 
 LoadedProgram load_program(const std::string& file, const motion::RobotModel& robot) {

@@ -90,6 +90,7 @@ void close_trace(std::optional<TraceWriter>& trace, const RunOptions& options, R
 RunResult start_of(const LoadedProgram& program, RunResult result) {
   result.file = program.file;
   if (result.error) result.error->file = program.file;
+  result.findings_left_out = program.compilation.diagnostics.left_out();
   const auto& found = program.compilation.diagnostics.all();
   result.findings.insert(result.findings.begin(), found.begin(), found.end());
   return result;
@@ -141,6 +142,9 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   const Timing timing = run_stepped(controller, task, kForetellLimits, [&] { recorder.drain(); });
   RunResult result = recorder.finish();
   result.clock = "virtual";
+  // What the simulated run took is what is foretold, with all its waiting.
+  result.planned = result.measured;
+  for (LineResult& line : result.lines) line.planned = line.measured;
   if (task.failure()) add_failure(result, *task.failure());
   if (timing.gave_up) {
     result.findings.push_back({lang::Severity::Note,

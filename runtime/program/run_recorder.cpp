@@ -185,12 +185,7 @@ void RunRecorder::take_peaks(const Snapshot& snapshot) {
     const double dt = now.time - before.time;
     if (dt > 0) peak.j = std::max(peak.j, scale * std::abs(now.qdd[i] - before.qdd[i]) / dt);
   }
-  if (!snapshot.drive.size()) return;
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    const double share =
-        std::abs(snapshot.drive[i]) / robot_.axes[static_cast<std::size_t>(i)].drive.force_max;
-    result_.worst_saturation = std::max(result_.worst_saturation, share);
-  }
+  result_.worst_saturation = std::max(result_.worst_saturation, snapshot.saturation);
 }
 
 void RunRecorder::add_event(double time, const char* kind, int line, std::string text) {

@@ -64,6 +64,9 @@ std::string problems_text(const RunResult& result, std::string_view source) {
     text += lang::render(finding, result.file, source);
     told = told || finding.severity == lang::Severity::Error;
   }
+  if (result.findings_left_out > 0) {
+    text += fmt::format("{}: and {} more\n", result.file, result.findings_left_out);
+  }
   if (result.error && !told) {
     const Problem& e = *result.error;
     text += lang::render({lang::Severity::Error, e.code, e.place, e.message, e.help}, result.file,

@@ -105,6 +105,11 @@ TEST_CASE("the lift takes its time, and its input is read when it has arrived") 
   CHECK(result.lines[0].starts <= travel + 0.05);
 }
 
+TEST_CASE("at standstill an output that was written is read as it was written") {
+  SteppedRun run("PRINT lift\nlift = ON\nPRINT lift\nMOVE(10,0,0)\nSTOP\nlift = OFF\nPRINT lift\n");
+  CHECK(run.run().output == std::vector<std::string>{"FALSE", "TRUE", "FALSE"});
+}
+
 TEST_CASE("override at half lets everything take twice as long on the same path") {
   SteppedRun whole(kPublishedProgram);
   SteppedRun half(kPublishedProgram, nullptr, 0.5);
