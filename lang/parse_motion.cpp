@@ -126,10 +126,10 @@ void Parser::clause(ExprPtr& slot, std::string_view word) {
 void Parser::fail_clause() {
   const std::string_view known = clause_word(current_);
   if (!known.empty()) fail_not_yet(current_.place, fmt::format("{} behind a motion", known));
-  const std::string help = remedy();
-  if (!at(TokenKind::Word) || !help.empty()) end_of_line();
+  const std::string meant = did_you_mean(suggest(current_.text, kClauses));
+  if (!at(TokenKind::Word) || (meant.empty() && !remedy().empty())) end_of_line();
   fail_here(code::kUnknownClause, fmt::format("{} is no clause of a motion", described(current_)),
-            did_you_mean(suggest(current_.text, kClauses)));
+            meant);
 }
 
 }  // namespace rob::lang

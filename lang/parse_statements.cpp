@@ -110,7 +110,7 @@ void Parser::unknown_word(Block& block) {
   if (!clause_word(current_).empty()) {
     fail_here(code::kUnknownStatement, message, "a clause stands on the line of its motion");
   }
-  const std::string_view meant = suggest(current_.text, statement_words());
+  const std::string_view meant = statement_meant();
   if (meant.empty()) {
     fail_here(code::kUnknownStatement, message,
               "a line begins with a statement's word, or with a name and '='");
@@ -126,6 +126,15 @@ void Parser::unknown_word(Block& block) {
   current_.kind = TokenKind::Reserved;
   current_.keyword = keyword;
   if (!at_block_end()) any_statement(block);
+}
+
+/// The statement's word nearest to the present one; where it is as near, the end of the open block.
+std::string_view Parser::statement_meant() const {
+  const std::string_view nearest = suggest(current_.text, statement_words());
+  if (nearest.empty() || open_blocks_.empty()) return nearest;
+  const std::string_view closer = spelling(open_blocks_.back().closer);
+  const bool closes = edit_distance(current_.text, closer) <= edit_distance(current_.text, nearest);
+  return closes ? closer : nearest;
 }
 
 // assign = place "=" expr .

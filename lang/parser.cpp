@@ -1,5 +1,6 @@
 #include "lang/parser.h"
 
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,9 +9,17 @@
 #include "lang/codes.h"
 #include "lang/parser_impl.h"
 #include "lang/source_text.h"
+#include "lang/suggest.h"
 #include "lang/units.h"
 
 namespace rob::lang {
+
+namespace {
+
+/// Operators that are words: what a word behind a value may have been meant for.
+constexpr std::array<std::string_view, 5> kOperatorWords{"AND", "OR", "XOR", "DIV", "MOD"};
+
+}  // namespace
 
 Program parse(std::string_view source, Diagnostics& diagnostics) {
   if (!check_source(source, diagnostics)) return {};
@@ -186,6 +195,7 @@ std::string Parser::remedy() const {
                        shortened(next_.text));
   }
   if (at(TokenKind::RightParen) || at(TokenKind::RightBracket)) return "no bracket is open here";
+  if (at(TokenKind::Word)) return did_you_mean(suggest(current_.text, kOperatorWords));
   return "";
 }
 

@@ -79,6 +79,7 @@ class Parser {
   void simple(Block& block);
   void word_statement(Block& block);
   void unknown_word(Block& block);
+  std::string_view statement_meant() const;
   void assignment(Block& block);
   void print(Block& block);
   void end_of_line();

@@ -51,12 +51,19 @@ TEST_CASE("a misspelt word is read as the word that was meant") {
   CHECK(only_error("INT n = 3").help == "a variable is declared so: VAR n: INT");
 }
 
+TEST_CASE("a misspelt operator is named as well") {
+  CHECK(only_error("v = a ADN b").help == "did you mean AND?");
+  CHECK(only_error("IF a ADN b THEN\nENDIF").help == "did you mean AND?");
+  CHECK(only_error("v = (7 DVI 2)").help == "did you mean DIV?");
+}
+
 TEST_CASE("one misspelt head or end of a block makes one message") {
   CHECK(errors("WHIEL a < 3 DO\n STOP\nENDWHILE\nSTOP") ==
         Errors{"1:1 E120 'WHIEL' is no statement"});
   CHECK(errors("IFF a THEN\n STOP\nELSE\nENDIF") == Errors{"1:1 E120 'IFF' is no statement"});
   CHECK(errors("IF a THEN\n STOP\nENDFI\nSTOP") == Errors{"3:1 E120 'ENDFI' is no statement"});
   CHECK(errors("IF a THEN\nELES\n STOP\nENDIF") == Errors{"2:1 E120 'ELES' is no statement"});
+  CHECK(only_error("IF a THEN\n STOP\nENDI\nSTOP").help == "did you mean ENDIF?");
   CHECK(errors("FOE 3\nSTOP") == Errors{"1:1 E120 'FOE' is no statement"});  // opens nothing
 }
 
