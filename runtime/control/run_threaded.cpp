@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kLead = 0.02;                  // s [choice] for every thread to be ready
+constexpr double kLead = 0.02;                  // s [choice] for every thread to wake up
 constexpr std::int64_t kHeadStart = 1'000'000;  // instructions before the clock starts
 constexpr std::int64_t kSlice = 10'000;         // instructions between looks at the stop flag
 constexpr auto kProgramPause = 1ms;             // [choice] a tenth of a reference period
@@ -59,20 +59,28 @@ Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& 
   double drift = 0;
 
   const auto program_state = program.step(kHeadStart);
-  SystemClock clock(kLead);
+  SystemClock clock;
+  StartLine line(2);
+  PeriodicTask servo(
+      clock, robot.servo_period, kServoPriority,
+      [&](std::int64_t, double now, double) {
+        controller.servo().cycle(now);
+        return !servo_stops.load(std::memory_order_relaxed);
+      },
+      &line);
+  PeriodicTask motion(
+      clock, robot.reference_period, kMotionPriority,
+      [&](std::int64_t number, double now, double lateness) {
+        if (!first) first = now;
+        drift = now - *first - static_cast<double>(number) * robot.reference_period;
+        controller.motion().cycle(number, lateness);
+        return !controller.motion().over();
+      },
+      &line);
+  line.wait_until_ready();
+  clock = SystemClock(kLead);
   controller.servo().enable(clock.now());
-  PeriodicTask servo(clock, robot.servo_period, kServoPriority,
-                     [&](std::int64_t, double now, double) {
-                       controller.servo().cycle(now);
-                       return !servo_stops.load(std::memory_order_relaxed);
-                     });
-  PeriodicTask motion(clock, robot.reference_period, kMotionPriority,
-                      [&](std::int64_t number, double now, double lateness) {
-                        if (!first) first = now;
-                        drift = now - *first - static_cast<double>(number) * robot.reference_period;
-                        controller.motion().cycle(number, lateness);
-                        return !controller.motion().over();
-                      });
+  line.go();
   std::thread program_thread([&] {
     if (program_state != ProgramTask::State::Over) run_program(program, program_stops);
   });

@@ -22,8 +22,8 @@ std::int64_t PeriodicSchedule::wait(Clock& clock) noexcept {
   return cycle;
 }
 
-PeriodicTask::PeriodicTask(Clock& clock, double period, int priority, Cycle cycle)
-    : clock_(clock), schedule_(period), cycle_(std::move(cycle)) {
+PeriodicTask::PeriodicTask(Clock& clock, double period, int priority, Cycle cycle, StartLine* line)
+    : clock_(clock), schedule_(period), cycle_(std::move(cycle)), line_(line) {
   thread_ = std::thread([this, priority] { run(priority); });
 }
 
@@ -32,12 +32,18 @@ PeriodicTask::~PeriodicTask() {
   join();
 }
 
+void PeriodicTask::stop() noexcept {
+  stopping_.store(true, std::memory_order_relaxed);
+  if (line_ != nullptr) line_->go();  // it may still be waiting there
+}
+
 void PeriodicTask::join() {
   if (thread_.joinable()) thread_.join();
 }
 
 void PeriodicTask::run(int priority) noexcept {
   enter_real_time(priority);
+  if (line_ != nullptr) line_->arrive();
   while (!stopping_.load(std::memory_order_relaxed)) {
     const std::int64_t number = schedule_.wait(clock_);
     if (!cycle_(number, clock_.now(), schedule_.lateness())) return;

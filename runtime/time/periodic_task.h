@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <latch>
 #include <thread>
 
 #include "runtime/time/clock.h"
@@ -40,19 +41,43 @@ class PeriodicSchedule {
   Punctuality punctuality_;
 };
 
+/// Where tasks wait, ready, until their clock has started: a thread that is only being made would
+/// be late at once (with locked memory it takes its whole stack first).
+class StartLine {
+ public:
+  explicit StartLine(std::ptrdiff_t tasks) : ready_(tasks) {}
+
+  /// A task is ready; returns after go().
+  void arrive() noexcept {
+    ready_.count_down();
+    gone_.wait(false);
+  }
+  /// Returns when all tasks have arrived.
+  void wait_until_ready() const noexcept { ready_.wait(); }
+  void go() noexcept {
+    gone_ = true;
+    gone_.notify_all();
+  }
+
+ private:
+  std::latch ready_;
+  std::atomic<bool> gone_{false};
+};
+
 /// A thread that calls `cycle(number, now, lateness)` at every deadline of its schedule until it
 /// returns false or stop() is called. The destructor stops and joins.
 class PeriodicTask {
  public:
   using Cycle = std::function<bool(std::int64_t number, double now, double lateness)>;
 
-  /// `priority`: SCHED_FIFO priority, used where the system permits it.
-  PeriodicTask(Clock& clock, double period, int priority, Cycle cycle);
+  /// `priority`: SCHED_FIFO priority, used where the system permits it. `line`: where the thread
+  /// waits before it looks at the clock for the first time; none: it does so at once.
+  PeriodicTask(Clock& clock, double period, int priority, Cycle cycle, StartLine* line = nullptr);
   ~PeriodicTask();
   PeriodicTask(const PeriodicTask&) = delete;
   PeriodicTask& operator=(const PeriodicTask&) = delete;
 
-  void stop() noexcept { stopping_.store(true, std::memory_order_relaxed); }
+  void stop() noexcept;
   /// Waits until the thread has ended; its punctuality is complete then.
   void join();
   const Punctuality& punctuality() const noexcept { return schedule_.punctuality(); }
@@ -63,6 +88,7 @@ class PeriodicTask {
   Clock& clock_;
   PeriodicSchedule schedule_;
   Cycle cycle_;
+  StartLine* line_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

@@ -1,5 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <atomic>
+#include <chrono>
+#include <thread>
 #include <vector>
 
 #include "runtime/time/clock.h"
@@ -7,6 +10,8 @@
 
 using rob::runtime::Clock;
 using rob::runtime::PeriodicSchedule;
+using rob::runtime::PeriodicTask;
+using rob::runtime::StartLine;
 using rob::runtime::SystemClock;
 using rob::runtime::VirtualClock;
 
@@ -84,4 +89,38 @@ TEST_CASE("the system clock starts before zero by its lead and never wakes a sle
     clock.sleep_until(time);
     CHECK(clock.now() >= time - 1e-9);
   }
+}
+
+TEST_CASE(
+    "a task that waits at the start line begins with the first period of the clock set there") {
+  using namespace std::chrono_literals;
+  SystemClock clock;
+  StartLine line(1);
+  std::atomic<std::int64_t> first{-1};
+  PeriodicTask task(
+      clock, 0.001, 1,
+      [&](std::int64_t number, double, double) {
+        first = number;
+        return false;
+      },
+      &line);
+  line.wait_until_ready();
+  std::this_thread::sleep_for(20ms);  // 20 of its periods, if it did not wait
+  CHECK(first == -1);
+  clock = SystemClock(0.5);
+  line.go();
+  task.join();
+  CHECK(first >= 0);
+  CHECK(first <= 500);  // by the clock set last: half a second of stall is room enough
+}
+
+TEST_CASE("a task that still waits at the start line can be ended") {
+  SystemClock clock;
+  StartLine line(2);
+  bool ran = false;
+  {
+    PeriodicTask task(
+        clock, 1, 1, [&](std::int64_t, double, double) { return ran = true; }, &line);
+  }
+  CHECK_FALSE(ran);
 }
