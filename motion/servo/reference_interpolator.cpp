@@ -60,7 +60,17 @@ bool ReferenceInterpolator::push(const JointReference& reference) noexcept {
   return true;
 }
 
+void ReferenceInterpolator::join_from(const JointReference& found) noexcept {
+  join_.start(found, without_join(found.time));
+}
+
 JointReference ReferenceInterpolator::at(double now) noexcept {
+  JointReference reference = without_join(now);
+  join_.apply(reference);
+  return reference;
+}
+
+JointReference ReferenceInterpolator::without_join(double now) noexcept {
   assert(count_ > 0 && "reset() comes first");
   while (count_ > 1 && kept(1).time <= now) drop_oldest();
 
@@ -75,9 +85,7 @@ JointReference ReferenceInterpolator::at(double now) noexcept {
   if (goes_on) count_starvation(now);
   last_ = now;
 
-  JointReference reference = goes_on ? extrapolation_.at(now) : on_references(now);
-  join_.apply(reference);
-  return reference;
+  return goes_on ? extrapolation_.at(now) : on_references(now);
 }
 
 const JointReference& ReferenceInterpolator::kept(int i) const noexcept {

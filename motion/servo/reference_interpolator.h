@@ -35,6 +35,10 @@ class ReferenceInterpolator {
   /// anywhere, and are joined as after an extrapolation.
   void rejoin(const JointReference& stand) noexcept;
 
+  /// For a machine that went on by itself for a moment: the way from where it was found, moving, to
+  /// where the references are at that instant begins there. `found.time` as `now` of at().
+  void join_from(const JointReference& found) noexcept;
+
   /// Stamps may skip periods. False, and nothing has happened: the stamp is not later than the last
   /// one, or a value is not finite.
   bool push(const JointReference& reference) noexcept;
@@ -56,6 +60,7 @@ class ReferenceInterpolator {
   const JointReference& kept(int i) const noexcept;
   void drop_oldest() noexcept;
   bool gap_follows() const noexcept;
+  JointReference without_join(double now) noexcept;
   bool must_extrapolate(double now) const noexcept;
   JointReference on_references(double now) const noexcept;
   void begin_extrapolation() noexcept;

@@ -1,6 +1,7 @@
 #include "runtime/control/servo_task.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace rob::runtime {
@@ -24,10 +25,10 @@ JointVector limits_of(const motion::RobotModel& robot, double motion::Axis::*lim
   return values;
 }
 
-/// s. As long as the generator makes up (20 reference periods, at least 200 ms): after more the
-/// machine has been on its own.
+/// s between two cycles. As much lateness as the generator makes up (20 reference periods, at least
+/// 200 ms), and the period itself: after more the machine has been on its own.
 double longest_gap(const motion::RobotModel& robot) {
-  return std::max(20 * robot.reference_period, 0.2);
+  return std::max(20 * robot.reference_period, 0.2) + robot.reference_period;
 }
 
 }  // namespace
@@ -40,6 +41,8 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
                     limits_of(robot, &motion::Axis::a_max)),
       law_(drives_of(robot), robot.servo_period),
       supervisor_(drives_of(robot), limits_of(robot, &motion::Axis::v_max), robot.servo_period),
+      reference_period_(robot.reference_period),
+      bridged_gap_((motion::ReferenceInterpolator::kLongestGap - 1) * reference_period_),
       longest_gap_(longest_gap(robot)) {
   const JointVector zero = JointVector::Zero(robot.axis_count());
   state_.measured = {0, robot.start, zero};
@@ -49,6 +52,7 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
 
 void ServoTask::enable(double now) noexcept {
   now_ = now;
+  followed_ = now;
   backend_.read(now, state_);
   take_as_it_stands(now);
   written_ = backend_.enable(now);
@@ -62,6 +66,13 @@ void ServoTask::take_as_it_stands(double now) noexcept {
   interpolator_.rejoin(command_.reference);
   law_.reset(now);
   supervisor_.reset(command_.reference, state_.measured);
+}
+
+/// The whole process was stopped for a while, and this thread came back before the one that makes
+/// the references: what it lacks, or the instant from which it holds, is about to come. Until then
+/// the drives go on as they were told.
+bool ServoTask::references_are_coming(double now, double gap) const noexcept {
+  return gap > bridged_gap_ && gap <= longest_gap_ && std::abs(now - newest_) > reference_period_;
 }
 
 /// Nobody looked after the machine for too long: its drives have stopped it by themselves, and
@@ -80,24 +91,38 @@ void ServoTask::disable() noexcept {
 }
 
 void ServoTask::cycle(double now) noexcept {
-  const double gap = now - now_;
+  const double gap = now - followed_;
   now_ = now;
   const DriverStatus read = backend_.read(now, state_);
   const DriverStatus status = read == DriverStatus::Ok ? written_ : read;
   if (gap > longest_gap_ && read == DriverStatus::Ok) take_as_it_stands(now);
   motion::JointReference newest;
-  while (channels_.references.take(newest)) interpolator_.push(newest);
+  while (channels_.references.take(newest)) {
+    interpolator_.push(newest);
+    newest_ = newest.time;
+  }
+  if (references_are_coming(now, gap)) return tell({});
+  followed_ = now;
+  if (gap > bridged_gap_ && gap <= longest_gap_ && read == DriverStatus::Ok) {
+    const motion::JointMeasurement& found = state_.measured;
+    interpolator_.join_from({now, found.q, found.qd, JointVector::Zero(found.q.size())});
+  }
   command_.reference = interpolator_.at(now);
   command_.outputs = channels_.outputs.load(std::memory_order_relaxed);
 
-  ServoSample sample;
-  sample.finding = judge(status, gap);
+  const motion::FollowingFinding finding = judge(status, gap);
   if (enabled_ && read == DriverStatus::Ok) {
     command_.drive = law_.update(now, command_.reference, state_.measured);
     written_ = backend_.write(now, command_);
   }
+  tell(finding);
+}
+
+void ServoTask::tell(const motion::FollowingFinding& finding) noexcept {
+  ServoSample sample;
+  sample.finding = finding;
   sample.measured = state_.measured;
-  sample.measured.time = now;
+  sample.measured.time = now_;
   sample.drive = command_.drive;
   sample.inputs = state_.inputs;
   sample.saturation = law_.take_saturation();

@@ -24,6 +24,8 @@ class ServoTask {
 
  private:
   void take_as_it_stands(double now) noexcept;
+  bool references_are_coming(double now, double gap) const noexcept;
+  void tell(const motion::FollowingFinding& finding) noexcept;
   motion::FollowingFinding judge(motion::DriverStatus status, double gap) noexcept;
 
   motion::ServoBackend& backend_;
@@ -31,7 +33,11 @@ class ServoTask {
   motion::ReferenceInterpolator interpolator_;
   motion::ServoLaw law_;
   motion::FollowingSupervisor supervisor_;
+  double reference_period_;
+  double bridged_gap_;  ///< s that the interpolator bridges by itself
   double longest_gap_;
+  double newest_ = 0;    ///< stamp of the newest reference
+  double followed_ = 0;  ///< when the references were followed last
   motion::ServoState state_;
   motion::ServoCommand command_;
   motion::DriverStatus written_ = motion::DriverStatus::Ok;

@@ -54,7 +54,7 @@ Outcome FirstOrganisation::run() {
   std::thread generator([this] { generator_loop(); });
   generator.join();
   servo.join();
-  return samples_.outcome(true, measured_);
+  return samples_.outcome(measured_);
 }
 
 void FirstOrganisation::generator_loop() {

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 
 namespace rob::bench {
 
 /// How one run of the published program kept its time.
 struct Outcome {
-  bool done = false;          ///< the program came to its end
   double measured = 0;        ///< s from the start until its last reference was in force
   std::int64_t samples = 0;   ///< references that were due
   std::int64_t late = 0;      ///< of these, handed out after their instant, or never
   double worst_lateness = 0;  ///< s
   bool fixed_priority = false;
+  std::string trouble;  ///< why the program did not come to its end; empty if it did
 };
 
 /// Counts late samples, alike for every organisation: reference k is meant for the instant k·T
@@ -31,9 +32,7 @@ class SampleCount {
     }
   }
 
-  Outcome outcome(bool done, double measured) const {
-    return {done, measured, samples_, late_, worst_, false};
-  }
+  Outcome outcome(double measured) const { return {measured, samples_, late_, worst_, false, ""}; }
 
  private:
   double period_;

@@ -290,6 +290,29 @@ TEST_CASE("a machine found elsewhere is led back to the references slowly, whoev
   }
 }
 
+TEST_CASE("a machine found off its references while moving is led back from where it is") {
+  ReferenceInterpolator interpolator = standing_at_start();
+  for (int k = 1; k <= 2; ++k) interpolator.push(on_path(stamp(k)));
+  interpolator.at(stamp(1));
+  interpolator.push(on_path(stamp(17)));  // what lies between was never made
+  JointReference found = on_path(stamp(16) + 0.004);
+  found.q += both(0.001, 0);
+  found.qd += both(0.002, 0);
+  interpolator.join_from(found);
+  std::vector<JointReference> sent;
+  for (int ms = 4; ms < 5000; ++ms) {
+    if (ms % 10 == 4) interpolator.push(on_path(stamp(18 + ms / 10)));
+    sent.push_back(interpolator.at(stamp(16) + 0.001 * ms));
+  }
+  CHECK((sent.front().q - found.q).cwiseAbs().maxCoeff() < 1e-9);
+  CHECK((sent.front().qd - found.qd).cwiseAbs().maxCoeff() < 1e-9);
+  const Worst worst = worst_of(sent, 0);
+  CHECK(worst.position_jump[0] <= 2 * kAMax[0] * 0.001 * 0.001);
+  CHECK(worst.speed[0] <= 0.018 + 0.002 + 0.15 * kVMax[0]);
+  const double end = sent.back().time;
+  CHECK((sent.back().q - on_path(end).q).cwiseAbs().maxCoeff() < 1e-8);
+}
+
 TEST_CASE("interpolation, extrapolation and the way back take no memory") {
   ReferenceInterpolator interpolator = standing_at_start();
   const JointReference one = on_path(stamp(1));
