@@ -1,4 +1,5 @@
 #include "runtime/control/messages.h"
+#include "runtime/control/codes.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +19,7 @@ const motion::Axis& axis_of(const motion::RobotModel& robot, int axis) {
 Words beyond(const Refusal& refusal, const motion::RobotModel& robot) {
   const motion::Axis& axis = axis_of(robot, refusal.axis);
   const bool below = refusal.kind == Refusal::Kind::BelowMinimum;
-  return {"E401",
+  return {code::kBeyondLimit,
           fmt::format("axis {}: {} is {} {}", axis.name, shown(refusal.value, axis.kind),
                       below ? "below" : "beyond", shown(refusal.limit, axis.kind)),
           fmt::format("axis {} of {} reaches from {} to {}", axis.name, robot.name,
@@ -33,19 +34,20 @@ Words words_for(const Refusal& refusal, const motion::RobotModel& robot) {
     case Refusal::Kind::AboveMaximum:
       return beyond(refusal, robot);
     case Refusal::Kind::NotFinite:
-      return {"E402",
+      return {code::kTargetNotFinite,
               fmt::format("axis {}: the target is not a finite number",
                           axis_of(robot, refusal.axis).name),
               "check the calculation of this target"};
     case Refusal::Kind::BadPace:
-      return {"E403", fmt::format("AT needs a speed above zero; this is {}", refusal.value),
+      return {code::kPaceRefused,
+              fmt::format("AT needs a speed above zero; this is {}", refusal.value),
               "write for example AT 10mm/s or AT 50%"};
     case Refusal::Kind::BadDuration:
-      return {"E404",
+      return {code::kDurationRefused,
               fmt::format("OVER needs a time of at least zero; this is {} s", refusal.value),
               "write for example OVER 3s"};
     case Refusal::Kind::TooLong:
-      return {"E405",
+      return {code::kMotionTooLong,
               fmt::format("this motion would take {} s; at most {} s are accepted", refusal.value,
                           refusal.limit),
               "raise AT or lower OVER"};
@@ -57,36 +59,38 @@ Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot
   if (finding.cause == FollowingFinding::Cause::Overrun) return words_for_overrun(finding.value);
   if (finding.axis < 0) {
     return finding.cause == FollowingFinding::Cause::Lost
-               ? Words{"E507", "the machine is gone", "check its power and its cable"}
-               : Words{"E506", "the machine does not answer", "check its power and its cable"};
+               ? Words{code::kMachineGone, "the machine is gone", "check its power and its cable"}
+               : Words{code::kNoAnswer, "the machine does not answer",
+                       "check its power and its cable"};
   }
   const motion::Axis& axis = axis_of(robot, finding.axis);
   const std::string value = shown(finding.value, axis.kind);
   const std::string limit = shown(finding.limit, axis.kind);
   switch (finding.cause) {
     case FollowingFinding::Cause::FollowingError:
-      return {"E502",
+      return {code::kFollowingError,
               fmt::format("axis {} is {} behind its reference; {} are permitted at this speed",
                           axis.name, value, limit),
               "look for what blocks the axis, or lower the speed"};
     case FollowingFinding::Cause::Frozen:
-      return {"E503",
+      return {code::kEncoderFrozen,
               fmt::format("the encoder of axis {} stands still while the reference went {}",
                           axis.name, value),
               "check the encoder and its cable, and whether the axis is blocked"};
     case FollowingFinding::Cause::Jump:
-      return {"E504",
+      return {code::kEncoderJump,
               fmt::format("the encoder of axis {} jumped by {}; the axis can move {} in that time",
                           axis.name, value, limit),
               "check the encoder's cable and shielding; the position is not to be trusted"};
     default:
-      return {"E505", fmt::format("axis {} reports no number as its position", axis.name),
+      return {code::kEncoderNoNumber,
+              fmt::format("axis {} reports no number as its position", axis.name),
               "check the encoder and its cable"};
   }
 }
 
 Words words_for_overrun(double lateness) {
-  return {"E501",
+  return {code::kOverrun,
           fmt::format("motion control came {:.0f} ms late, more than can be made up; the robot was"
                       " stopped from the last reference sent",
                       lateness * 1e3),
@@ -94,7 +98,7 @@ Words words_for_overrun(double lateness) {
 }
 
 Words words_for_not_finite(int axis, const motion::RobotModel& robot) {
-  return {"E508",
+  return {code::kReferenceNotFinite,
           fmt::format("the reference of axis {} is not a finite number; it was not sent",
                       axis_of(robot, axis).name),
           "this is a fault of Rob's own; please report it with the program"};

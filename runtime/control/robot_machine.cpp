@@ -1,4 +1,5 @@
 #include "runtime/control/robot_machine.h"
+#include "runtime/control/codes.h"
 
 #include <fmt/format.h>
 
@@ -126,11 +127,12 @@ Reply RobotMachine::queue(motion::Effect effect) {
 void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
   const lang::Place place{static_cast<std::uint32_t>(line), 0, 0};
   if ((planned.warnings & motion::PlannedSegment::kPaceCut) != 0) {
-    log_.found({lang::Severity::Warning, "W601", place, "AT asks for more than the axes can do",
+    log_.found({lang::Severity::Warning, code::kAboveAxes, place,
+                "AT asks for more than the axes can do",
                 "the motion runs as fast as its axes permit"});
   }
   if ((planned.warnings & motion::PlannedSegment::kStretched) != 0) {
-    log_.found({lang::Severity::Warning, "W602", place,
+    log_.found({lang::Severity::Warning, code::kTooShort, place,
                 fmt::format("OVER is too short: this motion takes {} s",
                             shown(planned.segment.duration, 3)),
                 "OVER is a lower bound; the axes and the corners need longer here"});

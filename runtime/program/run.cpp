@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "drivers/sim_gantry.h"
+#include "runtime/control/codes.h"
 #include "runtime/control/controller.h"
 #include "runtime/control/execution.h"
 #include "runtime/control/program_task.h"
@@ -148,7 +149,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   if (task.failure()) add_failure(result, *task.failure());
   if (timing.gave_up) {
     result.findings.push_back({lang::Severity::Note,
-                               "N603",
+                               code::kForetoldSoFar,
                                {},
                                "the program goes on; it was foretold as far as one hour of its "
                                "time or 100,000,000 instructions",
