@@ -10,6 +10,8 @@
 #include "lang/disassembler.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/control/units.h"
+#include "runtime/explain.h"
+#include "runtime/format_files.h"
 #include "runtime/program/console.h"
 #include "runtime/program/json_report.h"
 #include "runtime/program/load.h"
@@ -151,6 +153,10 @@ ExitCode carry_out(const Options& options) {
       return check_files(options);
     case Options::Command::Compile:
       return compile_files(options);
+    case Options::Command::Format:
+      return format_files(options.files, options.check_only);
+    case Options::Command::Explain:
+      return explain(options.word);
     case Options::Command::Robots:
       return list_robots();
     case Options::Command::Help:

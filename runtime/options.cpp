@@ -102,11 +102,16 @@ void Parser::add_others() {
   add_robot(compile);
   compile.add_flag("--listing", options.listing, "print the bytecode");
 
+  CLI::App& format = *app.add_subcommand("fmt", "give programs their canonical layout");
+  format.callback([this] { options.command = Options::Command::Format; });
+  add_files(format);
+  format.add_flag("--check", options.check_only, "write nothing; name the files that differ");
+
   app.add_subcommand("robots", "the robots known, and what each can do")->callback([this] {
     options.command = Options::Command::Robots;
   });
-  CLI::App& help = *app.add_subcommand("help", "explain a command");
-  help.add_option("COMMAND", topic, "run, check, compile or robots");
+  CLI::App& help = *app.add_subcommand("help", "explain a command or a word of the language");
+  help.add_option("WORD", topic, "a command, a statement, a clause, a unit, a function, or a code");
 }
 
 CommandLineEnd usage_error(const std::string& message) {
@@ -123,7 +128,9 @@ std::variant<Options, CommandLineEnd> help_on(Parser& parser) {
     parser.options.help_text = command->help("rob");
     return parser.options;
   }
-  return usage_error("there is no command '" + parser.topic + "'");
+  parser.options.command = Options::Command::Explain;
+  parser.options.word = parser.topic;
+  return parser.options;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace rob::runtime {
 
 /// The command line of `rob`, understood (docs/cli.md).
 struct Options {
-  enum class Command { Run, Check, Compile, Robots, Help };
+  enum class Command { Run, Check, Compile, Format, Robots, Help, Explain };
 
   Command command = Command::Help;
   std::vector<std::string> files;
@@ -21,7 +21,9 @@ struct Options {
   bool fast = false;
   bool json = false;
   bool listing = false;
-  std::string help_text;  ///< of Help
+  bool check_only = false;  ///< of Format: write nothing
+  std::string word;         ///< of Explain
+  std::string help_text;    ///< of Help
 };
 
 /// What could not be understood, or what was answered already (--help, --version).

@@ -81,14 +81,16 @@ step_thread() {
 
 # The same inputs each time, found anew in a folder that is thrown away: the seeds stay as they are.
 step_fuzz() {
-  heading "fuzzing the front end"
-  local folder=$root/build-fuzz corpus=$root/build-fuzz/corpus
-  prepare "$folder" front_end_fuzz -DCMAKE_CXX_COMPILER=clang++-14 -DROB_FUZZ=ON
-  rm -rf "$corpus"
-  mkdir -p "$corpus"
-  quietly "$(find "$folder" -type f -name front_end_fuzz -print -quit)" -seed=1 -runs=20000 \
-    -max_len=4096 -timeout=10 -rss_limit_mb=1024 -dict="$root/tests/fuzz/rob.dict" \
-    -artifact_prefix="$folder/" "$corpus" "$root/tests/fuzz/seeds" ||
-    fail "the front end failed on the input that is named above"
-  passed=$((passed + 1))
+  heading "fuzzing the front end and the formatter"
+  local folder=$root/build-fuzz corpus=$root/build-fuzz/corpus target
+  for target in front_end_fuzz formatter_fuzz; do
+    prepare "$folder" "$target" -DCMAKE_CXX_COMPILER=clang++-14 -DROB_FUZZ=ON
+    rm -rf "$corpus"
+    mkdir -p "$corpus"
+    quietly "$(find "$folder" -type f -name "$target" -print -quit)" -seed=1 -runs=20000 \
+      -max_len=4096 -timeout=10 -rss_limit_mb=1024 -dict="$root/tests/fuzz/rob.dict" \
+      -artifact_prefix="$folder/" "$corpus" "$root/tests/fuzz/seeds" ||
+      fail "$target failed on the input that is named above"
+    passed=$((passed + 1))
+  done
 }

@@ -1,0 +1,50 @@
+#include "runtime/explain.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <vector>
+
+#include "lang/ascii.h"
+#include "lang/help.h"
+#include "lang/suggest.h"
+#include "runtime/control/codes.h"
+#include "runtime/program/console.h"
+
+namespace rob::runtime {
+
+namespace {
+
+std::string all_texts(const std::string& word) {
+  std::string text;
+  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "\n") + more; };
+  for (const lang::HelpEntry& entry : lang::help_on(word)) add(lang::help_text(entry));
+  for (const CodeText& code : all_codes()) {
+    if (!lang::same_word(code.code, word)) continue;
+    add(lang::help_text({code.code, code.title, code.explanation, ""}));
+  }
+  return text;
+}
+
+std::string suggestion(const std::string& word) {
+  std::vector<std::string_view> topics;
+  for (const lang::HelpEntry& entry : lang::help_entries()) topics.push_back(entry.topic);
+  for (const CodeText& code : all_codes()) topics.push_back(code.code);
+  return lang::did_you_mean(lang::suggest(word, topics));
+}
+
+}  // namespace
+
+ExitCode explain(const std::string& word) {
+  const std::string text = all_texts(word);
+  if (!text.empty()) {
+    put_result(text);
+    return ExitCode::Done;
+  }
+  const std::string meant = suggestion(word);
+  put_message(fmt::format("rob: there is no help on '{}'{}\nrob --help lists the commands\n",
+                          lang::shortened(word), meant.empty() ? "" : "; " + meant));
+  return ExitCode::Usage;
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,179 @@
+#include "runtime/program/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <climits>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+
+#include "runtime/program/files.h"
+
+namespace rob::runtime {
+
+namespace {
+
+using Status = struct stat;
+
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "." : path.substr(0, slash + 1);
+}
+
+/// Beside the file, so that the renaming stays on one disk; always the same, so that the next save
+/// finds what a crash left behind.
+std::string temporary_name(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  const std::size_t name = slash == std::string::npos ? 0 : slash + 1;
+  return path.substr(0, name) + "." + path.substr(name) + ".saving";
+}
+
+std::string remedy(int error, const std::string& path) {
+  if (error == ENOSPC || error == EDQUOT) {
+    struct statvfs disk {};
+    if (::statvfs(folder_of(path).c_str(), &disk) != 0) return "";
+    return fmt::format(" ({} kB free)", disk.f_bavail * disk.f_frsize / 1024);
+  }
+  if (error == ENOENT) return "; check the name and the folder";
+  if (error == EACCES || error == EPERM || error == EROFS) return "; check the permissions";
+  return "";
+}
+
+[[noreturn]] void fail(const std::string& path, int error) {
+  throw FileError(
+      fmt::format("cannot save '{}': {}{}", path, std::strerror(error), remedy(error, path)));
+}
+
+/// One save; what it has begun is taken back unless it came to its end.
+class Save {
+ public:
+  Save(const std::string& path, FileCalls& calls) : shown_(path), calls_(calls) {
+    char real[PATH_MAX];
+    path_ = ::realpath(path.c_str(), real) != nullptr ? real : path;
+    temporary_ = temporary_name(path_);
+  }
+  ~Save() {
+    if (fd_ < 0) return;
+    if (ours_) calls_.remove(temporary_.c_str());
+    ::close(fd_);  // also unlocks it
+  }
+  Save(const Save&) = delete;
+  Save& operator=(const Save&) = delete;
+
+  void look_at_old() {
+    Status status{};
+    if (::stat(path_.c_str(), &status) != 0) {
+      if (errno != ENOENT) fail(shown_, errno);
+      return;
+    }
+    if (!S_ISREG(status.st_mode)) {
+      throw FileError(fmt::format("cannot save '{}': it is no regular file; name a file", shown_));
+    }
+    if (::access(path_.c_str(), W_OK) != 0) fail(shown_, errno);
+    old_ = status;
+  }
+
+  /// Two programs that save the same file must not write into the same temporary one: it belongs
+  /// to who has locked it, as long as it still has its name.
+  void open_temporary() {
+    constexpr unsigned kNewFile = S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH;
+    fd_ = calls_.open(temporary_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
+                      kNewFile);
+    if (fd_ < 0) fail(shown_, errno);
+    Status opened{};
+    Status named{};
+    const bool plain = ::fstat(fd_, &opened) == 0 && S_ISREG(opened.st_mode);
+    if (!plain)
+      throw FileError(fmt::format("cannot save '{}': '{}' is in the way", shown_, temporary_));
+    const bool locked = calls_.lock(fd_) == 0;
+    if (!locked && errno != EWOULDBLOCK) fail(shown_, errno);
+    if (!locked || ::lstat(temporary_.c_str(), &named) != 0 || named.st_ino != opened.st_ino) {
+      throw FileError(
+          fmt::format("cannot save '{}': another program is just saving it; try again", shown_));
+    }
+    ours_ = true;
+  }
+
+  void write(std::string_view text) {
+    check(calls_.truncate(fd_));
+    if (old_) take_over_owner();
+    while (!text.empty()) {
+      const long n = calls_.write(fd_, text.data(), text.size());
+      if (n < 0 && errno == EINTR) continue;
+      check(n);
+      text.remove_prefix(static_cast<std::size_t>(n));
+    }
+    check(calls_.sync(fd_));
+  }
+
+  void rename() {
+    check(calls_.rename(temporary_.c_str(), path_.c_str()));
+    ours_ = false;
+    // The new name reaches the disk with the folder; the file is whole whether or not it does now.
+    const int folder = ::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) return;
+    ::fsync(folder);
+    ::close(folder);
+  }
+
+ private:
+  void take_over_owner() {
+    Status status{};
+    check(::fstat(fd_, &status));
+    if (status.st_uid != old_->st_uid || status.st_gid != old_->st_gid) {
+      check(calls_.own(fd_, old_->st_uid, old_->st_gid));
+    }
+    constexpr unsigned kPermissions = 07777;
+    check(calls_.permit(fd_, old_->st_mode & kPermissions));
+  }
+
+  void check(long result) const {
+    if (result < 0) fail(shown_, errno);
+  }
+
+  const std::string& shown_;  ///< as the user named it
+  FileCalls& calls_;
+  std::string path_;  ///< behind symbolic links
+  std::string temporary_;
+  std::optional<Status> old_;
+  int fd_ = -1;
+  bool ours_ = false;  ///< the temporary file is there and is ours
+};
+
+}  // namespace
+
+int FileCalls::open(const char* path, int flags, unsigned mode) {
+  return ::open(path, flags, mode);
+}
+int FileCalls::lock(int fd) { return ::flock(fd, LOCK_EX | LOCK_NB); }
+int FileCalls::truncate(int fd) { return ::ftruncate(fd, 0); }
+int FileCalls::own(int fd, unsigned user, unsigned group) { return ::fchown(fd, user, group); }
+int FileCalls::permit(int fd, unsigned mode) { return ::fchmod(fd, mode); }
+long FileCalls::write(int fd, const char* data, std::size_t size) {
+  return ::write(fd, data, size);
+}
+int FileCalls::sync(int fd) { return ::fsync(fd); }
+int FileCalls::rename(const char* from, const char* to) { return std::rename(from, to); }
+int FileCalls::remove(const char* path) { return ::unlink(path); }
+
+void save_file(const std::string& path, std::string_view text) {
+  FileCalls calls;
+  save_file(path, text, calls);
+}
+
+void save_file(const std::string& path, std::string_view text, FileCalls& calls) {
+  Save save(path, calls);
+  save.look_at_old();
+  save.open_temporary();
+  save.write(text);
+  save.rename();
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,196 @@
+#include "runtime/program/atomic_file.h"
+
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "runtime/program/files.h"
+
+namespace fs = std::filesystem;
+using rob::runtime::FileCalls;
+using rob::runtime::FileError;
+using rob::runtime::read_file;
+using rob::runtime::save_file;
+
+namespace {
+
+/// A folder with one file in it, which is to be saved.
+struct Scratch {
+  fs::path path;
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "rob-save-XXXXXX").string();
+    path = mkdtemp(name.data());
+    std::ofstream(file()) << "old";
+  }
+  ~Scratch() { fs::remove_all(path); }
+  std::string file() const { return (path / "a.rob").string(); }
+  std::string temporary() const { return (path / ".a.rob.saving").string(); }
+  std::string content() const { return read_file(file(), 1000); }
+  /// Only the file itself is there.
+  bool tidy() const {
+    return std::distance(fs::directory_iterator(path), fs::directory_iterator()) == 1;
+  }
+};
+
+enum class Call { None, Open, Lock, Truncate, Permit, Write, Sync, Rename };
+
+/// Lets one call fail, or the whole process die there.
+class FaultyCalls : public FileCalls {
+ public:
+  FaultyCalls(Call at, int error) : at_(at), error_(error) {}
+
+  int open(const char* path, int flags, unsigned mode) override {
+    return fails(Call::Open) ? -1 : FileCalls::open(path, flags, mode);
+  }
+  int lock(int fd) override { return fails(Call::Lock) ? -1 : FileCalls::lock(fd); }
+  int truncate(int fd) override { return fails(Call::Truncate) ? -1 : FileCalls::truncate(fd); }
+  int permit(int fd, unsigned mode) override {
+    return fails(Call::Permit) ? -1 : FileCalls::permit(fd, mode);
+  }
+  /// Two bytes at a time, so that there is something half written.
+  long write(int fd, const char* data, std::size_t size) override {
+    if (written_ && fails(Call::Write)) return -1;
+    written_ = true;
+    return FileCalls::write(fd, data, std::min<std::size_t>(size, 2));
+  }
+  int sync(int fd) override { return fails(Call::Sync) ? -1 : FileCalls::sync(fd); }
+  int rename(const char* from, const char* to) override {
+    return fails(Call::Rename) ? -1 : FileCalls::rename(from, to);
+  }
+
+  static constexpr int kDies = -1;
+
+ private:
+  bool fails(Call call) const {
+    if (call != at_) return false;
+    if (error_ == kDies) _exit(0);
+    errno = error_;
+    return true;
+  }
+
+  Call at_;
+  int error_;
+  bool written_ = false;
+};
+
+constexpr Call kAll[] = {Call::Open,  Call::Lock, Call::Truncate, Call::Permit,
+                         Call::Write, Call::Sync, Call::Rename};
+
+std::string message_of(auto&& call) {
+  try {
+    call();
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("a file is replaced; its permissions stay") {
+  const Scratch scratch;
+  fs::permissions(scratch.file(), fs::perms(0640));
+  save_file(scratch.file(), "new text");
+  CHECK(scratch.content() == "new text");
+  CHECK(fs::status(scratch.file()).permissions() == fs::perms(0640));
+  CHECK(scratch.tidy());
+  save_file(scratch.file(), "");
+  CHECK(scratch.content().empty());
+}
+
+TEST_CASE("a file that is not there is made") {
+  const Scratch scratch;
+  fs::remove(scratch.file());
+  save_file(scratch.file(), "new");
+  CHECK(scratch.content() == "new");
+}
+
+TEST_CASE("a symbolic link stays one, and leads to the new text") {
+  const Scratch scratch;
+  const fs::path link = scratch.path / "link.rob";
+  fs::create_symlink("a.rob", link);
+  save_file(link.string(), "new");
+  CHECK(fs::is_symlink(link));
+  CHECK(scratch.content() == "new");
+}
+
+TEST_CASE("faults 39, 41: whichever call fails, the old file is intact and nothing else is left") {
+  for (const Call call : kAll) {
+    for (const int error : {ENOSPC, EIO, EACCES}) {
+      const Scratch scratch;
+      FaultyCalls calls(call, error);
+      CHECK_THROWS_AS(save_file(scratch.file(), "new text", calls), FileError);
+      CHECK(scratch.content() == "old");
+      if (call != Call::Lock) CHECK(scratch.tidy());
+    }
+  }
+}
+
+TEST_CASE("fault 39: a full disk is told with the file and the space that is left") {
+  const Scratch scratch;
+  FaultyCalls calls(Call::Write, ENOSPC);
+  const std::string message = message_of([&] { save_file(scratch.file(), "new text", calls); });
+  CHECK(message.starts_with("cannot save '" + scratch.file() + "': No space left on device ("));
+  CHECK(message.ends_with(" kB free)"));
+}
+
+TEST_CASE("fault 41: a folder, a pipe and a device are refused at once") {
+  const Scratch scratch;
+  const std::string pipe = (scratch.path / "pipe").string();
+  mkfifo(pipe.c_str(), 0600);
+  for (const std::string& path : {scratch.path.string(), pipe, std::string("/dev/zero")}) {
+    CHECK(message_of([&] { save_file(path, "new"); }) ==
+          "cannot save '" + path + "': it is no regular file; name a file");
+  }
+  CHECK(message_of([&] {
+          save_file((scratch.path / "no" / "such").string(), "new");
+        }).find("check the name and the folder") != std::string::npos);
+}
+
+TEST_CASE("fault 41: in a folder that may not be written the old file stays") {
+  if (geteuid() == 0) return;  // nothing is forbidden to root
+  const Scratch scratch;
+  fs::permissions(scratch.path, fs::perms(0500));
+  CHECK(message_of([&] { save_file(scratch.file(), "new"); }).find("check the permissions") !=
+        std::string::npos);
+  fs::permissions(scratch.path, fs::perms(0700));
+  CHECK(scratch.content() == "old");
+}
+
+TEST_CASE("fault 42: a crash at any call leaves the old file, and the next save cleans up") {
+  for (const Call call : kAll) {
+    const Scratch scratch;
+    const pid_t child = fork();
+    if (child == 0) {
+      FaultyCalls calls(call, FaultyCalls::kDies);
+      save_file(scratch.file(), "half of it", calls);
+      _exit(1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    CHECK(WEXITSTATUS(status) == 0);
+    CHECK(scratch.content() == "old");
+    save_file(scratch.file(), "new");
+    CHECK(scratch.content() == "new");
+    CHECK(scratch.tidy());
+  }
+}
+
+TEST_CASE("two programs that save the same file do not mix their texts") {
+  const Scratch scratch;
+  const int other = ::open(scratch.temporary().c_str(), O_RDWR | O_CREAT, 0600);
+  flock(other, LOCK_EX);
+  CHECK(message_of([&] { save_file(scratch.file(), "new"); }).find("another program") !=
+        std::string::npos);
+  CHECK(scratch.content() == "old");
+  CHECK(fs::exists(scratch.temporary()));
+  close(other);
+}
