@@ -69,7 +69,7 @@ Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot
   switch (finding.cause) {
     case FollowingFinding::Cause::FollowingError:
       return {code::kFollowingError,
-              fmt::format("axis {} is {} behind its reference; {} are permitted at this speed",
+              fmt::format("axis {} is {} off its reference; {} are permitted at this speed",
                           axis.name, value, limit),
               "look for what blocks the axis, or lower the speed"};
     case FollowingFinding::Cause::Frozen:

@@ -23,6 +23,22 @@ bool fifo_permitted() {
   return true;
 }
 
+/// [choice] what a run maps after its start, thread stacks included, and as much again.
+constexpr std::size_t kStillToCome = std::size_t{256} << 20U;
+
+/// Locks all memory, now and in future. A small limit can allow the first and refuse what is
+/// mapped later, which would end the run in mid-motion: whether that has room is asked at once.
+bool lock_memory() {
+  if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) return false;
+  void* probe = mmap(nullptr, kStillToCome, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (probe == MAP_FAILED) {
+    munlockall();
+    return false;
+  }
+  munmap(probe, kStillToCome);
+  return true;
+}
+
 /// [choice] far more than the tick's deepest call, far less than a thread's stack (8 MiB).
 constexpr std::size_t kWarmStack = 128 * 1024;
 
@@ -36,7 +52,7 @@ void warm_up_stack() noexcept {
 }  // namespace
 
 std::string prepare_real_time() {
-  const bool locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+  const bool locked = lock_memory();
   const bool fifo = fifo_permitted();
   if (locked && fifo) return "";
   std::string missing = !fifo ? "fixed priorities (SCHED_FIFO)" : "";
