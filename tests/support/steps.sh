@@ -51,7 +51,7 @@ fixed_addresses() {
 
 step_tests() {
   heading "tests"
-  prepare "$root/build" all -DCMAKE_BUILD_TYPE=Release -DROB_TESTS=ON
+  prepare "$root/build" all -DCMAKE_BUILD_TYPE=Release -DROB_TESTS=ON -DROB_BENCHMARKS=ON
   run_ctest "$root/build"
 }
 
