@@ -37,10 +37,11 @@ struct BoolLiteral {
 struct StringLiteral {
   std::string value;
 };
-/// A variable, constant, signal or built-in value.
+/// A variable, constant, signal or built-in value; DIN[n] and DOUT[n] have an index.
 struct Name {
   std::string text;
   const Symbol* symbol = nullptr;  ///< set by the checker; owned by the CheckedProgram
+  ExprPtr index = nullptr;
 };
 
 enum class UnaryOp : std::uint8_t { Negate, Plus, Not };
@@ -50,9 +51,22 @@ struct Unary {
 };
 
 enum class BinaryOp : std::uint8_t {
-  Or, Xor, And,
-  Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual,
-  Add, Subtract, Multiply, Divide, Div, Mod, Power
+  Or,
+  Xor,
+  And,
+  Equal,
+  NotEqual,
+  Less,
+  LessEqual,
+  Greater,
+  GreaterEqual,
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Div,
+  Mod,
+  Power
 };
 struct Binary {
   BinaryOp op;
@@ -107,6 +121,13 @@ struct Declaration {
   std::optional<Type> type;  ///< where it was written; Unknown where the parser found it faulty
   ExprPtr value;             ///< null where left out
 };
+/// SIGNAL part_here = DIN[1]
+struct SignalDeclaration {
+  std::string name;
+  Place name_place;
+  Name channel;
+  Place channel_place;
+};
 struct Assign {
   Name target;
   Place target_place;
@@ -114,6 +135,13 @@ struct Assign {
 };
 struct Print {
   std::vector<ExprPtr> values;
+};
+/// WAIT 0.5s · WAIT part_here TIMEOUT 3s ELSE lift = OFF
+struct Wait {
+  ExprPtr value;    ///< a time, or a condition
+  ExprPtr timeout;  ///< null where left out
+  bool has_else = false;
+  Block otherwise;  ///< of ELSE: one statement
 };
 /// IF with any number of ELSIF branches, and ELSE.
 struct If {
@@ -140,7 +168,8 @@ struct For {
 
 struct Statement {
   Place place;  ///< of its first word
-  std::variant<Move, Stop, Declaration, Assign, Print, If, While, For> node;
+  std::variant<Move, Stop, Declaration, SignalDeclaration, Assign, Print, Wait, If, While, For>
+      node;
 };
 
 struct Program {

@@ -131,11 +131,10 @@ constexpr std::array kBuiltins = std::to_array<Builtin>({
 });
 
 constexpr std::array kLater = std::to_array<std::string_view>(
-    {"AIN",    "AOUT",   "CLOCK",   "CROSS",  "DIN",      "DIST", "DOT",     "DOUT",
-     "FIND",   "FORCE",  "FORWARD", "FRAME3", "HERE",     "HIT",  "HITPOSE", "INV",
-     "JOINTS", "LEN",    "LOWER",   "MID",    "MIX",      "NORM", "NUM",     "POSE",
-     "QUAT",   "RANDOM", "TARGET",  "TORQUE", "TO_FRAME", "TRIM", "TURN",    "UNIT",
-     "UPPER",  "VEC",    "WORLD",   "WRENCH", "ZYZ"});
+    {"AIN",    "AOUT", "CLOCK", "CROSS",   "DIST", "DOT",    "FIND",   "FORCE",  "FORWARD",
+     "FRAME3", "HERE", "HIT",   "HITPOSE", "INV",  "JOINTS", "LEN",    "LOWER",  "MID",
+     "MIX",    "NORM", "NUM",   "POSE",    "QUAT", "RANDOM", "TARGET", "TORQUE", "TO_FRAME",
+     "TRIM",   "TURN", "UNIT",  "UPPER",   "VEC",  "WORLD",  "WRENCH", "ZYZ"});
 
 }  // namespace
 

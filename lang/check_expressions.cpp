@@ -64,7 +64,8 @@ Type ExpressionChecker::check(const NumberLiteral& literal, Expr& expression) {
 }
 
 Type ExpressionChecker::check(Name& name, Expr& expression) {
-  name.symbol = resolve(name.text, expression.place);
+  name.symbol = name.index != nullptr ? resolve_channel(name, expression.place)
+                                      : resolve(name.text, expression.place);
   if (name.symbol == nullptr) return {};
   expression.constant = name.symbol->value;
   return name.symbol->type;
@@ -127,6 +128,26 @@ const Symbol* ExpressionChecker::resolve(std::string_view name, Place place) {
   const Symbol* const symbol = scopes_.find(name);
   if (symbol == nullptr) report_unknown(name, place);
   return symbol;
+}
+
+const Symbol* ExpressionChecker::resolve_channel(Name& name, Place place) {
+  const Type type = check(name.index);
+  if (type.kind == Type::Kind::Unknown) return nullptr;
+  const auto* const number = std::get_if<std::int64_t>(&name.index->constant);
+  if (number == nullptr) {
+    diagnostics_.error(code::kChannelNotConstant, name.index->place,
+                       fmt::format("the number of {} has to be a constant whole number; this is {}",
+                                   name.text, described(*name.index)));
+    return nullptr;
+  }
+  const bool output = name.text == "DOUT";
+  if (const Symbol* const found = scopes_.channel(output, *number)) return found;
+  const std::int64_t count = scopes_.channels(output);
+  diagnostics_.error(code::kNoSuchChannel, place,
+                     fmt::format("the robot has no {}[{}]", name.text, *number),
+                     count == 0 ? fmt::format("it has no {} at all", name.text)
+                                : fmt::format("it has {0}[1] to {0}[{1}]", name.text, count));
+  return nullptr;
 }
 
 void ExpressionChecker::report_unknown(std::string_view name, Place place) {

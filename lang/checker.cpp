@@ -9,6 +9,7 @@
 #include "lang/codes.h"
 #include "lang/expression_checker.h"
 #include "lang/move_checker.h"
+#include "lang/wait_checker.h"
 
 namespace rob::lang {
 namespace {
@@ -19,6 +20,7 @@ class StatementChecker {
       : scopes_(checked.symbols, robot),
         expressions_(scopes_, checked.program, diagnostics),
         moves_(robot, expressions_, diagnostics, checked.constant_targets),
+        waits_(expressions_, diagnostics),
         diagnostics_(diagnostics) {}
 
   /// A block is a scope: what it declares lives to its end.
@@ -34,14 +36,21 @@ class StatementChecker {
   void check(Move& move) { moves_.check(move); }
   void check(Stop&) {}
   void check(Declaration& declaration);
+  void check(SignalDeclaration& signal);
   void check(Assign& assign);
   void check(Print& print) {
     for (const ExprPtr& value : print.values) expressions_.check(value);
+  }
+  void check(Wait& wait) {
+    waits_.check(wait);
+    check(wait.otherwise);
   }
   void check(If& conditional);
   void check(While& loop);
   void check(For& loop);
 
+  /// Whether the name has a meaning already: an error or a warning.
+  void warn_of_name(const std::string& name, Place place);
   const Symbol* declare(Symbol::Kind kind, const std::string& name, Place place, Type type,
                         Constant value);
   /// Checks a block that is never executed if `unreached`.
@@ -53,6 +62,7 @@ class StatementChecker {
   Scopes scopes_;
   ExpressionChecker expressions_;
   MoveChecker moves_;
+  WaitChecker waits_;
   Diagnostics& diagnostics_;
 };
 
@@ -62,8 +72,7 @@ bool is_constant(const ExprPtr& condition, bool value) {
   return constant != nullptr && *constant == value;
 }
 
-const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& name, Place place,
-                                        Type type, Constant value) {
+void StatementChecker::warn_of_name(const std::string& name, Place place) {
   if (const Symbol* const earlier = scopes_.find_innermost(name)) {
     diagnostics_.error(
         code::kDeclaredTwice, place,
@@ -75,6 +84,11 @@ const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& na
         fmt::format("{} hides what the language or the robot calls so", shortened(name)),
         "give it another name");
   }
+}
+
+const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& name, Place place,
+                                        Type type, Constant value) {
+  warn_of_name(name, place);
   Symbol symbol;
   symbol.kind = kind;
   symbol.name = name;
@@ -105,9 +119,31 @@ void StatementChecker::check(Declaration& declaration) {
   }
 }
 
+/// Another name for a channel: what it does is the channel's.
+void StatementChecker::check(SignalDeclaration& signal) {
+  const Symbol* const channel = expressions_.resolve_channel(signal.channel, signal.channel_place);
+  if (channel == nullptr) {
+    declare(Symbol::Kind::Variable, signal.name, signal.name_place, {}, {});
+    return;
+  }
+  warn_of_name(signal.name, signal.name_place);
+  Symbol symbol;
+  symbol.kind = Symbol::Kind::Signal;
+  symbol.name = signal.name;
+  symbol.place = signal.name_place;
+  symbol.type = Type::boolean();
+  symbol.signal = channel->signal;
+  symbol.output = channel->output;
+  symbol.channel = channel->channel;
+  scopes_.declare(std::move(symbol));
+}
+
 void StatementChecker::check(Assign& assign) {
   expressions_.check(assign.value);
-  const Symbol* const symbol = expressions_.resolve(assign.target.text, assign.target_place);
+  const Symbol* const symbol =
+      assign.target.index != nullptr
+          ? expressions_.resolve_channel(assign.target, assign.target_place)
+          : expressions_.resolve(assign.target.text, assign.target_place);
   assign.target.symbol = symbol;
   if (symbol == nullptr || !assignable(*symbol, assign.target_place)) return;
   if (assign.value == nullptr) return;

@@ -4,6 +4,7 @@
 #include "lang/builtins.h"
 #include "lang/expression_compiler.h"
 #include "lang/fold.h"
+#include "lang/observations.h"
 
 /// Values: what ends up in a register.
 namespace rob::lang {
@@ -12,30 +13,6 @@ namespace {
 bool is_text(const Expr& expression) { return expression.type.kind == Type::Kind::String; }
 
 bool is_truth(const Expr& expression) { return expression.type.kind == Type::Kind::Bool; }
-
-/// How many observations an expression can make.
-int observations(const Expr& expression) {
-  struct Counter {
-    int operator()(const Name& name) const {
-      return name.symbol->kind == Symbol::Kind::Signal ? 1 : 0;
-    }
-    int operator()(const Unary& unary) const { return observations(*unary.operand); }
-    int operator()(const Binary& binary) const {
-      return observations(*binary.left) + observations(*binary.right);
-    }
-    int operator()(const Call& call) const {
-      int sum = 0;
-      for (const ExprPtr& argument : call.arguments) sum += observations(*argument);
-      return sum;
-    }
-    int operator()(const NumberLiteral&) const { return 0; }
-    int operator()(const BoolLiteral&) const { return 0; }
-    int operator()(const StringLiteral&) const { return 0; }
-    int operator()(const Tuple&) const { return 0; }
-  };
-  if (known(expression.constant)) return 0;
-  return std::visit(Counter{}, expression.node);
-}
 
 Opcode whole_opcode(BinaryOp op) {
   switch (op) {

@@ -20,7 +20,7 @@ bool is_real(const Type& type) { return type.kind == Type::Kind::Real; }
 
 std::vector<std::string> signal_names(const RobotSignature& robot) {
   std::vector<std::string> names;
-  for (const RobotSignature::Signal& signal : robot.signals) names.push_back(signal.name);
+  for (const RobotSignature::Signal& signal : robot.signals) names.push_back(shown_name(signal));
   return names;
 }
 
@@ -53,8 +53,11 @@ class StatementCompiler {
   void compile(const Move& move);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
   void compile(const Declaration& declaration);
+  void compile(const SignalDeclaration&) {}
   void compile(const Assign& assign);
   void compile(const Print& print);
+  void compile(const Wait& wait);
+  void wait_for_condition(const Wait& wait);
   void compile(const If& conditional);
   void compile(const While& loop);
   void compile(const For& loop);
@@ -196,6 +199,49 @@ void StatementCompiler::compile(const Print& print) {
   flush();
   code_.emit(Opcode::print, place, text);
   code_.release(mark);
+}
+
+void StatementCompiler::compile(const Wait& wait) {
+  const auto mark = code_.mark();
+  if (wait.value->type == Type::boolean()) {
+    wait_for_condition(wait);
+  } else {
+    code_.emit(Opcode::wait, place_, expressions_.value(*wait.value));
+  }
+  code_.release(mark);
+}
+
+/// The condition is looked at in every cycle of the standstill; the time counts from its first.
+void StatementCompiler::wait_for_condition(const Wait& wait) {
+  const Place place = place_;
+  const bool limited = wait.timeout != nullptr;
+  const Register limit = code_.number_registers(3);
+  const auto begin = static_cast<Register>(limit + 1);
+  const auto now = static_cast<Register>(limit + 2);
+  if (limited) {
+    expressions_.value_into(*wait.timeout, limit);
+    code_.emit(Opcode::stand, place, begin);
+  }
+  const std::size_t top = code_.here();
+  code_.emit(Opcode::stand, place, now);
+  const CodeBuilder::Jumps met = expressions_.jumps_if(*wait.value, true);
+  CodeBuilder::Jumps late;
+  if (limited) {
+    code_.emit(Opcode::if_elapsed, place, now, begin, limit);
+    late.push_back(code_.jump(place));
+  }
+  code_.loop(top, place);
+  CodeBuilder::Jumps done;
+  if (limited) {
+    code_.land(late);
+    code_.emit(Opcode::waited, place);
+    if (!wait.has_else) code_.emit(Opcode::fail_timeout, place);
+    compile(wait.otherwise);
+    done.push_back(code_.jump(place));
+  }
+  code_.land(met);
+  code_.emit(Opcode::waited, place);
+  code_.land(done);
 }
 
 void StatementCompiler::compile(const If& conditional) {

@@ -18,6 +18,9 @@ struct Search {
     }
     return std::nullopt;
   }
+  Found operator()(const SignalDeclaration& signal) const {
+    return to_upper(signal.name) == key ? Found(signal.name_place) : std::nullopt;
+  }
   Found operator()(const If& conditional) const {
     for (const If::Branch& branch : conditional.branches) {
       if (const Found found = search(branch.body, key)) return found;

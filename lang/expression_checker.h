@@ -32,6 +32,9 @@ class ExpressionChecker {
   /// A symbol that may be used here; null, and a message, if there is none.
   const Symbol* resolve(std::string_view name, Place place);
 
+  /// DIN[n] or DOUT[n]; null, and a message, if n is no constant or the robot has no such channel.
+  const Symbol* resolve_channel(Name& name, Place place);
+
   /// While constants say that a part of the program is never executed, a computation in it that
   /// must fail is no mistake: `IF n <> 0 THEN x = 10 / n` with CONST n = 0.
   void enter_unreached() { ++unreached_; }

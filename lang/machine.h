@@ -18,9 +18,9 @@ struct MoveCommand {
     Share          ///< AT 50%: of all maxima, 1 = 100 %
   };
 
-  int count = 0;                                  ///< coordinates of the robot
-  std::uint8_t given = 0;                         ///< bit i: coordinate i was written
-  std::array<double, kMaxCoordinates> target{};   ///< coordinate i; what is not given is 0
+  int count = 0;                                 ///< coordinates of the robot
+  std::uint8_t given = 0;                        ///< bit i: coordinate i was written
+  std::array<double, kMaxCoordinates> target{};  ///< coordinate i; what is not given is 0
   Pace pace = Pace::Unspecified;
   double pace_value = 0;
   double over = 0;  ///< OVER: lower bound on the duration, s; 0 where it was left out
@@ -53,6 +53,14 @@ class Machine {
   virtual Reply move(int line, const MoveCommand& command) = 0;
   /// STOP: the last target is reached exactly.
   virtual Reply stop(int line) = 0;
+  /// WAIT 0.5s: the last target is reached exactly, then the axes stand for `seconds`, 0 or more.
+  virtual Reply wait(int line, double seconds) = 0;
+  /// The condition of a WAIT is due: the last target is reached exactly, and all that was commanded
+  /// has acted. `now`: the time of the present control cycle, s. An observation: `Later` until the
+  /// axes stand. Called again in every cycle until waited().
+  virtual Reply stand(int line, double& now) = 0;
+  /// The condition that stand() was for has been met, or its time is over.
+  virtual Reply waited(int line) = 0;
   /// END, written or implied by the end of the file: stops, and is Done once all that was
   /// commanded has been queued (not: carried out).
   virtual Reply end(int line) = 0;

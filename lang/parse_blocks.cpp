@@ -138,7 +138,8 @@ void Parser::if_statement(Block& block) {
 /// The one statement on the line of THEN.
 void Parser::behind_then(Block& body) {
   const bool block = at(Keyword::If) || at(Keyword::While) || at(Keyword::For) ||
-                     at(Keyword::Var) || at(Keyword::Const) || at(Keyword::End);
+                     at(Keyword::Var) || at(Keyword::Const) || at(Keyword::Signal) ||
+                     at(Keyword::End);
   if (block) {
     fail_here(code::kLineEndExpected,
               fmt::format("{} cannot stand on the line of THEN", spelling(current_.keyword)),

@@ -153,6 +153,12 @@ ExprPtr Parser::power() {
 
 // postfix = primary { "." IDENT | "[" expr "]" | "(" [ args ] ")" } .
 ExprPtr Parser::postfix() {
+  if (at_channel()) {
+    const Place place = current_.place;
+    Name name = channel("");
+    const int height = name.index->height + 1;
+    return make(place, std::move(name), height);
+  }
   ExprPtr expr = primary();
   if (at(TokenKind::LeftParen) && std::holds_alternative<Name>(expr->node)) {
     expr = call(expr->place, std::move(std::get<Name>(expr->node).text));
@@ -261,7 +267,8 @@ ExprPtr Parser::call(const Place& place, std::string callee) {
 void Parser::close_bracket(std::string_view what) {
   if (accept(TokenKind::RightParen)) return;
   const bool value = at(TokenKind::Number) || at(TokenKind::String) || at(TokenKind::Word);
-  const bool clause = at_word("AT") || at_word("OVER") || at_word("TO") || at_word("STEP");
+  const bool clause =
+      at_word("AT") || at_word("OVER") || at_word("TO") || at_word("STEP") || at_word("TIMEOUT");
   if (value && !clause && !at_new_statement()) {
     fail_here(code::kCommaExpected, fmt::format("',' expected before {}", described(current_)),
               remedy());

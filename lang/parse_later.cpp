@@ -35,7 +35,7 @@ bool declares(const Token& word) {
   if (word.kind == TokenKind::Word) {
     return same_word(word.text, "TOOL") || same_word(word.text, "FRAME");
   }
-  return word.keyword == Keyword::Signal || word.keyword == Keyword::Point;
+  return word.keyword == Keyword::Point;
 }
 
 }  // namespace

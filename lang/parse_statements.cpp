@@ -46,6 +46,9 @@ bool Parser::block_statement(Block& block) {
     case Keyword::For:
       for_statement(block);
       return true;
+    case Keyword::Signal:
+      signal_declaration(block);
+      return true;
     case Keyword::Var:
     case Keyword::Const:
       declaration(block);
@@ -60,6 +63,7 @@ void Parser::simple(Block& block) {
   const Place place = current_.place;
   if (at(Keyword::Move)) return move(block);
   if (at(Keyword::Print)) return print(block);
+  if (at(Keyword::Wait)) return wait(block);
   if (at(Keyword::Stop)) {
     advance();
     return add(block, place, Stop{});
@@ -88,6 +92,7 @@ void Parser::simple(Block& block) {
 void Parser::word_statement(Block& block) {
   if (at_later_word()) later_statement(block);
   if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
+  if (at_channel()) return assignment(block);
   if (next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket) {
     fail_not_yet(current_.place, "an assignment to a field or an element");
   }
@@ -141,9 +146,16 @@ std::string_view Parser::statement_meant() const {
 void Parser::assignment(Block& block) {
   const Place place = current_.place;
   Assign assign;
-  assign.target.text = current_.text;
   assign.target_place = place;
-  advance();
+  if (at_channel()) {
+    assign.target = channel("");
+    if (!at(TokenKind::Assign) && !at(TokenKind::Equal)) {
+      fail_here(code::kAssignExpected, fmt::format("'=' expected, not {}", described(current_)));
+    }
+  } else {
+    assign.target.text = current_.text;
+    advance();
+  }
   if (at(TokenKind::Equal)) {
     report(code::kAssignExpected, current_.place, "'==' compares, it does not assign", "write =");
   }
@@ -161,6 +173,37 @@ void Parser::print(Block& block) {
     print.values.push_back(expression());
   } while (accept(TokenKind::Comma));
   add(block, place, std::move(print));
+}
+
+// wait = "WAIT" expr [ "TIMEOUT" expr [ "ELSE" simple ] ] .
+void Parser::wait(Block& block) {
+  const Place place = current_.place;
+  Wait wait;
+  advance();
+  wait.value = expression();
+  if (at_word("TIMEOUT")) {
+    advance();
+    wait.timeout = expression();
+  }
+  if (at(Keyword::Else) && !current_.first_on_line) {
+    if (wait.timeout == nullptr) {
+      fail_here(code::kWordExpected, "ELSE of a WAIT needs a TIMEOUT before it",
+                "WAIT part_here TIMEOUT 3s ELSE lift = OFF");
+    }
+    wait.has_else = true;
+    advance();
+    alternative(wait.otherwise);
+  }
+  add(block, place, std::move(wait));
+}
+
+/// The one statement behind the ELSE of a WAIT.
+void Parser::alternative(Block& block) {
+  if (at_line_end()) {
+    fail(code::kStatementExpected, behind_previous(), "a statement expected after ELSE");
+  }
+  const Level level(*this);  // it may be a WAIT with an ELSE of its own
+  simple(block);
 }
 
 // eol = NL { NL } .

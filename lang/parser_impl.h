@@ -82,11 +82,16 @@ class Parser {
   std::string_view statement_meant() const;
   void assignment(Block& block);
   void print(Block& block);
+  void wait(Block& block);
+  void alternative(Block& block);
   void end_of_line();
   void add(Block& block, const Place& place, decltype(Statement::node) node);
 
   // Declarations (parse_declarations.cpp)
   void declaration(Block& block);
+  void signal_declaration(Block& block);
+  Name channel(std::string_view behind);
+  bool at_channel() const;
   void declared_names(Declaration& declaration);
   void declared_type_and_value(Declaration& declaration);
   Declaration::Declared declared_name(std::string_view kind);

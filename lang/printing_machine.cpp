@@ -80,12 +80,31 @@ Reply PrintingMachine::move(int line, const MoveCommand& command) {
   return note(line, move_text(robot_, command));
 }
 
+Reply PrintingMachine::wait(int line, double seconds) {
+  return note(line, "wait " + number_text(seconds, kTime));
+}
+
+Reply PrintingMachine::stand(int line, double& now) {
+  const Reply reply = standing_ ? ready() : note(line, "stand");
+  if (reply != Reply::Done) return reply;
+  if (standing_) ++cycle_;
+  standing_ = true;
+  now = 0.01 * cycle_;
+  return reply;
+}
+
+Reply PrintingMachine::waited(int line) {
+  const Reply reply = note(line, "waited");
+  if (reply == Reply::Done) standing_ = false;
+  return reply;
+}
+
 Reply PrintingMachine::print(int line, std::string_view text) {
   return note(line, fmt::format("print {}", text));
 }
 
 Reply PrintingMachine::write_signal(int line, int signal, bool value) {
-  const std::string& name = robot_.signals[static_cast<std::size_t>(signal)].name;
+  const std::string name = shown_name(robot_.signals[static_cast<std::size_t>(signal)]);
   const Reply reply = note(line, fmt::format("{} {}", name, value ? "on" : "off"));
   if (reply == Reply::Done) written_[signal] = value;
   return reply;

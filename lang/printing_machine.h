@@ -14,7 +14,10 @@ namespace rob::lang {
 /// A Machine that writes down what it is told, a line for each call, and moves nothing: for tests.
 ///
 ///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
-///     stop · end · print TEXT · lift on
+///     stop · end · print TEXT · lift on · wait 0.5s
+///     stand · waited                    WAIT for a condition: its beginning, its end
+///
+/// While a program waits for a condition every look at it is 10 ms later than the one before.
 ///
 /// Everything is taken at once, unless a test asks for something else.
 class PrintingMachine : public Machine {
@@ -43,6 +46,9 @@ class PrintingMachine : public Machine {
 
   Reply move(int line, const MoveCommand& command) override;
   Reply stop(int line) override { return note(line, "stop"); }
+  Reply wait(int line, double seconds) override;
+  Reply stand(int line, double& now) override;
+  Reply waited(int line) override;
   Reply end(int line) override { return note(line, "end"); }
   Reply print(int line, std::string_view text) override;
   Reply write_signal(int line, int signal, bool value) override;
@@ -65,6 +71,8 @@ class PrintingMachine : public Machine {
   std::map<int, bool> written_;
   int later_ = 0;
   int reads_ = 0;
+  int cycle_ = 0;
+  bool standing_ = false;
   std::optional<int> refuse_after_;
   Refusal refusal_;
 };

@@ -1,5 +1,6 @@
 #include "lang/symbols.h"
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -18,12 +19,31 @@ Scopes::Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot) : symbo
   for (std::size_t i = 0; i < robot.signals.size(); ++i) {
     Symbol signal;
     signal.kind = Symbol::Kind::Signal;
-    signal.name = robot.signals[i].name;
+    signal.name = shown_name(robot.signals[i]);
     signal.type = Type::boolean();
     signal.signal = static_cast<int>(i);
     signal.output = robot.signals[i].output;
-    declare(std::move(signal));
+    signal.channel = robot.signals[i].channel;
+    if (!robot.signals[i].name.empty()) {
+      channels_.push_back(declare(std::move(signal)));
+    } else {
+      signal.id = symbols_.size();
+      symbols_.push_back(std::move(signal));
+      channels_.push_back(&symbols_.back());
+    }
   }
+}
+
+const Symbol* Scopes::channel(bool output, std::int64_t number) const {
+  for (const Symbol* const channel : channels_) {
+    if (channel->output == output && channel->channel == number) return channel;
+  }
+  return nullptr;
+}
+
+std::int64_t Scopes::channels(bool output) const {
+  return std::ranges::count_if(channels_,
+                               [&](const Symbol* channel) { return channel->output == output; });
 }
 
 const Symbol* Scopes::find(std::string_view name) const {

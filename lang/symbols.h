@@ -20,7 +20,7 @@ struct Symbol {
     Variable,       ///< VAR: may be assigned
     NamedConstant,  ///< CONST: computed where it stands, at the latest
     LoopVariable,   ///< of FOR: read-only in the body
-    Signal,         ///< declared by the robot's file
+    Signal,         ///< declared by the robot's file or by SIGNAL; DIN[n], DOUT[n]
     BuiltIn         ///< PI
   };
 
@@ -32,6 +32,7 @@ struct Symbol {
   Constant value;       ///< where it is known before the program runs
   int signal = 0;       ///< its index in the RobotSignature
   bool output = false;  ///< a signal that may be assigned
+  int channel = 0;      ///< n of DIN[n] or DOUT[n]
 };
 
 /// The names that may be used at one place of the program. Scopes nest; the outermost holds what
@@ -51,6 +52,10 @@ class Scopes {
   const Symbol* find_innermost(std::string_view name) const;
   /// Whether the language or the robot gives this name a meaning.
   bool provided(std::string_view name) const;
+  /// DIN[n] or DOUT[n]; null if the robot has no such channel.
+  const Symbol* channel(bool output, std::int64_t number) const;
+  /// How many channels there are of a kind.
+  std::int64_t channels(bool output) const;
   /// Declares in the innermost scope; what had the same name there is replaced.
   const Symbol* declare(Symbol symbol);
   /// All names that can be seen from here, for "did you mean".
@@ -61,6 +66,7 @@ class Scopes {
 
   std::deque<Symbol>& symbols_;
   std::vector<Scope> scopes_;
+  std::vector<const Symbol*> channels_;
 };
 
 }  // namespace rob::lang

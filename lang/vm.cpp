@@ -12,6 +12,12 @@
 
 namespace rob::lang {
 
+namespace {
+
+constexpr double kSameTime = 1e-9;  // s: sums of cycles that differ by less are one
+
+}  // namespace
+
 Vm::Vm(const Chunk& chunk, Machine& machine)
     : chunk_(chunk),
       machine_(machine),
@@ -75,6 +81,31 @@ Reply Vm::observe(Code pc) {
     turned_ = false;
   }
   return reply;
+}
+
+Reply Vm::stand(Code pc) {
+  const Reply reply = machine_.stand(line(pc), numbers_[pc->a()].real);
+  if (reply == Reply::Done) {
+    observed_ = true;
+    turned_ = false;
+  }
+  return reply;
+}
+
+Vm::State Vm::fail_timeout(Code pc) {
+  return fail(pc, {.code = std::string(code::kTimeout),
+                   .place = place(pc),
+                   .message = "timeout: what this WAIT waits for did not come in time",
+                   .help = "an ELSE behind TIMEOUT says what to do then"});
+}
+
+bool Vm::check_wait(Code pc, double seconds) {
+  if (seconds >= 0) return true;
+  error_ = {.code = std::string(code::kWaitNegative),
+            .place = place(pc),
+            .message = fmt::format("WAIT turned out to be for {}", number_text(seconds, kTime)),
+            .help = "a time to wait is 0s or more"};
+  return false;
 }
 
 bool Vm::append(std::uint8_t target, std::string_view more) {
@@ -322,6 +353,20 @@ move : {
 stop:
   ROB_ASK(machine_.stop(line(pc)), pc);
   ROB_NEXT(1);
+wait:
+  if (!check_wait(pc, n[pc->a()].real)) return leave(pc, pc, State::Failed);
+  ROB_ASK(machine_.wait(line(pc), n[pc->a()].real), pc);
+  ROB_NEXT(1);
+stand:
+  if (next_cycle_is_due()) return leave(pc, pc, State::NextCycle);
+  ROB_ASK(stand(pc), pc);
+  ROB_NEXT(1);
+  ROB_IF(if_elapsed, n[pc->a()].real - n[pc->b()].real >= n[pc->c()].real - kSameTime, 1);
+waited:
+  ROB_ASK(machine_.waited(line(pc)), pc);
+  ROB_NEXT(1);
+fail_timeout:
+  return fail_timeout(pc);
 print:
   ROB_ASK(machine_.print(line(pc), texts_[pc->a()]), pc);
   ROB_NEXT(1);

@@ -71,6 +71,8 @@ class Vm {
   bool turn(Code pc, Code target);
   bool next_cycle_is_due() const { return turned_ && observed_; }
   Reply observe(Code pc);
+  Reply stand(Code pc);
+  State fail_timeout(Code pc);
 
   /// False, with error_ set, if AT or OVER turned out not to be above zero.
   bool build(Code pc, MoveCommand& command);
@@ -78,6 +80,8 @@ class Vm {
   bool append(std::uint8_t target, std::string_view more);
   bool join(std::uint8_t target, std::uint8_t left, std::uint8_t right);
   State fail_too_long(Code pc);
+  /// False, with error_ set, if a WAIT is for less than no time.
+  bool check_wait(Code pc, double seconds);
   bool check_positive(Code pc, const char* word, double value, Dimension dimension);
 
   Place place(Code pc) const { return chunk_.places[index(pc)]; }

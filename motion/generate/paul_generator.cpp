@@ -64,8 +64,17 @@ void PaulGenerator::resume() noexcept {
   held_told_ = false;
 }
 
+/// A dwell keeps its share of the run's time: its rest on the path is rescaled.
+void PaulGenerator::set_override(double share) noexcept {
+  const double before = clock_.override_share();
+  clock_.set_override(share);
+  if (!dwelling()) return;
+  const double rest = end_ - clock_.path_time();
+  end_ = milestone_ = clock_.path_time() + rest * (clock_.override_share() / before);
+}
+
 void PaulGenerator::step(double stamp) noexcept {
-  clock_.advance(stamp, !running_);
+  clock_.advance(stamp, !running_ || dwelling());
   if (running_) run_segments();
   report_held();
   fire_effects(stamp);
@@ -75,8 +84,8 @@ void PaulGenerator::step(double stamp) noexcept {
   publish_decidable();
 }
 
-/// All that lies between the reference before and this one, in order of time. A segment lasts at
-/// least two half transitions, so the turns of the loop are few.
+/// All that lies between the reference before and this one, in order of time. A motion lasts at
+/// least two half transitions, and the buffer holds only so many dwells: the turns are few.
 void PaulGenerator::run_segments() noexcept {
   pass_milestone();
   while (running_ && clock_.path_time() > end_ + kSameInstant) {
@@ -126,7 +135,8 @@ void PaulGenerator::decide() noexcept {
 bool PaulGenerator::take_up(const SegmentDescriptor& segment, double instant) noexcept {
   const bool timed = std::isfinite(segment.duration) && std::isfinite(segment.t_acc);
   for (int i = 0; i < segment_.target.size(); ++i) {
-    const double rate = (segment.target[i] - segment_.target[i]) / segment.duration;
+    const double duration = segment.dwell ? 1 : segment.duration;  // a dwell has no rate
+    const double rate = (segment.target[i] - segment_.target[i]) / duration;
     if (timed && std::isfinite(rate) && std::isfinite(segment.target[i])) continue;
     fail(segment, i, instant);
     return false;
@@ -151,8 +161,9 @@ void PaulGenerator::fail(const SegmentDescriptor& segment, int axis, double inst
 
 /// S1: A := X, B := C, C := D, T1 := T2, t := −t_acc.
 void PaulGenerator::begin(const SegmentDescriptor& segment, double instant) noexcept {
+  if (segment.dwell) return begin_dwell(segment, instant);
   const JointVector b = segment_.target;
-  const JointVector a = running_ ? path_.sample(exit()).q : b;
+  const JointVector a = running_ && !segment_.dwell ? path_.sample(exit()).q : b;
   path_ = PaulTransition(a, b, segment.target, segment.duration, t_acc_);
   zero_ = instant + t_acc_;
   end_ = zero_ + segment.duration - segment.t_acc;
@@ -162,6 +173,16 @@ void PaulGenerator::begin(const SegmentDescriptor& segment, double instant) noex
   running_ = true;
   milestone_ = segment.no_length ? end_ : zero_;
   passing_ = segment.no_length ? segment.number : before;
+}
+
+/// The axes stand already: what comes before a dwell is exact.
+void PaulGenerator::begin_dwell(const SegmentDescriptor& segment, double instant) noexcept {
+  segment_ = segment;
+  t_acc_ = segment.t_acc;
+  zero_ = instant;
+  end_ = milestone_ = instant + segment.duration * clock_.override_share();
+  passing_ = segment.number;
+  running_ = true;
 }
 
 /// Arrives at the present target and stands there; the present segment goes on owning the time.
@@ -194,7 +215,8 @@ void PaulGenerator::report_held() noexcept {
   if (!stands || held_told_) return;
   held_told_ = true;
   const double begun = end_ - exit();
-  const double share = running_ ? (clock_.path_time() - begun) / (end_ - begun) : 1;
+  const bool under_way = running_ && end_ > begun;
+  const double share = under_way ? (clock_.path_time() - begun) / (end_ - begun) : 1;
   tell({.kind = Kind::Held,
         .time = clock_.held() ? clock_.steady_since() : latest_,
         .tag = segment_.tag,
@@ -214,8 +236,8 @@ void PaulGenerator::fire_effects(double time) noexcept {
 
 void PaulGenerator::make_sample() noexcept {
   sample_.reference.time = clock_.stamp();
-  if (running_) follow_path();
-  if (!running_) stand();
+  if (running_ && !segment_.dwell) follow_path();
+  if (!running_ || segment_.dwell) stand();
   sample_.tag = segment_.tag;
   sample_.piece = segment_.number;
   if (clock_.held() || (faulted_ && !running_)) {
@@ -254,8 +276,8 @@ void PaulGenerator::stand() noexcept {
   sample_.reference.q = segment_.target;
   sample_.reference.qd.setZero();
   sample_.reference.qdd.setZero();
-  sample_.sigma = exit();
-  sample_.rate = 0;
+  sample_.sigma = dwelling() ? clock_.path_time() - zero_ : exit();
+  sample_.rate = dwelling() ? clock_.rate() : 0;
   sample_.limit = 0;
 }
 

@@ -27,6 +27,9 @@ namespace rob::motion {
 /// follows it, where that has no length; else in the middle of the corner, t = 0 of what follows.
 /// One that comes later than that, or before any motion, is due at once.
 ///
+/// A dwell stands at its target for its duration of the run's time, whatever the override; a hold
+/// interrupts it. What follows starts at its exact end.
+///
 /// A segment whose rates would not be finite is not begun: Fault, the axes arrive at the target
 /// before it, and nothing more is begun. A reference that is no number all the same is not handed
 /// out: Fault, and the one before is held.
@@ -42,7 +45,7 @@ class PaulGenerator final : public TrajectoryGenerator {
   const GeneratorSample& advance(std::int64_t period) noexcept override;
   void hold() noexcept override { clock_.hold(); }
   void resume() noexcept override;
-  void set_override(double share) noexcept override { clock_.set_override(share); }
+  void set_override(double share) noexcept override;
   std::uint32_t decidable() const noexcept override {
     return decidable_.load(std::memory_order_acquire);
   }
@@ -73,7 +76,11 @@ class PaulGenerator final : public TrajectoryGenerator {
   void fail(const SegmentDescriptor& segment, int axis, double instant) noexcept;
   void publish_decidable() noexcept;
   void tell(MotionEvent event) noexcept;
-  double exit() const noexcept { return segment_.duration - segment_.t_acc; }
+  void begin_dwell(const SegmentDescriptor& segment, double instant) noexcept;
+  bool dwelling() const noexcept { return running_ && segment_.dwell; }
+  double exit() const noexcept {
+    return segment_.dwell ? end_ - zero_ : segment_.duration - segment_.t_acc;
+  }
 
   const double period_;
   const std::int64_t most_missed_;

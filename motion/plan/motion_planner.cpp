@@ -44,6 +44,12 @@ std::optional<SegmentDescriptor> MotionPlanner::stop(Tag tag) noexcept {
   return commit(tag, commanded_, true, Timing{t_acc_before_ + robot_.t_acc, 0, 0});
 }
 
+SegmentDescriptor MotionPlanner::dwell(Tag tag, double duration) noexcept {
+  SegmentDescriptor segment = commit(tag, commanded_, true, Timing{duration, 0, 0});
+  segment.dwell = true;
+  return segment;
+}
+
 void MotionPlanner::retarget(const JointVector& q) noexcept {
   commanded_ = q;
   exact_ = true;

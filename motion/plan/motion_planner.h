@@ -53,6 +53,10 @@ class MotionPlanner {
   /// anyhow: nothing has moved, or the last motion was exact.
   std::optional<SegmentDescriptor> stop(Tag tag) noexcept;
 
+  /// A standstill of `duration` s (0: a mark in the buffer) at the last target, which has to be
+  /// exact: call stop() first.
+  SegmentDescriptor dwell(Tag tag, double duration) noexcept;
+
   /// Override above 1 divides T_user and raises AT from the next segment on, never v_max. Up to
   /// 1 it is the generator's affair and changes nothing here.
   void set_override(double share) noexcept { boost_ = share > 1 ? share : 1; }

@@ -15,7 +15,8 @@ struct SegmentDescriptor {
   JointVector target;        ///< m, rad
   double duration = 0;       ///< s: T1 of S1
   double t_acc = 0;          ///< s: half the transition around `target`
-  bool no_length = false;    ///< target = the target before: the exact pass, or a stop
+  bool no_length = false;    ///< target = the target before: the exact pass, a stop or a dwell
+  bool dwell = false;        ///< a standstill of `duration`, 0 too; override does not stretch it
   std::uint8_t limit = 0;    ///< what set the duration: 0 nothing, 1 AT, 2 + i the speed of axis i
 };
 

@@ -166,6 +166,18 @@ void read_signals(const TableReader& file, RobotModel& robot) {
   }
 }
 
+/// How many channels there are: at least those that have names.
+int count_of_channels(const TableReader& file, std::string_view key, bool output,
+                      const RobotModel& robot) {
+  int named = 0;
+  for (const RobotSignal& signal : robot.signals)
+    if (signal.output == output) named = std::max(named, signal.channel + 1);
+  const int count = file.integer_or(key, 0, kChannels, named);
+  if (count < named)
+    file.fail(key, "a signal has channel " + std::to_string(named - 1) + "; count it, from 0");
+  return count;
+}
+
 /// The channel of the signal that `key` names.
 int signal_channel(const TableReader& table, std::string_view key, bool output,
                    const RobotModel& robot) {
@@ -239,15 +251,18 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   } catch (const toml::parse_error& error) {
     fail_in_file(file_name, error.source().begin, std::string(error.description()));
   }
-  const TableReader file(table, file_name, "",
-                         {"name", "description", "kinematics", "law", "t_acc", "reference_period",
-                          "servo_period", "look_ahead", "axis", "signal", "actuator"});
+  const TableReader file(
+      table, file_name, "",
+      {"name", "description", "kinematics", "law", "t_acc", "reference_period", "servo_period",
+       "look_ahead", "inputs", "outputs", "axis", "signal", "actuator"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
   read_timing(file, robot);
   const std::vector<TableReader> axes = read_axes(file, robot);
   read_signals(file, robot);
+  robot.inputs = count_of_channels(file, "inputs", false, robot);
+  robot.outputs = count_of_channels(file, "outputs", true, robot);
   read_actuators(file, robot);
   choose_kinematics(file, robot);
   check_paul(file, axes, robot);

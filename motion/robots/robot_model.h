@@ -54,6 +54,8 @@ struct RobotModel {
   int look_ahead = 0;           ///< segments that the buffer holds
   std::vector<Axis> axes;
   JointVector start;  ///< m, rad: where the simulated robot stands at power-up
+  int inputs = 0;     ///< digital channels from 0 on, named or not; at most 64
+  int outputs = 0;
   std::vector<RobotSignal> signals;
   std::vector<TwoPositionActuator> actuators;
   std::shared_ptr<const Kinematics> kinematics;

@@ -105,6 +105,10 @@ int TableReader::integer(std::string_view key, int low, int high) const {
   fail(key, "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
 }
 
+int TableReader::integer_or(std::string_view key, int low, int high, int fallback) const {
+  return table_->contains(key) ? integer(key, low, high) : fallback;
+}
+
 int TableReader::choice(std::string_view key, const std::vector<std::string_view>& words) const {
   const std::string value = text(key);
   const auto found = std::find(words.begin(), words.end(), value);

@@ -30,6 +30,8 @@ class TableReader {
   std::string name(std::string_view key) const;
   double quantity(std::string_view key, Quantity quantity, Range range) const;
   int integer(std::string_view key, int low, int high) const;
+  /// `fallback` where the key is missing.
+  int integer_or(std::string_view key, int low, int high, int fallback) const;
   /// Which of `words` it is.
   int choice(std::string_view key, const std::vector<std::string_view>& words) const;
   TableReader table(std::string_view key, std::vector<std::string_view> keys) const;

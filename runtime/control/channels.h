@@ -54,8 +54,12 @@ struct Channels {
 
   motion::SpscRing<ServoNotice> notices{16};  ///< motion → main
 
-  std::atomic<std::uint64_t> outputs{0};      ///< motion → servo: bit i is output channel i
-  std::atomic<std::uint64_t> inputs{0};       ///< motion → program: latched in this cycle
+  std::atomic<std::uint64_t> outputs{0};  ///< motion → servo: bit i is output channel i
+  std::atomic<std::uint64_t> inputs{0};   ///< motion → program: latched in this cycle; before
+                                          ///< the first one by ServoTask::enable()
+  std::atomic<std::int64_t> cycle{0};     ///< motion → program: number of the present one
+  /// motion → program: the axes stand behind this segment, and its effects have acted
+  std::atomic<std::uint32_t> settled{0};
   std::atomic<std::uint32_t> decidable{0};    ///< motion → program: see TrajectoryGenerator
   std::atomic<bool> standing{true};           ///< motion → program: nothing is under way
   std::atomic<std::int64_t> effects_done{0};  ///< motion → program: effects that have acted

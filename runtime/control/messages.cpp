@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/plan/motion_planner.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {
@@ -53,6 +54,13 @@ Words words_for(const Refusal& refusal, const motion::RobotModel& robot) {
               "raise AT or lower OVER"};
   }
   return {};
+}
+
+Words words_for_long_wait(double seconds) {
+  return {code::kWaitTooLong,
+          fmt::format("this WAIT would take {} s; at most {} s are accepted", seconds,
+                      motion::MotionPlanner::kLongest),
+          "wait for a signal, or in a loop"};
 }
 
 Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot) {

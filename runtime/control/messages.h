@@ -15,6 +15,8 @@ using Words = lang::Refusal;
 
 /// "axis x: 9000 mm is beyond 400 mm".
 Words words_for(const motion::Refusal& refusal, const motion::RobotModel& robot);
+/// A WAIT for a time that motion control does not count to.
+Words words_for_long_wait(double seconds);
 /// "axis x follows 2.1 mm behind; 2 mm are permitted here".
 Words words_for(const motion::FollowingFinding& finding, const motion::RobotModel& robot);
 /// The motion task was so late that the path could not be made up.

@@ -33,6 +33,10 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   }
   publish(current_);
   release_events(static_cast<double>(number) * period_);
+  channels_.cycle.store(number, std::memory_order_relaxed);
+  if (current_.state == motion::MotionState::Idle) {
+    channels_.settled.store(current_.piece, std::memory_order_release);
+  }
   if (over()) return;
 
   current_ = generator_.advance(number + 1);

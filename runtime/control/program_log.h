@@ -12,9 +12,10 @@
 
 namespace rob::runtime {
 
-/// A motion as it was planned. `stop`: made by STOP or the end of the program, not by a MOVE.
+/// A motion as it was planned.
 struct LoggedSegment : motion::SegmentDescriptor {
-  bool stop = false;
+  bool stop = false;     ///< made by STOP, WAIT or the end of the program, not by a MOVE
+  bool further = false;  ///< belongs to the same statement as the one before
 };
 
 /// What the program's thread leaves for the thread that reports: motions as they were planned,

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <variant>
 
@@ -13,6 +14,20 @@ namespace rob::runtime {
 
 using lang::Reply;
 
+namespace {
+
+/// The channels of one kind that the robot file gives no name.
+void add_unnamed(lang::RobotSignature& signature, bool output, int count) {
+  for (int channel = 1; channel <= count; ++channel) {
+    const bool named = std::ranges::any_of(signature.signals, [&](const auto& signal) {
+      return signal.output == output && signal.channel == channel;
+    });
+    if (!named) signature.signals.push_back({"", output, channel});
+  }
+}
+
+}  // namespace
+
 lang::RobotSignature signature_of(const motion::RobotModel& robot) {
   lang::RobotSignature signature;
   signature.name = robot.name;
@@ -21,8 +36,10 @@ lang::RobotSignature signature_of(const motion::RobotModel& robot) {
     signature.coordinates.push_back({axis.name, linear ? lang::kLength : lang::kAngle});
   }
   for (const motion::RobotSignal& signal : robot.signals) {
-    signature.signals.push_back({signal.name, signal.output});
+    signature.signals.push_back({signal.name, signal.output, signal.channel + 1});
   }
+  add_unnamed(signature, false, robot.inputs);
+  add_unnamed(signature, true, robot.outputs);
   return signature;
 }
 
@@ -44,7 +61,12 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
 
 RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanner& planner,
                            motion::LookAheadBuffer& buffer, Channels& channels, ProgramLog& log)
-    : robot_(robot), planner_(planner), buffer_(buffer), channels_(channels), log_(log) {}
+    : robot_(robot),
+      signals_(signature_of(robot).signals),
+      planner_(planner),
+      buffer_(buffer),
+      channels_(channels),
+      log_(log) {}
 
 Reply RobotMachine::move(int line, const lang::MoveCommand& command) {
   if (buffer_.full()) return Reply::Later;
@@ -66,6 +88,52 @@ Reply RobotMachine::stop(int line) {
   return Reply::Done;
 }
 
+Reply RobotMachine::wait(int line, double seconds) {
+  if (!(seconds <= motion::MotionPlanner::kLongest)) {
+    refusal_ = words_for_long_wait(seconds);
+    return Reply::Refused;
+  }
+  if (seconds == 0) return stop(line);
+  const Reply reply = dwell(line, seconds);
+  if (reply == Reply::Done) begun_ = false;
+  return reply;
+}
+
+Reply RobotMachine::dwell(int line, double seconds) {
+  const auto tag = static_cast<motion::Tag>(line);
+  if (buffer_.full()) return Reply::Later;
+  if (const auto segment = planner_.stop(tag)) {
+    queue(*segment, true);
+    begun_ = true;
+    if (buffer_.full()) return Reply::Later;
+  }
+  queue(planner_.dwell(tag, seconds), true, begun_);
+  begun_ = true;
+  return Reply::Done;
+}
+
+/// A dwell of no length marks in the buffer where the waiting begins, and another where it ends:
+/// so the time between belongs to the line that waits.
+Reply RobotMachine::stand(int line, double& now) {
+  if (!standing_) {
+    const Reply reply = dwell(line, 0);
+    if (reply != Reply::Done) return reply;
+    standing_ = true;
+  }
+  if (channels_.settled.load(std::memory_order_acquire) < planner_.last_number()) {
+    return Reply::Later;
+  }
+  const std::int64_t cycle = channels_.cycle.load(std::memory_order_relaxed);
+  now = static_cast<double>(cycle) * robot_.reference_period;
+  return Reply::Done;
+}
+
+Reply RobotMachine::waited(int line) {
+  const Reply reply = dwell(line, 0);
+  if (reply == Reply::Done) begun_ = standing_ = false;
+  return reply;
+}
+
 Reply RobotMachine::end(int line) {
   const Reply reply = stop(line);
   if (reply == Reply::Done) buffer_.close();
@@ -82,11 +150,11 @@ Reply RobotMachine::print(int line, std::string_view text) {
 }
 
 Reply RobotMachine::write_signal(int line, int signal, bool value) {
-  const motion::RobotSignal& output = robot_.signals.at(static_cast<std::size_t>(signal));
+  const lang::RobotSignature::Signal& output = signals_.at(static_cast<std::size_t>(signal));
   motion::Effect effect;
   effect.tag = static_cast<motion::Tag>(line);
   effect.kind = motion::Effect::Kind::Output;
-  effect.channel = static_cast<std::uint8_t>(output.channel);
+  effect.channel = static_cast<std::uint8_t>(output.channel - 1);
   effect.value = value;
   return queue(effect);
 }
@@ -103,15 +171,15 @@ Reply RobotMachine::read_signal(int /*line*/, int signal, bool& value) {
   if (stands && channels_.effects_done.load(std::memory_order_acquire) < effects_) {
     return Reply::Later;
   }
-  const motion::RobotSignal& asked = robot_.signals.at(static_cast<std::size_t>(signal));
+  const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
   const std::uint64_t bits = asked.output ? channels_.outputs.load(std::memory_order_relaxed)
                                           : channels_.inputs.load(std::memory_order_relaxed);
-  value = (bits >> asked.channel & 1U) != 0;
+  value = (bits >> (asked.channel - 1) & 1U) != 0;
   return Reply::Done;
 }
 
-void RobotMachine::queue(const motion::SegmentDescriptor& segment, bool stop) {
-  log_.planned({segment, stop});  // before the generator can report it
+void RobotMachine::queue(const motion::SegmentDescriptor& segment, bool stop, bool further) {
+  log_.planned({segment, stop, further});  // before the generator can report it
   exact_ = segment.no_length;
   buffer_.push(segment);  // there is room: only this thread fills the buffer
 }

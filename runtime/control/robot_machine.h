@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "lang/machine.h"
 #include "motion/plan/look_ahead_buffer.h"
@@ -27,6 +28,9 @@ class RobotMachine final : public lang::Machine {
 
   lang::Reply move(int line, const lang::MoveCommand& command) override;
   lang::Reply stop(int line) override;
+  lang::Reply wait(int line, double seconds) override;
+  lang::Reply stand(int line, double& now) override;
+  lang::Reply waited(int line) override;
   lang::Reply end(int line) override;
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply write_signal(int line, int signal, bool value) override;
@@ -34,11 +38,14 @@ class RobotMachine final : public lang::Machine {
   const lang::Refusal& refusal() const override { return refusal_; }
 
  private:
-  void queue(const motion::SegmentDescriptor& segment, bool stop);
+  void queue(const motion::SegmentDescriptor& segment, bool stop, bool further = false);
+  /// The last target exactly, then a dwell, as one statement.
+  lang::Reply dwell(int line, double seconds);
   lang::Reply queue(motion::Effect effect);
   void warn(int line, const motion::PlannedSegment& planned);
 
   const motion::RobotModel& robot_;
+  const std::vector<lang::RobotSignature::Signal> signals_;  ///< by the number that calls name
   motion::MotionPlanner& planner_;
   motion::LookAheadBuffer& buffer_;
   Channels& channels_;
@@ -46,6 +53,8 @@ class RobotMachine final : public lang::Machine {
   lang::Refusal refusal_;
   std::int64_t effects_ = 0;  ///< queued so far
   bool exact_ = true;         ///< the last motion queued ends at standstill
+  bool begun_ = false;        ///< the present WAIT has queued its first segment
+  bool standing_ = false;     ///< the present WAIT for a condition has queued all it needs
 };
 
 }  // namespace rob::runtime

@@ -28,8 +28,8 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
   VirtualClock clock;
   Timing timing;
 
-  auto program_state = program.step(kInstructionsPerCycle);
   controller.servo().enable(clock.now());
+  auto program_state = program.step(kInstructionsPerCycle);
   for (std::int64_t cycle = 0;; ++cycle) {
     servo_cycles(controller, clock, cycle, per_cycle);
     controller.motion().cycle(cycle, 0);

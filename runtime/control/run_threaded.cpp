@@ -58,6 +58,7 @@ Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& 
   std::optional<double> first;  // when the first cycle began, s
   double drift = 0;
 
+  controller.servo().enable(-kLead);  // where the clock will begin
   const auto program_state = program.step(kHeadStart);
   SystemClock clock;
   StartLine line(2);
@@ -79,7 +80,6 @@ Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& 
       &line);
   line.wait_until_ready();
   clock = SystemClock(kLead);
-  controller.servo().enable(clock.now());
   line.go();
   std::thread program_thread([&] {
     if (program_state != ProgramTask::State::Over) run_program(program, program_stops);

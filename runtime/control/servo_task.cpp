@@ -55,6 +55,7 @@ void ServoTask::enable(double now) noexcept {
   followed_ = now;
   backend_.read(now, state_);
   take_as_it_stands(now);
+  channels_.inputs.store(state_.inputs, std::memory_order_relaxed);
   written_ = backend_.enable(now);
   enabled_ = true;
 }

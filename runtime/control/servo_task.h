@@ -15,8 +15,8 @@ class ServoTask {
  public:
   ServoTask(const motion::RobotModel& robot, motion::ServoBackend& backend, Channels& channels);
 
-  /// Takes the robot as it stands: call once, before the first cycle. What the machine answers is
-  /// judged by the cycles that follow.
+  /// Takes the robot as it stands, its inputs too: call once, before the first cycle and before the
+  /// program's first step. What the machine answers is judged by the cycles that follow.
   void enable(double now) noexcept;
   void cycle(double now) noexcept;
   /// The drives are without force from now on; further cycles only read.

@@ -110,11 +110,9 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   meter_.watch(planned->number, planned->target);
 
   LineResult& line = line_of(*planned);
-  const double duration = planned->duration / override_share_;
-  if (line.count++ == 0) {
-    line.starts = event.time;
-    line.decides = event.time + duration;
-  }
+  const double duration = planned->duration / (planned->dwell ? 1 : override_share_);
+  if (!planned->further && line.count++ == 0) line.starts = event.time;
+  if (line.count == 1) line.decides = event.time + duration;
   line.planned += duration;
   result_.planned += duration;
 }

@@ -193,9 +193,9 @@ TEST_CASE("a declaration says what it lacks, and its names are known all the sam
 }
 
 TEST_CASE("what a later version will have is named once, and skipped with all that it holds") {
-  CHECK(errors("MOVEL(1,2,3) AT 5mm/s\nWAIT 0.2s\nHALT") ==
+  CHECK(errors("MOVEL(1,2,3) AT 5mm/s\nBRAKE\nHALT") ==
         Errors{"1:1 E121 MOVEL is not in this version of Rob yet",
-               "2:1 E121 WAIT is not in this version of Rob yet",
+               "2:1 E121 BRAKE is not in this version of Rob yet",
                "3:1 E121 HALT is not in this version of Rob yet"});
   CHECK(errors("LOOP\n IF a THEN EXIT\n LOOP\n nonsense here\n ENDLOOP\nENDLOOP\nSTOP").size() ==
         1);
@@ -213,12 +213,12 @@ TEST_CASE("what a later version will have is named once, and skipped with all th
         "1:8 E121 the type POSE is not in this version of Rob yet");
   CHECK(errors("v = p.x") ==
         Errors{"1:6 E121 the field of a value is not in this version of Rob yet"});
-  CHECK(errors("v = DIN[1]").size() == 1);
+  CHECK(errors("v = AIN[1]").size() == 1);
   CHECK(errors("MOVE(1,2,3) AT LIVE 5%").size() == 1);
 }
 
 TEST_CASE("the names that a later or a foreign statement declares are known") {
-  const Parsed p = parsed("SIGNAL vacuum = DOUT[1]\nPOINT pick, place");
+  const Parsed p = parsed("SIGNAL vacuum = AOUT[1]\nPOINT pick, place");
   CHECK(p.statement<Declaration>(0).names[0].name == "vacuum");
   CHECK(p.statement<Declaration>(1).names[1].name == "place");
   CHECK(p.statement<Declaration>(1).type == Type{});

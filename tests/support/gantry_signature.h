@@ -10,12 +10,14 @@ inline lang::RobotSignature gantry_signature() {
           .coordinates = {{.name = "x", .dimension = lang::kLength},
                           {.name = "y", .dimension = lang::kLength},
                           {.name = "theta", .dimension = lang::kAngle}},
-          .signals = {{.name = "lift", .output = true},
-                      {.name = "gripper", .output = true},
-                      {.name = "lift_up", .output = false},
-                      {.name = "lift_down", .output = false},
-                      {.name = "gripper_open", .output = false},
-                      {.name = "gripper_closed", .output = false}}};
+          .signals = {{.name = "lift", .output = true, .channel = 9},
+                      {.name = "gripper", .output = true, .channel = 10},
+                      {.name = "lift_up", .output = false, .channel = 10},
+                      {.name = "lift_down", .output = false, .channel = 9},
+                      {.name = "gripper_open", .output = false, .channel = 11},
+                      {.name = "gripper_closed", .output = false, .channel = 12},
+                      {.name = "", .output = true, .channel = 1},
+                      {.name = "", .output = false, .channel = 1}}};
 }
 
 }  // namespace rob::test

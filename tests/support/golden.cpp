@@ -95,7 +95,7 @@ void prepare(lang::PrintingMachine& machine, const lang::RobotSignature& robot,
              const GoldenScript& script, Comparison& comparison) {
   machine.answer_later(script.later);
   for (const auto& [name, values] : script.signals) {
-    const auto signal = std::ranges::find(robot.signals, name, &lang::RobotSignature::Signal::name);
+    const auto signal = std::ranges::find(robot.signals, name, lang::shown_name);
     if (signal == robot.signals.end()) {
       comparison.difference("there is no signal " + name);
     } else {

@@ -21,6 +21,7 @@
 /// expectations, however often a loop passes the line; the final `end` need not be expected.
 ///
 ///     // given lift_up: OFF OFF ON     what reading a signal answers; the last stays
+///     // given DIN[1]: ON              the same of a channel without a name
 ///     // given later: 3                the first three calls are answered "later"
 ///
 /// Refusals need the real planner, which is none of the language's business: they are handed on.

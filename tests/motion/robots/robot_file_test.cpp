@@ -227,6 +227,17 @@ TEST_CASE("channels lie within range and belong to one signal each way") {
   check_error(edit(74, "channel = 1", "channel = 0"), 74, "is that of signal down");
 }
 
+TEST_CASE("channels without a name are counted where the file says so") {
+  const RobotModel silent = parse_robot_file(edit(1, "", ""), "file.toml");
+  CHECK(silent.outputs == 1);  // as many as have names
+  CHECK(silent.inputs == 2);
+  const RobotModel counted = parse_robot_file(edit(1, "", "inputs = 16\noutputs = 64\n"), "f.toml");
+  CHECK(counted.outputs == 64);
+  CHECK(counted.inputs == 16);
+  check_error(edit(1, "", "inputs = 65\n"), 1, "whole number from 0 to 64");
+  check_error(edit(1, "", "inputs = 1\n"), 1, "a signal has channel 1");
+}
+
 TEST_CASE("an actuator is driven by an output and seen by two inputs") {
   check_error(edit(76, "\"lift\"", "\"up\""), 76, "is not known");
   check_error(edit(77, "\"down\"", "\"dwn\""), 77, "did you mean \"down\"?");

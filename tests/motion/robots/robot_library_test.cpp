@@ -49,6 +49,8 @@ TEST_CASE("the gantry is S1's") {
 TEST_CASE("the gantry lifts and grips by signals that take time") {
   const RobotModel robot = embedded_robot("gantry");
   CHECK(robot.signals.size() == 6);
+  CHECK(robot.inputs == 16);
+  CHECK(robot.outputs == 16);
   CHECK(signal(robot, "lift").output);
   CHECK(signal(robot, "gripper").output);
   for (const char* name : {"lift_up", "lift_down", "gripper_open", "gripper_closed"})

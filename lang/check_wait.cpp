@@ -1,0 +1,56 @@
+#include <fmt/core.h>
+
+#include "lang/codes.h"
+#include "lang/fold.h"
+#include "lang/observations.h"
+#include "lang/target.h"
+#include "lang/wait_checker.h"
+
+namespace rob::lang {
+
+void WaitChecker::check(Wait& wait) {
+  const Type type = expressions_.check(wait.value);
+  if (wait.timeout != nullptr) {
+    expressions_.check(wait.timeout);
+    expressions_.accept(*wait.timeout, Type::real(kTime), "TIMEOUT needs");
+    check_not_negative(*wait.timeout, "TIMEOUT");
+  }
+  if (type == Type::real(kTime)) {
+    check_time(wait);
+  } else if (type == Type::boolean()) {
+    check_condition(wait);
+  } else if (type.kind != Type::Kind::Unknown) {
+    diagnostics_.error(
+        is_bare(type) || !type.numeric() ? code::kTypeMismatch : code::kDimensionMismatch,
+        wait.value->place,
+        fmt::format("this is {}; WAIT needs a time or a condition here", described(*wait.value)),
+        is_bare(type) ? "write the unit, for example WAIT 0.5s"
+                      : "for example WAIT 0.5s, or WAIT part_here");
+  }
+}
+
+void WaitChecker::check_time(const Wait& wait) {
+  if (wait.timeout != nullptr) {
+    diagnostics_.error(code::kTimeoutOfTime, wait.timeout->place,
+                       "TIMEOUT belongs to a WAIT for a condition; this one waits for a time",
+                       "leave TIMEOUT out");
+  }
+  check_not_negative(*wait.value, "WAIT");
+}
+
+void WaitChecker::check_condition(const Wait& wait) {
+  if (observations(*wait.value) > 0) return;
+  diagnostics_.error(code::kNothingToWaitFor, wait.value->place,
+                     "nothing in this condition can change while the program waits",
+                     "name a signal, as in WAIT part_here; WAIT 0s only comes to rest");
+}
+
+void WaitChecker::check_not_negative(const Expr& time, const char* word) {
+  const auto number = constant_number(time);
+  if (!number || *number >= 0) return;
+  diagnostics_.error(
+      code::kNegativeTime, time.place,
+      fmt::format("{} needs a time of 0s or more; this is {}", word, described(time)));
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,31 @@
+#include "lang/observations.h"
+
+#include "lang/fold.h"
+#include "lang/symbols.h"
+
+namespace rob::lang {
+
+int observations(const Expr& expression) {
+  struct Counter {
+    int operator()(const Name& name) const {
+      return name.symbol->kind == Symbol::Kind::Signal ? 1 : 0;
+    }
+    int operator()(const Unary& unary) const { return observations(*unary.operand); }
+    int operator()(const Binary& binary) const {
+      return observations(*binary.left) + observations(*binary.right);
+    }
+    int operator()(const Call& call) const {
+      int sum = 0;
+      for (const ExprPtr& argument : call.arguments) sum += observations(*argument);
+      return sum;
+    }
+    int operator()(const NumberLiteral&) const { return 0; }
+    int operator()(const BoolLiteral&) const { return 0; }
+    int operator()(const StringLiteral&) const { return 0; }
+    int operator()(const Tuple&) const { return 0; }
+  };
+  if (known(expression.constant)) return 0;
+  return std::visit(Counter{}, expression.node);
+}
+
+}  // namespace rob::lang
