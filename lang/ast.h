@@ -50,9 +50,22 @@ struct Unary {
 };
 
 enum class BinaryOp : std::uint8_t {
-  Or, Xor, And,
-  Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual,
-  Add, Subtract, Multiply, Divide, Div, Mod, Power
+  Or,
+  Xor,
+  And,
+  Equal,
+  NotEqual,
+  Less,
+  LessEqual,
+  Greater,
+  GreaterEqual,
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Div,
+  Mod,
+  Power
 };
 struct Binary {
   BinaryOp op;
@@ -138,9 +151,33 @@ struct For {
   Block body;
 };
 
+struct Loop {
+  Block body;
+};
+/// SELECT: the first CASE with a value equal to the selector's is executed, else ELSE.
+struct Select {
+  struct Case {
+    Place place;
+    std::vector<ExprPtr> values;
+    Block body;
+  };
+  ExprPtr selector;  ///< null where it could not be read
+  std::vector<Case> cases;
+  Block otherwise;
+  bool has_else = false;
+};
+struct Exit {};
+struct Next {};
+struct Assert {
+  ExprPtr condition;
+  std::string text;  ///< the condition as it was written, on one line
+};
+
 struct Statement {
   Place place;  ///< of its first word
-  std::variant<Move, Stop, Declaration, Assign, Print, If, While, For> node;
+  std::variant<Move, Stop, Declaration, Assign, Print, If, While, For, Loop, Select, Exit, Next,
+               Assert>
+      node;
 };
 
 struct Program {

@@ -7,60 +7,18 @@
 
 #include "lang/ascii.h"
 #include "lang/codes.h"
-#include "lang/expression_checker.h"
-#include "lang/move_checker.h"
+#include "lang/statement_checker.h"
 
 namespace rob::lang {
 namespace {
-
-class StatementChecker {
- public:
-  StatementChecker(CheckedProgram& checked, const RobotSignature& robot, Diagnostics& diagnostics)
-      : scopes_(checked.symbols, robot),
-        expressions_(scopes_, checked.program, diagnostics),
-        moves_(robot, expressions_, diagnostics, checked.constant_targets),
-        diagnostics_(diagnostics) {}
-
-  /// A block is a scope: what it declares lives to its end.
-  void check(Block& block) {
-    scopes_.enter();
-    for (Statement& statement : block) {
-      std::visit([&](auto& node) { check(node); }, statement.node);
-    }
-    scopes_.leave();
-  }
-
- private:
-  void check(Move& move) { moves_.check(move); }
-  void check(Stop&) {}
-  void check(Declaration& declaration);
-  void check(Assign& assign);
-  void check(Print& print) {
-    for (const ExprPtr& value : print.values) expressions_.check(value);
-  }
-  void check(If& conditional);
-  void check(While& loop);
-  void check(For& loop);
-
-  const Symbol* declare(Symbol::Kind kind, const std::string& name, Place place, Type type,
-                        Constant value);
-  /// Checks a block that is never executed if `unreached`.
-  void check_guarded(Block& block, bool unreached);
-  Type check_range(For& loop);
-  void check_constant_range(const For& loop, const Type& type);
-  bool assignable(const Symbol& symbol, Place place);
-
-  Scopes scopes_;
-  ExpressionChecker expressions_;
-  MoveChecker moves_;
-  Diagnostics& diagnostics_;
-};
 
 bool is_constant(const ExprPtr& condition, bool value) {
   if (condition == nullptr) return false;
   const bool* const constant = std::get_if<bool>(&condition->constant);
   return constant != nullptr && *constant == value;
 }
+
+}  // namespace
 
 const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& name, Place place,
                                         Type type, Constant value) {
@@ -158,14 +116,16 @@ void StatementChecker::check(If& conditional) {
 
 void StatementChecker::check(While& loop) {
   expressions_.check_condition(loop.condition, "WHILE");
+  ++loops_;
   check_guarded(loop.body, is_constant(loop.condition, false));
+  --loops_;
 }
 
 void StatementChecker::check(For& loop) {
   const Type type = check_range(loop);
   scopes_.enter();
   loop.symbol = declare(Symbol::Kind::LoopVariable, loop.variable, loop.variable_place, type, {});
-  check(loop.body);
+  check_body(loop.body);
   scopes_.leave();
 }
 
@@ -220,8 +180,6 @@ void StatementChecker::check_constant_range(const For& loop, const Type& type) {
   diagnostics_.error(text.code, loop.step == nullptr ? loop.variable_place : loop.step->place,
                      std::string(text.message), std::string(text.help));
 }
-
-}  // namespace
 
 CheckedProgram check(Program program, const RobotSignature& robot, Diagnostics& diagnostics) {
   CheckedProgram checked{.program = std::move(program), .symbols = {}, .constant_targets = {}};

@@ -75,12 +75,21 @@ void CodeBuilder::load_real(Register target, double value, Dimension dimension, 
                 Type::real(dimension), place);
 }
 
-void CodeBuilder::load_text(Register target, const std::string& text, Place place) {
+std::size_t CodeBuilder::text_index(const std::string& text) {
   const auto [entry, added] =
       text_indices_.try_emplace(text, static_cast<std::uint32_t>(chunk_.texts.size()));
   if (added) chunk_.texts.push_back(text);
+  return entry->second;
+}
+
+void CodeBuilder::load_text(Register target, const std::string& text, Place place) {
   emit(Opcode::load_text, place, target);
-  emit(operand_word(entry->second), place);
+  emit(operand_word(text_index(text)), place);
+}
+
+void CodeBuilder::fail_assertion(const std::string& condition, Place place) {
+  emit(Opcode::fail_assertion, place);
+  emit(operand_word(text_index(condition)), place);
 }
 
 void CodeBuilder::append_real(Register text, Register value, Dimension dimension, Place place) {

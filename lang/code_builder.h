@@ -33,6 +33,8 @@ class CodeBuilder {
   }
   void load_integer(Register target, std::int64_t value, Place place);
   void load_real(Register target, double value, Dimension dimension, Place place);
+  /// An ASSERT whose condition, as it was written, does not hold.
+  void fail_assertion(const std::string& condition, Place place);
   void load_text(Register target, const std::string& text, Place place);
   void append_real(Register text, Register value, Dimension dimension, Place place);
   void move(Register first, const MoveForm& form, Place place);
@@ -75,6 +77,7 @@ class CodeBuilder {
     Register take(int count);
   };
 
+  std::size_t text_index(const std::string& text);
   void fail(Limit limit, Place place);
   void load_constant(Register target, Slot value, std::uint64_t bits, Type type, Place place);
   void set_distance(std::size_t at, std::size_t target);

@@ -49,6 +49,25 @@ CodeBuilder::Jumps ExpressionCompiler::jumps_if(const Expr& condition, bool when
   return jumps(condition, when);
 }
 
+CodeBuilder::Jump ExpressionCompiler::jump_if_equal(Register selector, const Expr& value,
+                                                    bool as_real) {
+  begin(value);
+  const auto mark = code_.mark();
+  const Register other = operand(value, as_real);
+  CodeBuilder::Jump result = 0;
+  if (value.type.kind == Type::Kind::String) {
+    const Register truth = code_.number_registers();
+    code_.emit(Opcode::equal_text, value.place, truth, selector, other);
+    result = jump_if(truth, true, value.place);
+  } else {
+    code_.emit(as_real ? Opcode::if_equal_real : Opcode::if_equal_int, value.place, selector, other,
+               1);
+    result = code_.jump(value.place);
+  }
+  code_.release(mark);
+  return result;
+}
+
 CodeBuilder::Jumps ExpressionCompiler::jumps(const Expr& condition, bool when) {
   if (const bool* const constant = std::get_if<bool>(&condition.constant)) {
     if (*constant == when) return {code_.jump(condition.place)};

@@ -29,6 +29,13 @@ struct Search {
     if (to_upper(loop.variable) == key) return loop.variable_place;
     return search(loop.body, key);
   }
+  Found operator()(const Loop& loop) const { return search(loop.body, key); }
+  Found operator()(const Select& select) const {
+    for (const Select::Case& one : select.cases) {
+      if (const Found found = search(one.body, key)) return found;
+    }
+    return search(select.otherwise, key);
+  }
   template <typename Other>
   Found operator()(const Other&) const {
     return std::nullopt;

@@ -30,6 +30,8 @@ class ExpressionCompiler {
   void append_value(const Expr& expression, Register text);
   /// Jumps that are taken if the condition has the value `when`; else execution goes on behind.
   CodeBuilder::Jumps jumps_if(const Expr& condition, bool when);
+  /// A jump that is taken if the value equals that of a register of its kind; `as_real` as above.
+  CodeBuilder::Jump jump_if_equal(Register selector, const Expr& value, bool as_real);
 
  private:
   void into(const Expr& expression, Register target, bool as_real);

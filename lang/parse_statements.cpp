@@ -46,6 +46,12 @@ bool Parser::block_statement(Block& block) {
     case Keyword::For:
       for_statement(block);
       return true;
+    case Keyword::Loop:
+      loop_statement(block);
+      return true;
+    case Keyword::Select:
+      select_statement(block);
+      return true;
     case Keyword::Var:
     case Keyword::Const:
       declaration(block);
@@ -64,6 +70,15 @@ void Parser::simple(Block& block) {
     advance();
     return add(block, place, Stop{});
   }
+  if (at(Keyword::Exit)) {
+    advance();
+    return add(block, place, Exit{});
+  }
+  if (at(Keyword::Next)) {
+    advance();
+    return add(block, place, Next{});
+  }
+  if (at(Keyword::Assert)) return assert_statement(block);
   if (at(TokenKind::Word)) return word_statement(block);
   if (!at(TokenKind::Reserved)) {
     fail_here(code::kStatementExpected,
@@ -119,7 +134,9 @@ void Parser::unknown_word(Block& block) {
   muted_line_ = current_.place.line;
   const Keyword keyword = find_keyword(meant).value();
   const bool needs_do = keyword == Keyword::While || keyword == Keyword::For;
-  if (keyword == Keyword::End || (needs_do && !line_ends_with(Keyword::Do)) ||
+  const bool stands_alone = next_.kind == TokenKind::EndOfLine;
+  if (keyword == Keyword::End || (keyword == Keyword::Loop && !stands_alone) ||
+      (needs_do && !line_ends_with(Keyword::Do)) ||
       (keyword == Keyword::If && !line_ends_with(Keyword::Then))) {
     throw SyntaxError{};
   }

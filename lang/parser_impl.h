@@ -115,6 +115,16 @@ class Parser {
   void while_statement(Block& block);
   void for_statement(Block& block);
   void for_header(For& loop);
+
+  // Loops without condition, SELECT, ASSERT (parse_flow.cpp)
+  void loop_statement(Block& block);
+  void select_statement(Block& block);
+  void select_branches(Select& node, const OpenBlock& open);
+  void case_values(Select::Case& branch);
+  void assert_statement(Block& block);
+  std::string source_text(std::size_t begin, std::size_t end) const;
+  void header_end(std::string_view word);
+  void skip_header();
   ExprPtr condition(Keyword last);
   void header_word(Keyword word, std::string_view behind);
 

@@ -100,6 +100,13 @@ Vm::State Vm::fail_too_long(Code pc) {
                    .help = ""});
 }
 
+Vm::State Vm::fail_assertion_at(Code pc) {
+  return fail(pc, {.code = std::string(code::kAssertionFailed),
+                   .place = place(pc),
+                   .message = fmt::format("ASSERT {} does not hold", chunk_.texts[(pc + 1)->word]),
+                   .help = ""});
+}
+
 bool Vm::check_positive(Code pc, const char* word, double value, Dimension dimension) {
   if (value > 0) return true;
   error_ = {.code = std::string(code::kPaceNotPositive),
@@ -325,6 +332,8 @@ stop:
 print:
   ROB_ASK(machine_.print(line(pc), texts_[pc->a()]), pc);
   ROB_NEXT(1);
+fail_assertion:
+  return fail_assertion_at(pc);
 end:
   ROB_ASK(machine_.end(line(pc)), pc);
   return leave(pc + 1, pc, State::Done);

@@ -78,6 +78,7 @@ class Vm {
   bool append(std::uint8_t target, std::string_view more);
   bool join(std::uint8_t target, std::uint8_t left, std::uint8_t right);
   State fail_too_long(Code pc);
+  State fail_assertion_at(Code pc);
   bool check_positive(Code pc, const char* word, double value, Dimension dimension);
 
   Place place(Code pc) const { return chunk_.places[index(pc)]; }
