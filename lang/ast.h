@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -18,6 +19,7 @@ namespace rob::lang {
 struct Expr;
 struct Statement;
 struct Symbol;
+struct Routine;
 using ExprPtr = std::unique_ptr<Expr>;
 using Block = std::vector<Statement>;
 
@@ -73,10 +75,13 @@ struct Binary {
   ExprPtr right;
 };
 
-/// `MAX(a, b)`: a built-in function.
+/// `MAX(a, b)`, `place(part, above: 20mm)`: a built-in function or a routine of the program.
 struct Call {
   std::string callee;
   std::vector<ExprPtr> arguments;
+  std::vector<std::string> names;    ///< of the arguments; empty where one was not named
+  const Routine* routine = nullptr;  ///< set by the checker; null for a built-in function
+  std::vector<const Expr*> bound{};  ///< of a routine, set by the checker: one a parameter
 };
 
 /// `(140, , )` or `(x: 140mm)`. One unnamed element in parentheses is a group, not a tuple.
@@ -173,15 +178,45 @@ struct Assert {
   std::string text;  ///< the condition as it was written, on one line
 };
 
+/// A PROC that is called.
+struct CallStatement {
+  ExprPtr call;
+};
+struct Return {
+  ExprPtr value;  ///< null where left out
+};
+
 struct Statement {
   Place place;  ///< of its first word
   std::variant<Move, Stop, Declaration, Assign, Print, If, While, For, Loop, Select, Exit, Next,
-               Assert>
+               Assert, CallStatement, Return>
       node;
+};
+
+/// PROC and FUNC.
+struct Routine {
+  /// `REF a, b: LENGTH` or `n: INT = 1`.
+  struct Parameters {
+    bool by_reference = false;
+    std::vector<Declaration::Declared> names;
+    Type type;
+    ExprPtr value;  ///< the default; null where left out
+  };
+  Place place;
+  bool function = false;
+  bool sound = true;      ///< its header could be read
+  std::size_t index = 0;  ///< in Program::routines
+  std::string name;
+  Place name_place;
+  std::vector<Parameters> parameters;
+  Type result;  ///< of a FUNC
+  Block body;
+  Place end;  ///< of ENDPROC or ENDFUNC
 };
 
 struct Program {
   Block statements;
+  std::vector<Routine> routines;
   /// Where END stands, or the end of the file if there is none.
   Place end;
 };

@@ -26,7 +26,9 @@ const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& na
     diagnostics_.error(
         code::kDeclaredTwice, place,
         fmt::format("{} is already declared, in line {}", shortened(name), earlier->place.line),
-        "to give it another value, write it without VAR");
+        kind == Symbol::Kind::Routine || earlier->kind == Symbol::Kind::Routine
+            ? "give one of them another name"
+            : "to give it another value, write it without VAR");
   } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr || is_later_builtin(name)) {
     diagnostics_.warning(
         code::kHidesBuiltIn, place,
@@ -39,7 +41,10 @@ const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& na
   symbol.type = type;
   symbol.place = place;
   symbol.value = std::move(value);
-  return scopes_.declare(std::move(symbol));
+  symbol.global = scopes_.at_top_level() && kind != Symbol::Kind::Routine;
+  const Symbol* const declared = scopes_.declare(std::move(symbol));
+  if (declared->global) uses_.declared(*declared);
+  return declared;
 }
 
 /// The value is checked before the names are known: VAR x = x + 1 means an earlier x.
@@ -90,6 +95,8 @@ bool StatementChecker::assignable(const Symbol& symbol, Place place) {
                     "use a variable of its own, or WHILE");
     case Symbol::Kind::Signal:
       return symbol.output || refuse("is an input of the robot and can only be read", "");
+    case Symbol::Kind::Routine:
+      return refuse("is a routine, not a variable", "");
     case Symbol::Kind::BuiltIn:
       return refuse("belongs to the language and cannot be changed", "");
   }
@@ -183,7 +190,7 @@ void StatementChecker::check_constant_range(const For& loop, const Type& type) {
 
 CheckedProgram check(Program program, const RobotSignature& robot, Diagnostics& diagnostics) {
   CheckedProgram checked{.program = std::move(program), .symbols = {}, .constant_targets = {}};
-  StatementChecker(checked, robot, diagnostics).check(checked.program.statements);
+  StatementChecker(checked, robot, diagnostics).check(checked.program);
   return checked;
 }
 

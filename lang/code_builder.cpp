@@ -144,9 +144,26 @@ void CodeBuilder::release(const Mark& mark) {
   }
 }
 
+void CodeBuilder::begin_routine(const std::string& name) {
+  close_frame();
+  numbers_ = {};
+  texts_ = {};
+  chunk_.routines.push_back({.name = name, .entry = static_cast<std::uint32_t>(here())});
+}
+
+void CodeBuilder::close_frame() {
+  const bool top = chunk_.routines.empty();
+  (top ? chunk_.registers : chunk_.routines.back().registers) = numbers_.most;
+  (top ? chunk_.text_registers : chunk_.routines.back().text_registers) = texts_.most;
+}
+
+void CodeBuilder::call(std::size_t routine, Register numbers, Register texts, Place place) {
+  emit(Opcode::call, place, numbers, texts);
+  emit(operand_word(routine), place);
+}
+
 Chunk CodeBuilder::finish() {
-  chunk_.registers = numbers_.most;
-  chunk_.text_registers = texts_.most;
+  close_frame();
   return std::move(chunk_);
 }
 

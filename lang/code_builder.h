@@ -52,6 +52,7 @@ class CodeBuilder {
   /// The first of `count` new registers in a row.
   Register number_registers(int count = 1) { return numbers_.take(count); }
   Register text_register() { return texts_.take(1); }
+  Register text_registers(int count) { return texts_.take(count); }
   struct Mark {
     int numbers;
     int texts;
@@ -62,6 +63,11 @@ class CodeBuilder {
   void release(const Mark& mark);
   /// Tells listings that a variable lives in a register from here on.
   void name_register(const std::string& name, Register index, bool text);
+
+  /// What follows is the code of a routine, with registers of its own.
+  void begin_routine(const std::string& name);
+  /// Calls a routine, by its number, whose parameters lie in the registers from these two on.
+  void call(std::size_t routine, Register numbers, Register texts, Place place);
 
   enum class Limit { None, Registers, Jump, Dimensions };
   /// The limit that was exceeded, and where first.
@@ -78,6 +84,7 @@ class CodeBuilder {
   };
 
   std::size_t text_index(const std::string& text);
+  void close_frame();
   void fail(Limit limit, Place place);
   void load_constant(Register target, Slot value, std::uint64_t bits, Type type, Place place);
   void set_distance(std::size_t at, std::size_t target);

@@ -113,7 +113,7 @@ CodeBuilder::Jumps ExpressionCompiler::jumps_of_comparison(const Binary& binary,
       reduced(binary.op == BinaryOp::Xor ? BinaryOp::NotEqual : binary.op);
   const bool real =
       binary.left->type.kind == Type::Kind::Real || binary.right->type.kind == Type::Kind::Real;
-  const Register left = operand(*binary.left, real);
+  const Register left = operand_before(*binary.right, *binary.left, real);
   const Register right = operand(*binary.right, real);
   const ComparisonOpcodes opcodes = opcodes_of(comparison.op);
   code_.emit(real ? opcodes.real : opcodes.whole, place, comparison.exchanged ? right : left,
@@ -124,7 +124,7 @@ CodeBuilder::Jumps ExpressionCompiler::jumps_of_comparison(const Binary& binary,
 CodeBuilder::Jumps ExpressionCompiler::jumps_of_texts(const Binary& binary, bool when,
                                                       Place place) {
   const Comparison comparison = reduced(binary.op);
-  const Register left = operand(*binary.left, false);
+  const Register left = operand_before(*binary.right, *binary.left, false);
   const Register right = operand(*binary.right, false);
   const Register truth = code_.number_registers();
   code_.emit(opcodes_of(comparison.op).text, place, truth, comparison.exchanged ? right : left,

@@ -30,7 +30,10 @@ StatementCompiler::StatementCompiler(const CheckedProgram& checked, const RobotS
 
 std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnostics& diagnostics) {
   compile(program.statements);
+  code_.land(returns_);
   code_.emit(Opcode::end, program.end);
+  expressions_.enter_routine();
+  for (const Routine& routine : program.routines) compile(routine);
   if (code_.failed() == CodeBuilder::Limit::None) return code_.finish();
   report_limit(diagnostics);
   return std::nullopt;
@@ -120,7 +123,7 @@ void StatementCompiler::compile(const Declaration& declaration) {
 void StatementCompiler::compile(const Assign& assign) {
   const Symbol& symbol = *assign.target.symbol;
   if (symbol.kind != Symbol::Kind::Signal) {
-    expressions_.value_into(*assign.value, expressions_.home(symbol), is_real(symbol.type));
+    expressions_.assign(symbol, *assign.value);
     return;
   }
   const auto mark = code_.mark();

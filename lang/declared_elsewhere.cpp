@@ -52,7 +52,17 @@ Found search(const Block& block, const std::string& key) {
 }  // namespace
 
 std::optional<Place> find_declaration(const Program& program, std::string_view name) {
-  return search(program.statements, to_upper(name));
+  const std::string key = to_upper(name);
+  if (const Found found = search(program.statements, key)) return found;
+  for (const Routine& routine : program.routines) {
+    for (const Routine::Parameters& group : routine.parameters) {
+      for (const Declaration::Declared& declared : group.names) {
+        if (to_upper(declared.name) == key) return declared.place;
+      }
+    }
+    if (const Found found = search(routine.body, key)) return found;
+  }
+  return std::nullopt;
 }
 
 }  // namespace rob::lang

@@ -21,6 +21,8 @@ bool takes_lines(Keyword keyword) {
     case Keyword::For:
     case Keyword::Loop:
     case Keyword::Select:
+    case Keyword::Proc:
+    case Keyword::Func:
     case Keyword::Var:
     case Keyword::Const:
     case Keyword::End:
@@ -84,6 +86,8 @@ bool Parser::at_block_end() const {
     case Keyword::Endfor:
     case Keyword::Endloop:
     case Keyword::Endselect:
+    case Keyword::Endproc:
+    case Keyword::Endfunc:
       return true;
     case Keyword::Else:
     case Keyword::Elsif:

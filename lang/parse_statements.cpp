@@ -52,6 +52,10 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Select:
       select_statement(block);
       return true;
+    case Keyword::Proc:
+    case Keyword::Func:
+      routine();
+      return true;
     case Keyword::Var:
     case Keyword::Const:
       declaration(block);
@@ -78,6 +82,7 @@ void Parser::simple(Block& block) {
     advance();
     return add(block, place, Next{});
   }
+  if (at(Keyword::Return)) return return_statement(block);
   if (at(Keyword::Assert)) return assert_statement(block);
   if (at(TokenKind::Word)) return word_statement(block);
   if (!at(TokenKind::Reserved)) {
@@ -105,6 +110,11 @@ void Parser::word_statement(Block& block) {
   if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
   if (next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket) {
     fail_not_yet(current_.place, "an assignment to a field or an element");
+  }
+  // A call, unless it looks like MOVE( or PRINT( misspelt.
+  if (next_.kind == TokenKind::LeftParen &&
+      (suggest(current_.text, statement_words()).empty() || names_routine(current_.text))) {
+    return call_statement(block);
   }
   unknown_word(block);
 }
@@ -135,8 +145,9 @@ void Parser::unknown_word(Block& block) {
   const Keyword keyword = find_keyword(meant).value();
   const bool needs_do = keyword == Keyword::While || keyword == Keyword::For;
   const bool stands_alone = next_.kind == TokenKind::EndOfLine;
-  if (keyword == Keyword::End || (keyword == Keyword::Loop && !stands_alone) ||
-      (needs_do && !line_ends_with(Keyword::Do)) ||
+  const bool routine = keyword == Keyword::Proc || keyword == Keyword::Func;
+  if (keyword == Keyword::End || (routine && next_.kind != TokenKind::Word) ||
+      (keyword == Keyword::Loop && !stands_alone) || (needs_do && !line_ends_with(Keyword::Do)) ||
       (keyword == Keyword::If && !line_ends_with(Keyword::Then))) {
     throw SyntaxError{};
   }

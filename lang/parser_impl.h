@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -135,6 +136,14 @@ class Parser {
   void skip_later_block(std::string_view opener, std::string_view closer, bool always);
   bool skip_line();
 
+  // PROC, FUNC and calls (parse_routines.cpp)
+  void routine();
+  void routine_header(Routine& routine);
+  Routine::Parameters parameters();
+  bool names_routine(std::string_view name);
+  void call_statement(Block& block);
+  void return_statement(Block& block);
+
   // Expressions (parse_expressions.cpp)
   ExprPtr expression();
   ExprPtr conjunction();
@@ -182,6 +191,8 @@ class Parser {
   std::size_t nodes_ = 0;
   std::uint32_t muted_line_ = 0;  ///< has had its message
   std::vector<OpenBlock> open_blocks_;
+  std::vector<Routine> routines_;
+  std::optional<std::set<std::string>> routine_names_;  ///< of the whole text, once asked for
 };
 
 }  // namespace rob::lang

@@ -10,6 +10,7 @@
 #include "lang/diagnostic.h"
 #include "lang/expression_checker.h"
 #include "lang/move_checker.h"
+#include "lang/routine_uses.h"
 #include "lang/symbols.h"
 
 namespace rob::lang {
@@ -19,21 +20,25 @@ class StatementChecker {
  public:
   StatementChecker(CheckedProgram& checked, const RobotSignature& robot, Diagnostics& diagnostics)
       : scopes_(checked.symbols, robot),
-        expressions_(scopes_, checked.program, diagnostics),
+        uses_(checked.program.routines.size()),
+        expressions_(scopes_, checked.program, uses_, diagnostics),
         moves_(robot, expressions_, diagnostics, checked.constant_targets),
         diagnostics_(diagnostics) {}
 
+  /// The top level first, then the routines, which see all its names.
+  void check(Program& program);
+
+ private:
   /// A block is a scope: what it declares lives to its end.
   void check(Block& block) {
     scopes_.enter();
-    for (Statement& statement : block) {
-      place_ = statement.place;
-      std::visit([&](auto& node) { check(node); }, statement.node);
-    }
+    for (Statement& statement : block) check(statement);
     scopes_.leave();
   }
-
- private:
+  void check(Statement& statement) {
+    place_ = statement.place;
+    std::visit([&](auto& node) { check(node); }, statement.node);
+  }
   void check(Move& move) { moves_.check(move); }
   void check(Stop&) {}
   void check(Declaration& declaration);
@@ -50,6 +55,14 @@ class StatementChecker {
   void check(Next&) { require_loop("NEXT"); }
   void check(Assert& assertion) { expressions_.check_condition(assertion.condition, "ASSERT"); }
 
+  void check(CallStatement& statement) { expressions_.check_statement(statement.call); }
+  void check(Return& statement);
+
+  // Routines (check_routines.cpp)
+  void declare(const Routine& routine);
+  void check(Routine& routine);
+  void check_parameters(Routine& routine);
+
   const Symbol* declare(Symbol::Kind kind, const std::string& name, Place place, Type type,
                         Constant value);
   /// Checks a block that is never executed if `unreached`.
@@ -65,11 +78,13 @@ class StatementChecker {
   bool assignable(const Symbol& symbol, Place place);
 
   Scopes scopes_;
+  RoutineUses uses_;
   ExpressionChecker expressions_;
   MoveChecker moves_;
   Diagnostics& diagnostics_;
-  Place place_;    ///< of the present statement
-  int loops_ = 0;  ///< open around it
+  Place place_;                       ///< of the present statement
+  int loops_ = 0;                     ///< open around it
+  const Routine* routine_ = nullptr;  ///< that it belongs to; null at the top level
 };
 
 }  // namespace rob::lang

@@ -46,6 +46,10 @@ class StatementCompiler {
   void compile(const Next&) { loops_.back().nexts.push_back(code_.jump(place_)); }
   void compile(const Assert& assertion);
 
+  void compile(const CallStatement& statement) { expressions_.call(*statement.call); }
+  void compile(const Return& statement);
+  void compile(const Routine& routine);
+
   /// What EXIT and NEXT of an open loop jump to is known at its end.
   struct LoopJumps {
     CodeBuilder::Jumps exits;
@@ -66,6 +70,8 @@ class StatementCompiler {
   ExpressionCompiler expressions_;
   Place place_;  ///< of the present statement: its line is what the Machine is told
   std::vector<LoopJumps> loops_;
+  const Routine* routine_ = nullptr;  ///< that is being compiled; null at the top level
+  CodeBuilder::Jumps returns_;        ///< RETURN at the top level: the end of the program
 };
 
 }  // namespace rob::lang
