@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -18,6 +19,7 @@ namespace rob::lang {
 struct Expr;
 struct Statement;
 struct Symbol;
+struct Routine;
 using ExprPtr = std::unique_ptr<Expr>;
 using Block = std::vector<Statement>;
 
@@ -74,10 +76,13 @@ struct Binary {
   ExprPtr right;
 };
 
-/// `MAX(a, b)`: a built-in function.
+/// `MAX(a, b)`, `place(part, above: 20mm)`: a built-in function or a routine of the program.
 struct Call {
   std::string callee;
   std::vector<ExprPtr> arguments;
+  std::vector<std::string> names;    ///< of the arguments; empty where one was not named
+  const Routine* routine = nullptr;  ///< set by the checker; null for a built-in function
+  std::vector<const Expr*> bound{};  ///< of a routine, set by the checker: one a parameter
 };
 
 /// `(140, , )` or `(x: 140mm)`. One unnamed element in parentheses is a group, not a tuple.
@@ -166,14 +171,67 @@ struct For {
   Block body;
 };
 
+struct Loop {
+  Block body;
+};
+/// SELECT: the first CASE with a value equal to the selector's is executed, else ELSE.
+struct Select {
+  struct Case {
+    Place place;
+    std::vector<ExprPtr> values;
+    Block body;
+  };
+  ExprPtr selector;  ///< null where it could not be read
+  std::vector<Case> cases;
+  Block otherwise;
+  bool has_else = false;
+};
+struct Exit {};
+struct Next {};
+struct Assert {
+  ExprPtr condition;
+  std::string text;  ///< the condition as it was written, on one line
+};
+
+/// A PROC that is called.
+struct CallStatement {
+  ExprPtr call;
+};
+struct Return {
+  ExprPtr value;  ///< null where left out
+};
+
 struct Statement {
   Place place;  ///< of its first word
-  std::variant<Move, Stop, Declaration, SignalDeclaration, Assign, Print, Wait, If, While, For>
+  std::variant<Move, Stop, Declaration, SignalDeclaration, Assign, Print, Wait, If, While, For,
+               Loop, Select, Exit, Next, Assert, CallStatement, Return>
       node;
+};
+
+/// PROC and FUNC.
+struct Routine {
+  /// `REF a, b: LENGTH` or `n: INT = 1`.
+  struct Parameters {
+    bool by_reference = false;
+    std::vector<Declaration::Declared> names;
+    Type type;
+    ExprPtr value;  ///< the default; null where left out
+  };
+  Place place;
+  bool function = false;
+  bool sound = true;      ///< its header could be read
+  std::size_t index = 0;  ///< in Program::routines
+  std::string name;
+  Place name_place;
+  std::vector<Parameters> parameters;
+  Type result;  ///< of a FUNC
+  Block body;
+  Place end;  ///< of ENDPROC or ENDFUNC
 };
 
 struct Program {
   Block statements;
+  std::vector<Routine> routines;
   /// Where END stands, or the end of the file if there is none.
   Place end;
 };

@@ -7,7 +7,6 @@
 #include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/expression_checker.h"
-#include "lang/suggest.h"
 
 /// The part of ExpressionChecker that knows how built-in functions are called.
 namespace rob::lang {
@@ -44,8 +43,24 @@ Type ExpressionChecker::check(Call& call, Expr& expression) {
   for (const ExprPtr& argument : call.arguments) {
     sound = check(argument).kind != Type::Kind::Unknown && sound;
   }
+  if (const Symbol* const symbol = scopes_.find(call.callee);
+      symbol != nullptr && symbol->kind == Symbol::Kind::Routine) {
+    return check_routine_call(call, expression, *symbol->routine);
+  }
   const Builtin* const builtin = resolve_function(call, expression.place);
   if (builtin == nullptr) return {};
+  if (&expression == statement_) {
+    diagnostics_.error(code::kRoutineMisused, expression.place,
+                       fmt::format("{} gives a value, which is not used here", builtin->name),
+                       "a statement calls a PROC");
+    return {};
+  }
+  for (const std::string& name : call.names) {
+    if (name.empty()) continue;
+    diagnostics_.error(code::kArgumentName, expression.place,
+                       fmt::format("the arguments of {} have no names", builtin->name));
+    return {};
+  }
   if (call.arguments.size() < builtin->least || call.arguments.size() > builtin->most) {
     diagnostics_.error(code::kArgumentCount, expression.place,
                        fmt::format("{} needs {}; here are {}", builtin->name,
@@ -74,9 +89,7 @@ const Builtin* ExpressionChecker::resolve_function(const Call& call, Place place
                        fmt::format("{} is not in this version of Rob yet", to_upper(call.callee)));
     return nullptr;
   }
-  diagnostics_.error(code::kUnknownFunction, place,
-                     fmt::format("unknown function {}", shortened(call.callee)),
-                     did_you_mean(suggest(call.callee, builtin_names())));
+  report_unknown_function(call.callee, place);
   return nullptr;
 }
 

@@ -126,7 +126,16 @@ void ExpressionChecker::check_condition(const ExprPtr& condition, std::string_vi
 
 const Symbol* ExpressionChecker::resolve(std::string_view name, Place place) {
   const Symbol* const symbol = scopes_.find(name);
-  if (symbol == nullptr) report_unknown(name, place);
+  if (symbol == nullptr) {
+    report_unknown(name, place);
+  } else if (symbol->kind == Symbol::Kind::Routine) {
+    diagnostics_.error(code::kNotAFunction, place,
+                       fmt::format("{} is a routine, not a value", shortened(name)),
+                       fmt::format("call it: {}(…)", shortened(name)));
+    return nullptr;
+  } else {
+    uses_.used(*symbol);
+  }
   return symbol;
 }
 

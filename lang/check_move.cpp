@@ -31,8 +31,10 @@ bool only_bare_literals(const Expr& expression) {
       return only_bare_literals(*binary.left) && only_bare_literals(*binary.right);
     }
     bool operator()(const Call& call) const {
-      return std::ranges::all_of(
-          call.arguments, [](const ExprPtr& argument) { return only_bare_literals(*argument); });
+      return call.routine == nullptr &&
+             std::ranges::all_of(call.arguments, [](const ExprPtr& argument) {
+               return only_bare_literals(*argument);
+             });
     }
     bool operator()(const BoolLiteral&) const { return false; }
     bool operator()(const StringLiteral&) const { return false; }

@@ -7,64 +7,10 @@
 
 #include "lang/ascii.h"
 #include "lang/codes.h"
-#include "lang/expression_checker.h"
-#include "lang/move_checker.h"
-#include "lang/wait_checker.h"
+#include "lang/statement_checker.h"
 
 namespace rob::lang {
 namespace {
-
-class StatementChecker {
- public:
-  StatementChecker(CheckedProgram& checked, const RobotSignature& robot, Diagnostics& diagnostics)
-      : scopes_(checked.symbols, robot),
-        expressions_(scopes_, checked.program, diagnostics),
-        moves_(robot, expressions_, diagnostics, checked.constant_targets),
-        waits_(expressions_, diagnostics),
-        diagnostics_(diagnostics) {}
-
-  /// A block is a scope: what it declares lives to its end.
-  void check(Block& block) {
-    scopes_.enter();
-    for (Statement& statement : block) {
-      std::visit([&](auto& node) { check(node); }, statement.node);
-    }
-    scopes_.leave();
-  }
-
- private:
-  void check(Move& move) { moves_.check(move); }
-  void check(Stop&) {}
-  void check(Declaration& declaration);
-  void check(SignalDeclaration& signal);
-  void check(Assign& assign);
-  void check(Print& print) {
-    for (const ExprPtr& value : print.values) expressions_.check(value);
-  }
-  void check(Wait& wait) {
-    waits_.check(wait);
-    check(wait.otherwise);
-  }
-  void check(If& conditional);
-  void check(While& loop);
-  void check(For& loop);
-
-  /// Whether the name has a meaning already: an error or a warning.
-  void warn_of_name(const std::string& name, Place place);
-  const Symbol* declare(Symbol::Kind kind, const std::string& name, Place place, Type type,
-                        Constant value);
-  /// Checks a block that is never executed if `unreached`.
-  void check_guarded(Block& block, bool unreached);
-  Type check_range(For& loop);
-  void check_constant_range(const For& loop, const Type& type);
-  bool assignable(const Symbol& symbol, Place place);
-
-  Scopes scopes_;
-  ExpressionChecker expressions_;
-  MoveChecker moves_;
-  WaitChecker waits_;
-  Diagnostics& diagnostics_;
-};
 
 bool is_constant(const ExprPtr& condition, bool value) {
   if (condition == nullptr) return false;
@@ -72,12 +18,16 @@ bool is_constant(const ExprPtr& condition, bool value) {
   return constant != nullptr && *constant == value;
 }
 
-void StatementChecker::warn_of_name(const std::string& name, Place place) {
+}  // namespace
+
+void StatementChecker::warn_of_name(Symbol::Kind kind, const std::string& name, Place place) {
   if (const Symbol* const earlier = scopes_.find_innermost(name)) {
     diagnostics_.error(
         code::kDeclaredTwice, place,
         fmt::format("{} is already declared, in line {}", shortened(name), earlier->place.line),
-        "to give it another value, write it without VAR");
+        kind == Symbol::Kind::Routine || earlier->kind == Symbol::Kind::Routine
+            ? "give one of them another name"
+            : "to give it another value, write it without VAR");
   } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr || is_later_builtin(name)) {
     diagnostics_.warning(
         code::kHidesBuiltIn, place,
@@ -88,14 +38,17 @@ void StatementChecker::warn_of_name(const std::string& name, Place place) {
 
 const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& name, Place place,
                                         Type type, Constant value) {
-  warn_of_name(name, place);
+  warn_of_name(kind, name, place);
   Symbol symbol;
   symbol.kind = kind;
   symbol.name = name;
   symbol.type = type;
   symbol.place = place;
   symbol.value = std::move(value);
-  return scopes_.declare(std::move(symbol));
+  symbol.global = scopes_.at_top_level() && kind != Symbol::Kind::Routine;
+  const Symbol* const declared = scopes_.declare(std::move(symbol));
+  if (declared->global) uses_.declared(*declared);
+  return declared;
 }
 
 /// The value is checked before the names are known: VAR x = x + 1 means an earlier x.
@@ -126,7 +79,7 @@ void StatementChecker::check(SignalDeclaration& signal) {
     declare(Symbol::Kind::Variable, signal.name, signal.name_place, {}, {});
     return;
   }
-  warn_of_name(signal.name, signal.name_place);
+  warn_of_name(Symbol::Kind::Signal, signal.name, signal.name_place);
   Symbol symbol;
   symbol.kind = Symbol::Kind::Signal;
   symbol.name = signal.name;
@@ -168,6 +121,8 @@ bool StatementChecker::assignable(const Symbol& symbol, Place place) {
                     "use a variable of its own, or WHILE");
     case Symbol::Kind::Signal:
       return symbol.output || refuse("is an input of the robot and can only be read", "");
+    case Symbol::Kind::Routine:
+      return refuse("is a routine, not a variable", "");
     case Symbol::Kind::BuiltIn:
       return refuse("belongs to the language and cannot be changed", "");
   }
@@ -194,14 +149,16 @@ void StatementChecker::check(If& conditional) {
 
 void StatementChecker::check(While& loop) {
   expressions_.check_condition(loop.condition, "WHILE");
+  ++loops_;
   check_guarded(loop.body, is_constant(loop.condition, false));
+  --loops_;
 }
 
 void StatementChecker::check(For& loop) {
   const Type type = check_range(loop);
   scopes_.enter();
   loop.symbol = declare(Symbol::Kind::LoopVariable, loop.variable, loop.variable_place, type, {});
-  check(loop.body);
+  check_body(loop.body);
   scopes_.leave();
 }
 
@@ -257,11 +214,9 @@ void StatementChecker::check_constant_range(const For& loop, const Type& type) {
                      std::string(text.message), std::string(text.help));
 }
 
-}  // namespace
-
 CheckedProgram check(Program program, const RobotSignature& robot, Diagnostics& diagnostics) {
   CheckedProgram checked{.program = std::move(program), .symbols = {}, .constant_targets = {}};
-  StatementChecker(checked, robot, diagnostics).check(checked.program.statements);
+  StatementChecker(checked, robot, diagnostics).check(checked.program);
   return checked;
 }
 

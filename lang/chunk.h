@@ -68,6 +68,14 @@ struct NamedRegister {
   std::uint32_t to = 0;    ///< one past the last
 };
 
+/// A PROC or FUNC: where its code begins, and how much of the stack it takes.
+struct RoutineCode {
+  std::string name;
+  std::uint32_t entry = 0;
+  int registers = 0;
+  int text_registers = 0;
+};
+
 struct Chunk {
   std::vector<Instruction> code;
   std::vector<Place> places;  ///< of every word of code: where it comes from
@@ -78,7 +86,8 @@ struct Chunk {
   std::vector<MoveForm> moves;
   std::vector<std::string> signals;  ///< names by number; for listings
   std::vector<NamedRegister> names;
-  int registers = 0;
+  std::vector<RoutineCode> routines;
+  int registers = 0;  ///< of the top level
   int text_registers = 0;
 };
 

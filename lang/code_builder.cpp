@@ -75,12 +75,21 @@ void CodeBuilder::load_real(Register target, double value, Dimension dimension, 
                 Type::real(dimension), place);
 }
 
-void CodeBuilder::load_text(Register target, const std::string& text, Place place) {
+std::size_t CodeBuilder::text_index(const std::string& text) {
   const auto [entry, added] =
       text_indices_.try_emplace(text, static_cast<std::uint32_t>(chunk_.texts.size()));
   if (added) chunk_.texts.push_back(text);
+  return entry->second;
+}
+
+void CodeBuilder::load_text(Register target, const std::string& text, Place place) {
   emit(Opcode::load_text, place, target);
-  emit(operand_word(entry->second), place);
+  emit(operand_word(text_index(text)), place);
+}
+
+void CodeBuilder::fail_assertion(const std::string& condition, Place place) {
+  emit(Opcode::fail_assertion, place);
+  emit(operand_word(text_index(condition)), place);
 }
 
 void CodeBuilder::append_real(Register text, Register value, Dimension dimension, Place place) {
@@ -135,9 +144,26 @@ void CodeBuilder::release(const Mark& mark) {
   }
 }
 
+void CodeBuilder::begin_routine(const std::string& name) {
+  close_frame();
+  numbers_ = {};
+  texts_ = {};
+  chunk_.routines.push_back({.name = name, .entry = static_cast<std::uint32_t>(here())});
+}
+
+void CodeBuilder::close_frame() {
+  const bool top = chunk_.routines.empty();
+  (top ? chunk_.registers : chunk_.routines.back().registers) = numbers_.most;
+  (top ? chunk_.text_registers : chunk_.routines.back().text_registers) = texts_.most;
+}
+
+void CodeBuilder::call(std::size_t routine, Register numbers, Register texts, Place place) {
+  emit(Opcode::call, place, numbers, texts);
+  emit(operand_word(routine), place);
+}
+
 Chunk CodeBuilder::finish() {
-  chunk_.registers = numbers_.most;
-  chunk_.text_registers = texts_.most;
+  close_frame();
   return std::move(chunk_);
 }
 

@@ -33,6 +33,8 @@ class CodeBuilder {
   }
   void load_integer(Register target, std::int64_t value, Place place);
   void load_real(Register target, double value, Dimension dimension, Place place);
+  /// An ASSERT whose condition, as it was written, does not hold.
+  void fail_assertion(const std::string& condition, Place place);
   void load_text(Register target, const std::string& text, Place place);
   void append_real(Register text, Register value, Dimension dimension, Place place);
   void move(Register first, const MoveForm& form, Place place);
@@ -50,6 +52,7 @@ class CodeBuilder {
   /// The first of `count` new registers in a row.
   Register number_registers(int count = 1) { return numbers_.take(count); }
   Register text_register() { return texts_.take(1); }
+  Register text_registers(int count) { return texts_.take(count); }
   struct Mark {
     int numbers;
     int texts;
@@ -60,6 +63,11 @@ class CodeBuilder {
   void release(const Mark& mark);
   /// Tells listings that a variable lives in a register from here on.
   void name_register(const std::string& name, Register index, bool text);
+
+  /// What follows is the code of a routine, with registers of its own.
+  void begin_routine(const std::string& name);
+  /// Calls a routine, by its number, whose parameters lie in the registers from these two on.
+  void call(std::size_t routine, Register numbers, Register texts, Place place);
 
   enum class Limit { None, Registers, Jump, Dimensions };
   /// The limit that was exceeded, and where first.
@@ -75,6 +83,8 @@ class CodeBuilder {
     Register take(int count);
   };
 
+  std::size_t text_index(const std::string& text);
+  void close_frame();
   void fail(Limit limit, Place place);
   void load_constant(Register target, Slot value, std::uint64_t bits, Type type, Place place);
   void set_distance(std::size_t at, std::size_t target);

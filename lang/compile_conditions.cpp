@@ -49,6 +49,25 @@ CodeBuilder::Jumps ExpressionCompiler::jumps_if(const Expr& condition, bool when
   return jumps(condition, when);
 }
 
+CodeBuilder::Jump ExpressionCompiler::jump_if_equal(Register selector, const Expr& value,
+                                                    bool as_real) {
+  begin(value);
+  const auto mark = code_.mark();
+  const Register other = operand(value, as_real);
+  CodeBuilder::Jump result = 0;
+  if (value.type.kind == Type::Kind::String) {
+    const Register truth = code_.number_registers();
+    code_.emit(Opcode::equal_text, value.place, truth, selector, other);
+    result = jump_if(truth, true, value.place);
+  } else {
+    code_.emit(as_real ? Opcode::if_equal_real : Opcode::if_equal_int, value.place, selector, other,
+               1);
+    result = code_.jump(value.place);
+  }
+  code_.release(mark);
+  return result;
+}
+
 CodeBuilder::Jumps ExpressionCompiler::jumps(const Expr& condition, bool when) {
   if (const bool* const constant = std::get_if<bool>(&condition.constant)) {
     if (*constant == when) return {code_.jump(condition.place)};
@@ -94,7 +113,7 @@ CodeBuilder::Jumps ExpressionCompiler::jumps_of_comparison(const Binary& binary,
       reduced(binary.op == BinaryOp::Xor ? BinaryOp::NotEqual : binary.op);
   const bool real =
       binary.left->type.kind == Type::Kind::Real || binary.right->type.kind == Type::Kind::Real;
-  const Register left = operand(*binary.left, real);
+  const Register left = operand_before(*binary.right, *binary.left, real);
   const Register right = operand(*binary.right, real);
   const ComparisonOpcodes opcodes = opcodes_of(comparison.op);
   code_.emit(real ? opcodes.real : opcodes.whole, place, comparison.exchanged ? right : left,
@@ -105,7 +124,7 @@ CodeBuilder::Jumps ExpressionCompiler::jumps_of_comparison(const Binary& binary,
 CodeBuilder::Jumps ExpressionCompiler::jumps_of_texts(const Binary& binary, bool when,
                                                       Place place) {
   const Comparison comparison = reduced(binary.op);
-  const Register left = operand(*binary.left, false);
+  const Register left = operand_before(*binary.right, *binary.left, false);
   const Register right = operand(*binary.right, false);
   const Register truth = code_.number_registers();
   code_.emit(opcodes_of(comparison.op).text, place, truth, comparison.exchanged ? right : left,

@@ -5,6 +5,7 @@
 #include "lang/expression_compiler.h"
 #include "lang/fold.h"
 #include "lang/observations.h"
+#include "lang/routine.h"
 
 /// Values: what ends up in a register.
 namespace rob::lang {
@@ -83,9 +84,17 @@ Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
   const auto* const name = std::get_if<Name>(&expression.node);
   const bool convert = as_real && expression.type == Type::integer();
   if (name != nullptr && !known(expression.constant) && !convert &&
-      name->symbol->kind != Symbol::Kind::Signal) {
+      name->symbol->kind != Symbol::Kind::Signal && reach(*name->symbol) == Reach::Own) {
     return home(*name->symbol);
   }
+  const Register target = is_text(expression) ? code_.text_register() : code_.number_registers();
+  into(expression, target, as_real);
+  return target;
+}
+
+Register ExpressionCompiler::operand_before(const Expr& then, const Expr& expression,
+                                            bool as_real) {
+  if (!calls_routine(then)) return operand(expression, as_real);
   const Register target = is_text(expression) ? code_.text_register() : code_.number_registers();
   into(expression, target, as_real);
   return target;
@@ -130,8 +139,7 @@ void ExpressionCompiler::compile(const Name& name, const Expr& expression, Regis
     code_.emit(Instruction::ax(op, target, static_cast<std::uint16_t>(symbol.signal)),
                expression.place);
   } else {
-    code_.emit(is_text(expression) ? Opcode::copy_text : Opcode::copy, expression.place, target,
-               home(symbol));
+    load_variable(symbol, target, expression.place);
   }
 }
 
@@ -146,20 +154,26 @@ void ExpressionCompiler::compile(const Unary& unary, const Expr& expression, Reg
 
 void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, Register target) {
   if (is_text(expression)) {
-    const Register left = operand(*binary.left, false);
+    const Register left = operand_before(*binary.right, *binary.left, false);
     const Register right = operand(*binary.right, false);
     code_.emit(Opcode::join_text, expression.place, target, left, right);
     return;
   }
   // DIV of reals yields an INT from REAL operands.
   const bool whole = on_whole_numbers(binary, expression.type);
-  const Register left = operand(*binary.left, !whole);
+  const Register left = operand_before(*binary.right, *binary.left, !whole);
   const Register right = operand(*binary.right, !whole);
   code_.emit(whole ? whole_opcode(binary.op) : real_opcode(binary.op), expression.place, target,
              left, right);
 }
 
 void ExpressionCompiler::compile(const Call& call, const Expr& expression, Register target) {
+  if (call.routine != nullptr) {
+    const Register result = call_routine(call, expression);
+    code_.emit(is_text(expression) ? Opcode::copy_text : Opcode::copy, expression.place, target,
+               result);
+    return;
+  }
   const Builtin& builtin = *find_builtin(call.callee, call.arguments.size());
   if (builtin.rule == BuiltinRule::AnyToText) {
     const Register text = code_.text_register();

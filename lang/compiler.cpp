@@ -6,10 +6,9 @@
 
 #include <fmt/core.h>
 
-#include "lang/code_builder.h"
 #include "lang/codes.h"
-#include "lang/expression_compiler.h"
 #include "lang/fold.h"
+#include "lang/statement_compiler.h"
 #include "lang/target.h"
 
 namespace rob::lang {
@@ -24,54 +23,21 @@ std::vector<std::string> signal_names(const RobotSignature& robot) {
   return names;
 }
 
-/// Code for statements, one compile() for each kind.
-class StatementCompiler {
- public:
-  StatementCompiler(const CheckedProgram& checked, const RobotSignature& robot)
-      : robot_(robot), code_(signal_names(robot)), expressions_(code_, checked.symbols.size()) {}
+}  // namespace
 
-  std::optional<Chunk> compile(const Program& program, Diagnostics& diagnostics) {
-    compile(program.statements);
-    code_.emit(Opcode::end, program.end);
-    if (code_.failed() == CodeBuilder::Limit::None) return code_.finish();
-    report_limit(diagnostics);
-    return std::nullopt;
-  }
+StatementCompiler::StatementCompiler(const CheckedProgram& checked, const RobotSignature& robot)
+    : robot_(robot), code_(signal_names(robot)), expressions_(code_, checked.symbols.size()) {}
 
- private:
-  /// What a block declares is given back at its end.
-  void compile(const Block& block) {
-    const auto mark = code_.mark();
-    for (const Statement& statement : block) compile(statement);
-    code_.release(mark);
-  }
-  void compile(const Statement& statement) {
-    place_ = statement.place;
-    std::visit([&](const auto& node) { compile(node); }, statement.node);
-  }
-
-  void compile(const Move& move);
-  void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
-  void compile(const Declaration& declaration);
-  void compile(const SignalDeclaration&) {}
-  void compile(const Assign& assign);
-  void compile(const Print& print);
-  void compile(const Wait& wait);
-  void wait_for_condition(const Wait& wait);
-  void compile(const If& conditional);
-  void compile(const While& loop);
-  void compile(const For& loop);
-
-  Register declare(const Symbol& symbol);
-  void compile_component(const Expr& component, Dimension dimension, Register target);
-  void default_value(const Type& type, Register home, Place place);
-  void report_limit(Diagnostics& diagnostics) const;
-
-  const RobotSignature& robot_;
-  CodeBuilder code_;
-  ExpressionCompiler expressions_;
-  Place place_;  ///< of the present statement: its line is what the Machine is told
-};
+std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnostics& diagnostics) {
+  compile(program.statements);
+  code_.land(returns_);
+  code_.emit(Opcode::end, program.end);
+  expressions_.enter_routine();
+  for (const Routine& routine : program.routines) compile(routine);
+  if (code_.failed() == CodeBuilder::Limit::None) return code_.finish();
+  report_limit(diagnostics);
+  return std::nullopt;
+}
 
 void StatementCompiler::compile(const Move& move) {
   const Place place = place_;
@@ -157,7 +123,7 @@ void StatementCompiler::compile(const Declaration& declaration) {
 void StatementCompiler::compile(const Assign& assign) {
   const Symbol& symbol = *assign.target.symbol;
   if (symbol.kind != Symbol::Kind::Signal) {
-    expressions_.value_into(*assign.value, expressions_.home(symbol), is_real(symbol.type));
+    expressions_.assign(symbol, *assign.value);
     return;
   }
   const auto mark = code_.mark();
@@ -256,42 +222,6 @@ void StatementCompiler::compile(const If& conditional) {
   code_.land(done);
 }
 
-void StatementCompiler::compile(const While& loop) {
-  const Place place = place_;
-  const std::size_t top = code_.here();
-  const CodeBuilder::Jumps exits = expressions_.jumps_if(*loop.condition, false);
-  compile(loop.body);
-  code_.loop(top, place);
-  code_.land(exits);
-}
-
-/// The registers are laid out as opcodes.def says.
-void StatementCompiler::compile(const For& loop) {
-  const Place place = place_;
-  const auto mark = code_.mark();
-  const bool real = is_real(loop.symbol->type);
-  const Register value = declare(*loop.symbol);
-  code_.number_registers(real ? 4 : 2);
-  expressions_.value_into(*loop.from, value, real);
-  expressions_.value_into(*loop.to, static_cast<Register>(value + 1), real);
-  const auto step = static_cast<Register>(value + 2);
-  if (loop.step != nullptr) {
-    expressions_.value_into(*loop.step, step, real);
-  } else if (real) {
-    code_.load_real(step, 1, kNone, place);
-  } else {
-    code_.load_integer(step, 1, place);
-  }
-  code_.emit(real ? Opcode::for_prepare_real : Opcode::for_prepare_int, place, value);
-  const CodeBuilder::Jump none = code_.jump(place);
-  const std::size_t top = code_.here();
-  compile(loop.body);
-  code_.emit(real ? Opcode::for_next_real : Opcode::for_next_int, place, value);
-  code_.loop(top, place);
-  code_.land(none);
-  code_.release(mark);
-}
-
 void StatementCompiler::report_limit(Diagnostics& diagnostics) const {
   const Place place = code_.failed_at();
   switch (code_.failed()) {
@@ -314,8 +244,6 @@ void StatementCompiler::report_limit(Diagnostics& diagnostics) const {
       return;
   }
 }
-
-}  // namespace
 
 std::optional<Chunk> generate(const CheckedProgram& checked, const RobotSignature& robot,
                               Diagnostics& diagnostics) {

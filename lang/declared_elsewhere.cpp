@@ -32,6 +32,13 @@ struct Search {
     if (to_upper(loop.variable) == key) return loop.variable_place;
     return search(loop.body, key);
   }
+  Found operator()(const Loop& loop) const { return search(loop.body, key); }
+  Found operator()(const Select& select) const {
+    for (const Select::Case& one : select.cases) {
+      if (const Found found = search(one.body, key)) return found;
+    }
+    return search(select.otherwise, key);
+  }
   template <typename Other>
   Found operator()(const Other&) const {
     return std::nullopt;
@@ -48,7 +55,17 @@ Found search(const Block& block, const std::string& key) {
 }  // namespace
 
 std::optional<Place> find_declaration(const Program& program, std::string_view name) {
-  return search(program.statements, to_upper(name));
+  const std::string key = to_upper(name);
+  if (const Found found = search(program.statements, key)) return found;
+  for (const Routine& routine : program.routines) {
+    for (const Routine::Parameters& group : routine.parameters) {
+      for (const Declaration::Declared& declared : group.names) {
+        if (to_upper(declared.name) == key) return declared.place;
+      }
+    }
+    if (const Found found = search(routine.body, key)) return found;
+  }
+  return std::nullopt;
 }
 
 }  // namespace rob::lang

@@ -9,7 +9,8 @@
 namespace rob::lang {
 
 /// Where something stands in a source text. Lines and columns count from 1; a column is a
-/// character (code point), not a byte. Line 0 means "the file as a whole", column 0 "the whole line".
+/// character (code point), not a byte. Line 0 means "the file as a whole", column 0 "the whole
+/// line".
 struct Place {
   std::uint32_t line = 0;
   std::uint32_t column = 0;

@@ -1,5 +1,6 @@
 #include "lang/disassembler.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -88,6 +89,14 @@ void Line::operand(char kind, unsigned field) {
       operands_ +=
           fmt::format("-> {}", static_cast<std::int64_t>(offset_) + 1 + instruction().distance());
       return;
+    case 'G':
+    case 'H':
+      add(kind == 'G' ? "r" : "s", instruction().x());
+      return remark("of the top level");
+    case 'R':
+      words_ = 2;
+      add("p", next_word());
+      return remark(chunk_.routines[next_word()].name);
     case 'K':
       words_ = 2;
       return add_constant(next_word());
@@ -138,6 +147,11 @@ std::string disassemble(const Chunk& chunk) {
   std::string listing;
   std::uint32_t last_line = 0;
   for (std::size_t offset = 0; offset < chunk.code.size();) {
+    const auto begins = [&](const RoutineCode& routine) { return routine.entry == offset; };
+    if (const auto routine = std::ranges::find_if(chunk.routines, begins);
+        routine != chunk.routines.end()) {
+      listing += fmt::format("{}\n", routine->name);
+    }
     const Line line(chunk, offset);
     const std::uint32_t source = chunk.places[offset].line;
     listing += fmt::format("{:>6} {:>5}  ", offset,

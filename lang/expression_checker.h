@@ -7,6 +7,7 @@
 #include "lang/builtins.h"
 #include "lang/diagnostic.h"
 #include "lang/fold.h"
+#include "lang/routine_uses.h"
 #include "lang/symbols.h"
 
 namespace rob::lang {
@@ -16,11 +17,15 @@ namespace rob::lang {
 class ExpressionChecker {
  public:
   /// `program` is only searched, for names that are declared elsewhere.
-  ExpressionChecker(const Scopes& scopes, const Program& program, Diagnostics& diagnostics)
-      : scopes_(scopes), program_(program), diagnostics_(diagnostics) {}
+  ExpressionChecker(const Scopes& scopes, const Program& program, RoutineUses& uses,
+                    Diagnostics& diagnostics)
+      : scopes_(scopes), program_(program), uses_(uses), diagnostics_(diagnostics) {}
 
   /// `expression` may be null: what could not be read is Unknown.
   Type check(const ExprPtr& expression);
+
+  /// A call that stands as a statement of its own.
+  void check_statement(const ExprPtr& call);
 
   /// Checks that a checked expression can be given where `wanted` is needed: the same type, or an
   /// INT for a REAL. `needed` is the subject of the message: "the variable x needs".
@@ -61,6 +66,13 @@ class ExpressionChecker {
   Type check_arguments(const Builtin& builtin, const Call& call);
   Type common_dimension(const Call& call);
 
+  // Routines (check_routine_calls.cpp)
+  Type check_routine_call(Call& call, const Expr& expression, const Routine& routine);
+  bool bind(Call& call, Place place, const Routine& routine);
+  bool check_argument(const Expr& argument, const Routine& routine,
+                      const Routine::Parameters& group, std::string_view name);
+  void report_unknown_function(std::string_view name, Place place);
+
   bool both_numbers(const Binary& binary);
   Type unlike(const Binary& binary, const Expr& expression);
   Type bounded(Dimension dimension, const Expr& expression);
@@ -72,8 +84,10 @@ class ExpressionChecker {
 
   const Scopes& scopes_;
   const Program& program_;
+  RoutineUses& uses_;
   Diagnostics& diagnostics_;
   int unreached_ = 0;
+  const Expr* statement_ = nullptr;  ///< the call that is a statement of its own
 };
 
 /// "a length, 5mm": type and, where it is known, value; for messages.

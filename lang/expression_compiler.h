@@ -21,6 +21,13 @@ class ExpressionCompiler {
   void settle(const Symbol& symbol, Register home) { homes_[symbol.id] = home; }
   Register home(const Symbol& symbol) const { return homes_[symbol.id]; }
 
+  /// From here on the code belongs to a routine: globals lie in another frame.
+  void enter_routine() { in_routine_ = true; }
+  /// Gives a variable, wherever it lives, the value of an expression.
+  void assign(const Symbol& symbol, const Expr& value);
+  /// A call that is a statement of its own.
+  void call(const Expr& expression);
+
   /// Every expression of a statement begins here: its observations belong to one control cycle.
   /// With `as_real` an INT becomes a REAL.
   void value_into(const Expr& expression, Register target, bool as_real = false);
@@ -30,10 +37,22 @@ class ExpressionCompiler {
   void append_value(const Expr& expression, Register text);
   /// Jumps that are taken if the condition has the value `when`; else execution goes on behind.
   CodeBuilder::Jumps jumps_if(const Expr& condition, bool when);
+  /// A jump that is taken if the value equals that of a register of its kind; `as_real` as above.
+  CodeBuilder::Jump jump_if_equal(Register selector, const Expr& value, bool as_real);
 
  private:
   void into(const Expr& expression, Register target, bool as_real);
   Register operand(const Expr& expression, bool as_real);
+  /// The same where `then` is computed before the value is used: what that changes is no matter.
+  Register operand_before(const Expr& then, const Expr& expression, bool as_real);
+
+  // Routines (compile_calls.cpp)
+  enum class Reach : std::uint8_t { Own, Global, Reference };
+  Reach reach(const Symbol& symbol) const;
+  void load_variable(const Symbol& symbol, Register target, Place place);
+  void store_variable(const Symbol& symbol, Register value, Place place);
+  void refer(const Symbol& symbol, Register target, Place place);
+  Register call_routine(const Call& call, const Expr& expression);
   void load(const Expr& expression, Register target, bool as_real);
   void append(const Expr& expression, Register text);
 
@@ -53,7 +72,8 @@ class ExpressionCompiler {
 
   CodeBuilder& code_;
   std::vector<Register> homes_;  ///< by Symbol::id
-  bool latched_ = false;         ///< the present expression reads more than one signal
+  bool in_routine_ = false;
+  bool latched_ = false;  ///< the present expression reads more than one signal
 };
 
 }  // namespace rob::lang

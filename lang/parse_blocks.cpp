@@ -13,6 +13,26 @@ namespace rob::lang {
 
 namespace {
 
+/// What cannot stand on the line of THEN.
+bool takes_lines(Keyword keyword) {
+  switch (keyword) {
+    case Keyword::If:
+    case Keyword::While:
+    case Keyword::For:
+    case Keyword::Loop:
+    case Keyword::Select:
+    case Keyword::Proc:
+    case Keyword::Func:
+    case Keyword::Var:
+    case Keyword::Const:
+    case Keyword::Signal:
+    case Keyword::End:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// What opens the block that a word closes, or whose branch it begins.
 std::string_view opener_of(Keyword closer) {
   switch (closer) {
@@ -65,9 +85,14 @@ bool Parser::at_block_end() const {
     case Keyword::Endif:
     case Keyword::Endwhile:
     case Keyword::Endfor:
+    case Keyword::Endloop:
+    case Keyword::Endselect:
+    case Keyword::Endproc:
+    case Keyword::Endfunc:
       return true;
     case Keyword::Else:
     case Keyword::Elsif:
+    case Keyword::Case:
       return closes_outer();
     default:
       return false;
@@ -77,8 +102,10 @@ bool Parser::at_block_end() const {
 /// Whether one of the open blocks goes with the present word.
 bool Parser::closes_outer() const {
   const std::string_view opener = opener_of(current_.keyword);
-  return std::ranges::any_of(
-      open_blocks_, [&](const OpenBlock& open) { return spelling(open.opener) == opener; });
+  return std::ranges::any_of(open_blocks_, [&](const OpenBlock& open) {
+    const bool select = open.opener == Keyword::Select && at(Keyword::Else);
+    return select || spelling(open.opener) == opener;
+  });
 }
 
 /// Reads the closing word. Where another stands, it is left for the block it belongs to.
@@ -137,10 +164,7 @@ void Parser::if_statement(Block& block) {
 
 /// The one statement on the line of THEN.
 void Parser::behind_then(Block& body) {
-  const bool block = at(Keyword::If) || at(Keyword::While) || at(Keyword::For) ||
-                     at(Keyword::Var) || at(Keyword::Const) || at(Keyword::Signal) ||
-                     at(Keyword::End);
-  if (block) {
+  if (at(TokenKind::Reserved) && takes_lines(current_.keyword)) {
     fail_here(code::kLineEndExpected,
               fmt::format("{} cannot stand on the line of THEN", spelling(current_.keyword)),
               "begin a new line behind THEN, and close with ENDIF");

@@ -252,7 +252,11 @@ ExprPtr Parser::call(const Place& place, std::string callee) {
   advance();
   while (!at(TokenKind::RightParen)) {
     if (at(TokenKind::Word) && next_.kind == TokenKind::Colon) {
-      fail_not_yet(current_.place, "a named argument");
+      node.names.emplace_back(current_.text);
+      advance();
+      advance();
+    } else {
+      node.names.emplace_back();
     }
     node.arguments.push_back(expression());
     height = std::max(height, node.arguments.back()->height);

@@ -49,6 +49,16 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Signal:
       signal_declaration(block);
       return true;
+    case Keyword::Loop:
+      loop_statement(block);
+      return true;
+    case Keyword::Select:
+      select_statement(block);
+      return true;
+    case Keyword::Proc:
+    case Keyword::Func:
+      routine();
+      return true;
     case Keyword::Var:
     case Keyword::Const:
       declaration(block);
@@ -68,6 +78,16 @@ void Parser::simple(Block& block) {
     advance();
     return add(block, place, Stop{});
   }
+  if (at(Keyword::Exit)) {
+    advance();
+    return add(block, place, Exit{});
+  }
+  if (at(Keyword::Next)) {
+    advance();
+    return add(block, place, Next{});
+  }
+  if (at(Keyword::Return)) return return_statement(block);
+  if (at(Keyword::Assert)) return assert_statement(block);
   if (at(TokenKind::Word)) return word_statement(block);
   if (!at(TokenKind::Reserved)) {
     fail_here(code::kStatementExpected,
@@ -95,6 +115,11 @@ void Parser::word_statement(Block& block) {
   if (at_channel()) return assignment(block);
   if (next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket) {
     fail_not_yet(current_.place, "an assignment to a field or an element");
+  }
+  // A call, unless it looks like MOVE( or PRINT( misspelt.
+  if (next_.kind == TokenKind::LeftParen &&
+      (suggest(current_.text, statement_words()).empty() || names_routine(current_.text))) {
+    return call_statement(block);
   }
   unknown_word(block);
 }
@@ -124,7 +149,10 @@ void Parser::unknown_word(Block& block) {
   muted_line_ = current_.place.line;
   const Keyword keyword = find_keyword(meant).value();
   const bool needs_do = keyword == Keyword::While || keyword == Keyword::For;
-  if (keyword == Keyword::End || (needs_do && !line_ends_with(Keyword::Do)) ||
+  const bool stands_alone = next_.kind == TokenKind::EndOfLine;
+  const bool routine = keyword == Keyword::Proc || keyword == Keyword::Func;
+  if (keyword == Keyword::End || (routine && next_.kind != TokenKind::Word) ||
+      (keyword == Keyword::Loop && !stands_alone) || (needs_do && !line_ends_with(Keyword::Do)) ||
       (keyword == Keyword::If && !line_ends_with(Keyword::Then))) {
     throw SyntaxError{};
   }

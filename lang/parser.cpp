@@ -71,7 +71,8 @@ Program Parser::program() {
   } catch (const GiveUp&) {
     program.end = current_.place;
   }
-  if (program.statements.empty() && !diagnostics_.has_errors()) {
+  program.routines = std::move(routines_);
+  if (program.statements.empty() && program.routines.empty() && !diagnostics_.has_errors()) {
     diagnostics_.warning(code::kEmptyProgram, Place{0, 0, 1}, "the program has no statement");
   }
   return program;

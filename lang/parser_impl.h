@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -120,6 +121,16 @@ class Parser {
   void while_statement(Block& block);
   void for_statement(Block& block);
   void for_header(For& loop);
+
+  // Loops without condition, SELECT, ASSERT (parse_flow.cpp)
+  void loop_statement(Block& block);
+  void select_statement(Block& block);
+  void select_branches(Select& node, const OpenBlock& open);
+  void case_values(Select::Case& branch);
+  void assert_statement(Block& block);
+  std::string source_text(std::size_t begin, std::size_t end) const;
+  void header_end(std::string_view word);
+  void skip_header();
   ExprPtr condition(Keyword last);
   void header_word(Keyword word, std::string_view behind);
 
@@ -129,6 +140,14 @@ class Parser {
   void declare_unknown(Block& block);
   void skip_later_block(std::string_view opener, std::string_view closer, bool always);
   bool skip_line();
+
+  // PROC, FUNC and calls (parse_routines.cpp)
+  void routine();
+  void routine_header(Routine& routine);
+  Routine::Parameters parameters();
+  bool names_routine(std::string_view name);
+  void call_statement(Block& block);
+  void return_statement(Block& block);
 
   // Expressions (parse_expressions.cpp)
   ExprPtr expression();
@@ -177,6 +196,8 @@ class Parser {
   std::size_t nodes_ = 0;
   std::uint32_t muted_line_ = 0;  ///< has had its message
   std::vector<OpenBlock> open_blocks_;
+  std::vector<Routine> routines_;
+  std::optional<std::set<std::string>> routine_names_;  ///< of the whole text, once asked for
 };
 
 }  // namespace rob::lang

@@ -21,7 +21,8 @@ struct Symbol {
     NamedConstant,  ///< CONST: computed where it stands, at the latest
     LoopVariable,   ///< of FOR: read-only in the body
     Signal,         ///< declared by the robot's file or by SIGNAL; DIN[n], DOUT[n]
-    BuiltIn         ///< PI
+    BuiltIn,        ///< PI
+    Routine         ///< PROC or FUNC
   };
 
   Kind kind = Kind::Variable;
@@ -33,6 +34,9 @@ struct Symbol {
   int signal = 0;       ///< its index in the RobotSignature
   bool output = false;  ///< a signal that may be assigned
   int channel = 0;      ///< n of DIN[n] or DOUT[n]
+  bool global = false;  ///< declared at the top level: routines see it
+  bool by_reference = false;         ///< a REF parameter: stands for a variable of the caller
+  const Routine* routine = nullptr;  ///< of Kind::Routine
 };
 
 /// The names that may be used at one place of the program. Scopes nest; the outermost holds what
@@ -46,6 +50,9 @@ class Scopes {
   void enter() { scopes_.emplace_back(); }
   void leave() { scopes_.pop_back(); }
 
+  /// Whether what is declared now belongs to the whole program.
+  bool at_top_level() const { return scopes_.size() == 2; }
+
   /// Null if the name is unknown here.
   const Symbol* find(std::string_view name) const;
   /// Null if the innermost scope has no such name.
@@ -58,6 +65,11 @@ class Scopes {
   std::int64_t channels(bool output) const;
   /// Declares in the innermost scope; what had the same name there is replaced.
   const Symbol* declare(Symbol symbol);
+  /// What is found out about a symbol behind its declaration.
+  void define(const Symbol& symbol, const Routine& routine) {
+    symbols_[symbol.id].routine = &routine;
+  }
+  void refer(const Symbol& symbol) { symbols_[symbol.id].by_reference = true; }
   /// All names that can be seen from here, for "did you mean".
   std::vector<std::string_view> visible() const;
 

@@ -21,7 +21,12 @@ constexpr double kSameTime = 1e-9;  // s: sums of cycles that differ by less are
 Vm::Vm(const Chunk& chunk, Machine& machine)
     : chunk_(chunk),
       machine_(machine),
-      texts_(static_cast<std::size_t>(chunk.text_registers)),
+      number_stack_(chunk.routines.empty() ? kMostRegisters : kNumberStack),
+      text_stack_(chunk.routines.empty() ? kMostRegisters : kTextStack),
+      frames_(chunk.routines.empty() ? 0 : kMostCalls),
+      numbers_(number_stack_.data()),
+      texts_(text_stack_.data()),
+      called_in_(chunk.routines.size()),
       next_(chunk.code.data()),
       latch_(next_),
       paid_(next_) {}
@@ -38,21 +43,11 @@ Vm::State Vm::leave(Code pc, Code resume, State state) {
   paid_ = resume;
   next_ = resume;
   // When the program goes on, time has passed; only a used-up budget stays in the present cycle.
-  if (state != State::Running) observed_ = false;
+  if (state != State::Running) {
+    observed_ = false;
+    ++cycle_;
+  }
   return state;
-}
-
-Vm::State Vm::fail(Code pc, RuntimeError error) {
-  error_ = std::move(error);
-  return leave(pc, pc, State::Failed);
-}
-
-Vm::State Vm::fail(Code pc, ArithmeticError error) {
-  const ArithmeticErrorText text = describe(error);
-  return fail(pc, {.code = std::string(text.code),
-                   .place = place(pc),
-                   .message = std::string(text.message),
-                   .help = std::string(text.help)});
 }
 
 Vm::State Vm::pause(Code pc, Code resume, Reply reply) {
@@ -63,11 +58,15 @@ Vm::State Vm::pause(Code pc, Code resume, Reply reply) {
       {.code = refusal.code, .place = place(pc), .message = refusal.message, .help = refusal.help});
 }
 
-bool Vm::turn(Code pc, Code target) {
+void Vm::pay(Code pc, Code target) {
   const auto spent = pc - paid_;
   executed_ += spent;
   budget_ -= spent;
   paid_ = target;
+}
+
+bool Vm::turn(Code pc, Code target) {
+  pay(pc, target);
   turned_ = true;
   return budget_ > 0;
 }
@@ -124,23 +123,6 @@ bool Vm::join(std::uint8_t target, std::uint8_t left, std::uint8_t right) {
   return true;
 }
 
-Vm::State Vm::fail_too_long(Code pc) {
-  return fail(pc, {.code = std::string(code::kTextTooLong),
-                   .place = place(pc),
-                   .message = fmt::format("a text of more than {} bytes", kMostText),
-                   .help = ""});
-}
-
-bool Vm::check_positive(Code pc, const char* word, double value, Dimension dimension) {
-  if (value > 0) return true;
-  error_ = {.code = std::string(code::kPaceNotPositive),
-            .place = place(pc),
-            .message = fmt::format("{} turned out to be {}; it has to be above zero", word,
-                                   number_text(value, dimension)),
-            .help = ""};
-  return false;
-}
-
 bool Vm::build(Code pc, MoveCommand& command) {
   const MoveForm& form = chunk_.moves[pc->x()];
   const Slot* next = &numbers_[pc->a()];
@@ -192,6 +174,16 @@ bool Vm::build(Code pc, MoveCommand& command) {
     pc = top;                                                       \
     ROB_NEXT(0);                                                    \
   } while (false)
+// Into a routine or out of it. A recursion pays like a loop.
+#define ROB_GO(words, target)                                   \
+  do {                                                          \
+    const Code next = (target);                                 \
+    pay(pc + (words), next);                                    \
+    if (budget_ <= 0) return leave(next, next, State::Running); \
+    n = numbers_;                                               \
+    pc = next;                                                  \
+    ROB_NEXT(0);                                                \
+  } while (false)
 #define ROB_ASK(call, resume)                                  \
   do {                                                         \
     const Reply reply = (call);                                \
@@ -203,7 +195,7 @@ Vm::State Vm::execute(Code pc) {
 #define ROB_OPCODE(name, operands) &&name,
 #include "lang/opcodes.def"
   };
-  Slot* const n = numbers_.data();
+  Slot* n = numbers_;
   ROB_NEXT(0);
 
 load_constant:
@@ -247,6 +239,52 @@ call_int:
 call_real:
   ROB_CHECKED(builtins()[pc->b()].real({&n[pc->a()], pc->c()}, n[pc->a()]));
   ROB_NEXT(1);
+
+load_global:
+  n[pc->a()] = number_stack_[pc->x()];
+  ROB_NEXT(1);
+store_global:
+  number_stack_[pc->x()] = n[pc->a()];
+  ROB_NEXT(1);
+load_global_text:
+  texts_[pc->a()] = text_stack_[pc->x()];
+  ROB_NEXT(1);
+store_global_text:
+  text_stack_[pc->x()] = texts_[pc->a()];
+  ROB_NEXT(1);
+refer:
+  n[pc->a()].integer = &n[pc->b()] - number_stack_.data();
+  ROB_NEXT(1);
+refer_text:
+  n[pc->a()].integer = &texts_[pc->b()] - text_stack_.data();
+  ROB_NEXT(1);
+load_reference:
+  n[pc->a()] = number_stack_[static_cast<std::size_t>(n[pc->b()].integer)];
+  ROB_NEXT(1);
+store_reference:
+  number_stack_[static_cast<std::size_t>(n[pc->b()].integer)] = n[pc->a()];
+  ROB_NEXT(1);
+load_reference_text:
+  texts_[pc->a()] = text_stack_[static_cast<std::size_t>(n[pc->b()].integer)];
+  ROB_NEXT(1);
+store_reference_text:
+  text_stack_[static_cast<std::size_t>(n[pc->b()].integer)] = texts_[pc->a()];
+  ROB_NEXT(1);
+call : {
+  if (!enter(pc)) return fail_calls_too_deep(pc);
+  const Code target = chunk_.code.data() + chunk_.routines[(pc + 1)->word].entry;
+  ROB_GO(2, target);
+}
+leave:
+  ROB_GO(1, leave_routine());
+leave_with:
+  numbers_[0] = n[pc->a()];
+  ROB_GO(1, leave_routine());
+leave_with_text:
+  if (pc->a() != 0) texts_[0] = texts_[pc->a()];
+  ROB_GO(1, leave_routine());
+no_value:
+  return fail_no_value(pc);
 
 equal_text:
   n[pc->a()].integer = texts_[pc->b()] == texts_[pc->c()] ? 1 : 0;
@@ -346,7 +384,7 @@ write_signal:
   ROB_NEXT(1);
 move : {
   MoveCommand command;
-  if (!build(pc, command)) return leave(pc, pc, State::Failed);
+  if (!build(pc, command)) return fail(pc, std::move(error_));
   ROB_ASK(machine_.move(line(pc), command), pc);
   ROB_NEXT(1);
 }
@@ -370,12 +408,15 @@ fail_timeout:
 print:
   ROB_ASK(machine_.print(line(pc), texts_[pc->a()]), pc);
   ROB_NEXT(1);
+fail_assertion:
+  return fail_assertion_at(pc);
 end:
   ROB_ASK(machine_.end(line(pc)), pc);
   return leave(pc + 1, pc, State::Done);
 }
 
 #undef ROB_ASK
+#undef ROB_GO
 #undef ROB_TURN
 #undef ROB_IF
 #undef ROB_BINARY

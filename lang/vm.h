@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -13,17 +12,32 @@
 
 namespace rob::lang {
 
+/// A routine that was running, and the line that called it.
+struct CallSite {
+  std::string routine;
+  int line = 0;
+
+  bool operator==(const CallSite&) const = default;
+};
+
 /// An error of the running program: what a Diagnostic says, found at run time.
 struct RuntimeError {
   std::string code;
   Place place;
   std::string message;
   std::string help;
+  std::vector<CallSite> calls{};  ///< the routines it happened in, the innermost first
 };
 
 /// The longest text that a program can build, in bytes. [choice] far more than a line to be read,
-/// and with at most 256 text registers a program never holds more than 16 MiB of text.
+/// and with at most kTextStack text registers a program never holds more than 64 MiB of text.
 inline constexpr std::size_t kMostText = 65536;
+
+/// How deep calls may be nested, and the registers of all of them together. [choice] a recursion
+/// that goes deeper has most probably no end; the stack takes 512 KiB.
+inline constexpr std::size_t kMostCalls = 1000;
+inline constexpr std::size_t kNumberStack = 65536;
+inline constexpr std::size_t kTextStack = 1024;
 
 /// Executes a Chunk against a Machine. It never blocks: where the program has to wait, run()
 /// returns and is called again. `chunk` and `machine` must outlive it.
@@ -34,7 +48,10 @@ inline constexpr std::size_t kMostText = 65536;
 /// run() stops for its budget only where a loop turns, which never is inside an expression, and if
 /// the machine has to wait in the middle of one, the expression starts anew from its beginning.
 ///
-/// Arithmetic, loops, motions and observations take no memory. Texts do.
+/// A routine called a second time is like a loop that has turned. It may be called in the middle of
+/// an expression: what is observed after the call belongs to a new instant.
+///
+/// Arithmetic, loops, calls, motions and observations take no memory. Texts do.
 class Vm {
  public:
   enum class State : std::uint8_t {
@@ -67,6 +84,12 @@ class Vm {
   State fail(Code pc, ArithmeticError error);
   /// What a reply other than Done to the instruction at `pc` means.
   State pause(Code pc, Code resume, Reply reply);
+  /// Pays for the instructions up to `pc`; execution goes on at `target`.
+  void pay(Code pc, Code target);
+  /// The frame of the routine that is called at `pc`; false if the stack is used up.
+  bool enter(Code pc);
+  /// Back to the caller's frame; where its code goes on.
+  Code leave_routine();
   /// A loop turns: pays for the instructions up to here; false if the budget is used up.
   bool turn(Code pc, Code target);
   bool next_cycle_is_due() const { return turned_ && observed_; }
@@ -82,6 +105,9 @@ class Vm {
   State fail_too_long(Code pc);
   /// False, with error_ set, if a WAIT is for less than no time.
   bool check_wait(Code pc, double seconds);
+  State fail_calls_too_deep(Code pc);
+  State fail_no_value(Code pc);
+  State fail_assertion_at(Code pc);
   bool check_positive(Code pc, const char* word, double value, Dimension dimension);
 
   Place place(Code pc) const { return chunk_.places[index(pc)]; }
@@ -90,8 +116,22 @@ class Vm {
 
   const Chunk& chunk_;
   Machine& machine_;
-  std::array<Slot, kMostRegisters> numbers_{};
-  std::vector<std::string> texts_;
+  /// What a call comes back to.
+  struct Frame {
+    Code back;
+    Slot* numbers;
+    std::string* texts;
+    std::uint32_t routine;
+  };
+
+  std::vector<Slot> number_stack_;  ///< the frame of the top level is the first
+  std::vector<std::string> text_stack_;
+  std::vector<Frame> frames_;
+  std::size_t depth_ = 0;  ///< calls that are open
+  Slot* numbers_;          ///< the registers of the present frame
+  std::string* texts_;
+  std::vector<std::int64_t> called_in_;  ///< for each routine the cycle of its last call
+  std::int64_t cycle_ = 1;               ///< counts whenever time may have passed
   State state_ = State::Running;
   RuntimeError error_;
   Code next_;   ///< where the next run() goes on

@@ -62,9 +62,17 @@ Json final_json(const RunResult& result) {
 
 Json problem_json(const std::optional<Problem>& problem) {
   if (!problem) return nullptr;
-  return {{"code", problem->code},       {"file", problem->file},
-          {"line", problem->place.line}, {"column", problem->place.column},
-          {"message", problem->message}, {"help", problem->help}};
+  Json calls = Json::array();
+  for (const lang::CallSite& call : problem->calls) {
+    calls.push_back({{"routine", call.routine}, {"line", call.line}});
+  }
+  return {{"code", problem->code},
+          {"file", problem->file},
+          {"line", problem->place.line},
+          {"column", problem->place.column},
+          {"message", problem->message},
+          {"help", problem->help},
+          {"calls", calls}};
 }
 
 Json signals_json(const RunResult& result) {

@@ -68,7 +68,8 @@ void add_failure(RunResult& result, const lang::RuntimeError& failure) {
   if (result.error) return;  // the robot's own trouble came first
   result.status = "program-error";
   result.exit_code = ExitCode::Fault;
-  result.error = Problem{failure.code, "", failure.place, failure.message, failure.help};
+  result.error =
+      Problem{failure.code, "", failure.place, failure.message, failure.help, failure.calls};
 }
 
 void add_timing(RunResult& result, const Timing& timing) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lang/diagnostic.h"
+#include "lang/vm.h"
 
 namespace rob::runtime {
 
@@ -64,6 +65,7 @@ struct Problem {
   lang::Place place;
   std::string message;
   std::string help;
+  std::vector<lang::CallSite> calls{};  ///< the routines it happened in, the innermost first
 };
 
 /// Everything that `rob run` and `rob check` tell of one program.

@@ -22,6 +22,17 @@ std::string remark(const LineResult& line) {
   return text;
 }
 
+/// The routines that an error happened in. [choice] ten of them: a recursion may be 1000 deep.
+std::string calls_text(const std::vector<lang::CallSite>& calls) {
+  constexpr std::size_t kMost = 10;
+  std::string text;
+  for (std::size_t i = 0; i < calls.size() && i < kMost; ++i) {
+    text += fmt::format("  in {}, called in line {}\n", calls[i].routine, calls[i].line);
+  }
+  if (calls.size() > kMost) text += fmt::format("  and {} calls more\n", calls.size() - kMost);
+  return text;
+}
+
 }  // namespace
 
 std::string check_table(const RunResult& result) {
@@ -71,6 +82,7 @@ std::string problems_text(const RunResult& result, std::string_view source) {
     const Problem& e = *result.error;
     text += lang::render({lang::Severity::Error, e.code, e.place, e.message, e.help}, result.file,
                          source);
+    text += calls_text(e.calls);
   }
   return text;
 }

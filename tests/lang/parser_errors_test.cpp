@@ -90,7 +90,7 @@ TEST_CASE("the end of a block that was not opened is an error of one line") {
   CHECK(errors("ENDIF\nSTOP") == Errors{"1:1 E139 ENDIF without IF"});
   CHECK(errors("ELSE\nSTOP") == Errors{"1:1 E139 ELSE without IF"});
   CHECK(errors("WHILE a DO\nELSE\nENDWHILE") == Errors{"2:1 E139 ELSE without IF"});
-  CHECK(errors("IF a THEN\nENDLOOP\nENDIF") == Errors{"2:1 E139 ENDLOOP without LOOP"});
+  CHECK(errors("IF a THEN\nENDTASK\nENDIF") == Errors{"2:1 E139 ENDTASK without TASK"});
   CHECK(errors("IF a THEN\nELSE\nELSE\nENDIF") ==
         Errors{"3:1 E139 ELSE behind the ELSE of the IF of line 1"});
 }
@@ -197,9 +197,9 @@ TEST_CASE("what a later version will have is named once, and skipped with all th
         Errors{"1:1 E121 MOVEL is not in this version of Rob yet",
                "2:1 E121 BRAKE is not in this version of Rob yet",
                "3:1 E121 HALT is not in this version of Rob yet"});
-  CHECK(errors("LOOP\n IF a THEN EXIT\n LOOP\n nonsense here\n ENDLOOP\nENDLOOP\nSTOP").size() ==
+  CHECK(errors("TASK a\n IF a THEN EXIT\n TASK\n nonsense here\n ENDTASK\nENDTASK\nSTOP").size() ==
         1);
-  CHECK(errors("PROC pick(a: POSE)\n MOVEL a\nENDPROC\nSTOP").size() == 1);
+  CHECK(errors("TEST \"a\"\n MOVEL a\nENDTEST\nSTOP").size() == 1);
   CHECK(errors("PATH AT 8mm/s DO\n AFTER 2mm : torch = ON\nENDPATH\nSTOP").size() == 1);
   CHECK(errors("WHEN door : RAISE \"open\"\nSTOP").size() == 1);
   CHECK(errors("WHEN door DO\n BRAKE\nENDWHEN\nSTOP").size() == 1);

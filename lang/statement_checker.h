@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "lang/ast.h"
+#include "lang/checker.h"
+#include "lang/diagnostic.h"
+#include "lang/expression_checker.h"
+#include "lang/move_checker.h"
+#include "lang/routine_uses.h"
+#include "lang/symbols.h"
+#include "lang/wait_checker.h"
+
+namespace rob::lang {
+
+/// Private to the checker: checks statements, one check() for each kind.
+class StatementChecker {
+ public:
+  StatementChecker(CheckedProgram& checked, const RobotSignature& robot, Diagnostics& diagnostics)
+      : scopes_(checked.symbols, robot),
+        uses_(checked.program.routines.size()),
+        expressions_(scopes_, checked.program, uses_, diagnostics),
+        moves_(robot, expressions_, diagnostics, checked.constant_targets),
+        waits_(expressions_, diagnostics),
+        diagnostics_(diagnostics) {}
+
+  /// The top level first, then the routines, which see all its names.
+  void check(Program& program);
+
+ private:
+  /// A block is a scope: what it declares lives to its end.
+  void check(Block& block) {
+    scopes_.enter();
+    for (Statement& statement : block) check(statement);
+    scopes_.leave();
+  }
+  void check(Statement& statement) {
+    place_ = statement.place;
+    std::visit([&](auto& node) { check(node); }, statement.node);
+  }
+  void check(Move& move) { moves_.check(move); }
+  void check(Stop&) {}
+  void check(Declaration& declaration);
+  void check(SignalDeclaration& signal);
+  void check(Assign& assign);
+  void check(Print& print) {
+    for (const ExprPtr& value : print.values) expressions_.check(value);
+  }
+  void check(Wait& wait) {
+    waits_.check(wait);
+    check(wait.otherwise);
+  }
+  void check(If& conditional);
+  void check(While& loop);
+  void check(For& loop);
+  void check(Loop& loop);
+  void check(Select& select);
+  void check(Exit&) { require_loop("EXIT"); }
+  void check(Next&) { require_loop("NEXT"); }
+  void check(Assert& assertion) { expressions_.check_condition(assertion.condition, "ASSERT"); }
+
+  void check(CallStatement& statement) { expressions_.check_statement(statement.call); }
+  void check(Return& statement);
+
+  // Routines (check_routines.cpp)
+  void declare(const Routine& routine);
+  void check(Routine& routine);
+  void check_parameters(Routine& routine);
+
+  /// Whether the name has a meaning already: an error or a warning.
+  void warn_of_name(Symbol::Kind kind, const std::string& name, Place place);
+  const Symbol* declare(Symbol::Kind kind, const std::string& name, Place place, Type type,
+                        Constant value);
+  /// Checks a block that is never executed if `unreached`.
+  void check_guarded(Block& block, bool unreached);
+  Type check_range(For& loop);
+  void check_constant_range(const For& loop, const Type& type);
+  /// EXIT and NEXT belong to the innermost loop.
+  void require_loop(std::string_view word);
+  void check_body(Block& body);
+  /// The line of each constant value of a SELECT.
+  using CaseLines = std::map<Constant, std::uint32_t>;
+  void check_case(const Type& wanted, const Expr& value, CaseLines& lines);
+  bool assignable(const Symbol& symbol, Place place);
+
+  Scopes scopes_;
+  RoutineUses uses_;
+  ExpressionChecker expressions_;
+  MoveChecker moves_;
+  WaitChecker waits_;
+  Diagnostics& diagnostics_;
+  Place place_;                       ///< of the present statement
+  int loops_ = 0;                     ///< open around it
+  const Routine* routine_ = nullptr;  ///< that it belongs to; null at the top level
+};
+
+}  // namespace rob::lang

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lang/ast.h"
+#include "lang/checker.h"
+#include "lang/code_builder.h"
+#include "lang/compiler.h"
+#include "lang/diagnostic.h"
+#include "lang/expression_compiler.h"
+#include "lang/robot_signature.h"
+
+namespace rob::lang {
+
+/// Private to the compiler: code for statements, one compile() for each kind.
+class StatementCompiler {
+ public:
+  StatementCompiler(const CheckedProgram& checked, const RobotSignature& robot);
+
+  std::optional<Chunk> compile(const Program& program, Diagnostics& diagnostics);
+
+ private:
+  /// What a block declares is given back at its end.
+  void compile(const Block& block) {
+    const auto mark = code_.mark();
+    for (const Statement& statement : block) compile(statement);
+    code_.release(mark);
+  }
+  void compile(const Statement& statement) {
+    place_ = statement.place;
+    std::visit([&](const auto& node) { compile(node); }, statement.node);
+  }
+
+  void compile(const Move& move);
+  void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
+  void compile(const Declaration& declaration);
+  void compile(const SignalDeclaration&) {}
+  void compile(const Assign& assign);
+  void compile(const Print& print);
+  void compile(const Wait& wait);
+  void wait_for_condition(const Wait& wait);
+  void compile(const If& conditional);
+  void compile(const While& loop);
+  void compile(const For& loop);
+  void compile(const Loop& loop);
+  void compile(const Select& select);
+  void compile(const Exit&) { loops_.back().exits.push_back(code_.jump(place_)); }
+  void compile(const Next&) { loops_.back().nexts.push_back(code_.jump(place_)); }
+  void compile(const Assert& assertion);
+
+  void compile(const CallStatement& statement) { expressions_.call(*statement.call); }
+  void compile(const Return& statement);
+  void compile(const Routine& routine);
+
+  /// What EXIT and NEXT of an open loop jump to is known at its end.
+  struct LoopJumps {
+    CodeBuilder::Jumps exits;
+    CodeBuilder::Jumps nexts;
+  };
+  /// Code for the body; NEXT arrives behind it.
+  void compile_body(const Block& body);
+  /// EXIT arrives here: behind the loop.
+  void leave_loop();
+
+  Register declare(const Symbol& symbol);
+  void compile_component(const Expr& component, Dimension dimension, Register target);
+  void default_value(const Type& type, Register home, Place place);
+  void report_limit(Diagnostics& diagnostics) const;
+
+  const RobotSignature& robot_;
+  CodeBuilder code_;
+  ExpressionCompiler expressions_;
+  Place place_;  ///< of the present statement: its line is what the Machine is told
+  std::vector<LoopJumps> loops_;
+  const Routine* routine_ = nullptr;  ///< that is being compiled; null at the top level
+  CodeBuilder::Jumps returns_;        ///< RETURN at the top level: the end of the program
+};
+
+}  // namespace rob::lang
