@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include "lang/builtins.h"
-#include "lang/codes.h"
 #include "lang/fold.h"
 #include "lang/number_text.h"
 
@@ -50,14 +49,6 @@ Vm::State Vm::leave(Code pc, Code resume, State state) {
   return state;
 }
 
-Vm::State Vm::pause(Code pc, Code resume, Reply reply) {
-  if (reply == Reply::Later) return leave(pc, resume, State::Waiting);
-  const Refusal& refusal = machine_.refusal();
-  return fail(
-      pc,
-      {.code = refusal.code, .place = place(pc), .message = refusal.message, .help = refusal.help});
-}
-
 void Vm::pay(Code pc, Code target) {
   const auto spent = pc - paid_;
   executed_ += spent;
@@ -69,42 +60,6 @@ bool Vm::turn(Code pc, Code target) {
   pay(pc, target);
   turned_ = true;
   return budget_ > 0;
-}
-
-Reply Vm::observe(Code pc) {
-  bool value = false;
-  const Reply reply = machine_.read_signal(line(pc), pc->x(), value);
-  if (reply == Reply::Done) {
-    numbers_[pc->a()].integer = value ? 1 : 0;
-    observed_ = true;
-    turned_ = false;
-  }
-  return reply;
-}
-
-Reply Vm::stand(Code pc) {
-  const Reply reply = machine_.stand(line(pc), numbers_[pc->a()].real);
-  if (reply == Reply::Done) {
-    observed_ = true;
-    turned_ = false;
-  }
-  return reply;
-}
-
-Vm::State Vm::fail_timeout(Code pc) {
-  return fail(pc, {.code = std::string(code::kTimeout),
-                   .place = place(pc),
-                   .message = "timeout: what this WAIT waits for did not come in time",
-                   .help = "an ELSE behind TIMEOUT says what to do then"});
-}
-
-bool Vm::check_wait(Code pc, double seconds) {
-  if (seconds >= 0) return true;
-  error_ = {.code = std::string(code::kWaitNegative),
-            .place = place(pc),
-            .message = fmt::format("WAIT turned out to be for {}", number_text(seconds, kTime)),
-            .help = "a time to wait is 0s or more"};
-  return false;
 }
 
 bool Vm::append(std::uint8_t target, std::string_view more) {
@@ -121,27 +76,6 @@ bool Vm::join(std::uint8_t target, std::uint8_t left, std::uint8_t right) {
     texts_[target] = texts_[left] + texts_[right];
   }
   return true;
-}
-
-bool Vm::build(Code pc, MoveCommand& command) {
-  const MoveForm& form = chunk_.moves[pc->x()];
-  const Slot* next = &numbers_[pc->a()];
-  command.count = form.count;
-  command.given = form.given;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(form.count); ++i) {
-    if ((form.given >> i & 1) != 0) command.target[i] = (next++)->real;
-  }
-  command.pace = form.pace;
-  if (form.pace != MoveCommand::Pace::Unspecified) {
-    command.pace_value = (next++)->real;
-    const Dimension dimension = form.pace == MoveCommand::Pace::ToolSpeed      ? kSpeed
-                                : form.pace == MoveCommand::Pace::AngularSpeed ? kAngularSpeed
-                                                                               : kNone;
-    if (!check_positive(pc, "AT", command.pace_value, dimension)) return false;
-  }
-  if (!form.over) return true;
-  command.over = next->real;
-  return check_positive(pc, "OVER", command.over, kTime);
 }
 
 // Computed goto, an extension that g++ and clang share: a jump of its own behind each instruction
@@ -392,7 +326,7 @@ stop:
   ROB_ASK(machine_.stop(line(pc)), pc);
   ROB_NEXT(1);
 wait:
-  if (!check_wait(pc, n[pc->a()].real)) return leave(pc, pc, State::Failed);
+  if (!check_wait(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
   ROB_ASK(machine_.wait(line(pc), n[pc->a()].real), pc);
   ROB_NEXT(1);
 stand:

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include "lang/codes.h"
-#include "lang/number_text.h"
 #include "lang/vm.h"
 
 /// The part of Vm that knows frames, and what it says when something goes wrong.
@@ -80,16 +79,6 @@ Vm::State Vm::fail_assertion_at(Code pc) {
                    .place = place(pc),
                    .message = fmt::format("ASSERT {} does not hold", chunk_.texts[(pc + 1)->word]),
                    .help = ""});
-}
-
-bool Vm::check_positive(Code pc, const char* word, double value, Dimension dimension) {
-  if (value > 0) return true;
-  error_ = {.code = std::string(code::kPaceNotPositive),
-            .place = place(pc),
-            .message = fmt::format("{} turned out to be {}; it has to be above zero", word,
-                                   number_text(value, dimension)),
-            .help = ""};
-  return false;
 }
 
 }  // namespace rob::lang

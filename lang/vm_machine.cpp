@@ -1,0 +1,87 @@
+#include <string>
+
+#include <fmt/core.h>
+
+#include "lang/codes.h"
+#include "lang/number_text.h"
+#include "lang/vm.h"
+
+/// The part of Vm that asks the Machine: what is commanded, observed and waited for.
+namespace rob::lang {
+
+Vm::State Vm::pause(Code pc, Code resume, Reply reply) {
+  if (reply == Reply::Later) return leave(pc, resume, State::Waiting);
+  const Refusal& refusal = machine_.refusal();
+  return fail(
+      pc,
+      {.code = refusal.code, .place = place(pc), .message = refusal.message, .help = refusal.help});
+}
+
+Reply Vm::observe(Code pc) {
+  bool value = false;
+  const Reply reply = machine_.read_signal(line(pc), pc->x(), value);
+  if (reply == Reply::Done) {
+    numbers_[pc->a()].integer = value ? 1 : 0;
+    observed_ = true;
+    turned_ = false;
+  }
+  return reply;
+}
+
+Reply Vm::stand(Code pc) {
+  const Reply reply = machine_.stand(line(pc), numbers_[pc->a()].real);
+  if (reply == Reply::Done) {
+    observed_ = true;
+    turned_ = false;
+  }
+  return reply;
+}
+
+Vm::State Vm::fail_timeout(Code pc) {
+  return fail(pc, {.code = std::string(code::kTimeout),
+                   .place = place(pc),
+                   .message = "timeout: what this WAIT waits for did not come in time",
+                   .help = "an ELSE behind TIMEOUT says what to do then"});
+}
+
+bool Vm::check_wait(Code pc, double seconds) {
+  if (seconds >= 0) return true;
+  error_ = {.code = std::string(code::kWaitNegative),
+            .place = place(pc),
+            .message = fmt::format("WAIT turned out to be for {}", number_text(seconds, kTime)),
+            .help = "a time to wait is 0s or more"};
+  return false;
+}
+
+bool Vm::build(Code pc, MoveCommand& command) {
+  const MoveForm& form = chunk_.moves[pc->x()];
+  const Slot* next = &numbers_[pc->a()];
+  command.count = form.count;
+  command.given = form.given;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(form.count); ++i) {
+    if ((form.given >> i & 1) != 0) command.target[i] = (next++)->real;
+  }
+  command.pace = form.pace;
+  if (form.pace != MoveCommand::Pace::Unspecified) {
+    command.pace_value = (next++)->real;
+    const Dimension dimension = form.pace == MoveCommand::Pace::ToolSpeed      ? kSpeed
+                                : form.pace == MoveCommand::Pace::AngularSpeed ? kAngularSpeed
+                                                                               : kNone;
+    if (!check_positive(pc, "AT", command.pace_value, dimension)) return false;
+  }
+  if (!form.over) return true;
+  command.over = next->real;
+  return check_positive(pc, "OVER", command.over, kTime);
+}
+
+bool Vm::check_positive(Code pc, const char* word, double value, Dimension dimension) {
+  if (value > 0) return true;
+  error_ = {.code = std::string(code::kPaceNotPositive),
+            .place = place(pc),
+            .message = fmt::format("{} turned out to be {}; it has to be above zero", word,
+                                   number_text(value, dimension)),
+            .help = ""};
+  return false;
+}
+
+}  // namespace rob::lang
