@@ -81,7 +81,8 @@ ExitCode run_files(const Options& options) {
       put_result(run_table(result));
     }
     worst = worse(worst, result.exit_code);
-    if (result.status == "interrupted") break;
+    // Where the robot stands now is not where the next program was written to begin.
+    if (program.runnable() && result.exit_code != ExitCode::Done) break;
   }
   if (options.json) print_json(options, documents);
   return worst;

@@ -123,7 +123,7 @@ void RunRecorder::stand_still(const MotionEvent& event) {
     if (running_) {
       LineResult& line = line_of(*running_);
       line.measured += event.time - running_->started;
-      line.ended = result_.error ? "fault" : "hold";
+      line.ended = result_.error ? "fault" : "brake";
     }
     return;
   }

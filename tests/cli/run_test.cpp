@@ -122,6 +122,14 @@ TEST_CASE("a program of more than an hour is foretold for an hour, and a note sa
   CHECK(report["planned_s"] <= 3640.0);  // at most the two lines that the buffer had begun
 }
 
+TEST_CASE("behind a program that failed while it ran no other is started") {
+  const RobCommand bad("VAR n = 0\nPRINT 1 / n\n");
+  const RobCommand good("PRINT \"started\"\n");
+  const ProcessResult result = bad("run", {good.program(), "--fast"});
+  CHECK(result.exit_code == 70);
+  CHECK_FALSE(contains(result.out, "started"));
+}
+
 TEST_CASE("in real time a program takes the time that was foretold") {
   // Generous on purpose: a loaded machine may stall the whole process (docs/realtime.md). A stall
   // that could not be made up is a fault of the machine's, and tried again.
