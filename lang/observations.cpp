@@ -8,7 +8,8 @@ namespace rob::lang {
 int observations(const Expr& expression) {
   struct Counter {
     int operator()(const Name& name) const {
-      return name.symbol->kind == Symbol::Kind::Signal ? 1 : 0;
+      // A name that is not known is reported already; it may have been meant for a signal.
+      return name.symbol == nullptr || name.symbol->kind == Symbol::Kind::Signal ? 1 : 0;
     }
     int operator()(const Unary& unary) const { return observations(*unary.operand); }
     int operator()(const Binary& binary) const {
