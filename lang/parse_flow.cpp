@@ -20,9 +20,11 @@ void Parser::skip_header() {
 /// The end of a header's line; `word` is what the header begins with.
 void Parser::header_end(std::string_view word) {
   if (at_line_end()) return;
-  report(code::kLineEndExpected, current_.place,
-         fmt::format("{} cannot stand on the line of {}", described(current_), word),
-         "begin a new line before it");
+  if (!at(TokenKind::Bad)) {  // that is reported already
+    report(code::kLineEndExpected, current_.place,
+           fmt::format("{} cannot stand on the line of {}", described(current_), word),
+           "begin a new line before it");
+  }
   skip_header();
 }
 

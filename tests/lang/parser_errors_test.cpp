@@ -17,6 +17,11 @@ TEST_CASE("a missing bracket is reported behind the last token before it") {
   CHECK(errors("v = (1 + 2\nSTOP") == Errors{"1:11 E125 ')' expected after the expression"});
 }
 
+TEST_CASE("a character that can stand nowhere is reported once, behind the head of a block too") {
+  CHECK(errors("LOOP \x04\nENDLOOP") ==
+        Errors{"1:6 E106 the character U+0004 can stand in texts and comments only"});
+}
+
 TEST_CASE("what follows an error inside brackets is not taken for statements") {
   CHECK(errors("MOVE(140\n  40,\n  0)\nSTOP").size() == 1);
   CHECK(errors("MOVE(140, 40 40,\n  0)\nSTOP") == Errors{"1:14 E126 ',' expected before '40'"});
