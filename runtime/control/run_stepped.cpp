@@ -34,7 +34,10 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
     servo_cycles(controller, clock, cycle, per_cycle);
     controller.motion().cycle(cycle, 0);
     attend();
-    if (controller.motion().over()) return timing;
+    if (controller.motion().over()) {
+      servo_cycles(controller, clock, cycle + 1, per_cycle);  // an output due last is written, too
+      return timing;
+    }
     if (controller.holding()) continue;  // the program has lost its turn
     if (program_state != ProgramTask::State::Over) {
       program_state = program.step(kInstructionsPerCycle);

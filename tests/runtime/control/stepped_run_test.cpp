@@ -15,6 +15,27 @@ using rob::test::SteppedRun;
 
 namespace {
 
+/// The gantry, and what its outputs were told last.
+struct OutputRecorder final : rob::motion::ServoBackend {
+  std::unique_ptr<ServoBackend> machine =
+      rob::test::simulated(rob::motion::embedded_robot("gantry"));
+  std::uint64_t outputs = 0;
+
+  int axes() const noexcept override { return machine->axes(); }
+  void open() override { machine->open(); }
+  void close() noexcept override { machine->close(); }
+  rob::motion::DriverStatus enable(double now) noexcept override { return machine->enable(now); }
+  void disable(double now) noexcept override { machine->disable(now); }
+  rob::motion::DriverStatus read(double now, rob::motion::ServoState& state) noexcept override {
+    return machine->read(now, state);
+  }
+  rob::motion::DriverStatus write(double now,
+                                  const rob::motion::ServoCommand& command) noexcept override {
+    outputs = command.outputs;
+    return machine->write(now, command);
+  }
+};
+
 double greatest(const std::vector<Snapshot>& rows, auto&& value) {
   double most = 0;
   for (const Snapshot& row : rows) most = std::max(most, value(row));
@@ -103,6 +124,15 @@ TEST_CASE("the lift takes its time, and its input is read when it has arrived") 
   for (const auto& actuator : run.robot.actuators) travel = std::max(travel, actuator.travel_time);
   CHECK(result.lines[0].starts >= travel);
   CHECK(result.lines[0].starts <= travel + 0.05);
+}
+
+TEST_CASE("an output that is due in the last cycle still reaches the machine") {
+  auto machine = std::make_unique<OutputRecorder>();
+  const OutputRecorder& recorder = *machine;
+  SteppedRun run("MOVE(10,0,0)\nSTOP\ngripper = ON\nEND\n", std::move(machine));
+  const RunResult result = run.run();
+  REQUIRE(result.signals.size() == 1);
+  CHECK(recorder.outputs != 0);
 }
 
 TEST_CASE("at standstill an output that was written is read as it was written") {
