@@ -13,6 +13,9 @@ struct MotionEvent {
     EffectDue,       ///< effect
     LateDecision,    ///< tag: nothing was known at the decision point; the target is made exact
     Finished,        ///< everything commanded has been done; the axes stand
+    Hit,             ///< tag; number: the guard of this motion held, or could not be computed
+    Rest,            ///< the Rest that TrajectoryGenerator::take_rest() gives next
+    EffectDropped,   ///< effect: what carried it has ended early
     Held,            ///< the axes stand on the path by request or by fault; value: share of the
                      ///< segment's time that is done, 0…1
     Overrun,         ///< the tick came too late to be made up; value: how late, s

@@ -18,7 +18,7 @@ void PathClock::set_override(double share) noexcept {
 }
 
 void PathClock::advance(double stamp, bool at_rest) noexcept {
-  const double goal = holding_ ? 0 : override_;
+  const double goal = holding_ || braking_ ? 0 : override_;
   if (at_rest) {
     ramp_.jump(goal);
   } else if (goal < ramp_.target()) {

@@ -19,6 +19,9 @@ class PathClock {
 
   void hold() noexcept { holding_ = true; }
   void resume() noexcept { holding_ = false; }
+  /// The same for a motion that is to end: it comes to rest until release().
+  void brake() noexcept { braking_ = true; }
+  void release() noexcept { braking_ = false; }
   /// 0 < share <= 1; what is above counts as 1, what is no positive number changes nothing.
   void set_override(double share) noexcept;
 
@@ -33,8 +36,11 @@ class PathClock {
   double slope() const noexcept { return ramp_.slope(); }
   double override_share() const noexcept { return override_; }
   bool holding() const noexcept { return holding_; }
+  bool braking() const noexcept { return braking_; }
   /// Holding, and come to rest.
-  bool held() const noexcept { return holding_ && ramp_.rate() == 0 && ramp_.remaining() == 0; }
+  bool held() const noexcept { return holding_ && at_rest(); }
+  /// Braking, and come to rest.
+  bool braked() const noexcept { return braking_ && at_rest(); }
   /// When, within the last advance(), the time scale became steady.
   double steady_since() const noexcept;
   /// The path time that one more period will reach if nothing is asked for.
@@ -43,6 +49,7 @@ class PathClock {
   double run_time(double path_time) const noexcept;
 
  private:
+  bool at_rest() const noexcept { return ramp_.rate() == 0 && ramp_.remaining() == 0; }
   static bool as_planned(const StopRamp& ramp) noexcept;
 
   double period_;
@@ -55,6 +62,7 @@ class PathClock {
   double lag_ = 0;
   double override_ = 1;
   bool holding_ = false;
+  bool braking_ = false;
 };
 
 }  // namespace rob::motion

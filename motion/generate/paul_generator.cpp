@@ -15,6 +15,9 @@ constexpr double kSameInstant = 1e-9;
 /// [choice: four times what the buffer's effects can make in one period; taken every period]
 constexpr std::size_t kEvents = 4 * LookAheadBuffer::kEffects;
 
+/// Each is a barrier for the program; two may follow each other within one period.
+constexpr std::size_t kRests = 8;
+
 constexpr std::uint8_t kLimitEndOfBuffer = 20;
 constexpr std::uint8_t kLimitOverride = 21;
 
@@ -32,10 +35,14 @@ PaulGenerator::PaulGenerator(const RobotModel& robot, LookAheadBuffer& buffer,
       buffer_(buffer),
       clock_(time_scale_limits(robot), robot.reference_period),
       events_(kEvents),
-      t_acc_(robot.t_acc) {
+      rests_(kRests),
+      t_acc_(robot.t_acc),
+      usual_t_acc_(robot.t_acc) {
   segment_.target = start;
   const JointVector zero = JointVector::Zero(start.size());
   sample_.reference = {0, start, zero, zero};
+  view_.reference = view_.measured = start;
+  rest_.q = rest_.trip_q = start;
 }
 
 const GeneratorSample& PaulGenerator::advance(std::int64_t period) noexcept {
@@ -76,7 +83,9 @@ void PaulGenerator::set_override(double share) noexcept {
 void PaulGenerator::step(double stamp) noexcept {
   clock_.advance(stamp, !running_ || dwelling());
   if (running_) run_segments();
+  if (clock_.braked()) end_early(clock_.steady_since());
   report_held();
+  drop_ended();
   fire_effects(stamp);
   if (!running_) start_from_rest();
   finish_if_done();
@@ -106,15 +115,19 @@ void PaulGenerator::pass_milestone() noexcept {
 /// instant is not decided before the next reference; here it only matters whether anything can.
 void PaulGenerator::arrive() noexcept {
   latest_ = std::max(latest_, clock_.run_time(end_));
+  close_guard();
   const bool closed = buffer_.closed();
   if (closed && buffer_.next_segment() == nullptr) running_ = false;
 }
 
 /// The decision instant has passed: what follows the present segment?
 void PaulGenerator::decide() noexcept {
+  if (segment_.no_length) close_guard();
   const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
   const SegmentDescriptor* next = faulted_ ? nullptr : buffer_.next_segment();
-  if (next != nullptr && take_up(*next, end_)) {
+  if (next != nullptr && segment_.no_length && hit_at_start(*next, end_)) {
+    buffer_.pop_segment();
+  } else if (next != nullptr && take_up(*next, end_)) {
     buffer_.pop_segment();
   } else if (segment_.no_length) {
     running_ = false;
@@ -200,6 +213,8 @@ void PaulGenerator::start_from_rest() noexcept {
   const SegmentDescriptor* next = buffer_.next_segment();
   if (next == nullptr) return;
   finished_ = false;
+  if (clock_.braking()) return;
+  if (hit_at_start(*next, clock_.path_time())) return buffer_.pop_segment();
   if (take_up(*next, clock_.path_time())) buffer_.pop_segment();
 }
 
@@ -226,10 +241,14 @@ void PaulGenerator::report_held() noexcept {
 
 /// Effects that are due, in their order. With the event ring full they wait in the buffer.
 void PaulGenerator::fire_effects(double time) noexcept {
-  for (const Effect* effect = buffer_.next_effect();
-       effect != nullptr && effect->after <= passed_ && !events_.full();
+  for (const Effect* effect = buffer_.next_effect(); effect != nullptr && !events_.full();
        effect = buffer_.next_effect()) {
-    tell({.kind = Kind::EffectDue, .time = time, .tag = effect->tag, .effect = *effect});
+    const bool dropped = effect->generation <= ended_ && effect->after > kept_;
+    if (!dropped && effect->after > passed_) return;
+    tell({.kind = dropped ? Kind::EffectDropped : Kind::EffectDue,
+          .time = time,
+          .tag = effect->tag,
+          .effect = *effect});
     buffer_.pop_effect();
   }
 }
@@ -245,7 +264,8 @@ void PaulGenerator::make_sample() noexcept {
   } else if (!running_) {
     sample_.state = MotionState::Idle;
   } else {
-    sample_.state = clock_.holding() ? MotionState::Stopping : MotionState::Running;
+    sample_.state =
+        clock_.holding() || clock_.braking() ? MotionState::Stopping : MotionState::Running;
   }
 }
 

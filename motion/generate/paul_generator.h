@@ -30,6 +30,12 @@ namespace rob::motion {
 /// A dwell stands at its target for its duration of the run's time, whatever the override; a hold
 /// interrupts it. What follows starts at its exact end.
 ///
+/// What is guarded or braked ends early: the axes brake on the path, beyond the segment's end if
+/// need be, and the rest of its generation is dropped. A guarded motion that has begun to round the
+/// corner towards it is asked from there on; one that would begin from standstill while its
+/// condition holds does not begin. A guarded motion with nothing behind it is a barrier: its Rest
+/// tells how it ended.
+///
 /// A segment whose rates would not be finite is not begun: Fault, the axes arrive at the target
 /// before it, and nothing more is begun. A reference that is no number all the same is not handed
 /// out: Fault, and the one before is held.
@@ -42,6 +48,7 @@ class PaulGenerator final : public TrajectoryGenerator {
   /// `start`: where the axes stand, m, rad. Takes memory; nothing else here does.
   PaulGenerator(const RobotModel& robot, LookAheadBuffer& buffer, const JointVector& start);
 
+  void look(const CycleView& view) noexcept override;
   const GeneratorSample& advance(std::int64_t period) noexcept override;
   void hold() noexcept override { clock_.hold(); }
   void resume() noexcept override;
@@ -50,6 +57,7 @@ class PaulGenerator final : public TrajectoryGenerator {
     return decidable_.load(std::memory_order_acquire);
   }
   bool take_event(MotionEvent& event) noexcept override { return events_.take(event); }
+  bool take_rest(Rest& rest) noexcept override { return rests_.take(rest); }
 
   /// How often nothing was known at a decision instant.
   std::uint32_t late_decisions() const noexcept {
@@ -76,6 +84,16 @@ class PaulGenerator final : public TrajectoryGenerator {
   void fail(const SegmentDescriptor& segment, int axis, double instant) noexcept;
   void publish_decidable() noexcept;
   void tell(MotionEvent event) noexcept;
+
+  // Early ends (paul_early_end.cpp)
+  static Rest::Outcome outcome_of(WatchAnswer answer) noexcept;
+  void trip(Rest::Outcome outcome) noexcept;
+  bool hit_at_start(const SegmentDescriptor& segment, double instant) noexcept;
+  void end_early(double instant) noexcept;
+  void close_guard() noexcept;
+  void tell_rest(double time) noexcept;
+  void drop_ended() noexcept;
+
   void begin_dwell(const SegmentDescriptor& segment, double instant) noexcept;
   bool dwelling() const noexcept { return running_ && segment_.dwell; }
   double exit() const noexcept {
@@ -87,6 +105,7 @@ class PaulGenerator final : public TrajectoryGenerator {
   LookAheadBuffer& buffer_;
   PathClock clock_;
   SpscRing<MotionEvent> events_;
+  SpscRing<Rest> rests_;
   std::atomic<std::uint32_t> decidable_{0};
   std::atomic<std::uint32_t> late_decisions_{0};
   std::int64_t last_period_ = -1;
@@ -102,6 +121,13 @@ class PaulGenerator final : public TrajectoryGenerator {
   double milestone_ = 0;   ///< path time at which the effects up to number `passing_` are due
   std::uint32_t passing_ = 0;
   std::uint32_t passed_ = 0;  ///< effects up to this number are due
+
+  // What ends early
+  const double usual_t_acc_;  ///< of the first transition after it
+  CycleView view_;            ///< of the present cycle
+  Rest rest_;                 ///< in the making
+  std::uint32_t ended_ = 0;   ///< generations up to this one are over
+  std::uint32_t kept_ = 0;    ///< effects of the one that ended last act up to this number
 
   bool held_told_ = false;
   bool faulted_ = false;

@@ -3,6 +3,8 @@
 #include <cstdint>
 
 #include "motion/generate/motion_event.h"
+#include "motion/generate/rest.h"
+#include "motion/plan/watch.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::motion {
@@ -30,6 +32,9 @@ class TrajectoryGenerator {
  public:
   virtual ~TrajectoryGenerator() = default;
 
+  /// Asks all watches about the present cycle, before advance() goes on from it.
+  virtual void look(const CycleView& view) noexcept = 0;
+
   /// Computes every reference up to `period` (the reference stamped period·T) in order, and
   /// returns the last. If `period` lies too far ahead of the last one to be made up
   /// (20 periods or 200 ms, whichever is longer), the path is not followed to where it should
@@ -49,6 +54,8 @@ class TrajectoryGenerator {
   /// Takes the next event, in order of time; false if there is none. Instants lie up to one
   /// period ahead of the cycle that computed them.
   virtual bool take_event(MotionEvent& event) noexcept = 0;
+  /// Takes the next Rest; there is one for every MotionEvent of that kind.
+  virtual bool take_rest(Rest& rest) noexcept = 0;
 };
 
 }  // namespace rob::motion

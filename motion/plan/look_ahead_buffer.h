@@ -26,6 +26,9 @@ class LookAheadBuffer {
   bool push(const Effect& effect) noexcept { return effects_.push(effect); }
   bool full() const noexcept { return segments_.full(); }
   bool effects_full() const noexcept { return effects_.full(); }
+  /// The motion `number` is braked on its path as soon as it is the running one, and ends early
+  /// (Rest); nothing may be pushed behind it before.
+  void brake(std::uint32_t number) noexcept { brake_.store(number, std::memory_order_release); }
   /// Nothing more will come: the generator finishes when it has done what is there.
   void close() noexcept { closed_.store(true, std::memory_order_release); }
 
@@ -34,11 +37,15 @@ class LookAheadBuffer {
   void pop_segment() noexcept { segments_.pop(); }
   const Effect* next_effect() const noexcept { return effects_.front(); }
   void pop_effect() noexcept { effects_.pop(); }
+  /// The motion to be braked; 0: none. Taken back once it is done.
+  std::uint32_t to_be_braked() const noexcept { return brake_.load(std::memory_order_acquire); }
+  void braked() noexcept { brake_.store(0, std::memory_order_relaxed); }
   bool closed() const noexcept { return closed_.load(std::memory_order_acquire); }
 
  private:
   SpscRing<SegmentDescriptor> segments_;
   SpscRing<Effect> effects_;
+  std::atomic<std::uint32_t> brake_{0};
   std::atomic<bool> closed_{false};
 };
 

@@ -53,6 +53,8 @@ SegmentDescriptor MotionPlanner::dwell(Tag tag, double duration) noexcept {
 void MotionPlanner::retarget(const JointVector& q) noexcept {
   commanded_ = q;
   exact_ = true;
+  t_acc_before_ = robot_.t_acc;
+  ++generation_;
 }
 
 JointVector MotionPlanner::complete(const MotionRequest& request) const noexcept {
@@ -137,6 +139,7 @@ SegmentDescriptor MotionPlanner::commit(Tag tag, const JointVector& target, bool
   SegmentDescriptor segment;
   segment.tag = tag;
   segment.number = ++number_;
+  segment.generation = generation_;
   segment.target = target;
   segment.duration = timing.duration;
   segment.t_acc = robot_.t_acc;

@@ -64,7 +64,9 @@ class MotionPlanner {
   const JointVector& commanded() const noexcept { return commanded_; }
   /// Number of the last segment made; 0: none yet. What an effect behind it carries.
   std::uint32_t last_number() const noexcept { return number_; }
-  /// After an early end the axes stand at q, not at the last target.
+  std::uint32_t generation() const noexcept { return generation_; }
+  /// After an early end the axes stand at q, not at the last target. What is planned from now on
+  /// belongs to a new generation.
   void retarget(const JointVector& q) noexcept;
 
  private:
@@ -87,6 +89,7 @@ class MotionPlanner {
   double t_acc_before_;  ///< t_B of the next segment
   bool exact_ = true;    ///< the last target is reached exactly
   std::uint32_t number_ = 0;
+  std::uint32_t generation_ = 1;
   double boost_ = 1;
 };
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "motion/plan/motion_request.h"
+#include "motion/plan/watch.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::motion {
@@ -18,6 +19,9 @@ struct SegmentDescriptor {
   bool no_length = false;    ///< target = the target before: the exact pass, a stop or a dwell
   bool dwell = false;        ///< a standstill of `duration`, 0 too; override does not stretch it
   std::uint8_t limit = 0;    ///< what set the duration: 0 nothing, 1 AT, 2 + i the speed of axis i
+  /// What ends early takes all of its generation with it; see Rest
+  std::uint32_t generation = 1;
+  Watch guard{};  ///< ends it early: UNTIL. Also of the stop that makes it exact
 };
 
 /// Something that happens in motion order beside the axes: an output, a line of print.
@@ -30,6 +34,7 @@ struct Effect {
   std::uint8_t channel = 0;  ///< of an Output
   std::uint32_t id = 0;      ///< the asker's own
   std::uint32_t after = 0;   ///< number of the segment that carries it; 0: before any motion
+  std::uint32_t generation = 1;
 };
 
 }  // namespace rob::motion

@@ -52,6 +52,9 @@ struct Channels {
   motion::SpscRing<Snapshot> snapshots{kSnapshots};                  ///< motion → main
   motion::SpscRing<motion::MotionEvent> events{kEvents};             ///< motion → main
 
+  /// motion → program: how what was guarded or braked has ended, one for each that it waits for
+  motion::SpscRing<motion::Rest> rests{16};
+
   motion::SpscRing<ServoNotice> notices{16};  ///< motion → main
 
   std::atomic<std::uint64_t> outputs{0};  ///< motion → servo: bit i is output channel i

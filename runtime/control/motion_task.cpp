@@ -21,16 +21,18 @@ MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenera
       period_(robot.reference_period),
       override_share_(std::min(override_share, 1.0)) {
   if (override_share_ < 1) generator_.set_override(override_share_);
+  current_.reference.q = robot.start;
 }
 
 void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   take_samples();
   take_requests();
+  generator_.look(view(static_cast<double>(number) * period_));
   if (!started_) {
     current_ = generator_.advance(number);
-    collect_events();
     started_ = true;
   }
+  collect_events();
   publish(current_);
   release_events(static_cast<double>(number) * period_);
   channels_.cycle.store(number, std::memory_order_relaxed);
@@ -69,6 +71,15 @@ void MotionTask::take_finding(const ServoSample& sample) noexcept {
 
 void MotionTask::take_requests() noexcept {
   if (channels_.hold_requested.load(std::memory_order_relaxed)) generator_.hold();
+}
+
+motion::CycleView MotionTask::view(double now) const noexcept {
+  motion::CycleView view{now, current_.reference.q, current_.reference.q,
+                         channels_.inputs.load(std::memory_order_relaxed), outputs_};
+  if (const ServoSample* servo = sample_at(now)) {
+    view.measured = servo->measured.q + servo->measured.qd * (now - servo->measured.time);
+  }
+  return view;
 }
 
 const ServoSample* MotionTask::sample_at(double stamp) const noexcept {
@@ -120,6 +131,12 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
       channels_.effects_done.fetch_add(1, std::memory_order_release);
       event.time = cycle_time;  // it acts in this cycle, and says so
       break;
+    case MotionEvent::Kind::EffectDropped:
+      channels_.effects_done.fetch_add(1, std::memory_order_release);
+      return;  // the report counts what has not acted
+    case MotionEvent::Kind::Rest:
+      hand_over_rest();
+      break;
     case MotionEvent::Kind::Overrun:
     case MotionEvent::Kind::Fault:
       faulted_ = true;
@@ -134,6 +151,11 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
       break;
   }
   tell(event);
+}
+
+void MotionTask::hand_over_rest() noexcept {
+  motion::Rest rest;
+  if (generator_.take_rest(rest)) channels_.rests.push(rest);
 }
 
 void MotionTask::tell(const MotionEvent& event) noexcept {

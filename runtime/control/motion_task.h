@@ -31,6 +31,8 @@ class MotionTask {
   void take_samples() noexcept;
   void take_finding(const ServoSample& sample) noexcept;
   void take_requests() noexcept;
+  motion::CycleView view(double now) const noexcept;
+  void hand_over_rest() noexcept;
   void publish(const motion::GeneratorSample& sample) noexcept;
   void collect_events() noexcept;
   void release_events(double until) noexcept;

@@ -79,6 +79,12 @@ void RunRecorder::take(const MotionEvent& event) {
       add_event(event.time, "late-decision", static_cast<int>(event.tag),
                 "the next motion was not known in time; the target was made exact");
       break;
+    case MotionEvent::Kind::Hit:
+      add_event(event.time, "hit", static_cast<int>(event.tag), "");
+      break;
+    case MotionEvent::Kind::Rest:
+    case MotionEvent::Kind::EffectDropped:
+      break;
     case MotionEvent::Kind::Overrun:
       fail(event.time, "overrun", words_for_overrun(event.value));
       break;

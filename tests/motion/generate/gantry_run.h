@@ -62,15 +62,29 @@ class GantryRun {
     if (!buffer_.push(segment)) throw std::logic_error("no room for a segment");
   }
   void close() { buffer_.close(); }
+  motion::LookAheadBuffer& buffer() { return buffer_; }
+  std::uint64_t inputs = 0;
 
   // The tick's side.
   const motion::GeneratorSample& step() { return advance(period_ + 1); }
   const motion::GeneratorSample& advance(std::int64_t period) {
+    look();
     period_ = period;
     samples_.push_back(generator_.advance(period));
     motion::MotionEvent event;
     while (generator_.take_event(event)) events_.push_back(event);
+    motion::Rest rest;
+    while (generator_.take_rest(rest)) rests_.push_back(rest);
     return samples_.back();
+  }
+  /// The world of the cycle that computes the next reference: the axes stand where they should.
+  void look() {
+    motion::CycleView view;
+    view.inputs = inputs;
+    view.reference = samples_.empty() ? robot_.start : samples_.back().reference.q;
+    view.measured = view.reference;
+    view.time = samples_.empty() ? 0 : samples_.back().reference.time;
+    generator_.look(view);
   }
   /// Until Finished, but at most `most` periods.
   void finish(std::int64_t most = 1'000'000) {
@@ -90,6 +104,7 @@ class GantryRun {
   motion::PaulGenerator& generator() { return generator_; }
   const std::vector<motion::GeneratorSample>& samples() const { return samples_; }
   const std::vector<motion::MotionEvent>& events() const { return events_; }
+  const std::vector<motion::Rest>& rests() const { return rests_; }
   std::int64_t period() const { return period_; }
 
  private:
@@ -100,6 +115,7 @@ class GantryRun {
   std::int64_t period_ = -1;
   std::vector<motion::GeneratorSample> samples_;
   std::vector<motion::MotionEvent> events_;
+  std::vector<motion::Rest> rests_;
 };
 
 /// The program that S1 measures, its STOP, and END.

@@ -1,0 +1,106 @@
+#include <algorithm>
+
+#include "motion/generate/paul_generator.h"
+
+/// The part of PaulGenerator that ends motions early: guards, braking, and what becomes of all that
+/// was commanded behind.
+namespace rob::motion {
+
+using Kind = MotionEvent::Kind;
+
+void PaulGenerator::look(const CycleView& view) noexcept {
+  view_ = view;
+  if (clock_.braking() || faulted_) return;
+  const std::uint32_t number = buffer_.to_be_braked();
+  if (number != 0 && number <= segment_.number) return trip(Rest::Outcome::Braked);
+  if (!running_ || !segment_.guard.present()) return;
+  const WatchAnswer answer = segment_.guard.ask(view);
+  if (answer != WatchAnswer::No) trip(outcome_of(answer));
+}
+
+Rest::Outcome PaulGenerator::outcome_of(WatchAnswer answer) noexcept {
+  return answer == WatchAnswer::Yes ? Rest::Outcome::Hit : Rest::Outcome::Failed;
+}
+
+/// From now on the axes brake on their path, beyond the end of the segment if need be.
+void PaulGenerator::trip(Rest::Outcome outcome) noexcept {
+  rest_.outcome = outcome;
+  rest_.generation = segment_.generation;
+  rest_.tag = segment_.tag;
+  rest_.trip_time = view_.time;
+  rest_.trip_q = view_.measured;
+  kept_ = segment_.number - (segment_.number > 0 ? 1 : 0);
+  clock_.brake();
+  if (outcome == Rest::Outcome::Braked) return;
+  tell({.kind = Kind::Hit, .time = view_.time, .tag = segment_.tag, .number = segment_.number});
+}
+
+/// A guarded motion that would start from standstill while its condition holds does not start.
+bool PaulGenerator::hit_at_start(const SegmentDescriptor& segment, double instant) noexcept {
+  if (!segment.guard.present()) return false;
+  const WatchAnswer answer = segment.guard.ask(view_);
+  if (answer == WatchAnswer::No) return false;
+  segment_.tag = segment.tag;
+  segment_.number = segment.number;
+  segment_.generation = segment.generation;
+  tell({.kind = Kind::SegmentStarted,
+        .time = clock_.run_time(instant),
+        .tag = segment.tag,
+        .number = segment.number});
+  running_ = false;
+  trip(outcome_of(answer));
+  return true;
+}
+
+/// The axes have come to rest after a trip: the path ends here, and with it its generation. What
+/// was commanded before the motion that tripped acts now, since its place is not passed any more.
+void PaulGenerator::end_early(double instant) noexcept {
+  if (running_ && !segment_.dwell) {
+    const double sigma = clock_.path_time() - zero_;
+    segment_.target = path_.sample(sigma).q;
+    segment_.duration = sigma + segment_.t_acc;
+  }
+  running_ = false;
+  inserted_ = false;
+  segment_.guard = {};
+  t_acc_ = usual_t_acc_;
+  ended_ = rest_.generation;
+  passed_ = passing_ = segment_.number;
+  latest_ = std::max(latest_, instant);
+  fire_effects(latest_);
+  if (rest_.outcome == Rest::Outcome::Braked) buffer_.braked();
+  clock_.release();
+  rest_.q = segment_.target;
+  tell_rest(latest_);
+}
+
+/// A guarded motion has arrived, and its condition never held.
+void PaulGenerator::close_guard() noexcept {
+  if (!segment_.guard.present() || clock_.braking()) return;
+  segment_.guard = {};
+  const double time = std::max(latest_, clock_.run_time(end_));
+  rest_.outcome = Rest::Outcome::Reached;
+  rest_.generation = segment_.generation;
+  rest_.tag = segment_.tag;
+  rest_.trip_time = time;
+  rest_.trip_q = view_.measured;
+  rest_.q = segment_.target;
+  tell_rest(time);
+}
+
+void PaulGenerator::tell_rest(double time) noexcept {
+  rest_.time = time;
+  rests_.push(rest_);
+  tell({.kind = Kind::Rest, .time = time, .tag = rest_.tag, .number = segment_.number});
+}
+
+/// Motions of a generation that has ended are passed over; the axes stand behind them.
+void PaulGenerator::drop_ended() noexcept {
+  for (const SegmentDescriptor* next = buffer_.next_segment();
+       next != nullptr && next->generation <= ended_; next = buffer_.next_segment()) {
+    segment_.number = passed_ = passing_ = next->number;
+    buffer_.pop_segment();
+  }
+}
+
+}  // namespace rob::motion

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+#include "motion/plan/motion_request.h"
+#include "motion/space/joint_vector.h"
+
+namespace rob::motion {
+
+/// How what had been commanded came to rest, for the program that waits for it. Where it ended
+/// early, all that was commanded in its generation is dropped, and the next motion starts at `q`.
+struct Rest {
+  enum class Outcome : std::uint8_t {
+    Reached,  ///< a guarded motion has arrived at its target
+    Hit,      ///< its condition held
+    Failed,   ///< its condition could not be computed
+    Braked    ///< by request, see LookAheadBuffer::brake()
+  };
+
+  Outcome outcome = Outcome::Reached;
+  std::uint32_t generation = 0;
+  Tag tag = 0;           ///< of the motion that ran when it happened
+  double time = 0;       ///< s, when the axes came to rest
+  double trip_time = 0;  ///< s, when the braking began; without braking: time
+  JointVector q;         ///< m, rad: the reference at rest
+  JointVector trip_q;    ///< what was measured in the cycle in which the braking began
+
+  bool early() const noexcept { return outcome != Outcome::Reached; }
+};
+
+}  // namespace rob::motion
