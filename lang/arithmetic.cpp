@@ -33,6 +33,14 @@ ArithmeticErrorText describe(ArithmeticError error) {
       return {code::kZeroStep, "the STEP of a FOR is zero", "it would never end"};
     case ArithmeticError::TooManyTurns:
       return {code::kTooManyTurns, "this FOR would run more than 2^53 times", "take a larger STEP"};
+    case ArithmeticError::DigitsOutOfRange:
+      return {code::kDigitsOutOfRange, "STR writes 0 to 17 decimals", "a number has no more"};
+    case ArithmeticError::NotANumber:
+      return {code::kNotANumber, "NUM of a text that is no number",
+              "a number is written as in a program, without unit: 12, -0.5 or 1e-3"};
+    case ArithmeticError::RangeReversed:
+      return {code::kRangeReversed, "the lower bound of RANDOM is above the upper one",
+              "the order is RANDOM(lower, upper)"};
   }
   return {};
 }

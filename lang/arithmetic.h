@@ -29,7 +29,10 @@ enum class ArithmeticError : std::uint8_t {
   ClampReversed,
   PowerUndefined,
   ZeroStep,
-  TooManyTurns
+  TooManyTurns,
+  DigitsOutOfRange,
+  NotANumber,
+  RangeReversed
 };
 
 /// What a person is told about an ArithmeticError.

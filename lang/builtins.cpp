@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "lang/ascii.h"
+#include "lang/text_functions.h"
 
 namespace rob::lang {
 namespace {
@@ -124,17 +125,30 @@ Error wrap(Arguments a, Slot& r) {
   return store_finite(turned <= -kPi ? kPi : turned, r.real);
 }
 
+/// "SII:S" taken apart.
+constexpr Builtin on_texts(std::string_view name, std::string_view signature,
+                           TextFunction function) {
+  const std::size_t count = signature.find(':');
+  return {.name = name,
+          .least = count,
+          .most = count,
+          .rule = BuiltinRule::Texts,
+          .signature = {signature.substr(0, count), signature[count + 1]},
+          .text = function};
+}
+
 constexpr std::array kBuiltins = std::to_array<Builtin>({
 #define ROB_BUILTIN(name, least, most, rule, integer, real) \
-  {#name, least, most, BuiltinRule::rule, integer, real},
+  {#name, least, most, BuiltinRule::rule, integer, real, {}, nullptr},
+#define ROB_TEXT_BUILTIN(name, signature, function) \
+  on_texts(#name, signature, text_functions::function),
 #include "lang/builtins.def"
 });
 
 constexpr std::array kLater = std::to_array<std::string_view>(
-    {"AIN",    "AOUT", "CLOCK", "CROSS",   "DIST", "DOT",    "FIND",   "FORCE",  "FORWARD",
-     "FRAME3", "HERE", "HIT",   "HITPOSE", "INV",  "JOINTS", "LEN",    "LOWER",  "MID",
-     "MIX",    "NORM", "NUM",   "POSE",    "QUAT", "RANDOM", "TARGET", "TORQUE", "TO_FRAME",
-     "TRIM",   "TURN", "UNIT",  "UPPER",   "VEC",  "WORLD",  "WRENCH", "ZYZ"});
+    {"AIN",    "AOUT",   "CLOCK",    "CROSS", "DIST",   "DOT", "FORCE", "FORWARD", "FRAME3",
+     "HERE",   "HIT",    "HITPOSE",  "INV",   "JOINTS", "MIX", "NORM",  "POSE",    "QUAT",
+     "TARGET", "TORQUE", "TO_FRAME", "TURN",  "UNIT",   "VEC", "WORLD", "WRENCH",  "ZYZ"});
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,11 +25,23 @@ enum class BuiltinRule : std::uint8_t {
   RealToReal,    ///< REAL → REAL
   RealToInt,     ///< REAL → INT
   AngleToAngle,  ///< ANGLE → ANGLE
-  AnyToText      ///< any → STRING; compiled in line, so it has no function
+  AnyToText,     ///< any → STRING; compiled in line, so it has no function
+  Random,        ///< none → REAL, two of one D → D; the Vm's own, so it has no function
+  Texts          ///< as its signature says
 };
 
 /// Pure; takes no memory. All arguments are INT, or all are REAL, as the function was chosen.
 using BuiltinFunction = ArithmeticError (*)(std::span<const Slot> arguments, Slot& result);
+
+/// What the arguments of a function on texts are, letter by letter, and behind a colon its result:
+/// "SII:S" (builtins.def).
+struct TextSignature {
+  std::string_view parameters;
+  char result = 0;
+};
+/// The numbers among the arguments, and the texts; the result lies in the first of its kind. Texts
+/// take memory.
+using TextFunction = ArithmeticError (*)(Slot* numbers, std::string* texts);
 
 /// No built-in takes more arguments than this. [choice] a MIN of more is not readable.
 inline constexpr std::size_t kMostArguments = 16;
@@ -40,6 +53,8 @@ struct Builtin {
   BuiltinRule rule = BuiltinRule::SameNumber;
   BuiltinFunction integer = nullptr;
   BuiltinFunction real = nullptr;
+  TextSignature signature{};  ///< of BuiltinRule::Texts
+  TextFunction text = nullptr;
 };
 
 /// All of builtins.def, in its order; the index is what an instruction carries.

@@ -7,6 +7,8 @@
 #include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/expression_checker.h"
+#include "lang/suggest.h"
+#include "lang/units.h"
 
 /// The part of ExpressionChecker that knows how built-in functions are called.
 namespace rob::lang {
@@ -95,9 +97,9 @@ const Builtin* ExpressionChecker::resolve_function(const Call& call, Place place
 
 Type ExpressionChecker::check_arguments(const Builtin& builtin, const Call& call) {
   const std::string needs = fmt::format("{} needs", builtin.name);
-  const Expr& first = *call.arguments.front();
+  const auto first = [&]() -> const Expr& { return *call.arguments.front(); };
   const auto only = [&](const Type& wanted, const Type& result) {
-    return accept(first, wanted, needs) ? result : Type{};
+    return accept(first(), wanted, needs) ? result : Type{};
   };
   switch (builtin.rule) {
     case BuiltinRule::SameNumber:
@@ -109,7 +111,7 @@ Type ExpressionChecker::check_arguments(const Builtin& builtin, const Call& call
       if (!type.numeric()) return {};
       if (const auto root = root_of(type.dimension)) return Type::real(*root);
       diagnostics_.error(
-          code::kDimensionMismatch, first.place,
+          code::kDimensionMismatch, first().place,
           fmt::format("{} has no root: SQRT halves the exponents of the unit", in_words(type)));
       return {};
     }
@@ -131,8 +133,62 @@ Type ExpressionChecker::check_arguments(const Builtin& builtin, const Call& call
       return only(Type::real(), Type::integer());
     case BuiltinRule::AnyToText:
       return Type::string();
+    case BuiltinRule::Random:
+      return call.arguments.empty() ? Type::real() : common_dimension(call);
+    case BuiltinRule::Texts:
+      return check_texts(builtin, call);
   }
   return {};
+}
+
+Type ExpressionChecker::check_texts(const Builtin& builtin, const Call& call) {
+  const std::string needs = fmt::format("{} needs", builtin.name);
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+    const Expr& argument = *call.arguments[i];
+    const char letter = builtin.signature.parameters[i];
+    if (letter != 'Q') {
+      if (!accept(argument, letter == 'S' ? Type::string() : Type::integer(), needs)) return {};
+    } else if (!argument.type.numeric()) {
+      diagnostics_.error(code::kTypeMismatch, argument.place,
+                         fmt::format("{} a number here; this is {}", needs, described(argument)));
+      return {};
+    } else if (!check_unit(argument, *call.arguments[i + 1])) {
+      return {};
+    }
+  }
+  switch (builtin.signature.result) {
+    case 'S':
+      return Type::string();
+    case 'I':
+      return Type::integer();
+    default:
+      return Type::real();
+  }
+}
+
+/// The unit in which STR writes a value: known here, so that its dimension can be checked.
+bool ExpressionChecker::check_unit(const Expr& value, const Expr& unit_text) {
+  if (unit_text.type != Type::string()) return accept(unit_text, Type::string(), "STR needs");
+  const auto* const text = std::get_if<std::string>(&unit_text.constant);
+  if (text == nullptr) {
+    diagnostics_.error(code::kUnitNotWritten, unit_text.place,
+                       "STR needs its unit written out, so that it can be checked",
+                       "for example STR(x, \"mm\", 1)");
+    return false;
+  }
+  const auto unit = text->empty() ? Unit{} : find_unit(*text);
+  if (!unit) {
+    diagnostics_.error(code::kUnknownUnit, unit_text.place,
+                       fmt::format("there is no unit {}", shortened(*text)),
+                       did_you_mean(suggest(*text, {unit_names().begin(), unit_names().end()})));
+    return false;
+  }
+  if (unit->dimension == value.type.dimension) return true;
+  diagnostics_.error(code::kDimensionMismatch, unit_text.place,
+                     fmt::format("{} is the unit of {}; the value is {}", *text,
+                                 in_words(unit->dimension), described(value)),
+                     fmt::format("write \"{}\"", lang::unit_text(value.type.dimension)));
+  return false;
 }
 
 /// The type that all arguments share: INT, or REAL of one dimension.
@@ -159,6 +215,7 @@ Type ExpressionChecker::common_dimension(const Call& call) {
 }
 
 void ExpressionChecker::fold_call(const Builtin& builtin, const Call& call, Expr& expression) {
+  if (builtin.rule == BuiltinRule::Random || builtin.rule == BuiltinRule::Texts) return;
   if (builtin.rule == BuiltinRule::AnyToText) {
     const Expr& value = *call.arguments.front();
     if (known(value.constant) && value.type != Type::string()) {

@@ -182,6 +182,8 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
     code_.emit(Opcode::copy_text, expression.place, target, text);
     return;
   }
+  if (builtin.rule == BuiltinRule::Random) return draw(call, expression, target);
+  if (builtin.rule == BuiltinRule::Texts) return call_on_texts(builtin, call, expression, target);
   const bool whole = computes_whole(builtin, call);
   const Register first = code_.number_registers(static_cast<int>(call.arguments.size()));
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
@@ -191,6 +193,37 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
   code_.emit(whole ? Opcode::call_int : Opcode::call_real, expression.place, first, index,
              static_cast<unsigned>(call.arguments.size()));
   code_.emit(Opcode::copy, expression.place, target, first);
+}
+
+void ExpressionCompiler::draw(const Call& call, const Expr& expression, Register target) {
+  if (call.arguments.empty()) {
+    code_.emit(Opcode::random, expression.place, target);
+    return;
+  }
+  const bool whole = expression.type == Type::integer();
+  const Register bounds = code_.number_registers(2);
+  into(*call.arguments[0], bounds, !whole);
+  into(*call.arguments[1], static_cast<Register>(bounds + 1), !whole);
+  code_.emit(whole ? Opcode::random_int : Opcode::random_real, expression.place, bounds);
+  code_.emit(Opcode::copy, expression.place, target, bounds);
+}
+
+/// Numbers and texts lie apart, each in order; the result takes the place of the first of its kind.
+void ExpressionCompiler::call_on_texts(const Builtin& builtin, const Call& call,
+                                       const Expr& expression, Register target) {
+  const std::string_view parameters = builtin.signature.parameters;
+  const auto count = static_cast<int>(parameters.size());
+  const Register numbers = code_.number_registers(count);
+  const Register texts = code_.text_registers(count);
+  Register next = numbers;
+  Register next_text = texts;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    into(*call.arguments[i], parameters[i] == 'S' ? next_text++ : next++, parameters[i] == 'Q');
+  }
+  const auto index = static_cast<unsigned>(&builtin - builtins().data());
+  code_.emit(Opcode::call_text, expression.place, numbers, texts, index);
+  code_.emit(is_text(expression) ? Opcode::copy_text : Opcode::copy, expression.place, target,
+             is_text(expression) ? texts : numbers);
 }
 
 void ExpressionCompiler::append(const Expr& expression, Register text) {

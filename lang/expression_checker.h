@@ -64,6 +64,8 @@ class ExpressionChecker {
   Type check_division(const Binary& binary, const Expr& expression);
   Type check_power(const Binary& binary, const Expr& expression);
   Type check_arguments(const Builtin& builtin, const Call& call);
+  Type check_texts(const Builtin& builtin, const Call& call);
+  bool check_unit(const Expr& value, const Expr& unit_text);
   Type common_dimension(const Call& call);
 
   // Routines (check_routine_calls.cpp)

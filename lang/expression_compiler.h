@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lang/ast.h"
+#include "lang/builtins.h"
 #include "lang/code_builder.h"
 #include "lang/symbols.h"
 
@@ -60,6 +61,9 @@ class ExpressionCompiler {
   void compile(const Unary& unary, const Expr& expression, Register target);
   void compile(const Binary& binary, const Expr& expression, Register target);
   void compile(const Call& call, const Expr& expression, Register target);
+  void draw(const Call& call, const Expr& expression, Register target);
+  void call_on_texts(const Builtin& builtin, const Call& call, const Expr& expression,
+                     Register target);
   void compile_truth(const Expr& expression, Register target);
 
   CodeBuilder::Jumps jumps(const Expr& condition, bool when);

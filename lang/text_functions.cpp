@@ -143,7 +143,7 @@ Error number(Slot* numbers, std::string* texts) {
 Error formatted(Slot* numbers, std::string* texts) {
   const std::int64_t digits = numbers[1].integer;
   if (digits < 0 || digits > kMostDigits) return Error::DigitsOutOfRange;
-  const Unit unit = *find_unit(texts[0]);
+  const Unit unit = texts[0].empty() ? Unit{} : *find_unit(texts[0]);
   const double shift = std::pow(10.0, std::abs(unit.exponent10));
   const double units = numbers[0].real / unit.factor;
   const double value = unit.exponent10 < 0 ? units * shift : units / shift;

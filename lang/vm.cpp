@@ -17,7 +17,7 @@ constexpr double kSameTime = 1e-9;  // s: sums of cycles that differ by less are
 
 }  // namespace
 
-Vm::Vm(const Chunk& chunk, Machine& machine)
+Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
     : chunk_(chunk),
       machine_(machine),
       number_stack_(chunk.routines.empty() ? kMostRegisters : kNumberStack),
@@ -28,7 +28,9 @@ Vm::Vm(const Chunk& chunk, Machine& machine)
       called_in_(chunk.routines.size()),
       next_(chunk.code.data()),
       latch_(next_),
-      paid_(next_) {}
+      paid_(next_),
+      random_(seed),
+      latched_random_(random_) {}
 
 Vm::State Vm::run(std::int64_t budget) {
   if (state_ == State::Done || state_ == State::Failed) return state_;
@@ -41,6 +43,8 @@ Vm::State Vm::leave(Code pc, Code resume, State state) {
   executed_ += pc - paid_;
   paid_ = resume;
   next_ = resume;
+  // An expression that starts anew draws the same random numbers.
+  if (resume == latch_ && resume != pc) random_ = latched_random_;
   // When the program goes on, time has passed; only a used-up budget stays in the present cycle.
   if (state != State::Running) {
     observed_ = false;
@@ -173,6 +177,22 @@ call_int:
 call_real:
   ROB_CHECKED(builtins()[pc->b()].real({&n[pc->a()], pc->c()}, n[pc->a()]));
   ROB_NEXT(1);
+call_text:
+  ROB_CHECKED(builtins()[pc->c()].text(&n[pc->a()], &texts_[pc->b()]));
+  ROB_NEXT(1);
+random:
+  n[pc->a()].real = random_.share();
+  ROB_NEXT(1);
+random_int : {
+  Slot* const range = &n[pc->a()];
+  ROB_CHECKED(random_.between(range[0].integer, range[1].integer, range[0].integer));
+  ROB_NEXT(1);
+}
+random_real : {
+  Slot* const range = &n[pc->a()];
+  ROB_CHECKED(random_.between(range[0].real, range[1].real, range[0].real));
+  ROB_NEXT(1);
+}
 
 load_global:
   n[pc->a()] = number_stack_[pc->x()];
@@ -304,6 +324,7 @@ append_text:
 
 latch:
   latch_ = pc;
+  latched_random_ = random_;
   ROB_NEXT(1);
 read_signal:
   if (next_cycle_is_due()) return leave(pc, pc, State::NextCycle);

@@ -9,6 +9,7 @@
 #include "lang/chunk.h"
 #include "lang/diagnostic.h"
 #include "lang/machine.h"
+#include "lang/random.h"
 
 namespace rob::lang {
 
@@ -62,7 +63,8 @@ class Vm {
     Failed  ///< error() says why; what was commanded before stays commanded
   };
 
-  Vm(const Chunk& chunk, Machine& machine);
+  /// `seed` is where RANDOM begins.
+  Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed = Random::kDefaultSeed);
 
   /// Executes until the program has to wait or is over, or until `budget` instructions are spent.
   /// The budget is looked at where a loop turns, so a run may exceed it by the length of the code,
@@ -137,6 +139,8 @@ class Vm {
   Code next_;   ///< where the next run() goes on
   Code latch_;  ///< the `latch` of the expression that is being computed
   Code paid_;   ///< what lies between here and the present instruction is not counted yet
+  Random random_;
+  Random latched_random_;  ///< as it was at latch_
   std::int64_t executed_ = 0;
   std::int64_t budget_ = 0;
   bool turned_ = false;    ///< a loop has turned since the last observation

@@ -53,9 +53,10 @@ RunListener listener_of(const Options& options, Progress& progress) {
 RunResult run_one(const LoadedProgram& program, const motion::RobotModel& robot,
                   const Options& options) {
   if (!program.runnable()) return refused(program, robot);
-  const double planned = isatty(STDERR_FILENO) != 0 ? foretell(program, robot).planned : 0;
+  const double planned =
+      isatty(STDERR_FILENO) != 0 ? foretell(program, robot, options.seed).planned : 0;
   Progress progress(planned / options.override_share, options.override_share);
-  const RunOptions run_options{options.fast, options.override_share, options.trace};
+  const RunOptions run_options{options.fast, options.override_share, options.trace, options.seed};
   RunResult result = run(program, robot, run_options, listener_of(options, progress));
   progress.clear();
   return result;
@@ -93,7 +94,8 @@ ExitCode check_files(const Options& options) {
   ExitCode worst = ExitCode::Done;
   std::vector<Json> documents;
   for (const LoadedProgram& program : load_programs(options, robot)) {
-    RunResult result = program.runnable() ? foretell(program, robot) : refused(program, robot);
+    RunResult result =
+        program.runnable() ? foretell(program, robot, options.seed) : refused(program, robot);
     if (result.exit_code != ExitCode::Done) result.exit_code = ExitCode::ProgramError;
     put_message(problems_text(result, program.source));
     if (options.json) {

@@ -57,6 +57,10 @@ struct Parser {
     command.add_option("--robot", options.robot, "a robot's name (rob robots), or its file.toml");
     command.add_option("--law", law, "transition law: paul")->check(check_law);
   }
+  void add_seed(CLI::App& command) {
+    command.add_option("--seed", options.seed, "where RANDOM begins: a whole number from 0")
+        ->check(CLI::NonNegativeNumber);
+  }
   void add_json(CLI::App& command) {
     command.add_flag("--json", options.json, "print one JSON document, and nothing else");
   }
@@ -80,6 +84,7 @@ void Parser::add_run() {
   add_files(run);
   add_robot(run);
   add_json(run);
+  add_seed(run);
   run.add_option("--backend", backend, "what moves: sim")->check(check_backend);
   run.add_flag("--fast", options.fast, "on the virtual clock, as fast as possible");
   run.add_option("--trace", options.trace, "write a row for each reference period to this file");
@@ -93,6 +98,7 @@ void Parser::add_check() {
   add_files(check);
   add_robot(check);
   add_json(check);
+  add_seed(check);
 }
 
 void Parser::add_others() {

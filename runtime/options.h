@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "lang/random.h"
 #include "runtime/program/run_result.h"
 
 namespace rob::runtime {
@@ -18,6 +20,7 @@ struct Options {
   std::string robot = "gantry";  ///< a name, or a file that ends in .toml
   std::string trace;
   double override_share = 1;
+  std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
   bool fast = false;
   bool json = false;
   bool listing = false;

@@ -2,8 +2,8 @@
 
 namespace rob::runtime {
 
-ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine)
-    : vm_(chunk, machine), machine_(machine) {}
+ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine, std::uint64_t seed)
+    : vm_(chunk, machine, seed), machine_(machine) {}
 
 ProgramTask::State ProgramTask::step(std::int64_t budget) {
   if (failure_) return finish_after_failure();

@@ -18,7 +18,9 @@ class ProgramTask {
     Over      ///< all that was commanded is queued
   };
 
-  ProgramTask(const lang::Chunk& chunk, RobotMachine& machine);
+  /// `seed`: of RANDOM.
+  ProgramTask(const lang::Chunk& chunk, RobotMachine& machine,
+              std::uint64_t seed = lang::Random::kDefaultSeed);
 
   /// At most `budget` instructions.
   State step(std::int64_t budget);

@@ -104,7 +104,7 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
               const RunOptions& options, const RunListener& listener) {
   std::optional<TraceWriter> trace = open_trace(options, program, robot);
   Controller controller(robot, simulation_of(robot), options.override_share);
-  ProgramTask task(*program.compilation.chunk, controller.machine());
+  ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
                        {listener.print, [&](const Snapshot& snapshot) {
                           if (trace) trace->write(snapshot);
@@ -136,9 +136,10 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
   return start_of(program, std::move(result));
 }
 
-RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot) {
+RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
+                   std::uint64_t seed) {
   Controller controller(robot, simulation_of(robot), 1);
-  ProgramTask task(*program.compilation.chunk, controller.machine());
+  ProgramTask task(*program.compilation.chunk, controller.machine(), seed);
   RunRecorder recorder(robot, 1, controller.channels(), controller.log(), {});
 
   const Timing timing = run_stepped(controller, task, kForetellLimits, [&] { recorder.drain(); });

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
+#include "lang/random.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/program/load.h"
@@ -12,9 +14,10 @@ namespace rob::runtime {
 
 /// How a program is to be run.
 struct RunOptions {
-  bool fast = false;          ///< on the virtual clock
-  double override_share = 1;  ///< 1 = 100 %
-  std::string trace;          ///< file, or empty
+  bool fast = false;                                ///< on the virtual clock
+  double override_share = 1;                        ///< 1 = 100 %
+  std::string trace;                                ///< file, or empty
+  std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
 };
 
 /// How far a run is: source line, s, what motion is doing.
@@ -39,7 +42,8 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
 /// Runs it in virtual time to learn what it will do: per line start, duration, decision point and
 /// corner miss, and all findings. Nothing moves and nothing is printed; a program that does not
 /// end is given up after an hour of its time, with a finding that says so.
-RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot);
+RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
+                   std::uint64_t seed = lang::Random::kDefaultSeed);
 
 /// The result of a program that does not compile.
 RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot);

@@ -78,6 +78,14 @@ TEST_CASE("two runs on the virtual clock write the same trace, byte for byte") {
   CHECK(lines_in(rob.file("a.csv")) == 1912);  // header and 1911 rows
 }
 
+TEST_CASE("RANDOM is the same in every run with the same --seed, and another with another") {
+  const RobCommand rob("PRINT RANDOM(1, 1000000)\n");
+  const std::string drawn = rob("run", {"--fast", "--seed", "7"}).out;
+  CHECK(rob("run", {"--fast", "--seed", "7"}).out == drawn);
+  CHECK(rob("run", {"--fast", "--seed", "8"}).out != drawn);
+  CHECK(rob("run", {"--fast", "--seed", "-1"}).exit_code == 64);
+}
+
 TEST_CASE("with --json standard output is one document, whatever the program prints") {
   const ProcessResult result = RobCommand(
       "PRINT \"a \\\"quoted\\\" line\"\nMOVE(10,0,0)\nPRINT 20mm\n")("run", {"--fast", "--json"});
