@@ -48,6 +48,7 @@ void SimGantry::power_up() noexcept {
   for (std::size_t i = 0; i < axes_.size(); ++i)
     axes_[i].place(start_[static_cast<Eigen::Index>(i)]);
   for (SimActuator& actuator : actuators_) actuator.place_off();
+  analog_outputs_ = {};
 }
 
 DriverStatus SimGantry::enable(double now) noexcept {
@@ -76,12 +77,14 @@ DriverStatus SimGantry::read(double now, motion::ServoState& state) noexcept {
   }
   state.inputs = 0;
   for (const SimActuator& actuator : actuators_) state.inputs |= actuator.inputs(now);
+  state.analog_inputs = {};  // nothing is wired to them
   return DriverStatus::Ok;
 }
 
 DriverStatus SimGantry::write(double now, const motion::ServoCommand& command) noexcept {
   advance_to(now);
   for (SimActuator& actuator : actuators_) actuator.command(now, command.outputs);
+  analog_outputs_ = command.analog_outputs;
   if (!enabled_) return DriverStatus::Ok;
   assert(command.drive.size() == start_.size());
   written_ = now;

@@ -46,6 +46,10 @@ class SimGantry final : public motion::ServoBackend {
   motion::DriverStatus read(double now, motion::ServoState& state) noexcept override;
   motion::DriverStatus write(double now, const motion::ServoCommand& command) noexcept override;
 
+  /// What was last written to an analog output, V.
+  double analog_output(int channel) const noexcept {
+    return analog_outputs_[static_cast<std::size_t>(channel)];
+  }
   /// Where an axis really is, which no encoder tells: for tests and pictures.
   double true_position(int axis) const noexcept;
 
@@ -59,6 +63,7 @@ class SimGantry final : public motion::ServoBackend {
   motion::JointVector start_;
   std::vector<SimAxis> axes_;
   std::vector<SimActuator> actuators_;
+  motion::AnalogValues analog_outputs_{};
   bool started_ = false;  // the first call tells what time it is
   bool enabled_ = false;
   double time_ = 0;

@@ -39,7 +39,7 @@ struct BoolLiteral {
 struct StringLiteral {
   std::string value;
 };
-/// A variable, constant, signal or built-in value; DIN[n] and DOUT[n] have an index.
+/// A variable, constant, signal or built-in value; DIN[n], DOUT[n], AIN[n], AOUT[n] have an index.
 struct Name {
   std::string text;
   const Symbol* symbol = nullptr;  ///< set by the checker; owned by the CheckedProgram
@@ -126,17 +126,28 @@ struct Declaration {
   std::optional<Type> type;  ///< where it was written; Unknown where the parser found it faulty
   ExprPtr value;             ///< null where left out
 };
-/// SIGNAL part_here = DIN[1]
+/// SIGNAL part_here = DIN[1] · SIGNAL wire: SPEED = AOUT[1] SCALE 0mm/s TO 300mm/s
 struct SignalDeclaration {
   std::string name;
   Place name_place;
+  std::optional<Type> type;  ///< where it was written
+  Place type_place;
+  ExprPtr low;   ///< SCALE: what 0V stand for; null where left out
+  ExprPtr high;  ///< what kMostVolts stand for
   Name channel;
   Place channel_place;
+  const Symbol* symbol = nullptr;  ///< set by the checker
 };
 struct Assign {
   Name target;
   Place target_place;
   ExprPtr value;
+};
+/// PULSE coming 50ms
+struct Pulse {
+  Name target;
+  Place target_place;
+  ExprPtr time;
 };
 struct Print {
   std::vector<ExprPtr> values;
@@ -203,8 +214,8 @@ struct Return {
 
 struct Statement {
   Place place;  ///< of its first word
-  std::variant<Move, Stop, Declaration, SignalDeclaration, Assign, Print, Wait, If, While, For,
-               Loop, Select, Exit, Next, Assert, CallStatement, Return>
+  std::variant<Move, Stop, Declaration, SignalDeclaration, Assign, Pulse, Print, Wait, If, While,
+               For, Loop, Select, Exit, Next, Assert, CallStatement, Return>
       node;
 };
 

@@ -149,9 +149,8 @@ const Symbol* ExpressionChecker::resolve_channel(Name& name, Place place) {
                                    name.text, described(*name.index)));
     return nullptr;
   }
-  const bool output = name.text == "DOUT";
-  if (const Symbol* const found = scopes_.channel(output, *number)) return found;
-  const std::int64_t count = scopes_.channels(output);
+  if (const Symbol* const found = scopes_.channel(name.text, *number)) return found;
+  const std::int64_t count = scopes_.channels(name.text);
   diagnostics_.error(code::kNoSuchChannel, place,
                      fmt::format("the robot has no {}[{}]", name.text, *number),
                      count == 0 ? fmt::format("it has no {} at all", name.text)

@@ -72,25 +72,6 @@ void StatementChecker::check(Declaration& declaration) {
   }
 }
 
-/// Another name for a channel: what it does is the channel's.
-void StatementChecker::check(SignalDeclaration& signal) {
-  const Symbol* const channel = expressions_.resolve_channel(signal.channel, signal.channel_place);
-  if (channel == nullptr) {
-    declare(Symbol::Kind::Variable, signal.name, signal.name_place, {}, {});
-    return;
-  }
-  warn_of_name(Symbol::Kind::Signal, signal.name, signal.name_place);
-  Symbol symbol;
-  symbol.kind = Symbol::Kind::Signal;
-  symbol.name = signal.name;
-  symbol.place = signal.name_place;
-  symbol.type = Type::boolean();
-  symbol.signal = channel->signal;
-  symbol.output = channel->output;
-  symbol.channel = channel->channel;
-  scopes_.declare(std::move(symbol));
-}
-
 void StatementChecker::check(Assign& assign) {
   expressions_.check(assign.value);
   const Symbol* const symbol =

@@ -68,6 +68,17 @@ struct NamedRegister {
   std::uint32_t to = 0;    ///< one past the last
 };
 
+/// What SIGNAL calls a channel, and for an analog one what its volts stand for, SI; for reports.
+struct NamedSignal {
+  std::string name;
+  int signal = 0;  ///< its index in the RobotSignature
+  Dimension dimension;
+  double low = 0;   ///< at 0V
+  double high = 0;  ///< at kMostVolts
+
+  bool operator==(const NamedSignal&) const = default;
+};
+
 /// A PROC or FUNC: where its code begins, and how much of the stack it takes.
 struct RoutineCode {
   std::string name;
@@ -85,6 +96,7 @@ struct Chunk {
   std::vector<Dimension> dimensions;
   std::vector<MoveForm> moves;
   std::vector<std::string> signals;  ///< names by number; for listings
+  std::vector<NamedSignal> named_signals;
   std::vector<NamedRegister> names;
   std::vector<RoutineCode> routines;
   int registers = 0;  ///< of the top level

@@ -64,6 +64,9 @@ class CodeBuilder {
   /// Tells listings that a variable lives in a register from here on.
   void name_register(const std::string& name, Register index, bool text);
 
+  /// Tells reports what the program calls a signal.
+  void name_signal(NamedSignal signal) { chunk_.named_signals.push_back(std::move(signal)); }
+
   /// What follows is the code of a routine, with registers of its own.
   void begin_routine(const std::string& name);
   /// Calls a routine, by its number, whose parameters lie in the registers from these two on.

@@ -135,9 +135,7 @@ void ExpressionCompiler::load(const Expr& expression, Register target, bool as_r
 void ExpressionCompiler::compile(const Name& name, const Expr& expression, Register target) {
   const Symbol& symbol = *name.symbol;
   if (symbol.kind == Symbol::Kind::Signal) {
-    const Opcode op = latched_ ? Opcode::read_latched : Opcode::read_signal;
-    code_.emit(Instruction::ax(op, target, static_cast<std::uint16_t>(symbol.signal)),
-               expression.place);
+    read_signal(symbol, target, expression.place);
   } else {
     load_variable(symbol, target, expression.place);
   }

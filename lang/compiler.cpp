@@ -127,11 +127,26 @@ void StatementCompiler::compile(const Assign& assign) {
     return;
   }
   const auto mark = code_.mark();
-  const Register value = expressions_.value(*assign.value);
+  expressions_.write_signal(symbol, expressions_.value(*assign.value, symbol.analog), place_);
+  code_.release(mark);
+}
+
+void StatementCompiler::compile(const Pulse& pulse) {
+  const auto mark = code_.mark();
+  const Register time = expressions_.value(*pulse.time);
   code_.emit(
-      Instruction::ax(Opcode::write_signal, value, static_cast<std::uint16_t>(symbol.signal)),
+      Instruction::ax(Opcode::pulse, time, static_cast<std::uint16_t>(pulse.target.symbol->signal)),
       place_);
   code_.release(mark);
+}
+
+void StatementCompiler::compile(const SignalDeclaration& signal) {
+  const Symbol& symbol = *signal.symbol;
+  code_.name_signal({.name = symbol.name,
+                     .signal = symbol.signal,
+                     .dimension = symbol.type.dimension,
+                     .low = symbol.low,
+                     .high = symbol.high});
 }
 
 /// What is constant between two computed values is one text.

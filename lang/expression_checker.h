@@ -37,7 +37,8 @@ class ExpressionChecker {
   /// A symbol that may be used here; null, and a message, if there is none.
   const Symbol* resolve(std::string_view name, Place place);
 
-  /// DIN[n] or DOUT[n]; null, and a message, if n is no constant or the robot has no such channel.
+  /// DIN[n], DOUT[n], AIN[n] or AOUT[n]; null, and a message, if n is no constant or the robot has
+  /// no such channel.
   const Symbol* resolve_channel(Name& name, Place place);
 
   /// While constants say that a part of the program is never executed, a computation in it that

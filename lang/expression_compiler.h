@@ -26,6 +26,8 @@ class ExpressionCompiler {
   void enter_routine() { in_routine_ = true; }
   /// Gives a variable, wherever it lives, the value of an expression.
   void assign(const Symbol& symbol, const Expr& value);
+  /// Gives an output the value of a register, in motion order.
+  void write_signal(const Symbol& symbol, Register value, Place place);
   /// A call that is a statement of its own.
   void call(const Expr& expression);
 
@@ -57,6 +59,7 @@ class ExpressionCompiler {
   void load(const Expr& expression, Register target, bool as_real);
   void append(const Expr& expression, Register text);
 
+  void read_signal(const Symbol& symbol, Register target, Place place);
   void compile(const Name& name, const Expr& expression, Register target);
   void compile(const Unary& unary, const Expr& expression, Register target);
   void compile(const Binary& binary, const Expr& expression, Register target);

@@ -28,6 +28,10 @@ struct MoveCommand {
   bool has(int i) const { return (given >> i & 1) != 0; }
 };
 
+/// The longest PULSE, s. [choice] longer than anything that is called a pulse, and an end of the
+/// program waits for it.
+inline constexpr double kLongestPulse = 1000;
+
 /// What became of a command.
 enum class Reply : std::uint8_t {
   Done,    ///< taken
@@ -68,9 +72,14 @@ class Machine {
   virtual Reply print(int line, std::string_view text) = 0;
   /// Sets an output, by its index in the RobotSignature, in motion order.
   virtual Reply write_signal(int line, int signal, bool value) = 0;
+  /// The same of an analog one, in V; what the channel cannot carry is cut, with a warning.
+  virtual Reply write_analog(int line, int signal, double volts) = 0;
+  /// Switches a digital output ON in motion order, and OFF again `seconds` later.
+  virtual Reply pulse(int line, int signal, double seconds) = 0;
   /// Reads a signal at the decision point of the motion commanded before. An observation:
   /// `Later` until that instant has come.
   virtual Reply read_signal(int line, int signal, bool& value) = 0;
+  virtual Reply read_analog(int line, int signal, double& volts) = 0;
   /// Valid after a Refused reply, until the next call.
   virtual const Refusal& refusal() const = 0;
 };

@@ -15,7 +15,7 @@ constexpr std::string_view kExample = "SIGNAL part_here = DIN[1]";
 
 }  // namespace
 
-// "SIGNAL" NAME "=" channel
+// "SIGNAL" IDENT [ ":" type ] "=" channel [ "SCALE" expr "TO" expr ]
 void Parser::signal_declaration(Block& block) {
   const Place place = current_.place;
   if (!open_blocks_.empty()) {
@@ -29,14 +29,18 @@ void Parser::signal_declaration(Block& block) {
   signal.name = name.name;
   signal.name_place = name.place;
   try {
-    if (at(TokenKind::Colon)) fail_not_yet(current_.place, "an analog signal");
+    if (accept(TokenKind::Colon)) {
+      signal.type_place = current_.place;
+      signal.type = type();
+    }
     if (!accept(TokenKind::Assign)) {
       fail_here(code::kAssignExpected, fmt::format("'=' expected after {}", shortened(signal.name)),
                 std::string(kExample));
     }
     signal.channel_place = current_.place;
     signal.channel = channel("'='");
-    if (at_word("SAFE") || at_word("SCALE")) {
+    if (at_word("SCALE")) scale(signal);
+    if (at_word("SAFE")) {
       fail_not_yet(current_.place, fmt::format("{} behind a signal", to_upper(current_.text)));
     }
   } catch (const SyntaxError&) {
@@ -49,20 +53,55 @@ void Parser::signal_declaration(Block& block) {
   add(block, place, std::move(signal));
 }
 
-bool Parser::at_channel() const {
-  return (at_word("DIN") || at_word("DOUT")) && next_.kind == TokenKind::LeftBracket;
+void Parser::scale(SignalDeclaration& signal) {
+  advance();
+  signal.low = expression();
+  if (!at_word("TO")) {
+    fail_here(code::kWordExpected,
+              fmt::format("TO expected after SCALE, not {}", described(current_)),
+              "SIGNAL wire: SPEED = AOUT[1] SCALE 0mm/s TO 300mm/s");
+  }
+  advance();
+  signal.high = expression();
 }
 
-// channel = ( "DIN" | "DOUT" ) "[" expr "]" .
-Name Parser::channel(std::string_view behind) {
-  if ((at_word("AIN") || at_word("AOUT")) && next_.kind == TokenKind::LeftBracket) {
-    fail_not_yet(current_.place, "an analog signal");
-  }
-  if (!at_channel()) {
+// panel = "PULSE" ( IDENT | channel ) expr .
+void Parser::pulse(Block& block) {
+  const Place place = current_.place;
+  advance();
+  Pulse pulse;
+  pulse.target_place = current_.place;
+  if (at_channel()) {
+    pulse.target = channel("PULSE");
+  } else if (at(TokenKind::Word)) {
+    pulse.target.text = current_.text;
+    advance();
+  } else {
     fail_here(
-        code::kValueExpected,
-        fmt::format("DIN[n] or DOUT[n] expected after {}, not {}", behind, described(current_)),
-        std::string(kExample));
+        code::kNameExpected,
+        fmt::format("the name of an output expected after PULSE, not {}", described(current_)),
+        "PULSE gripper 50ms");
+  }
+  if (at_line_end()) {
+    fail(code::kValueExpected, behind_previous(), "a time expected: how long the output is ON",
+         fmt::format("PULSE {} 50ms", shortened(pulse.target.text)));
+  }
+  pulse.time = expression();
+  add(block, place, std::move(pulse));
+}
+
+bool Parser::at_channel() const {
+  const bool word = at_word("DIN") || at_word("DOUT") || at_word("AIN") || at_word("AOUT");
+  return word && next_.kind == TokenKind::LeftBracket;
+}
+
+// channel = ( "DIN" | "DOUT" | "AIN" | "AOUT" ) "[" expr "]" .
+Name Parser::channel(std::string_view behind) {
+  if (!at_channel()) {
+    fail_here(code::kValueExpected,
+              fmt::format("DIN[n], DOUT[n], AIN[n] or AOUT[n] expected after {}, not {}", behind,
+                          described(current_)),
+              std::string(kExample));
   }
   const Level level(*this);
   Name name;

@@ -74,6 +74,7 @@ void Parser::simple(Block& block) {
   if (at(Keyword::Move)) return move(block);
   if (at(Keyword::Print)) return print(block);
   if (at(Keyword::Wait)) return wait(block);
+  if (at(Keyword::Pulse)) return pulse(block);
   if (at(Keyword::Stop)) {
     advance();
     return add(block, place, Stop{});

@@ -91,6 +91,8 @@ class Parser {
   // Declarations (parse_declarations.cpp)
   void declaration(Block& block);
   void signal_declaration(Block& block);
+  void pulse(Block& block);
+  void scale(SignalDeclaration& signal);
   Name channel(std::string_view behind);
   bool at_channel() const;
   void declared_names(Declaration& declaration);

@@ -46,7 +46,7 @@ std::string move_text(const RobotSignature& robot, const MoveCommand& command) {
 
 PrintingMachine::PrintingMachine(const RobotSignature& robot) : robot_(robot) {}
 
-void PrintingMachine::script(int signal, std::vector<bool> values) {
+void PrintingMachine::script(int signal, std::vector<double> values) {
   scripts_[signal] = {.values = std::move(values)};
 }
 
@@ -106,19 +106,38 @@ Reply PrintingMachine::print(int line, std::string_view text) {
 Reply PrintingMachine::write_signal(int line, int signal, bool value) {
   const std::string name = shown_name(robot_.signals[static_cast<std::size_t>(signal)]);
   const Reply reply = note(line, fmt::format("{} {}", name, value ? "on" : "off"));
-  if (reply == Reply::Done) written_[signal] = value;
+  if (reply == Reply::Done) written_[signal] = value ? 1 : 0;
   return reply;
 }
 
-Reply PrintingMachine::read_signal(int, int signal, bool& value) {
+Reply PrintingMachine::write_analog(int line, int signal, double volts) {
+  const std::string name = shown_name(robot_.signals[static_cast<std::size_t>(signal)]);
+  const Reply reply = note(line, fmt::format("{} {}", name, number_text(volts, kVoltage)));
+  if (reply == Reply::Done) written_[signal] = volts;
+  return reply;
+}
+
+Reply PrintingMachine::pulse(int line, int signal, double seconds) {
+  const std::string name = shown_name(robot_.signals[static_cast<std::size_t>(signal)]);
+  return note(line, fmt::format("pulse {} {}", name, number_text(seconds, kTime)));
+}
+
+Reply PrintingMachine::read_signal(int line, int signal, bool& value) {
+  double number = 0;
+  const Reply reply = read_analog(line, signal, number);
+  value = number != 0;
+  return reply;
+}
+
+Reply PrintingMachine::read_analog(int, int signal, double& volts) {
   const Reply reply = ready();
   if (reply != Reply::Done) return reply;
   ++reads_;
   Script& script = scripts_[signal];
   if (script.values.empty()) {
-    value = written_[signal];
+    volts = written_[signal];
   } else {
-    value = script.values[script.next];
+    volts = script.values[script.next];
     if (script.next + 1 < script.values.size()) ++script.next;
   }
   return reply;

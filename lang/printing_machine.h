@@ -14,7 +14,7 @@ namespace rob::lang {
 /// A Machine that writes down what it is told, a line for each call, and moves nothing: for tests.
 ///
 ///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
-///     stop · end · print TEXT · lift on · wait 0.5s
+///     stop · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
 ///     stand · waited                    WAIT for a condition: its beginning, its end
 ///
 /// While a program waits for a condition every look at it is 10 ms later than the one before.
@@ -30,9 +30,9 @@ class PrintingMachine : public Machine {
   /// `robot` must outlive it.
   explicit PrintingMachine(const RobotSignature& robot);
 
-  /// What the following reads of a signal answer, one after another; the last stays. Without a
-  /// script an output answers what was written last, an input FALSE.
-  void script(int signal, std::vector<bool> values);
+  /// What the following reads of a signal answer, one after another (1 is ON, V); the last stays.
+  /// Without a script an output answers what was written last, an input FALSE.
+  void script(int signal, std::vector<double> values);
   /// The next `times` calls are answered Later.
   void answer_later(int times) { later_ = times; }
   /// The call that comes after `calls` further ones is refused.
@@ -52,12 +52,15 @@ class PrintingMachine : public Machine {
   Reply end(int line) override { return note(line, "end"); }
   Reply print(int line, std::string_view text) override;
   Reply write_signal(int line, int signal, bool value) override;
+  Reply write_analog(int line, int signal, double volts) override;
+  Reply pulse(int line, int signal, double seconds) override;
   Reply read_signal(int line, int signal, bool& value) override;
+  Reply read_analog(int line, int signal, double& volts) override;
   const Refusal& refusal() const override { return refusal_; }
 
  private:
   struct Script {
-    std::vector<bool> values;
+    std::vector<double> values;
     std::size_t next = 0;
   };
 
@@ -68,7 +71,7 @@ class PrintingMachine : public Machine {
   const RobotSignature& robot_;
   std::vector<Call> calls_;
   std::map<int, Script> scripts_;
-  std::map<int, bool> written_;
+  std::map<int, double> written_;
   int later_ = 0;
   int reads_ = 0;
   int cycle_ = 0;

@@ -17,7 +17,8 @@ struct RobotSignature {
   struct Signal {
     std::string name;     ///< "lift"; empty for a channel that has none
     bool output = false;  ///< may be assigned
-    int channel = 0;      ///< n of DIN[n] or DOUT[n]
+    int channel = 0;      ///< n of DIN[n], DOUT[n], AIN[n] or AOUT[n]
+    bool analog = false;  ///< a VOLTAGE from 0V to kMostVolts, not a BOOL
   };
 
   std::string name;
@@ -25,11 +26,18 @@ struct RobotSignature {
   std::vector<Signal> signals;          ///< the index is the number that Machine is given
 };
 
-/// "lift", or "DOUT[3]" for what has no name.
-inline std::string shown_name(const RobotSignature::Signal& signal) {
-  if (!signal.name.empty()) return signal.name;
-  return (signal.output ? "DOUT[" : "DIN[") + std::to_string(signal.channel) + "]";
+/// "DOUT": what the channels of a kind are called.
+inline const char* channel_word(bool output, bool analog) {
+  if (analog) return output ? "AOUT" : "AIN";
+  return output ? "DOUT" : "DIN";
 }
+
+/// "lift", or "DOUT[3]" for what has no name.
+std::string shown_name(const RobotSignature::Signal& signal);
+
+/// What an analog channel carries at most, V; at least it is 0V. [choice] The range of nearly all
+/// analog modules.
+inline constexpr double kMostVolts = 10;
 
 inline constexpr int kMaxCoordinates = 8;
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -44,7 +45,14 @@ class StatementChecker {
   void check(Move& move) { moves_.check(move); }
   void check(Stop&) {}
   void check(Declaration& declaration);
+  // Signals (check_signals.cpp)
   void check(SignalDeclaration& signal);
+  void check(Pulse& pulse);
+  void check_digital(const SignalDeclaration& signal, const Symbol& channel);
+  void check_analog(const SignalDeclaration& signal, Symbol& symbol);
+  void check_scale(const SignalDeclaration& signal, Symbol& symbol);
+  std::optional<double> constant_end(const Expr& end);
+
   void check(Assign& assign);
   void check(Print& print) {
     for (const ExprPtr& value : print.values) expressions_.check(value);

@@ -35,8 +35,9 @@ class StatementCompiler {
   void compile(const Move& move);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
   void compile(const Declaration& declaration);
-  void compile(const SignalDeclaration&) {}
+  void compile(const SignalDeclaration& signal);
   void compile(const Assign& assign);
+  void compile(const Pulse& pulse);
   void compile(const Print& print);
   void compile(const Wait& wait);
   void wait_for_condition(const Wait& wait);

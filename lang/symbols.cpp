@@ -7,6 +7,13 @@
 #include "lang/ascii.h"
 
 namespace rob::lang {
+namespace {
+
+bool is_channel_of(const Symbol& channel, std::string_view word) {
+  return channel_word(channel.output, channel.analog) == word;
+}
+
+}  // namespace
 
 Scopes::Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot) : symbols_(symbols) {
   enter();
@@ -20,7 +27,9 @@ Scopes::Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot) : symbo
     Symbol signal;
     signal.kind = Symbol::Kind::Signal;
     signal.name = shown_name(robot.signals[i]);
-    signal.type = Type::boolean();
+    signal.analog = robot.signals[i].analog;
+    signal.type = signal.analog ? Type::real(kVoltage) : Type::boolean();
+    signal.high = kMostVolts;
     signal.signal = static_cast<int>(i);
     signal.output = robot.signals[i].output;
     signal.channel = robot.signals[i].channel;
@@ -34,16 +43,16 @@ Scopes::Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot) : symbo
   }
 }
 
-const Symbol* Scopes::channel(bool output, std::int64_t number) const {
+const Symbol* Scopes::channel(std::string_view word, std::int64_t number) const {
   for (const Symbol* const channel : channels_) {
-    if (channel->output == output && channel->channel == number) return channel;
+    if (is_channel_of(*channel, word) && channel->channel == number) return channel;
   }
   return nullptr;
 }
 
-std::int64_t Scopes::channels(bool output) const {
-  return std::ranges::count_if(channels_,
-                               [&](const Symbol* channel) { return channel->output == output; });
+std::int64_t Scopes::channels(std::string_view word) const {
+  return std::ranges::count_if(
+      channels_, [&](const Symbol* channel) { return is_channel_of(*channel, word); });
 }
 
 const Symbol* Scopes::find(std::string_view name) const {

@@ -33,7 +33,10 @@ struct Symbol {
   Constant value;       ///< where it is known before the program runs
   int signal = 0;       ///< its index in the RobotSignature
   bool output = false;  ///< a signal that may be assigned
-  int channel = 0;      ///< n of DIN[n] or DOUT[n]
+  int channel = 0;      ///< n of DIN[n], DOUT[n], AIN[n] or AOUT[n]
+  bool analog = false;  ///< a signal that is a number
+  double low = 0;       ///< of an analog signal, SI: what 0V stand for
+  double high = 0;      ///< what kMostVolts stand for
   bool global = false;  ///< declared at the top level: routines see it
   bool by_reference = false;         ///< a REF parameter: stands for a variable of the caller
   const Routine* routine = nullptr;  ///< of Kind::Routine
@@ -59,10 +62,10 @@ class Scopes {
   const Symbol* find_innermost(std::string_view name) const;
   /// Whether the language or the robot gives this name a meaning.
   bool provided(std::string_view name) const;
-  /// DIN[n] or DOUT[n]; null if the robot has no such channel.
-  const Symbol* channel(bool output, std::int64_t number) const;
+  /// DIN[n], DOUT[n], AIN[n] or AOUT[n], by its word; null if the robot has no such channel.
+  const Symbol* channel(std::string_view word, std::int64_t number) const;
   /// How many channels there are of a kind.
-  std::int64_t channels(bool output) const;
+  std::int64_t channels(std::string_view word) const;
   /// Declares in the innermost scope; what had the same name there is replaced.
   const Symbol* declare(Symbol symbol);
   /// What is found out about a symbol behind its declaration.

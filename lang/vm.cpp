@@ -334,8 +334,23 @@ read_latched:
   if (next_cycle_is_due()) return leave(pc, latch_, State::NextCycle);
   ROB_ASK(observe(pc), latch_);
   ROB_NEXT(1);
+read_analog:
+  if (next_cycle_is_due()) return leave(pc, pc, State::NextCycle);
+  ROB_ASK(observe_analog(pc), pc);
+  ROB_NEXT(1);
+read_analog_latched:
+  if (next_cycle_is_due()) return leave(pc, latch_, State::NextCycle);
+  ROB_ASK(observe_analog(pc), latch_);
+  ROB_NEXT(1);
 write_signal:
   ROB_ASK(machine_.write_signal(line(pc), pc->x(), n[pc->a()].integer != 0), pc);
+  ROB_NEXT(1);
+write_analog:
+  ROB_ASK(machine_.write_analog(line(pc), pc->x(), n[pc->a()].real), pc);
+  ROB_NEXT(1);
+pulse:
+  if (!check_pulse(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
+  ROB_ASK(machine_.pulse(line(pc), pc->x(), n[pc->a()].real), pc);
   ROB_NEXT(1);
 move : {
   MoveCommand command;

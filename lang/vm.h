@@ -96,6 +96,7 @@ class Vm {
   bool turn(Code pc, Code target);
   bool next_cycle_is_due() const { return turned_ && observed_; }
   Reply observe(Code pc);
+  Reply observe_analog(Code pc);
   Reply stand(Code pc);
   State fail_timeout(Code pc);
 
@@ -107,6 +108,8 @@ class Vm {
   State fail_too_long(Code pc);
   /// False, with error_ set, if a WAIT is for less than no time.
   bool check_wait(Code pc, double seconds);
+  /// The same if a PULSE is for no time, or for too long.
+  bool check_pulse(Code pc, double seconds);
   State fail_calls_too_deep(Code pc);
   State fail_no_value(Code pc);
   State fail_assertion_at(Code pc);

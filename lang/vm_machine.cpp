@@ -28,6 +28,15 @@ Reply Vm::observe(Code pc) {
   return reply;
 }
 
+Reply Vm::observe_analog(Code pc) {
+  const Reply reply = machine_.read_analog(line(pc), pc->x(), numbers_[pc->a()].real);
+  if (reply == Reply::Done) {
+    observed_ = true;
+    turned_ = false;
+  }
+  return reply;
+}
+
 Reply Vm::stand(Code pc) {
   const Reply reply = machine_.stand(line(pc), numbers_[pc->a()].real);
   if (reply == Reply::Done) {
@@ -50,6 +59,16 @@ bool Vm::check_wait(Code pc, double seconds) {
             .place = place(pc),
             .message = fmt::format("WAIT turned out to be for {}", number_text(seconds, kTime)),
             .help = "a time to wait is 0s or more"};
+  return false;
+}
+
+bool Vm::check_pulse(Code pc, double seconds) {
+  if (seconds > 0 && seconds <= kLongestPulse) return true;
+  error_ = {.code = std::string(code::kPulseTime),
+            .place = place(pc),
+            .message = fmt::format("PULSE turned out to be for {}", number_text(seconds, kTime)),
+            .help = fmt::format("a pulse takes more than 0s and at most {}",
+                                number_text(kLongestPulse, kTime))};
   return false;
 }
 

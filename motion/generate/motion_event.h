@@ -16,6 +16,7 @@ struct MotionEvent {
     Hit,             ///< tag; number: the guard of this motion held, or could not be computed
     Rest,            ///< the Rest that TrajectoryGenerator::take_rest() gives next
     EffectDropped,   ///< effect: what carried it has ended early
+    PulseOver,       ///< effect: the Pulse whose output is off again
     Held,            ///< the axes stand on the path by request or by fault; value: share of the
                      ///< segment's time that is done, 0…1
     Overrun,         ///< the tick came too late to be made up; value: how late, s

@@ -251,10 +251,10 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   } catch (const toml::parse_error& error) {
     fail_in_file(file_name, error.source().begin, std::string(error.description()));
   }
-  const TableReader file(
-      table, file_name, "",
-      {"name", "description", "kinematics", "law", "t_acc", "reference_period", "servo_period",
-       "look_ahead", "inputs", "outputs", "axis", "signal", "actuator"});
+  const TableReader file(table, file_name, "",
+                         {"name", "description", "kinematics", "law", "t_acc", "reference_period",
+                          "servo_period", "look_ahead", "inputs", "outputs", "analog_inputs",
+                          "analog_outputs", "axis", "signal", "actuator"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
@@ -263,6 +263,8 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   read_signals(file, robot);
   robot.inputs = count_of_channels(file, "inputs", false, robot);
   robot.outputs = count_of_channels(file, "outputs", true, robot);
+  robot.analog_inputs = file.integer_or("analog_inputs", 0, kMostAnalog, 0);
+  robot.analog_outputs = file.integer_or("analog_outputs", 0, kMostAnalog, 0);
   read_actuators(file, robot);
   choose_kinematics(file, robot);
   check_paul(file, axes, robot);

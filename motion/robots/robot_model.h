@@ -7,6 +7,7 @@
 
 #include "motion/kinematics/kinematics.h"
 #include "motion/servo/drive_data.h"
+#include "motion/space/analog_channels.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::motion {
@@ -56,6 +57,8 @@ struct RobotModel {
   JointVector start;  ///< m, rad: where the simulated robot stands at power-up
   int inputs = 0;     ///< digital channels from 0 on, named or not; at most 64
   int outputs = 0;
+  int analog_inputs = 0;  ///< analog channels from 0 on, at most kMostAnalog
+  int analog_outputs = 0;
   std::vector<RobotSignal> signals;
   std::vector<TwoPositionActuator> actuators;
   std::shared_ptr<const Kinematics> kinematics;

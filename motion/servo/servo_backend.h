@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "motion/space/analog_channels.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::motion {
@@ -22,12 +23,14 @@ struct ServoCommand {
   JointReference reference;
   JointVector drive;          ///< N or Nm
   std::uint64_t outputs = 0;  ///< bit i: digital output channel i
+  AnalogValues analog_outputs{};
 };
 
 /// What one servo cycle learns from it.
 struct ServoState {
   JointMeasurement measured;
   std::uint64_t inputs = 0;  ///< bit i: digital input channel i
+  AnalogValues analog_inputs{};
 };
 
 /// Where motion control ends and a machine begins: a simulation, or drives on a wire.

@@ -6,8 +6,10 @@
 
 #include "motion/generate/trajectory_generator.h"
 #include "motion/servo/following_supervisor.h"
+#include "motion/space/analog_channels.h"
 #include "motion/space/joint_vector.h"
 #include "motion/space/spsc_ring.h"
+#include "runtime/control/analog_cells.h"
 
 namespace rob::runtime {
 
@@ -16,6 +18,7 @@ struct ServoSample {
   motion::JointMeasurement measured;
   motion::JointVector drive;  ///< N, Nm
   std::uint64_t inputs = 0;
+  motion::AnalogValues analog_inputs{};
   double saturation = 0;  ///< greatest demanded force / what the drive can give
   motion::FollowingFinding finding;
 };
@@ -60,6 +63,8 @@ struct Channels {
   std::atomic<std::uint64_t> outputs{0};  ///< motion → servo: bit i is output channel i
   std::atomic<std::uint64_t> inputs{0};   ///< motion → program: latched in this cycle; before
                                           ///< the first one by ServoTask::enable()
+  AnalogCells analog_outputs;             ///< V, as outputs
+  AnalogCells analog_inputs;              ///< V, as inputs
   std::atomic<std::int64_t> cycle{0};     ///< motion → program: number of the present one
   /// motion → program: the axes stand behind this segment, and its effects have acted
   std::atomic<std::uint32_t> settled{0};

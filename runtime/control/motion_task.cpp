@@ -1,6 +1,7 @@
 #include "runtime/control/motion_task.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace rob::runtime {
 
@@ -34,7 +35,10 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   }
   collect_events();
   publish(current_);
-  release_events(static_cast<double>(number) * period_);
+  now_ = static_cast<double>(number) * period_;
+  release_events(now_);
+  end_pulses(now_);
+  if (finished_ && !pulses_.any()) over_.store(true, std::memory_order_release);
   channels_.cycle.store(number, std::memory_order_relaxed);
   if (current_.state == motion::MotionState::Idle) {
     channels_.settled.store(current_.piece, std::memory_order_release);
@@ -55,6 +59,7 @@ void MotionTask::take_samples() noexcept {
     history_[samples_++ % kHistory] = sample;
     saturation_ = std::max(saturation_, sample.saturation);
     channels_.inputs.store(sample.inputs, std::memory_order_relaxed);
+    channels_.analog_inputs.store(sample.analog_inputs);
     if (sample.finding.verdict != FollowingFinding::Verdict::None) take_finding(sample);
   }
 }
@@ -123,11 +128,7 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
   switch (event.kind) {
     case MotionEvent::Kind::EffectDue:
       if (faulted_) return;  // a fault drops what is behind it
-      if (event.effect.kind == Effect::Kind::Output) {
-        const std::uint64_t bit = std::uint64_t{1} << event.effect.channel;
-        outputs_ = event.effect.value ? outputs_ | bit : outputs_ & ~bit;
-        channels_.outputs.store(outputs_, std::memory_order_relaxed);
-      }
+      act(event.effect, cycle_time);
       channels_.effects_done.fetch_add(1, std::memory_order_release);
       event.time = cycle_time;  // it acts in this cycle, and says so
       break;
@@ -143,10 +144,12 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
       generator_.hold();
       break;
     case MotionEvent::Kind::Finished:
+      finished_ = true;
+      break;
     case MotionEvent::Kind::Held:
-      tell(event);
-      over_.store(true, std::memory_order_release);
-      return;
+      finished_ = true;
+      end_pulses(std::numeric_limits<double>::infinity());  // nobody will be there to end them
+      break;
     default:
       break;
   }
@@ -156,6 +159,35 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
 void MotionTask::hand_over_rest() noexcept {
   motion::Rest rest;
   if (generator_.take_rest(rest)) channels_.rests.push(rest);
+}
+
+void MotionTask::act(const Effect& effect, double now) noexcept {
+  switch (effect.kind) {
+    case Effect::Kind::Output:
+      pulses_.forget(effect.channel);
+      return switch_output(effect.channel, effect.value);
+    case Effect::Kind::Pulse:
+      pulses_.begin(effect, now);
+      return switch_output(effect.channel, true);
+    case Effect::Kind::Analog:
+      analog_outputs_[effect.channel] = motion::within_analog_range(effect.volts);
+      return channels_.analog_outputs.store(analog_outputs_);
+    case Effect::Kind::Note:
+      return;
+  }
+}
+
+void MotionTask::switch_output(int channel, bool on) noexcept {
+  const std::uint64_t bit = std::uint64_t{1} << channel;
+  outputs_ = on ? outputs_ | bit : outputs_ & ~bit;
+  channels_.outputs.store(outputs_, std::memory_order_relaxed);
+}
+
+void MotionTask::end_pulses(double now) noexcept {
+  while (const Effect* over = pulses_.take_over(now)) {
+    switch_output(over->channel, false);
+    tell({.kind = MotionEvent::Kind::PulseOver, .time = now_, .tag = over->tag, .effect = *over});
+  }
 }
 
 void MotionTask::tell(const MotionEvent& event) noexcept {

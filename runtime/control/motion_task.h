@@ -8,6 +8,7 @@
 #include "motion/generate/trajectory_generator.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
+#include "runtime/control/pulses.h"
 
 namespace rob::runtime {
 
@@ -37,6 +38,10 @@ class MotionTask {
   void collect_events() noexcept;
   void release_events(double until) noexcept;
   void release(motion::MotionEvent event, double cycle_time) noexcept;
+  void act(const motion::Effect& effect, double now) noexcept;
+  void switch_output(int channel, bool on) noexcept;
+  /// Switches off what was on for a PULSE that is over at `now`.
+  void end_pulses(double now) noexcept;
   void tell(const motion::MotionEvent& event) noexcept;
   /// What was measured at `stamp`; null before the first servo cycle.
   const ServoSample* sample_at(double stamp) const noexcept;
@@ -48,8 +53,12 @@ class MotionTask {
 
   motion::GeneratorSample current_;  ///< handed out last, measured when its stamp has come
   bool started_ = false;
+  double now_ = 0;  ///< of the present cycle, s
   double lateness_ = 0;
   std::uint64_t outputs_ = 0;
+  motion::AnalogValues analog_outputs_{};
+  Pulses pulses_;
+  bool finished_ = false;  ///< motion is over; pulses may still be under way
   double saturation_ = 0;
   bool warned_ = false;
   bool faulted_ = false;

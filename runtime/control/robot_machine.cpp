@@ -17,12 +17,12 @@ using lang::Reply;
 namespace {
 
 /// The channels of one kind that the robot file gives no name.
-void add_unnamed(lang::RobotSignature& signature, bool output, int count) {
+void add_unnamed(lang::RobotSignature& signature, bool output, bool analog, int count) {
   for (int channel = 1; channel <= count; ++channel) {
     const bool named = std::ranges::any_of(signature.signals, [&](const auto& signal) {
-      return signal.output == output && signal.channel == channel;
+      return signal.output == output && signal.analog == analog && signal.channel == channel;
     });
-    if (!named) signature.signals.push_back({"", output, channel});
+    if (!named) signature.signals.push_back({"", output, channel, analog});
   }
 }
 
@@ -38,8 +38,11 @@ lang::RobotSignature signature_of(const motion::RobotModel& robot) {
   for (const motion::RobotSignal& signal : robot.signals) {
     signature.signals.push_back({signal.name, signal.output, signal.channel + 1});
   }
-  add_unnamed(signature, false, robot.inputs);
-  add_unnamed(signature, true, robot.outputs);
+  static_assert(lang::kMostVolts == motion::kAnalogRange);
+  add_unnamed(signature, false, false, robot.inputs);
+  add_unnamed(signature, true, false, robot.outputs);
+  add_unnamed(signature, false, true, robot.analog_inputs);
+  add_unnamed(signature, true, true, robot.analog_outputs);
   return signature;
 }
 
@@ -149,32 +152,59 @@ Reply RobotMachine::print(int line, std::string_view text) {
   return queue(effect);
 }
 
-Reply RobotMachine::write_signal(int line, int signal, bool value) {
-  const lang::RobotSignature::Signal& output = signals_.at(static_cast<std::size_t>(signal));
+motion::Effect RobotMachine::effect_on(int line, int signal) const {
   motion::Effect effect;
   effect.tag = static_cast<motion::Tag>(line);
+  effect.channel =
+      static_cast<std::uint8_t>(signals_.at(static_cast<std::size_t>(signal)).channel - 1);
+  return effect;
+}
+
+Reply RobotMachine::write_signal(int line, int signal, bool value) {
+  motion::Effect effect = effect_on(line, signal);
   effect.kind = motion::Effect::Kind::Output;
-  effect.channel = static_cast<std::uint8_t>(output.channel - 1);
   effect.value = value;
   return queue(effect);
 }
 
-Reply RobotMachine::read_signal(int /*line*/, int signal, bool& value) {
+Reply RobotMachine::write_analog(int line, int signal, double volts) {
+  motion::Effect effect = effect_on(line, signal);
+  effect.kind = motion::Effect::Kind::Analog;
+  effect.volts = volts;
+  return queue(effect);
+}
+
+Reply RobotMachine::pulse(int line, int signal, double seconds) {
+  motion::Effect effect = effect_on(line, signal);
+  effect.kind = motion::Effect::Kind::Pulse;
+  effect.seconds = seconds;
+  return queue(effect);
+}
+
+bool RobotMachine::observable() const {
   // Program and motion share the number of the last segment: its decision point has come once the
   // generator names it.
-  if (channels_.decidable.load(std::memory_order_acquire) < planner_.last_number()) {
-    return Reply::Later;
-  }
+  if (channels_.decidable.load(std::memory_order_acquire) < planner_.last_number()) return false;
   // At standstill what was written before acts first; in a corner it acts behind the decision
   // point.
   const bool stands = exact_ || channels_.standing.load(std::memory_order_relaxed);
-  if (stands && channels_.effects_done.load(std::memory_order_acquire) < effects_) {
-    return Reply::Later;
-  }
+  return !stands || channels_.effects_done.load(std::memory_order_acquire) >= effects_;
+}
+
+Reply RobotMachine::read_signal(int /*line*/, int signal, bool& value) {
+  if (!observable()) return Reply::Later;
   const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
   const std::uint64_t bits = asked.output ? channels_.outputs.load(std::memory_order_relaxed)
                                           : channels_.inputs.load(std::memory_order_relaxed);
   value = (bits >> (asked.channel - 1) & 1U) != 0;
+  return Reply::Done;
+}
+
+Reply RobotMachine::read_analog(int /*line*/, int signal, double& volts) {
+  if (!observable()) return Reply::Later;
+  const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
+  const AnalogCells& cells = asked.output ? channels_.analog_outputs : channels_.analog_inputs;
+  volts = cells.at(asked.channel - 1);
   return Reply::Done;
 }
 

@@ -34,7 +34,10 @@ class RobotMachine final : public lang::Machine {
   lang::Reply end(int line) override;
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply write_signal(int line, int signal, bool value) override;
+  lang::Reply write_analog(int line, int signal, double volts) override;
+  lang::Reply pulse(int line, int signal, double seconds) override;
   lang::Reply read_signal(int line, int signal, bool& value) override;
+  lang::Reply read_analog(int line, int signal, double& volts) override;
   const lang::Refusal& refusal() const override { return refusal_; }
 
  private:
@@ -42,6 +45,10 @@ class RobotMachine final : public lang::Machine {
   /// The last target exactly, then a dwell, as one statement.
   lang::Reply dwell(int line, double seconds);
   lang::Reply queue(motion::Effect effect);
+  /// An effect on an output, still to be told what it does.
+  motion::Effect effect_on(int line, int signal) const;
+  /// Whether the world may be read now.
+  bool observable() const;
   void warn(int line, const motion::PlannedSegment& planned);
 
   const motion::RobotModel& robot_;

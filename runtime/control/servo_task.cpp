@@ -56,6 +56,7 @@ void ServoTask::enable(double now) noexcept {
   backend_.read(now, state_);
   take_as_it_stands(now);
   channels_.inputs.store(state_.inputs, std::memory_order_relaxed);
+  channels_.analog_inputs.store(state_.analog_inputs);
   written_ = backend_.enable(now);
   enabled_ = true;
 }
@@ -110,6 +111,7 @@ void ServoTask::cycle(double now) noexcept {
   }
   command_.reference = interpolator_.at(now);
   command_.outputs = channels_.outputs.load(std::memory_order_relaxed);
+  command_.analog_outputs = channels_.analog_outputs.load();
 
   const motion::FollowingFinding finding = judge(status, gap);
   if (enabled_ && read == DriverStatus::Ok) {
@@ -126,6 +128,7 @@ void ServoTask::tell(const motion::FollowingFinding& finding) noexcept {
   sample.measured.time = now_;
   sample.drive = command_.drive;
   sample.inputs = state_.inputs;
+  sample.analog_inputs = state_.analog_inputs;
   sample.saturation = law_.take_saturation();
   channels_.samples.push(sample);
 }

@@ -78,10 +78,15 @@ Json problem_json(const std::optional<Problem>& problem) {
 Json signals_json(const RunResult& result) {
   Json signals = Json::array();
   for (const SignalChange& change : result.signals) {
-    signals.push_back({{"t", seconds(change.time)},
-                       {"name", change.name},
-                       {"value", change.value},
-                       {"line", change.line}});
+    Json json{{"t", seconds(change.time)}, {"name", change.name}};
+    if (change.number) {
+      json["value"] = *change.number;
+      json["unit"] = change.unit;
+    } else {
+      json["value"] = change.value;
+    }
+    json["line"] = change.line;
+    signals.push_back(std::move(json));
   }
   return signals;
 }

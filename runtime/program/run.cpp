@@ -55,6 +55,10 @@ std::optional<TraceWriter> open_trace(const RunOptions& options, const LoadedPro
   return std::optional<TraceWriter>(std::in_place, options.trace, robot);
 }
 
+SignalNames names_in(const LoadedProgram& program, const motion::RobotModel& robot) {
+  return {robot, program.compilation.chunk->named_signals};
+}
+
 Problem problem_of(const lang::Diagnostic& diagnostic, const std::string& file) {
   return {diagnostic.code, file, diagnostic.place, diagnostic.message, diagnostic.help};
 }
@@ -106,9 +110,9 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
   Controller controller(robot, simulation_of(robot), options.override_share);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
-                       {listener.print, [&](const Snapshot& snapshot) {
-                          if (trace) trace->write(snapshot);
-                        }});
+                       names_in(program, robot), {listener.print, [&](const Snapshot& snapshot) {
+                                                    if (trace) trace->write(snapshot);
+                                                  }});
 
   const Interruption interruption(controller.channels().hold_requested);
   const Attend attend = [&] {
@@ -140,7 +144,8 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
                    std::uint64_t seed) {
   Controller controller(robot, simulation_of(robot), 1);
   ProgramTask task(*program.compilation.chunk, controller.machine(), seed);
-  RunRecorder recorder(robot, 1, controller.channels(), controller.log(), {});
+  RunRecorder recorder(robot, 1, controller.channels(), controller.log(), names_in(program, robot),
+                       {});
 
   const Timing timing = run_stepped(controller, task, kForetellLimits, [&] { recorder.drain(); });
   RunResult result = recorder.finish();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "motion/generate/corner_miss.h"
+#include "runtime/control/codes.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {
@@ -20,21 +21,15 @@ void raise(std::optional<double>& most, double value) {
   most = std::max(most.value_or(value), value);
 }
 
-std::string name_of_output(const motion::RobotModel& robot, int channel) {
-  for (const motion::RobotSignal& signal : robot.signals) {
-    if (signal.output && signal.channel == channel) return signal.name;
-  }
-  return fmt::format("DOUT[{}]", channel + 1);
-}
-
 }  // namespace
 
 RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,
-                         ProgramLog& log, Listener listener)
+                         ProgramLog& log, SignalNames names, Listener listener)
     : robot_(robot),
       override_share_(std::min(override_share, 1.0)),
       channels_(channels),
       log_(log),
+      names_(std::move(names)),
       listener_(std::move(listener)),
       meter_(*robot.kinematics),
       reached_(robot.start) {
@@ -73,6 +68,9 @@ void RunRecorder::take(const MotionEvent& event) {
       break;
     case MotionEvent::Kind::EffectDue:
       take_effect(event);
+      break;
+    case MotionEvent::Kind::PulseOver:
+      add_output(event, false);
       break;
     case MotionEvent::Kind::LateDecision:
       ++result_.starved;
@@ -165,15 +163,50 @@ double RunRecorder::planned_miss(const Running& segment, const LoggedSegment* ne
 }
 
 void RunRecorder::take_effect(const MotionEvent& event) {
-  const int line = static_cast<int>(event.tag);
   --result_.dropped_effects;
-  if (event.effect.kind == Effect::Kind::Output) {
-    result_.signals.push_back(
-        {event.time, name_of_output(robot_, event.effect.channel), event.effect.value, line});
-    return;
+  switch (event.effect.kind) {
+    case Effect::Kind::Output:
+      return add_output(event, event.effect.value);
+    case Effect::Kind::Pulse:
+      return add_output(event, true);
+    case Effect::Kind::Analog:
+      return add_analog(event);
+    case Effect::Kind::Note:
+      break;
   }
   result_.output.push_back(log_.take_text(event.effect.id));
   if (listener_.print) listener_.print(result_.output.back());
+}
+
+void RunRecorder::add_output(const MotionEvent& event, bool value) {
+  result_.signals.push_back({.time = event.time,
+                             .name = names_.output(event.effect.channel),
+                             .value = value,
+                             .line = static_cast<int>(event.tag)});
+}
+
+void RunRecorder::add_analog(const MotionEvent& event) {
+  constexpr double kSame = 1e-9;  // V: what rounding can add at the end of a SCALE
+  const int line = static_cast<int>(event.tag);
+  const int channel = event.effect.channel;
+  const double volts = motion::within_analog_range(event.effect.volts);
+  const std::string name = names_.analog_output(channel);
+  const SignalNames::Quantity carried = names_.quantity(channel, volts);
+  result_.signals.push_back({.time = event.time,
+                             .name = name,
+                             .number = carried.number,
+                             .unit = carried.unit,
+                             .line = line});
+  if (std::abs(event.effect.volts - volts) <= kSame) return;
+  const std::string text =
+      fmt::format("{}: {} is beyond what the channel carries; it is set to {}", name,
+                  names_.quantity(channel, event.effect.volts).text, carried.text);
+  add_event(event.time, "warning", line, text);
+  log_.found({lang::Severity::Warning,
+              code::kAnalogCut,
+              {static_cast<std::uint32_t>(line), 0, 0},
+              text,
+              "keep the value within its SCALE, or give the signal a wider one"});
 }
 
 void RunRecorder::take_peaks(const Snapshot& snapshot) {

@@ -12,6 +12,7 @@
 #include "runtime/control/program_log.h"
 #include "runtime/program/corner_meter.h"
 #include "runtime/program/run_result.h"
+#include "runtime/program/signal_names.h"
 
 namespace rob::runtime {
 
@@ -26,7 +27,7 @@ class RunRecorder {
   };
 
   RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,
-              ProgramLog& log, Listener listener);
+              ProgramLog& log, SignalNames names, Listener listener);
 
   /// Takes everything that has come up the channels.
   void drain();
@@ -55,6 +56,8 @@ class RunRecorder {
   void end_corner();
   double planned_miss(const Running& segment, const LoggedSegment* next) const;
   void take_effect(const motion::MotionEvent& event);
+  void add_output(const motion::MotionEvent& event, bool value);
+  void add_analog(const motion::MotionEvent& event);
   void take_peaks(const Snapshot& snapshot);
   void add_event(double time, const char* kind, int line, std::string text);
   void fail(double time, const char* kind, Words words);
@@ -64,6 +67,7 @@ class RunRecorder {
   double override_share_;
   Channels& channels_;
   ProgramLog& log_;
+  SignalNames names_;
   Listener listener_;
   CornerMeter meter_;
   RunResult result_;

@@ -40,6 +40,8 @@ struct SignalChange {
   double time = 0;
   std::string name;
   bool value = false;
+  std::optional<double> number{};  ///< of an analog output, in `unit`
+  std::string unit{};
   int line = 0;
 };
 

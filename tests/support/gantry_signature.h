@@ -17,7 +17,9 @@ inline lang::RobotSignature gantry_signature() {
                       {.name = "gripper_open", .output = false, .channel = 11},
                       {.name = "gripper_closed", .output = false, .channel = 12},
                       {.name = "", .output = true, .channel = 1},
-                      {.name = "", .output = false, .channel = 1}}};
+                      {.name = "", .output = false, .channel = 1},
+                      {.name = "", .output = true, .channel = 1, .analog = true},
+                      {.name = "", .output = false, .channel = 1, .analog = true}}};
 }
 
 }  // namespace rob::test

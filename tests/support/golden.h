@@ -22,6 +22,7 @@
 ///
 ///     // given lift_up: OFF OFF ON     what reading a signal answers; the last stays
 ///     // given DIN[1]: ON              the same of a channel without a name
+///     // given AIN[1]: 2.5V 3V         the same of an analog one
 ///     // given later: 3                the first three calls are answered "later"
 ///
 /// Refusals need the real planner, which is none of the language's business: they are handed on.
@@ -38,7 +39,7 @@ struct Expectation {
 /// What a golden program says about itself.
 struct GoldenScript {
   std::vector<Expectation> expectations;
-  std::map<std::string, std::vector<bool>> signals;  ///< by name
+  std::map<std::string, std::vector<double>> signals;  ///< by name; 1 is ON, V
   int later = 0;
   std::vector<std::string> mistakes;  ///< comments that look like expectations and are none
 };

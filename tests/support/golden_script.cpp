@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <sstream>
 
 #include "tests/support/golden.h"
@@ -43,8 +44,11 @@ bool read_given(std::string_view text, GoldenScript& script) {
   std::istringstream values{std::string(text.substr(colon + 1))};
   if (name == "later") return static_cast<bool>(values >> script.later);
   for (std::string value; values >> value;) {
-    if (value != "ON" && value != "OFF") return false;
-    script.signals[name].push_back(value == "ON");
+    char* end = nullptr;
+    const double volts = std::strtod(value.c_str(), &end);
+    const bool analog = end != value.c_str() && std::string_view(end) == "V";
+    if (!analog && value != "ON" && value != "OFF") return false;
+    script.signals[name].push_back(analog ? volts : value == "ON" ? 1 : 0);
   }
   return !script.signals[name].empty();
 }

@@ -20,8 +20,8 @@ inline bool same_code(const lang::Chunk& a, const lang::Chunk& b) {
   return std::ranges::equal(a.code, b.code, same_word_of_code) &&
          std::ranges::equal(a.constants, b.constants, same_bits) && a.texts == b.texts &&
          a.dimensions == b.dimensions && a.moves == b.moves && a.signals == b.signals &&
-         std::ranges::equal(a.names, b.names, same_name) && a.registers == b.registers &&
-         a.text_registers == b.text_registers;
+         a.named_signals == b.named_signals && std::ranges::equal(a.names, b.names, same_name) &&
+         a.registers == b.registers && a.text_registers == b.text_registers;
 }
 
 }  // namespace rob::test

@@ -51,6 +51,7 @@ struct SteppedRun {
         controller(robot, backend ? std::move(backend) : simulated(robot), override_share),
         task(program.compilation.chunk.value(), controller.machine()),
         recorder(robot, override_share, controller.channels(), controller.log(),
+                 {robot, program.compilation.chunk->named_signals},
                  {nullptr, [this](const runtime::Snapshot& row) { rows.push_back(row); }}) {}
 
   runtime::RunResult run(double most = 1000) {
