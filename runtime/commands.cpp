@@ -51,12 +51,14 @@ RunListener listener_of(const Options& options, Progress& progress) {
 }
 
 RunResult run_one(const LoadedProgram& program, const motion::RobotModel& robot,
-                  const Options& options) {
+                  const Options& options, const SignalScript& script) {
   if (!program.runnable()) return refused(program, robot);
+  if (script.diagnostics.has_errors()) return refused(script, robot);
   const double planned =
-      isatty(STDERR_FILENO) != 0 ? foretell(program, robot, options.seed).planned : 0;
+      isatty(STDERR_FILENO) != 0 ? foretell(program, robot, options.seed, &script).planned : 0;
   Progress progress(planned / options.override_share, options.override_share);
-  const RunOptions run_options{options.fast, options.override_share, options.trace, options.seed};
+  const RunOptions run_options{options.fast, options.override_share, options.trace, options.seed,
+                               &script};
   RunResult result = run(program, robot, run_options, listener_of(options, progress));
   progress.clear();
   return result;
@@ -69,38 +71,67 @@ std::vector<LoadedProgram> load_programs(const Options& options, const motion::R
   return programs;
 }
 
+/// The signal script for each of them, which may use their names.
+std::vector<SignalScript> load_scripts(const Options& options, const motion::RobotModel& robot,
+                                       const std::vector<LoadedProgram>& programs) {
+  std::vector<SignalScript> scripts;
+  for (const LoadedProgram& program : programs) {
+    scripts.push_back(load_signal_script(options.signals, program, robot));
+  }
+  return scripts;
+}
+
+/// What is wrong with the program or with its script, for people.
+std::string problems_text(const RunResult& result, const LoadedProgram& program,
+                          const SignalScript& script) {
+  const bool in_script = program.runnable() && script.diagnostics.has_errors();
+  return problems_text(result, in_script ? script.source : program.source);
+}
+
 ExitCode run_files(const Options& options) {
   const motion::RobotModel robot = load_robot(options.robot);
   ExitCode worst = ExitCode::Done;
   std::vector<Json> documents;
-  for (const LoadedProgram& program : load_programs(options, robot)) {
-    const RunResult result = run_one(program, robot, options);
-    put_message(problems_text(result, program.source));
+  const std::vector<LoadedProgram> programs = load_programs(options, robot);
+  const std::vector<SignalScript> scripts = load_scripts(options, robot, programs);
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const LoadedProgram& program = programs[i];
+    const bool starts = program.runnable() && !scripts[i].diagnostics.has_errors();
+    const RunResult result = run_one(program, robot, options, scripts[i]);
+    put_message(problems_text(result, program, scripts[i]));
     if (options.json) {
       documents.push_back(run_json(result));
-    } else if (program.runnable()) {
+    } else if (starts) {
       put_result(run_table(result));
     }
     worst = worse(worst, result.exit_code);
     // Where the robot stands now is not where the next program was written to begin.
-    if (program.runnable() && result.exit_code != ExitCode::Done) break;
+    if (starts && result.exit_code != ExitCode::Done) break;
   }
   if (options.json) print_json(options, documents);
   return worst;
+}
+
+RunResult check_one(const LoadedProgram& program, const motion::RobotModel& robot,
+                    const Options& options, const SignalScript& script) {
+  if (!program.runnable()) return refused(program, robot);
+  if (script.diagnostics.has_errors()) return refused(script, robot);
+  return foretell(program, robot, options.seed, &script);
 }
 
 ExitCode check_files(const Options& options) {
   const motion::RobotModel robot = load_robot(options.robot);
   ExitCode worst = ExitCode::Done;
   std::vector<Json> documents;
-  for (const LoadedProgram& program : load_programs(options, robot)) {
-    RunResult result =
-        program.runnable() ? foretell(program, robot, options.seed) : refused(program, robot);
+  const std::vector<LoadedProgram> programs = load_programs(options, robot);
+  const std::vector<SignalScript> scripts = load_scripts(options, robot, programs);
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    RunResult result = check_one(programs[i], robot, options, scripts[i]);
     if (result.exit_code != ExitCode::Done) result.exit_code = ExitCode::ProgramError;
-    put_message(problems_text(result, program.source));
+    put_message(problems_text(result, programs[i], scripts[i]));
     if (options.json) {
       documents.push_back(check_json(result));
-    } else if (program.runnable()) {
+    } else if (programs[i].runnable() && !scripts[i].diagnostics.has_errors()) {
       put_result(check_table(result));
     }
     worst = worse(worst, result.exit_code);

@@ -61,6 +61,9 @@ struct Parser {
     command.add_option("--seed", options.seed, "where RANDOM begins: a whole number from 0")
         ->check(CLI::NonNegativeNumber);
   }
+  void add_signals(CLI::App& command) {
+    command.add_option("--signals", options.signals, "a script that drives the simulated inputs");
+  }
   void add_json(CLI::App& command) {
     command.add_flag("--json", options.json, "print one JSON document, and nothing else");
   }
@@ -85,6 +88,7 @@ void Parser::add_run() {
   add_robot(run);
   add_json(run);
   add_seed(run);
+  add_signals(run);
   run.add_option("--backend", backend, "what moves: sim")->check(check_backend);
   run.add_flag("--fast", options.fast, "on the virtual clock, as fast as possible");
   run.add_option("--trace", options.trace, "write a row for each reference period to this file");
@@ -99,6 +103,7 @@ void Parser::add_check() {
   add_robot(check);
   add_json(check);
   add_seed(check);
+  add_signals(check);
 }
 
 void Parser::add_others() {

@@ -19,6 +19,7 @@ struct Options {
   std::vector<std::string> files;
   std::string robot = "gantry";  ///< a name, or a file that ends in .toml
   std::string trace;
+  std::string signals;  ///< a signal script
   double override_share = 1;
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
   bool fast = false;

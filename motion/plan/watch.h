@@ -2,17 +2,20 @@
 
 #include <cstdint>
 
+#include "motion/space/analog_channels.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::motion {
 
 /// What can be seen of the world in one control cycle. SI.
 struct CycleView {
-  double time = 0;            ///< s, when the cycle begins
-  JointVector reference;      ///< where the axes are meant to be at that instant
-  JointVector measured;       ///< where they are
-  std::uint64_t inputs = 0;   ///< latched in this cycle: bit i is input channel i
-  std::uint64_t outputs = 0;  ///< as the last cycle has left them
+  double time = 0;                ///< s, when the cycle begins
+  JointVector reference;          ///< where the axes are meant to be at that instant
+  JointVector measured;           ///< where they are
+  std::uint64_t inputs = 0;       ///< latched in this cycle: bit i is input channel i
+  std::uint64_t outputs = 0;      ///< as the last cycle has left them
+  AnalogValues analog_inputs{};   ///< V, as inputs
+  AnalogValues analog_outputs{};  ///< V, as outputs
 };
 
 /// What a Watch says of one cycle.

@@ -10,6 +10,7 @@
 #include "motion/space/joint_vector.h"
 #include "motion/space/spsc_ring.h"
 #include "runtime/control/analog_cells.h"
+#include "runtime/control/operator_panel.h"
 
 namespace rob::runtime {
 
@@ -71,8 +72,9 @@ struct Channels {
   std::atomic<std::uint32_t> decidable{0};    ///< motion → program: see TrajectoryGenerator
   std::atomic<bool> standing{true};           ///< motion → program: nothing is under way
   std::atomic<std::int64_t> effects_done{0};  ///< motion → program: effects that have acted
-  std::atomic<bool> hold_requested{false};    ///< main → motion
-  std::atomic<std::int64_t> lost{0};          ///< snapshots that found their ring full
+  OperatorPanel panel;  ///< motion → program: what a signal script does in the operator's place
+  std::atomic<bool> hold_requested{false};  ///< main → motion
+  std::atomic<std::int64_t> lost{0};        ///< snapshots that found their ring full
 };
 
 }  // namespace rob::runtime

@@ -5,14 +5,15 @@
 namespace rob::runtime {
 
 Controller::Controller(const motion::RobotModel& robot,
-                       std::unique_ptr<motion::ServoBackend> backend, double override_share)
+                       std::unique_ptr<motion::ServoBackend> backend, double override_share,
+                       const std::vector<SimulationRule>& script)
     : robot_(robot),
       backend_(std::move(backend)),
       buffer_(static_cast<std::size_t>(robot.look_ahead)),
       planner_(robot, robot.start),
       generator_(robot, buffer_, robot.start),
       machine_(robot, planner_, buffer_, channels_, log_),
-      motion_task_(robot, generator_, override_share, channels_),
+      motion_task_(robot, generator_, override_share, channels_, script),
       servo_task_(robot, *backend_, channels_) {
   planner_.set_override(override_share);
   backend_->open();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "motion/generate/paul_generator.h"
 #include "motion/plan/look_ahead_buffer.h"
@@ -21,8 +22,9 @@ namespace rob::runtime {
 class Controller {
  public:
   /// Opens the backend: throws motion::DriverError. `override_share`: 1 is the programmed speed.
+  /// `script`: what drives inputs in place of the machine.
   Controller(const motion::RobotModel& robot, std::unique_ptr<motion::ServoBackend> backend,
-             double override_share);
+             double override_share, const std::vector<SimulationRule>& script = {});
   /// Drives without force, backend closed.
   ~Controller();
   Controller(const Controller&) = delete;

@@ -16,26 +16,29 @@ constexpr double kInstantTolerance = 1e-9;  // s: an instant on the period's bor
 }  // namespace
 
 MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenerator& generator,
-                       double override_share, Channels& channels)
+                       double override_share, Channels& channels,
+                       const std::vector<SimulationRule>& script)
     : generator_(generator),
       channels_(channels),
       period_(robot.reference_period),
-      override_share_(std::min(override_share, 1.0)) {
+      override_share_(std::min(override_share, 1.0)),
+      simulated_(script, channels.panel) {
   if (override_share_ < 1) generator_.set_override(override_share_);
   current_.reference.q = robot.start;
 }
 
 void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
+  now_ = static_cast<double>(number) * period_;
   take_samples();
+  latch_inputs(now_);
   take_requests();
-  generator_.look(view(static_cast<double>(number) * period_));
+  generator_.look(view(now_));
   if (!started_) {
     current_ = generator_.advance(number);
     started_ = true;
   }
   collect_events();
   publish(current_);
-  now_ = static_cast<double>(number) * period_;
   release_events(now_);
   end_pulses(now_);
   if (finished_ && !pulses_.any()) over_.store(true, std::memory_order_release);
@@ -58,10 +61,23 @@ void MotionTask::take_samples() noexcept {
   while (channels_.samples.take(sample)) {
     history_[samples_++ % kHistory] = sample;
     saturation_ = std::max(saturation_, sample.saturation);
-    channels_.inputs.store(sample.inputs, std::memory_order_relaxed);
-    channels_.analog_inputs.store(sample.analog_inputs);
+    machine_inputs_ = sample.inputs;
+    machine_analog_inputs_ = sample.analog_inputs;
     if (sample.finding.verdict != FollowingFinding::Verdict::None) take_finding(sample);
   }
+}
+
+void MotionTask::prepare(double now) noexcept {
+  machine_inputs_ = channels_.inputs.load(std::memory_order_relaxed);
+  machine_analog_inputs_ = channels_.analog_inputs.load();
+  latch_inputs(now);
+}
+
+void MotionTask::latch_inputs(double now) noexcept {
+  WorldImage image{machine_inputs_, outputs_, machine_analog_inputs_, analog_outputs_};
+  simulated_.latch(now, image);
+  channels_.inputs.store(image.inputs, std::memory_order_relaxed);
+  channels_.analog_inputs.store(image.analog_inputs);
 }
 
 void MotionTask::take_finding(const ServoSample& sample) noexcept {
@@ -79,8 +95,13 @@ void MotionTask::take_requests() noexcept {
 }
 
 motion::CycleView MotionTask::view(double now) const noexcept {
-  motion::CycleView view{now, current_.reference.q, current_.reference.q,
-                         channels_.inputs.load(std::memory_order_relaxed), outputs_};
+  motion::CycleView view{now,
+                         current_.reference.q,
+                         current_.reference.q,
+                         channels_.inputs.load(std::memory_order_relaxed),
+                         outputs_,
+                         channels_.analog_inputs.load(),
+                         analog_outputs_};
   if (const ServoSample* servo = sample_at(now)) {
     view.measured = servo->measured.q + servo->measured.qd * (now - servo->measured.time);
   }

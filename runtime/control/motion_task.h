@@ -4,11 +4,13 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "motion/generate/trajectory_generator.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
 #include "runtime/control/pulses.h"
+#include "runtime/control/simulated_inputs.h"
 
 namespace rob::runtime {
 
@@ -20,7 +22,11 @@ namespace rob::runtime {
 class MotionTask {
  public:
   MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenerator& generator,
-             double override_share, Channels& channels);
+             double override_share, Channels& channels, const std::vector<SimulationRule>& script);
+
+  /// Once, before the program's first step: what the machine said when it was enabled, and what is
+  /// simulated from the start, are the inputs until the first cycle.
+  void prepare(double now) noexcept;
 
   /// `number`: k, ever greater; what lies between was missed. `lateness`: s after its deadline.
   void cycle(std::int64_t number, double lateness) noexcept;
@@ -30,6 +36,7 @@ class MotionTask {
 
  private:
   void take_samples() noexcept;
+  void latch_inputs(double now) noexcept;
   void take_finding(const ServoSample& sample) noexcept;
   void take_requests() noexcept;
   motion::CycleView view(double now) const noexcept;
@@ -57,6 +64,9 @@ class MotionTask {
   double lateness_ = 0;
   std::uint64_t outputs_ = 0;
   motion::AnalogValues analog_outputs_{};
+  std::uint64_t machine_inputs_ = 0;  ///< as the machine says
+  motion::AnalogValues machine_analog_inputs_{};
+  SimulatedInputs simulated_;
   Pulses pulses_;
   bool finished_ = false;  ///< motion is over; pulses may still be under way
   double saturation_ = 0;

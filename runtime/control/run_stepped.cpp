@@ -29,6 +29,7 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
   Timing timing;
 
   controller.servo().enable(clock.now());
+  controller.motion().prepare(clock.now());
   auto program_state = program.step(kInstructionsPerCycle);
   for (std::int64_t cycle = 0;; ++cycle) {
     servo_cycles(controller, clock, cycle, per_cycle);

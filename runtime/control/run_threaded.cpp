@@ -59,6 +59,7 @@ Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& 
   double drift = 0;
 
   controller.servo().enable(-kLead);  // where the clock will begin
+  controller.motion().prepare(0);
   const auto program_state = program.step(kHeadStart);
   SystemClock clock;
   StartLine line(2);

@@ -14,6 +14,7 @@ namespace rob::runtime {
 namespace {
 
 constexpr std::size_t kMostSource = std::size_t{32} << 20U;    // bytes, the language's own limit
+constexpr std::size_t kMostScript = std::size_t{1} << 20U;     // bytes [choice] for 1000 lines
 constexpr std::size_t kMostRobotFile = std::size_t{1} << 20U;  // bytes [choice] 100 × the longest
 
 void refuse_targets_out_of_reach(lang::Compilation& compilation, const motion::RobotModel& robot) {
@@ -43,6 +44,15 @@ motion::RobotModel load_robot(const std::string& name_or_file) {
 
 LoadedProgram load_program(const std::string& file, const motion::RobotModel& robot) {
   return compile_program(file, read_file(file, kMostSource), robot);
+}
+
+SignalScript load_signal_script(const std::string& file, const LoadedProgram& program,
+                                const motion::RobotModel& robot) {
+  if (file.empty()) return {};
+  std::string text = read_file(file, kMostScript);
+  if (!program.runnable()) return {};  // its SIGNALs are not known
+  return parse_signal_script(file, std::move(text), robot,
+                             program.compilation.chunk->named_signals);
 }
 
 LoadedProgram compile_program(std::string file, std::string source,

@@ -5,6 +5,7 @@
 
 #include "lang/compile.h"
 #include "motion/robots/robot_model.h"
+#include "runtime/program/signal_script.h"
 
 namespace rob::runtime {
 
@@ -24,6 +25,10 @@ motion::RobotModel load_robot(const std::string& name_or_file);
 /// Reads and compiles; checks the targets that are known beforehand against the robot, so that
 /// nothing moves if one of them cannot be reached. Throws FileError.
 LoadedProgram load_program(const std::string& file, const motion::RobotModel& robot);
+
+/// The signal script of a program; `file` empty: one without rules. Throws FileError.
+SignalScript load_signal_script(const std::string& file, const LoadedProgram& program,
+                                const motion::RobotModel& robot);
 
 /// The same from text: `file` is for messages only.
 LoadedProgram compile_program(std::string file, std::string source,

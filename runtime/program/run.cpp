@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -93,6 +94,33 @@ void close_trace(std::optional<TraceWriter>& trace, const RunOptions& options, R
   }
 }
 
+std::vector<SimulationRule> rules_of(const SignalScript* script) {
+  return script == nullptr ? std::vector<SimulationRule>() : script->rules;
+}
+
+void prepare_panel(Controller& controller, const SignalScript* script) {
+  if (script == nullptr) return;
+  const bool gives_go = std::ranges::any_of(script->rules, [](const SimulationRule& rule) {
+    return rule.setting.place.kind == WorldSignal::Kind::Go;
+  });
+  controller.channels().panel.prepare(script->answers, gives_go);
+}
+
+/// The first error is what the program is refused for.
+RunResult refusal(const lang::Diagnostics& diagnostics, const std::string& file,
+                  const motion::RobotModel& robot) {
+  RunResult result;
+  result.status = "program-error";
+  result.exit_code = ExitCode::ProgramError;
+  result.robot = robot.name;
+  for (const lang::Diagnostic& diagnostic : diagnostics.all()) {
+    if (diagnostic.severity != lang::Severity::Error) continue;
+    result.error = problem_of(diagnostic, file);
+    break;
+  }
+  return result;
+}
+
 RunResult start_of(const LoadedProgram& program, RunResult result) {
   result.file = program.file;
   if (result.error) result.error->file = program.file;
@@ -107,7 +135,9 @@ RunResult start_of(const LoadedProgram& program, RunResult result) {
 RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
               const RunOptions& options, const RunListener& listener) {
   std::optional<TraceWriter> trace = open_trace(options, program, robot);
-  Controller controller(robot, simulation_of(robot), options.override_share);
+  Controller controller(robot, simulation_of(robot), options.override_share,
+                        rules_of(options.script));
+  prepare_panel(controller, options.script);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
                        names_in(program, robot), {listener.print, [&](const Snapshot& snapshot) {
@@ -141,8 +171,9 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
 }
 
 RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
-                   std::uint64_t seed) {
-  Controller controller(robot, simulation_of(robot), 1);
+                   std::uint64_t seed, const SignalScript* script) {
+  Controller controller(robot, simulation_of(robot), 1, rules_of(script));
+  prepare_panel(controller, script);
   ProgramTask task(*program.compilation.chunk, controller.machine(), seed);
   RunRecorder recorder(robot, 1, controller.channels(), controller.log(), names_in(program, robot),
                        {});
@@ -167,16 +198,15 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
 }
 
 RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot) {
-  RunResult result;
-  result.status = "program-error";
-  result.exit_code = ExitCode::ProgramError;
-  result.robot = robot.name;
-  for (const lang::Diagnostic& diagnostic : program.compilation.diagnostics.all()) {
-    if (diagnostic.severity != lang::Severity::Error) continue;
-    result.error = problem_of(diagnostic, program.file);
-    break;
-  }
-  return start_of(program, std::move(result));
+  return start_of(program, refusal(program.compilation.diagnostics, program.file, robot));
+}
+
+RunResult refused(const SignalScript& script, const motion::RobotModel& robot) {
+  RunResult result = refusal(script.diagnostics, script.file, robot);
+  result.file = script.file;
+  result.findings = script.diagnostics.all();
+  result.findings_left_out = script.diagnostics.left_out();
+  return result;
 }
 
 }  // namespace rob::runtime

@@ -9,6 +9,7 @@
 #include "motion/robots/robot_model.h"
 #include "runtime/program/load.h"
 #include "runtime/program/run_result.h"
+#include "runtime/program/signal_script.h"
 
 namespace rob::runtime {
 
@@ -18,6 +19,7 @@ struct RunOptions {
   double override_share = 1;                        ///< 1 = 100 %
   std::string trace;                                ///< file, or empty
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
+  const SignalScript* script = nullptr;             ///< what drives the inputs, without errors
 };
 
 /// How far a run is: source line, s, what motion is doing.
@@ -43,9 +45,12 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
 /// corner miss, and all findings. Nothing moves and nothing is printed; a program that does not
 /// end is given up after an hour of its time, with a finding that says so.
 RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
-                   std::uint64_t seed = lang::Random::kDefaultSeed);
+                   std::uint64_t seed = lang::Random::kDefaultSeed,
+                   const SignalScript* script = nullptr);
 
 /// The result of a program that does not compile.
 RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot);
+/// The result of a program whose signal script has errors.
+RunResult refused(const SignalScript& script, const motion::RobotModel& robot);
 
 }  // namespace rob::runtime

@@ -1,0 +1,347 @@
+#include "runtime/program/signal_script.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "lang/ascii.h"
+#include "lang/lexer.h"
+#include "lang/number_text.h"
+#include "lang/source_text.h"
+#include "lang/suggest.h"
+#include "runtime/control/codes.h"
+#include "runtime/control/robot_machine.h"
+
+namespace rob::runtime {
+
+namespace {
+
+using lang::Token;
+using lang::TokenKind;
+using Comparison = SimulationRule::Comparison;
+
+// [choice] A rule a `when` is looked at in every cycle; a thousand take some microseconds.
+constexpr std::size_t kMostRules = 1000;
+constexpr double kLatest = 1e6;  // s: as long as a WAIT may be
+
+/// A signal that a name stands for, and what its volts mean.
+struct Known {
+  std::string name;
+  WorldSignal signal;
+  lang::NamedSignal scale;
+
+  bool analog() const {
+    return signal.kind == WorldSignal::Kind::AnalogInput ||
+           signal.kind == WorldSignal::Kind::AnalogOutput;
+  }
+};
+
+std::optional<Comparison> comparison_of(TokenKind kind) {
+  switch (kind) {
+    case TokenKind::Equal:
+      return Comparison::Equal;
+    case TokenKind::NotEqual:
+      return Comparison::NotEqual;
+    case TokenKind::Less:
+      return Comparison::Less;
+    case TokenKind::LessEqual:
+      return Comparison::LessEqual;
+    case TokenKind::Greater:
+      return Comparison::Greater;
+    case TokenKind::GreaterEqual:
+      return Comparison::GreaterEqual;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// The comparison with its sides exchanged in meaning: what falls where it rose.
+Comparison reversed(Comparison comparison) {
+  switch (comparison) {
+    case Comparison::Less:
+      return Comparison::Greater;
+    case Comparison::LessEqual:
+      return Comparison::GreaterEqual;
+    case Comparison::Greater:
+      return Comparison::Less;
+    case Comparison::GreaterEqual:
+      return Comparison::LessEqual;
+    default:
+      return comparison;
+  }
+}
+
+std::string shown(const Token& token) {
+  if (token.kind == TokenKind::EndOfLine || token.kind == TokenKind::EndOfFile) {
+    return "the end of the line";
+  }
+  return fmt::format("'{}'", lang::shortened(token.text));
+}
+
+class Reader {
+ public:
+  Reader(SignalScript& script, const motion::RobotModel& robot,
+         const std::vector<lang::NamedSignal>& named)
+      : script_(script), lexer_(script.source, script.diagnostics) {
+    know(robot, named);
+  }
+
+  void read() {
+    advance();
+    while (token_.kind != TokenKind::EndOfFile) {
+      if (token_.kind == TokenKind::EndOfLine) {
+        advance();
+        continue;
+      }
+      try {
+        rule();
+      } catch (const Wrong&) {
+        while (!at_line_end()) advance();
+      }
+    }
+  }
+
+ private:
+  struct Wrong {};
+
+  void know(const motion::RobotModel& robot, const std::vector<lang::NamedSignal>& named);
+  void advance() { token_ = lexer_.next(); }
+  bool at_line_end() const {
+    return token_.kind == TokenKind::EndOfLine || token_.kind == TokenKind::EndOfFile;
+  }
+  bool at_word(std::string_view word) const {
+    const bool is_word = token_.kind == TokenKind::Word || token_.kind == TokenKind::Reserved;
+    return is_word && lang::same_word(token_.text, word);
+  }
+  [[noreturn]] void fail(const char* code, const lang::Place& place, std::string message,
+                         std::string help = "") {
+    // A token that could not be read has had its message.
+    if (token_.kind != TokenKind::Bad) {
+      script_.diagnostics.error(code, place, std::move(message), std::move(help));
+    }
+    throw Wrong{};
+  }
+  [[noreturn]] void expected(std::string_view what) {
+    fail(code::kScriptLine, token_.place, fmt::format("{} expected, not {}", what, shown(token_)),
+         "a line is: at 2.5s part_here = ON, or: when lift_up == ON after 0.3s : part_here = ON");
+  }
+
+  void rule();
+  void condition(SimulationRule& rule);
+  SimulatedSetting setting();
+  SimulatedSetting operators_setting(WorldSignal::Kind kind);
+  const Known& signal();
+  double time(std::string_view behind);
+  double value_for(const Known& known);
+  bool truth(std::string_view name);
+  double quantity(const Known& known);
+
+  SignalScript& script_;
+  lang::Lexer lexer_;
+  Token token_;
+  std::vector<Known> known_;
+};
+
+void Reader::know(const motion::RobotModel& robot, const std::vector<lang::NamedSignal>& named) {
+  const lang::RobotSignature signature = signature_of(robot);
+  const auto add = [&](std::string name, std::size_t index, const lang::NamedSignal& scale) {
+    const lang::RobotSignature::Signal& signal = signature.signals[index];
+    using Kind = WorldSignal::Kind;
+    const Kind kind = signal.analog ? (signal.output ? Kind::AnalogOutput : Kind::AnalogInput)
+                                    : (signal.output ? Kind::Output : Kind::Input);
+    known_.push_back(
+        {std::move(name), {kind, static_cast<std::uint8_t>(signal.channel - 1)}, scale});
+  };
+  for (const lang::NamedSignal& signal : named) {
+    add(signal.name, static_cast<std::size_t>(signal.signal), signal);
+  }
+  for (std::size_t i = 0; i < signature.signals.size(); ++i) {
+    const lang::RobotSignature::Signal& signal = signature.signals[i];
+    const lang::NamedSignal volts{.name = "",
+                                  .signal = static_cast<int>(i),
+                                  .dimension = lang::kVoltage,
+                                  .low = 0,
+                                  .high = lang::kMostVolts};
+    if (!signal.name.empty()) add(signal.name, i, volts);
+    const char* const word = lang::channel_word(signal.output, signal.analog);
+    add(fmt::format("{}[{}]", word, signal.channel), i, volts);
+  }
+}
+
+// rule = "at" TIME setting
+//      | "when" signal ( "==" | "<>" | "<" | "<=" | ">" | ">=" ) value [ "after" TIME ] ":" setting
+void Reader::rule() {
+  SimulationRule rule;
+  const lang::Place place = token_.place;
+  if (at_word("at")) {
+    advance();
+    rule.time = time("at");
+  } else if (at_word("when")) {
+    advance();
+    rule.timed = false;
+    condition(rule);
+    if (at_word("after")) {
+      advance();
+      rule.time = time("after");
+    }
+    if (token_.kind != TokenKind::Colon) expected("':'");
+    advance();
+  } else {
+    expected("at or when");
+  }
+  rule.setting = setting();
+  if (!at_line_end()) expected("the end of the line");
+  if (script_.rules.size() == kMostRules) {
+    fail(code::kScriptLine, place, fmt::format("a script has at most {} lines", kMostRules));
+  }
+  script_.rules.push_back(rule);
+}
+
+void Reader::condition(SimulationRule& rule) {
+  const Known& known = signal();
+  const auto comparison = comparison_of(token_.kind);
+  const bool order =
+      comparison && *comparison != Comparison::Equal && *comparison != Comparison::NotEqual;
+  if (!comparison) expected("a comparison such as ==");
+  if (order && !known.analog()) {
+    fail(code::kScriptValue, token_.place,
+         fmt::format("{} is ON or OFF; compare it with == or <>", known.name));
+  }
+  advance();
+  rule.watched = known.signal;
+  rule.reference = value_for(known);
+  const bool falling = known.analog() && known.scale.high < known.scale.low;
+  rule.comparison = falling ? reversed(*comparison) : *comparison;
+}
+
+// setting = signal "=" value | "GO" "=" "ON" | "ANSWER" "=" STRING
+SimulatedSetting Reader::setting() {
+  if (at_word("GO")) return operators_setting(WorldSignal::Kind::Go);
+  if (at_word("ANSWER")) return operators_setting(WorldSignal::Kind::Answer);
+  const lang::Place place = token_.place;
+  const Known& known = signal();
+  using Kind = WorldSignal::Kind;
+  if (known.signal.kind == Kind::Output || known.signal.kind == Kind::AnalogOutput) {
+    fail(code::kScriptSignal, place,
+         fmt::format("{} is an output: the program sets it, no script can", known.name),
+         "set an input");
+  }
+  if (token_.kind != TokenKind::Assign) expected("'='");
+  advance();
+  return {known.signal, value_for(known), 0};
+}
+
+SimulatedSetting Reader::operators_setting(WorldSignal::Kind kind) {
+  SimulatedSetting setting{{kind, 0}, 0, static_cast<std::uint32_t>(script_.answers.size())};
+  advance();
+  if (token_.kind != TokenKind::Assign) expected("'='");
+  advance();
+  if (kind == WorldSignal::Kind::Go) {
+    setting.value = truth("GO") ? 1 : 0;
+    return setting;
+  }
+  if (token_.kind != TokenKind::String) expected("a text such as \"7\"");
+  script_.answers.push_back(token_.string);
+  advance();
+  return setting;
+}
+
+const Known& Reader::signal() {
+  if (token_.kind != TokenKind::Word) expected("the name of a signal");
+  const Token word = token_;
+  std::string name(word.text);
+  lang::Place place = word.place;
+  advance();
+  if (token_.kind == TokenKind::LeftBracket) {
+    advance();
+    if (token_.kind != TokenKind::Number || !token_.number.is_integer) {
+      expected("the number of the channel");
+    }
+    name = fmt::format("{}[{}]", name, token_.number.integer);
+    advance();
+    if (token_.kind != TokenKind::RightBracket) expected("']'");
+    place.length = token_.place.column + 1 - place.column;
+    advance();
+  }
+  const auto found = std::ranges::find_if(
+      known_, [&](const Known& known) { return lang::same_word(known.name, name); });
+  if (found != known_.end()) return *found;
+  std::vector<std::string_view> names;
+  for (const Known& known : known_) names.emplace_back(known.name);
+  fail(code::kScriptSignal, place,
+       fmt::format("neither the program nor the robot has a signal {}", lang::shortened(name)),
+       lang::did_you_mean(lang::suggest(name, names)));
+}
+
+double Reader::time(std::string_view behind) {
+  if (token_.kind != TokenKind::Number || token_.number.dimension != lang::kTime) {
+    expected(fmt::format("a time such as 2.5s behind {}", behind));
+  }
+  const double seconds = token_.number.value;
+  if (seconds > kLatest) {
+    fail(code::kScriptValue, token_.place,
+         fmt::format("{} is beyond the {} of a run", lang::number_text(seconds, lang::kTime),
+                     lang::number_text(kLatest, lang::kTime)));
+  }
+  advance();
+  return seconds;
+}
+
+double Reader::value_for(const Known& known) {
+  return known.analog() ? quantity(known) : truth(known.name) ? 1 : 0;
+}
+
+bool Reader::truth(std::string_view name) {
+  const bool on = at_word("ON") || at_word("TRUE");
+  if (!on && !at_word("OFF") && !at_word("FALSE")) {
+    fail(code::kScriptValue, token_.place,
+         fmt::format("{} is ON or OFF, not {}", name, shown(token_)));
+  }
+  advance();
+  return on;
+}
+
+/// In V.
+double Reader::quantity(const Known& known) {
+  const lang::Place place = token_.place;
+  const bool negative = token_.kind == TokenKind::Minus;
+  if (negative) advance();
+  const lang::NamedSignal& scale = known.scale;
+  if (token_.kind != TokenKind::Number || token_.number.dimension != scale.dimension) {
+    fail(code::kScriptValue, token_.place,
+         fmt::format("{} is {}, not {}", known.name,
+                     lang::in_words(lang::Type::real(scale.dimension)), shown(token_)),
+         fmt::format("for example {}", lang::number_text(scale.high, scale.dimension)));
+  }
+  const lang::NumberLiteral& number = token_.number;
+  const double size = number.is_integer ? static_cast<double>(number.integer) : number.value;
+  const double value = negative ? -size : size;
+  const double volts = (value - scale.low) / ((scale.high - scale.low) / lang::kMostVolts);
+  constexpr double kSame = 1e-9;  // V: what rounding can add
+  if (volts < -kSame || volts > lang::kMostVolts + kSame) {
+    fail(code::kScriptValue, place,
+         fmt::format("{} carries {} to {}; {} is beyond that", known.name,
+                     lang::number_text(scale.low, scale.dimension),
+                     lang::number_text(scale.high, scale.dimension),
+                     lang::number_text(value, scale.dimension)));
+  }
+  advance();
+  return volts;
+}
+
+}  // namespace
+
+SignalScript parse_signal_script(std::string file, std::string source,
+                                 const motion::RobotModel& robot,
+                                 const std::vector<lang::NamedSignal>& named) {
+  SignalScript script;
+  script.file = std::move(file);
+  script.source = std::move(source);
+  if (!lang::check_source(script.source, script.diagnostics)) return script;
+  Reader(script, robot, named).read();
+  return script;
+}
+
+}  // namespace rob::runtime
