@@ -113,6 +113,13 @@ struct Move {
   ExprPtr at;      ///< null where left out
   ExprPtr over;    ///< null where left out
 };
+/// MOVE(140, 40, 0) UNTIL touched ELSE PRINT "missed": a motion, and what is looked at on its way.
+struct WatchedMotion {
+  Block motion;   ///< one statement
+  ExprPtr until;  ///< null where left out
+  bool has_else = false;
+  Block otherwise;  ///< of ELSE: one statement
+};
 struct Stop {};
 /// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm
 struct Declaration {
@@ -214,8 +221,8 @@ struct Return {
 
 struct Statement {
   Place place;  ///< of its first word
-  std::variant<Move, Stop, Declaration, SignalDeclaration, Assign, Pulse, Print, Wait, If, While,
-               For, Loop, Select, Exit, Next, Assert, CallStatement, Return>
+  std::variant<Move, WatchedMotion, Stop, Declaration, SignalDeclaration, Assign, Pulse, Print,
+               Wait, If, While, For, Loop, Select, Exit, Next, Assert, CallStatement, Return>
       node;
 };
 

@@ -59,6 +59,19 @@ struct MoveForm {
   bool operator==(const MoveForm&) const = default;
 };
 
+/// What is evaluated in every control cycle takes at most so many instructions. [choice: about a
+/// microsecond each sixteenth of it]
+inline constexpr std::size_t kLongestWatch = 256;
+/// Slots of variables that it may use. [choice: as many names do not fit on a line]
+inline constexpr int kMostWatched = 32;
+
+/// The code of a condition that is evaluated in every control cycle (lang/watch.h).
+struct WatchForm {
+  std::uint32_t entry = 0;
+  std::uint32_t end = 0;    ///< one past its last word
+  std::uint8_t values = 0;  ///< registers that hold the values of variables, from 0 on
+};
+
 /// Where a variable lives; for listings and, later, for looking at a halted program.
 struct NamedRegister {
   std::string name;
@@ -95,6 +108,7 @@ struct Chunk {
   std::vector<std::string> texts;
   std::vector<Dimension> dimensions;
   std::vector<MoveForm> moves;
+  std::vector<WatchForm> watches;
   std::vector<std::string> signals;  ///< names by number; for listings
   std::vector<NamedSignal> named_signals;
   std::vector<NamedRegister> names;

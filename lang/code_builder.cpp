@@ -4,6 +4,8 @@
 #include <bit>
 #include <limits>
 
+#include "lang/watch.h"
+
 namespace rob::lang {
 namespace {
 
@@ -160,6 +162,34 @@ void CodeBuilder::close_frame() {
 void CodeBuilder::call(std::size_t routine, Register numbers, Register texts, Place place) {
   emit(Opcode::call, place, numbers, texts);
   emit(operand_word(routine), place);
+}
+
+void CodeBuilder::begin_watch(Place place) {
+  const Jump over = jump(place);
+  watch_ = {.numbers = numbers_, .texts = texts_, .over = over, .entry = here()};
+  numbers_ = {};
+  texts_ = {};
+}
+
+std::uint16_t CodeBuilder::end_watch(Register answer, int values, Place place) {
+  emit(Opcode::answer, place, answer);
+  numbers_ = watch_.numbers;
+  texts_ = watch_.texts;
+  land(watch_.over);
+  for (std::size_t at = watch_.entry; at < here(); ++at) {
+    const Opcode opcode = chunk_.code[at].opcode();
+    if (!is_watchable(opcode)) fail(Limit::Watch, chunk_.places[at]);
+    if (opcode == Opcode::load_constant_wide) ++at;  // its operand
+  }
+  const std::size_t index = chunk_.watches.size();
+  if (here() - watch_.entry > kLongestWatch || values > kMostWatched ||
+      index > std::numeric_limits<std::uint16_t>::max()) {
+    fail(Limit::WatchLength, place);
+  }
+  chunk_.watches.push_back({.entry = static_cast<std::uint32_t>(watch_.entry),
+                            .end = static_cast<std::uint32_t>(here()),
+                            .values = static_cast<std::uint8_t>(values)});
+  return static_cast<std::uint16_t>(index);
 }
 
 Chunk CodeBuilder::finish() {

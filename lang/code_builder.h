@@ -72,7 +72,13 @@ class CodeBuilder {
   /// Calls a routine, by its number, whose parameters lie in the registers from these two on.
   void call(std::size_t routine, Register numbers, Register texts, Place place);
 
-  enum class Limit { None, Registers, Jump, Dimensions };
+  /// What follows, up to end_watch(), is code for every control cycle, with registers of its own.
+  /// It must not be executed: it is jumped over.
+  void begin_watch(Place place);
+  /// `answer` holds its value; its first `values` registers are given. Returns its number.
+  std::uint16_t end_watch(Register answer, int values, Place place);
+
+  enum class Limit { None, Registers, Jump, Dimensions, Watch, WatchLength };
   /// The limit that was exceeded, and where first.
   Limit failed() const { return failed_; }
   Place failed_at() const { return failed_at_; }
@@ -92,7 +98,16 @@ class CodeBuilder {
   void load_constant(Register target, Slot value, std::uint64_t bits, Type type, Place place);
   void set_distance(std::size_t at, std::size_t target);
 
+  /// What a watch puts aside while its code is built.
+  struct OpenWatch {
+    Registers numbers;
+    Registers texts;
+    Jump over = 0;
+    std::size_t entry = 0;
+  };
+
   Chunk chunk_;
+  OpenWatch watch_;
   Registers numbers_;
   Registers texts_;
   std::vector<std::size_t> live_names_;  ///< indices into chunk_.names

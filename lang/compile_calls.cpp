@@ -33,6 +33,7 @@ bool calls_routine(const Expr& expression) {
 }
 
 ExpressionCompiler::Reach ExpressionCompiler::reach(const Symbol& symbol) const {
+  if (watching_) return Reach::Own;
   if (symbol.by_reference) return Reach::Reference;
   return in_routine_ && symbol.global ? Reach::Global : Reach::Own;
 }

@@ -60,6 +60,12 @@ bool on_whole_numbers(const Binary& binary, const Type& result) {
 
 }  // namespace
 
+/// What is no variable is read anew each time; in a watch its value was fixed before.
+bool ExpressionCompiler::lives_in_register(const Symbol& symbol) const {
+  if (symbol.kind == Symbol::Kind::BuiltIn) return watching_;
+  return symbol.kind != Symbol::Kind::Signal;
+}
+
 void ExpressionCompiler::begin(const Expr& expression) {
   latched_ = observations(expression) > 1;
   if (latched_) code_.emit(Opcode::latch, expression.place);
@@ -84,7 +90,7 @@ Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
   const auto* const name = std::get_if<Name>(&expression.node);
   const bool convert = as_real && expression.type == Type::integer();
   if (name != nullptr && !known(expression.constant) && !convert &&
-      name->symbol->kind != Symbol::Kind::Signal && reach(*name->symbol) == Reach::Own) {
+      lives_in_register(*name->symbol) && reach(*name->symbol) == Reach::Own) {
     return home(*name->symbol);
   }
   const Register target = is_text(expression) ? code_.text_register() : code_.number_registers();
@@ -136,6 +142,8 @@ void ExpressionCompiler::compile(const Name& name, const Expr& expression, Regis
   const Symbol& symbol = *name.symbol;
   if (symbol.kind == Symbol::Kind::Signal) {
     read_signal(symbol, target, expression.place);
+  } else if (!lives_in_register(symbol)) {
+    code_.emit(Opcode::read_hit, expression.place, target);
   } else {
     load_variable(symbol, target, expression.place);
   }

@@ -252,6 +252,19 @@ void StatementCompiler::report_limit(Diagnostics& diagnostics) const {
       diagnostics.error(code::kBlockTooLong, place, "the block that begins here is too long",
                         "divide it");
       return;
+    case CodeBuilder::Limit::Watch:
+      diagnostics.error(code::kNotWatchable, place,
+                        "this cannot be computed in every control cycle",
+                        "give the answer a variable before, and watch that");
+      return;
+    case CodeBuilder::Limit::WatchLength:
+      diagnostics.error(
+          code::kWatchTooLong, place,
+          fmt::format("a condition that is looked at in every control cycle may take {} "
+                      "instructions and {} variables",
+                      kLongestWatch, kMostWatched),
+          "compute what does not change before, into a variable");
+      return;
     case CodeBuilder::Limit::Dimensions:
       diagnostics.error(code::kTooManyUnits, place,
                         "the program makes texts of more than 256 kinds of quantities",

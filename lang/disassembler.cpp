@@ -48,6 +48,8 @@ class Line {
   void add_register(bool text, unsigned index);
   void add_constant(std::size_t index);
   void add_move(std::size_t index);
+  void add_watch(std::size_t index);
+  bool in_watch() const;
 
   const Chunk& chunk_;
   std::size_t offset_;
@@ -82,6 +84,8 @@ void Line::operand(char kind, unsigned field) {
     case 'g':
       add("g", instruction().x());
       return remark(chunk_.signals[instruction().x()]);
+    case 'w':
+      return add_watch(instruction().x());
     case 'm':
       return add_move(instruction().x());
     case 'j':
@@ -111,6 +115,7 @@ void Line::operand(char kind, unsigned field) {
 
 void Line::add_register(bool text, unsigned index) {
   add(text ? "s" : "r", index);
+  if (in_watch()) return;
   for (const NamedRegister& name : chunk_.names) {
     if (name.index == index && name.text == text && offset_ >= name.from && offset_ < name.to) {
       operands_.pop_back();
@@ -118,6 +123,18 @@ void Line::add_register(bool text, unsigned index) {
       return;
     }
   }
+}
+
+/// The registers of a watch are its own.
+bool Line::in_watch() const {
+  return std::ranges::any_of(chunk_.watches, [&](const WatchForm& watch) {
+    return offset_ >= watch.entry && offset_ < watch.end;
+  });
+}
+
+void Line::add_watch(std::size_t index) {
+  add("w", index);
+  remark(fmt::format("code from {} on", chunk_.watches[index].entry));
 }
 
 void Line::add_constant(std::size_t index) {

@@ -43,6 +43,14 @@ class ExpressionCompiler {
   /// A jump that is taken if the value equals that of a register of its kind; `as_real` as above.
   CodeBuilder::Jump jump_if_equal(Register selector, const Expr& value, bool as_real);
 
+  /// Code for a condition that is evaluated in every control cycle; `values` is where the values
+  /// begin that its variables have now.
+  struct WatchCode {
+    std::uint16_t index;
+    Register values;
+  };
+  WatchCode watch(const Expr& condition);
+
  private:
   void into(const Expr& expression, Register target, bool as_real);
   Register operand(const Expr& expression, bool as_real);
@@ -76,11 +84,13 @@ class ExpressionCompiler {
   CodeBuilder::Jump jump_if(Register truth, bool when, Place place);
 
   void begin(const Expr& expression);
+  bool lives_in_register(const Symbol& symbol) const;
 
   CodeBuilder& code_;
   std::vector<Register> homes_;  ///< by Symbol::id
   bool in_routine_ = false;
-  bool latched_ = false;  ///< the present expression reads more than one signal
+  bool watching_ = false;  ///< the present code is a watch's: all it uses is in its own registers
+  bool latched_ = false;   ///< the present expression reads more than one signal
 };
 
 }  // namespace rob::lang

@@ -28,6 +28,8 @@ struct MoveCommand {
   bool has(int i) const { return (given >> i & 1) != 0; }
 };
 
+struct Watch;  // lang/watch.h
+
 /// The longest PULSE, s. [choice] longer than anything that is called a pulse, and an end of the
 /// program waits for it.
 inline constexpr double kLongestPulse = 1000;
@@ -55,6 +57,12 @@ class Machine {
   virtual ~Machine() = default;
 
   virtual Reply move(int line, const MoveCommand& command) = 0;
+  /// UNTIL: the motion that is commanded next ends early, in the first control cycle in which the
+  /// condition holds; else it is exact. ended() has to follow it.
+  virtual Reply guard(int line, const Watch& condition) = 0;
+  /// Behind a guarded motion. `Later` until it has ended; `hit`: because its condition held.
+  /// Refused where the condition could not be computed: the motion has ended, too.
+  virtual Reply ended(int line, bool& hit) = 0;
   /// STOP: the last target is reached exactly.
   virtual Reply stop(int line) = 0;
   /// WAIT 0.5s: the last target is reached exactly, then the axes stand for `seconds`, 0 or more.

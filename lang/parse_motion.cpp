@@ -99,7 +99,7 @@ void Parser::fail_target() {
 
 // clause = "AT" expr | "OVER" expr .
 void Parser::clauses(Move& move) {
-  while (!at_line_end() && !at(Keyword::Else)) {
+  while (!at_line_end() && !at(Keyword::Else) && !at(Keyword::Until)) {
     if (at_word("AT")) {
       clause(move.at, "AT");
     } else if (at_word("OVER")) {

@@ -71,7 +71,10 @@ bool Parser::block_statement(Block& block) {
 // simple = action | motion [ until ] | wait .
 void Parser::simple(Block& block) {
   const Place place = current_.place;
-  if (at(Keyword::Move)) return move(block);
+  if (at(Keyword::Move)) {
+    move(block);
+    return behind_motion(block);
+  }
   if (at(Keyword::Print)) return print(block);
   if (at(Keyword::Wait)) return wait(block);
   if (at(Keyword::Pulse)) return pulse(block);

@@ -109,6 +109,9 @@ class Parser {
   void clause(ExprPtr& slot, std::string_view word);
   [[noreturn]] void fail_clause();
 
+  // What is looked at in every control cycle (parse_watching.cpp)
+  void behind_motion(Block& block);
+
   // Blocks (parse_blocks.cpp)
   Block block_of(const OpenBlock& open);
   bool at_block_end() const;

@@ -1,5 +1,6 @@
 #include "lang/printing_machine.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/core.h>
@@ -80,6 +81,32 @@ Reply PrintingMachine::move(int line, const MoveCommand& command) {
   return note(line, move_text(robot_, command));
 }
 
+Reply PrintingMachine::guard(int line, const Watch& condition) {
+  guard_ = condition;
+  return note(line, "guard");
+}
+
+Reply PrintingMachine::ended(int line, bool& hit) {
+  struct World final : WatchedWorld {
+    PrintingMachine& machine;
+    explicit World(PrintingMachine& m) : machine(m) {}
+    bool signal(int signal) const noexcept override { return machine.value_of(signal) != 0; }
+    double analog(int signal) const noexcept override { return machine.value_of(signal); }
+  };
+  std::size_t looks = 1;
+  for (const auto& [signal, script] : scripts_) looks = std::max(looks, script.values.size());
+  for (std::size_t look = 0; look < looks && !hit; ++look) {
+    const WatchResult result = evaluate(guard_, World(*this));
+    if (result.error != ArithmeticError::None) {
+      const ArithmeticErrorText text = describe(result.error);
+      refusal_ = {std::string(text.code), std::string(text.message), std::string(text.help)};
+      return Reply::Refused;
+    }
+    hit = result.value.integer != 0;
+  }
+  return note(line, hit ? "ended hit" : "ended reached");
+}
+
 Reply PrintingMachine::wait(int line, double seconds) {
   return note(line, "wait " + number_text(seconds, kTime));
 }
@@ -133,14 +160,16 @@ Reply PrintingMachine::read_analog(int, int signal, double& volts) {
   const Reply reply = ready();
   if (reply != Reply::Done) return reply;
   ++reads_;
-  Script& script = scripts_[signal];
-  if (script.values.empty()) {
-    volts = written_[signal];
-  } else {
-    volts = script.values[script.next];
-    if (script.next + 1 < script.values.size()) ++script.next;
-  }
+  volts = value_of(signal);
   return reply;
+}
+
+double PrintingMachine::value_of(int signal) {
+  Script& script = scripts_[signal];
+  if (script.values.empty()) return written_[signal];
+  const double value = script.values[script.next];
+  if (script.next + 1 < script.values.size()) ++script.next;
+  return value;
 }
 
 }  // namespace rob::lang

@@ -8,6 +8,7 @@
 
 #include "lang/machine.h"
 #include "lang/robot_signature.h"
+#include "lang/watch.h"
 
 namespace rob::lang {
 
@@ -15,6 +16,9 @@ namespace rob::lang {
 ///
 ///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
 ///     stop · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
+///     guard · ended hit · ended reached
+///                                       UNTIL; the condition is looked at behind its motion, until
+///                                       it holds or the scripted signals change no more
 ///     stand · waited                    WAIT for a condition: its beginning, its end
 ///
 /// While a program waits for a condition every look at it is 10 ms later than the one before.
@@ -45,6 +49,8 @@ class PrintingMachine : public Machine {
   int reads() const { return reads_; }
 
   Reply move(int line, const MoveCommand& command) override;
+  Reply guard(int line, const Watch& condition) override;
+  Reply ended(int line, bool& hit) override;
   Reply stop(int line) override { return note(line, "stop"); }
   Reply wait(int line, double seconds) override;
   Reply stand(int line, double& now) override;
@@ -64,6 +70,7 @@ class PrintingMachine : public Machine {
     std::size_t next = 0;
   };
 
+  double value_of(int signal);
   /// Done where the call may be carried out.
   Reply ready();
   Reply note(int line, std::string text);
@@ -76,6 +83,7 @@ class PrintingMachine : public Machine {
   int reads_ = 0;
   int cycle_ = 0;
   bool standing_ = false;
+  Watch guard_;
   std::optional<int> refuse_after_;
   Refusal refusal_;
 };

@@ -14,6 +14,7 @@
 #include "lang/routine_uses.h"
 #include "lang/symbols.h"
 #include "lang/wait_checker.h"
+#include "lang/watch_checker.h"
 
 namespace rob::lang {
 
@@ -26,6 +27,7 @@ class StatementChecker {
         expressions_(scopes_, checked.program, uses_, diagnostics),
         moves_(robot, expressions_, diagnostics, checked.constant_targets),
         waits_(expressions_, diagnostics),
+        watches_(expressions_, diagnostics),
         diagnostics_(diagnostics) {}
 
   /// The top level first, then the routines, which see all its names.
@@ -43,6 +45,11 @@ class StatementChecker {
     std::visit([&](auto& node) { check(node); }, statement.node);
   }
   void check(Move& move) { moves_.check(move); }
+  void check(WatchedMotion& watched) {
+    check(watched.motion);
+    watches_.check_until(watched.until);
+    check(watched.otherwise);
+  }
   void check(Stop&) {}
   void check(Declaration& declaration);
   // Signals (check_signals.cpp)
@@ -99,6 +106,7 @@ class StatementChecker {
   ExpressionChecker expressions_;
   MoveChecker moves_;
   WaitChecker waits_;
+  WatchChecker watches_;
   Diagnostics& diagnostics_;
   Place place_;                       ///< of the present statement
   int loops_ = 0;                     ///< open around it

@@ -33,6 +33,7 @@ class StatementCompiler {
   }
 
   void compile(const Move& move);
+  void compile(const WatchedMotion& watched);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
   void compile(const Declaration& declaration);
   void compile(const SignalDeclaration& signal);

@@ -23,6 +23,11 @@ Scopes::Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot) : symbo
   pi.type = Type::real();
   pi.value = std::numbers::pi;
   declare(std::move(pi));
+  Symbol hit;
+  hit.kind = Symbol::Kind::BuiltIn;
+  hit.name = "HIT";
+  hit.type = Type::boolean();
+  declare(std::move(hit));
   for (std::size_t i = 0; i < robot.signals.size(); ++i) {
     Symbol signal;
     signal.kind = Symbol::Kind::Signal;

@@ -21,7 +21,7 @@ struct Symbol {
     NamedConstant,  ///< CONST: computed where it stands, at the latest
     LoopVariable,   ///< of FOR: read-only in the body
     Signal,         ///< declared by the robot's file or by SIGNAL; DIN[n], DOUT[n]
-    BuiltIn,        ///< PI
+    BuiltIn,        ///< PI, HIT
     Routine         ///< PROC or FUNC
   };
 

@@ -66,22 +66,6 @@ bool Vm::turn(Code pc, Code target) {
   return budget_ > 0;
 }
 
-bool Vm::append(std::uint8_t target, std::string_view more) {
-  if (texts_[target].size() + more.size() > kMostText) return false;
-  texts_[target] += more;
-  return true;
-}
-
-bool Vm::join(std::uint8_t target, std::uint8_t left, std::uint8_t right) {
-  if (texts_[left].size() + texts_[right].size() > kMostText) return false;
-  if (target == left) {
-    texts_[target] += texts_[right];
-  } else {
-    texts_[target] = texts_[left] + texts_[right];
-  }
-  return true;
-}
-
 // Computed goto, an extension that g++ and clang share: a jump of its own behind each instruction
 // lets the processor predict the next one by the present one.
 #pragma GCC diagnostic push
@@ -358,6 +342,17 @@ move : {
   ROB_ASK(machine_.move(line(pc), command), pc);
   ROB_NEXT(1);
 }
+guard:
+  ROB_ASK(guard(pc), pc);
+  ROB_NEXT(1);
+ended:
+  ROB_ASK(ended(pc), pc);
+  ROB_NEXT(1);
+read_hit:
+  n[pc->a()].integer = hit_ ? 1 : 0;
+  ROB_NEXT(1);
+answer:  // stands in code that is jumped over
+  ROB_NEXT(1);
 stop:
   ROB_ASK(machine_.stop(line(pc)), pc);
   ROB_NEXT(1);

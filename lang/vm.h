@@ -98,6 +98,8 @@ class Vm {
   Reply observe(Code pc);
   Reply observe_analog(Code pc);
   Reply stand(Code pc);
+  Reply guard(Code pc);
+  Reply ended(Code pc);
   State fail_timeout(Code pc);
 
   /// False, with error_ set, if AT or OVER turned out not to be above zero.
@@ -147,6 +149,7 @@ class Vm {
   std::int64_t executed_ = 0;
   std::int64_t budget_ = 0;
   bool turned_ = false;    ///< a loop has turned since the last observation
+  bool hit_ = false;       ///< the last guarded motion was ended by its guard
   bool observed_ = false;  ///< the world was observed in the present cycle
 };
 

@@ -13,7 +13,8 @@ struct MotionEvent {
     EffectDue,       ///< effect
     LateDecision,    ///< tag: nothing was known at the decision point; the target is made exact
     Finished,        ///< everything commanded has been done; the axes stand
-    Hit,             ///< tag; number: the guard of this motion held, or could not be computed
+    Hit,             ///< tag; number: the guard of this motion holds; it brakes
+    Braking,         ///< tag; number: it brakes, since it was asked to or its guard has no answer
     Rest,            ///< the Rest that TrajectoryGenerator::take_rest() gives next
     EffectDropped,   ///< effect: what carried it has ended early
     PulseOver,       ///< effect: the Pulse whose output is off again

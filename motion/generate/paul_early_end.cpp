@@ -31,8 +31,10 @@ void PaulGenerator::trip(Rest::Outcome outcome) noexcept {
   rest_.trip_q = view_.measured;
   kept_ = segment_.number - (segment_.number > 0 ? 1 : 0);
   clock_.brake();
-  if (outcome == Rest::Outcome::Braked) return;
-  tell({.kind = Kind::Hit, .time = view_.time, .tag = segment_.tag, .number = segment_.number});
+  tell({.kind = outcome == Rest::Outcome::Hit ? Kind::Hit : Kind::Braking,
+        .time = view_.time,
+        .tag = segment_.tag,
+        .number = segment_.number});
 }
 
 /// A guarded motion that would start from standstill while its condition holds does not start.

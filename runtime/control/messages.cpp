@@ -63,6 +63,14 @@ Words words_for_long_wait(double seconds) {
           "wait for a signal, or in a loop"};
 }
 
+Words words_for_condition(lang::ArithmeticError error) {
+  const lang::ArithmeticErrorText text = lang::describe(error);
+  return {
+      std::string(text.code),
+      fmt::format("{}, in the condition that is looked at in every control cycle", text.message),
+      std::string(text.help)};
+}
+
 Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot) {
   if (finding.cause == FollowingFinding::Cause::Overrun) return words_for_overrun(finding.value);
   if (finding.axis < 0) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lang/arithmetic.h"
 #include "lang/machine.h"
 #include "motion/plan/feasibility.h"
 #include "motion/robots/robot_model.h"
@@ -17,6 +18,8 @@ using Words = lang::Refusal;
 Words words_for(const motion::Refusal& refusal, const motion::RobotModel& robot);
 /// A WAIT for a time that motion control does not count to.
 Words words_for_long_wait(double seconds);
+/// What a program looks at in every control cycle could not be computed.
+Words words_for_condition(lang::ArithmeticError error);
 /// "axis x follows 2.1 mm behind; 2 mm are permitted here".
 Words words_for(const motion::FollowingFinding& finding, const motion::RobotModel& robot);
 /// The motion task was so late that the path could not be made up.

@@ -69,7 +69,8 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
       planner_(planner),
       buffer_(buffer),
       channels_(channels),
-      log_(log) {}
+      log_(log),
+      until_(signals_) {}
 
 Reply RobotMachine::move(int line, const lang::MoveCommand& command) {
   if (buffer_.full()) return Reply::Later;
@@ -82,6 +83,33 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& command) {
   warn(line, planned);
   queue(planned.segment, false);
   return Reply::Done;
+}
+
+Reply RobotMachine::guard(int /*line*/, const lang::Watch& condition) {
+  until_.set(condition);
+  guarded_ = true;
+  return Reply::Done;
+}
+
+/// The motion is made exact; its Rest tells how it ended.
+Reply RobotMachine::ended(int line, bool& hit) {
+  if (!exact_) {
+    if (buffer_.full()) return Reply::Later;
+    if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) {
+      queue(*segment, true, true);
+    }
+  }
+  motion::Rest rest;
+  if (!channels_.rests.take(rest)) return Reply::Later;
+  guarded_ = false;
+  if (rest.early()) {
+    planner_.retarget(rest.q);
+    exact_ = true;
+  }
+  hit = rest.outcome == motion::Rest::Outcome::Hit;
+  if (rest.outcome != motion::Rest::Outcome::Failed) return Reply::Done;
+  refusal_ = words_for_condition(until_.error());
+  return Reply::Refused;
 }
 
 Reply RobotMachine::stop(int line) {
@@ -208,7 +236,8 @@ Reply RobotMachine::read_analog(int /*line*/, int signal, double& volts) {
   return Reply::Done;
 }
 
-void RobotMachine::queue(const motion::SegmentDescriptor& segment, bool stop, bool further) {
+void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool further) {
+  if (guarded_) segment.guard = until_.handle();
   log_.planned({segment, stop, further});  // before the generator can report it
   exact_ = segment.no_length;
   buffer_.push(segment);  // there is room: only this thread fills the buffer
@@ -216,6 +245,7 @@ void RobotMachine::queue(const motion::SegmentDescriptor& segment, bool stop, bo
 
 Reply RobotMachine::queue(motion::Effect effect) {
   effect.after = planner_.last_number();
+  effect.generation = planner_.generation();
   if (!buffer_.push(effect)) return Reply::Later;
   log_.queued_effect();
   ++effects_;

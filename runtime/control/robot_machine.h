@@ -9,6 +9,7 @@
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
 #include "runtime/control/program_log.h"
+#include "runtime/control/program_watch.h"
 
 namespace rob::runtime {
 
@@ -27,6 +28,8 @@ class RobotMachine final : public lang::Machine {
                motion::LookAheadBuffer& buffer, Channels& channels, ProgramLog& log);
 
   lang::Reply move(int line, const lang::MoveCommand& command) override;
+  lang::Reply guard(int line, const lang::Watch& condition) override;
+  lang::Reply ended(int line, bool& hit) override;
   lang::Reply stop(int line) override;
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
@@ -41,7 +44,7 @@ class RobotMachine final : public lang::Machine {
   const lang::Refusal& refusal() const override { return refusal_; }
 
  private:
-  void queue(const motion::SegmentDescriptor& segment, bool stop, bool further = false);
+  void queue(motion::SegmentDescriptor segment, bool stop, bool further = false);
   /// The last target exactly, then a dwell, as one statement.
   lang::Reply dwell(int line, double seconds);
   lang::Reply queue(motion::Effect effect);
@@ -61,6 +64,8 @@ class RobotMachine final : public lang::Machine {
   std::int64_t effects_ = 0;  ///< queued so far
   bool exact_ = true;         ///< the last motion queued ends at standstill
   bool begun_ = false;        ///< the present WAIT has queued its first segment
+  ProgramWatch until_;        ///< what the guarded motion is asked
+  bool guarded_ = false;      ///< what is queued now ends early if until_ holds
   bool standing_ = false;     ///< the present WAIT for a condition has queued all it needs
 };
 

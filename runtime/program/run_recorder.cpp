@@ -57,6 +57,7 @@ void RunRecorder::drain() {
 void RunRecorder::take(const Snapshot& snapshot) {
   meter_.measured(snapshot.measured);
   take_peaks(snapshot);
+  if (early_) locate(snapshot);
   last_ = snapshot;
   if (listener_.snapshot) listener_.snapshot(snapshot);
 }
@@ -78,9 +79,12 @@ void RunRecorder::take(const MotionEvent& event) {
                 "the next motion was not known in time; the target was made exact");
       break;
     case MotionEvent::Kind::Hit:
-      add_event(event.time, "hit", static_cast<int>(event.tag), "");
+    case MotionEvent::Kind::Braking:
+      begin_early_end(event);
       break;
     case MotionEvent::Kind::Rest:
+      rest(event);
+      break;
     case MotionEvent::Kind::EffectDropped:
       break;
     case MotionEvent::Kind::Overrun:
@@ -109,16 +113,46 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   const std::optional<LoggedSegment> planned = log_.take_planned(event.number);
   if (!planned) return;  // a stop that the generator made by itself belongs to the line before
   end_segment(event.time, &*planned);
-  running_ = Running{*planned, reached_, event.time};
+  running_ = Running{*planned, reached_, event.time, false};
   reached_ = planned->target;
   meter_.watch(planned->number, planned->target);
 
   LineResult& line = line_of(*planned);
   const double duration = planned->duration / (planned->dwell ? 1 : override_share_);
   if (!planned->further && line.count++ == 0) line.starts = event.time;
-  if (line.count == 1) line.decides = event.time + duration;
+  // Behind a guarded motion the program goes on when it has ended: nothing is decided before.
+  if (line.count == 1 && !planned->guard.present()) line.decides = event.time + duration;
   line.planned += duration;
   result_.planned += duration;
+}
+
+void RunRecorder::begin_early_end(const MotionEvent& event) {
+  const bool hit = event.kind == MotionEvent::Kind::Hit;
+  add_event(event.time, hit ? "hit" : "brake", static_cast<int>(event.tag), "");
+  early_ = EarlyEnd{result_.events.size() - 1, hit ? "hit" : "brake", event.time, {}, {}};
+}
+
+/// The motion has ended, early or not; its target and its corner count only if it was not.
+void RunRecorder::rest(const MotionEvent& event) {
+  if (!early_) return;
+  early_->rest = event.time;
+  if (!running_) return;
+  line_of(*running_).ended = early_->ended;
+  running_->cut = true;
+}
+
+/// The first snapshot behind the trip shows where it was, the first one at rest where it led.
+void RunRecorder::locate(const Snapshot& snapshot) {
+  const motion::JointVector& q = snapshot.sample.reference.q;
+  if (early_->from.size() == 0) early_->from = q;
+  if (!early_->rest) return;
+  const motion::Kinematics& tool = *robot_.kinematics;
+  const double way = (tool.forward(q).position - tool.forward(early_->from).position).norm();
+  result_.events[early_->event].text =
+      fmt::format("at rest {} s and {} mm later", shown(*early_->rest - early_->tripped, 3),
+                  shown(way * kMillimetresPerMetre, 3));
+  reached_ = q;
+  early_.reset();
 }
 
 void RunRecorder::stand_still(const MotionEvent& event) {
@@ -140,6 +174,7 @@ void RunRecorder::end_segment(double time, const LoggedSegment* next) {
   if (!running_) return;
   LineResult& line = line_of(*running_);
   line.measured += time - running_->started;
+  if (running_->cut) return running_.reset();
   if (!running_->stop) raise(line.miss_planned, planned_miss(*running_, next));
   if (next != nullptr && next->stop) line.exact = true;
   if (next == nullptr && line.count == 1) line.decides.reset();  // nothing follows it

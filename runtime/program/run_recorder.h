@@ -45,6 +45,15 @@ class RunRecorder {
   struct Running : LoggedSegment {
     motion::JointVector from;
     double started = 0;
+    bool cut = false;  ///< it came to rest before its target
+  };
+  /// A motion that brakes, until it is known where it came to rest.
+  struct EarlyEnd {
+    std::size_t event;  ///< in RunResult::events
+    const char* ended;
+    double tripped;            ///< s
+    motion::JointVector from;  ///< where it was then; empty until it is known
+    std::optional<double> rest;
   };
 
   void take(const motion::MotionEvent& event);
@@ -52,6 +61,9 @@ class RunRecorder {
   void take(const Snapshot& snapshot);
   void begin_segment(const motion::MotionEvent& event);
   void end_segment(double time, const LoggedSegment* next);
+  void begin_early_end(const motion::MotionEvent& event);
+  void rest(const motion::MotionEvent& event);
+  void locate(const Snapshot& snapshot);
   void stand_still(const motion::MotionEvent& event);
   void end_corner();
   double planned_miss(const Running& segment, const LoggedSegment* next) const;
@@ -75,6 +87,7 @@ class RunRecorder {
   std::optional<Running> running_;
   std::optional<Running> behind_;  ///< the one before, whose corner running_ makes
   motion::JointVector reached_;    ///< the last programmed point
+  std::optional<EarlyEnd> early_;
   std::optional<Snapshot> last_;
 };
 

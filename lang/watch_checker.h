@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+
+#include "lang/ast.h"
+#include "lang/diagnostic.h"
+#include "lang/expression_checker.h"
+
+namespace rob::lang {
+
+/// Settles what may be looked at in every control cycle: conditions of signals, constants,
+/// variables and built-in functions. No routine of the program is called there, and no text is
+/// made.
+class WatchChecker {
+ public:
+  WatchChecker(ExpressionChecker& expressions, Diagnostics& diagnostics)
+      : expressions_(expressions), diagnostics_(diagnostics) {}
+
+  /// The condition of an UNTIL; null where it could not be read.
+  void check_until(const ExprPtr& condition);
+
+ private:
+  bool check_condition(const ExprPtr& condition, std::string_view word);
+  bool check_watchable(const Expr& expression, std::string_view word);
+
+  ExpressionChecker& expressions_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace rob::lang

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "lang/robot_signature.h"
+#include "lang/watch.h"
+#include "motion/plan/watch.h"
+
+namespace rob::runtime {
+
+/// A condition of the program, as motion asks it: joins the language's code with the world of a
+/// control cycle. The program's thread sets it before motion hears of it; the tick alone asks it.
+class ProgramWatch {
+ public:
+  /// `signals`: by the number that the language names.
+  explicit ProgramWatch(const std::vector<lang::RobotSignature::Signal>& signals)
+      : signals_(signals) {}
+
+  void set(const lang::Watch& watch) { watch_ = watch; }
+  /// Stays valid as long as this object.
+  motion::Watch handle() const { return {&ProgramWatch::test, this}; }
+  /// Why it could not be computed; to be read when the Rest that says so has been taken.
+  lang::ArithmeticError error() const { return error_; }
+
+ private:
+  static motion::WatchAnswer test(const void* self, const motion::CycleView& view) noexcept;
+
+  const std::vector<lang::RobotSignature::Signal>& signals_;
+  lang::Watch watch_;
+  mutable lang::ArithmeticError error_ = lang::ArithmeticError::None;
+};
+
+}  // namespace rob::runtime
