@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "lang/diagnostic.h"
+#include "lang/motion_words.h"
 #include "lang/types.h"
 
 /// The syntax tree: what was written, in the shape of the grammar (docs/rob.ebnf). The parser
@@ -108,10 +110,27 @@ struct Expr {
 
 // ----------------------------------------------------------------- statements
 
+/// Clauses of a motion that have a value, in the order of its registers (MoveForm).
+enum class Clause : std::uint8_t { At, Over, Accel, Jerk, Zone };
+inline constexpr std::size_t kClauses = 5;
+
+struct Clauses {
+  std::array<ExprPtr, kClauses> values;  ///< by Clause; null where left out
+  Profile profile = Profile::Unspecified;
+  bool fine = false;
+
+  const ExprPtr& operator[](Clause clause) const {
+    return values[static_cast<std::size_t>(clause)];
+  }
+  ExprPtr& operator[](Clause clause) { return values[static_cast<std::size_t>(clause)]; }
+};
+/// MOVE(40, 40, 0) · MOVEL BY (20mm, 0mm, 0deg) · MOVE JOINT 3 TO 90deg
 struct Move {
-  ExprPtr target;  ///< a Tuple
-  ExprPtr at;      ///< null where left out
-  ExprPtr over;    ///< null where left out
+  MotionKind kind = MotionKind::Joint;
+  bool by = false;  ///< BY: from the last commanded target
+  ExprPtr axis;     ///< of MOVE JOINT; null else
+  ExprPtr target;   ///< a Tuple; of MOVE JOINT the axis' value
+  Clauses clauses;
 };
 /// MOVE(140, 40, 0) UNTIL touched ELSE PRINT "missed": a motion, and what is looked at on its way.
 struct WatchedMotion {

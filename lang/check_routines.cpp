@@ -18,6 +18,7 @@ void StatementChecker::check(Program& program) {
     uses_.next_statement();
     check(statement);
   }
+  moves_.warn_of_zones(program.statements);
   for (Routine& routine : program.routines) check(routine);
   scopes_.leave();
   uses_.report(diagnostics_);

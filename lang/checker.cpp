@@ -196,7 +196,8 @@ void StatementChecker::check_constant_range(const For& loop, const Type& type) {
 }
 
 CheckedProgram check(Program program, const RobotSignature& robot, Diagnostics& diagnostics) {
-  CheckedProgram checked{.program = std::move(program), .symbols = {}, .constant_targets = {}};
+  CheckedProgram checked{
+      .program = std::move(program), .symbols = {}, .constant_targets = {}, .features = {}};
   StatementChecker(checked, robot, diagnostics).check(checked.program);
   return checked;
 }

@@ -16,6 +16,7 @@ struct CheckedProgram {
   Program program;
   std::deque<Symbol> symbols;  ///< all that Name::symbol and the like point to
   std::vector<ConstantTarget> constant_targets;
+  std::vector<FeatureUse> features;
 };
 
 /// Settles names, types, dimensions and constants of the whole program, and reports all that is

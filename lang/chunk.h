@@ -48,13 +48,22 @@ inline constexpr std::size_t kFarthestJump = (std::size_t{1} << 23) - 1;
 /// Number registers, and text registers, that one frame can have: what fits 8 bits.
 inline constexpr int kMostRegisters = 256;
 
-/// What a `move` instruction finds in the registers from A on: the given coordinates in order,
-/// then the value of AT, then that of OVER.
+/// What a `move` instruction finds in the registers from A on: the number of the axis where it is
+/// computed, the given components in order, then the values of AT, OVER, ACCEL, JERK and ZONE.
 struct MoveForm {
-  int count = 0;           ///< coordinates of the robot
-  std::uint8_t given = 0;  ///< as in MoveCommand
+  MotionKind kind = MotionKind::Joint;
+  MoveCommand::Target means = MoveCommand::Target::Coordinates;
+  bool relative = false;
+  bool computed_axis = false;  ///< `given` says nothing: the first register does
+  int count = 0;               ///< components that there are
+  std::uint8_t given = 0;      ///< as in MoveCommand
   MoveCommand::Pace pace = MoveCommand::Pace::Unspecified;
   bool over = false;
+  MoveCommand::Bound accel = MoveCommand::Bound::Unspecified;
+  MoveCommand::Bound jerk = MoveCommand::Bound::Unspecified;
+  MoveCommand::Zone zone = MoveCommand::Zone::Unspecified;
+  bool fine = false;
+  Profile profile = Profile::Unspecified;
 
   bool operator==(const MoveForm&) const = default;
 };

@@ -101,8 +101,8 @@ void CodeBuilder::append_real(Register text, Register value, Dimension dimension
 }
 
 void CodeBuilder::move(Register first, const MoveForm& form, Place place) {
-  // At most 2^8 sets of coordinates, 4 paces and OVER or not: they always fit 16 bits.
   const std::size_t index = index_in(chunk_.moves, form);
+  if (index > std::numeric_limits<std::uint16_t>::max()) fail(Limit::Motions, place);
   emit(Instruction::ax(Opcode::move, first, static_cast<std::uint16_t>(index)), place);
 }
 

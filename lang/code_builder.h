@@ -78,7 +78,7 @@ class CodeBuilder {
   /// `answer` holds its value; its first `values` registers are given. Returns its number.
   std::uint16_t end_watch(Register answer, int values, Place place);
 
-  enum class Limit { None, Registers, Jump, Dimensions, Watch, WatchLength };
+  enum class Limit { None, Registers, Jump, Dimensions, Motions, Watch, WatchLength };
   /// The limit that was exceeded, and where first.
   Limit failed() const { return failed_; }
   Place failed_at() const { return failed_at_; }

@@ -13,6 +13,7 @@ Compilation compile(std::string_view source, const RobotSignature& robot) {
   Diagnostics& diagnostics = compilation.diagnostics;
   CheckedProgram checked = check(parse(source, diagnostics), robot, diagnostics);
   compilation.constant_targets = std::move(checked.constant_targets);
+  compilation.features = std::move(checked.features);
   if (!diagnostics.has_errors()) compilation.chunk = generate(checked, robot, diagnostics);
   return compilation;
 }

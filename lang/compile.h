@@ -12,10 +12,16 @@
 namespace rob::lang {
 
 /// A motion whose written coordinates are known before the program runs, so that it can be
-/// checked against the robot while nothing moves yet. `command` holds the constant ones only.
+/// checked against the robot while nothing moves yet. `command` holds the constant components only.
 struct ConstantTarget {
   Place place;
   MoveCommand command;
+};
+
+/// Where a program asks for something that not every robot can do.
+struct FeatureUse {
+  Place place;
+  MotionFeature feature = MotionFeature::Accel;
 };
 
 /// What compiling one source text yields.
@@ -23,6 +29,7 @@ struct Compilation {
   Diagnostics diagnostics;
   std::optional<Chunk> chunk;  ///< empty if the program has errors
   std::vector<ConstantTarget> constant_targets;
+  std::vector<FeatureUse> features;
 };
 
 /// Lexer, parser, checker and compiler in a row; finds all errors of the text. Never throws for

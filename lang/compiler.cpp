@@ -9,7 +9,6 @@
 #include "lang/codes.h"
 #include "lang/fold.h"
 #include "lang/statement_compiler.h"
-#include "lang/target.h"
 
 namespace rob::lang {
 namespace {
@@ -37,55 +36,6 @@ std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnost
   if (code_.failed() == CodeBuilder::Limit::None) return code_.finish();
   report_limit(diagnostics);
   return std::nullopt;
-}
-
-void StatementCompiler::compile(const Move& move) {
-  const Place place = place_;
-  const auto mark = code_.mark();
-  const auto elements = by_coordinate(std::get<Tuple>(move.target->node), robot_);
-  MoveForm form{.count = static_cast<int>(elements.size()),
-                .given = 0,
-                .pace = MoveCommand::Pace::Unspecified,
-                .over = move.over != nullptr};
-  int values = (move.at != nullptr ? 1 : 0) + (move.over != nullptr ? 1 : 0);
-  for (const Tuple::Element* element : elements) values += element != nullptr ? 1 : 0;
-  const Register first = code_.number_registers(values);
-  Register next = first;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (elements[i] == nullptr) continue;
-    form.given = static_cast<std::uint8_t>(form.given | 1U << i);
-    compile_component(*elements[i]->value, robot_.coordinates[i].dimension, next++);
-  }
-  if (move.at != nullptr) {
-    form.pace = *pace_of(move.at->type);
-    expressions_.value_into(*move.at, next++);
-  }
-  if (move.over != nullptr) expressions_.value_into(*move.over, next++);
-  code_.move(first, form, place);
-  code_.release(mark);
-}
-
-/// A component in SI; a bare number takes the UNITS of its place.
-void StatementCompiler::compile_component(const Expr& component, Dimension dimension,
-                                          Register target) {
-  if (const auto constant = constant_component(component, dimension)) {
-    code_.load_real(target, *constant, dimension, component.place);
-    return;
-  }
-  expressions_.value_into(component, target, true);
-  if (!is_bare(component.type)) return;
-  const auto mark = code_.mark();
-  const BareUnit unit = bare_unit(dimension);
-  const Register scale = code_.number_registers();
-  if (unit.divisor != 1) {
-    code_.load_real(scale, unit.divisor, kNone, component.place);
-    code_.emit(Opcode::quot_real, component.place, target, target, scale);
-  }
-  if (unit.factor != 1) {
-    code_.load_real(scale, unit.factor, kNone, component.place);
-    code_.emit(Opcode::mul_real, component.place, target, target, scale);
-  }
-  code_.release(mark);
 }
 
 Register StatementCompiler::declare(const Symbol& symbol) {
@@ -269,6 +219,10 @@ void StatementCompiler::report_limit(Diagnostics& diagnostics) const {
       diagnostics.error(code::kTooManyUnits, place,
                         "the program makes texts of more than 256 kinds of quantities",
                         "divide by a unit to print a plain number, for example x / 1mm");
+      return;
+    case CodeBuilder::Limit::Motions:
+      diagnostics.error(code::kProgramTooLarge, place,
+                        "the program has motions of more than 65536 forms", "divide it");
       return;
   }
 }

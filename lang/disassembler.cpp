@@ -148,14 +148,22 @@ void Line::add_constant(std::size_t index) {
 void Line::add_move(std::size_t index) {
   const MoveForm& form = chunk_.moves[index];
   add("m", index);
+  if (form.kind != MotionKind::Joint) remark(std::string(word_of(form.kind)));
+  if (form.means == MoveCommand::Target::Axes) remark("JOINT");
+  if (form.relative) remark("BY");
   std::string target = "(";
-  for (int i = 0; i < form.count; ++i) {
+  for (int i = 0; i < form.count && !form.computed_axis; ++i) {
     if (i > 0) target += ", ";
     target += (form.given >> i & 1) != 0 ? "given" : "-";
   }
-  remark(target + ")");
+  remark(form.computed_axis ? "(axis, given)" : target + ")");
   if (form.pace != MoveCommand::Pace::Unspecified) remark("AT");
   if (form.over) remark("OVER");
+  if (form.accel != MoveCommand::Bound::Unspecified) remark("ACCEL");
+  if (form.jerk != MoveCommand::Bound::Unspecified) remark("JERK");
+  if (form.zone != MoveCommand::Zone::Unspecified) remark("ZONE");
+  if (form.fine) remark("FINE");
+  if (form.profile != Profile::Unspecified) remark("PROFILE");
 }
 
 }  // namespace

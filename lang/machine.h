@@ -1,32 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-#include "lang/robot_signature.h"
+#include "lang/move_command.h"
 
 namespace rob::lang {
-
-/// A MOVE as the program asks for it. SI units: m, rad, s.
-struct MoveCommand {
-  enum class Pace : std::uint8_t {
-    Unspecified,   ///< no AT
-    ToolSpeed,     ///< AT 20mm/s: m/s of the tool point
-    AngularSpeed,  ///< AT 10deg/s: rad/s of every rotary axis
-    Share          ///< AT 50%: of all maxima, 1 = 100 %
-  };
-
-  int count = 0;                                 ///< coordinates of the robot
-  std::uint8_t given = 0;                        ///< bit i: coordinate i was written
-  std::array<double, kMaxCoordinates> target{};  ///< coordinate i; what is not given is 0
-  Pace pace = Pace::Unspecified;
-  double pace_value = 0;
-  double over = 0;  ///< OVER: lower bound on the duration, s; 0 where it was left out
-
-  bool has(int i) const { return (given >> i & 1) != 0; }
-};
 
 struct Watch;  // lang/watch.h
 

@@ -1,44 +1,45 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
+#include <string_view>
 
-#include "lang/compile.h"
+#include "lang/checker.h"
+#include "lang/clause_checker.h"
 #include "lang/expression_checker.h"
 #include "lang/robot_signature.h"
 
 namespace rob::lang {
 
-/// Checks motions: the target tuple against the robot's coordinates, and the clauses.
-///
-/// A dimensionless AT is a share of all maxima, and the program has to show that it is meant as
-/// one: `AT 50%`, or a REAL variable as in `AT slow`. An INT, or an expression of nothing but bare
-/// literals, is refused, since `AT 50` is far more likely to be a speed without its unit.
+/// Checks motions: the target against the robot's coordinates or axes, and the clauses.
 class MoveChecker {
  public:
   MoveChecker(const RobotSignature& robot, ExpressionChecker& expressions, Diagnostics& diagnostics,
-              std::vector<ConstantTarget>& constant_targets)
+              CheckedProgram& checked)
       : robot_(robot),
         expressions_(expressions),
+        clauses_(expressions, diagnostics),
         diagnostics_(diagnostics),
-        constant_targets_(constant_targets) {}
+        checked_(checked) {}
 
-  void check(const Move& move);
+  /// `place`: of the statement.
+  void check(const Move& move, Place place);
+  /// A ZONE before UNTIL, or directly before STOP or WAIT, which make its target exact.
+  void warn_of_zones(const Block& block);
 
  private:
+  bool check_joint(const Move& move);
   bool check_target(const Expr& target);
   bool check_shape(const Tuple& tuple, Place place);
   bool check_names(const Tuple& tuple);
   bool check_component(const Tuple::Element& element, std::size_t coordinate);
-  bool check_at(const Expr& at);
-  bool check_over(const Expr& over);
-  bool check_positive(const Expr& value, std::string_view word);
+  void warn_of_zone(const Expr& zone, std::string_view word, Place place);
+  void remember_features(const Clauses& clauses, Place place);
   void remember_constants(const Move& move);
 
   const RobotSignature& robot_;
   ExpressionChecker& expressions_;
+  ClauseChecker clauses_;
   Diagnostics& diagnostics_;
-  std::vector<ConstantTarget>& constant_targets_;
+  CheckedProgram& checked_;
 };
 
 }  // namespace rob::lang

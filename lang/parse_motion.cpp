@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "lang/ascii.h"
 #include "lang/codes.h"
@@ -14,8 +15,11 @@ namespace rob::lang {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kClauses{"AT",      "OVER", "ACCEL", "JERK",
-                                                   "PROFILE", "ZONE", "FINE"};
+/// By Clause.
+constexpr std::array<std::string_view, kClauses> kValuedClauses{"AT", "OVER", "ACCEL", "JERK",
+                                                                "ZONE"};
+constexpr std::array<std::string_view, 7> kClauseWords{"AT",   "OVER", "ACCEL",  "JERK",
+                                                       "ZONE", "FINE", "PROFILE"};
 
 /// Whether a value may go on with this sign: then the target is computed.
 bool goes_on(TokenKind kind) {
@@ -27,7 +31,7 @@ bool goes_on(TokenKind kind) {
 
 std::string_view clause_word(const Token& token) {
   if (token.kind == TokenKind::Word) {
-    for (const std::string_view word : kClauses) {
+    for (const std::string_view word : kClauseWords) {
       if (same_word(word, token.text)) return word;
     }
   }
@@ -44,14 +48,22 @@ std::string_view clause_word(const Token& token) {
   }
 }
 
-// motion = "MOVE" expr { clause } .
+// motion = ( "MOVE" | "MOVEL" ) ( expr | "BY" expr ) { clause }
+//        | "MOVE" "JOINT" expr ( "TO" | "BY" ) expr { clause } .
 void Parser::move(Block& block) {
   const Place place = current_.place;
+  Move move;
+  move.kind = at(Keyword::Movel) ? MotionKind::Line : MotionKind::Joint;
   advance();
   try {
-    Move move;
-    move.target = target();
-    clauses(move);
+    if (move.kind == MotionKind::Joint && at_clause_word("JOINT")) {
+      joint_target(move);
+    } else {
+      move.by = at_clause_word("BY");
+      if (move.by) advance();
+      move.target = target(word_of(move.kind));
+    }
+    clauses(move.clauses);
     add(block, place, std::move(move));
   } catch (const SyntaxError&) {
     if (line_ends_with(Keyword::Do)) skip_later_block("MOVE", "ENDMOVE", false);
@@ -59,12 +71,27 @@ void Parser::move(Block& block) {
   }
 }
 
-ExprPtr Parser::target() {
-  const bool named = next_.kind != TokenKind::EndOfLine && next_.kind != TokenKind::Comma;
-  if (named && (at_word("JOINT") || at_word("BY"))) {
-    fail_not_yet(current_.place, fmt::format("MOVE {}", to_upper(current_.text)));
+/// A word behind MOVE that is not the name of what stands there.
+bool Parser::at_clause_word(std::string_view word) const {
+  const bool value = goes_on(next_.kind) && next_.kind != TokenKind::Minus;
+  return at_word(word) && !value && next_.kind != TokenKind::EndOfLine &&
+         next_.kind != TokenKind::Comma;
+}
+
+void Parser::joint_target(Move& move) {
+  advance();
+  move.axis = expression();
+  move.by = at_word("BY");
+  if (!move.by && !at_word("TO")) {
+    fail(code::kWordExpected, behind_previous(), "TO or BY expected after the axis of MOVE JOINT",
+         "MOVE JOINT 3 TO 90deg");
   }
-  if (!at(TokenKind::LeftParen)) fail_target();
+  advance();
+  move.target = expression();
+}
+
+ExprPtr Parser::target(std::string_view motion) {
+  if (!at(TokenKind::LeftParen)) fail_target(motion);
   const Place place = current_.place;
   ExprPtr target = tuple(place, elements("the target"));
   if (goes_on(current_.kind)) fail_not_yet(current_.place, "a computed target");
@@ -72,10 +99,10 @@ ExprPtr Parser::target() {
 }
 
 /// `MOVE 140, 40, 0` and `MOVE` alone: shows how the target is written.
-void Parser::fail_target() {
+void Parser::fail_target(std::string_view motion) {
   if (at_line_end()) {
-    fail(code::kTargetExpected, behind_previous(), "a target expected after MOVE",
-         "MOVE(140, 40, 0)");
+    fail(code::kTargetExpected, behind_previous(),
+         fmt::format("a target expected after {}", motion), fmt::format("{}(140, 40, 0)", motion));
   }
   const Token first = current_;
   Lexer ahead = lexer_.quiet_copy();
@@ -92,29 +119,39 @@ void Parser::fail_target() {
                      std::ranges::all_of(written, [](char c) { return c >= ' ' && c <= '~'; });
   const bool list =
       plain && !at(TokenKind::LeftBracket) && written.find(',') != std::string_view::npos;
-  const std::string help = list ? fmt::format("MOVE({})", written) : "MOVE(140, 40, 0)";
   fail(code::kTargetExpected, first.place,
-       "a target is written in parentheses: '(' expected after MOVE", help);
+       fmt::format("a target is written in parentheses: '(' expected after {}", motion),
+       fmt::format("{}({})", motion, list ? written : "140, 40, 0"));
 }
 
-// clause = "AT" expr | "OVER" expr .
-void Parser::clauses(Move& move) {
+// clause = "AT" expr | "OVER" expr | "ACCEL" expr | "JERK" expr | "PROFILE" IDENT | "ZONE" expr
+//        | "FINE" .
+void Parser::clauses(Clauses& clauses) {
   while (!at_line_end() && !at(Keyword::Else) && !at(Keyword::Until)) {
-    if (at_word("AT")) {
-      clause(move.at, "AT");
-    } else if (at_word("OVER")) {
-      clause(move.over, "OVER");
+    const auto* const valued =
+        std::ranges::find_if(kValuedClauses, [&](std::string_view word) { return at_word(word); });
+    if (valued != kValuedClauses.end()) {
+      const auto index = static_cast<std::size_t>(valued - kValuedClauses.begin());
+      clause(clauses.values[index], *valued);
+    } else if (at_word("FINE")) {
+      if (clauses.fine) report_twice("FINE");
+      clauses.fine = true;
+      advance();
+    } else if (at_word("PROFILE")) {
+      profile(clauses);
     } else {
       fail_clause();
     }
   }
 }
 
+void Parser::report_twice(std::string_view word) {
+  report(code::kDuplicateClause, current_.place, fmt::format("{} is given twice", word),
+         "keep one of the two");
+}
+
 void Parser::clause(ExprPtr& slot, std::string_view word) {
-  if (slot) {
-    report(code::kDuplicateClause, current_.place, fmt::format("{} is given twice", word),
-           "keep one of the two");
-  }
+  if (slot) report_twice(word);
   advance();
   const bool live = at_word("LIVE") && !goes_on(next_.kind) && next_.kind != TokenKind::EndOfLine &&
                     clause_word(next_).empty();
@@ -123,10 +160,23 @@ void Parser::clause(ExprPtr& slot, std::string_view word) {
   if (!slot) slot = std::move(value);
 }
 
+void Parser::profile(Clauses& clauses) {
+  if (clauses.profile != Profile::Unspecified) report_twice("PROFILE");
+  advance();
+  const auto known = at(TokenKind::Word) ? find_profile(current_.text) : std::nullopt;
+  if (!known) {
+    const std::string meant = did_you_mean(suggest(current_.text, kProfileWords));
+    fail_here(code::kUnknownProfile, fmt::format("{} is no PROFILE", described(current_)),
+              meant.empty() ? fmt::format("there are {}", fmt::join(kProfileWords, ", ")) : meant);
+  }
+  clauses.profile = *known;
+  advance();
+}
+
 void Parser::fail_clause() {
   const std::string_view known = clause_word(current_);
   if (!known.empty()) fail_not_yet(current_.place, fmt::format("{} behind a motion", known));
-  const std::string meant = did_you_mean(suggest(current_.text, kClauses));
+  const std::string meant = did_you_mean(suggest(current_.text, kClauseWords));
   if (!at(TokenKind::Word) || (meant.empty() && !remedy().empty())) end_of_line();
   fail_here(code::kUnknownClause, fmt::format("{} is no clause of a motion", described(current_)),
             meant);

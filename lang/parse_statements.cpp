@@ -71,7 +71,7 @@ bool Parser::block_statement(Block& block) {
 // simple = action | motion [ until ] | wait .
 void Parser::simple(Block& block) {
   const Place place = current_.place;
-  if (at(Keyword::Move)) {
+  if (at(Keyword::Move) || at(Keyword::Movel)) {
     move(block);
     return behind_motion(block);
   }

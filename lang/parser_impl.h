@@ -103,9 +103,13 @@ class Parser {
 
   // Motions (parse_motion.cpp)
   void move(Block& block);
-  ExprPtr target();
-  [[noreturn]] void fail_target();
-  void clauses(Move& move);
+  bool at_clause_word(std::string_view word) const;
+  void joint_target(Move& move);
+  ExprPtr target(std::string_view motion);
+  [[noreturn]] void fail_target(std::string_view motion);
+  void clauses(Clauses& clauses);
+  void report_twice(std::string_view word);
+  void profile(Clauses& clauses);
   void clause(ExprPtr& slot, std::string_view word);
   [[noreturn]] void fail_clause();
 

@@ -6,45 +6,8 @@
 #include <fmt/core.h>
 
 #include "lang/number_text.h"
-#include "lang/units.h"
 
 namespace rob::lang {
-namespace {
-
-std::string pace_text(const MoveCommand& command) {
-  switch (command.pace) {
-    case MoveCommand::Pace::Unspecified:
-      return "";
-    case MoveCommand::Pace::ToolSpeed:
-      return " at " + number_text(command.pace_value, kSpeed);
-    case MoveCommand::Pace::AngularSpeed:
-      return " at " + number_text(command.pace_value, kAngularSpeed);
-    case MoveCommand::Pace::Share:
-      return " at " + number_text(command.pace_value * 100, kNone) + "%";
-  }
-  return "";
-}
-
-}  // namespace
-
-std::string move_text(const RobotSignature& robot, const MoveCommand& command) {
-  std::string text = "move";
-  for (int i = 0; i < command.count; ++i) {
-    text += ' ';
-    if (!command.has(i)) {
-      text += '-';
-      continue;
-    }
-    const auto index = static_cast<std::size_t>(i);
-    const Dimension dimension = robot.coordinates[index].dimension;
-    const std::string number = number_text(command.target[index], dimension);
-    text += number.substr(0, number.size() - unit_text(dimension).size());
-  }
-  text += pace_text(command);
-  if (command.over > 0) text += " over " + number_text(command.over, kTime);
-  return text;
-}
-
 PrintingMachine::PrintingMachine(const RobotSignature& robot) : robot_(robot) {}
 
 void PrintingMachine::script(int signal, std::vector<double> values) {

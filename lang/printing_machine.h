@@ -15,6 +15,7 @@ namespace rob::lang {
 /// A Machine that writes down what it is told, a line for each call, and moves nothing: for tests.
 ///
 ///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
+///     movel by 20 0 0 · move joints - - 90 · … zone 5mm · … fine
 ///     stop · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
 ///     guard · ended hit · ended reached
 ///                                       UNTIL; the condition is looked at behind its motion, until

@@ -23,6 +23,7 @@ struct RobotSignature {
 
   std::string name;
   std::vector<Coordinate> coordinates;  ///< at most kMaxCoordinates, in the order of a tuple
+  std::vector<Coordinate> axes;         ///< at most kMaxCoordinates, in the order of JOINTS
   std::vector<Signal> signals;          ///< the index is the number that Machine is given
 };
 

@@ -25,7 +25,7 @@ class StatementChecker {
       : scopes_(checked.symbols, robot),
         uses_(checked.program.routines.size()),
         expressions_(scopes_, checked.program, uses_, diagnostics),
-        moves_(robot, expressions_, diagnostics, checked.constant_targets),
+        moves_(robot, expressions_, diagnostics, checked),
         waits_(expressions_, diagnostics),
         watches_(expressions_, diagnostics),
         diagnostics_(diagnostics) {}
@@ -38,13 +38,14 @@ class StatementChecker {
   void check(Block& block) {
     scopes_.enter();
     for (Statement& statement : block) check(statement);
+    moves_.warn_of_zones(block);
     scopes_.leave();
   }
   void check(Statement& statement) {
     place_ = statement.place;
     std::visit([&](auto& node) { check(node); }, statement.node);
   }
-  void check(Move& move) { moves_.check(move); }
+  void check(Move& move) { moves_.check(move, place_); }
   void check(WatchedMotion& watched) {
     check(watched.motion);
     watches_.check_until(watched.until);

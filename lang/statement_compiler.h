@@ -66,6 +66,9 @@ class StatementCompiler {
   void leave_loop();
 
   Register declare(const Symbol& symbol);
+  Register compile_axis(const Move& move, MoveForm& form);
+  Register compile_target(const Move& move, MoveForm& form);
+  void compile_clauses(const Clauses& clauses, MoveForm& form);
   void compile_component(const Expr& component, Dimension dimension, Register target);
   void default_value(const Type& type, Register home, Place place);
   void report_limit(Diagnostics& diagnostics) const;

@@ -1,5 +1,6 @@
 #include "lang/target.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -77,6 +78,30 @@ std::optional<MoveCommand::Pace> pace_of(const Type& type) {
   if (type.dimension == kAngularSpeed) return MoveCommand::Pace::AngularSpeed;
   if (type.dimension.none()) return MoveCommand::Pace::Share;
   return std::nullopt;
+}
+
+std::optional<MoveCommand::Bound> accel_of(const Type& type) {
+  if (type == Type::real(kAcceleration)) return MoveCommand::Bound::Tool;
+  if (type == Type::real(kAngularAcceleration)) return MoveCommand::Bound::Rotary;
+  return std::nullopt;
+}
+
+std::optional<MoveCommand::Bound> jerk_of(const Type& type) {
+  if (type == Type::real(kJerk)) return MoveCommand::Bound::Tool;
+  if (type == Type::real(kAngularJerk)) return MoveCommand::Bound::Rotary;
+  return std::nullopt;
+}
+
+std::optional<MoveCommand::Zone> zone_of(const Type& type) {
+  if (type == Type::real(kLength)) return MoveCommand::Zone::Length;
+  if (type == Type::real(kTime)) return MoveCommand::Zone::Time;
+  if (is_bare(type)) return MoveCommand::Zone::Share;
+  return std::nullopt;
+}
+
+bool alike(const std::vector<RobotSignature::Coordinate>& axes) {
+  return std::ranges::all_of(
+      axes, [&](const auto& axis) { return axis.dimension == axes.front().dimension; });
 }
 
 std::optional<double> constant_number(const Expr& expression) {

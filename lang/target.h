@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "lang/ast.h"
-#include "lang/machine.h"
+#include "lang/move_command.h"
 #include "lang/robot_signature.h"
 
-/// What checker and compiler both have to know of target tuples and of AT.
+/// What checker and compiler both have to know of target tuples and of clauses.
 namespace rob::lang {
 
 /// The element of a well-formed tuple for each coordinate of the robot, in the robot's order; null
@@ -35,6 +35,14 @@ std::optional<double> constant_component(const Expr& component, Dimension dimens
 
 /// What an AT of this type bounds; nothing if AT takes no such type.
 std::optional<MoveCommand::Pace> pace_of(const Type& type);
+
+/// What an ACCEL, a JERK or a ZONE of this type bounds; nothing if it takes no such type.
+std::optional<MoveCommand::Bound> accel_of(const Type& type);
+std::optional<MoveCommand::Bound> jerk_of(const Type& type);
+std::optional<MoveCommand::Zone> zone_of(const Type& type);
+
+/// Whether axes all have one dimension.
+bool alike(const std::vector<RobotSignature::Coordinate>& axes);
 
 /// A constant INT or REAL as a double.
 std::optional<double> constant_number(const Expr& expression);

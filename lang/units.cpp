@@ -180,7 +180,6 @@ std::optional<double> to_si(std::string_view number, const Unit& unit) {
 
 std::string unit_text(Dimension dimension) {
   constexpr Dimension kStiffness{.mass = 1, .time = -2};
-  constexpr Dimension kAngularAcceleration{.time = -2, .angle = 1};
   if (dimension == kForce) return "N";
   if (dimension == kTorque) return "Nm";
   if (dimension == kStiffness) return "N/mm";

@@ -102,8 +102,12 @@ class Vm {
   Reply ended(Code pc);
   State fail_timeout(Code pc);
 
-  /// False, with error_ set, if AT or OVER turned out not to be above zero.
+  // Motions (vm_motion.cpp): false, with error_ set, if a value turned out to be impossible.
   bool build(Code pc, MoveCommand& command);
+  bool choose_axis(Code pc, Slot axis, MoveCommand& command);
+  bool build_clauses(Code pc, const MoveForm& form, const Slot* next, MoveCommand& command);
+  bool check_zone(Code pc, double value, Dimension dimension);
+  bool check_positive(Code pc, std::string_view word, double value, Dimension dimension);
   /// Texts by register; false if the result would be too long.
   bool append(std::uint8_t target, std::string_view more);
   bool join(std::uint8_t target, std::uint8_t left, std::uint8_t right);
@@ -115,7 +119,6 @@ class Vm {
   State fail_calls_too_deep(Code pc);
   State fail_no_value(Code pc);
   State fail_assertion_at(Code pc);
-  bool check_positive(Code pc, const char* word, double value, Dimension dimension);
 
   Place place(Code pc) const { return chunk_.places[index(pc)]; }
   int line(Code pc) const { return static_cast<int>(place(pc).line); }

@@ -92,35 +92,4 @@ bool Vm::check_pulse(Code pc, double seconds) {
   return false;
 }
 
-bool Vm::build(Code pc, MoveCommand& command) {
-  const MoveForm& form = chunk_.moves[pc->x()];
-  const Slot* next = &numbers_[pc->a()];
-  command.count = form.count;
-  command.given = form.given;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(form.count); ++i) {
-    if ((form.given >> i & 1) != 0) command.target[i] = (next++)->real;
-  }
-  command.pace = form.pace;
-  if (form.pace != MoveCommand::Pace::Unspecified) {
-    command.pace_value = (next++)->real;
-    const Dimension dimension = form.pace == MoveCommand::Pace::ToolSpeed      ? kSpeed
-                                : form.pace == MoveCommand::Pace::AngularSpeed ? kAngularSpeed
-                                                                               : kNone;
-    if (!check_positive(pc, "AT", command.pace_value, dimension)) return false;
-  }
-  if (!form.over) return true;
-  command.over = next->real;
-  return check_positive(pc, "OVER", command.over, kTime);
-}
-
-bool Vm::check_positive(Code pc, const char* word, double value, Dimension dimension) {
-  if (value > 0) return true;
-  error_ = {.code = std::string(code::kPaceNotPositive),
-            .place = place(pc),
-            .message = fmt::format("{} turned out to be {}; it has to be above zero", word,
-                                   number_text(value, dimension)),
-            .help = ""};
-  return false;
-}
-
 }  // namespace rob::lang

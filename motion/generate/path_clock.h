@@ -25,6 +25,11 @@ class PathClock {
   /// 0 < share <= 1; what is above counts as 1, what is no positive number changes nothing.
   void set_override(double share) noexcept;
 
+  /// Whether the time scale does not change.
+  bool steady() const noexcept { return ramp_.remaining() == 0; }
+  /// Only while steady: how fast it may change from now on.
+  void set_limits(const TimeScaleLimits& limits) noexcept { ramp_.set_limits(limits); }
+
   /// Goes on to `stamp`. With the axes `at_rest` the time scale may change at once.
   void advance(double stamp, bool at_rest) noexcept;
   /// The path has stood still for `gap`.

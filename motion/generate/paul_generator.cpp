@@ -32,10 +32,12 @@ PaulGenerator::PaulGenerator(const RobotModel& robot, LookAheadBuffer& buffer,
                              const JointVector& start)
     : period_(robot.reference_period),
       most_missed_(most_missed(robot.reference_period)),
+      reserve_(axis_reserve(robot)),
       buffer_(buffer),
       clock_(time_scale_limits(robot), robot.reference_period),
       events_(kEvents),
       rests_(kRests),
+      tightest_(robot.t_acc),
       t_acc_(robot.t_acc),
       usual_t_acc_(robot.t_acc) {
   segment_.target = start;
@@ -80,7 +82,21 @@ void PaulGenerator::set_override(double share) noexcept {
   end_ = milestone_ = clock_.path_time() + rest * (clock_.override_share() / before);
 }
 
+void PaulGenerator::adapt_clock() noexcept {
+  const double tightest = buffer_.tightest();
+  if (tightest >= tightest_ || !clock_.steady()) return;
+  clock_.set_limits(time_scale_limits(reserve_, tightest));
+  tightest_ = tightest;
+}
+
+/// What may be taken up now.
+const SegmentDescriptor* PaulGenerator::next_segment() const noexcept {
+  const SegmentDescriptor* const next = buffer_.next_segment();
+  return next == nullptr || next->t_acc < tightest_ ? nullptr : next;
+}
+
 void PaulGenerator::step(double stamp) noexcept {
+  adapt_clock();
   clock_.advance(stamp, !running_ || dwelling());
   if (running_) run_segments();
   if (clock_.braked()) end_early(clock_.steady_since());
@@ -124,7 +140,7 @@ void PaulGenerator::arrive() noexcept {
 void PaulGenerator::decide() noexcept {
   if (segment_.no_length) close_guard();
   const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
-  const SegmentDescriptor* next = faulted_ ? nullptr : buffer_.next_segment();
+  const SegmentDescriptor* next = faulted_ ? nullptr : next_segment();
   if (next != nullptr && segment_.no_length && hit_at_start(*next, end_)) {
     buffer_.pop_segment();
   } else if (next != nullptr && take_up(*next, end_)) {
@@ -210,7 +226,7 @@ void PaulGenerator::begin_stop(double instant) noexcept {
 
 void PaulGenerator::start_from_rest() noexcept {
   if (faulted_ || clock_.rate() == 0) return;
-  const SegmentDescriptor* next = buffer_.next_segment();
+  const SegmentDescriptor* next = next_segment();
   if (next == nullptr) return;
   finished_ = false;
   if (clock_.braking()) return;

@@ -9,6 +9,7 @@
 #include "motion/generate/trajectory_generator.h"
 #include "motion/plan/look_ahead_buffer.h"
 #include "motion/robots/robot_model.h"
+#include "motion/robots/time_scaling.h"
 #include "motion/space/spsc_ring.h"
 
 namespace rob::motion {
@@ -26,6 +27,11 @@ namespace rob::motion {
 /// An effect behind segment n is due where the path passes n's target: at the end of n, or of what
 /// follows it, where that has no length; else in the middle of the corner, t = 0 of what follows.
 /// One that comes later than that, or before any motion, is due at once.
+///
+/// Each target has a half transition of its own, t_B + t_C <= T1. Tighter corners leave less for
+/// slowing down: the tightest that the buffer has seen decides how fast a hold and a change of
+/// override may be. One that is tighter than what a ramp under way was made for waits for its end,
+/// at the target before it.
 ///
 /// A dwell stands at its target for its duration of the run's time, whatever the override; a hold
 /// interrupts it. What follows starts at its exact end.
@@ -66,6 +72,8 @@ class PaulGenerator final : public TrajectoryGenerator {
 
  private:
   void catch_up(std::int64_t period) noexcept;
+  void adapt_clock() noexcept;
+  const SegmentDescriptor* next_segment() const noexcept;
   void step(double stamp) noexcept;
   void run_segments() noexcept;
   void pass_milestone() noexcept;
@@ -102,6 +110,7 @@ class PaulGenerator final : public TrajectoryGenerator {
 
   const double period_;
   const std::int64_t most_missed_;
+  const AxisReserve reserve_;
   LookAheadBuffer& buffer_;
   PathClock clock_;
   SpscRing<MotionEvent> events_;
@@ -115,6 +124,7 @@ class PaulGenerator final : public TrajectoryGenerator {
   PaulTransition path_;
   bool running_ = false;
   bool inserted_ = false;  ///< a stop of its own, for want of a successor
+  double tightest_;        ///< the least t_acc that clock_ can hold in
   double t_acc_;           ///< half the transition around segment_.target: t_B of the next
   double zero_ = 0;        ///< path time at t = 0
   double end_ = 0;         ///< path time of the decision instant

@@ -20,6 +20,8 @@ class StopRamp {
   /// r = 1, steady.
   explicit StopRamp(const TimeScaleLimits& limits) noexcept : limits_(limits) {}
 
+  /// From the next aim on. Only while steady.
+  void set_limits(const TimeScaleLimits& limits) noexcept { limits_ = limits; }
   /// Goes to `target`, 0 <= target <= 1, from the present r and r'.
   void aim(double target) noexcept;
   /// Is there at once. Only for axes at rest.

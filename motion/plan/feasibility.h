@@ -16,6 +16,7 @@ struct Refusal {
     AboveMaximum,  ///< axis, value = target, limit = the axis' maximum
     BadPace,       ///< value = the pace, which must be a number above limit = 0
     BadDuration,   ///< value = the duration asked for, which must be a number of at least limit = 0
+    BadZone,       ///< value = the zone, which must be a number above limit = 0
     TooLong        ///< value = the duration needed, limit = the longest, s
   };
 

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "motion/plan/segment_descriptor.h"
 #include "motion/space/spsc_ring.h"
@@ -22,7 +23,11 @@ class LookAheadBuffer {
   explicit LookAheadBuffer(std::size_t segments) : segments_(segments), effects_(kEffects) {}
 
   // The program's side. False: full, nothing has happened.
-  bool push(const SegmentDescriptor& segment) noexcept { return segments_.push(segment); }
+  bool push(const SegmentDescriptor& segment) noexcept {
+    if (segment.t_acc < tightest_.load(std::memory_order_relaxed))
+      tightest_.store(segment.t_acc, std::memory_order_relaxed);  // told before it is seen
+    return segments_.push(segment);
+  }
   bool push(const Effect& effect) noexcept { return effects_.push(effect); }
   bool full() const noexcept { return segments_.full(); }
   bool effects_full() const noexcept { return effects_.full(); }
@@ -40,12 +45,15 @@ class LookAheadBuffer {
   /// The motion to be braked; 0: none. Taken back once it is done.
   std::uint32_t to_be_braked() const noexcept { return brake_.load(std::memory_order_acquire); }
   void braked() noexcept { brake_.store(0, std::memory_order_relaxed); }
+  /// The least t_acc of all segments pushed so far, s; infinite before the first.
+  double tightest() const noexcept { return tightest_.load(std::memory_order_relaxed); }
   bool closed() const noexcept { return closed_.load(std::memory_order_acquire); }
 
  private:
   SpscRing<SegmentDescriptor> segments_;
   SpscRing<Effect> effects_;
   std::atomic<std::uint32_t> brake_{0};
+  std::atomic<double> tightest_{std::numeric_limits<double>::infinity()};
   std::atomic<bool> closed_{false};
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/robots/time_scaling.h"
+
 namespace rob::motion {
 
 namespace {
@@ -19,18 +21,33 @@ std::optional<Refusal> check_wishes(const MotionRequest& request) {
     return Refusal{Kind::BadPace, -1, request.pace_value, 0};
   if (!(std::isfinite(request.at_least) && request.at_least >= 0))
     return Refusal{Kind::BadDuration, -1, request.at_least, 0};
+  const bool zoned = request.zone != MotionRequest::Zone::Robots;
+  if (zoned && !(std::isfinite(request.zone_value) && request.zone_value > 0))
+    return Refusal{Kind::BadZone, -1, request.zone_value, 0};
   return std::nullopt;
+}
+
+double greatest_tool_speed(const RobotModel& robot) {
+  double squares = 0;
+  for (const Axis& axis : robot.axes)
+    if (axis.kind == AxisKind::Linear) squares += axis.v_max * axis.v_max;
+  return std::sqrt(squares);
 }
 
 }  // namespace
 
 MotionPlanner::MotionPlanner(const RobotModel& robot, const JointVector& start) noexcept
-    : robot_(robot), commanded_(start), t_acc_before_(robot.t_acc) {}
+    : robot_(robot),
+      least_t_acc_(least_t_acc(robot)),
+      tool_speed_(greatest_tool_speed(robot)),
+      commanded_(start),
+      t_acc_before_(robot.t_acc) {}
 
 PlanOutcome MotionPlanner::plan(const MotionRequest& request) noexcept {
-  if (const auto refusal = check_target(robot_, request.given, request.target)) return *refusal;
+  const std::array<double, kMaxJoints> wanted = absolute(request);
+  if (const auto refusal = check_target(robot_, request.given, wanted)) return *refusal;
   if (const auto refusal = check_wishes(request)) return *refusal;
-  JointVector target = complete(request);
+  JointVector target = complete(request.given, wanted);
   const bool no_length = (target - commanded_).cwiseAbs().maxCoeff() <= kLimitTolerance;
   if (no_length) target = commanded_;
   const Timing timing = time(target, request);
@@ -41,11 +58,11 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request) noexcept {
 
 std::optional<SegmentDescriptor> MotionPlanner::stop(Tag tag) noexcept {
   if (exact_) return std::nullopt;
-  return commit(tag, commanded_, true, Timing{t_acc_before_ + robot_.t_acc, 0, 0});
+  return commit(tag, commanded_, true, Timing{2 * t_acc_before_, t_acc_before_, 0, 0});
 }
 
 SegmentDescriptor MotionPlanner::dwell(Tag tag, double duration) noexcept {
-  SegmentDescriptor segment = commit(tag, commanded_, true, Timing{duration, 0, 0});
+  SegmentDescriptor segment = commit(tag, commanded_, true, Timing{duration, robot_.t_acc, 0, 0});
   segment.dwell = true;
   return segment;
 }
@@ -57,12 +74,23 @@ void MotionPlanner::retarget(const JointVector& q) noexcept {
   ++generation_;
 }
 
-JointVector MotionPlanner::complete(const MotionRequest& request) const noexcept {
+/// The given components, measured from the origin.
+std::array<double, kMaxJoints> MotionPlanner::absolute(
+    const MotionRequest& request) const noexcept {
+  std::array<double, kMaxJoints> target = request.target;
+  if (!request.relative) return target;
+  for (int i = 0; i < robot_.axis_count(); ++i)
+    target[static_cast<std::size_t>(i)] += commanded_[i];
+  return target;
+}
+
+JointVector MotionPlanner::complete(std::uint8_t given,
+                                    const std::array<double, kMaxJoints>& wanted) const noexcept {
   JointVector target = commanded_;
   for (int i = 0; i < robot_.axis_count(); ++i) {
-    if ((request.given >> i & 1) == 0) continue;
+    if ((given >> i & 1) == 0) continue;
     const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
-    target[i] = std::clamp(request.target[static_cast<std::size_t>(i)], axis.min, axis.max);
+    target[i] = std::clamp(wanted[static_cast<std::size_t>(i)], axis.min, axis.max);
   }
   return target;
 }
@@ -77,17 +105,22 @@ MotionPlanner::Timing MotionPlanner::time(const JointVector& target,
     timing.duration = needed;
     timing.limit = static_cast<std::uint8_t>(2 + i);
   }
-  const double corners = t_acc_before_ + robot_.t_acc;
-  const double least = std::max(timing.duration, corners);
-  if (request.at_least > 0 && longer(least, request.at_least))
-    timing.warnings |= PlannedSegment::kStretched;
-
+  const double slowest = timing.duration;
   const double paced = pace_time(delta, target, request);
   if (longer(named_axes_time(delta, request.pace), paced))
     timing.warnings |= PlannedSegment::kPaceCut;
-
   if (longer(paced / boost_, timing.duration)) timing.limit = 1;
   timing.duration = std::max(timing.duration, paced / boost_);
+
+  const double asked = std::max(timing.duration, request.at_least / boost_);
+  timing.t_acc = corner_time(tool_distance(target), asked, request);
+  if (timing.t_acc < least_t_acc_) {
+    timing.t_acc = least_t_acc_;
+    timing.warnings |= PlannedSegment::kZoneRaised;
+  }
+  const double corners = t_acc_before_ + timing.t_acc;
+  if (request.at_least > 0 && longer(std::max(slowest, corners), request.at_least))
+    timing.warnings |= PlannedSegment::kStretched;
   if (const double other = std::max(corners, request.at_least / boost_); other > timing.duration) {
     timing.duration = other;
     timing.limit = 0;
@@ -95,16 +128,47 @@ MotionPlanner::Timing MotionPlanner::time(const JointVector& target,
   return timing;
 }
 
+/// t_C as the request asks for it; `duration`: of the motion, corners apart.
+double MotionPlanner::corner_time(double distance, double duration,
+                                  const MotionRequest& request) const noexcept {
+  switch (request.zone) {
+    case MotionRequest::Zone::Robots:
+      return robot_.t_acc;
+    case MotionRequest::Zone::Length:
+      return std::min(robot_.t_acc, zone_time(distance, duration, request.zone_value));
+    case MotionRequest::Zone::Time:
+      return request.zone_value;
+    case MotionRequest::Zone::Share:
+      return request.zone_value * robot_.t_acc;
+  }
+  return robot_.t_acc;
+}
+
+/// t = K/(v_in + V) with K = 16·z/3. Where the motion lasts as long as its corners, v_in = d/(t_B +
+/// t) and t is the root of V·t² + (d + V·t_B − K)·t − K·t_B = 0.
+double MotionPlanner::zone_time(double distance, double duration, double zone) const noexcept {
+  const double k = 16 * zone / 3;
+  const double v = tool_speed_;
+  if (duration > 0) {
+    const double t = k / (distance / duration + v);
+    if (t_acc_before_ + t <= duration) return t;
+  }
+  const double half = (distance + v * t_acc_before_ - k) / (2 * v);
+  return std::sqrt(half * half + k * t_acc_before_ / v) - half;
+}
+
+double MotionPlanner::tool_distance(const JointVector& target) const noexcept {
+  const Eigen::Vector3d from = robot_.kinematics->forward(commanded_).position;
+  return (robot_.kinematics->forward(target).position - from).norm();
+}
+
 double MotionPlanner::pace_time(const JointVector& delta, const JointVector& target,
                                 const MotionRequest& request) const noexcept {
   switch (request.pace) {
     case MotionRequest::Pace::Unspecified:
       return 0;
-    case MotionRequest::Pace::ToolSpeed: {
-      const Eigen::Vector3d from = robot_.kinematics->forward(commanded_).position;
-      const Eigen::Vector3d to = robot_.kinematics->forward(target).position;
-      return (to - from).norm() / request.pace_value;
-    }
+    case MotionRequest::Pace::ToolSpeed:
+      return tool_distance(target) / request.pace_value;
     case MotionRequest::Pace::AngularSpeed: {
       double turn = 0;
       for (int i = 0; i < robot_.axis_count(); ++i)
@@ -142,7 +206,8 @@ SegmentDescriptor MotionPlanner::commit(Tag tag, const JointVector& target, bool
   segment.generation = generation_;
   segment.target = target;
   segment.duration = timing.duration;
-  segment.t_acc = robot_.t_acc;
+  segment.t_acc_before = t_acc_before_;
+  segment.t_acc = timing.t_acc;
   segment.no_length = no_length;
   segment.limit = timing.limit;
   commanded_ = target;

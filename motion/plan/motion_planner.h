@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -17,9 +18,11 @@ struct PlannedSegment {
   static constexpr std::uint8_t kPaceCut = 1;
   /// The axes or the corners need longer than OVER asks; segment.duration is the true time.
   static constexpr std::uint8_t kStretched = 2;
+  /// ZONE asks for a tighter corner than the axes can take; segment.t_acc is the least.
+  static constexpr std::uint8_t kZoneRaised = 4;
 
   SegmentDescriptor segment;
-  std::uint8_t warnings = 0;  ///< kPaceCut | kStretched
+  std::uint8_t warnings = 0;  ///< kPaceCut | kStretched | kZoneRaised
 };
 
 using PlanOutcome = std::variant<PlannedSegment, Refusal>;
@@ -30,6 +33,15 @@ using PlanOutcome = std::variant<PlannedSegment, Refusal>;
 /// transitions take 2·t_B and 2·t_C, is
 ///
 ///   T1 = max{ |ΔC_i|/v_i,max ; t_B + t_C ; T_user ; what AT asks for }
+///
+/// t_C is the robot's t_acc or what ZONE asks for: a time, a share of the robot's, or for a length
+/// z the time after which the tool misses C by z at most, whatever follows, and at most the
+/// robot's:
+///
+///   miss <= 3/16·t_C·|v_out − v_in| (S1's polynomial at t = 0),  so  t_C = 16·z / 3(|v_in| +
+///   v_tool,max)
+///
+/// A t_C that leaves the axes too little to be held within their limits is raised (least_t_acc).
 ///
 /// where AT bounds the straight distance of the tool (ToolSpeed), every rotary axis
 /// (AngularSpeed), or all axes by a share of their maxima (Share). A target within
@@ -72,12 +84,18 @@ class MotionPlanner {
  private:
   struct Timing {
     double duration = 0;
+    double t_acc = 0;
     std::uint8_t limit = 0;
     std::uint8_t warnings = 0;
   };
 
-  JointVector complete(const MotionRequest& request) const noexcept;
+  std::array<double, kMaxJoints> absolute(const MotionRequest& request) const noexcept;
+  JointVector complete(std::uint8_t given,
+                       const std::array<double, kMaxJoints>& wanted) const noexcept;
   Timing time(const JointVector& target, const MotionRequest& request) const noexcept;
+  double corner_time(double distance, double duration, const MotionRequest& request) const noexcept;
+  double zone_time(double distance, double duration, double zone) const noexcept;
+  double tool_distance(const JointVector& target) const noexcept;
   double pace_time(const JointVector& delta, const JointVector& target,
                    const MotionRequest& request) const noexcept;
   double named_axes_time(const JointVector& delta, MotionRequest::Pace pace) const noexcept;
@@ -85,6 +103,8 @@ class MotionPlanner {
                            const Timing& timing) noexcept;
 
   const RobotModel& robot_;
+  const double least_t_acc_;
+  const double tool_speed_;  ///< the greatest that the linear axes make together
   JointVector commanded_;
   double t_acc_before_;  ///< t_B of the next segment
   bool exact_ = true;    ///< the last target is reached exactly

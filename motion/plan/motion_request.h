@@ -14,12 +14,23 @@ using Tag = std::uint32_t;
 struct MotionRequest {
   enum class Pace : std::uint8_t { Unspecified, ToolSpeed, AngularSpeed, Share };
 
+  /// How the corner at the target is bounded.
+  enum class Zone : std::uint8_t {
+    Robots,  ///< the robot's own t_acc
+    Length,  ///< m by which the tool may miss the target
+    Time,    ///< s: t_acc
+    Share    ///< of the robot's own t_acc, 1 = 100 %
+  };
+
   Tag tag = 0;
+  bool relative = false;                    ///< the target counts from the last one
   std::uint8_t given = 0;                   ///< bit i: axis i has a target
   std::array<double, kMaxJoints> target{};  ///< m or rad
   Pace pace = Pace::Unspecified;
   double pace_value = 0;  ///< m/s, rad/s, or a share of all maxima (1 = 100 %)
   double at_least = 0;    ///< s, lower bound on the duration (S1: T_user)
+  Zone zone = Zone::Robots;
+  double zone_value = 0;  ///< above 0 where there is a zone
 };
 
 }  // namespace rob::motion

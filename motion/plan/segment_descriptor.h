@@ -19,9 +19,14 @@ struct SegmentDescriptor {
   bool no_length = false;    ///< target = the target before: the exact pass, a stop or a dwell
   bool dwell = false;        ///< a standstill of `duration`, 0 too; override does not stretch it
   std::uint8_t limit = 0;    ///< what set the duration: 0 nothing, 1 AT, 2 + i the speed of axis i
+  double t_acc_before = 0;   ///< s: half the transition in which it begins
   /// What ends early takes all of its generation with it; see Rest
   std::uint32_t generation = 1;
   Watch guard{};  ///< ends it early: UNTIL. Also of the stop that makes it exact
+
+  /// s from the decision instant before it to its own: S1's t runs from −t_acc_before to T1 −
+  /// t_acc.
+  double span() const noexcept { return dwell ? duration : duration + (t_acc_before - t_acc); }
 };
 
 /// Something that happens in motion order beside the axes: an output, a line of print.

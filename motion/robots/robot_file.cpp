@@ -30,10 +30,6 @@ constexpr Range kCoulomb{0, 1e5};
 constexpr Range kForce{1e-6, 1e7};
 constexpr Range kInertia{1e-9, 1e6};
 
-/// A motion that is held must stand within this time. [choice: a controlled stop is over within
-/// 1 s, so that the drives can then be switched off]
-constexpr double kLongestStop = 1.0;
-
 /// Units and bounds of one kind of axis.
 struct KindRules {
   Quantity position, speed, acceleration, jerk, inertia, viscous, force;
@@ -235,8 +231,7 @@ void check_paul(const TableReader& file, const std::vector<TableReader>& axes,
                                 "; allow more, lower v_max or raise t_acc");
     }
   }
-  const TimeScaleLimits limits = time_scale_limits(robot);
-  if (limits.slope > 0 && limits.bend > 0 && stopping_time(limits) <= kLongestStop) return;
+  if (leaves_room_to_stop(axis_reserve(robot), t)) return;
   file.fail("t_acc",
             "Paul's corners leave too little of a_max and j_max to stop on the path within " +
                 number_text(kLongestStop) + " s; raise t_acc, a_max or j_max, or lower v_max");

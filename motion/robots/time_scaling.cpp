@@ -18,22 +18,49 @@ namespace rob::motion {
 //
 // R takes all that a_max leaves, but at most half of the jerk that the corner leaves goes into
 // the mixed term [choice: so that S stays positive, and near the best share for low j_max].
+TimeScaleLimits time_scale_limits(const AxisReserve& reserve, double t_acc) noexcept {
+  const double acceleration_left = reserve.acceleration - 1.5 / t_acc;
+  const double jerk_left = reserve.jerk - 3 / (t_acc * t_acc);
+  const double slope = std::min(acceleration_left, jerk_left / 2 / (4.5 / t_acc));
+  return {slope, jerk_left - 4.5 / t_acc * slope};
+}
+
 TimeScaleLimits time_scale_limits(const RobotModel& robot) {
-  const double t = robot.t_acc;
-  double acceleration_left = std::numeric_limits<double>::infinity();
-  double jerk_left = std::numeric_limits<double>::infinity();
+  return time_scale_limits(axis_reserve(robot), robot.t_acc);
+}
+
+AxisReserve axis_reserve(const RobotModel& robot) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  AxisReserve reserve{kInfinity, kInfinity};
   for (const Axis& axis : robot.axes) {
-    acceleration_left = std::min(acceleration_left, axis.a_max / axis.v_max - 1.5 / t);
-    jerk_left = std::min(jerk_left, axis.j_max / axis.v_max - 3 / (t * t));
+    reserve.acceleration = std::min(reserve.acceleration, axis.a_max / axis.v_max);
+    reserve.jerk = std::min(reserve.jerk, axis.j_max / axis.v_max);
   }
-  const double slope = std::min(acceleration_left, jerk_left / 2 / (4.5 / t));
-  return {slope, jerk_left - 4.5 / t * slope};
+  return reserve;
 }
 
 double stopping_time(const TimeScaleLimits& limits) {
   const auto [slope, bend] = limits;
   if (slope * slope >= bend) return 2 / std::sqrt(bend);  // r' is a triangle
   return 1 / slope + slope / bend;                        // a trapezium
+}
+
+bool leaves_room_to_stop(const AxisReserve& reserve, double t_acc) {
+  const TimeScaleLimits limits = time_scale_limits(reserve, t_acc);
+  return limits.slope > 0 && limits.bend > 0 && stopping_time(limits) <= kLongestStop;
+}
+
+double least_t_acc(const RobotModel& robot) {
+  const AxisReserve reserve = axis_reserve(robot);
+  // Bisection: longer corners only leave more. 50 halvings come closer than any clock resolves.
+  double low = 0;
+  double high = robot.t_acc;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = (low + high) / 2;
+    (leaves_room_to_stop(reserve, middle) ? high : low) = middle;
+  }
+  // A segment lasts at least the sum of two: no more than one corner begins in a period.
+  return std::clamp(robot.reference_period, high, robot.t_acc);
 }
 
 }  // namespace rob::motion

@@ -47,6 +47,10 @@ Words words_for(const Refusal& refusal, const motion::RobotModel& robot) {
       return {code::kDurationRefused,
               fmt::format("OVER needs a time of at least zero; this is {} s", refusal.value),
               "write for example OVER 3s"};
+    case Refusal::Kind::BadZone:
+      return {code::kZoneRefused,
+              fmt::format("ZONE needs a number of zero or more; this is {}", refusal.value),
+              "write for example ZONE 5mm"};
     case Refusal::Kind::TooLong:
       return {code::kMotionTooLong,
               fmt::format("this motion would take {} s; at most {} s are accepted", refusal.value,

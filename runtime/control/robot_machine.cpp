@@ -33,8 +33,9 @@ lang::RobotSignature signature_of(const motion::RobotModel& robot) {
   signature.name = robot.name;
   for (const motion::Axis& axis : robot.axes) {
     const bool linear = axis.kind == motion::AxisKind::Linear;
-    signature.coordinates.push_back({axis.name, linear ? lang::kLength : lang::kAngle});
+    signature.axes.push_back({axis.name, linear ? lang::kLength : lang::kAngle});
   }
+  signature.coordinates = signature.axes;
   for (const motion::RobotSignal& signal : robot.signals) {
     signature.signals.push_back({signal.name, signal.output, signal.channel + 1});
   }
@@ -51,6 +52,7 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
   using To = motion::MotionRequest::Pace;
   motion::MotionRequest request;
   request.tag = static_cast<motion::Tag>(line);
+  request.relative = command.relative;
   request.given = command.given;
   request.target = command.target;
   request.pace = command.pace == From::ToolSpeed      ? To::ToolSpeed
@@ -59,6 +61,13 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
                                                       : To::Unspecified;
   request.pace_value = command.pace_value;
   request.at_least = command.over;
+  if (command.exact()) return request;  // at rest there is no corner to be bounded
+  using Zone = motion::MotionRequest::Zone;
+  request.zone = command.zone == lang::MoveCommand::Zone::Length  ? Zone::Length
+                 : command.zone == lang::MoveCommand::Zone::Time  ? Zone::Time
+                 : command.zone == lang::MoveCommand::Zone::Share ? Zone::Share
+                                                                  : Zone::Robots;
+  request.zone_value = command.zone_value;
   return request;
 }
 
@@ -72,7 +81,23 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
       log_(log),
       until_(signals_) {}
 
+/// What is to be exact takes two segments; where the buffer has room for the first alone, the call
+/// comes again for the second.
 Reply RobotMachine::move(int line, const lang::MoveCommand& command) {
+  if (!moved_) {
+    const Reply reply = move_to(line, command);
+    if (reply != Reply::Done || !command.exact()) return reply;
+    moved_ = true;
+  }
+  if (buffer_.full()) return Reply::Later;
+  if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) {
+    queue(*segment, true, true);
+  }
+  moved_ = false;
+  return Reply::Done;
+}
+
+Reply RobotMachine::move_to(int line, const lang::MoveCommand& command) {
   if (buffer_.full()) return Reply::Later;
   const motion::PlanOutcome outcome = planner_.plan(request_of(line, command));
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
@@ -264,6 +289,13 @@ void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
                 fmt::format("OVER is too short: this motion takes {} s",
                             shown(planned.segment.duration, 3)),
                 "OVER is a lower bound; the axes and the corners need longer here"});
+  }
+  if ((planned.warnings & motion::PlannedSegment::kZoneRaised) != 0) {
+    log_.found({lang::Severity::Warning, code::kZoneRaised, place,
+                fmt::format("ZONE asks for a tighter corner than the axes can take; it becomes"
+                            " ZONE {}s",
+                            shown(planned.segment.t_acc, 3)),
+                "FINE reaches the target exactly"});
   }
 }
 

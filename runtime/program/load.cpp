@@ -5,6 +5,7 @@
 #include "motion/plan/feasibility.h"
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
+#include "runtime/control/feature_words.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/files.h"
@@ -23,6 +24,15 @@ void refuse_targets_out_of_reach(lang::Compilation& compilation, const motion::R
     if (!refusal) continue;
     const Words words = words_for(*refusal, robot);
     compilation.diagnostics.error(words.code, target.place, words.message, words.help);
+    compilation.chunk.reset();
+  }
+}
+
+void refuse_what_the_robot_cannot(lang::Compilation& compilation, const motion::RobotModel& robot) {
+  for (const lang::FeatureUse& use : compilation.features) {
+    const auto words = words_against(use.feature, robot);
+    if (!words) continue;
+    compilation.diagnostics.error(words->code, use.place, words->message, words->help);
     compilation.chunk.reset();
   }
 }
@@ -60,6 +70,7 @@ LoadedProgram compile_program(std::string file, std::string source,
   LoadedProgram program{std::move(file), std::move(source), {}};
   program.compilation = lang::compile(program.source, signature_of(robot));
   refuse_targets_out_of_reach(program.compilation, robot);
+  refuse_what_the_robot_cannot(program.compilation, robot);
   return program;
 }
 

@@ -118,7 +118,7 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   meter_.watch(planned->number, planned->target);
 
   LineResult& line = line_of(*planned);
-  const double duration = planned->duration / (planned->dwell ? 1 : override_share_);
+  const double duration = planned->span() / (planned->dwell ? 1 : override_share_);
   if (!planned->further && line.count++ == 0) line.starts = event.time;
   // Behind a guarded motion the program goes on when it has ended: nothing is decided before.
   if (line.count == 1 && !planned->guard.present()) line.decides = event.time + duration;

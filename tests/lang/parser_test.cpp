@@ -26,12 +26,12 @@ TEST_CASE("AT and OVER stand in any order behind the target, or not at all") {
       "MOVE(1, 2, 3) AT v\nMOVE(1, 2, 3) OVER t\nMOVE(1, 2, 3) AT v OVER t\n"
       "move (1, 2, 3) over t at v\nMOVE(1, 2, 3)");
   for (const int both : {2, 3}) {
-    CHECK(shown(p.statement<Move>(static_cast<std::size_t>(both)).at) == "v");
-    CHECK(shown(p.statement<Move>(static_cast<std::size_t>(both)).over) == "t");
+    CHECK(shown(p.statement<Move>(static_cast<std::size_t>(both)).clauses[Clause::At]) == "v");
+    CHECK(shown(p.statement<Move>(static_cast<std::size_t>(both)).clauses[Clause::Over]) == "t");
   }
-  CHECK(p.statement<Move>(0).over == nullptr);
-  CHECK(p.statement<Move>(1).at == nullptr);
-  CHECK(p.statement<Move>(4).at == nullptr);
+  CHECK(p.statement<Move>(0).clauses[Clause::Over] == nullptr);
+  CHECK(p.statement<Move>(1).clauses[Clause::At] == nullptr);
+  CHECK(p.statement<Move>(4).clauses[Clause::At] == nullptr);
 }
 
 TEST_CASE("variables and constants are declared with a type, a value, or both") {

@@ -24,7 +24,8 @@ std::vector<Refused> refusals_of(const std::string& source, const rob::motion::R
   const auto program = rob::runtime::compile_program("", source, robot);
   std::vector<Refused> refused;
   for (const rob::lang::Diagnostic& found : program.compilation.diagnostics.all()) {
-    if (found.code.starts_with("E4")) refused.push_back({found.place.line, found.message});
+    if (found.code.starts_with("E4") || found.code.starts_with("E55"))
+      refused.push_back({found.place.line, found.message});
   }
   if (!program.runnable()) return refused;
   const rob::runtime::RunResult result = rob::runtime::foretell(program, robot);

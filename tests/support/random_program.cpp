@@ -28,13 +28,14 @@ struct Component {
   double slope = 0;
 };
 
-/// AT and OVER as they stand behind a target, and what they mean.
+/// AT, OVER, ZONE and FINE as they stand behind a target, and what they mean.
 struct Clauses {
   std::string text;
   double over = 0;                      ///< s
   double share = 1;                     ///< of all maxima
   std::optional<double> tool_speed;     ///< mm/s
   std::optional<double> angular_speed;  ///< deg/s
+  PaulZone zone{};
 };
 
 struct WrittenMove {
@@ -78,6 +79,7 @@ class ProgramWriter {
   std::string target_text(const std::array<std::optional<Component>, kAxes>& components);
   WrittenMove written_move(const Loop* loop);
   Clauses clauses();
+  void zone(Clauses& made);
   WrittenQuantity speed();
   void carry_out(const WrittenMove& move, int i);
 
@@ -197,7 +199,34 @@ Clauses ProgramWriter::clauses() {
     const std::string clause = " " + word("OVER") + " " + over.text;
     made.text = choice_.percent(50) ? made.text + clause : clause + made.text;
   }
+  if (choice_.percent(30)) zone(made);
   return made;
+}
+
+/// Zones that the gantry's axes can take: t_acc from 0.4 s on, which a miss of 4.5 mm leaves at
+/// any speed.
+void ProgramWriter::zone(Clauses& made) {
+  static const std::vector<WrittenQuantity> times = {{"0.4s", 0.4}, {"500ms", 0.5}, {"2s", 2}};
+  const std::string word_of_zone = " " + word("ZONE") + " ";
+  const int kind = choice_.below(10);
+  if (kind < 3) {
+    const WrittenQuantity& time = choice_.of(times);
+    made.zone = {PaulZone::Kind::Time, time.value};
+    made.text += word_of_zone + time.text;
+  } else if (kind < 5) {
+    const int percent = choice_.between(30, 150);
+    made.zone = {PaulZone::Kind::Share, percent / 100.0};
+    made.text += word_of_zone + std::to_string(percent) + "%";
+  } else if (kind < 8) {
+    const WrittenQuantity length = written_length(choice_, choice_.between(45, 200));
+    made.zone = {PaulZone::Kind::Length, length.value};
+    // A bare number has a unit in a target alone.
+    const bool bare = length.text.find('m') == std::string::npos;
+    made.text += word_of_zone + length.text + (bare ? "mm" : "");
+  } else {
+    made.zone = {PaulZone::Kind::Fine, 0};
+    made.text += " " + word("FINE");
+  }
 }
 
 WrittenMove ProgramWriter::written_move(const Loop* loop) {
@@ -220,7 +249,8 @@ void ProgramWriter::carry_out(const WrittenMove& move, int i) {
   PaulStep step{.line = move.line,
                 .stop = false,
                 .target = AxisValues(last_.begin(), last_.end()),
-                .t_user = move.clauses.over};
+                .t_user = move.clauses.over,
+                .zone = move.clauses.zone};
   bool same = true;
   bool same_text = true;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

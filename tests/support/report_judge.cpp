@@ -45,23 +45,25 @@ struct LineShare {
 std::map<int, LineShare> shares_of(const PaulModel& model, const TraceFile& trace) {
   std::map<int, LineShare> shares;
   const std::vector<PaulSegment>& segments = model.segments();
-  const double corner = 2 * model.robot().t_acc;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const PaulSegment& segment = segments[i];
-    const double end = segment.start + segment.t1;
+    const double end = segment.start + segment.span();
     LineShare& share = shares[segment.line];
     if (share.count == 0) share.starts = segment.start;
-    if (share.count == 0 && i + 1 < segments.size()) share.decides = end;
-    ++share.count;
-    share.planned += segment.t1;
+    if (!segment.further) ++share.count;
+    if (share.count == 1) {
+      share.decides = i + 1 < segments.size() ? std::optional(end) : std::nullopt;
+    }
+    share.planned += segment.span();
     if (segment.stop) continue;
     const auto measured = [&](double from, double to) {
       return measured_corner_miss(trace, segment.c, from, to, model.robot().tool_axes);
     };
-    const double next_end = i + 1 < segments.size() ? end + segments[i + 1].t1 : end;
+    const double next_end = i + 1 < segments.size() ? end + segments[i + 1].span() : end;
     share.corner = true;
     share.planned_miss.widen(model.nearest_pass(i), model.corner_miss(i));
-    share.measured_miss.widen(measured(segment.start, next_end), measured(end, end + corner));
+    share.measured_miss.widen(measured(segment.start, next_end),
+                              measured(end, end + 2 * segment.t_out));
   }
   return shares;
 }

@@ -55,7 +55,7 @@ Findings judge_program(const std::string& rob, const RandomProgram& program) {
   const PaulModel model(gantry_robot(), gantry_start(), program.steps);
   const TraceFile trace = parse_trace(first.trace);
   Findings findings = judge_against_model(trace, model, gantry_limits());
-  add(findings, judge_smoothness(trace, gantry_limits().period, greatest_jerk(model.robot())));
+  add(findings, judge_smoothness(trace, gantry_limits().period, greatest_jerk(model)));
   add(findings, judge_report(nlohmann::json::parse(first.process.out), model, trace,
                              gantry_limits(), program.output));
   const Run second = run_rob(rob, scratch, "second");
@@ -71,7 +71,7 @@ void show(const RandomProgram& program) {
   const PaulModel model(gantry_robot(), gantry_start(), program.steps);
   std::printf("\n  line    starts     takes\n");
   for (const PaulSegment& segment : model.segments()) {
-    std::printf("%6d %9.4f %9.4f\n", segment.line, segment.start, segment.t1);
+    std::printf("%6d %9.4f %9.4f\n", segment.line, segment.start, segment.span());
   }
   std::printf("   total %9.4f s\n", model.total());
 }

@@ -69,7 +69,8 @@ std::optional<std::string> wrong_owner(const TraceRow& row, const PaulModel& mod
   const std::vector<PaulSegment>& segments = model.segments();
   for (const PaulSegment& segment : segments) {
     const bool last = &segment == &segments.back();
-    const double end = last ? std::numeric_limits<double>::infinity() : segment.start + segment.t1;
+    const double end =
+        last ? std::numeric_limits<double>::infinity() : segment.start + segment.span();
     if (row.t < segment.start - kInstant || row.t > end + kInstant) continue;
     if (row.line == segment.line) return std::nullopt;
   }
@@ -79,8 +80,9 @@ std::optional<std::string> wrong_owner(const TraceRow& row, const PaulModel& mod
   return "t = " + text(row.t) + ": line " + std::to_string(row.line) + " does not own this instant";
 }
 
-std::optional<std::string> beyond_limits(const TraceRow& row, const PaulRobot& robot,
+std::optional<std::string> beyond_limits(const TraceRow& row, const PaulModel& model,
                                          const RunLimits& limits) {
+  const PaulRobot& robot = model.robot();
   for (std::size_t i = 0; i < row.q.size(); ++i) {
     if (row.q[i] < limits.min[i] - kExact || row.q[i] > limits.max[i] + kExact) {
       return differs(row.t, i, "position beyond its limit:", row.q[i],
@@ -90,7 +92,7 @@ std::optional<std::string> beyond_limits(const TraceRow& row, const PaulRobot& r
       return differs(row.t, i, "speed beyond its limit:", row.qd[i], robot.v_max[i]);
     }
     // Of a corner in which the axis turns back at full speed: 0.75·2·v/t_acc.
-    const double a_max = 1.5 * robot.v_max[i] / robot.t_acc;
+    const double a_max = 1.5 * robot.v_max[i] / model.least_t_acc();
     if (std::abs(row.qdd[i]) > a_max + kExact) {
       return differs(row.t, i, "acceleration beyond the law's:", row.qdd[i], a_max);
     }
@@ -116,9 +118,10 @@ long long periods_in(double total, double period) {
   return static_cast<long long>(std::ceil(total / period - kRounding));
 }
 
-double greatest_jerk(const PaulRobot& robot) {
-  const double v_max = *std::max_element(robot.v_max.begin(), robot.v_max.end());
-  return 1.5 * 2 * v_max / (robot.t_acc * robot.t_acc);
+double greatest_jerk(const PaulModel& model) {
+  const std::vector<double>& speeds = model.robot().v_max;
+  const double v_max = *std::max_element(speeds.begin(), speeds.end());
+  return 1.5 * 2 * v_max / (model.least_t_acc() * model.least_t_acc());
 }
 
 Findings judge_against_model(const TraceFile& trace, const PaulModel& model,
@@ -134,7 +137,7 @@ Findings judge_against_model(const TraceFile& trace, const PaulModel& model,
   });
   hold_rows_to(trace, findings, [&](const TraceRow& row) { return wrong_owner(row, model); });
   hold_rows_to(trace, findings,
-               [&](const TraceRow& row) { return beyond_limits(row, model.robot(), limits); });
+               [&](const TraceRow& row) { return beyond_limits(row, model, limits); });
   hold_rows_to(trace, findings, [&](const TraceRow& row) {
     return away_from(row.measured, row.q, row.t, "measured position", limits.measured_near);
   });

@@ -29,9 +29,9 @@ Findings judge_against_model(const TraceFile& trace, const PaulModel& model,
 /// acceleration, and acceleration has no jump. `jerk`: the greatest that the law knows.
 Findings judge_smoothness(const TraceFile& trace, double period, double jerk);
 
-/// The greatest third derivative of S1's quartic on this robot: 1.5·|v2 − v1|/t_acc² at the ends
-/// of a corner in which an axis turns back at full speed.
-double greatest_jerk(const PaulRobot& robot);
+/// The greatest third derivative of S1's quartic in this program: 1.5·|v2 − v1|/t_acc² at the ends
+/// of its tightest corner, if an axis turned back there at full speed.
+double greatest_jerk(const PaulModel& model);
 
 /// How many references a run of `total` s hands out after the first: the least k with k·period >=
 /// total. A total that is a whole number of periods but for rounding is that number.

@@ -18,8 +18,7 @@ Findings judged(const TraceFile& trace) {
 }
 
 Findings judged_smooth(const TraceFile& trace) {
-  return judge_smoothness(trace, gantry_limits().period,
-                          greatest_jerk(published_program().robot()));
+  return judge_smoothness(trace, gantry_limits().period, greatest_jerk(published_program()));
 }
 
 }  // namespace
@@ -87,7 +86,7 @@ TEST_CASE("the smoothness rules find a jump of each derivative without knowing t
 }
 
 TEST_CASE("the fastest change of acceleration is 1.5 (v2 - v1) / t_acc^2") {
-  CHECK(greatest_jerk(published_program().robot()) == doctest::Approx(1.5 * 40 / (1.375 * 1.375)));
+  CHECK(greatest_jerk(published_program()) == doctest::Approx(1.5 * 40 / (1.375 * 1.375)));
 }
 
 TEST_CASE("the corners found in a trace are those of the published program") {

@@ -222,8 +222,12 @@ TEST_CASE("fault 12: a time that is too short is stretched, with a warning of th
 TEST_CASE("fault 14: a program that comes too late lets the robot arrive, stand, and go on") {
   SteppedRun run("MOVE(40,0,0)\nMOVE(40,40,0)\n");
   auto& controller = run.controller;
-  const rob::lang::MoveCommand first{3, 7, {0.04, 0, 0}};
-  const rob::lang::MoveCommand second{3, 7, {0.04, 0.04, 0}};
+  rob::lang::MoveCommand first;
+  first.count = 3;
+  first.given = 7;
+  first.target = {0.04, 0, 0};
+  rob::lang::MoveCommand second = first;
+  second.target = {0.04, 0.04, 0};
   controller.machine().move(1, first);
   controller.servo().enable(0);
   for (std::int64_t cycle = 0; !controller.motion().over() && cycle < 3000; ++cycle) {

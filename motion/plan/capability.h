@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+#include "motion/robots/robot_model.h"
+
+namespace rob::motion {
+
+/// What a robot's law of motion may have or not.
+enum class Capability : std::uint8_t {
+  AccelerationBound,  ///< of a single motion
+  JerkBound,
+  Profile  ///< of the acceleration, from rest to rest
+};
+
+/// Whether motions of this robot have it. Under Paul's law (S1) motions are straight in the axes,
+/// and time alone says how fast they begin and end.
+bool can(const RobotModel& robot, Capability capability) noexcept;
+
+}  // namespace rob::motion

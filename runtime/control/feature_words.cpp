@@ -1,0 +1,50 @@
+#include "runtime/control/feature_words.h"
+
+#include <fmt/format.h>
+
+#include "motion/plan/capability.h"
+#include "runtime/control/codes.h"
+
+namespace rob::runtime {
+
+using lang::MotionFeature;
+using motion::Capability;
+
+namespace {
+
+/// A feature as the program writes it, why Paul's law has it not, and what to do instead.
+struct Explained {
+  Capability capability;
+  const char* word;
+  const char* reason;
+  const char* help;
+};
+
+Explained explained(MotionFeature feature) {
+  switch (feature) {
+    case MotionFeature::Accel:
+      return {Capability::AccelerationBound, "ACCEL",
+              "under Paul's law the acceleration follows from the time of a corner",
+              "a greater ZONE, for example ZONE 2s, turns more gently"};
+    case MotionFeature::Jerk:
+      return {Capability::JerkBound, "JERK",
+              "under Paul's law the jerk follows from the time of a corner",
+              "a greater ZONE, for example ZONE 2s, turns more gently"};
+    case MotionFeature::Profile:
+      break;
+  }
+  return {Capability::Profile, "PROFILE", "under Paul's law every corner has the same shape",
+          "leave PROFILE out; FINE comes to rest at the target"};
+}
+
+}  // namespace
+
+std::optional<Words> words_against(MotionFeature feature, const motion::RobotModel& robot) {
+  const Explained what = explained(feature);
+  if (motion::can(robot, what.capability)) return std::nullopt;
+  return Words{code::kNotPossible,
+               fmt::format("{} is not possible on {}: {}", what.word, robot.name, what.reason),
+               what.help};
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "lang/motion_words.h"
+#include "motion/robots/robot_model.h"
+#include "runtime/control/messages.h"
+
+namespace rob::runtime {
+
+/// Why this robot cannot do what a program asks for; nothing if it can.
+std::optional<Words> words_against(lang::MotionFeature feature, const motion::RobotModel& robot);
+
+}  // namespace rob::runtime
