@@ -12,6 +12,7 @@
 #include "lang/diagnostic.h"
 #include "lang/motion_words.h"
 #include "lang/types.h"
+#include "lang/units.h"
 
 /// The syntax tree: what was written, in the shape of the grammar (docs/rob.ebnf). The parser
 /// builds it; the checker fills in `Expr::type`, the symbols and the constants; the compiler
@@ -266,7 +267,16 @@ struct Routine {
   Place end;  ///< of ENDPROC or ENDFUNC
 };
 
+/// ROBOT, UNITS and LAW: what holds for the whole program.
+struct Header {
+  bool robot = false;        ///< ROBOT was written; declared_robot() (robot_name.h) tells which
+  std::vector<Unit> units;   ///< UNITS: of bare numbers in targets, at most one of a dimension
+  std::optional<Place> law;  ///< where LAW is
+  bool look_ahead = false;   ///< LAW LOOKAHEAD
+};
+
 struct Program {
+  Header header;
   Block statements;
   std::vector<Routine> routines;
   /// Where END stands, or the end of the file if there is none.

@@ -9,6 +9,11 @@
 
 namespace rob::lang {
 
+void MoveChecker::check(const Header& header) {
+  if (header.law && header.look_ahead)
+    checked_.features.push_back({*header.law, MotionFeature::LookAhead});
+}
+
 void MoveChecker::check(const Move& move, Place place) {
   bool sound = move.axis != nullptr ? check_joint(move)
                                     : move.target != nullptr && check_target(*move.target);
@@ -90,7 +95,7 @@ void MoveChecker::remember_constants(const Move& move) {
   ConstantTarget constant{.place = move.target->place, .command = {}};
   MoveCommand& command = constant.command;
   const auto keep = [&](std::size_t i, const Expr& value, Dimension dimension) {
-    const auto known = constant_component(value, dimension);
+    const auto known = constant_component(value, dimension, robot_);
     if (!known) return;
     command.target[i] = *known;
     command.given = static_cast<std::uint8_t>(command.given | 1U << i);

@@ -12,6 +12,7 @@
 namespace rob::lang {
 
 void StatementChecker::check(Program& program) {
+  moves_.check(program.header);
   scopes_.enter();
   for (const Routine& routine : program.routines) declare(routine);
   for (Statement& statement : program.statements) {

@@ -97,7 +97,7 @@ bool MoveChecker::check_component(const Tuple::Element& element, std::size_t coo
     return expressions_.accept(value, Type::real(wanted.dimension),
                                fmt::format("{} of MOVE needs", wanted.name));
   }
-  if (!known(value.constant) || constant_component(value, wanted.dimension)) return true;
+  if (!known(value.constant) || constant_component(value, wanted.dimension, robot_)) return true;
   diagnostics_.error(code::kNotFinite, value.place, "this is beyond the range of numbers");
   return false;
 }

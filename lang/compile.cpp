@@ -11,10 +11,13 @@ namespace rob::lang {
 Compilation compile(std::string_view source, const RobotSignature& robot) {
   Compilation compilation;
   Diagnostics& diagnostics = compilation.diagnostics;
-  CheckedProgram checked = check(parse(source, diagnostics), robot, diagnostics);
+  Program program = parse(source, diagnostics);
+  RobotSignature signature = robot;
+  signature.units = program.header.units;
+  CheckedProgram checked = check(std::move(program), signature, diagnostics);
   compilation.constant_targets = std::move(checked.constant_targets);
   compilation.features = std::move(checked.features);
-  if (!diagnostics.has_errors()) compilation.chunk = generate(checked, robot, diagnostics);
+  if (!diagnostics.has_errors()) compilation.chunk = generate(checked, signature, diagnostics);
   return compilation;
 }
 

@@ -63,14 +63,14 @@ void StatementCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) 
 /// A component in SI; a bare number takes the UNITS of its place.
 void StatementCompiler::compile_component(const Expr& component, Dimension dimension,
                                           Register target) {
-  if (const auto constant = constant_component(component, dimension)) {
+  if (const auto constant = constant_component(component, dimension, robot_)) {
     code_.load_real(target, *constant, dimension, component.place);
     return;
   }
   expressions_.value_into(component, target, true);
   if (!is_bare(component.type)) return;
   const auto mark = code_.mark();
-  const BareUnit unit = bare_unit(dimension);
+  const BareUnit unit = bare_unit(dimension, robot_);
   const Register scale = code_.number_registers();
   if (unit.divisor != 1) {
     code_.load_real(scale, unit.divisor, kNone, component.place);

@@ -20,6 +20,7 @@ class MoveChecker {
         diagnostics_(diagnostics),
         checked_(checked) {}
 
+  void check(const Header& header);
   /// `place`: of the statement.
   void check(const Move& move, Place place);
   /// A ZONE before UNTIL, or directly before STOP or WAIT, which make its target exact.

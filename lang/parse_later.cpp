@@ -15,8 +15,8 @@ namespace rob::lang {
 namespace {
 
 /// Statements known by their place only: the first word of a line.
-constexpr std::array<std::string_view, 10> kLaterWords{
-    "PRESS", "PATH", "TOOL", "FRAME", "LAW", "ROBOT", "UNITS", "START", "ZERO", "OVERRIDE"};
+constexpr std::array<std::string_view, 7> kLaterWords{"PRESS", "PATH", "TOOL",    "FRAME",
+                                                      "START", "ZERO", "OVERRIDE"};
 
 /// A DO at the end of its line opens a block for every motion, closed by ENDMOVE.
 std::string closer_of(const Token& opener) {

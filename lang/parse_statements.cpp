@@ -114,6 +114,7 @@ void Parser::simple(Block& block) {
 /// What begins with a word that is not reserved: an assignment, a statement known by its place
 /// at the beginning of a line, or a mistake.
 void Parser::word_statement(Block& block) {
+  if (at_header()) return header(block);
   if (at_later_word()) later_statement(block);
   if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
   if (at_channel()) return assignment(block);

@@ -71,6 +71,7 @@ Program Parser::program() {
   } catch (const GiveUp&) {
     program.end = current_.place;
   }
+  program.header = std::move(header_);
   program.routines = std::move(routines_);
   if (program.statements.empty() && program.routines.empty() && !diagnostics_.has_errors()) {
     diagnostics_.warning(code::kEmptyProgram, Place{0, 0, 1}, "the program has no statement");

@@ -143,6 +143,13 @@ class Parser {
   ExprPtr condition(Keyword last);
   void header_word(Keyword word, std::string_view behind);
 
+  // ROBOT, UNITS, LAW (parse_header.cpp)
+  bool at_header() const;
+  void header(const Block& block);
+  void robot_header(const Place& place);
+  void law_header(const Place& place);
+  void units_header();
+
   // What later versions have (parse_later.cpp)
   bool at_later_word() const;
   [[noreturn]] void later_statement(Block& block);
@@ -205,6 +212,7 @@ class Parser {
   std::size_t nodes_ = 0;
   std::uint32_t muted_line_ = 0;  ///< has had its message
   std::vector<OpenBlock> open_blocks_;
+  Header header_;
   std::vector<Routine> routines_;
   std::optional<std::set<std::string>> routine_names_;  ///< of the whole text, once asked for
 };

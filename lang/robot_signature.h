@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lang/types.h"
+#include "lang/units.h"
 
 namespace rob::lang {
 
@@ -24,7 +25,8 @@ struct RobotSignature {
   std::string name;
   std::vector<Coordinate> coordinates;  ///< at most kMaxCoordinates, in the order of a tuple
   std::vector<Coordinate> axes;         ///< at most kMaxCoordinates, in the order of JOINTS
-  std::vector<Signal> signals;          ///< the index is the number that Machine is given
+  std::vector<Unit> units{};    ///< of bare numbers in a tuple, where they are not mm or deg
+  std::vector<Signal> signals;  ///< the index is the number that Machine is given
 };
 
 /// "DOUT": what the channels of a kind are called.

@@ -13,14 +13,19 @@
 namespace rob::lang {
 namespace {
 
-Unit default_unit(Dimension dimension) {
+/// That of UNITS, else mm or deg.
+Unit default_unit(Dimension dimension, const RobotSignature& robot) {
+  for (const Unit& unit : robot.units) {
+    if (unit.dimension == dimension) return unit;
+  }
   return find_unit(unit_text(dimension)).value_or(Unit{.dimension = dimension});
 }
 
 /// The value of `0.3` or `-0.3` with the default unit behind its digits.
-std::optional<double> bare_literal(const Expr& component, Dimension dimension) {
+std::optional<double> bare_literal(const Expr& component, Dimension dimension,
+                                   const RobotSignature& robot) {
   if (const auto* const unary = std::get_if<Unary>(&component.node)) {
-    const auto value = bare_literal(*unary->operand, dimension);
+    const auto value = bare_literal(*unary->operand, dimension, robot);
     if (!value || unary->op != UnaryOp::Negate) return value;
     return 0 - *value;
   }
@@ -28,7 +33,7 @@ std::optional<double> bare_literal(const Expr& component, Dimension dimension) {
   if (literal == nullptr || literal->has_unit) return std::nullopt;
   const std::string digits =
       literal->is_integer ? std::to_string(literal->integer) : number_text(literal->value, kNone);
-  return to_si(digits, default_unit(dimension));
+  return to_si(digits, default_unit(dimension, robot));
 }
 
 }  // namespace
@@ -52,18 +57,19 @@ std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple, const Robot
   return elements;
 }
 
-BareUnit bare_unit(Dimension dimension) {
-  const Unit unit = default_unit(dimension);
+BareUnit bare_unit(Dimension dimension, const RobotSignature& robot) {
+  const Unit unit = default_unit(dimension, robot);
   return {.divisor = std::pow(10.0, -unit.exponent10), .factor = unit.factor};
 }
 
 bool is_bare(const Type& type) { return type.numeric() && type.dimension.none(); }
 
-std::optional<double> constant_component(const Expr& component, Dimension dimension) {
+std::optional<double> constant_component(const Expr& component, Dimension dimension,
+                                         const RobotSignature& robot) {
   const auto number = constant_number(component);
   if (!number || !is_bare(component.type)) return number;
-  if (const auto literal = bare_literal(component, dimension)) return literal;
-  const BareUnit unit = bare_unit(dimension);
+  if (const auto literal = bare_literal(component, dimension, robot)) return literal;
+  const BareUnit unit = bare_unit(dimension, robot);
   double si = 0;
   if (arithmetic::divide(*number, unit.divisor, si) != ArithmeticError::None ||
       arithmetic::multiply(si, unit.factor, si) != ArithmeticError::None) {

@@ -23,7 +23,7 @@ struct BareUnit {
   double divisor = 1;
   double factor = 1;
 };
-BareUnit bare_unit(Dimension dimension);
+BareUnit bare_unit(Dimension dimension, const RobotSignature& robot);
 
 /// Whether a component is a bare number, to be taken in UNITS.
 bool is_bare(const Type& type);
@@ -31,7 +31,8 @@ bool is_bare(const Type& type);
 /// The value of a constant component in SI. A bare literal is read as though its unit stood behind
 /// it, so that 0.3 and 0.3mm are the same bits; other bare values are converted as computed ones
 /// are. Nothing if it is not constant, or beyond the range of numbers.
-std::optional<double> constant_component(const Expr& component, Dimension dimension);
+std::optional<double> constant_component(const Expr& component, Dimension dimension,
+                                         const RobotSignature& robot);
 
 /// What an AT of this type bounds; nothing if AT takes no such type.
 std::optional<MoveCommand::Pace> pace_of(const Type& type);

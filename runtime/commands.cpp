@@ -50,8 +50,9 @@ RunListener listener_of(const Options& options, Progress& progress) {
   return listener;
 }
 
-RunResult run_one(const LoadedProgram& program, const motion::RobotModel& robot,
-                  const Options& options, const SignalScript& script) {
+RunResult run_one(const LoadedProgram& program, const Options& options,
+                  const SignalScript& script) {
+  const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
   const double planned =
@@ -65,18 +66,19 @@ RunResult run_one(const LoadedProgram& program, const motion::RobotModel& robot,
 }
 
 /// All of them, before the first one starts: a file that cannot be read leaves nothing half done.
-std::vector<LoadedProgram> load_programs(const Options& options, const motion::RobotModel& robot) {
+std::vector<LoadedProgram> load_programs(const Options& options) {
   std::vector<LoadedProgram> programs;
-  for (const std::string& file : options.files) programs.push_back(load_program(file, robot));
+  for (const std::string& file : options.files)
+    programs.push_back(load_program(file, options.robot));
   return programs;
 }
 
 /// The signal script for each of them, which may use their names.
-std::vector<SignalScript> load_scripts(const Options& options, const motion::RobotModel& robot,
+std::vector<SignalScript> load_scripts(const Options& options,
                                        const std::vector<LoadedProgram>& programs) {
   std::vector<SignalScript> scripts;
   for (const LoadedProgram& program : programs) {
-    scripts.push_back(load_signal_script(options.signals, program, robot));
+    scripts.push_back(load_signal_script(options.signals, program));
   }
   return scripts;
 }
@@ -89,15 +91,14 @@ std::string problems_text(const RunResult& result, const LoadedProgram& program,
 }
 
 ExitCode run_files(const Options& options) {
-  const motion::RobotModel robot = load_robot(options.robot);
   ExitCode worst = ExitCode::Done;
   std::vector<Json> documents;
-  const std::vector<LoadedProgram> programs = load_programs(options, robot);
-  const std::vector<SignalScript> scripts = load_scripts(options, robot, programs);
+  const std::vector<LoadedProgram> programs = load_programs(options);
+  const std::vector<SignalScript> scripts = load_scripts(options, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
     const LoadedProgram& program = programs[i];
     const bool starts = program.runnable() && !scripts[i].diagnostics.has_errors();
-    const RunResult result = run_one(program, robot, options, scripts[i]);
+    const RunResult result = run_one(program, options, scripts[i]);
     put_message(problems_text(result, program, scripts[i]));
     if (options.json) {
       documents.push_back(run_json(result));
@@ -112,21 +113,21 @@ ExitCode run_files(const Options& options) {
   return worst;
 }
 
-RunResult check_one(const LoadedProgram& program, const motion::RobotModel& robot,
-                    const Options& options, const SignalScript& script) {
+RunResult check_one(const LoadedProgram& program, const Options& options,
+                    const SignalScript& script) {
+  const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
   return foretell(program, robot, options.seed, &script);
 }
 
 ExitCode check_files(const Options& options) {
-  const motion::RobotModel robot = load_robot(options.robot);
   ExitCode worst = ExitCode::Done;
   std::vector<Json> documents;
-  const std::vector<LoadedProgram> programs = load_programs(options, robot);
-  const std::vector<SignalScript> scripts = load_scripts(options, robot, programs);
+  const std::vector<LoadedProgram> programs = load_programs(options);
+  const std::vector<SignalScript> scripts = load_scripts(options, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
-    RunResult result = check_one(programs[i], robot, options, scripts[i]);
+    RunResult result = check_one(programs[i], options, scripts[i]);
     if (result.exit_code != ExitCode::Done) result.exit_code = ExitCode::ProgramError;
     put_message(problems_text(result, programs[i], scripts[i]));
     if (options.json) {
@@ -141,9 +142,8 @@ ExitCode check_files(const Options& options) {
 }
 
 ExitCode compile_files(const Options& options) {
-  const motion::RobotModel robot = load_robot(options.robot);
   ExitCode worst = ExitCode::Done;
-  for (const LoadedProgram& program : load_programs(options, robot)) {
+  for (const LoadedProgram& program : load_programs(options)) {
     for (const lang::Diagnostic& found : program.compilation.diagnostics.all()) {
       put_message(lang::render(found, program.file, program.source));
     }

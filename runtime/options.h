@@ -17,7 +17,7 @@ struct Options {
 
   Command command = Command::Help;
   std::vector<std::string> files;
-  std::string robot = "gantry";  ///< a name, or a file that ends in .toml
+  std::string robot;  ///< a name, or a file that ends in .toml; empty: the program's own
   std::string trace;
   std::string signals;  ///< a signal script
   double override_share = 1;

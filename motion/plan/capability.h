@@ -10,7 +10,8 @@ namespace rob::motion {
 enum class Capability : std::uint8_t {
   AccelerationBound,  ///< of a single motion
   JerkBound,
-  Profile  ///< of the acceleration, from rest to rest
+  Profile,   ///< of the acceleration, from rest to rest
+  LookAhead  ///< corners rounded within a length
 };
 
 /// Whether motions of this robot have it. Under Paul's law (S1) motions are straight in the axes,

@@ -30,6 +30,9 @@ Explained explained(MotionFeature feature) {
       return {Capability::JerkBound, "JERK",
               "under Paul's law the jerk follows from the time of a corner",
               "a greater ZONE, for example ZONE 2s, turns more gently"};
+    case MotionFeature::LookAhead:
+      return {Capability::LookAhead, "LAW LOOKAHEAD", "in this version it knows Paul's law alone",
+              "leave LAW out; ZONE bounds corners under Paul's law, too"};
     case MotionFeature::Profile:
       break;
   }

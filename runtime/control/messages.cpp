@@ -2,8 +2,11 @@
 #include "runtime/control/codes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "lang/ascii.h"
 #include "motion/plan/motion_planner.h"
+#include "motion/robots/robot_library.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {
@@ -122,6 +125,19 @@ Words words_for_not_finite(int axis, const motion::RobotModel& robot) {
           fmt::format("the reference of axis {} is not a finite number; it was not sent",
                       axis_of(robot, axis).name),
           "this is a fault of Rob's own; please report it with the program"};
+}
+
+Words words_for_unknown_robot(const std::string& name) {
+  return {code::kUnknownRobot, fmt::format("there is no robot \"{}\"", lang::shortened(name)),
+          fmt::format("known are {}; another one comes with --robot FILE.toml",
+                      fmt::join(motion::robot_names(), ", "))};
+}
+
+Words words_for_other_robot(const std::string& declared, const std::string& asked) {
+  return {code::kOtherRobot,
+          fmt::format("this program is for \"{}\", and --robot names \"{}\"",
+                      lang::shortened(declared), asked),
+          "leave --robot out, or name a file of the program's robot"};
 }
 
 }  // namespace rob::runtime

@@ -27,4 +27,8 @@ Words words_for_overrun(double lateness);
 /// A reference that is no number was about to be sent.
 Words words_for_not_finite(int axis, const motion::RobotModel& robot);
 
+/// ROBOT names a robot that is not carried along; or another one than --robot.
+Words words_for_unknown_robot(const std::string& name);
+Words words_for_other_robot(const std::string& declared, const std::string& asked);
+
 }  // namespace rob::runtime

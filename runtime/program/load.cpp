@@ -1,7 +1,9 @@
 #include "runtime/program/load.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "lang/robot_name.h"
 #include "motion/plan/feasibility.h"
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
@@ -17,6 +19,13 @@ namespace {
 constexpr std::size_t kMostSource = std::size_t{32} << 20U;    // bytes, the language's own limit
 constexpr std::size_t kMostScript = std::size_t{1} << 20U;     // bytes [choice] for 1000 lines
 constexpr std::size_t kMostRobotFile = std::size_t{1} << 20U;  // bytes [choice] 100 × the longest
+
+constexpr const char* kDefaultRobot = "gantry";
+
+bool is_known_robot(const std::string& name) {
+  const auto names = motion::robot_names();
+  return std::ranges::find(names, name) != names.end();
+}
 
 void refuse_targets_out_of_reach(lang::Compilation& compilation, const motion::RobotModel& robot) {
   for (const lang::ConstantTarget& target : compilation.constant_targets) {
@@ -52,22 +61,43 @@ motion::RobotModel load_robot(const std::string& name_or_file) {
   return robot;
 }
 
-LoadedProgram load_program(const std::string& file, const motion::RobotModel& robot) {
-  return compile_program(file, read_file(file, kMostSource), robot);
+LoadedProgram load_program(const std::string& file, const std::string& asked) {
+  return compile_program(file, read_file(file, kMostSource), asked);
 }
 
-SignalScript load_signal_script(const std::string& file, const LoadedProgram& program,
-                                const motion::RobotModel& robot) {
+LoadedProgram compile_program(std::string file, std::string source, const std::string& asked) {
+  const auto declared = lang::declared_robot(source);
+  if (!declared) {
+    return compile_program(std::move(file), std::move(source),
+                           load_robot(asked.empty() ? kDefaultRobot : asked));
+  }
+  if (asked.empty() && !is_known_robot(declared->name)) {
+    LoadedProgram program{std::move(file), std::move(source), load_robot(kDefaultRobot), {}};
+    const Words words = words_for_unknown_robot(declared->name);
+    program.compilation.diagnostics.error(words.code, declared->place, words.message, words.help);
+    return program;
+  }
+  LoadedProgram program = compile_program(std::move(file), std::move(source),
+                                          load_robot(asked.empty() ? declared->name : asked));
+  if (program.robot.name != declared->name) {
+    const Words words = words_for_other_robot(declared->name, program.robot.name);
+    program.compilation.diagnostics.error(words.code, declared->place, words.message, words.help);
+    program.compilation.chunk.reset();
+  }
+  return program;
+}
+
+SignalScript load_signal_script(const std::string& file, const LoadedProgram& program) {
   if (file.empty()) return {};
   std::string text = read_file(file, kMostScript);
   if (!program.runnable()) return {};  // its SIGNALs are not known
-  return parse_signal_script(file, std::move(text), robot,
+  return parse_signal_script(file, std::move(text), program.robot,
                              program.compilation.chunk->named_signals);
 }
 
 LoadedProgram compile_program(std::string file, std::string source,
                               const motion::RobotModel& robot) {
-  LoadedProgram program{std::move(file), std::move(source), {}};
+  LoadedProgram program{std::move(file), std::move(source), robot, {}};
   program.compilation = lang::compile(program.source, signature_of(robot));
   refuse_targets_out_of_reach(program.compilation, robot);
   refuse_what_the_robot_cannot(program.compilation, robot);

@@ -13,6 +13,7 @@ namespace rob::runtime {
 struct LoadedProgram {
   std::string file;
   std::string source;
+  motion::RobotModel robot;
   lang::Compilation compilation;
 
   bool runnable() const { return compilation.chunk.has_value(); }
@@ -22,16 +23,20 @@ struct LoadedProgram {
 /// an unknown name or a faulty file, FileError for one that cannot be read.
 motion::RobotModel load_robot(const std::string& name_or_file);
 
-/// Reads and compiles; checks the targets that are known beforehand against the robot, so that
-/// nothing moves if one of them cannot be reached. Throws FileError.
-LoadedProgram load_program(const std::string& file, const motion::RobotModel& robot);
-
-/// The signal script of a program; `file` empty: one without rules. Throws FileError.
-SignalScript load_signal_script(const std::string& file, const LoadedProgram& program,
-                                const motion::RobotModel& robot);
+/// Reads and compiles for the robot that is asked for (a name, a file, or empty), or that ROBOT in
+/// the program names, or the gantry. Where two differ that is an error of the program. Throws as
+/// load_robot() does for what is asked for.
+LoadedProgram load_program(const std::string& file, const std::string& asked);
 
 /// The same from text: `file` is for messages only.
+LoadedProgram compile_program(std::string file, std::string source, const std::string& asked);
+
+/// Compiles for this robot, whatever the text says; checks the targets that are known beforehand
+/// against the robot, so that nothing moves if one of them cannot be reached.
 LoadedProgram compile_program(std::string file, std::string source,
                               const motion::RobotModel& robot);
+
+/// The signal script of a program; `file` empty: one without rules. Throws FileError.
+SignalScript load_signal_script(const std::string& file, const LoadedProgram& program);
 
 }  // namespace rob::runtime

@@ -155,8 +155,8 @@ TEST_CASE("statements that this version cannot run are laid out") {
                  "endselect\n") ==
         "RECORD Part\n  WIDTH, h: LENGTH\nENDRECORD\nSELECT 3\nCASE 1, 2:\n  STOP\nELSE\n  HALT\n"
         "ENDSELECT\n");
-  CHECK(laid_out("units mm,deg/s , in\nmove joint 6 to -2rad\njog tool (1mm/s, , )for 2s\n") ==
-        "UNITS mm, deg/s, in\nMOVE JOINT 6 TO -2rad\nJOG TOOL (1mm/s, , ) FOR 2s\n");
+  CHECK(laid_out("units in,deg\nmove joint 6 to -2rad\njog tool (1mm/s, , )for 2s\n") ==
+        "UNITS in, deg\nMOVE JOINT 6 TO -2rad\nJOG TOOL (1mm/s, , ) FOR 2s\n");
 }
 
 TEST_CASE("a program with errors has no layout, and its errors are told") {

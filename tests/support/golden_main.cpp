@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "lang/diagnostic.h"
-#include "motion/robots/robot_library.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/files.h"
 #include "runtime/program/load.h"
@@ -20,15 +19,15 @@ struct Refused {
   std::string message;
 };
 
-std::vector<Refused> refusals_of(const std::string& source, const rob::motion::RobotModel& robot) {
-  const auto program = rob::runtime::compile_program("", source, robot);
+std::vector<Refused> refusals_of(const rob::runtime::LoadedProgram& program) {
   std::vector<Refused> refused;
   for (const rob::lang::Diagnostic& found : program.compilation.diagnostics.all()) {
-    if (found.code.starts_with("E4") || found.code.starts_with("E55"))
+    if (found.code.starts_with("E4") || found.code.starts_with("E55")) {
       refused.push_back({found.place.line, found.message});
+    }
   }
   if (!program.runnable()) return refused;
-  const rob::runtime::RunResult result = rob::runtime::foretell(program, robot);
+  const rob::runtime::RunResult result = rob::runtime::foretell(program, program.robot);
   if (result.error) refused.push_back({result.error->place.line, result.error->message});
   return refused;
 }
@@ -40,7 +39,8 @@ bool meets(const Refused& refused, const Expectation& expected) {
 
 }  // namespace
 
-/// `golden FILE.rob`: checks one golden program on the gantry, as support/golden.h says, and its
+/// `golden FILE.rob`: checks one golden program, on the gantry if it names no other robot, as
+/// support/golden.h says, and its
 /// refusals against the planner. Exit code 0 or 1.
 int main(int argc, char** argv) {
   if (argc != 2) {
@@ -48,9 +48,10 @@ int main(int argc, char** argv) {
     return 64;
   }
   const std::string source = rob::runtime::read_file(argv[1], std::size_t{32} << 20U);
-  const rob::motion::RobotModel robot = rob::motion::embedded_robot("gantry");
-  auto [differences, expected] = rob::test::check_golden(source, rob::runtime::signature_of(robot));
-  const std::vector<Refused> refused = refusals_of(source, robot);
+  const auto program = rob::runtime::compile_program("", source, std::string());
+  auto [differences, expected] =
+      rob::test::check_golden(source, rob::runtime::signature_of(program.robot));
+  const std::vector<Refused> refused = refusals_of(program);
   for (const Expectation& expectation : expected) {
     bool met = false;
     for (const Refused& one : refused) met = met || meets(one, expectation);
