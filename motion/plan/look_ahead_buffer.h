@@ -30,6 +30,8 @@ class LookAheadBuffer {
   }
   bool push(const Effect& effect) noexcept { return effects_.push(effect); }
   bool full() const noexcept { return segments_.full(); }
+  /// For how many segments there is room.
+  std::size_t room() const noexcept { return segments_.room(); }
   bool effects_full() const noexcept { return effects_.full(); }
   /// The motion `number` is braked on its path as soon as it is the running one, and ends early
   /// (Rest); nothing may be pushed behind it before.

@@ -25,6 +25,12 @@ class SpscRing {
   bool full() const noexcept {
     return after(tail_.load(std::memory_order_relaxed)) == head_.load(std::memory_order_acquire);
   }
+  /// How many more there is room for; the reader can only make it more.
+  std::size_t room() const noexcept {
+    const std::size_t tail = tail_.load(std::memory_order_relaxed);
+    const std::size_t head = head_.load(std::memory_order_acquire);
+    return (head > tail ? head : head + slots_.size()) - tail - 1;
+  }
 
   /// The reader's. Null when empty; valid until pop().
   const T* front() const noexcept {

@@ -81,24 +81,9 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
       log_(log),
       until_(signals_) {}
 
-/// What is to be exact takes two segments; where the buffer has room for the first alone, the call
-/// comes again for the second.
+/// What is to be exact takes two segments, which are queued together.
 Reply RobotMachine::move(int line, const lang::MoveCommand& command) {
-  if (!moved_) {
-    const Reply reply = move_to(line, command);
-    if (reply != Reply::Done || !command.exact()) return reply;
-    moved_ = true;
-  }
-  if (buffer_.full()) return Reply::Later;
-  if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) {
-    queue(*segment, true, true);
-  }
-  moved_ = false;
-  return Reply::Done;
-}
-
-Reply RobotMachine::move_to(int line, const lang::MoveCommand& command) {
-  if (buffer_.full()) return Reply::Later;
+  if (buffer_.room() < (command.exact() ? 2U : 1U)) return Reply::Later;
   const motion::PlanOutcome outcome = planner_.plan(request_of(line, command));
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
     refusal_ = words_for(*refusal, robot_);
@@ -107,6 +92,10 @@ Reply RobotMachine::move_to(int line, const lang::MoveCommand& command) {
   const auto& planned = std::get<motion::PlannedSegment>(outcome);
   warn(line, planned);
   queue(planned.segment, false);
+  if (!command.exact()) return Reply::Done;
+  if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) {
+    queue(*segment, true, true);
+  }
   return Reply::Done;
 }
 

@@ -44,7 +44,6 @@ class RobotMachine final : public lang::Machine {
   const lang::Refusal& refusal() const override { return refusal_; }
 
  private:
-  lang::Reply move_to(int line, const lang::MoveCommand& command);
   void queue(motion::SegmentDescriptor segment, bool stop, bool further = false);
   /// The last target exactly, then a dwell, as one statement.
   lang::Reply dwell(int line, double seconds);
@@ -64,7 +63,6 @@ class RobotMachine final : public lang::Machine {
   lang::Refusal refusal_;
   std::int64_t effects_ = 0;  ///< queued so far
   bool exact_ = true;         ///< the last motion queued ends at standstill
-  bool moved_ = false;        ///< the present motion is queued, but for the stop at its end
   bool begun_ = false;        ///< the present WAIT has queued its first segment
   ProgramWatch until_;        ///< what the guarded motion is asked
   bool guarded_ = false;      ///< what is queued now ends early if until_ holds

@@ -59,3 +59,19 @@ TEST_CASE("a ring takes no memory after it is made") {
   CHECK(value == 99);
   CHECK(guard.count() == 0);
 }
+
+TEST_CASE("a ring tells how much room it has, wherever in it the values lie") {
+  rob::motion::SpscRing<int> ring(3);
+  for (int turn = 0; turn < 5; ++turn) {
+    CHECK(ring.room() == 3);
+    CHECK(ring.push(1));
+    CHECK(ring.room() == 2);
+    CHECK(ring.push(2));
+    ring.pop();
+    CHECK(ring.room() == 2);
+    CHECK(ring.push(3));
+    CHECK(ring.push(4));
+    CHECK(ring.room() == 0);
+    for (int k = 0; k < 3; ++k) ring.pop();
+  }
+}
