@@ -41,6 +41,9 @@ ArithmeticErrorText describe(ArithmeticError error) {
     case ArithmeticError::RangeReversed:
       return {code::kRangeReversed, "the lower bound of RANDOM is above the upper one",
               "the order is RANDOM(lower, upper)"};
+    case ArithmeticError::ZeroVector:
+      return {code::kZeroVector, "UNIT of a VEC of no length, which has no direction",
+              "ask before: IF NORM(v) > …"};
   }
   return {};
 }

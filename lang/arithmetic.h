@@ -32,7 +32,8 @@ enum class ArithmeticError : std::uint8_t {
   TooManyTurns,
   DigitsOutOfRange,
   NotANumber,
-  RangeReversed
+  RangeReversed,
+  ZeroVector
 };
 
 /// What a person is told about an ArithmeticError.

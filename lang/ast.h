@@ -98,12 +98,29 @@ struct Tuple {
   std::vector<Element> elements;
 };
 
-/// Any constant expression's value; settled by the checker.
-using Constant = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+/// `v.x`, `part.size`.
+struct Member {
+  ExprPtr object;
+  std::string field;
+  Place field_place;
+};
+
+/// `a[i]`, `v[2]`.
+struct Index {
+  ExprPtr object;
+  ExprPtr index;
+};
+
+/// Any constant expression's value; settled by the checker. The last is the slots of a compound
+/// value of nothing but REALs.
+using Constant =
+    std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>>;
 
 struct Expr {
   Place place;  ///< of the token a message should point at
-  std::variant<NumberLiteral, BoolLiteral, StringLiteral, Name, Unary, Binary, Call, Tuple> node;
+  std::variant<NumberLiteral, BoolLiteral, StringLiteral, Name, Unary, Binary, Call, Tuple, Member,
+               Index>
+      node;
   Type type;          ///< set by the checker
   Constant constant;  ///< set by the checker where the value is known before the program runs
   int height = 1;     ///< levels of this tree; the parser keeps it at kMaxDepth (parser.h) at most
@@ -166,8 +183,7 @@ struct SignalDeclaration {
   const Symbol* symbol = nullptr;  ///< set by the checker
 };
 struct Assign {
-  Name target;
-  Place target_place;
+  ExprPtr target;  ///< a Name, or a Member or Index of one
   ExprPtr value;
 };
 /// PULSE coming 50ms

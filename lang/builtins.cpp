@@ -137,6 +137,44 @@ constexpr Builtin on_texts(std::string_view name, std::string_view signature,
           .text = function};
 }
 
+/// Three numbers in a row are a VEC already.
+Error vector_of(Arguments /*a*/, Slot& /*r*/) { return Error::None; }
+Error dot(Arguments a, Slot& r) {
+  return store_finite(a[0].real * a[3].real + a[1].real * a[4].real + a[2].real * a[5].real,
+                      r.real);
+}
+Error store_vector(double x, double y, double z, Slot& first) {
+  Slot* const r = &first;
+  for (const Error error :
+       {store_finite(x, r[0].real), store_finite(y, r[1].real), store_finite(z, r[2].real)}) {
+    if (error != Error::None) return error;
+  }
+  return Error::None;
+}
+Error cross(Arguments a, Slot& r) {
+  return store_vector(a[1].real * a[5].real - a[2].real * a[4].real,
+                      a[2].real * a[3].real - a[0].real * a[5].real,
+                      a[0].real * a[4].real - a[1].real * a[3].real, r);
+}
+Error norm(Arguments a, Slot& r) {
+  return store_finite(std::hypot(a[0].real, a[1].real, a[2].real), r.real);
+}
+/// Divided by its greatest component first: the norm of a very short VEC would lose its digits.
+Error direction(Arguments a, Slot& r) {
+  const double greatest =
+      std::max({std::fabs(a[0].real), std::fabs(a[1].real), std::fabs(a[2].real)});
+  if (greatest == 0) return Error::ZeroVector;
+  const double x = a[0].real / greatest;
+  const double y = a[1].real / greatest;
+  const double z = a[2].real / greatest;
+  const double length = std::hypot(x, y, z);
+  return store_vector(x / length, y / length, z / length, r);
+}
+Error distance(Arguments a, Slot& r) {
+  return store_finite(
+      std::hypot(a[0].real - a[3].real, a[1].real - a[4].real, a[2].real - a[5].real), r.real);
+}
+
 constexpr std::array kBuiltins = std::to_array<Builtin>({
 #define ROB_BUILTIN(name, least, most, rule, integer, real) \
   {#name, least, most, BuiltinRule::rule, integer, real, {}, nullptr},
@@ -146,9 +184,8 @@ constexpr std::array kBuiltins = std::to_array<Builtin>({
 });
 
 constexpr std::array kLater = std::to_array<std::string_view>(
-    {"CLOCK",   "CROSS",    "DIST",   "DOT",  "FORCE", "FORWARD", "FRAME3", "HERE",
-     "HITPOSE", "INV",      "JOINTS", "MIX",  "NORM",  "POSE",    "QUAT",   "TARGET",
-     "TORQUE",  "TO_FRAME", "TURN",   "UNIT", "VEC",   "WORLD",   "WRENCH", "ZYZ"});
+    {"CLOCK", "FORCE", "FORWARD", "FRAME3", "HERE", "HITPOSE", "INV", "JOINTS", "MIX", "POSE",
+     "QUAT", "TARGET", "TORQUE", "TO_FRAME", "TURN", "WORLD", "WRENCH", "ZYZ"});
 
 }  // namespace
 

@@ -15,22 +15,29 @@ namespace rob::lang {
 
 /// How the types of arguments and result hang together. D is any dimension, or none.
 enum class BuiltinRule : std::uint8_t {
-  SameNumber,    ///< all of one D → D; INT if all are INT
-  NumberToInt,   ///< D → INT
-  Root,          ///< D² → D
-  SameReal,      ///< all of one D → D, never INT
-  AngleToReal,   ///< ANGLE → REAL
-  RealToAngle,   ///< REAL → ANGLE
-  SameToAngle,   ///< all of one D → ANGLE
-  RealToReal,    ///< REAL → REAL
-  RealToInt,     ///< REAL → INT
-  AngleToAngle,  ///< ANGLE → ANGLE
-  AnyToText,     ///< any → STRING; compiled in line, so it has no function
-  Random,        ///< none → REAL, two of one D → D; the Vm's own, so it has no function
-  Texts          ///< as its signature says
+  SameNumber,      ///< all of one D → D; INT if all are INT
+  NumberToInt,     ///< D → INT
+  Root,            ///< D² → D
+  SameReal,        ///< all of one D → D, never INT
+  AngleToReal,     ///< ANGLE → REAL
+  RealToAngle,     ///< REAL → ANGLE
+  SameToAngle,     ///< all of one D → ANGLE
+  RealToReal,      ///< REAL → REAL
+  RealToInt,       ///< REAL → INT
+  AngleToAngle,    ///< ANGLE → ANGLE
+  NumbersToVec,    ///< 3 of one D → VEC of D
+  VecsToProduct,   ///< VEC of D, VEC of E → D·E
+  VecsToVec,       ///< VEC of D, VEC of E → VEC of D·E
+  VecsToNumber,    ///< one VEC of D, or two → D
+  VecToDirection,  ///< VEC of D → VEC of REAL
+  AnyToText,       ///< any → STRING; compiled in line, so it has no function
+  Random,          ///< none → REAL, two of one D → D; the Vm's own, so it has no function
+  Texts            ///< as its signature says
 };
 
-/// Pure; takes no memory. All arguments are INT, or all are REAL, as the function was chosen.
+/// Pure; takes no memory. The slots of all arguments in a row; all are INT, or all are REAL, as the
+/// function was chosen. `result` is the first of the result's slots. It may be that of the first
+/// argument: all is read before anything is written.
 using BuiltinFunction = ArithmeticError (*)(std::span<const Slot> arguments, Slot& result);
 
 /// What the arguments of a function on texts are, letter by letter, and behind a colon its result:

@@ -137,8 +137,40 @@ Type ExpressionChecker::check_arguments(const Builtin& builtin, const Call& call
       return call.arguments.empty() ? Type::real() : common_dimension(call);
     case BuiltinRule::Texts:
       return check_texts(builtin, call);
+    case BuiltinRule::NumbersToVec: {
+      const Type type = common_dimension(call);
+      return type.known() ? Type::vec(type.dimension) : Type{};
+    }
+    default:
+      return check_vectors(builtin, call);
   }
-  return {};
+}
+
+/// Functions of one VEC, or of two.
+Type ExpressionChecker::check_vectors(const Builtin& builtin, const Call& call) {
+  for (const ExprPtr& argument : call.arguments) {
+    if (argument->type.is(Type::Kind::Vec)) continue;
+    diagnostics_.error(
+        code::kTypeMismatch, argument->place,
+        fmt::format("{} needs a VEC; this is {}", builtin.name, described(*argument)),
+        "for example (1mm, 2mm, 3mm)");
+    return {};
+  }
+  const Expr& first = *call.arguments.front();
+  const Expr& last = *call.arguments.back();
+  const Dimension product = first.type.dimension * last.type.dimension;
+  switch (builtin.rule) {
+    case BuiltinRule::VecsToProduct:
+      return bounded(product, last);
+    case BuiltinRule::VecsToVec:
+      return bounded(product, last).known() ? Type::vec(product) : Type{};
+    case BuiltinRule::VecToDirection:
+      return Type::vec(kNone);
+    default:
+      return accept(last, first.type, fmt::format("{} needs", builtin.name))
+                 ? Type::real(first.type.dimension)
+                 : Type{};
+  }
 }
 
 Type ExpressionChecker::check_texts(const Builtin& builtin, const Call& call) {

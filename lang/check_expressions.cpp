@@ -46,14 +46,6 @@ Type ExpressionChecker::check(const StringLiteral& literal, Expr& expression) {
   return Type::string();
 }
 
-Type ExpressionChecker::check(const Tuple& tuple, Expr& expression) {
-  for (const Tuple::Element& element : tuple.elements) check(element.value);
-  diagnostics_.error(code::kTupleMisplaced, expression.place,
-                     "a tuple can stand only as the target of a motion",
-                     "use one variable for each component");
-  return {};
-}
-
 Type ExpressionChecker::check(const NumberLiteral& literal, Expr& expression) {
   if (literal.is_integer) {
     expression.constant = literal.integer;
@@ -75,7 +67,7 @@ Type ExpressionChecker::check(Unary& unary, Expr& expression) {
   const Type type = check(unary.operand);
   const bool negation = unary.op == UnaryOp::Not;
   if (type.kind == Type::Kind::Unknown) return negation ? Type::boolean() : type;
-  if (negation ? type == Type::boolean() : type.numeric()) {
+  if (negation ? type == Type::boolean() : type.numeric() || type.is(Type::Kind::Vec)) {
     expression.type = type;
     if (known(unary.operand->constant)) keep(fold(unary.op, unary.operand->constant), expression);
     return type;

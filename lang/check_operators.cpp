@@ -139,6 +139,11 @@ Type ExpressionChecker::check_comparison(const Binary& binary, const Expr& expre
     diagnostics_.error(code::kTypeMismatch, expression.place,
                        fmt::format("'{}' has no meaning for TRUE and FALSE", symbol_of(binary.op)),
                        "use ==, <>, AND, OR or NOT");
+  } else if (!common.scalar() && binary.op > BinaryOp::NotEqual) {
+    diagnostics_.error(code::kTypeMismatch, expression.place,
+                       fmt::format("'{}' has no meaning here: left and right are {}",
+                                   symbol_of(binary.op), in_words(common)),
+                       "compare with == or <>, or one of their parts");
   }
   return Type::boolean();
 }
@@ -146,14 +151,28 @@ Type ExpressionChecker::check_comparison(const Binary& binary, const Expr& expre
 Type ExpressionChecker::check_sum(const Binary& binary, const Expr& expression) {
   const Type common = common_type(binary.left->type, binary.right->type);
   if (unknown(common)) return unlike(binary, expression);
-  if (common.numeric() || (is_text(common) && binary.op == BinaryOp::Add)) return common;
-  diagnostics_.error(code::kTypeMismatch, expression.place,
-                     fmt::format("'{}' needs two numbers; these are {}", symbol_of(binary.op),
-                                 is_text(common) ? "texts" : "TRUE or FALSE"));
+  if (common.numeric() || common.is(Type::Kind::Vec)) return common;
+  if (is_text(common) && binary.op == BinaryOp::Add) return common;
+  std::string these = in_words(common);
+  if (is_text(common)) these = "texts";
+  diagnostics_.error(
+      code::kTypeMismatch, expression.place,
+      fmt::format("'{}' needs two numbers; these are {}", symbol_of(binary.op), these));
   return {};
 }
 
+/// Whether one side is a number and the other a VEC.
+bool ExpressionChecker::scales_vector(const Binary& binary) const {
+  const auto vec = [](const Expr& side) { return side.type.is(Type::Kind::Vec); };
+  return (vec(*binary.left) && binary.right->type.numeric()) ||
+         (vec(*binary.right) && binary.left->type.numeric());
+}
+
 Type ExpressionChecker::check_product(const Binary& binary, const Expr& expression) {
+  if (scales_vector(binary)) {
+    const Dimension product = binary.left->type.dimension * binary.right->type.dimension;
+    return bounded(product, expression).known() ? Type::vec(product) : Type{};
+  }
   if (!both_numbers(binary)) return {};
   const Type& left = binary.left->type;
   const Type& right = binary.right->type;
@@ -163,6 +182,10 @@ Type ExpressionChecker::check_product(const Binary& binary, const Expr& expressi
 
 /// `/` is always real; DIV counts how often the right goes into the left, MOD is what remains.
 Type ExpressionChecker::check_division(const Binary& binary, const Expr& expression) {
+  if (binary.op == BinaryOp::Divide && scales_vector(binary) && binary.right->type.numeric()) {
+    const Dimension quotient = binary.left->type.dimension / binary.right->type.dimension;
+    return bounded(quotient, expression).known() ? Type::vec(quotient) : Type{};
+  }
   if (!both_numbers(binary)) return {};
   const Type& left = binary.left->type;
   const Type& right = binary.right->type;
@@ -251,7 +274,7 @@ void ExpressionChecker::fold_binary(const Binary& binary, Expr& expression) {
   if (!known(a) || !known(b)) return;
   const bool whole =
       left == Type::integer() && right == Type::integer() && binary.op != BinaryOp::Divide;
-  if (whole || !left.numeric() || !right.numeric()) {
+  if (whole) {
     keep(fold(binary.op, a, b, expression.type), expression);
   } else {
     keep(fold(binary.op, converted(a, Type::real()), converted(b, Type::real()), expression.type),

@@ -7,6 +7,7 @@
 #include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/expression_checker.h"
+#include "lang/location.h"
 #include "lang/routine.h"
 #include "lang/suggest.h"
 
@@ -109,7 +110,7 @@ bool ExpressionChecker::check_argument(const Expr& argument, const Routine& rout
   if (argument.type.kind == Type::Kind::Unknown || group.type.kind == Type::Kind::Unknown) {
     return false;
   }
-  const auto* const variable = std::get_if<Name>(&argument.node);
+  const Name* const variable = root_of(argument);
   const bool fits = variable != nullptr && variable->symbol != nullptr &&
                     variable->symbol->kind == Symbol::Kind::Variable && argument.type == group.type;
   if (fits) return true;

@@ -36,6 +36,11 @@ bool WatchChecker::check_watchable(const Expr& expression, std::string_view word
     return refuse(code::kNotWatchable, "it cannot work with texts",
                   "give the answer a variable before, and watch that");
   }
+  if (!expression.type.scalar() || std::holds_alternative<Member>(expression.node) ||
+      std::holds_alternative<Index>(expression.node)) {
+    return refuse(code::kNotWatchable, "it works with single values",
+                  "give the part a variable before, and watch that");
+  }
   if (const auto* const call = std::get_if<Call>(&expression.node)) {
     if (call->routine != nullptr) {
       return refuse(code::kWatchCallsRoutine, "it cannot call a routine of the program",

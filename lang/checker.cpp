@@ -7,6 +7,7 @@
 
 #include "lang/ascii.h"
 #include "lang/codes.h"
+#include "lang/location.h"
 #include "lang/statement_checker.h"
 
 namespace rob::lang {
@@ -60,6 +61,10 @@ void StatementChecker::check(Declaration& declaration) {
     if (declaration.value != nullptr) {
       expressions_.accept(*declaration.value, type,
                           fmt::format("{} needs", shortened(declaration.names.front().name)));
+    } else if (!has_default(type)) {
+      diagnostics_.error(code::kValueNeeded, declaration.names.front().place,
+                         fmt::format("{} needs a value: it is {}",
+                                     shortened(declaration.names.front().name), in_words(type)));
     }
   }
   // A constant text lives in a register: each use of it in the tree would be a copy.
@@ -74,15 +79,17 @@ void StatementChecker::check(Declaration& declaration) {
 
 void StatementChecker::check(Assign& assign) {
   expressions_.check(assign.value);
-  const Symbol* const symbol =
-      assign.target.index != nullptr
-          ? expressions_.resolve_channel(assign.target, assign.target_place)
-          : expressions_.resolve(assign.target.text, assign.target_place);
-  assign.target.symbol = symbol;
-  if (symbol == nullptr || !assignable(*symbol, assign.target_place)) return;
+  expressions_.check(assign.target);
+  const Name* const root = root_of(*assign.target);
+  if (root == nullptr) {
+    diagnostics_.error(code::kNotAssignable, assign.target->place,
+                       "only a variable, or a part of one, can be assigned");
+    return;
+  }
+  if (root->symbol == nullptr || !assignable(*root->symbol, assign.target->place)) return;
   if (assign.value == nullptr) return;
-  expressions_.accept(*assign.value, symbol->type,
-                      fmt::format("{} needs", shortened(symbol->name)));
+  expressions_.accept(*assign.value, assign.target->type,
+                      fmt::format("{} needs", shortened(root->symbol->name)));
 }
 
 bool StatementChecker::assignable(const Symbol& symbol, Place place) {

@@ -116,6 +116,7 @@ struct Chunk {
   std::vector<Type> constant_types;  ///< parallel to constants; for listings
   std::vector<std::string> texts;
   std::vector<Dimension> dimensions;
+  std::vector<Type> types;  ///< of the compound values that are made into texts
   std::vector<MoveForm> moves;
   std::vector<WatchForm> watches;
   std::vector<std::string> signals;  ///< names by number; for listings

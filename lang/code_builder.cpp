@@ -100,6 +100,11 @@ void CodeBuilder::append_real(Register text, Register value, Dimension dimension
   emit(Opcode::append_real, place, text, value, static_cast<std::uint8_t>(index));
 }
 
+void CodeBuilder::append_value(Register text, Register first, const Type& type, Place place) {
+  emit(Opcode::append_value, place, text, first);
+  emit(operand_word(index_in(chunk_.types, type)), place);
+}
+
 void CodeBuilder::move(Register first, const MoveForm& form, Place place) {
   const std::size_t index = index_in(chunk_.moves, form);
   if (index > std::numeric_limits<std::uint16_t>::max()) fail(Limit::Motions, place);

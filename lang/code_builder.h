@@ -37,6 +37,8 @@ class CodeBuilder {
   void fail_assertion(const std::string& condition, Place place);
   void load_text(Register target, const std::string& text, Place place);
   void append_real(Register text, Register value, Dimension dimension, Place place);
+  /// A compound value whose slots begin at a register.
+  void append_value(Register text, Register first, const Type& type, Place place);
   void move(Register first, const MoveForm& form, Place place);
 
   /// A jump forward, aimed later with land().

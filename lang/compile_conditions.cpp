@@ -85,6 +85,8 @@ CodeBuilder::Jumps ExpressionCompiler::jumps(const Expr& condition, bool when) {
     result = jumps_of_logical(*binary, when);
   } else if (binary->left->type.kind == Type::Kind::String) {
     result = jumps_of_texts(*binary, when, condition.place);
+  } else if (!binary->left->type.scalar()) {
+    result = jumps_of_compounds(*binary, when, condition.place);
   } else {
     result = jumps_of_comparison(*binary, when, condition.place);
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -86,14 +87,22 @@ void ExpressionCompiler::append_value(const Expr& expression, Register text) {
   append(expression, text);
 }
 
+Register ExpressionCompiler::result_register(const Type& type) {
+  const Location fresh = temporary(type);
+  return type.kind == Type::Kind::String ? fresh.texts.reg() : fresh.numbers.reg();
+}
+
 Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
-  const auto* const name = std::get_if<Name>(&expression.node);
   const bool convert = as_real && expression.type == Type::integer();
-  if (name != nullptr && !known(expression.constant) && !convert &&
-      lives_in_register(*name->symbol) && reach(*name->symbol) == Reach::Own) {
-    return home(*name->symbol);
+  if (!convert && is_variable(expression)) {
+    const Location at = locate(expression);
+    const SlotsAt& part = is_text(expression) ? at.texts : at.numbers;
+    if (part.in_register()) return part.reg();
+    const Register target = result_register(expression.type);
+    load(at, expression.type, target, expression.place);
+    return target;
   }
-  const Register target = is_text(expression) ? code_.text_register() : code_.number_registers();
+  const Register target = result_register(expression.type);
   into(expression, target, as_real);
   return target;
 }
@@ -101,7 +110,7 @@ Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
 Register ExpressionCompiler::operand_before(const Expr& then, const Expr& expression,
                                             bool as_real) {
   if (!calls_routine(then)) return operand(expression, as_real);
-  const Register target = is_text(expression) ? code_.text_register() : code_.number_registers();
+  const Register target = result_register(expression.type);
   into(expression, target, as_real);
   return target;
 }
@@ -114,6 +123,11 @@ void ExpressionCompiler::into(const Expr& expression, Register target, bool as_r
     code_.emit(Opcode::int_to_real, expression.place, target, operand(expression, false));
   } else if (const auto* const name = std::get_if<Name>(&expression.node)) {
     compile(*name, expression, target);
+  } else if (std::holds_alternative<Member>(expression.node) ||
+             std::holds_alternative<Index>(expression.node)) {
+    load(locate(expression), expression.type, target, expression.place);
+  } else if (const auto* const tuple = std::get_if<Tuple>(&expression.node)) {
+    compile(*tuple, target);
   } else if (const auto* const call = std::get_if<Call>(&expression.node)) {
     compile(*call, expression, target);
   } else if (is_truth(expression)) {
@@ -133,6 +147,10 @@ void ExpressionCompiler::load(const Expr& expression, Register target, bool as_r
     code_.load_text(target, *text, expression.place);
   } else if (const auto* const real = std::get_if<double>(&constant)) {
     code_.load_real(target, *real, expression.type.dimension, expression.place);
+  } else if (const auto* const compound = std::get_if<std::vector<double>>(&constant)) {
+    for (const double part : *compound) {
+      code_.load_real(target++, part, expression.type.dimension, expression.place);
+    }
   } else {
     code_.load_integer(target, to_slot(constant).integer, expression.place);
   }
@@ -145,7 +163,7 @@ void ExpressionCompiler::compile(const Name& name, const Expr& expression, Regis
   } else if (!lives_in_register(symbol)) {
     code_.emit(Opcode::read_hit, expression.place, target);
   } else {
-    load_variable(symbol, target, expression.place);
+    load(home(symbol), expression.type, target, expression.place);
   }
 }
 
@@ -154,6 +172,7 @@ void ExpressionCompiler::compile(const Unary& unary, const Expr& expression, Reg
     into(*unary.operand, target, false);
     return;
   }
+  if (expression.type.is(Type::Kind::Vec)) return negate_vector(unary, expression, target);
   const Opcode op = expression.type == Type::integer() ? Opcode::neg_int : Opcode::neg_real;
   code_.emit(op, expression.place, target, operand(*unary.operand, false));
 }
@@ -165,6 +184,7 @@ void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, R
     code_.emit(Opcode::join_text, expression.place, target, left, right);
     return;
   }
+  if (expression.type.is(Type::Kind::Vec)) return compile_vector(binary, expression, target);
   // DIV of reals yields an INT from REAL operands.
   const bool whole = on_whole_numbers(binary, expression.type);
   const Register left = operand_before(*binary.right, *binary.left, !whole);
@@ -176,9 +196,8 @@ void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, R
 void ExpressionCompiler::compile(const Call& call, const Expr& expression, Register target) {
   if (call.routine != nullptr) {
     const Register result = call_routine(call, expression);
-    code_.emit(is_text(expression) ? Opcode::copy_text : Opcode::copy, expression.place, target,
-               result);
-    return;
+    if (is_text(expression)) return code_.emit(Opcode::copy_text, expression.place, target, result);
+    return copy_registers(target, result, slots_of(expression.type).numbers, expression.place);
   }
   const Builtin& builtin = *find_builtin(call.callee, call.arguments.size());
   if (builtin.rule == BuiltinRule::AnyToText) {
@@ -191,14 +210,19 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
   if (builtin.rule == BuiltinRule::Random) return draw(call, expression, target);
   if (builtin.rule == BuiltinRule::Texts) return call_on_texts(builtin, call, expression, target);
   const bool whole = computes_whole(builtin, call);
-  const Register first = code_.number_registers(static_cast<int>(call.arguments.size()));
-  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
-    into(*call.arguments[i], static_cast<Register>(first + i), !whole);
+  int given = 0;
+  for (const ExprPtr& argument : call.arguments) given += slots_of(argument->type).numbers;
+  const int results = slots_of(expression.type).numbers;
+  const Register first = code_.number_registers(std::max(given, results));
+  Register next = first;
+  for (const ExprPtr& argument : call.arguments) {
+    into(*argument, next, !whole);
+    next = static_cast<Register>(next + slots_of(argument->type).numbers);
   }
   const auto index = static_cast<unsigned>(&builtin - builtins().data());
   code_.emit(whole ? Opcode::call_int : Opcode::call_real, expression.place, first, index,
-             static_cast<unsigned>(call.arguments.size()));
-  code_.emit(Opcode::copy, expression.place, target, first);
+             static_cast<unsigned>(given));
+  copy_registers(target, first, results, expression.place);
 }
 
 void ExpressionCompiler::draw(const Call& call, const Expr& expression, Register target) {
@@ -233,6 +257,7 @@ void ExpressionCompiler::call_on_texts(const Builtin& builtin, const Call& call,
 }
 
 void ExpressionCompiler::append(const Expr& expression, Register text) {
+  if (!expression.type.scalar()) return append_compound(expression, text);
   const auto mark = code_.mark();
   const Register value = operand(expression, false);
   switch (expression.type.kind) {

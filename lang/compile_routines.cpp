@@ -1,18 +1,49 @@
+#include <algorithm>
+
 #include "lang/routine.h"
 #include "lang/statement_compiler.h"
 
 /// The part of StatementCompiler that knows PROC, FUNC and RETURN.
 namespace rob::lang {
 
+CallLayout layout_of(const Routine& routine) {
+  using Base = SlotsAt::Base;
+  CallLayout layout;
+  for (const Parameter& parameter : parameters_of(routine)) {
+    const Slots slots = slots_of(parameter.group->type);
+    Location home;
+    if (parameter.group->by_reference) {
+      home.numbers.base = home.texts.base = Base::Place;
+      if (slots.numbers > 0) home.numbers.place = static_cast<Register>(layout.registers++);
+      if (slots.texts > 0) home.texts.place = static_cast<Register>(layout.registers++);
+    } else {
+      home.numbers.offset = static_cast<std::uint32_t>(layout.registers);
+      home.texts.offset = static_cast<std::uint32_t>(layout.text_registers);
+      layout.registers += slots.numbers;
+      layout.text_registers += slots.texts;
+    }
+    layout.homes.push_back(home);
+  }
+  const Slots result = slots_of(routine.result);
+  layout.registers = std::max(layout.registers, result.numbers);
+  layout.text_registers = std::max(layout.text_registers, result.texts);
+  return layout;
+}
+
 /// The parameters are the first registers, as the caller has laid them out.
 void StatementCompiler::compile(const Routine& routine) {
   routine_ = &routine;
   code_.begin_routine(routine.name);
   const auto mark = code_.mark();
-  for (const Parameter& parameter : parameters_of(routine)) {
-    const Register home = parameter.is_text() ? code_.text_register() : code_.number_registers();
-    code_.name_register(parameter.declared->name, home, parameter.is_text());
-    expressions_.settle(*parameter.declared->symbol, home);
+  const CallLayout layout = layout_of(routine);
+  const auto parameters = parameters_of(routine);
+  code_.number_registers(layout.registers);
+  code_.text_registers(layout.text_registers);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Symbol& symbol = *parameters[i].declared->symbol;
+    const Location& home = layout.homes[i];
+    if (!parameters[i].group->by_reference) name_home(symbol, home);
+    expressions_.settle(symbol, home);
   }
   compile(routine.body);
   code_.emit(routine.function ? Opcode::no_value : Opcode::leave, routine.end);
@@ -28,10 +59,13 @@ void StatementCompiler::compile(const Return& statement) {
     code_.emit(Opcode::leave, place);
   } else {
     const auto mark = code_.mark();
-    const bool text = routine_->result.kind == Type::Kind::String;
-    const Register value =
-        expressions_.value(*statement.value, routine_->result.kind == Type::Kind::Real);
-    code_.emit(text ? Opcode::leave_with_text : Opcode::leave_with, place, value);
+    const Type& type = routine_->result;
+    const Register value = expressions_.value(*statement.value, type.is(Type::Kind::Real));
+    if (type.is(Type::Kind::String)) {
+      code_.emit(Opcode::leave_with_text, place, value);
+    } else {
+      code_.emit(Opcode::leave_with, place, value, static_cast<unsigned>(slots_of(type).numbers));
+    }
     code_.release(mark);
   }
 }

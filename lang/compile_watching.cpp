@@ -38,14 +38,19 @@ ExpressionCompiler::WatchCode ExpressionCompiler::watch(const Expr& condition) {
   const int count = static_cast<int>(variables.size());
   const Register values = code_.number_registers(std::max(count, 1));
   for (int i = 0; i < count; ++i) {
-    load_variable(*variables[static_cast<std::size_t>(i)], static_cast<Register>(values + i),
-                  place);
+    const Symbol& variable = *variables[static_cast<std::size_t>(i)];
+    const auto value = static_cast<Register>(values + i);
+    if (lives_in_register(variable)) {
+      load(home(variable), variable.type, value, place);
+    } else {
+      code_.emit(Opcode::read_hit, place, value);
+    }
   }
   code_.begin_watch(place);
-  std::vector<Register> homes;
+  std::vector<Location> homes;
   for (const Symbol* const variable : variables) {
-    homes.push_back(home(*variable));
-    settle(*variable, code_.number_registers());
+    homes.push_back(homes_[variable->id]);
+    settle(*variable, Location{{SlotsAt::Base::Own, code_.number_registers()}, {}});
   }
   latched_ = false;
   watching_ = true;

@@ -38,19 +38,27 @@ std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnost
   return std::nullopt;
 }
 
-Register StatementCompiler::declare(const Symbol& symbol) {
-  const bool text = is_text(symbol.type);
-  const Register home = text ? code_.text_register() : code_.number_registers();
-  code_.name_register(symbol.name, home, text);
+Location StatementCompiler::declare(const Symbol& symbol) {
+  const Slots slots = slots_of(symbol.type);
+  Location home;
+  if (slots.numbers > 0) home.numbers.offset = code_.number_registers(slots.numbers);
+  if (slots.texts > 0) home.texts.offset = code_.text_registers(slots.texts);
+  name_home(symbol, home);
   expressions_.settle(symbol, home);
   return home;
 }
 
-void StatementCompiler::default_value(const Type& type, Register home, Place place) {
-  if (is_text(type)) {
-    code_.load_text(home, "", place);
-  } else {
-    code_.load_integer(home, 0, place);  // the bits of 0, FALSE and 0.0 are the same
+/// Tells listings what the registers are called.
+void StatementCompiler::name_home(const Symbol& symbol, const Location& home) {
+  const bool text = is_text(symbol.type);
+  code_.name_register(symbol.name, text ? home.texts.reg() : home.numbers.reg(), text);
+}
+
+void StatementCompiler::default_value(const Type& type, const Location& home, Place place) {
+  if (is_text(type)) return code_.load_text(home.texts.reg(), "", place);
+  for (int i = 0; i < slots_of(type).numbers; ++i) {
+    // The bits of 0, FALSE and 0.0 are the same.
+    code_.load_integer(home.numbers.behind(i).reg(), 0, place);
   }
 }
 
@@ -58,25 +66,27 @@ void StatementCompiler::compile(const Declaration& declaration) {
   const Symbol& first = *declaration.names.front().symbol;
   // Constants that are known live in the code.
   if (declaration.constant && known(first.value)) return;
-  const Register home = declare(first);
+  const Location home = declare(first);
   if (declaration.value != nullptr) {
-    expressions_.value_into(*declaration.value, home, is_real(first.type));
+    const Register target = is_text(first.type) ? home.texts.reg() : home.numbers.reg();
+    expressions_.value_into(*declaration.value, target, is_real(first.type));
   } else {
     default_value(first.type, home, place_);
   }
-  const Opcode copy = is_text(first.type) ? Opcode::copy_text : Opcode::copy;
   for (std::size_t i = 1; i < declaration.names.size(); ++i) {
-    code_.emit(copy, place_, declare(*declaration.names[i].symbol), home);
+    const Location other = declare(*declaration.names[i].symbol);
+    expressions_.copy(home, other, first.type, place_);
   }
 }
 
 void StatementCompiler::compile(const Assign& assign) {
-  const Symbol& symbol = *assign.target.symbol;
-  if (symbol.kind != Symbol::Kind::Signal) {
-    expressions_.assign(symbol, *assign.value);
+  const auto* const name = std::get_if<Name>(&assign.target->node);
+  if (name == nullptr || name->symbol->kind != Symbol::Kind::Signal) {
+    expressions_.assign(*assign.target, *assign.value);
     return;
   }
   const auto mark = code_.mark();
+  const Symbol& symbol = *name->symbol;
   expressions_.write_signal(symbol, expressions_.value(*assign.value, symbol.analog), place_);
   code_.release(mark);
 }

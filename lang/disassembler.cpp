@@ -34,7 +34,7 @@ class Line {
 
  private:
   Instruction instruction() const { return chunk_.code[offset_]; }
-  std::uint32_t next_word() const { return chunk_.code[offset_ + 1].word; }
+  std::uint32_t next_word() { return chunk_.code[offset_ + words_++].word; }
   unsigned byte(unsigned field) const { return instruction().word >> (8 * (field + 1)) & 0xff; }
 
   void operand(char kind, unsigned field);
@@ -97,17 +97,23 @@ void Line::operand(char kind, unsigned field) {
     case 'H':
       add(kind == 'G' ? "r" : "s", instruction().x());
       return remark("of the top level");
-    case 'R':
-      words_ = 2;
-      add("p", next_word());
-      return remark(chunk_.routines[next_word()].name);
+    case 'R': {
+      const std::uint32_t routine = next_word();
+      add("p", routine);
+      return remark(chunk_.routines[routine].name);
+    }
     case 'K':
-      words_ = 2;
       return add_constant(next_word());
-    case 'T':
-      words_ = 2;
-      add("t", next_word());
-      return remark(fmt::format("\"{}\"", chunk_.texts[next_word()]));
+    case 'T': {
+      const std::uint32_t text = next_word();
+      add("t", text);
+      return remark(fmt::format("\"{}\"", chunk_.texts[text]));
+    }
+    case 'L':
+    case 'W':
+      return add(kind == 'L' ? "of " : "+", next_word());
+    case 'V':
+      return remark(in_words(chunk_.types[next_word()]));
     default:  // 'J': the jump that follows is listed on a line of its own
       return;
   }

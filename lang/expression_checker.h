@@ -57,6 +57,8 @@ class ExpressionChecker {
   Type check(Unary& unary, Expr& expression);
   Type check(Binary& binary, Expr& expression);
   Type check(Call& call, Expr& expression);
+  Type check(Member& member, Expr& expression);
+  Type check(Index& index, Expr& expression);
 
   Type check_logical(Binary& binary, Expr& expression);
   Type check_comparison(const Binary& binary, const Expr& expression);
@@ -68,6 +70,7 @@ class ExpressionChecker {
   Type check_texts(const Builtin& builtin, const Call& call);
   bool check_unit(const Expr& value, const Expr& unit_text);
   Type common_dimension(const Call& call);
+  Type check_vectors(const Builtin& builtin, const Call& call);
 
   // Routines (check_routine_calls.cpp)
   Type check_routine_call(Call& call, const Expr& expression, const Routine& routine);
@@ -77,6 +80,7 @@ class ExpressionChecker {
   void report_unknown_function(std::string_view name, Place place);
 
   bool both_numbers(const Binary& binary);
+  bool scales_vector(const Binary& binary) const;
   Type unlike(const Binary& binary, const Expr& expression);
   Type bounded(Dimension dimension, const Expr& expression);
   void keep(const Folded& folded, Expr& expression);

@@ -5,12 +5,13 @@
 #include "lang/ast.h"
 #include "lang/builtins.h"
 #include "lang/code_builder.h"
+#include "lang/location.h"
 #include "lang/symbols.h"
 
 namespace rob::lang {
 
-/// Code for expressions. A value ends up in a number register (BOOL, INT, REAL) or a text register
-/// (STRING), as the checker has settled.
+/// Code for expressions. A value ends up in number registers (one for BOOL, INT and REAL, several
+/// in a row for VEC and the like) or a text register (STRING), as the checker has settled.
 ///
 /// Of the targets given to into() nothing is overwritten before all operands have been read, so a
 /// variable can be computed from itself in place.
@@ -19,13 +20,16 @@ class ExpressionCompiler {
   ExpressionCompiler(CodeBuilder& code, std::size_t symbols) : code_(code), homes_(symbols) {}
 
   /// Where a variable lives, from its declaration on.
-  void settle(const Symbol& symbol, Register home) { homes_[symbol.id] = home; }
-  Register home(const Symbol& symbol) const { return homes_[symbol.id]; }
+  void settle(const Symbol& symbol, const Location& home) { homes_[symbol.id] = home; }
 
   /// From here on the code belongs to a routine: globals lie in another frame.
   void enter_routine() { in_routine_ = true; }
-  /// Gives a variable, wherever it lives, the value of an expression.
-  void assign(const Symbol& symbol, const Expr& value);
+  /// Gives a variable or a part of one, wherever it lives, the value of an expression.
+  void assign(const Expr& target, const Expr& value);
+  /// Gives a variable whose slots lie in registers the value of another one.
+  void copy(const Location& from, const Location& to, const Type& type, Place place) {
+    store(to, type, type.is(Type::Kind::String) ? from.texts.reg() : from.numbers.reg(), place);
+  }
   /// Gives an output the value of a register, in motion order.
   void write_signal(const Symbol& symbol, Register value, Place place);
   /// A call that is a statement of its own.
@@ -58,14 +62,37 @@ class ExpressionCompiler {
   Register operand_before(const Expr& then, const Expr& expression, bool as_real);
 
   // Routines (compile_calls.cpp)
-  enum class Reach : std::uint8_t { Own, Global, Reference };
-  Reach reach(const Symbol& symbol) const;
-  void load_variable(const Symbol& symbol, Register target, Place place);
-  void store_variable(const Symbol& symbol, Register value, Place place);
-  void refer(const Symbol& symbol, Register target, Place place);
   Register call_routine(const Call& call, const Expr& expression);
+  void pass_reference(const Expr& argument, const Location& home, Register first);
   void load(const Expr& expression, Register target, bool as_real);
   void append(const Expr& expression, Register text);
+
+  // Places (compile_places.cpp)
+  Location home(const Symbol& symbol) const;
+  /// Whether an expression is a variable, or a part of one.
+  bool is_variable(const Expr& expression) const;
+  /// Where a value lies; what is no variable is computed into registers of its own.
+  Location locate(const Expr& expression);
+  Location temporary(const Type& type);
+  Location element(const Index& index);
+  SlotsAt element_at(SlotsAt whole, bool text, Register which, std::int64_t count, int size,
+                     Place place);
+  void refer(SlotsAt at, bool text, Register target, Place place);
+  void load(const Location& from, const Type& type, Register target, Place place);
+  void store(const Location& to, const Type& type, Register value, Place place);
+  void load_numbers(SlotsAt from, Register target, int count, Place place);
+  void store_numbers(SlotsAt to, Register value, int count, Place place);
+  void copy_registers(Register to, Register from, int count, Place place);
+  void load_text(SlotsAt from, Register target, Place place);
+  void store_text(SlotsAt to, Register value, Place place);
+  Register result_register(const Type& type);
+
+  // Compound values (compile_compounds.cpp)
+  void compile(const Tuple& tuple, Register target);
+  void compile_vector(const Binary& binary, const Expr& expression, Register target);
+  void negate_vector(const Unary& unary, const Expr& expression, Register target);
+  CodeBuilder::Jumps jumps_of_compounds(const Binary& binary, bool when, Place place);
+  void append_compound(const Expr& expression, Register text);
 
   void read_signal(const Symbol& symbol, Register target, Place place);
   void compile(const Name& name, const Expr& expression, Register target);
@@ -87,7 +114,7 @@ class ExpressionCompiler {
   bool lives_in_register(const Symbol& symbol) const;
 
   CodeBuilder& code_;
-  std::vector<Register> homes_;  ///< by Symbol::id
+  std::vector<Location> homes_;  ///< by Symbol::id
   bool in_routine_ = false;
   bool watching_ = false;  ///< the present code is a watch's: all it uses is in its own registers
   bool latched_ = false;   ///< the present expression reads more than one signal

@@ -1,9 +1,11 @@
 #include "lang/fold.h"
 
-#include <array>
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "lang/number_text.h"
+#include "lang/value_text.h"
 
 namespace rob::lang {
 namespace {
@@ -107,6 +109,14 @@ Slot to_slot(const Constant& constant) {
   return slot;
 }
 
+std::vector<Slot> to_slots(const Constant& constant) {
+  const auto* const compound = std::get_if<std::vector<double>>(&constant);
+  if (compound == nullptr) return {to_slot(constant)};
+  std::vector<Slot> slots;
+  for (const double real : *compound) slots.push_back({.real = real});
+  return slots;
+}
+
 std::string text_of(bool value) { return value ? "TRUE" : "FALSE"; }
 
 std::string text_of(const Constant& constant, const Type& type) {
@@ -117,9 +127,55 @@ std::string text_of(const Constant& constant, const Type& type) {
   if (const auto* const real = std::get_if<double>(&constant)) {
     return number_text(*real, type.dimension);
   }
+  if (std::holds_alternative<std::vector<double>>(constant)) {
+    std::string text;
+    append_value_text(text, type, to_slots(constant).data(), nullptr, text.max_size());
+    return text;
+  }
   const auto* const text = std::get_if<std::string>(&constant);
   return text == nullptr ? std::string() : *text;
 }
+
+namespace {
+
+using Compound = std::vector<double>;
+
+/// Part by part, as the Vm computes it.
+template <typename Part>
+Folded fold_parts(std::size_t count, Part part) {
+  Compound result(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (const ArithmeticError error = part(i, result[i]); error != ArithmeticError::None) {
+      return {error, {}};
+    }
+  }
+  return made(ArithmeticError::None, result);
+}
+
+/// A VEC and a VEC, or a VEC and a number; empty where neither is one.
+Folded fold_vectors(BinaryOp op, const Constant& left, const Constant& right) {
+  const auto* const a = std::get_if<Compound>(&left);
+  const auto* const b = std::get_if<Compound>(&right);
+  const auto* const factor = std::get_if<double>(a != nullptr ? &right : &left);
+  if (a != nullptr && b != nullptr && op == BinaryOp::Add) {
+    return fold_parts(a->size(),
+                      [&](auto i, double& r) { return arithmetic::add((*a)[i], (*b)[i], r); });
+  }
+  if (a != nullptr && b != nullptr && op == BinaryOp::Subtract) {
+    return fold_parts(a->size(),
+                      [&](auto i, double& r) { return arithmetic::subtract((*a)[i], (*b)[i], r); });
+  }
+  if (factor == nullptr || (a == nullptr && b == nullptr)) return {};
+  const Compound& vec = a != nullptr ? *a : *b;
+  if (op == BinaryOp::Multiply) {
+    return fold_parts(vec.size(),
+                      [&](auto i, double& r) { return arithmetic::multiply(vec[i], *factor, r); });
+  }
+  return fold_parts(vec.size(),
+                    [&](auto i, double& r) { return arithmetic::divide(vec[i], *factor, r); });
+}
+
+}  // namespace
 
 Folded fold(UnaryOp op, const Constant& operand) {
   if (const auto* const truth = std::get_if<bool>(&operand)) return {{}, !*truth};
@@ -132,6 +188,10 @@ Folded fold(UnaryOp op, const Constant& operand) {
     double result = 0;
     return made(arithmetic::negate(*real, result), result);
   }
+  if (const auto* const vec = std::get_if<Compound>(&operand)) {
+    return fold_parts(vec->size(),
+                      [&](auto i, double& r) { return arithmetic::negate((*vec)[i], r); });
+  }
   return {};
 }
 
@@ -139,7 +199,12 @@ Folded fold(BinaryOp op, const Constant& left, const Constant& right, const Type
   if (op == BinaryOp::And || op == BinaryOp::Or || op == BinaryOp::Xor) {
     return fold_logical(op, left, right);
   }
-  if (!known(left) || left.index() != right.index()) return {};
+  if (!known(left) || !known(right)) return {};
+  if (op >= BinaryOp::Add) {
+    const Folded vectors = fold_vectors(op, left, right);
+    if (known(vectors.value) || vectors.error != ArithmeticError::None) return vectors;
+  }
+  if (left.index() != right.index()) return {};
   const auto comparison = std::visit(
       [&](const auto& a) { return compare(op, a, std::get<std::decay_t<decltype(a)>>(right)); },
       left);
@@ -154,15 +219,21 @@ Folded fold(BinaryOp op, const Constant& left, const Constant& right, const Type
 }
 
 Folded fold(BuiltinFunction function, std::span<const Constant> arguments, const Type& result) {
-  std::array<Slot, kMostArguments> slots{};
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (!known(arguments[i])) return {};
-    slots[i] = to_slot(arguments[i]);
+  std::vector<Slot> slots;
+  for (const Constant& argument : arguments) {
+    if (!known(argument)) return {};
+    const std::vector<Slot> more = to_slots(argument);
+    slots.insert(slots.end(), more.begin(), more.end());
   }
-  Slot value{.integer = 0};
-  const ArithmeticError error = function({slots.data(), arguments.size()}, value);
-  if (result.kind == Type::Kind::Int) return made(error, value.integer);
-  return made(error, value.real);
+  const std::size_t given = slots.size();
+  const auto count = static_cast<std::size_t>(slots_of(result).numbers);
+  slots.resize(std::max(given, count), Slot{.integer = 0});
+  const ArithmeticError error = function({slots.data(), given}, slots.front());
+  if (result.kind == Type::Kind::Int) return made(error, slots.front().integer);
+  if (result.kind == Type::Kind::Real) return made(error, slots.front().real);
+  std::vector<double> compound;
+  for (std::size_t i = 0; i < count; ++i) compound.push_back(slots[i].real);
+  return made(error, compound);
 }
 
 }  // namespace rob::lang

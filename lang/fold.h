@@ -1,6 +1,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "lang/arithmetic.h"
 #include "lang/ast.h"
@@ -22,6 +24,8 @@ inline bool known(const Constant& constant) { return constant.index() != 0; }
 Constant converted(const Constant& constant, const Type& wanted);
 /// The slot that holds a constant BOOL, INT or REAL.
 Slot to_slot(const Constant& constant);
+/// All number slots of a constant that is no text.
+std::vector<Slot> to_slots(const Constant& constant);
 /// A value as PRINT writes it. `type` gives the dimension.
 std::string text_of(const Constant& constant, const Type& type);
 std::string text_of(bool value);
@@ -30,7 +34,7 @@ Folded fold(UnaryOp op, const Constant& operand);
 /// Both operands are of one type: BOOL, INT, REAL or STRING; those of AND and OR may be unknown.
 /// `result` is the type that the checker gave the operation: it tells INT `^` from REAL `^`.
 Folded fold(BinaryOp op, const Constant& left, const Constant& right, const Type& result);
-/// All arguments are INT, or all are REAL, as `function` wants them.
+/// All arguments are INT, or all are REAL or made of REALs, as `function` wants them.
 Folded fold(BuiltinFunction function, std::span<const Constant> arguments, const Type& result);
 
 }  // namespace rob::lang

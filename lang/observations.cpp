@@ -23,7 +23,17 @@ int observations(const Expr& expression) {
     int operator()(const NumberLiteral&) const { return 0; }
     int operator()(const BoolLiteral&) const { return 0; }
     int operator()(const StringLiteral&) const { return 0; }
-    int operator()(const Tuple&) const { return 0; }
+    int operator()(const Tuple& tuple) const {
+      int sum = 0;
+      for (const Tuple::Element& element : tuple.elements) {
+        if (element.value != nullptr) sum += observations(*element.value);
+      }
+      return sum;
+    }
+    int operator()(const Member& member) const { return observations(*member.object); }
+    int operator()(const Index& index) const {
+      return observations(*index.object) + observations(*index.index);
+    }
   };
   if (known(expression.constant)) return 0;
   return std::visit(Counter{}, expression.node);

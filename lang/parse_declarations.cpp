@@ -39,10 +39,11 @@ constexpr auto kTypes = std::to_array<NamedType>({
     {"MASS", real(kMass)},
     {"FREQUENCY", real(kFrequency)},
     {"VOLTAGE", real(kVoltage)},
+    {"VEC", {Type::Kind::Vec, kLength}},
 });
 
-constexpr std::array<std::string_view, 7> kLaterTypes{"VEC",   "POSE",  "JOINTS", "WRENCH",
-                                                      "ARRAY", "FRAME", "TOOL"};
+constexpr std::array<std::string_view, 6> kLaterTypes{"POSE",  "JOINTS", "WRENCH",
+                                                      "ARRAY", "FRAME",  "TOOL"};
 
 std::string type_help(std::string_view word) {
   std::array<std::string_view, kTypes.size()> names;
@@ -139,13 +140,24 @@ Type Parser::type() {
   }
   if (const auto known = named_type(word.text)) {
     advance();
-    return *known;
+    return known->is(Type::Kind::Vec) && at_word("OF") ? vec_type() : *known;
   }
   for (const std::string_view later : kLaterTypes) {
     if (same_word(later, word.text)) fail_not_yet(word.place, fmt::format("the type {}", later));
   }
   fail_here(code::kUnknownType, fmt::format("{} is no type", described(word)),
             type_help(word.text));
+}
+
+/// "OF" type behind VEC, which alone is one of LENGTH.
+Type Parser::vec_type() {
+  advance();
+  const Token word = current_;
+  const Type part = type();
+  if (part.is(Type::Kind::Real)) return Type::vec(part.dimension);
+  fail(code::kUnknownType, word.place,
+       fmt::format("a VEC is made of numbers with a unit, or of REAL; this is {}", in_words(part)),
+       "as in VEC OF FORCE");
 }
 
 // "[" unit "]": names are units here, reserved words or not, so the source itself is looked at.

@@ -163,9 +163,38 @@ ExprPtr Parser::postfix() {
   if (at(TokenKind::LeftParen) && std::holds_alternative<Name>(expr->node)) {
     expr = call(expr->place, std::move(std::get<Name>(expr->node).text));
   }
-  if (at(TokenKind::Dot)) fail_not_yet(current_.place, "the field of a value");
-  if (at(TokenKind::LeftBracket)) fail_not_yet(current_.place, "an index in brackets");
+  while (at(TokenKind::Dot) || at(TokenKind::LeftBracket)) {
+    expr = at(TokenKind::Dot) ? member(std::move(expr)) : index(std::move(expr));
+  }
   return expr;
+}
+
+/// "." IDENT
+ExprPtr Parser::member(ExprPtr object) {
+  const Place place = object->place;
+  const int height = object->height + 1;
+  advance();
+  // Behind the point a reserved word is a name like any other.
+  if (!at(TokenKind::Word) && !at(TokenKind::Reserved)) {
+    fail_here(code::kNameExpected,
+              fmt::format("the name of a field expected after '.', not {}", described(current_)));
+  }
+  Member node{std::move(object), std::string(current_.text), current_.place};
+  advance();
+  return make(place, std::move(node), height);
+}
+
+/// "[" expr "]"
+ExprPtr Parser::index(ExprPtr object) {
+  const Level level(*this);
+  const Place place = object->place;
+  advance();
+  ExprPtr value = expression();
+  if (!accept(TokenKind::RightBracket)) {
+    fail(code::kBracketExpected, behind_previous(), "']' expected after the index", remedy());
+  }
+  const int height = std::max(object->height, value->height) + 1;
+  return make(place, Index{std::move(object), std::move(value)}, height);
 }
 
 // primary = NUMBER | QUANTITY | STRING | "TRUE" | "FALSE" | "ON" | "OFF" | IDENT

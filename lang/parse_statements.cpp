@@ -117,9 +117,8 @@ void Parser::word_statement(Block& block) {
   if (at_header()) return header(block);
   if (at_later_word()) later_statement(block);
   if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
-  if (at_channel()) return assignment(block);
   if (next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket) {
-    fail_not_yet(current_.place, "an assignment to a field or an element");
+    return assignment(block);
   }
   // A call, unless it looks like MOVE( or PRINT( misspelt.
   if (next_.kind == TokenKind::LeftParen &&
@@ -179,15 +178,9 @@ std::string_view Parser::statement_meant() const {
 void Parser::assignment(Block& block) {
   const Place place = current_.place;
   Assign assign;
-  assign.target_place = place;
-  if (at_channel()) {
-    assign.target = channel("");
-    if (!at(TokenKind::Assign) && !at(TokenKind::Equal)) {
-      fail_here(code::kAssignExpected, fmt::format("'=' expected, not {}", described(current_)));
-    }
-  } else {
-    assign.target.text = current_.text;
-    advance();
+  assign.target = postfix();
+  if (!at(TokenKind::Assign) && !at(TokenKind::Equal)) {
+    fail_here(code::kAssignExpected, fmt::format("'=' expected, not {}", described(current_)));
   }
   if (at(TokenKind::Equal)) {
     report(code::kAssignExpected, current_.place, "'==' compares, it does not assign", "write =");

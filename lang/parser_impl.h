@@ -99,6 +99,7 @@ class Parser {
   void declared_type_and_value(Declaration& declaration);
   Declaration::Declared declared_name(std::string_view kind);
   Type type();
+  Type vec_type();
   Type unit_type();
 
   // Motions (parse_motion.cpp)
@@ -175,6 +176,8 @@ class Parser {
   ExprPtr unary();
   ExprPtr power();
   ExprPtr postfix();
+  ExprPtr member(ExprPtr object);
+  ExprPtr index(ExprPtr object);
   ExprPtr primary();
   ExprPtr literal(decltype(Expr::node) node);
   ExprPtr parenthesized();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lang/ast.h"
+#include "lang/location.h"
 
 namespace rob::lang {
 
@@ -10,9 +11,6 @@ namespace rob::lang {
 struct Parameter {
   const Routine::Parameters* group;
   const Declaration::Declared* declared;
-
-  /// Lives in a text register; all else, references too, in a number register.
-  bool is_text() const { return !group->by_reference && group->type.kind == Type::Kind::String; }
 };
 
 inline std::vector<Parameter> parameters_of(const Routine& routine) {
@@ -24,6 +22,15 @@ inline std::vector<Parameter> parameters_of(const Routine& routine) {
   }
   return parameters;
 }
+
+/// Where the parameters of a routine lie in its frame, and what its caller has to keep free for
+/// them and for the value, which is left where they begin.
+struct CallLayout {
+  std::vector<Location> homes;  ///< of each parameter
+  int registers = 0;
+  int text_registers = 0;
+};
+CallLayout layout_of(const Routine& routine);
 
 /// Whether computing an expression calls a routine, which may change variables.
 bool calls_routine(const Expr& expression);

@@ -65,12 +65,13 @@ class StatementCompiler {
   /// EXIT arrives here: behind the loop.
   void leave_loop();
 
-  Register declare(const Symbol& symbol);
+  Location declare(const Symbol& symbol);
+  void name_home(const Symbol& symbol, const Location& home);
   Register compile_axis(const Move& move, MoveForm& form);
   Register compile_target(const Move& move, MoveForm& form);
   void compile_clauses(const Clauses& clauses, MoveForm& form);
   void compile_component(const Expr& component, Dimension dimension, Register target);
-  void default_value(const Type& type, Register home, Place place);
+  void default_value(const Type& type, const Location& home, Place place);
   void report_limit(Diagnostics& diagnostics) const;
 
   const RobotSignature& robot_;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string_view>
 
+#include "lang/ascii.h"
 #include "lang/units.h"
 
 namespace rob::lang {
@@ -32,6 +33,8 @@ constexpr std::array kNamedDimensions = std::to_array<NamedDimension>({
     {kFrequency, "a frequency"},
     {kVoltage, "a voltage"},
 });
+
+constexpr std::array<std::string_view, 3> kVecFields{"x", "y", "z"};
 
 /// An exponent beyond the type's range sticks at its end; the checker refuses such quantities
 /// long before that (kMostExponent).
@@ -85,8 +88,99 @@ std::string in_words(const Type& type) {
       return in_words(type.dimension);
     case Type::Kind::String:
       return "a text";
+    case Type::Kind::Vec:
+      return "a VEC, each " + in_words(type.dimension);
+    case Type::Kind::Pose:
+      return "a pose";
+    case Type::Kind::Joints:
+      return "a value for each joint";
+    case Type::Kind::Wrench:
+      return "a wrench";
+    case Type::Kind::Frame:
+      return "a frame";
+    case Type::Kind::Tool:
+      return "a tool";
+    case Type::Kind::Array:
+      return "an ARRAY[" + std::to_string(type.detail->length) + "], each " +
+             in_words(type.detail->element);
+    case Type::Kind::Record:
+      return "a record " + type.detail->name;
   }
   return {};
+}
+
+Slots slots_of(const Type& type) {
+  switch (type.kind) {
+    case Type::Kind::Unknown:
+      return {};
+    case Type::Kind::Bool:
+    case Type::Kind::Int:
+    case Type::Kind::Real:
+      return {.numbers = 1};
+    case Type::Kind::String:
+      return {.texts = 1};
+    case Type::Kind::Vec:
+      return {.numbers = 3};
+    case Type::Kind::Wrench:
+      return {.numbers = 6};
+    case Type::Kind::Pose:
+    case Type::Kind::Frame:
+    case Type::Kind::Tool:
+      return {.numbers = 7};
+    case Type::Kind::Joints:
+    case Type::Kind::Array:
+    case Type::Kind::Record:
+      return type.detail->slots;
+  }
+  return {};
+}
+
+bool has_default(const Type& type) {
+  switch (type.kind) {
+    case Type::Kind::Pose:
+    case Type::Kind::Joints:
+    case Type::Kind::Frame:
+    case Type::Kind::Tool:
+      return false;
+    case Type::Kind::Array:
+      return has_default(type.detail->element);
+    case Type::Kind::Record:
+      return std::ranges::all_of(type.detail->fields, [](const TypeDetail::Field& field) {
+        return has_default(field.type);
+      });
+    default:
+      return true;
+  }
+}
+
+std::optional<Field> field_of(const Type& type, std::string_view name) {
+  if (type.is(Type::Kind::Vec)) {
+    for (std::size_t i = 0; i < kVecFields.size(); ++i) {
+      if (!same_word(kVecFields[i], name)) continue;
+      return Field{Type::real(type.dimension), {.numbers = static_cast<int>(i)}};
+    }
+  }
+  if (!type.is(Type::Kind::Record)) return std::nullopt;
+  Slots offset;
+  for (const TypeDetail::Field& field : type.detail->fields) {
+    if (same_word(field.name, name)) return Field{field.type, offset};
+    offset = offset + slots_of(field.type);
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string_view> field_names(const Type& type) {
+  if (type.is(Type::Kind::Vec)) return {kVecFields.begin(), kVecFields.end()};
+  std::vector<std::string_view> names;
+  if (!type.is(Type::Kind::Record)) return names;
+  for (const TypeDetail::Field& field : type.detail->fields) names.push_back(field.name);
+  return names;
+}
+
+std::optional<Elements> elements_of(const Type& type) {
+  if (type.is(Type::Kind::Vec)) return Elements{Type::real(type.dimension), 3};
+  if (type.is(Type::Kind::Array)) return Elements{type.detail->element, type.detail->length};
+  return std::nullopt;
 }
 
 }  // namespace rob::lang

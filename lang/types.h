@@ -2,7 +2,10 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace rob::lang {
 
@@ -42,24 +45,100 @@ inline constexpr Dimension kFrequency{.time = -1};
 /// In words, for messages: "a length", "a time", "a plain number", "a [kg*mm]".
 std::string in_words(Dimension dimension);
 
-/// The static type of an expression or a variable. `Unknown` is the type of what is already
-/// reported as wrong: it fits everywhere, so that one mistake makes one message.
-struct Type {
-  enum class Kind : std::uint8_t { Unknown, Bool, Int, Real, String };
+struct TypeDetail;
 
-  Kind kind = Kind::Unknown;
-  Dimension dimension;  ///< of Real only
+/// Slots that a value takes: numbers hold BOOL, INT and REAL, texts hold STRING.
+struct Slots {
+  int numbers = 0;
+  int texts = 0;
 
-  bool operator==(const Type&) const = default;
-  bool numeric() const { return kind == Kind::Int || kind == Kind::Real; }
-
-  static Type boolean() { return {Kind::Bool, {}}; }
-  static Type integer() { return {Kind::Int, {}}; }
-  static Type real(Dimension d = {}) { return {Kind::Real, d}; }
-  static Type string() { return {Kind::String, {}}; }
+  bool operator==(const Slots&) const = default;
+  Slots operator+(const Slots& other) const {
+    return {numbers + other.numbers, texts + other.texts};
+  }
 };
 
-/// In words: "a whole number", "a length", "a text", "TRUE or FALSE".
+/// The static type of an expression or a variable. `Unknown` is the type of what is already
+/// reported as wrong: it fits everywhere, so that one mistake makes one message.
+///
+/// Small and comparable: what more there is to know of a type is kept once (TypeTable), so that
+/// equal types have the same detail.
+struct Type {
+  enum class Kind : std::uint8_t {
+    Unknown,
+    Bool,
+    Int,
+    Real,
+    String,
+    Vec,     ///< three REALs of one dimension
+    Pose,    ///< x y z in m, then the unit quaternion w i j k of the orientation
+    Joints,  ///< one REAL an axis, each of its axis's dimension
+    Wrench,  ///< a force, then a torque
+    Frame,   ///< as Pose
+    Tool,    ///< as Pose
+    Array,
+    Record
+  };
+
+  Kind kind = Kind::Unknown;
+  Dimension dimension{};               ///< of Real and Vec only
+  const TypeDetail* detail = nullptr;  ///< of Joints, Array and Record
+
+  bool operator==(const Type&) const = default;
+  bool known() const { return kind != Kind::Unknown; }
+  bool numeric() const { return kind == Kind::Int || kind == Kind::Real; }
+  bool is(Kind other) const { return kind == other; }
+  /// Of one slot.
+  bool scalar() const { return kind <= Kind::String; }
+  /// Lies in registers of a row; all else lies in the memory of a frame.
+  bool in_registers() const { return kind < Kind::Array; }
+
+  static Type boolean() { return {Kind::Bool}; }
+  static Type integer() { return {Kind::Int}; }
+  static Type real(Dimension d = {}) { return {Kind::Real, d}; }
+  static Type string() { return {Kind::String}; }
+  static Type vec(Dimension d) { return {Kind::Vec, d}; }
+};
+
+/// What a compound type is made of.
+struct TypeDetail {
+  struct Field {
+    std::string name;
+    Type type;
+  };
+  Slots slots;                  ///< of a whole value
+  Type element;                 ///< of Array
+  std::int64_t length = 0;      ///< of Array
+  std::string name;             ///< of Record
+  std::vector<Field> fields;    ///< of Record, in the order of their slots
+  std::vector<Dimension> axes;  ///< of Joints
+};
+
+Slots slots_of(const Type& type);
+
+/// Whether a variable may be declared without a value: then all its slots are 0, FALSE or "".
+/// A pose or a place of the joints that nobody has given would be a place to crash into.
+bool has_default(const Type& type);
+
+/// One part of a value: `v.x`, `part.size`.
+struct Field {
+  Type type;
+  Slots offset;  ///< of its slots behind those of the whole
+};
+/// Nothing if values of this type have no such field. `name` in any case.
+std::optional<Field> field_of(const Type& type, std::string_view name);
+/// The names of all fields, for messages.
+std::vector<std::string_view> field_names(const Type& type);
+
+/// What an index chooses from: elements of one type in a row.
+struct Elements {
+  Type type;
+  std::int64_t count = 0;
+};
+/// Nothing if values of this type have no elements.
+std::optional<Elements> elements_of(const Type& type);
+
+/// In words: "a whole number", "a length", "a text", "TRUE or FALSE", "a VEC, each a length".
 std::string in_words(const Type& type);
 
 }  // namespace rob::lang

@@ -1,5 +1,7 @@
 #include "lang/vm.h"
 
+#include <algorithm>
+#include <cstring>
 #include <span>
 #include <utility>
 
@@ -8,6 +10,7 @@
 #include "lang/builtins.h"
 #include "lang/fold.h"
 #include "lang/number_text.h"
+#include "lang/value_text.h"
 
 namespace rob::lang {
 
@@ -15,56 +18,11 @@ namespace {
 
 constexpr double kSameTime = 1e-9;  // s: sums of cycles that differ by less are one
 
+bool equal_slots(const Slot* a, const Slot* b, std::size_t count) {
+  return std::memcmp(a, b, count * sizeof(Slot)) == 0;
+}
+
 }  // namespace
-
-Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
-    : chunk_(chunk),
-      machine_(machine),
-      number_stack_(chunk.routines.empty() ? kMostRegisters : kNumberStack),
-      text_stack_(chunk.routines.empty() ? kMostRegisters : kTextStack),
-      frames_(chunk.routines.empty() ? 0 : kMostCalls),
-      numbers_(number_stack_.data()),
-      texts_(text_stack_.data()),
-      called_in_(chunk.routines.size()),
-      next_(chunk.code.data()),
-      latch_(next_),
-      paid_(next_),
-      random_(seed),
-      latched_random_(random_) {}
-
-Vm::State Vm::run(std::int64_t budget) {
-  if (state_ == State::Done || state_ == State::Failed) return state_;
-  budget_ = budget;
-  state_ = execute(next_);
-  return state_;
-}
-
-Vm::State Vm::leave(Code pc, Code resume, State state) {
-  executed_ += pc - paid_;
-  paid_ = resume;
-  next_ = resume;
-  // An expression that starts anew draws the same random numbers.
-  if (resume == latch_ && resume != pc) random_ = latched_random_;
-  // When the program goes on, time has passed; only a used-up budget stays in the present cycle.
-  if (state != State::Running) {
-    observed_ = false;
-    ++cycle_;
-  }
-  return state;
-}
-
-void Vm::pay(Code pc, Code target) {
-  const auto spent = pc - paid_;
-  executed_ += spent;
-  budget_ -= spent;
-  paid_ = target;
-}
-
-bool Vm::turn(Code pc, Code target) {
-  pay(pc, target);
-  turned_ = true;
-  return budget_ > 0;
-}
 
 // Computed goto, an extension that g++ and clang share: a jump of its own behind each instruction
 // lets the processor predict the next one by the present one.
@@ -132,6 +90,9 @@ load_int:
 copy:
   n[pc->a()] = n[pc->b()];
   ROB_NEXT(1);
+copy_block:
+  std::memmove(&n[pc->a()], &n[pc->b()], pc->c() * sizeof(Slot));
+  ROB_NEXT(1);
 int_to_real:
   n[pc->a()].real = static_cast<double>(n[pc->b()].integer);
   ROB_NEXT(1);
@@ -178,36 +139,8 @@ random_real : {
   ROB_NEXT(1);
 }
 
-load_global:
-  n[pc->a()] = number_stack_[pc->x()];
-  ROB_NEXT(1);
-store_global:
-  number_stack_[pc->x()] = n[pc->a()];
-  ROB_NEXT(1);
-load_global_text:
-  texts_[pc->a()] = text_stack_[pc->x()];
-  ROB_NEXT(1);
-store_global_text:
-  text_stack_[pc->x()] = texts_[pc->a()];
-  ROB_NEXT(1);
-refer:
-  n[pc->a()].integer = &n[pc->b()] - number_stack_.data();
-  ROB_NEXT(1);
-refer_text:
-  n[pc->a()].integer = &texts_[pc->b()] - text_stack_.data();
-  ROB_NEXT(1);
-load_reference:
-  n[pc->a()] = number_stack_[static_cast<std::size_t>(n[pc->b()].integer)];
-  ROB_NEXT(1);
-store_reference:
-  number_stack_[static_cast<std::size_t>(n[pc->b()].integer)] = n[pc->a()];
-  ROB_NEXT(1);
-load_reference_text:
-  texts_[pc->a()] = text_stack_[static_cast<std::size_t>(n[pc->b()].integer)];
-  ROB_NEXT(1);
-store_reference_text:
-  text_stack_[static_cast<std::size_t>(n[pc->b()].integer)] = texts_[pc->a()];
-  ROB_NEXT(1);
+#include "lang/vm_places.inc"
+
 call : {
   if (!enter(pc)) return fail_calls_too_deep(pc);
   const Code target = chunk_.code.data() + chunk_.routines[(pc + 1)->word].entry;
@@ -216,7 +149,7 @@ call : {
 leave:
   ROB_GO(1, leave_routine());
 leave_with:
-  numbers_[0] = n[pc->a()];
+  std::memmove(numbers_, &n[pc->a()], pc->b() * sizeof(Slot));
   ROB_GO(1, leave_routine());
 leave_with_text:
   if (pc->a() != 0) texts_[0] = texts_[pc->a()];
@@ -302,6 +235,12 @@ append_real:
 append_bool:
   if (!append(pc->a(), text_of(n[pc->b()].integer != 0))) return fail_too_long(pc);
   ROB_NEXT(1);
+append_value:
+  if (!append_value_text(texts_[pc->a()], chunk_.types[(pc + 1)->word], &n[pc->b()], nullptr,
+                         kMostText)) {
+    return fail_too_long(pc);
+  }
+  ROB_NEXT(2);
 append_text:
   if (!append(pc->a(), texts_[pc->b()])) return fail_too_long(pc);
   ROB_NEXT(1);

@@ -118,6 +118,14 @@ class Vm {
   bool check_pulse(Code pc, double seconds);
   State fail_calls_too_deep(Code pc);
   State fail_no_value(Code pc);
+  State fail_index(Code pc, std::int64_t index, std::uint32_t count);
+  /// Where a reference leads, and some slots further.
+  Slot* place_of(Slot reference, std::uint32_t offset) {
+    return number_stack_.data() + reference.integer + offset;
+  }
+  std::string* text_place_of(Slot reference, std::uint32_t offset) {
+    return text_stack_.data() + reference.integer + offset;
+  }
   State fail_assertion_at(Code pc);
 
   Place place(Code pc) const { return chunk_.places[index(pc)]; }

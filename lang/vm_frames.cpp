@@ -9,6 +9,55 @@
 /// The part of Vm that knows frames, and what it says when something goes wrong.
 namespace rob::lang {
 
+Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
+    : chunk_(chunk),
+      machine_(machine),
+      number_stack_(chunk.routines.empty() ? kMostRegisters : kNumberStack),
+      text_stack_(chunk.routines.empty() ? kMostRegisters : kTextStack),
+      frames_(chunk.routines.empty() ? 0 : kMostCalls),
+      numbers_(number_stack_.data()),
+      texts_(text_stack_.data()),
+      called_in_(chunk.routines.size()),
+      next_(chunk.code.data()),
+      latch_(next_),
+      paid_(next_),
+      random_(seed),
+      latched_random_(random_) {}
+
+Vm::State Vm::run(std::int64_t budget) {
+  if (state_ == State::Done || state_ == State::Failed) return state_;
+  budget_ = budget;
+  state_ = execute(next_);
+  return state_;
+}
+
+Vm::State Vm::leave(Code pc, Code resume, State state) {
+  executed_ += pc - paid_;
+  paid_ = resume;
+  next_ = resume;
+  // An expression that starts anew draws the same random numbers.
+  if (resume == latch_ && resume != pc) random_ = latched_random_;
+  // When the program goes on, time has passed; only a used-up budget stays in the present cycle.
+  if (state != State::Running) {
+    observed_ = false;
+    ++cycle_;
+  }
+  return state;
+}
+
+void Vm::pay(Code pc, Code target) {
+  const auto spent = pc - paid_;
+  executed_ += spent;
+  budget_ -= spent;
+  paid_ = target;
+}
+
+bool Vm::turn(Code pc, Code target) {
+  pay(pc, target);
+  turned_ = true;
+  return budget_ > 0;
+}
+
 bool Vm::enter(Code pc) {
   const std::uint32_t number = (pc + 1)->word;
   const RoutineCode& routine = chunk_.routines[number];
@@ -72,6 +121,14 @@ Vm::State Vm::fail_no_value(Code pc) {
                    .message = fmt::format("{} came to its end without RETURN",
                                           chunk_.routines[frames_[depth_ - 1].routine].name),
                    .help = "RETURN a value on every way through it"});
+}
+
+Vm::State Vm::fail_index(Code pc, std::int64_t index, std::uint32_t count) {
+  return fail(
+      pc, {.code = std::string(code::kIndexOutOfRange),
+           .place = place(pc),
+           .message = fmt::format("there is no element {}: they count from 1 to {}", index, count),
+           .help = ""});
 }
 
 Vm::State Vm::fail_assertion_at(Code pc) {

@@ -213,8 +213,6 @@ TEST_CASE("what a later version will have is named once, and skipped with all th
         Errors{"1:22 E121 DO behind a motion is not in this version of Rob yet"});
   CHECK(errors("VAR p: POSE").front() ==
         "1:8 E121 the type POSE is not in this version of Rob yet");
-  CHECK(errors("v = p.x") ==
-        Errors{"1:6 E121 the field of a value is not in this version of Rob yet"});
   CHECK(errors("MOVE(1,2,3) AT LIVE 5%").size() == 1);
 }
 

@@ -77,9 +77,16 @@ TEST_CASE("every type of this version is known by its name") {
 
 TEST_CASE("an assignment names its target and keeps its place") {
   const Parsed p = sound("  lift = ON");
-  CHECK(p.statement<Assign>().target.text == "lift");
-  CHECK(p.statement<Assign>().target_place == Place{1, 3, 4});
+  CHECK(shown(p.statement<Assign>().target) == "lift");
+  CHECK(p.statement<Assign>().target->place == Place{1, 3, 4});
   CHECK(shown(p.statement<Assign>().value) == "TRUE");
+}
+
+TEST_CASE("fields and indices follow a value in any number, and an assignment's target") {
+  CHECK(expression("v.x") == "v.x");
+  CHECK(expression("-a[i + 1].x ^ 2") == "(-(a[(i + 1)].x ^ 2))");
+  CHECK(expression("f(1)[2][3]") == "f(1;)[2][3]");
+  CHECK(shown(sound("a[i].x = 1").statement<Assign>().target) == "a[i].x");
 }
 
 TEST_CASE("clause words and the words of a line's beginning stay usable as names") {

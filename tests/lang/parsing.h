@@ -71,6 +71,10 @@ inline std::string shown(const ExprPtr& expr) {
       }
       return text + ">";
     }
+    std::string operator()(const Member& m) const { return shown(m.object) + "." + m.field; }
+    std::string operator()(const Index& i) const {
+      return shown(i.object) + "[" + shown(i.index) + "]";
+    }
   };
   return std::visit(Show{}, expr->node);
 }

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+
+#include "lang/ast.h"
+#include "lang/code_builder.h"
+
+namespace rob::lang {
+
+/// Where the number slots, or the text slots, of a value begin. They follow one another.
+struct SlotsAt {
+  enum class Base : std::uint8_t {
+    Own,             ///< registers of the present frame
+    Memory,          ///< of the present frame, behind `offset` slots
+    GlobalRegister,  ///< of the top level, seen from a routine
+    GlobalMemory,
+    Place  ///< `offset` slots behind the place on the stack that register `place` holds
+  };
+
+  Base base = Base::Own;
+  std::uint32_t offset = 0;
+  Register place = 0;
+
+  SlotsAt behind(int slots) const {
+    return {base, offset + static_cast<std::uint32_t>(slots), place};
+  }
+  bool in_register() const { return base == Base::Own; }
+  /// The register that it is.
+  Register reg() const { return static_cast<Register>(offset); }
+};
+
+/// Where a value lies. Texts and numbers have stacks of their own.
+struct Location {
+  SlotsAt numbers;
+  SlotsAt texts;
+
+  Location behind(Slots slots) const {
+    return {numbers.behind(slots.numbers), texts.behind(slots.texts)};
+  }
+};
+
+/// The variable that an assignable place is part of: `a` of `a[i].x`; null where it is none.
+inline const Name* root_of(const Expr& place) {
+  const Expr* at = &place;
+  for (;;) {
+    if (const auto* const member = std::get_if<Member>(&at->node)) {
+      at = member->object.get();
+    } else if (const auto* const index = std::get_if<Index>(&at->node)) {
+      at = index->object.get();
+    } else {
+      return std::get_if<Name>(&at->node);
+    }
+  }
+}
+
+}  // namespace rob::lang
