@@ -58,7 +58,7 @@ Words words_for(const Refusal& refusal, const motion::RobotModel& robot) {
       return {code::kMotionTooLong,
               fmt::format("this motion would take {} s; at most {} s are accepted", refusal.value,
                           refusal.limit),
-              "raise AT or lower OVER"};
+              "raise AT, or lower OVER or ZONE"};
   }
   return {};
 }
