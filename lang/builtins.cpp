@@ -146,9 +146,9 @@ constexpr std::array kBuiltins = std::to_array<Builtin>({
 });
 
 constexpr std::array kLater = std::to_array<std::string_view>(
-    {"CLOCK",   "CROSS",    "DIST",   "DOT",  "FORCE", "FORWARD", "FRAME3", "HERE",
-     "HITPOSE", "INV",      "JOINTS", "MIX",  "NORM",  "POSE",    "QUAT",   "TARGET",
-     "TORQUE",  "TO_FRAME", "TURN",   "UNIT", "VEC",   "WORLD",   "WRENCH", "ZYZ"});
+    {"CROSS",    "DIST",   "DOT",  "FORCE", "FORWARD", "FRAME3", "HERE",   "HITPOSE",
+     "INV",      "JOINTS", "MIX",  "NORM",  "POSE",    "QUAT",   "TARGET", "TORQUE",
+     "TO_FRAME", "TURN",   "UNIT", "VEC",   "WORLD",   "WRENCH", "ZYZ"});
 
 }  // namespace
 
