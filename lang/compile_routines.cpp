@@ -7,6 +7,9 @@ namespace rob::lang {
 /// The parameters are the first registers, as the caller has laid them out.
 void StatementCompiler::compile(const Routine& routine) {
   routine_ = &routine;
+  if (routine.test) {
+    code_.add_test({routine.name, routine.place, static_cast<std::uint32_t>(routine.index)});
+  }
   code_.begin_routine(routine.name);
   const auto mark = code_.mark();
   for (const Parameter& parameter : parameters_of(routine)) {

@@ -31,6 +31,7 @@ std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnost
   compile(program.statements);
   code_.land(returns_);
   code_.emit(Opcode::end, program.end);
+  if (std::ranges::any_of(program.routines, &Routine::test)) compile_test_entry(program);
   expressions_.enter_routine();
   for (const Routine& routine : program.routines) compile(routine);
   if (code_.failed() == CodeBuilder::Limit::None) return code_.finish();

@@ -64,6 +64,11 @@ class Machine {
   virtual Reply write_analog(int line, int signal, double volts) = 0;
   /// Switches a digital output ON in motion order, and OFF again `seconds` later.
   virtual Reply pulse(int line, int signal, double seconds) = 0;
+  /// An EXPECT of a TEST does not hold; `text` says what it found. The TEST goes on.
+  virtual Reply expectation_failed(int line, std::string_view text) = 0;
+  /// From `after` seconds behind this point of motion order on, an input has this value (1 for ON,
+  /// V), whatever the machine says.
+  virtual Reply simulate(int line, int signal, double value, double after) = 0;
   /// Reads a signal at the decision point of the motion commanded before. An observation:
   /// `Later` until that instant has come.
   virtual Reply read_signal(int line, int signal, bool& value) = 0;

@@ -20,6 +20,7 @@ namespace rob::lang {
 ///     guard · ended hit · ended reached
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
+///     failed TEXT · simulate lift_up 1 after 2s
 ///     stand · waited                    WAIT for a condition: its beginning, its end
 ///
 /// While a program waits for a condition every look at it is 10 ms later than the one before.
@@ -61,6 +62,8 @@ class PrintingMachine : public Machine {
   Reply write_signal(int line, int signal, bool value) override;
   Reply write_analog(int line, int signal, double volts) override;
   Reply pulse(int line, int signal, double seconds) override;
+  Reply expectation_failed(int line, std::string_view text) override;
+  Reply simulate(int line, int signal, double value, double after) override;
   Reply read_signal(int line, int signal, bool& value) override;
   Reply read_analog(int line, int signal, double& volts) override;
   const Refusal& refusal() const override { return refusal_; }

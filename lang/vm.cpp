@@ -39,20 +39,6 @@ Vm::State Vm::run(std::int64_t budget) {
   return state_;
 }
 
-Vm::State Vm::leave(Code pc, Code resume, State state) {
-  executed_ += pc - paid_;
-  paid_ = resume;
-  next_ = resume;
-  // An expression that starts anew draws the same random numbers.
-  if (resume == latch_ && resume != pc) random_ = latched_random_;
-  // When the program goes on, time has passed; only a used-up budget stays in the present cycle.
-  if (state != State::Running) {
-    observed_ = false;
-    ++cycle_;
-  }
-  return state;
-}
-
 void Vm::pay(Code pc, Code target) {
   const auto spent = pc - paid_;
   executed_ += spent;
@@ -375,6 +361,22 @@ print:
   ROB_NEXT(1);
 fail_assertion:
   return fail_assertion_at(pc);
+call_test : {
+  if (!enter_test(pc)) return fail_calls_too_deep(pc);
+  const Code target = chunk_.code.data() + chunk_.routines[test_].entry;
+  ROB_GO(1, target);
+}
+expect_failed:
+  ROB_ASK(machine_.expectation_failed(line(pc), texts_[pc->a()]), pc);
+  ROB_NEXT(1);
+simulate:
+  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
+  ROB_ASK(simulate(pc, n[pc->a()].integer != 0 ? 1 : 0), pc);
+  ROB_NEXT(1);
+simulate_analog:
+  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
+  ROB_ASK(simulate(pc, n[pc->a()].real), pc);
+  ROB_NEXT(1);
 end:
   ROB_ASK(machine_.end(line(pc)), pc);
   return leave(pc + 1, pc, State::Done);

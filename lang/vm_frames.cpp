@@ -6,11 +6,46 @@
 #include "lang/codes.h"
 #include "lang/vm.h"
 
-/// The part of Vm that knows frames, and what it says when something goes wrong.
+/// The part of Vm that knows frames and texts, and what it says when something goes wrong.
 namespace rob::lang {
 
-bool Vm::enter(Code pc) {
-  const std::uint32_t number = (pc + 1)->word;
+Vm::State Vm::leave(Code pc, Code resume, State state) {
+  executed_ += pc - paid_;
+  paid_ = resume;
+  next_ = resume;
+  // An expression that starts anew draws the same random numbers.
+  if (resume == latch_ && resume != pc) random_ = latched_random_;
+  // When the program goes on, time has passed; only a used-up budget stays in the present cycle.
+  if (state != State::Running) {
+    observed_ = false;
+    ++cycle_;
+  }
+  return state;
+}
+
+bool Vm::append(std::uint8_t target, std::string_view more) {
+  if (texts_[target].size() + more.size() > kMostText) return false;
+  texts_[target] += more;
+  return true;
+}
+
+bool Vm::join(std::uint8_t target, std::uint8_t left, std::uint8_t right) {
+  if (texts_[left].size() + texts_[right].size() > kMostText) return false;
+  if (target == left) {
+    texts_[target] += texts_[right];
+  } else {
+    texts_[target] = texts_[left] + texts_[right];
+  }
+  return true;
+}
+
+void Vm::choose_test(std::size_t test) {
+  test_ = chunk_.tests.at(test).routine;
+  next_ = chunk_.code.data() + chunk_.test_entry;
+  latch_ = paid_ = next_;
+}
+
+bool Vm::enter(Code pc, std::uint32_t number, Code back) {
   const RoutineCode& routine = chunk_.routines[number];
   Slot* const numbers = numbers_ + pc->a();
   std::string* const texts = texts_ + pc->b();
@@ -19,7 +54,7 @@ bool Vm::enter(Code pc) {
   if (depth_ == frames_.size() || left < routine.registers || texts_left < routine.text_registers) {
     return false;
   }
-  frames_[depth_++] = {pc + 2, numbers_, texts_, number};
+  frames_[depth_++] = {back, numbers_, texts_, number};
   numbers_ = numbers;
   texts_ = texts;
   if (called_in_[number] == cycle_) turned_ = true;

@@ -92,4 +92,17 @@ bool Vm::check_pulse(Code pc, double seconds) {
   return false;
 }
 
+Reply Vm::simulate(Code pc, double value) {
+  return machine_.simulate(line(pc), pc->x(), value, numbers_[pc->a() + 1].real);
+}
+
+bool Vm::check_after(Code pc, double seconds) {
+  if (seconds >= 0) return true;
+  error_ = {.code = std::string(code::kAfterNegative),
+            .place = place(pc),
+            .message = fmt::format("AFTER turned out to be {}", number_text(seconds, kTime)),
+            .help = "SIMULATE acts now or later"};
+  return false;
+}
+
 }  // namespace rob::lang

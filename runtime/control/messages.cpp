@@ -7,6 +7,7 @@
 #include "lang/ascii.h"
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_library.h"
+#include "runtime/control/simulated_inputs.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {
@@ -76,6 +77,12 @@ Words words_for_condition(lang::ArithmeticError error) {
       std::string(text.code),
       fmt::format("{}, in the condition that is looked at in every control cycle", text.message),
       std::string(text.help)};
+}
+
+Words words_for_many_simulations() {
+  return {code::kManySimulations,
+          fmt::format("more than {} SIMULATEs wait for their time", SimulatedInputs::kMostWaiting),
+          "set what comes later when the TEST has come so far"};
 }
 
 Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot) {

@@ -20,6 +20,8 @@ Words words_for(const motion::Refusal& refusal, const motion::RobotModel& robot)
 Words words_for_long_wait(double seconds);
 /// What a program looks at in every control cycle could not be computed.
 Words words_for_condition(lang::ArithmeticError error);
+/// More SIMULATEs wait for their time than there is room for.
+Words words_for_many_simulations();
 /// "axis x follows 2.1 mm behind; 2 mm are permitted here".
 Words words_for(const motion::FollowingFinding& finding, const motion::RobotModel& robot);
 /// The motion task was so late that the path could not be made up.

@@ -2,8 +2,11 @@
 
 namespace rob::runtime {
 
-ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine, std::uint64_t seed)
-    : vm_(chunk, machine, seed), machine_(machine) {}
+ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine, std::uint64_t seed,
+                         std::optional<std::size_t> test)
+    : vm_(chunk, machine, seed), machine_(machine) {
+  if (test) vm_.choose_test(*test);
+}
 
 ProgramTask::State ProgramTask::step(std::int64_t budget) {
   if (failure_) return finish_after_failure();

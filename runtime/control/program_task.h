@@ -19,8 +19,10 @@ class ProgramTask {
   };
 
   /// `seed`: of RANDOM.
+  /// `test`: one of the chunk's TESTs instead of the program.
   ProgramTask(const lang::Chunk& chunk, RobotMachine& machine,
-              std::uint64_t seed = lang::Random::kDefaultSeed);
+              std::uint64_t seed = lang::Random::kDefaultSeed,
+              std::optional<std::size_t> test = std::nullopt);
 
   /// At most `budget` instructions.
   State step(std::int64_t budget);

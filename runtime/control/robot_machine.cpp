@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "runtime/control/messages.h"
+#include "runtime/control/simulated_inputs.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {
@@ -221,6 +222,29 @@ Reply RobotMachine::pulse(int line, int signal, double seconds) {
   effect.kind = motion::Effect::Kind::Pulse;
   effect.seconds = seconds;
   return queue(effect);
+}
+
+Reply RobotMachine::expectation_failed(int line, std::string_view text) {
+  log_.expect_failed({line, std::string(text)});
+  return Reply::Done;
+}
+
+Reply RobotMachine::simulate(int line, int signal, double value, double after) {
+  const std::int64_t waiting =
+      simulations_ - channels_.simulations_done.load(std::memory_order_acquire);
+  if (waiting >= static_cast<std::int64_t>(SimulatedInputs::kMostWaiting)) {
+    refusal_ = words_for_many_simulations();
+    return Reply::Refused;
+  }
+  motion::Effect effect = effect_on(line, signal);
+  const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
+  effect.kind = analog ? motion::Effect::Kind::SimulateAnalog : motion::Effect::Kind::Simulate;
+  effect.value = value != 0;
+  effect.volts = value;
+  effect.seconds = after;
+  const Reply reply = queue(effect);
+  if (reply == Reply::Done) ++simulations_;
+  return reply;
 }
 
 bool RobotMachine::observable() const {

@@ -39,6 +39,8 @@ class RobotMachine final : public lang::Machine {
   lang::Reply write_signal(int line, int signal, bool value) override;
   lang::Reply write_analog(int line, int signal, double volts) override;
   lang::Reply pulse(int line, int signal, double seconds) override;
+  lang::Reply expectation_failed(int line, std::string_view text) override;
+  lang::Reply simulate(int line, int signal, double value, double after) override;
   lang::Reply read_signal(int line, int signal, bool& value) override;
   lang::Reply read_analog(int line, int signal, double& volts) override;
   const lang::Refusal& refusal() const override { return refusal_; }
@@ -62,11 +64,12 @@ class RobotMachine final : public lang::Machine {
   ProgramLog& log_;
   lang::Refusal refusal_;
   std::int64_t effects_ = 0;  ///< queued so far
-  bool exact_ = true;         ///< the last motion queued ends at standstill
-  bool begun_ = false;        ///< the present WAIT has queued its first segment
-  ProgramWatch until_;        ///< what the guarded motion is asked
-  bool guarded_ = false;      ///< what is queued now ends early if until_ holds
-  bool standing_ = false;     ///< the present WAIT for a condition has queued all it needs
+  std::int64_t simulations_ = 0;
+  bool exact_ = true;      ///< the last motion queued ends at standstill
+  bool begun_ = false;     ///< the present WAIT has queued its first segment
+  ProgramWatch until_;     ///< what the guarded motion is asked
+  bool guarded_ = false;   ///< what is queued now ends early if until_ holds
+  bool standing_ = false;  ///< the present WAIT for a condition has queued all it needs
 };
 
 }  // namespace rob::runtime

@@ -9,13 +9,13 @@
 #include <optional>
 #include <utility>
 
-#include "drivers/sim_gantry.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/controller.h"
 #include "runtime/control/execution.h"
 #include "runtime/control/program_task.h"
 #include "runtime/program/interruption.h"
 #include "runtime/program/run_recorder.h"
+#include "runtime/program/simulation.h"
 #include "runtime/program/trace_writer.h"
 #include "runtime/time/real_time.h"
 
@@ -27,16 +27,6 @@ constexpr RunLimits kNoLimits{std::numeric_limits<double>::infinity(),
                               std::numeric_limits<std::int64_t>::max()};
 /// docs/language.md, what `rob check` assumes.
 constexpr RunLimits kForetellLimits{3600, 100'000'000};
-
-std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& robot) {
-  drivers::SimGantryParameters parameters;
-  parameters.start = robot.start;
-  for (const motion::Axis& axis : robot.axes) parameters.drives.push_back(axis.drive);
-  for (const motion::TwoPositionActuator& a : robot.actuators) {
-    parameters.actuators.push_back({a.output, a.input_off, a.input_on, a.travel_time});
-  }
-  return std::make_unique<drivers::SimGantry>(parameters);
-}
 
 bool same_file(const std::string& a, const std::string& b) {
   struct stat first {};
