@@ -156,7 +156,9 @@ void StatementCompiler::wait_for_condition(const Wait& wait) {
   }
   const std::size_t top = code_.here();
   code_.emit(Opcode::stand, place, now);
-  const CodeBuilder::Jumps met = expressions_.jumps_if(*wait.value, true);
+  CodeBuilder::Jumps met = expressions_.jumps_if(*wait.value, true);
+  code_.emit(Opcode::if_assumed, place);
+  met.push_back(code_.jump(place));
   CodeBuilder::Jumps late;
   if (limited) {
     code_.emit(Opcode::if_elapsed, place, now, begin, limit);

@@ -51,6 +51,9 @@ class Machine {
   /// has acted. `now`: the time of the present control cycle, s. An observation: `Later` until the
   /// axes stand. Called again in every cycle until waited().
   virtual Reply stand(int line, double& now) = 0;
+  /// Whether a WAIT whose condition has just been found FALSE is to be taken as met: while a
+  /// program is foretold, nobody sets the inputs that it may wait for.
+  virtual bool taken_as_met(int line) = 0;
   /// The condition that stand() was for has been met, or its time is over.
   virtual Reply waited(int line) = 0;
   /// END, written or implied by the end of the file: stops, and is Done once all that was

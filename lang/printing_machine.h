@@ -56,6 +56,7 @@ class PrintingMachine : public Machine {
   Reply stop(int line) override { return note(line, "stop"); }
   Reply wait(int line, double seconds) override;
   Reply stand(int line, double& now) override;
+  bool taken_as_met(int /*line*/) override { return false; }
   Reply waited(int line) override;
   Reply end(int line) override { return note(line, "end"); }
   Reply print(int line, std::string_view text) override;

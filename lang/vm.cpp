@@ -33,7 +33,7 @@ Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
       latched_random_(random_) {}
 
 Vm::State Vm::run(std::int64_t budget) {
-  if (state_ == State::Done || state_ == State::Failed) return state_;
+  if (state_ == State::Done || state_ == State::Failed || circling_ != 0) return state_;
   budget_ = budget;
   state_ = execute(next_);
   return state_;
@@ -49,6 +49,7 @@ void Vm::pay(Code pc, Code target) {
 bool Vm::turn(Code pc, Code target) {
   pay(pc, target);
   turned_ = true;
+  if (!turns_.empty()) count_turn(pc, target);
   return budget_ > 0;
 }
 
@@ -351,6 +352,7 @@ stand:
   ROB_ASK(stand(pc), pc);
   ROB_NEXT(1);
   ROB_IF(if_elapsed, n[pc->a()].real - n[pc->b()].real >= n[pc->c()].real - kSameTime, 1);
+  ROB_IF(if_assumed, machine_.taken_as_met(line(pc)), 1);
 waited:
   ROB_ASK(machine_.waited(line(pc)), pc);
   ROB_NEXT(1);

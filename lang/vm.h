@@ -69,6 +69,12 @@ class Vm {
   /// Instead of the program: its declarations, then one of Chunk::tests. Before the first run().
   void choose_test(std::size_t test);
 
+  /// Lets no loop turn more often than that, counted from where it was begun: circling() then
+  /// tells, and the program does not go on. Before the first run(); takes memory.
+  void limit_turns(std::uint32_t most);
+  /// The line of the loop that has turned too often; 0 if there is none.
+  int circling() const { return circling_; }
+
   /// Executes until the program has to wait or is over, or until `budget` instructions are spent.
   /// The budget is looked at where a loop turns, so a run may exceed it by the length of the code,
   /// but no program can run on for ever.
@@ -99,6 +105,7 @@ class Vm {
   Code leave_routine();
   /// A loop turns: pays for the instructions up to here; false if the budget is used up.
   bool turn(Code pc, Code target);
+  void count_turn(Code pc, Code target);
   bool next_cycle_is_due() const { return turned_ && observed_; }
   Reply observe(Code pc);
   Reply observe_analog(Code pc);
@@ -151,6 +158,9 @@ class Vm {
   std::vector<std::int64_t> called_in_;  ///< for each routine the cycle of its last call
   std::int64_t cycle_ = 1;               ///< counts whenever time may have passed
   std::uint32_t test_ = 0;               ///< its routine
+  std::vector<std::uint32_t> turns_;     ///< by the first instruction of a loop; empty: no limit
+  std::uint32_t most_turns_ = 0;
+  int circling_ = 0;
   State state_ = State::Running;
   RuntimeError error_;
   Code next_;   ///< where the next run() goes on

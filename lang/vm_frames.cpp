@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,20 @@ Vm::State Vm::leave(Code pc, Code resume, State state) {
     ++cycle_;
   }
   return state;
+}
+
+void Vm::limit_turns(std::uint32_t most) {
+  turns_.assign(chunk_.code.size(), 0);
+  most_turns_ = most;
+}
+
+/// The loops inside this one begin anew with each of its turns.
+void Vm::count_turn(Code pc, Code target) {
+  const auto first = turns_.begin() + (target - chunk_.code.data());
+  std::fill(first + 1, turns_.begin() + (pc - chunk_.code.data()), 0U);
+  if (++*first < most_turns_) return;
+  circling_ = line(target);
+  budget_ = 0;
 }
 
 bool Vm::append(std::uint8_t target, std::string_view more) {

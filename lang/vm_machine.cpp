@@ -40,6 +40,7 @@ Reply Vm::observe_analog(Code pc) {
 }
 
 Reply Vm::stand(Code pc) {
+  if (!turns_.empty()) turns_[index(pc)] = 0;  // a WAIT that looks again is no loop
   const Reply reply = machine_.stand(line(pc), numbers_[pc->a()].real);
   if (reply == Reply::Done) {
     observed_ = true;
