@@ -23,8 +23,8 @@ struct Outcome {
   bool passed = false;
 };
 
-Outcome test_file(const LoadedProgram& program, const motion::RobotModel& robot,
-                  const Options& options) {
+Outcome test_file(const LoadedProgram& program, const Options& options) {
+  const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) {
     const RunResult result = refused(program, robot);
     put_message(problems_text(result, program.source));
@@ -46,13 +46,13 @@ Outcome test_file(const LoadedProgram& program, const motion::RobotModel& robot,
 }  // namespace
 
 ExitCode test_files(const Options& options) {
-  const motion::RobotModel robot = load_robot(options.robot);
   std::vector<LoadedProgram> programs;
-  for (const std::string& file : options.files) programs.push_back(load_program(file, robot));
+  for (const std::string& file : options.files)
+    programs.push_back(load_program(file, options.robot));
   ExitCode code = ExitCode::Done;
   Json documents = Json::array();
   for (const LoadedProgram& program : programs) {
-    Outcome outcome = test_file(program, robot, options);
+    Outcome outcome = test_file(program, options);
     if (!outcome.passed) code = ExitCode::ProgramError;
     documents.push_back(std::move(outcome.json));
   }
