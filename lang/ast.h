@@ -246,6 +246,18 @@ struct Assert {
   ExprPtr condition;
   std::string text;  ///< the condition as it was written, on one line
 };
+/// EXPECT count == 3
+struct Expect {
+  ExprPtr condition;
+  std::string text;  ///< the condition as it was written, on one line
+};
+/// SIMULATE part_here = ON AFTER 2s
+struct Simulate {
+  Name target;
+  Place target_place;
+  ExprPtr value;
+  ExprPtr after;  ///< null: at once
+};
 
 /// A PROC that is called.
 struct CallStatement {
@@ -258,11 +270,12 @@ struct Return {
 struct Statement {
   Place place;  ///< of its first word
   std::variant<Move, WatchedMotion, Stop, Declaration, SignalDeclaration, Assign, Pulse, Print,
-               Wait, If, While, For, Loop, Select, Exit, Next, Assert, CallStatement, Return>
+               Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect, Simulate,
+               CallStatement, Return>
       node;
 };
 
-/// PROC and FUNC.
+/// PROC, FUNC and TEST.
 struct Routine {
   /// `REF a, b: LENGTH` or `n: INT = 1`.
   struct Parameters {
@@ -273,6 +286,7 @@ struct Routine {
   };
   Place place;
   bool function = false;
+  bool test = false;      ///< its name is a text
   bool sound = true;      ///< its header could be read
   std::size_t index = 0;  ///< in Program::routines
   std::string name;

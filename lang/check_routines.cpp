@@ -14,7 +14,9 @@ namespace rob::lang {
 void StatementChecker::check(Program& program) {
   moves_.check(program.header);
   scopes_.enter();
-  for (const Routine& routine : program.routines) declare(routine);
+  for (const Routine& routine : program.routines) {
+    if (!routine.test) declare(routine);
+  }
   for (Statement& statement : program.statements) {
     uses_.next_statement();
     check(statement);

@@ -111,12 +111,15 @@ void StatementChecker::check_scale(const SignalDeclaration& signal, Symbol& symb
   symbol.high = *high;
 }
 
+const Symbol* StatementChecker::resolve_signal(Name& name, Place place) {
+  name.symbol = name.index != nullptr ? expressions_.resolve_channel(name, place)
+                                      : expressions_.resolve(name.text, place);
+  return name.symbol;
+}
+
 void StatementChecker::check(Pulse& pulse) {
   expressions_.check(pulse.time);
-  const Symbol* const symbol = pulse.target.index != nullptr
-                                   ? expressions_.resolve_channel(pulse.target, pulse.target_place)
-                                   : expressions_.resolve(pulse.target.text, pulse.target_place);
-  pulse.target.symbol = symbol;
+  const Symbol* const symbol = resolve_signal(pulse.target, pulse.target_place);
   if (pulse.time != nullptr) {
     expressions_.accept(*pulse.time, Type::real(kTime), "PULSE needs");
     const std::optional<double> time = constant_number(*pulse.time);

@@ -109,6 +109,13 @@ struct RoutineCode {
   int text_registers = 0;
 };
 
+/// A TEST: what it is called, where it stands, and its routine.
+struct TestCode {
+  std::string name;
+  Place place;
+  std::uint32_t routine = 0;
+};
+
 struct Chunk {
   std::vector<Instruction> code;
   std::vector<Place> places;  ///< of every word of code: where it comes from
@@ -123,7 +130,9 @@ struct Chunk {
   std::vector<NamedSignal> named_signals;
   std::vector<NamedRegister> names;
   std::vector<RoutineCode> routines;
-  int registers = 0;  ///< of the top level
+  std::vector<TestCode> tests;
+  std::uint32_t test_entry = 0;  ///< where every TEST begins: with the program's declarations
+  int registers = 0;             ///< of the top level
   int text_registers = 0;
 };
 

@@ -69,6 +69,15 @@ class CodeBuilder {
   /// Tells reports what the program calls a signal.
   void name_signal(NamedSignal signal) { chunk_.named_signals.push_back(std::move(signal)); }
 
+  /// What follows is what every TEST begins with.
+  void begin_tests() { chunk_.test_entry = static_cast<std::uint32_t>(chunk_.code.size()); }
+  void add_test(TestCode test) { chunk_.tests.push_back(std::move(test)); }
+  /// Calls the TEST that the Vm was told; its registers begin behind those in use.
+  void call_test(Place place) {
+    emit(Opcode::call_test, place, static_cast<unsigned>(numbers_.used),
+         static_cast<unsigned>(texts_.used));
+  }
+
   /// What follows is the code of a routine, with registers of its own.
   void begin_routine(const std::string& name);
   /// Calls a routine, by its number, whose parameters lie in the registers from these two on.

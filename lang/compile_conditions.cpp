@@ -68,6 +68,23 @@ CodeBuilder::Jump ExpressionCompiler::jump_if_equal(Register selector, const Exp
   return result;
 }
 
+std::optional<ExpressionCompiler::Compared> ExpressionCompiler::compare(const Expr& condition) {
+  const auto* const binary = std::get_if<Binary>(&condition.node);
+  const bool comparison =
+      binary != nullptr && binary->op >= BinaryOp::Equal && binary->op <= BinaryOp::GreaterEqual;
+  if (!comparison || known(condition.constant)) return std::nullopt;
+  begin(condition);
+  const bool real =
+      binary->left->type.kind == Type::Kind::Real || binary->right->type.kind == Type::Kind::Real;
+  Compared compared{{}, operand_before(*binary->right, *binary->left, real), 0, real};
+  compared.right = operand(*binary->right, real);
+  compared.holds =
+      binary->left->type.kind == Type::Kind::String
+          ? compare_texts(*binary, compared.left, compared.right, true, condition.place)
+          : compare_numbers(*binary, compared.left, compared.right, true, condition.place);
+  return compared;
+}
+
 CodeBuilder::Jumps ExpressionCompiler::jumps(const Expr& condition, bool when) {
   if (const bool* const constant = std::get_if<bool>(&condition.constant)) {
     if (*constant == when) return {code_.jump(condition.place)};
@@ -108,15 +125,22 @@ CodeBuilder::Jumps ExpressionCompiler::jumps_of_logical(const Binary& binary, bo
   return taken;
 }
 
-/// XOR is the inequality of two BOOLs.
 CodeBuilder::Jumps ExpressionCompiler::jumps_of_comparison(const Binary& binary, bool when,
                                                            Place place) {
-  const Comparison comparison =
-      reduced(binary.op == BinaryOp::Xor ? BinaryOp::NotEqual : binary.op);
   const bool real =
       binary.left->type.kind == Type::Kind::Real || binary.right->type.kind == Type::Kind::Real;
   const Register left = operand_before(*binary.right, *binary.left, real);
   const Register right = operand(*binary.right, real);
+  return compare_numbers(binary, left, right, when, place);
+}
+
+/// XOR is the inequality of two BOOLs.
+CodeBuilder::Jumps ExpressionCompiler::compare_numbers(const Binary& binary, Register left,
+                                                       Register right, bool when, Place place) {
+  const Comparison comparison =
+      reduced(binary.op == BinaryOp::Xor ? BinaryOp::NotEqual : binary.op);
+  const bool real =
+      binary.left->type.kind == Type::Kind::Real || binary.right->type.kind == Type::Kind::Real;
   const ComparisonOpcodes opcodes = opcodes_of(comparison.op);
   code_.emit(real ? opcodes.real : opcodes.whole, place, comparison.exchanged ? right : left,
              comparison.exchanged ? left : right, when != comparison.reversed ? 1 : 0);
@@ -125,12 +149,19 @@ CodeBuilder::Jumps ExpressionCompiler::jumps_of_comparison(const Binary& binary,
 
 CodeBuilder::Jumps ExpressionCompiler::jumps_of_texts(const Binary& binary, bool when,
                                                       Place place) {
-  const Comparison comparison = reduced(binary.op);
   const Register left = operand_before(*binary.right, *binary.left, false);
   const Register right = operand(*binary.right, false);
+  return compare_texts(binary, left, right, when, place);
+}
+
+CodeBuilder::Jumps ExpressionCompiler::compare_texts(const Binary& binary, Register left,
+                                                     Register right, bool when, Place place) {
+  const Comparison comparison = reduced(binary.op);
+  const auto mark = code_.mark();
   const Register truth = code_.number_registers();
   code_.emit(opcodes_of(comparison.op).text, place, truth, comparison.exchanged ? right : left,
              comparison.exchanged ? left : right);
+  code_.release(mark);
   return {jump_if(truth, when != comparison.reversed, place)};
 }
 

@@ -262,21 +262,23 @@ void ExpressionCompiler::call_on_texts(const Builtin& builtin, const Call& call,
 void ExpressionCompiler::append(const Expr& expression, Register text) {
   if (!expression.type.scalar()) return append_compound(expression, text);
   const auto mark = code_.mark();
-  const Register value = operand(expression, false);
-  switch (expression.type.kind) {
-    case Type::Kind::Bool:
-      code_.emit(Opcode::append_bool, expression.place, text, value);
-      break;
-    case Type::Kind::Int:
-      code_.emit(Opcode::append_int, expression.place, text, value);
-      break;
-    case Type::Kind::Real:
-      code_.append_real(text, value, expression.type.dimension, expression.place);
-      break;
-    default:
-      code_.emit(Opcode::append_text, expression.place, text, value);
-  }
+  append_register(operand(expression, false), expression.type, false, text, expression.place);
   code_.release(mark);
+}
+
+void ExpressionCompiler::append_register(Register value, const Type& type, bool real, Register text,
+                                         Place place) {
+  switch (type.kind) {
+    case Type::Kind::Bool:
+      return code_.emit(Opcode::append_bool, place, text, value);
+    case Type::Kind::Int:
+      if (real) return code_.append_real(text, value, kNone, place);
+      return code_.emit(Opcode::append_int, place, text, value);
+    case Type::Kind::Real:
+      return code_.append_real(text, value, type.dimension, place);
+    default:
+      return code_.emit(Opcode::append_text, place, text, value);
+  }
 }
 
 }  // namespace rob::lang

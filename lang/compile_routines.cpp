@@ -33,6 +33,9 @@ CallLayout layout_of(const Routine& routine) {
 /// The parameters are the first registers, as the caller has laid them out.
 void StatementCompiler::compile(const Routine& routine) {
   routine_ = &routine;
+  if (routine.test) {
+    code_.add_test({routine.name, routine.place, static_cast<std::uint32_t>(routine.index)});
+  }
   code_.begin_routine(routine.name);
   const auto mark = code_.mark();
   const CallLayout layout = layout_of(routine);

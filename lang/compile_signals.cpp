@@ -35,18 +35,31 @@ void ExpressionCompiler::read_signal(const Symbol& symbol, Register target, Plac
   code_.release(mark);
 }
 
-void ExpressionCompiler::write_signal(const Symbol& symbol, Register value, Place place) {
-  if (!symbol.analog) return code_.emit(on_channel(Opcode::write_signal, value, symbol), place);
-  if (in_volts(symbol)) return code_.emit(on_channel(Opcode::write_analog, value, symbol), place);
+void ExpressionCompiler::to_volts(const Symbol& symbol, Register value, Register volts,
+                                  Place place) {
   const auto mark = code_.mark();
-  const Register volts = code_.number_registers();
   const Register scale = code_.number_registers();
   code_.load_real(scale, symbol.low, symbol.type.dimension, place);
   code_.emit(Opcode::sub_real, place, volts, value, scale);
   code_.load_real(scale, per_volt(symbol), symbol.type.dimension / kVoltage, place);
   code_.emit(Opcode::quot_real, place, volts, volts, scale);
+  code_.release(mark);
+}
+
+void ExpressionCompiler::write_signal(const Symbol& symbol, Register value, Place place) {
+  if (!symbol.analog) return code_.emit(on_channel(Opcode::write_signal, value, symbol), place);
+  if (in_volts(symbol)) return code_.emit(on_channel(Opcode::write_analog, value, symbol), place);
+  const auto mark = code_.mark();
+  const Register volts = code_.number_registers();
+  to_volts(symbol, value, volts, place);
   code_.emit(on_channel(Opcode::write_analog, volts, symbol), place);
   code_.release(mark);
+}
+
+void ExpressionCompiler::simulate(const Symbol& symbol, Register value, Place place) {
+  if (symbol.analog && !in_volts(symbol)) to_volts(symbol, value, value, place);
+  code_.emit(on_channel(symbol.analog ? Opcode::simulate_analog : Opcode::simulate, value, symbol),
+             place);
 }
 
 }  // namespace rob::lang

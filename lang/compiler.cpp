@@ -31,6 +31,7 @@ std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnost
   compile(program.statements);
   code_.land(returns_);
   code_.emit(Opcode::end, program.end);
+  if (std::ranges::any_of(program.routines, &Routine::test)) compile_test_entry(program);
   expressions_.enter_routine();
   for (const Routine& routine : program.routines) compile(routine);
   if (code_.failed() == CodeBuilder::Limit::None) return code_.finish();
@@ -165,7 +166,9 @@ void StatementCompiler::wait_for_condition(const Wait& wait) {
   }
   const std::size_t top = code_.here();
   code_.emit(Opcode::stand, place, now);
-  const CodeBuilder::Jumps met = expressions_.jumps_if(*wait.value, true);
+  CodeBuilder::Jumps met = expressions_.jumps_if(*wait.value, true);
+  code_.emit(Opcode::if_assumed, place);
+  met.push_back(code_.jump(place));
   CodeBuilder::Jumps late;
   if (limited) {
     code_.emit(Opcode::if_elapsed, place, now, begin, limit);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lang/ast.h"
@@ -30,6 +31,19 @@ class ExpressionCompiler {
   void copy(const Location& from, const Location& to, const Type& type, Place place) {
     store(to, type, type.is(Type::Kind::String) ? from.texts.reg() : from.numbers.reg(), place);
   }
+  /// A comparison whose sides stay at hand; `holds`: the jumps that are taken if it is TRUE.
+  struct Compared {
+    CodeBuilder::Jumps holds;
+    Register left;
+    Register right;
+    bool real;  ///< both sides are REAL slots
+  };
+  /// Empty if the condition is no comparison of two values that PRINT can write.
+  std::optional<Compared> compare(const Expr& condition);
+  /// Appends the value of a register, as PRINT writes it, to a text register.
+  void append_register(Register value, const Type& type, bool real, Register text, Place place);
+  /// SIMULATE of an input: its value in `value`, which is overwritten, the delay behind it.
+  void simulate(const Symbol& symbol, Register value, Place place);
   /// Gives an output the value of a register, in motion order.
   void write_signal(const Symbol& symbol, Register value, Place place);
   /// A call that is a statement of its own.
@@ -95,6 +109,7 @@ class ExpressionCompiler {
   void append_compound(const Expr& expression, Register text);
 
   void read_signal(const Symbol& symbol, Register target, Place place);
+  void to_volts(const Symbol& symbol, Register value, Register volts, Place place);
   void compile(const Name& name, const Expr& expression, Register target);
   void compile(const Unary& unary, const Expr& expression, Register target);
   void compile(const Binary& binary, const Expr& expression, Register target);
@@ -107,6 +122,10 @@ class ExpressionCompiler {
   CodeBuilder::Jumps jumps(const Expr& condition, bool when);
   CodeBuilder::Jumps jumps_of_logical(const Binary& binary, bool when);
   CodeBuilder::Jumps jumps_of_comparison(const Binary& binary, bool when, Place place);
+  CodeBuilder::Jumps compare_numbers(const Binary& binary, Register left, Register right, bool when,
+                                     Place place);
+  CodeBuilder::Jumps compare_texts(const Binary& binary, Register left, Register right, bool when,
+                                   Place place);
   CodeBuilder::Jumps jumps_of_texts(const Binary& binary, bool when, Place place);
   CodeBuilder::Jump jump_if(Register truth, bool when, Place place);
 

@@ -55,6 +55,9 @@ class Machine {
   /// has acted. `now`: the time of the present control cycle, s. An observation: `Later` until the
   /// axes stand. Called again in every cycle until waited().
   virtual Reply stand(int line, double& now) = 0;
+  /// Whether a WAIT whose condition has just been found FALSE is to be taken as met: while a
+  /// program is foretold, nobody sets the inputs that it may wait for.
+  virtual bool taken_as_met(int line) = 0;
   /// The condition that stand() was for has been met, or its time is over.
   virtual Reply waited(int line) = 0;
   /// END, written or implied by the end of the file: stops, and is Done once all that was
@@ -68,6 +71,11 @@ class Machine {
   virtual Reply write_analog(int line, int signal, double volts) = 0;
   /// Switches a digital output ON in motion order, and OFF again `seconds` later.
   virtual Reply pulse(int line, int signal, double seconds) = 0;
+  /// An EXPECT of a TEST does not hold; `text` says what it found. The TEST goes on.
+  virtual Reply expectation_failed(int line, std::string_view text) = 0;
+  /// From `after` seconds behind this point of motion order on, an input has this value (1 for ON,
+  /// V), whatever the machine says.
+  virtual Reply simulate(int line, int signal, double value, double after) = 0;
   /// Reads a signal at the decision point of the motion commanded before. An observation:
   /// `Later` until that instant has come.
   virtual Reply read_signal(int line, int signal, bool& value) = 0;

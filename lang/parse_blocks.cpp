@@ -89,6 +89,7 @@ bool Parser::at_block_end() const {
     case Keyword::Endselect:
     case Keyword::Endproc:
     case Keyword::Endfunc:
+    case Keyword::Endtest:
       return true;
     case Keyword::Else:
     case Keyword::Elsif:

@@ -59,6 +59,9 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Func:
       routine();
       return true;
+    case Keyword::Test:
+      test();
+      return true;
     case Keyword::Var:
     case Keyword::Const:
       declaration(block);
@@ -78,6 +81,8 @@ void Parser::simple(Block& block) {
   if (at(Keyword::Print)) return print(block);
   if (at(Keyword::Wait)) return wait(block);
   if (at(Keyword::Pulse)) return pulse(block);
+  if (at(Keyword::Expect)) return expect_statement(block);
+  if (at(Keyword::Simulate)) return simulate_statement(block);
   if (at(Keyword::Stop)) {
     advance();
     return add(block, place, Stop{});

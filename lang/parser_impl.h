@@ -158,6 +158,11 @@ class Parser {
   void skip_later_block(std::string_view opener, std::string_view closer, bool always);
   bool skip_line();
 
+  // TEST (parse_tests.cpp)
+  void test();
+  void expect_statement(Block& block);
+  void simulate_statement(Block& block);
+
   // PROC, FUNC and calls (parse_routines.cpp)
   void routine();
   void routine_header(Routine& routine);

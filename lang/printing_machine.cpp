@@ -142,6 +142,15 @@ Reply PrintingMachine::write_analog(int line, int signal, double volts) {
   return reply;
 }
 
+Reply PrintingMachine::expectation_failed(int line, std::string_view text) {
+  return note(line, fmt::format("failed {}", text));
+}
+
+Reply PrintingMachine::simulate(int line, int signal, double value, double after) {
+  const std::string name = shown_name(robot_.signals[static_cast<std::size_t>(signal)]);
+  return note(line, fmt::format("simulate {} {} after {}", name, value, number_text(after, kTime)));
+}
+
 Reply PrintingMachine::pulse(int line, int signal, double seconds) {
   const std::string name = shown_name(robot_.signals[static_cast<std::size_t>(signal)]);
   return note(line, fmt::format("pulse {} {}", name, number_text(seconds, kTime)));

@@ -21,6 +21,7 @@ namespace rob::lang {
 ///     guard · ended hit · ended reached
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
+///     failed TEXT · simulate lift_up 1 after 2s
 ///     stand · waited                    WAIT for a condition: its beginning, its end
 ///
 /// While a program waits for a condition every look at it is 10 ms later than the one before.
@@ -59,12 +60,15 @@ class PrintingMachine : public Machine {
   Reply stop(int line) override { return note(line, "stop"); }
   Reply wait(int line, double seconds) override;
   Reply stand(int line, double& now) override;
+  bool taken_as_met(int /*line*/) override { return false; }
   Reply waited(int line) override;
   Reply end(int line) override { return note(line, "end"); }
   Reply print(int line, std::string_view text) override;
   Reply write_signal(int line, int signal, bool value) override;
   Reply write_analog(int line, int signal, double volts) override;
   Reply pulse(int line, int signal, double seconds) override;
+  Reply expectation_failed(int line, std::string_view text) override;
+  Reply simulate(int line, int signal, double value, double after) override;
   Reply read_signal(int line, int signal, bool& value) override;
   Reply read_analog(int line, int signal, double& volts) override;
   Reply read(int line, Reading what, Slot* value) override;

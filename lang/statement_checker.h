@@ -53,7 +53,13 @@ class StatementChecker {
   }
   void check(Stop&) {}
   void check(Declaration& declaration);
+  // TEST (check_tests.cpp)
+  void check(Expect& expectation);
+  void check(Simulate& simulation);
+  void require_test(std::string_view word);
+
   // Signals (check_signals.cpp)
+  const Symbol* resolve_signal(Name& name, Place place);
   void check(SignalDeclaration& signal);
   void check(Pulse& pulse);
   void check_digital(const SignalDeclaration& signal, const Symbol& channel);

@@ -55,6 +55,11 @@ class StatementCompiler {
   void compile(const Return& statement);
   void compile(const Routine& routine);
 
+  // TEST (compile_tests.cpp)
+  void compile_test_entry(const Program& program);
+  void compile(const Expect& expectation);
+  void compile(const Simulate& simulation);
+
   /// What EXIT and NEXT of an open loop jump to is known at its end.
   struct LoopJumps {
     CodeBuilder::Jumps exits;

@@ -310,6 +310,7 @@ stand:
   ROB_ASK(stand(pc), pc);
   ROB_NEXT(1);
   ROB_IF(if_elapsed, n[pc->a()].real - n[pc->b()].real >= n[pc->c()].real - kSameTime, 1);
+  ROB_IF(if_assumed, machine_.taken_as_met(line(pc)), 1);
 waited:
   ROB_ASK(machine_.waited(line(pc)), pc);
   ROB_NEXT(1);
@@ -320,6 +321,22 @@ print:
   ROB_NEXT(1);
 fail_assertion:
   return fail_assertion_at(pc);
+call_test : {
+  if (!enter_test(pc)) return fail_calls_too_deep(pc);
+  const Code target = chunk_.code.data() + chunk_.routines[test_].entry;
+  ROB_GO(1, target);
+}
+expect_failed:
+  ROB_ASK(machine_.expectation_failed(line(pc), texts_[pc->a()]), pc);
+  ROB_NEXT(1);
+simulate:
+  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
+  ROB_ASK(simulate(pc, n[pc->a()].integer != 0 ? 1 : 0), pc);
+  ROB_NEXT(1);
+simulate_analog:
+  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
+  ROB_ASK(simulate(pc, n[pc->a()].real), pc);
+  ROB_NEXT(1);
 end:
   ROB_ASK(machine_.end(line(pc)), pc);
   return leave(pc + 1, pc, State::Done);

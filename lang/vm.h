@@ -66,6 +66,15 @@ class Vm {
   /// `seed` is where RANDOM begins.
   Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed = Random::kDefaultSeed);
 
+  /// Instead of the program: its declarations, then one of Chunk::tests. Before the first run().
+  void choose_test(std::size_t test);
+
+  /// Lets no loop turn more often than that, counted from where it was begun: circling() then
+  /// tells, and the program does not go on. Before the first run(); takes memory.
+  void limit_turns(std::uint32_t most);
+  /// The line of the loop that has turned too often; 0 if there is none.
+  int circling() const { return circling_; }
+
   /// Executes until the program has to wait or is over, or until `budget` instructions are spent.
   /// The budget is looked at where a loop turns, so a run may exceed it by the length of the code,
   /// but no program can run on for ever.
@@ -89,11 +98,14 @@ class Vm {
   /// Pays for the instructions up to `pc`; execution goes on at `target`.
   void pay(Code pc, Code target);
   /// The frame of the routine that is called at `pc`; false if the stack is used up.
-  bool enter(Code pc);
+  bool enter(Code pc) { return enter(pc, (pc + 1)->word, pc + 2); }
+  bool enter(Code pc, std::uint32_t routine, Code back);
+  bool enter_test(Code pc) { return enter(pc, test_, pc + 1); }
   /// Back to the caller's frame; where its code goes on.
   Code leave_routine();
   /// A loop turns: pays for the instructions up to here; false if the budget is used up.
   bool turn(Code pc, Code target);
+  void count_turn(Code pc, Code target);
   bool next_cycle_is_due() const { return turned_ && observed_; }
   Reply observe(Code pc);
   Reply observe_analog(Code pc);
@@ -103,6 +115,7 @@ class Vm {
   Reply stand(Code pc);
   Reply guard(Code pc);
   Reply ended(Code pc);
+  Reply simulate(Code pc, double value);
   State fail_timeout(Code pc);
 
   // Motions (vm_motion.cpp): false, with error_ set, if a value turned out to be impossible.
@@ -119,6 +132,8 @@ class Vm {
   bool check_wait(Code pc, double seconds);
   /// The same if a PULSE is for no time, or for too long.
   bool check_pulse(Code pc, double seconds);
+  /// The same if a SIMULATE is for the past.
+  bool check_after(Code pc, double seconds);
   State fail_calls_too_deep(Code pc);
   State fail_no_value(Code pc);
   State fail_index(Code pc, std::int64_t index, std::uint32_t count);
@@ -153,6 +168,10 @@ class Vm {
   std::string* texts_;
   std::vector<std::int64_t> called_in_;  ///< for each routine the cycle of its last call
   std::int64_t cycle_ = 1;               ///< counts whenever time may have passed
+  std::uint32_t test_ = 0;               ///< its routine
+  std::vector<std::uint32_t> turns_;     ///< by the first instruction of a loop; empty: no limit
+  std::uint32_t most_turns_ = 0;
+  int circling_ = 0;
   State state_ = State::Running;
   RuntimeError error_;
   Code next_;   ///< where the next run() goes on

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -25,7 +26,7 @@ Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
       latched_random_(random_) {}
 
 Vm::State Vm::run(std::int64_t budget) {
-  if (state_ == State::Done || state_ == State::Failed) return state_;
+  if (state_ == State::Done || state_ == State::Failed || circling_ != 0) return state_;
   budget_ = budget;
   state_ = execute(next_);
   return state_;
@@ -55,11 +56,31 @@ void Vm::pay(Code pc, Code target) {
 bool Vm::turn(Code pc, Code target) {
   pay(pc, target);
   turned_ = true;
+  if (!turns_.empty()) count_turn(pc, target);
   return budget_ > 0;
 }
 
-bool Vm::enter(Code pc) {
-  const std::uint32_t number = (pc + 1)->word;
+void Vm::limit_turns(std::uint32_t most) {
+  turns_.assign(chunk_.code.size(), 0);
+  most_turns_ = most;
+}
+
+/// The loops inside this one begin anew with each of its turns.
+void Vm::count_turn(Code pc, Code target) {
+  const auto first = turns_.begin() + (target - chunk_.code.data());
+  std::fill(first + 1, turns_.begin() + (pc - chunk_.code.data()), 0U);
+  if (++*first < most_turns_) return;
+  circling_ = line(target);
+  budget_ = 0;
+}
+
+void Vm::choose_test(std::size_t test) {
+  test_ = chunk_.tests.at(test).routine;
+  next_ = chunk_.code.data() + chunk_.test_entry;
+  latch_ = paid_ = next_;
+}
+
+bool Vm::enter(Code pc, std::uint32_t number, Code back) {
   const RoutineCode& routine = chunk_.routines[number];
   Slot* const numbers = numbers_ + pc->a();
   std::string* const texts = texts_ + pc->b();
@@ -68,7 +89,7 @@ bool Vm::enter(Code pc) {
   if (depth_ == frames_.size() || left < routine.registers || texts_left < routine.text_registers) {
     return false;
   }
-  frames_[depth_++] = {pc + 2, numbers_, texts_, number};
+  frames_[depth_++] = {back, numbers_, texts_, number};
   numbers_ = numbers;
   texts_ = texts;
   if (called_in_[number] == cycle_) turned_ = true;

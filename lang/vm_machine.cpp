@@ -54,6 +54,7 @@ Reply Vm::read(Code pc) {
 }
 
 Reply Vm::stand(Code pc) {
+  if (!turns_.empty()) turns_[index(pc)] = 0;  // a WAIT that looks again is no loop
   const Reply reply = machine_.stand(line(pc), numbers_[pc->a()].real);
   if (reply == Reply::Done) {
     observed_ = true;
@@ -103,6 +104,19 @@ bool Vm::check_pulse(Code pc, double seconds) {
             .message = fmt::format("PULSE turned out to be for {}", number_text(seconds, kTime)),
             .help = fmt::format("a pulse takes more than 0s and at most {}",
                                 number_text(kLongestPulse, kTime))};
+  return false;
+}
+
+Reply Vm::simulate(Code pc, double value) {
+  return machine_.simulate(line(pc), pc->x(), value, numbers_[pc->a() + 1].real);
+}
+
+bool Vm::check_after(Code pc, double seconds) {
+  if (seconds >= 0) return true;
+  error_ = {.code = std::string(code::kAfterNegative),
+            .place = place(pc),
+            .message = fmt::format("AFTER turned out to be {}", number_text(seconds, kTime)),
+            .help = "SIMULATE acts now or later"};
   return false;
 }
 

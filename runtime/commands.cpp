@@ -18,6 +18,7 @@
 #include "runtime/program/progress.h"
 #include "runtime/program/run.h"
 #include "runtime/program/text_report.h"
+#include "runtime/test_files.h"
 
 namespace rob::runtime {
 
@@ -185,6 +186,8 @@ ExitCode carry_out(const Options& options) {
       return run_files(options);
     case Options::Command::Check:
       return check_files(options);
+    case Options::Command::Test:
+      return test_files(options);
     case Options::Command::Compile:
       return compile_files(options);
     case Options::Command::Format:

@@ -69,6 +69,7 @@ struct Parser {
   }
   void add_run();
   void add_check();
+  void add_test();
   void add_others();
 };
 
@@ -78,6 +79,7 @@ Parser::Parser() {
   app.footer("Start with: rob run examples/01_triangle.rob");
   add_run();
   add_check();
+  add_test();
   add_others();
 }
 
@@ -104,6 +106,15 @@ void Parser::add_check() {
   add_json(check);
   add_seed(check);
   add_signals(check);
+}
+
+void Parser::add_test() {
+  CLI::App& test = *app.add_subcommand("test", "run the TESTs of programs, in virtual time");
+  test.callback([this] { options.command = Options::Command::Test; });
+  add_files(test);
+  add_robot(test);
+  add_seed(test);
+  add_json(test);
 }
 
 void Parser::add_others() {

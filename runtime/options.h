@@ -13,7 +13,7 @@ namespace rob::runtime {
 
 /// The command line of `rob`, understood (docs/cli.md).
 struct Options {
-  enum class Command { Run, Check, Compile, Format, Robots, Help, Explain };
+  enum class Command { Run, Check, Test, Compile, Format, Robots, Help, Explain };
 
   Command command = Command::Help;
   std::vector<std::string> files;

@@ -31,14 +31,14 @@ struct SegmentDescriptor {
 
 /// Something that happens in motion order beside the axes: an output, a line of print.
 struct Effect {
-  enum class Kind : std::uint8_t { Output, Analog, Pulse, Note };
+  enum class Kind : std::uint8_t { Output, Analog, Pulse, Simulate, SimulateAnalog, Note };
 
   Tag tag = 0;
   Kind kind = Kind::Note;
-  bool value = false;        ///< of an Output
-  std::uint8_t channel = 0;  ///< of an Output, Analog or Pulse
-  double volts = 0;          ///< of an Analog: as asked for; the channel carries what it can
-  double seconds = 0;        ///< of a Pulse: how long the output stays on, of the run's time
+  bool value = false;        ///< of an Output or Simulate
+  std::uint8_t channel = 0;  ///< of the output or, for Simulate…, the input
+  double volts = 0;          ///< of an …Analog: as asked for; the channel carries what it can
+  double seconds = 0;        ///< of the run: how long a Pulse is on, in how long a Simulate… acts
   std::uint32_t id = 0;      ///< the asker's own
   std::uint32_t after = 0;   ///< number of the segment that carries it; 0: before any motion
   std::uint32_t generation = 1;

@@ -71,9 +71,10 @@ struct Channels {
   LatestJoints joints;  ///< motion → program: the references of the present cycle
   /// motion → program: the axes stand behind this segment, and its effects have acted
   std::atomic<std::uint32_t> settled{0};
-  std::atomic<std::uint32_t> decidable{0};    ///< motion → program: see TrajectoryGenerator
-  std::atomic<bool> standing{true};           ///< motion → program: nothing is under way
-  std::atomic<std::int64_t> effects_done{0};  ///< motion → program: effects that have acted
+  std::atomic<std::uint32_t> decidable{0};        ///< motion → program: see TrajectoryGenerator
+  std::atomic<bool> standing{true};               ///< motion → program: nothing is under way
+  std::atomic<std::int64_t> effects_done{0};      ///< motion → program: effects that have acted
+  std::atomic<std::int64_t> simulations_done{0};  ///< motion → program: SIMULATEs that have acted
   OperatorPanel panel;  ///< motion → program: what a signal script does in the operator's place
   std::atomic<bool> hold_requested{false};  ///< main → motion
   std::atomic<std::int64_t> lost{0};        ///< snapshots that found their ring full

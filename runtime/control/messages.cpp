@@ -8,6 +8,7 @@
 #include "lang/codes.h"
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_library.h"
+#include "runtime/control/simulated_inputs.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {
@@ -90,6 +91,12 @@ Words words_for_no_kinematics(const motion::RobotModel& robot) {
       std::string(lang::code::kNoKinematics),
       fmt::format("how the axes of {} move its tool is not in this version of Rob yet", robot.name),
       "use joint values: JOINTS() reads them"};
+}
+
+Words words_for_many_simulations() {
+  return {code::kManySimulations,
+          fmt::format("more than {} SIMULATEs wait for their time", SimulatedInputs::kMostWaiting),
+          "set what comes later when the TEST has come so far"};
 }
 
 Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot) {

@@ -24,6 +24,8 @@ Words words_for_condition(lang::ArithmeticError error);
 Words words_for_unreachable(const motion::RobotModel& robot);
 /// A robot that has no kinematics here.
 Words words_for_no_kinematics(const motion::RobotModel& robot);
+/// More SIMULATEs wait for their time than there is room for.
+Words words_for_many_simulations();
 /// "axis x follows 2.1 mm behind; 2 mm are permitted here".
 Words words_for(const motion::FollowingFinding& finding, const motion::RobotModel& robot);
 /// The motion task was so late that the path could not be made up.

@@ -79,6 +79,7 @@ void MotionTask::latch_inputs(double now) noexcept {
   simulated_.latch(now, image);
   channels_.inputs.store(image.inputs, std::memory_order_relaxed);
   channels_.analog_inputs.store(image.analog_inputs);
+  channels_.simulations_done.store(simulated_.simulations_done(), std::memory_order_release);
 }
 
 void MotionTask::take_finding(const ServoSample& sample) noexcept {
@@ -194,9 +195,21 @@ void MotionTask::act(const Effect& effect, double now) noexcept {
     case Effect::Kind::Analog:
       analog_outputs_[effect.channel] = motion::within_analog_range(effect.volts);
       return channels_.analog_outputs.store(analog_outputs_);
+    case Effect::Kind::Simulate:
+      return simulate({WorldSignal::Kind::Input, effect.channel}, effect.value ? 1 : 0,
+                      now + effect.seconds);
+    case Effect::Kind::SimulateAnalog:
+      return simulate({WorldSignal::Kind::AnalogInput, effect.channel}, effect.volts,
+                      now + effect.seconds);
     case Effect::Kind::Note:
       return;
   }
+}
+
+/// What holds from now on is seen in this cycle already.
+void MotionTask::simulate(WorldSignal place, double value, double time) noexcept {
+  simulated_.schedule({place, value, 0}, time);  // RobotMachine has counted: there is room
+  latch_inputs(now_);
 }
 
 void MotionTask::switch_output(int channel, bool on) noexcept {

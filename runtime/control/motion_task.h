@@ -46,6 +46,7 @@ class MotionTask {
   void release_events(double until) noexcept;
   void release(motion::MotionEvent event, double cycle_time) noexcept;
   void act(const motion::Effect& effect, double now) noexcept;
+  void simulate(WorldSignal place, double value, double time) noexcept;
   void switch_output(int channel, bool on) noexcept;
   /// Switches off what was on for a PULSE that is over at `now`.
   void end_pulses(double now) noexcept;

@@ -29,6 +29,25 @@ void ProgramLog::found(lang::Diagnostic finding) {
   if (!known) findings_.push_back(std::move(finding));  // a loop finds it only once
 }
 
+void ProgramLog::expect_failed(FailedExpect failure) {
+  const std::scoped_lock lock(mutex_);
+  if (failed_expects_.size() < kMostFailedExpects) {
+    failed_expects_.push_back(std::move(failure));
+  } else {
+    ++failed_expects_left_out_;
+  }
+}
+
+std::vector<FailedExpect> ProgramLog::failed_expects() const {
+  const std::scoped_lock lock(mutex_);
+  return failed_expects_;
+}
+
+std::size_t ProgramLog::failed_expects_left_out() const {
+  const std::scoped_lock lock(mutex_);
+  return failed_expects_left_out_;
+}
+
 std::optional<LoggedSegment> ProgramLog::take_planned(std::uint32_t number) {
   const std::scoped_lock lock(mutex_);
   while (!planned_.empty() && planned_.front().number < number) planned_.pop_front();

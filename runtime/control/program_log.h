@@ -18,6 +18,12 @@ struct LoggedSegment : motion::SegmentDescriptor {
   bool further = false;  ///< belongs to the same statement as the one before
 };
 
+/// An EXPECT that did not hold, and what it found.
+struct FailedExpect {
+  int line = 0;
+  std::string text;
+};
+
 /// What the program's thread leaves for the thread that reports: motions as they were planned,
 /// texts to be printed when their turn comes, findings. Not for the tick: it locks and allocates.
 class ProgramLog {
@@ -28,12 +34,16 @@ class ProgramLog {
   /// Keeps a text until its effect is due; the number goes with the effect.
   std::uint32_t keep_text(std::string text);
   void found(lang::Diagnostic finding);
+  void expect_failed(FailedExpect failure);
 
   /// Segment `number`, once; those before it are forgotten.
   std::optional<LoggedSegment> take_planned(std::uint32_t number);
   std::string take_text(std::uint32_t id);
   std::vector<lang::Diagnostic> findings() const;
   std::int64_t effects() const;
+  /// The first of them; a loop could make any number.
+  std::vector<FailedExpect> failed_expects() const;
+  std::size_t failed_expects_left_out() const;
 
  private:
   mutable std::mutex mutex_;
@@ -42,6 +52,9 @@ class ProgramLog {
   std::uint32_t first_text_ = 0;  ///< the number of texts_.front()
   std::vector<lang::Diagnostic> findings_;
   std::int64_t effects_ = 0;
+  static constexpr std::size_t kMostFailedExpects = 100;
+  std::vector<FailedExpect> failed_expects_;
+  std::size_t failed_expects_left_out_ = 0;
 };
 
 }  // namespace rob::runtime

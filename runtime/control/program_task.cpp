@@ -2,11 +2,15 @@
 
 namespace rob::runtime {
 
-ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine, std::uint64_t seed)
-    : vm_(chunk, machine, seed), machine_(machine) {}
+ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine, std::uint64_t seed,
+                         std::optional<std::size_t> test)
+    : vm_(chunk, machine, seed), machine_(machine) {
+  if (test) vm_.choose_test(*test);
+}
 
 ProgramTask::State ProgramTask::step(std::int64_t budget) {
-  if (failure_) return finish_after_failure();
+  if (failure_) return finish(static_cast<int>(failure_->place.line));
+  if (circling() != 0) return finish(circling());
   switch (vm_.run(budget)) {
     case lang::Vm::State::Running:
       return State::Busy;
@@ -19,12 +23,12 @@ ProgramTask::State ProgramTask::step(std::int64_t budget) {
       break;
   }
   failure_ = vm_.error();
-  return finish_after_failure();
+  return finish(static_cast<int>(failure_->place.line));
 }
 
 /// An error takes effect in motion order: the last motion commanded before it is made exact.
-ProgramTask::State ProgramTask::finish_after_failure() {
-  const lang::Reply reply = machine_.end(static_cast<int>(failure_->place.line));
+ProgramTask::State ProgramTask::finish(int line) {
+  const lang::Reply reply = machine_.end(line);
   return reply == lang::Reply::Later ? State::Waiting : State::Over;
 }
 

@@ -19,8 +19,15 @@ class ProgramTask {
   };
 
   /// `seed`: of RANDOM.
+  /// `test`: one of the chunk's TESTs instead of the program.
   ProgramTask(const lang::Chunk& chunk, RobotMachine& machine,
-              std::uint64_t seed = lang::Random::kDefaultSeed);
+              std::uint64_t seed = lang::Random::kDefaultSeed,
+              std::optional<std::size_t> test = std::nullopt);
+
+  /// A loop that turns so often ends the program as its end would.
+  void limit_turns(std::uint32_t most) { vm_.limit_turns(most); }
+  /// The line of that loop; 0 if there is none.
+  int circling() const { return vm_.circling(); }
 
   /// At most `budget` instructions.
   State step(std::int64_t budget);
@@ -31,7 +38,7 @@ class ProgramTask {
   std::int64_t executed() const { return vm_.executed(); }
 
  private:
-  State finish_after_failure();
+  State finish(int line);
 
   lang::Vm vm_;
   RobotMachine& machine_;

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "runtime/control/messages.h"
+#include "runtime/control/simulated_inputs.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {
@@ -169,11 +170,13 @@ Reply RobotMachine::stand(int line, double& now) {
     return Reply::Later;
   }
   const std::int64_t cycle = channels_.cycle.load(std::memory_order_relaxed);
+  assumed_read_ = -1;
   now = static_cast<double>(cycle) * robot_.reference_period;
   return Reply::Done;
 }
 
 Reply RobotMachine::waited(int line) {
+  taken_as_met(line);  // also where what is assumed has met it
   const Reply reply = dwell(line, 0);
   if (reply == Reply::Done) begun_ = standing_ = false;
   return reply;
@@ -223,6 +226,55 @@ Reply RobotMachine::pulse(int line, int signal, double seconds) {
   return queue(effect);
 }
 
+Reply RobotMachine::expectation_failed(int line, std::string_view text) {
+  log_.expect_failed({line, std::string(text)});
+  return Reply::Done;
+}
+
+Reply RobotMachine::simulate(int line, int signal, double value, double after) {
+  const std::int64_t waiting =
+      simulations_ - channels_.simulations_done.load(std::memory_order_acquire);
+  if (waiting >= static_cast<std::int64_t>(SimulatedInputs::kMostWaiting)) {
+    refusal_ = words_for_many_simulations();
+    return Reply::Refused;
+  }
+  motion::Effect effect = effect_on(line, signal);
+  const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
+  effect.kind = analog ? motion::Effect::Kind::SimulateAnalog : motion::Effect::Kind::Simulate;
+  effect.value = value != 0;
+  effect.volts = value;
+  effect.seconds = after;
+  const Reply reply = queue(effect);
+  if (reply == Reply::Done) ++simulations_;
+  return reply;
+}
+
+void RobotMachine::note_assumed(int line, int signal) {
+  const std::string& name = assumed_[static_cast<std::size_t>(signal)];
+  if (name.empty()) return;
+  if (standing_) {
+    assumed_read_ = signal;  // taken_as_met() or waited() says it
+    return;
+  }
+  const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
+  log_.found({lang::Severity::Note,
+              code::kAssumed,
+              {static_cast<std::uint32_t>(line), 0, 0},
+              fmt::format("assumed: {} is {} here", name, analog ? "at 0 V" : "OFF"),
+              "a signal script (--signals) says what it does"});
+}
+
+bool RobotMachine::taken_as_met(int line) {
+  if (assumed_read_ < 0) return false;
+  log_.found({lang::Severity::Note,
+              code::kAssumed,
+              {static_cast<std::uint32_t>(line), 0, 0},
+              fmt::format("assumed: this WAIT for {} is met after 0 s",
+                          assumed_[static_cast<std::size_t>(assumed_read_)]),
+              "a signal script (--signals) says when it is"});
+  return true;
+}
+
 bool RobotMachine::observable() const {
   // Program and motion share the number of the last segment: its decision point has come once the
   // generator names it.
@@ -233,20 +285,22 @@ bool RobotMachine::observable() const {
   return !stands || channels_.effects_done.load(std::memory_order_acquire) >= effects_;
 }
 
-Reply RobotMachine::read_signal(int /*line*/, int signal, bool& value) {
+Reply RobotMachine::read_signal(int line, int signal, bool& value) {
   if (!observable()) return Reply::Later;
   const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
   const std::uint64_t bits = asked.output ? channels_.outputs.load(std::memory_order_relaxed)
                                           : channels_.inputs.load(std::memory_order_relaxed);
   value = (bits >> (asked.channel - 1) & 1U) != 0;
+  if (!assumed_.empty()) note_assumed(line, signal);
   return Reply::Done;
 }
 
-Reply RobotMachine::read_analog(int /*line*/, int signal, double& volts) {
+Reply RobotMachine::read_analog(int line, int signal, double& volts) {
   if (!observable()) return Reply::Later;
   const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
   const AnalogCells& cells = asked.output ? channels_.analog_outputs : channels_.analog_inputs;
   volts = cells.at(asked.channel - 1);
+  if (!assumed_.empty()) note_assumed(line, signal);
   return Reply::Done;
 }
 

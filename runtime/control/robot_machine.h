@@ -1,7 +1,9 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lang/machine.h"
@@ -28,18 +30,26 @@ class RobotMachine final : public lang::Machine {
   RobotMachine(const motion::RobotModel& robot, motion::MotionPlanner& planner,
                motion::LookAheadBuffer& buffer, Channels& channels, ProgramLog& log);
 
+  /// While a program is foretold: the inputs that nobody drives, by signal number what they are
+  /// called, empty for all others. They stay OFF or 0V, a WAIT that reads one is taken as met, and
+  /// each place that reads one is a finding.
+  void assume(std::vector<std::string> inputs) { assumed_ = std::move(inputs); }
+
   lang::Reply move(int line, const lang::MoveCommand& command) override;
   lang::Reply guard(int line, const lang::Watch& condition) override;
   lang::Reply ended(int line, bool& hit) override;
   lang::Reply stop(int line) override;
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
+  bool taken_as_met(int line) override;
   lang::Reply waited(int line) override;
   lang::Reply end(int line) override;
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply write_signal(int line, int signal, bool value) override;
   lang::Reply write_analog(int line, int signal, double volts) override;
   lang::Reply pulse(int line, int signal, double seconds) override;
+  lang::Reply expectation_failed(int line, std::string_view text) override;
+  lang::Reply simulate(int line, int signal, double value, double after) override;
   lang::Reply read_signal(int line, int signal, bool& value) override;
   lang::Reply read_analog(int line, int signal, double& volts) override;
   lang::Reply read(int line, lang::Reading what, lang::Slot* value) override;
@@ -57,6 +67,8 @@ class RobotMachine final : public lang::Machine {
   lang::Reply queue(motion::Effect effect);
   /// An effect on an output, still to be told what it does.
   motion::Effect effect_on(int line, int signal) const;
+  /// Notes that a signal was read which nobody drives.
+  void note_assumed(int line, int signal);
   /// Whether the world may be read now.
   bool observable() const;
   void warn(int line, const motion::PlannedSegment& planned);
@@ -69,11 +81,14 @@ class RobotMachine final : public lang::Machine {
   ProgramLog& log_;
   lang::Refusal refusal_;
   std::int64_t effects_ = 0;  ///< queued so far
-  bool exact_ = true;         ///< the last motion queued ends at standstill
-  bool begun_ = false;        ///< the present WAIT has queued its first segment
-  ProgramWatch until_;        ///< what the guarded motion is asked
-  bool guarded_ = false;      ///< what is queued now ends early if until_ holds
-  bool standing_ = false;     ///< the present WAIT for a condition has queued all it needs
+  std::int64_t simulations_ = 0;
+  std::vector<std::string> assumed_;
+  int assumed_read_ = -1;  ///< by the condition of the present WAIT
+  bool exact_ = true;      ///< the last motion queued ends at standstill
+  bool begun_ = false;     ///< the present WAIT has queued its first segment
+  ProgramWatch until_;     ///< what the guarded motion is asked
+  bool guarded_ = false;   ///< what is queued now ends early if until_ holds
+  bool standing_ = false;  ///< the present WAIT for a condition has queued all it needs
 };
 
 }  // namespace rob::runtime

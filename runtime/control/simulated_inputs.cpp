@@ -98,6 +98,7 @@ void SimulatedInputs::apply_waiting(double now) noexcept {
   std::move(waiting_.begin() + static_cast<std::ptrdiff_t>(due),
             waiting_.begin() + static_cast<std::ptrdiff_t>(waiting_count_), waiting_.begin());
   waiting_count_ -= due;
+  done_ += static_cast<std::int64_t>(due);
 }
 
 void SimulatedInputs::look(Watch& watch, double now, const WorldImage& image) noexcept {

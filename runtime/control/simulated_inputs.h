@@ -62,6 +62,8 @@ class SimulatedInputs {
 
   /// From `time` on the setting holds; false if too many wait.
   bool schedule(const SimulatedSetting& setting, double time) noexcept;
+  /// Settings of schedule() that hold by now.
+  std::int64_t simulations_done() const noexcept { return done_; }
   /// Puts what is simulated into `image`, which holds what the machine says.
   void latch(double now, WorldImage& image) noexcept;
 
@@ -88,6 +90,7 @@ class SimulatedInputs {
   std::vector<Watch> watches_;
   std::array<Waiting, kMostWaiting> waiting_{};  ///< of SIMULATE, by time
   std::size_t waiting_count_ = 0;
+  std::int64_t done_ = 0;
 
   std::uint64_t driven_ = 0;  ///< inputs that are simulated, bit i: channel i
   std::uint64_t inputs_ = 0;  ///< and their values

@@ -60,21 +60,6 @@ Json final_json(const RunResult& result) {
   return {{"joints", joints}, {"pose", pose}};
 }
 
-Json problem_json(const std::optional<Problem>& problem) {
-  if (!problem) return nullptr;
-  Json calls = Json::array();
-  for (const lang::CallSite& call : problem->calls) {
-    calls.push_back({{"routine", call.routine}, {"line", call.line}});
-  }
-  return {{"code", problem->code},
-          {"file", problem->file},
-          {"line", problem->place.line},
-          {"column", problem->place.column},
-          {"message", problem->message},
-          {"help", problem->help},
-          {"calls", calls}};
-}
-
 Json signals_json(const RunResult& result) {
   Json signals = Json::array();
   for (const SignalChange& change : result.signals) {
@@ -130,6 +115,21 @@ Json findings_json(const RunResult& result) {
 }
 
 }  // namespace
+
+Json problem_json(const std::optional<Problem>& problem) {
+  if (!problem) return nullptr;
+  Json calls = Json::array();
+  for (const lang::CallSite& call : problem->calls) {
+    calls.push_back({{"routine", call.routine}, {"line", call.line}});
+  }
+  return {{"code", problem->code},
+          {"file", problem->file},
+          {"line", problem->place.line},
+          {"column", problem->place.column},
+          {"message", problem->message},
+          {"help", problem->help},
+          {"calls", calls}};
+}
 
 Json run_json(const RunResult& result) {
   return {{"status", result.status},

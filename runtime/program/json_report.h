@@ -11,4 +11,7 @@ namespace rob::runtime {
 nlohmann::ordered_json run_json(const RunResult& result);
 nlohmann::ordered_json check_json(const RunResult& result);
 
+/// An error, or null.
+nlohmann::ordered_json problem_json(const std::optional<Problem>& problem);
+
 }  // namespace rob::runtime

@@ -9,13 +9,14 @@
 #include <optional>
 #include <utility>
 
-#include "drivers/sim_gantry.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/controller.h"
 #include "runtime/control/execution.h"
 #include "runtime/control/program_task.h"
+#include "runtime/control/robot_machine.h"
 #include "runtime/program/interruption.h"
 #include "runtime/program/run_recorder.h"
+#include "runtime/program/simulation.h"
 #include "runtime/program/trace_writer.h"
 #include "runtime/time/real_time.h"
 
@@ -27,16 +28,7 @@ constexpr RunLimits kNoLimits{std::numeric_limits<double>::infinity(),
                               std::numeric_limits<std::int64_t>::max()};
 /// docs/language.md, what `rob check` assumes.
 constexpr RunLimits kForetellLimits{3600, 100'000'000};
-
-std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& robot) {
-  drivers::SimGantryParameters parameters;
-  parameters.start = robot.start;
-  for (const motion::Axis& axis : robot.axes) parameters.drives.push_back(axis.drive);
-  for (const motion::TwoPositionActuator& a : robot.actuators) {
-    parameters.actuators.push_back({a.output, a.input_off, a.input_on, a.travel_time});
-  }
-  return std::make_unique<drivers::SimGantry>(parameters);
-}
+constexpr std::uint32_t kForetellTurns = 1000;
 
 bool same_file(const std::string& a, const std::string& b) {
   struct stat first {};
@@ -96,6 +88,32 @@ void close_trace(std::optional<TraceWriter>& trace, const RunOptions& options, R
 
 std::vector<SimulationRule> rules_of(const SignalScript* script) {
   return script == nullptr ? std::vector<SimulationRule>() : script->rules;
+}
+
+/// By signal number the names of the inputs that neither the simulated machine nor the script
+/// drives; empty for all others.
+std::vector<std::string> undriven_inputs(const LoadedProgram& program,
+                                         const motion::RobotModel& robot,
+                                         const SignalScript* script) {
+  const lang::RobotSignature signature = signature_of(robot);
+  std::vector<std::string> names;
+  for (const lang::RobotSignature::Signal& signal : signature.signals) {
+    const int channel = signal.channel - 1;
+    const bool machine = !signal.analog && std::ranges::any_of(robot.actuators, [&](const auto& a) {
+      return a.input_off == channel || a.input_on == channel;
+    });
+    const auto kind = signal.analog ? WorldSignal::Kind::AnalogInput : WorldSignal::Kind::Input;
+    const bool scripted = std::ranges::any_of(rules_of(script), [&](const SimulationRule& rule) {
+      return rule.setting.place.kind == kind && rule.setting.place.channel == channel;
+    });
+    const bool driven = signal.output || machine || scripted;
+    names.push_back(driven ? "" : lang::shown_name(signal));
+  }
+  for (const lang::NamedSignal& named : program.compilation.chunk->named_signals) {
+    std::string& name = names.at(static_cast<std::size_t>(named.signal));
+    if (!name.empty()) name = named.name;
+  }
+  return names;
 }
 
 void prepare_panel(Controller& controller, const SignalScript* script) {
@@ -175,6 +193,8 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   Controller controller(robot, simulation_of(robot), 1, rules_of(script));
   prepare_panel(controller, script);
   ProgramTask task(*program.compilation.chunk, controller.machine(), seed);
+  controller.machine().assume(undriven_inputs(program, robot, script));
+  task.limit_turns(kForetellTurns);
   RunRecorder recorder(robot, 1, controller.channels(), controller.log(), names_in(program, robot),
                        {});
 
@@ -185,6 +205,14 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   result.planned = result.measured;
   for (LineResult& line : result.lines) line.planned = line.measured;
   if (task.failure()) add_failure(result, *task.failure());
+  if (task.circling() != 0) {
+    result.findings.push_back(
+        {lang::Severity::Note,
+         code::kCircling,
+         {static_cast<std::uint32_t>(task.circling()), 0, 0},
+         fmt::format("the loop goes on; it was foretold for {} turns", kForetellTurns),
+         ""});
+  }
   if (timing.gave_up) {
     result.findings.push_back({lang::Severity::Note,
                                code::kForetoldSoFar,

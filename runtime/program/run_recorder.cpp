@@ -206,6 +206,9 @@ void RunRecorder::take_effect(const MotionEvent& event) {
       return add_output(event, true);
     case Effect::Kind::Analog:
       return add_analog(event);
+    case Effect::Kind::Simulate:
+    case Effect::Kind::SimulateAnalog:
+      return;  // inputs are the machine's, simulated or not
     case Effect::Kind::Note:
       break;
   }

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -40,12 +41,13 @@ void check_messages(const Compilation& compilation, std::string_view source) {
 }
 
 /// Endless loops, and programs that only wait, are legal: the run is cut off.
-void run(const Chunk& chunk, const RobotSignature& robot) {
+void run(const Chunk& chunk, const RobotSignature& robot, std::optional<std::size_t> test) {
   constexpr int kMostRuns = 20;
   constexpr std::int64_t kBudget = 2000;
   PrintingMachine machine(robot);
   machine.script(2, {false, true, false});
   Vm vm(chunk, machine);
+  if (test) vm.choose_test(*test);
   for (int i = 0; i < kMostRuns; ++i) {
     const Vm::State state = vm.run(kBudget);
     if (state == Vm::State::Done) return;
@@ -63,6 +65,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view source(reinterpret_cast<const char*>(data), size);
   const Compilation compilation = compile(source, robot);
   check_messages(compilation, source);
-  if (compilation.chunk) run(*compilation.chunk, robot);
+  if (!compilation.chunk) return 0;
+  run(*compilation.chunk, robot, std::nullopt);
+  if (!compilation.chunk->tests.empty()) run(*compilation.chunk, robot, 0);
   return 0;
 }

@@ -1,0 +1,51 @@
+#include <fmt/core.h>
+
+#include "lang/ascii.h"
+#include "lang/codes.h"
+#include "lang/statement_checker.h"
+#include "lang/target.h"
+
+/// The part of StatementChecker that knows EXPECT and SIMULATE.
+namespace rob::lang {
+
+/// What only a TEST may do: the program itself is run on machines that are there.
+void StatementChecker::require_test(std::string_view word) {
+  if (routine_ != nullptr && routine_->test) return;
+  diagnostics_.error(code::kOutsideTest, place_, fmt::format("{} can stand only in a TEST", word),
+                     "TEST \"its name\" … ENDTEST holds it; a program has ASSERT and its inputs");
+}
+
+void StatementChecker::check(Expect& expectation) {
+  require_test("EXPECT");
+  expressions_.check_condition(expectation.condition, "EXPECT");
+}
+
+void StatementChecker::check(Simulate& simulation) {
+  require_test("SIMULATE");
+  expressions_.check(simulation.value);
+  expressions_.check(simulation.after);
+  const Symbol* const symbol = resolve_signal(simulation.target, simulation.target_place);
+  if (simulation.after != nullptr) {
+    expressions_.accept(*simulation.after, Type::real(kTime), "AFTER needs");
+    const std::optional<double> after = constant_number(*simulation.after);
+    if (after && *after < 0) {
+      diagnostics_.error(code::kNegativeTime, simulation.after->place,
+                         fmt::format("AFTER needs a time of 0s or more; this is {}",
+                                     described(*simulation.after)));
+    }
+  }
+  if (symbol == nullptr || symbol->type.kind == Type::Kind::Unknown) return;
+  if (symbol->kind != Symbol::Kind::Signal || symbol->output) {
+    diagnostics_.error(
+        code::kNotSimulated, simulation.target_place,
+        fmt::format("{} is no input; SIMULATE gives an input its value", shortened(symbol->name)),
+        "SIMULATE part_here = ON AFTER 2s");
+    return;
+  }
+  if (simulation.value != nullptr) {
+    expressions_.accept(*simulation.value, symbol->type,
+                        fmt::format("{} needs", shortened(symbol->name)));
+  }
+}
+
+}  // namespace rob::lang

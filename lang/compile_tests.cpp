@@ -1,0 +1,60 @@
+#include <fmt/core.h>
+
+#include "lang/number_text.h"
+#include "lang/statement_compiler.h"
+
+/// The part of StatementCompiler that knows TEST, EXPECT and SIMULATE.
+namespace rob::lang {
+
+/// A TEST begins like the program, with its declarations and without its statements; they take the
+/// same registers again, since all else gives back what it has taken.
+void StatementCompiler::compile_test_entry(const Program& program) {
+  code_.begin_tests();
+  const auto mark = code_.mark();
+  for (const Statement& statement : program.statements) {
+    if (std::holds_alternative<Declaration>(statement.node)) compile(statement);
+  }
+  code_.call_test(program.end);
+  code_.emit(Opcode::end, program.end);
+  code_.release(mark);
+}
+
+void StatementCompiler::compile(const Expect& expectation) {
+  const Place place = place_;
+  const auto mark = code_.mark();
+  const Register text = code_.text_register();
+  const Expr& condition = *expectation.condition;
+  const auto compared = expressions_.compare(condition);
+  const CodeBuilder::Jumps holds =
+      compared ? compared->holds : expressions_.jumps_if(condition, true);
+  code_.load_text(text, expectation.text + (compared ? " does not hold: left " : " does not hold"),
+                  place);
+  if (compared) {
+    const Binary& binary = std::get<Binary>(condition.node);
+    expressions_.append_register(compared->left, binary.left->type, compared->real, text, place);
+    const Register between = code_.text_register();
+    code_.load_text(between, ", right ", place);
+    code_.emit(Opcode::append_text, place, text, between);
+    expressions_.append_register(compared->right, binary.right->type, compared->real, text, place);
+  }
+  code_.emit(Opcode::expect_failed, place, text);
+  code_.land(holds);
+  code_.release(mark);
+}
+
+void StatementCompiler::compile(const Simulate& simulation) {
+  const Symbol& symbol = *simulation.target.symbol;
+  const auto mark = code_.mark();
+  const Register value = code_.number_registers(2);
+  const auto after = static_cast<Register>(value + 1);
+  expressions_.value_into(*simulation.value, value, symbol.analog);
+  if (simulation.after != nullptr) {
+    expressions_.value_into(*simulation.after, after);
+  } else {
+    code_.load_real(after, 0, kTime, place_);
+  }
+  expressions_.simulate(symbol, value, place_);
+  code_.release(mark);
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,65 @@
+#include "runtime/test_files.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/program/console.h"
+#include "runtime/program/json_report.h"
+#include "runtime/program/load.h"
+#include "runtime/program/run.h"
+#include "runtime/program/test_report.h"
+#include "runtime/program/test_runner.h"
+#include "runtime/program/text_report.h"
+
+namespace rob::runtime {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+struct Outcome {
+  Json json;
+  bool passed = false;
+};
+
+Outcome test_file(const LoadedProgram& program, const Options& options) {
+  const motion::RobotModel& robot = program.robot;
+  if (!program.runnable()) {
+    const RunResult result = refused(program, robot);
+    put_message(problems_text(result, program.source));
+    return {{{"status", result.status},
+             {"file", program.file},
+             {"ok", 0},
+             {"failed", 0},
+             {"tests", Json::array()},
+             {"error", problem_json(result.error)}},
+            false};
+  }
+  const std::vector<TestResult> results = run_tests(program, robot, options.seed);
+  if (!options.json) put_result(test_text(program.file, results));
+  Json json = test_json(program.file, results);
+  const bool passed = json["failed"] == 0;
+  return {std::move(json), passed};
+}
+
+}  // namespace
+
+ExitCode test_files(const Options& options) {
+  std::vector<LoadedProgram> programs;
+  for (const std::string& file : options.files)
+    programs.push_back(load_program(file, options.robot));
+  ExitCode code = ExitCode::Done;
+  Json documents = Json::array();
+  for (const LoadedProgram& program : programs) {
+    Outcome outcome = test_file(program, options);
+    if (!outcome.passed) code = ExitCode::ProgramError;
+    documents.push_back(std::move(outcome.json));
+  }
+  if (!options.json) return code;
+  const Json& document = documents.size() == 1 ? documents.front() : documents;
+  put_result(document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return code;
+}
+
+}  // namespace rob::runtime

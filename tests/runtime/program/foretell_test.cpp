@@ -1,0 +1,82 @@
+// What `rob check` assumes of inputs, and how far it follows a loop.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "motion/robots/robot_library.h"
+#include "runtime/program/run.h"
+
+using rob::runtime::RunResult;
+
+namespace {
+
+using Texts = std::vector<std::string>;
+
+RunResult foretold(const std::string& text, const std::string& script_text = "") {
+  const auto robot = rob::motion::embedded_robot("gantry");
+  const auto program = rob::runtime::compile_program("t.rob", text, robot);
+  REQUIRE(program.runnable());
+  const auto script = rob::runtime::parse_signal_script("t.sig", script_text, robot,
+                                                        program.compilation.chunk->named_signals);
+  REQUIRE_FALSE(script.diagnostics.has_errors());
+  return rob::runtime::foretell(program, robot, 0, &script);
+}
+
+/// "3 N631 assumed: …"
+Texts findings(const RunResult& result) {
+  Texts texts;
+  for (const auto& found : result.findings) {
+    texts.push_back(std::to_string(found.place.line) + " " + found.code + " " + found.message);
+  }
+  return texts;
+}
+
+}  // namespace
+
+TEST_CASE("a WAIT for an input that nobody drives is taken as met after 0 s, once a place") {
+  const RunResult result = foretold(
+      "SIGNAL part_here = DIN[1]\nFOR i = 1 TO 3 DO\nWAIT part_here AND NOT DIN[2] TIMEOUT 1s\n"
+      "ENDFOR\nWAIT AIN[1] > 2V\nWAIT NOT part_here\nPRINT \"through\"");
+  CHECK(findings(result) == Texts{"3 N631 assumed: this WAIT for part_here is met after 0 s",
+                                  "5 N631 assumed: this WAIT for AIN[1] is met after 0 s",
+                                  "6 N631 assumed: this WAIT for part_here is met after 0 s"});
+  CHECK(result.output == Texts{"through"});
+  CHECK(result.planned <= 0.2);  // some cycles of looking
+}
+
+TEST_CASE("an IF finds an input that nobody drives OFF") {
+  const RunResult result =
+      foretold("IF DIN[3] THEN\nPRINT 1\nELSE\nPRINT 2\nENDIF\nVAR level = AIN[2]\nPRINT level");
+  CHECK(findings(result) ==
+        Texts{"1 N631 assumed: DIN[3] is OFF here", "6 N631 assumed: AIN[2] is at 0 V here"});
+  CHECK(result.output == Texts{"2", "0V"});
+}
+
+TEST_CASE("what the simulated robot or the script drives is not assumed") {
+  const RunResult result = foretold(
+      "SIGNAL part_here = DIN[1]\nlift = ON\nWAIT lift_up\nWAIT part_here\nPRINT part_here",
+      "at 2s part_here = ON");
+  CHECK(findings(result).empty());
+  CHECK(result.output == Texts{"TRUE"});
+  CHECK(result.planned >= 2);
+}
+
+TEST_CASE("a loop is followed for a thousand turns, and what it commanded is foretold") {
+  const RunResult endless = foretold("PRINT 0\nLOOP\nPRINT 1\nENDLOOP");
+  CHECK(findings(endless) == Texts{"3 N632 the loop goes on; it was foretold for 1000 turns"});
+  CHECK(endless.output.size() == 1001);
+  CHECK(endless.status == "done");
+  const RunResult nested = foretold(
+      "VAR n = 0\nFOR i = 1 TO 30 DO\nFOR j = 1 TO 900 DO\nn = n + 1\nENDFOR\nENDFOR\nPRINT n");
+  CHECK(findings(nested).empty());
+  CHECK(nested.output == Texts{"27000"});
+}
+
+TEST_CASE("a WAIT that looks again and again is no loop") {
+  const RunResult result =
+      foretold("SIGNAL late = DIN[1]\nWAIT late\nPRINT \"after all\"", "at 30s late = ON");
+  CHECK(findings(result).empty());
+  CHECK(result.output == Texts{"after all"});
+}
