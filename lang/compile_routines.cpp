@@ -7,6 +7,7 @@ namespace rob::lang {
 /// The parameters are the first registers, as the caller has laid them out.
 void StatementCompiler::compile(const Routine& routine) {
   routine_ = &routine;
+  whens_ = 0;
   code_.begin_routine(routine.name);
   const auto mark = code_.mark();
   for (const Parameter& parameter : parameters_of(routine)) {
@@ -25,12 +26,14 @@ void StatementCompiler::compile(const Return& statement) {
   if (routine_ == nullptr) {
     returns_.push_back(code_.jump(place));
   } else if (statement.value == nullptr) {
+    leave_whens(0);
     code_.emit(Opcode::leave, place);
   } else {
     const auto mark = code_.mark();
     const bool text = routine_->result.kind == Type::Kind::String;
     const Register value =
         expressions_.value(*statement.value, routine_->result.kind == Type::Kind::Real);
+    leave_whens(0);
     code_.emit(text ? Opcode::leave_with_text : Opcode::leave_with, place, value);
     code_.release(mark);
   }

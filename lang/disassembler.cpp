@@ -97,6 +97,9 @@ void Line::operand(char kind, unsigned field) {
     case 'H':
       add(kind == 'G' ? "r" : "s", instruction().x());
       return remark("of the top level");
+    case 'L':
+      words_ = 2;
+      return add("", next_word());
     case 'R':
       words_ = 2;
       add("p", next_word());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "runtime/control/channels.h"
 #include "runtime/control/program_log.h"
 #include "runtime/control/program_watch.h"
+#include "runtime/control/when_pool.h"
 
 namespace rob::runtime {
 
@@ -30,6 +32,8 @@ class RobotMachine final : public lang::Machine {
   lang::Reply move(int line, const lang::MoveCommand& command) override;
   lang::Reply guard(int line, const lang::Watch& condition) override;
   lang::Reply ended(int line, bool& hit) override;
+  lang::Reply when(int line, const lang::Watch& condition, int& id) override;
+  lang::Reply disarm(int line, int id) override;
   lang::Reply stop(int line) override;
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
@@ -41,6 +45,8 @@ class RobotMachine final : public lang::Machine {
   lang::Reply pulse(int line, int signal, double seconds) override;
   lang::Reply read_signal(int line, int signal, bool& value) override;
   lang::Reply read_analog(int line, int signal, double& volts) override;
+  /// The error that a WHEN has raised, once the axes stand; what had been commanded is dropped.
+  std::optional<lang::RuntimeError> take_interruption();
   const lang::Refusal& refusal() const override { return refusal_; }
 
  private:
@@ -48,6 +54,9 @@ class RobotMachine final : public lang::Machine {
   /// The last target exactly, then a dwell, as one statement.
   lang::Reply dwell(int line, double seconds);
   lang::Reply queue(motion::Effect effect);
+  lang::Reply push(motion::Effect effect);
+  lang::Reply arm();
+  bool settled() const;
   /// An effect on an output, still to be told what it does.
   motion::Effect effect_on(int line, int signal) const;
   /// Whether the world may be read now.
@@ -65,8 +74,11 @@ class RobotMachine final : public lang::Machine {
   bool exact_ = true;         ///< the last motion queued ends at standstill
   bool begun_ = false;        ///< the present WAIT has queued its first segment
   ProgramWatch until_;        ///< what the guarded motion is asked
-  bool guarded_ = false;      ///< what is queued now ends early if until_ holds
-  bool standing_ = false;     ///< the present WAIT for a condition has queued all it needs
+  WhenPool whens_;
+  motion::WatchedAction* recording_ = nullptr;  ///< the WHEN whose action comes next
+  int armed_ = 0;                               ///< WHENs that are not disarmed yet
+  bool guarded_ = false;                        ///< what is queued now ends early if until_ holds
+  bool standing_ = false;  ///< the present WAIT for a condition has queued all it needs
 };
 
 }  // namespace rob::runtime
