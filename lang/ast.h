@@ -157,6 +157,11 @@ struct WatchedMotion {
   bool has_else = false;
   Block otherwise;  ///< of ELSE: one statement
 };
+/// WHEN door : lift = OFF
+struct When {
+  ExprPtr condition;
+  Block action;  ///< one statement
+};
 struct Stop {};
 /// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm
 struct Declaration {
@@ -269,8 +274,8 @@ struct Return {
 
 struct Statement {
   Place place;  ///< of its first word
-  std::variant<Move, WatchedMotion, Stop, Declaration, SignalDeclaration, Assign, Pulse, Print,
-               Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect, Simulate,
+  std::variant<Move, WatchedMotion, When, Stop, Declaration, SignalDeclaration, Assign, Pulse,
+               Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect, Simulate,
                CallStatement, Return>
       node;
 };

@@ -6,6 +6,8 @@
 #include "lang/codes.h"
 #include "lang/fold.h"
 #include "lang/observations.h"
+#include "lang/routine.h"
+#include "lang/symbols.h"
 #include "lang/watch_checker.h"
 
 namespace rob::lang {
@@ -15,6 +17,41 @@ void WatchChecker::check_until(const ExprPtr& condition) {
   diagnostics_.warning(code::kNothingToWatch, condition->place,
                        "nothing in this condition can change while the robot moves",
                        "name a signal, as in UNTIL touched");
+}
+
+void WatchChecker::check_when(const When& when) {
+  if (check_condition(when.condition, "WHEN") && observations(*when.condition) == 0) {
+    diagnostics_.error(code::kNothingToWatchFor, when.condition->place,
+                       "WHEN has nothing to watch: this condition reads nothing from the world",
+                       "name a signal, as in WHEN door : lift = OFF");
+  }
+  if (!when.action.empty()) check_action(when.action.front(), "WHEN");
+}
+
+/// What may be done in the control cycle itself, with a value that is fixed beforehand.
+void WatchChecker::check_action(const Statement& action, std::string_view word) {
+  const Expr* value = nullptr;
+  bool sound = false;
+  if (const auto* const assign = std::get_if<Assign>(&action.node)) {
+    const Symbol* const target = assign->target.symbol;
+    sound = target == nullptr || target->kind == Symbol::Kind::Signal;
+    value = assign->value.get();
+  } else if (const auto* const pulse = std::get_if<Pulse>(&action.node)) {
+    sound = true;
+    value = pulse->time.get();
+  }
+  if (!sound) {
+    diagnostics_.error(
+        code::kActionMisplaced, action.place,
+        fmt::format("this cannot be done in the control cycle itself, as {} does it", word),
+        "behind ':' an output is set or pulsed: lift = OFF, PULSE lift 50ms");
+  } else if (value != nullptr && (calls_routine(*value) || observations(*value) > 0)) {
+    diagnostics_.error(code::kActionNotFixed, value->place,
+                       fmt::format("the value is fixed when {} is executed: it cannot read a "
+                                   "signal or call a routine of the program",
+                                   word),
+                       "give the value a variable before");
+  }
 }
 
 /// False where there is nothing sound to be watched.

@@ -197,6 +197,11 @@ std::uint16_t CodeBuilder::end_watch(Register answer, int values, Place place) {
   return static_cast<std::uint16_t>(index);
 }
 
+void CodeBuilder::when(Register values, std::uint16_t watch, std::size_t level, Place place) {
+  emit(Instruction::ax(Opcode::when, values, watch), place);
+  emit(operand_word(level), place);
+}
+
 Chunk CodeBuilder::finish() {
   close_frame();
   return std::move(chunk_);

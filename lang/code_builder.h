@@ -89,6 +89,9 @@ class CodeBuilder {
   /// `answer` holds its value; its first `values` registers are given. Returns its number.
   std::uint16_t end_watch(Register answer, int values, Place place);
 
+  /// Arms a watch; `level`: how many stand before it in its frame.
+  void when(Register values, std::uint16_t watch, std::size_t level, Place place);
+
   enum class Limit { None, Registers, Jump, Dimensions, Motions, Watch, WatchLength };
   /// The limit that was exceeded, and where first.
   Limit failed() const { return failed_; }

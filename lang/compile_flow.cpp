@@ -8,6 +8,7 @@ namespace rob::lang {
 
 void StatementCompiler::compile_body(const Block& body) {
   loops_.emplace_back();
+  loops_.back().whens = whens_;
   compile(body);
   code_.land(loops_.back().nexts);
 }

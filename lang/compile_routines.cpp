@@ -36,6 +36,7 @@ void StatementCompiler::compile(const Routine& routine) {
   if (routine.test) {
     code_.add_test({routine.name, routine.place, static_cast<std::uint32_t>(routine.index)});
   }
+  whens_ = 0;
   code_.begin_routine(routine.name);
   const auto mark = code_.mark();
   const CallLayout layout = layout_of(routine);
@@ -59,11 +60,13 @@ void StatementCompiler::compile(const Return& statement) {
   if (routine_ == nullptr) {
     returns_.push_back(code_.jump(place));
   } else if (statement.value == nullptr) {
+    leave_whens(0);
     code_.emit(Opcode::leave, place);
   } else {
     const auto mark = code_.mark();
     const Type& type = routine_->result;
     const Register value = expressions_.value(*statement.value, type.is(Type::Kind::Real));
+    leave_whens(0);
     if (type.is(Type::Kind::String)) {
       code_.emit(Opcode::leave_with_text, place, value);
     } else {

@@ -60,6 +60,20 @@ ExpressionCompiler::WatchCode ExpressionCompiler::watch(const Expr& condition) {
   return {code_.end_watch(answer, count, place), values};
 }
 
+void StatementCompiler::compile(const When& when) {
+  const Place place = place_;
+  const auto mark = code_.mark();
+  const ExpressionCompiler::WatchCode watch = expressions_.watch(*when.condition);
+  code_.when(watch.values, watch.index, whens_++, place);
+  compile(when.action);
+  code_.release(mark);
+}
+
+void StatementCompiler::leave_whens(std::size_t kept) {
+  if (whens_ == kept) return;
+  code_.emit(Instruction::ax(Opcode::disarm, 0, static_cast<std::uint16_t>(kept)), place_);
+}
+
 /// The guard is set before the motion is commanded, and asked for behind it.
 void StatementCompiler::compile(const WatchedMotion& watched) {
   const Place place = place_;

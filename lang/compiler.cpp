@@ -28,7 +28,10 @@ StatementCompiler::StatementCompiler(const CheckedProgram& checked, const RobotS
     : robot_(robot), code_(signal_names(robot)), expressions_(code_, checked.symbols.size()) {}
 
 std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnostics& diagnostics) {
-  compile(program.statements);
+  const auto mark = code_.mark();
+  // A WHEN outside of all blocks is armed until the program has ended.
+  for (const Statement& statement : program.statements) compile(statement);
+  code_.release(mark);
   code_.land(returns_);
   code_.emit(Opcode::end, program.end);
   if (std::ranges::any_of(program.routines, &Routine::test)) compile_test_entry(program);

@@ -115,6 +115,8 @@ void Line::operand(char kind, unsigned field) {
     case 'L':
     case 'W':
       return add(kind == 'L' ? "of " : "+", next_word());
+    case 'N':
+      return add("", next_word());
     case 'V':
       return remark(in_words(chunk_.types[next_word()]));
     default:  // 'J': the jump that follows is listed on a line of its own

@@ -17,6 +17,7 @@ namespace {
 bool takes_lines(Keyword keyword) {
   switch (keyword) {
     case Keyword::If:
+    case Keyword::When:
     case Keyword::While:
     case Keyword::For:
     case Keyword::Loop:

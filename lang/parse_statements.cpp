@@ -46,6 +46,9 @@ bool Parser::block_statement(Block& block) {
     case Keyword::For:
       for_statement(block);
       return true;
+    case Keyword::When:
+      when_statement(block);
+      return true;
     case Keyword::Signal:
       signal_declaration(block);
       return true;

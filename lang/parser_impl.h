@@ -116,6 +116,8 @@ class Parser {
 
   // What is looked at in every control cycle (parse_watching.cpp)
   void behind_motion(Block& block);
+  void when_statement(Block& block);
+  void action(Block& block, std::string_view behind);
 
   // Blocks (parse_blocks.cpp)
   Block block_of(const OpenBlock& open);

@@ -80,6 +80,14 @@ Reply PrintingMachine::ended(int line, bool& hit) {
   return note(line, hit ? "ended hit" : "ended reached");
 }
 
+Reply PrintingMachine::when(int line, const Watch&, int& id) {
+  const Reply reply = note(line, fmt::format("when {}", whens_ + 1));
+  if (reply == Reply::Done) id = ++whens_;
+  return reply;
+}
+
+Reply PrintingMachine::disarm(int line, int id) { return note(line, fmt::format("disarm {}", id)); }
+
 Reply PrintingMachine::wait(int line, double seconds) {
   return note(line, "wait " + number_text(seconds, kTime));
 }

@@ -22,6 +22,7 @@ namespace rob::lang {
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
 ///     failed TEXT · simulate lift_up 1 after 2s
+///     when 1 · disarm 1                 WHEN, before its action; counted in the order of arming
 ///     stand · waited                    WAIT for a condition: its beginning, its end
 ///
 /// While a program waits for a condition every look at it is 10 ms later than the one before.
@@ -57,6 +58,8 @@ class PrintingMachine : public Machine {
   Reply move(int line, const MoveCommand& command) override;
   Reply guard(int line, const Watch& condition) override;
   Reply ended(int line, bool& hit) override;
+  Reply when(int line, const Watch& condition, int& id) override;
+  Reply disarm(int line, int id) override;
   Reply stop(int line) override { return note(line, "stop"); }
   Reply wait(int line, double seconds) override;
   Reply stand(int line, double& now) override;
@@ -98,6 +101,7 @@ class PrintingMachine : public Machine {
   int cycle_ = 0;
   bool standing_ = false;
   Watch guard_;
+  int whens_ = 0;
   std::optional<int> refuse_after_;
   Refusal refusal_;
 };

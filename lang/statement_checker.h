@@ -51,6 +51,10 @@ class StatementChecker {
     watches_.check_until(watched.until);
     check(watched.otherwise);
   }
+  void check(When& when) {
+    check(when.action);
+    watches_.check_when(when);
+  }
   void check(Stop&) {}
   void check(Declaration& declaration);
   // TEST (check_tests.cpp)

@@ -24,7 +24,10 @@ class StatementCompiler {
   /// What a block declares is given back at its end.
   void compile(const Block& block) {
     const auto mark = code_.mark();
+    const std::size_t whens = whens_;
     for (const Statement& statement : block) compile(statement);
+    leave_whens(whens);
+    whens_ = whens;
     code_.release(mark);
   }
   void compile(const Statement& statement) {
@@ -34,6 +37,9 @@ class StatementCompiler {
 
   void compile(const Move& move);
   void compile(const WatchedMotion& watched);
+  void compile(const When& when);
+  /// Code that disarms what was armed in this frame beyond the first `kept`.
+  void leave_whens(std::size_t kept);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
   void compile(const Declaration& declaration);
   void compile(const SignalDeclaration& signal);
@@ -47,8 +53,14 @@ class StatementCompiler {
   void compile(const For& loop);
   void compile(const Loop& loop);
   void compile(const Select& select);
-  void compile(const Exit&) { loops_.back().exits.push_back(code_.jump(place_)); }
-  void compile(const Next&) { loops_.back().nexts.push_back(code_.jump(place_)); }
+  void compile(const Exit&) {
+    leave_whens(loops_.back().whens);
+    loops_.back().exits.push_back(code_.jump(place_));
+  }
+  void compile(const Next&) {
+    leave_whens(loops_.back().whens);
+    loops_.back().nexts.push_back(code_.jump(place_));
+  }
   void compile(const Assert& assertion);
 
   void compile(const CallStatement& statement) { expressions_.call(*statement.call); }
@@ -64,6 +76,7 @@ class StatementCompiler {
   struct LoopJumps {
     CodeBuilder::Jumps exits;
     CodeBuilder::Jumps nexts;
+    std::size_t whens = 0;  ///< that were armed in this frame when it began
   };
   /// Code for the body; NEXT arrives behind it.
   void compile_body(const Block& body);
@@ -84,6 +97,7 @@ class StatementCompiler {
   ExpressionCompiler expressions_;
   Place place_;  ///< of the present statement: its line is what the Machine is told
   std::vector<LoopJumps> loops_;
+  std::size_t whens_ = 0;             ///< WHENs of this frame whose block is open
   const Routine* routine_ = nullptr;  ///< that is being compiled; null at the top level
   CodeBuilder::Jumps returns_;        ///< RETURN at the top level: the end of the program
 };

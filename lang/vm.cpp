@@ -293,6 +293,13 @@ guard:
 ended:
   ROB_ASK(ended(pc), pc);
   ROB_NEXT(1);
+when:
+  if (armed_count_ == kMostWhens) return fail_too_many_whens(pc);
+  ROB_ASK(when(pc), pc);
+  ROB_NEXT(2);
+disarm:
+  ROB_ASK(disarm(line(pc), whens_below(pc->x())), pc);
+  ROB_NEXT(1);
 read_hit:
   n[pc->a()].integer = hit_ ? 1 : 0;
   ROB_NEXT(1);

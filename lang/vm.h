@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -39,6 +40,9 @@ inline constexpr std::size_t kMostText = 65536;
 inline constexpr std::size_t kMostCalls = 1000;
 inline constexpr std::size_t kNumberStack = 65536;
 inline constexpr std::size_t kTextStack = 1024;
+/// WHENs that can be armed at once. [choice] more than a person keeps in mind; all are looked at in
+/// every control cycle.
+inline constexpr std::size_t kMostWhens = 16;
 
 /// Executes a Chunk against a Machine. It never blocks: where the program has to wait, run()
 /// returns and is called again. `chunk` and `machine` must outlive it.
@@ -80,6 +84,10 @@ class Vm {
   /// but no program can run on for ever.
   State run(std::int64_t budget);
 
+  /// Something went wrong while the program was waiting or between two of its instructions: the
+  /// program fails with this error where it is.
+  void interrupt(RuntimeError error);
+
   State state() const { return state_; }
   const RuntimeError& error() const { return error_; }
   /// Instructions executed since the start; those that a forward jump passed over count too.
@@ -116,6 +124,11 @@ class Vm {
   Reply guard(Code pc);
   Reply ended(Code pc);
   Reply simulate(Code pc, double value);
+  Reply when(Code pc);
+  /// Disarms the WHENs beyond the first `kept`.
+  Reply disarm(int line, std::size_t kept);
+  std::size_t whens_below(std::size_t level) const;
+  State fail_too_many_whens(Code pc);
   State fail_timeout(Code pc);
 
   // Motions (vm_motion.cpp): false, with error_ set, if a value turned out to be impossible.
@@ -181,7 +194,15 @@ class Vm {
   Random latched_random_;  ///< as it was at latch_
   std::int64_t executed_ = 0;
   std::int64_t budget_ = 0;
-  bool turned_ = false;    ///< a loop has turned since the last observation
+  bool turned_ = false;  ///< a loop has turned since the last observation
+  /// A WHEN that is armed.
+  struct Armed {
+    std::size_t depth;    ///< calls that were open
+    std::uint32_t level;  ///< of its frame
+    int id;               ///< the machine's
+  };
+  std::array<Armed, kMostWhens> armed_;
+  std::size_t armed_count_ = 0;
   bool hit_ = false;       ///< the last guarded motion was ended by its guard
   bool observed_ = false;  ///< the world was observed in the present cycle
 };

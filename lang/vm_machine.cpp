@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <string>
 
 #include <fmt/core.h>
@@ -6,7 +5,6 @@
 #include "lang/codes.h"
 #include "lang/number_text.h"
 #include "lang/vm.h"
-#include "lang/watch.h"
 
 /// The part of Vm that asks the Machine: what is commanded, observed and waited for.
 namespace rob::lang {
@@ -57,24 +55,6 @@ Reply Vm::stand(Code pc) {
   if (!turns_.empty()) turns_[index(pc)] = 0;  // a WAIT that looks again is no loop
   const Reply reply = machine_.stand(line(pc), numbers_[pc->a()].real);
   if (reply == Reply::Done) {
-    observed_ = true;
-    turned_ = false;
-  }
-  return reply;
-}
-
-Reply Vm::guard(Code pc) {
-  Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
-  std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
-  return machine_.guard(line(pc), watch);
-}
-
-Reply Vm::ended(Code pc) {
-  bool hit = false;
-  const Reply reply = machine_.ended(line(pc), hit);
-  if (reply != Reply::Later) hit_ = hit;
-  if (reply == Reply::Done) {
-    numbers_[pc->a()].integer = hit ? 1 : 0;
     observed_ = true;
     turned_ = false;
   }

@@ -18,9 +18,12 @@ class WatchChecker {
 
   /// The condition of an UNTIL; null where it could not be read.
   void check_until(const ExprPtr& condition);
+  /// The condition of a WHEN, and what it does, which has been checked as a statement before.
+  void check_when(const When& when);
 
  private:
   bool check_condition(const ExprPtr& condition, std::string_view word);
+  void check_action(const Statement& action, std::string_view word);
   bool check_watchable(const Expr& expression, std::string_view word);
 
   ExpressionChecker& expressions_;

@@ -16,6 +16,7 @@ struct MotionEvent {
     Hit,             ///< tag; number: the guard of this motion holds; it brakes
     Braking,         ///< tag; number: it brakes, since it was asked to or its guard has no answer
     Rest,            ///< the Rest that TrajectoryGenerator::take_rest() gives next
+    ActionDue,       ///< effect: a WHEN does it
     EffectDropped,   ///< effect: what carried it has ended early
     PulseOver,       ///< effect: the Pulse whose output is off again
     Held,            ///< the axes stand on the path by request or by fault; value: share of the

@@ -10,11 +10,30 @@ using Kind = MotionEvent::Kind;
 
 void PaulGenerator::look(const CycleView& view) noexcept {
   view_ = view;
-  if (clock_.braking() || faulted_) return;
+  if (faulted_) return;
+  watches_.ask(view, [this](WatchedAction& action, WatchAnswer answer) noexcept {
+    return do_watched(action, answer);
+  });
+  if (!clock_.braking()) ask_guard();
+}
+
+/// False where nothing more is to be asked in this cycle.
+bool PaulGenerator::do_watched(WatchedAction& action, WatchAnswer answer) noexcept {
+  if (answer == WatchAnswer::Yes && action.kind == WatchedAction::Kind::Act) {
+    tell({.kind = Kind::ActionDue, .time = view_.time, .tag = action.tag, .effect = action.effect});
+    return true;
+  }
+  if (clock_.braking() && rest_.by != nullptr) return false;  // the first error is the one to mend
+  trip(answer == WatchAnswer::Yes ? Rest::Outcome::Raised : Rest::Outcome::Failed, &action);
+  action.fired.store(true, std::memory_order_relaxed);
+  return false;
+}
+
+void PaulGenerator::ask_guard() noexcept {
   const std::uint32_t number = buffer_.to_be_braked();
   if (number != 0 && number <= segment_.number) return trip(Rest::Outcome::Braked);
   if (!running_ || !segment_.guard.present()) return;
-  const WatchAnswer answer = segment_.guard.ask(view);
+  const WatchAnswer answer = segment_.guard.ask(view_);
   if (answer != WatchAnswer::No) trip(outcome_of(answer));
 }
 
@@ -23,13 +42,15 @@ Rest::Outcome PaulGenerator::outcome_of(WatchAnswer answer) noexcept {
 }
 
 /// From now on the axes brake on their path, beyond the end of the segment if need be.
-void PaulGenerator::trip(Rest::Outcome outcome) noexcept {
+void PaulGenerator::trip(Rest::Outcome outcome, WatchedAction* by) noexcept {
   rest_.outcome = outcome;
+  rest_.by = by;
   rest_.generation = segment_.generation;
   rest_.tag = segment_.tag;
   rest_.trip_time = view_.time;
   rest_.trip_q = view_.measured;
-  kept_ = segment_.number - (segment_.number > 0 ? 1 : 0);
+  // Behind an error nothing acts that has not acted yet; else what stands before the motion does.
+  kept_ = by != nullptr ? passed_ : segment_.number - (segment_.number > 0 ? 1 : 0);
   clock_.brake();
   tell({.kind = outcome == Rest::Outcome::Hit ? Kind::Hit : Kind::Braking,
         .time = view_.time,
@@ -82,6 +103,7 @@ void PaulGenerator::close_guard() noexcept {
   segment_.guard = {};
   const double time = std::max(latest_, clock_.run_time(end_));
   rest_.outcome = Rest::Outcome::Reached;
+  rest_.by = nullptr;
   rest_.generation = segment_.generation;
   rest_.tag = segment_.tag;
   rest_.trip_time = time;
@@ -94,6 +116,12 @@ void PaulGenerator::tell_rest(double time) noexcept {
   rest_.time = time;
   rests_.push(rest_);
   tell({.kind = Kind::Rest, .time = time, .tag = rest_.tag, .number = segment_.number});
+}
+
+/// A WHEN whose block the program has left is disarmed in any case.
+void PaulGenerator::arm_or_disarm(const Effect& effect, bool dropped) noexcept {
+  if (effect.kind == Effect::Kind::Disarm) watches_.disarm(*effect.watched);
+  if (effect.kind == Effect::Kind::Arm && !dropped) watches_.arm(*effect.watched);
 }
 
 /// Motions of a generation that has ended are passed over; the axes stand behind them.

@@ -260,7 +260,8 @@ void PaulGenerator::fire_effects(double time) noexcept {
   for (const Effect* effect = buffer_.next_effect(); effect != nullptr && !events_.full();
        effect = buffer_.next_effect()) {
     const bool dropped = effect->generation <= ended_ && effect->after > kept_;
-    if (!dropped && effect->after > passed_) return;
+    if (!dropped && (effect->after > passed_ || failing())) return;
+    arm_or_disarm(*effect, dropped);
     tell({.kind = dropped ? Kind::EffectDropped : Kind::EffectDue,
           .time = time,
           .tag = effect->tag,

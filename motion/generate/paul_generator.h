@@ -7,6 +7,7 @@
 #include "motion/generate/path_clock.h"
 #include "motion/generate/paul_transition.h"
 #include "motion/generate/trajectory_generator.h"
+#include "motion/generate/watch_list.h"
 #include "motion/plan/look_ahead_buffer.h"
 #include "motion/robots/robot_model.h"
 #include "motion/robots/time_scaling.h"
@@ -41,6 +42,9 @@ namespace rob::motion {
 /// corner towards it is asked from there on; one that would begin from standstill while its
 /// condition holds does not begin. A guarded motion with nothing behind it is a barrier: its Rest
 /// tells how it ended.
+///
+/// WHENs are armed and disarmed by effects, asked in look() before the guard, and act in the cycle;
+/// one that raises brakes like a guard, and no effect acts any more from then on.
 ///
 /// A segment whose rates would not be finite is not begun: Fault, the axes arrive at the target
 /// before it, and nothing more is begun. A reference that is no number all the same is not handed
@@ -95,7 +99,10 @@ class PaulGenerator final : public TrajectoryGenerator {
 
   // Early ends (paul_early_end.cpp)
   static Rest::Outcome outcome_of(WatchAnswer answer) noexcept;
-  void trip(Rest::Outcome outcome) noexcept;
+  bool do_watched(WatchedAction& action, WatchAnswer answer) noexcept;
+  void ask_guard() noexcept;
+  void trip(Rest::Outcome outcome, WatchedAction* by = nullptr) noexcept;
+  void arm_or_disarm(const Effect& effect, bool dropped) noexcept;
   bool hit_at_start(const SegmentDescriptor& segment, double instant) noexcept;
   void end_early(double instant) noexcept;
   void close_guard() noexcept;
@@ -103,6 +110,8 @@ class PaulGenerator final : public TrajectoryGenerator {
   void drop_ended() noexcept;
 
   void begin_dwell(const SegmentDescriptor& segment, double instant) noexcept;
+  /// Braking for an error of the program.
+  bool failing() const noexcept { return clock_.braking() && rest_.by != nullptr; }
   bool dwelling() const noexcept { return running_ && segment_.dwell; }
   double exit() const noexcept {
     return segment_.dwell ? end_ - zero_ : segment_.duration - segment_.t_acc;
@@ -134,10 +143,11 @@ class PaulGenerator final : public TrajectoryGenerator {
 
   // What ends early
   const double usual_t_acc_;  ///< of the first transition after it
-  CycleView view_;            ///< of the present cycle
-  Rest rest_;                 ///< in the making
-  std::uint32_t ended_ = 0;   ///< generations up to this one are over
-  std::uint32_t kept_ = 0;    ///< effects of the one that ended last act up to this number
+  WatchList watches_;
+  CycleView view_;           ///< of the present cycle
+  Rest rest_;                ///< in the making
+  std::uint32_t ended_ = 0;  ///< generations up to this one are over
+  std::uint32_t kept_ = 0;   ///< effects of the one that ended last act up to this number
 
   bool held_told_ = false;
   bool faulted_ = false;

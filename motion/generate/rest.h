@@ -7,6 +7,8 @@
 
 namespace rob::motion {
 
+struct WatchedAction;
+
 /// How what had been commanded came to rest, for the program that waits for it. Where it ended
 /// early, all that was commanded in its generation is dropped, and the next motion starts at `q`.
 struct Rest {
@@ -14,16 +16,18 @@ struct Rest {
     Reached,  ///< a guarded motion has arrived at its target
     Hit,      ///< its condition held
     Failed,   ///< its condition could not be computed
+    Raised,   ///< a WHEN has raised an error
     Braked    ///< by request, see LookAheadBuffer::brake()
   };
 
   Outcome outcome = Outcome::Reached;
   std::uint32_t generation = 0;
-  Tag tag = 0;           ///< of the motion that ran when it happened
-  double time = 0;       ///< s, when the axes came to rest
-  double trip_time = 0;  ///< s, when the braking began; without braking: time
-  JointVector q;         ///< m, rad: the reference at rest
-  JointVector trip_q;    ///< what was measured in the cycle in which the braking began
+  Tag tag = 0;                  ///< of the motion that ran when it happened
+  double time = 0;              ///< s, when the axes came to rest
+  double trip_time = 0;         ///< s, when the braking began; without braking: time
+  WatchedAction* by = nullptr;  ///< the WHEN that raised it or could not be computed; else null
+  JointVector q;                ///< m, rad: the reference at rest
+  JointVector trip_q;           ///< what was measured in the cycle in which the braking began
 
   bool early() const noexcept { return outcome != Outcome::Reached; }
 };

@@ -8,6 +8,8 @@
 
 namespace rob::motion {
 
+struct WatchedAction;
+
 /// One motion, complete and admissible: what the generator needs and nothing else.
 /// The segment runs from where the one before it ends (B) to `target` (C).
 struct SegmentDescriptor {
@@ -31,7 +33,16 @@ struct SegmentDescriptor {
 
 /// Something that happens in motion order beside the axes: an output, a line of print.
 struct Effect {
-  enum class Kind : std::uint8_t { Output, Analog, Pulse, Simulate, SimulateAnalog, Note };
+  enum class Kind : std::uint8_t {
+    Output,
+    Analog,
+    Pulse,
+    Simulate,
+    SimulateAnalog,
+    Note,
+    Arm,    ///< `watched` is asked from here on
+    Disarm  ///< and no longer, whether it was armed or not
+  };
 
   Tag tag = 0;
   Kind kind = Kind::Note;
@@ -42,6 +53,7 @@ struct Effect {
   std::uint32_t id = 0;      ///< the asker's own
   std::uint32_t after = 0;   ///< number of the segment that carries it; 0: before any motion
   std::uint32_t generation = 1;
+  WatchedAction* watched = nullptr;  ///< of Arm and Disarm
 };
 
 }  // namespace rob::motion

@@ -155,6 +155,11 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
       channels_.effects_done.fetch_add(1, std::memory_order_release);
       event.time = cycle_time;  // it acts in this cycle, and says so
       break;
+    case MotionEvent::Kind::ActionDue:
+      if (faulted_) return;
+      act(event.effect, cycle_time);
+      event.time = cycle_time;
+      break;
     case MotionEvent::Kind::EffectDropped:
       channels_.effects_done.fetch_add(1, std::memory_order_release);
       return;  // the report counts what has not acted
@@ -202,6 +207,8 @@ void MotionTask::act(const Effect& effect, double now) noexcept {
       return simulate({WorldSignal::Kind::AnalogInput, effect.channel}, effect.volts,
                       now + effect.seconds);
     case Effect::Kind::Note:
+    case Effect::Kind::Arm:
+    case Effect::Kind::Disarm:
       return;
   }
 }

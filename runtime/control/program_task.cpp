@@ -1,5 +1,7 @@
 #include "runtime/control/program_task.h"
 
+#include <utility>
+
 namespace rob::runtime {
 
 ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine, std::uint64_t seed,
@@ -11,6 +13,7 @@ ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine, std::u
 ProgramTask::State ProgramTask::step(std::int64_t budget) {
   if (failure_) return finish(static_cast<int>(failure_->place.line));
   if (circling() != 0) return finish(circling());
+  if (auto error = machine_.take_interruption()) vm_.interrupt(std::move(*error));
   switch (vm_.run(budget)) {
     case lang::Vm::State::Running:
       return State::Busy;

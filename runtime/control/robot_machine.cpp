@@ -80,7 +80,8 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
       buffer_(buffer),
       channels_(channels),
       log_(log),
-      until_(signals_) {}
+      until_(signals_),
+      whens_(signals_) {}
 
 /// What is to be exact takes two segments, which are queued together.
 Reply RobotMachine::move(int line, const lang::MoveCommand& command) {
@@ -98,33 +99,6 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& command) {
     queue(*segment, true, true);
   }
   return Reply::Done;
-}
-
-Reply RobotMachine::guard(int /*line*/, const lang::Watch& condition) {
-  until_.set(condition);
-  guarded_ = true;
-  return Reply::Done;
-}
-
-/// The motion is made exact; its Rest tells how it ended.
-Reply RobotMachine::ended(int line, bool& hit) {
-  if (!exact_) {
-    if (buffer_.full()) return Reply::Later;
-    if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) {
-      queue(*segment, true, true);
-    }
-  }
-  motion::Rest rest;
-  if (!channels_.rests.take(rest)) return Reply::Later;
-  guarded_ = false;
-  if (rest.early()) {
-    planner_.retarget(rest.q);
-    exact_ = true;
-  }
-  hit = rest.outcome == motion::Rest::Outcome::Hit;
-  if (rest.outcome != motion::Rest::Outcome::Failed) return Reply::Done;
-  refusal_ = words_for_condition(until_.error());
-  return Reply::Refused;
 }
 
 Reply RobotMachine::stop(int line) {
@@ -184,8 +158,10 @@ Reply RobotMachine::waited(int line) {
 
 Reply RobotMachine::end(int line) {
   const Reply reply = stop(line);
-  if (reply == Reply::Done) buffer_.close();
-  return reply;
+  if (reply != Reply::Done) return reply;
+  if (armed_ > 0 && !settled()) return Reply::Later;  // a WHEN may still have something to say
+  buffer_.close();
+  return Reply::Done;
 }
 
 Reply RobotMachine::print(int line, std::string_view text) {
@@ -312,10 +288,19 @@ void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool furt
 }
 
 Reply RobotMachine::queue(motion::Effect effect) {
+  if (recording_ != nullptr) {
+    recording_->effect = effect;
+    return arm();
+  }
+  const Reply reply = push(effect);
+  if (reply == Reply::Done) log_.queued_effect();
+  return reply;
+}
+
+Reply RobotMachine::push(motion::Effect effect) {
   effect.after = planner_.last_number();
   effect.generation = planner_.generation();
   if (!buffer_.push(effect)) return Reply::Later;
-  log_.queued_effect();
   ++effects_;
   return Reply::Done;
 }

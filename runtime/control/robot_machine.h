@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "runtime/control/channels.h"
 #include "runtime/control/program_log.h"
 #include "runtime/control/program_watch.h"
+#include "runtime/control/when_pool.h"
 
 namespace rob::runtime {
 
@@ -38,6 +40,8 @@ class RobotMachine final : public lang::Machine {
   lang::Reply move(int line, const lang::MoveCommand& command) override;
   lang::Reply guard(int line, const lang::Watch& condition) override;
   lang::Reply ended(int line, bool& hit) override;
+  lang::Reply when(int line, const lang::Watch& condition, int& id) override;
+  lang::Reply disarm(int line, int id) override;
   lang::Reply stop(int line) override;
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
@@ -56,6 +60,8 @@ class RobotMachine final : public lang::Machine {
   lang::Reply forward(int line, std::span<const double> joints, lang::PoseValue& pose) override;
   lang::Reply inverse(int line, const lang::PoseValue& pose, std::span<const double> near,
                       std::span<double> joints) override;
+  /// The error that a WHEN has raised, once the axes stand; what had been commanded is dropped.
+  std::optional<lang::RuntimeError> take_interruption();
   const lang::Refusal& refusal() const override { return refusal_; }
 
  private:
@@ -65,6 +71,9 @@ class RobotMachine final : public lang::Machine {
   /// The last target exactly, then a dwell, as one statement.
   lang::Reply dwell(int line, double seconds);
   lang::Reply queue(motion::Effect effect);
+  lang::Reply push(motion::Effect effect);
+  lang::Reply arm();
+  bool settled() const;
   /// An effect on an output, still to be told what it does.
   motion::Effect effect_on(int line, int signal) const;
   /// Notes that a signal was read which nobody drives.
@@ -88,6 +97,13 @@ class RobotMachine final : public lang::Machine {
   bool begun_ = false;     ///< the present WAIT has queued its first segment
   ProgramWatch until_;     ///< what the guarded motion is asked
   bool guarded_ = false;   ///< what is queued now ends early if until_ holds
+  bool exact_ = true;         ///< the last motion queued ends at standstill
+  bool begun_ = false;        ///< the present WAIT has queued its first segment
+  ProgramWatch until_;        ///< what the guarded motion is asked
+  WhenPool whens_;
+  motion::WatchedAction* recording_ = nullptr;  ///< the WHEN whose action comes next
+  int armed_ = 0;                               ///< WHENs that are not disarmed yet
+  bool guarded_ = false;                        ///< what is queued now ends early if until_ holds
   bool standing_ = false;  ///< the present WAIT for a condition has queued all it needs
 };
 

@@ -70,6 +70,9 @@ void RunRecorder::take(const MotionEvent& event) {
     case MotionEvent::Kind::EffectDue:
       take_effect(event);
       break;
+    case MotionEvent::Kind::ActionDue:
+      take_output(event);
+      break;
     case MotionEvent::Kind::PulseOver:
       add_output(event, false);
       break;
@@ -198,22 +201,20 @@ double RunRecorder::planned_miss(const Running& segment, const LoggedSegment* ne
 }
 
 void RunRecorder::take_effect(const MotionEvent& event) {
+  using Kind = Effect::Kind;
+  const Kind kind = event.effect.kind;
+  if (kind == Kind::Arm || kind == Kind::Disarm) return;
   --result_.dropped_effects;
-  switch (event.effect.kind) {
-    case Effect::Kind::Output:
-      return add_output(event, event.effect.value);
-    case Effect::Kind::Pulse:
-      return add_output(event, true);
-    case Effect::Kind::Analog:
-      return add_analog(event);
-    case Effect::Kind::Simulate:
-    case Effect::Kind::SimulateAnalog:
-      return;  // inputs are the machine's, simulated or not
-    case Effect::Kind::Note:
-      break;
-  }
+  // Inputs are the machine's, simulated or not.
+  if (kind == Kind::Simulate || kind == Kind::SimulateAnalog) return;
+  if (kind != Kind::Note) return take_output(event);
   result_.output.push_back(log_.take_text(event.effect.id));
   if (listener_.print) listener_.print(result_.output.back());
+}
+
+void RunRecorder::take_output(const MotionEvent& event) {
+  if (event.effect.kind == Effect::Kind::Analog) return add_analog(event);
+  add_output(event, event.effect.kind == Effect::Kind::Pulse || event.effect.value);
 }
 
 void RunRecorder::add_output(const MotionEvent& event, bool value) {

@@ -68,6 +68,7 @@ class RunRecorder {
   void end_corner();
   double planned_miss(const Running& segment, const LoggedSegment* next) const;
   void take_effect(const motion::MotionEvent& event);
+  void take_output(const motion::MotionEvent& event);
   void add_output(const motion::MotionEvent& event, bool value);
   void add_analog(const motion::MotionEvent& event);
   void take_peaks(const Snapshot& snapshot);

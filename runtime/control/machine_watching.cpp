@@ -1,0 +1,89 @@
+#include <string>
+
+#include "runtime/control/messages.h"
+#include "runtime/control/robot_machine.h"
+
+/// The part of RobotMachine that sets up what is looked at in every control cycle.
+namespace rob::runtime {
+
+using lang::Reply;
+
+Reply RobotMachine::guard(int /*line*/, const lang::Watch& condition) {
+  until_.set(condition);
+  guarded_ = true;
+  return Reply::Done;
+}
+
+/// The motion is made exact; its Rest tells how it ended.
+Reply RobotMachine::ended(int line, bool& hit) {
+  if (!exact_) {
+    if (buffer_.full()) return Reply::Later;
+    if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) {
+      queue(*segment, true, true);
+    }
+  }
+  const motion::Rest* next = channels_.rests.front();
+  if (next == nullptr || next->by != nullptr) return Reply::Later;
+  const motion::Rest rest = *next;
+  channels_.rests.pop();
+  guarded_ = false;
+  if (rest.early()) {
+    planner_.retarget(rest.q);
+    exact_ = true;
+  }
+  hit = rest.outcome == motion::Rest::Outcome::Hit;
+  if (rest.outcome != motion::Rest::Outcome::Failed) return Reply::Done;
+  refusal_ = words_for_condition(until_.error());
+  return Reply::Refused;
+}
+
+Reply RobotMachine::when(int line, const lang::Watch& condition, int& id) {
+  motion::WatchedAction* const action = whens_.set_up(line, condition, id);
+  if (action == nullptr) return Reply::Later;
+  recording_ = action;
+  ++armed_;
+  return Reply::Done;
+}
+
+Reply RobotMachine::arm() {
+  motion::Effect effect;
+  effect.tag = recording_->tag;
+  effect.kind = motion::Effect::Kind::Arm;
+  effect.watched = recording_;
+  const Reply reply = push(effect);
+  if (reply == Reply::Done) recording_ = nullptr;
+  return reply;
+}
+
+Reply RobotMachine::disarm(int line, int id) {
+  if (channels_.decidable.load(std::memory_order_acquire) < planner_.last_number()) {
+    return Reply::Later;
+  }
+  motion::Effect effect;
+  effect.tag = static_cast<motion::Tag>(line);
+  effect.kind = motion::Effect::Kind::Disarm;
+  effect.watched = &whens_.at(id);
+  const Reply reply = push(effect);
+  if (reply == Reply::Done) --armed_;
+  return reply;
+}
+
+bool RobotMachine::settled() const {
+  return channels_.settled.load(std::memory_order_acquire) >= planner_.last_number() &&
+         channels_.effects_done.load(std::memory_order_acquire) >= effects_;
+}
+
+std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
+  const motion::Rest* const rest = channels_.rests.front();
+  if (rest == nullptr || rest->by == nullptr) return std::nullopt;
+  lang::RuntimeError error = whens_.error_of(*rest);
+  planner_.retarget(rest->q);
+  buffer_.braked();
+  exact_ = true;
+  begun_ = standing_ = guarded_ = false;
+  recording_ = nullptr;
+  channels_.rests.pop();
+  return error;
+}
+
+}  // namespace rob::runtime

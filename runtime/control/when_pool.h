@@ -1,0 +1,40 @@
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "lang/vm.h"
+#include "motion/generate/rest.h"
+#include "motion/plan/watched_action.h"
+#include "runtime/control/program_watch.h"
+
+namespace rob::runtime {
+
+/// The WHENs of a program, between the program's thread, which sets them up, and the tick, which
+/// asks them. A place is used again when the tick has done with it. All calls come from the
+/// program's thread; only set_up() takes memory.
+class WhenPool {
+ public:
+  explicit WhenPool(const std::vector<lang::RobotSignature::Signal>& signals) : signals_(signals) {}
+
+  /// A place for a WHEN in this line, and its number; null while all are in use.
+  motion::WatchedAction* set_up(int line, const lang::Watch& condition, int& id);
+  motion::WatchedAction& at(int id) { return places_.at(static_cast<std::size_t>(id)).action; }
+  /// The error that a Rest which a WHEN has caused means.
+  lang::RuntimeError error_of(const motion::Rest& rest);
+
+ private:
+  struct Place {
+    explicit Place(const std::vector<lang::RobotSignature::Signal>& signals) : watch(signals) {}
+
+    motion::WatchedAction action;
+    ProgramWatch watch;
+  };
+
+  Place& place_of(const motion::WatchedAction& action);
+
+  const std::vector<lang::RobotSignature::Signal>& signals_;
+  std::deque<Place> places_;
+};
+
+}  // namespace rob::runtime

@@ -1,0 +1,85 @@
+#include <doctest/doctest.h>
+
+#include "tests/support/no_allocation.h"
+#include "tests/support/stepped_run.h"
+
+using rob::runtime::RunResult;
+using rob::runtime::SignalChange;
+using rob::test::SteppedRun;
+
+// The lift of the gantry takes 0.5 s.
+
+namespace {
+
+/// When an output was switched, or −1.
+double switched(const RunResult& result, const std::string& name, int line) {
+  for (const SignalChange& change : result.signals)
+    if (change.name == name && change.line == line) return change.time;
+  return -1;
+}
+
+}  // namespace
+
+TEST_CASE("a WHEN acts in the cycle in which its signal comes") {
+  SteppedRun run("WHEN lift_up : DOUT[1] = ON\nlift = ON\nMOVE(100,0,0)");
+  double seen = -1;
+  run.each_cycle = [&](double now) {
+    if (seen < 0 && (run.controller.channels().inputs >> 9 & 1) != 0) seen = now;
+  };
+  const RunResult result = run.run();
+  REQUIRE(seen > 0);
+  CHECK(switched(result, "DOUT[1]", 1) == doctest::Approx(seen).epsilon(1e-9));
+  CHECK(result.dropped_effects == 0);
+  CHECK(result.measured == doctest::Approx(7.75).epsilon(1e-9));
+}
+
+TEST_CASE("a WHEN is armed in motion order") {
+  SteppedRun run("MOVE(100,0,0)\nWHEN lift_down : DOUT[1] = ON\nMOVE(200,0,0)");
+  const RunResult result = run.run();
+  CHECK(switched(result, "DOUT[1]", 2) == doctest::Approx(6.38).epsilon(1e-9));
+}
+
+TEST_CASE("a WHEN is disarmed where the motion leaves its block, and the blend is kept") {
+  SteppedRun run(
+      "VAR n = 1\nIF n == 1 THEN\n  WHEN lift_up : DOUT[1] = ON\n  MOVE(100,0,0)\nENDIF\n"
+      "MOVE(200,0,0)\nlift = ON\nSTOP\nWAIT lift_up");
+  const RunResult result = run.run();
+  CHECK(switched(result, "DOUT[1]", 3) == -1);
+  CHECK(result.starved == 0);
+}
+
+TEST_CASE("a WHEN is armed until the last motion has ended") {
+  SteppedRun run("WHEN lift_up : DOUT[1] = ON\nMOVE(20,0,0)\nlift = ON\nMOVE(40,0,0)");
+  const RunResult result = run.run();
+  CHECK(switched(result, "DOUT[1]", 1) > 4);
+}
+
+TEST_CASE("the condition of a WHEN that cannot be computed is an error of the program") {
+  SteppedRun run(
+      "VAR n = 0\nWHEN lift_up AND 1 DIV n > 0 : DOUT[1] = ON\nlift = ON\nMOVE(100,0,0)\n"
+      "PRINT \"never\"");
+  const RunResult result = run.run();
+  REQUIRE(run.task.failure());
+  CHECK(run.task.failure()->code == "E302");
+  CHECK(run.task.failure()->place.line == 2);
+  CHECK(result.output.empty());
+  CHECK(result.dropped_effects == 1);
+  CHECK(result.measured < 1);
+}
+
+TEST_CASE("a thousand WHENs one after another find their places") {
+  SteppedRun run(
+      "FOR i = 1 TO 1000 DO\n  WHEN lift_down : DOUT[1] = ON\n  WAIT 0.02s\nENDFOR\nPRINT 1");
+  const RunResult result = run.run();
+  CHECK(result.output.size() == 1);
+  CHECK(result.signals.size() == 1000);
+}
+
+TEST_CASE("the control cycle takes no memory while it looks at WHENs") {
+  SteppedRun run("WHEN lift_down : DOUT[1] = ON\nWHEN lift_up : DOUT[2] = ON\nMOVE(100,0,0)");
+  run.controller.servo().enable(0);
+  run.task.step(1000);
+  rob::test::NoAllocation guard;
+  for (int k = 0; k < 300; ++k) run.controller.motion().cycle(k, 0);
+  CHECK(guard.count() == 0);
+}
