@@ -239,10 +239,21 @@ struct Return {
   ExprPtr value;  ///< null where left out
 };
 
+/// TRY: where the body goes wrong, the rescue is executed.
+struct Try {
+  Block body;
+  Declaration::Declared why;  ///< the name of the reason; empty where left out
+  Block rescue;
+};
+struct Raise {
+  ExprPtr value;  ///< null: the error that is being handled, again
+};
+
 struct Statement {
   Place place;  ///< of its first word
   std::variant<Move, WatchedMotion, Stop, Declaration, SignalDeclaration, Assign, Pulse, Print,
-               Wait, If, While, For, Loop, Select, Exit, Next, Assert, CallStatement, Return>
+               Wait, If, While, For, Loop, Select, Exit, Next, Assert, CallStatement, Return, Try,
+               Raise>
       node;
 };
 

@@ -23,14 +23,17 @@ void StatementCompiler::compile(const Routine& routine) {
 void StatementCompiler::compile(const Return& statement) {
   const Place place = place_;
   if (routine_ == nullptr) {
+    leave_guards(0, place);
     returns_.push_back(code_.jump(place));
   } else if (statement.value == nullptr) {
+    leave_guards(0, place);
     code_.emit(Opcode::leave, place);
   } else {
     const auto mark = code_.mark();
     const bool text = routine_->result.kind == Type::Kind::String;
     const Register value =
         expressions_.value(*statement.value, routine_->result.kind == Type::Kind::Real);
+    leave_guards(0, place);
     code_.emit(text ? Opcode::leave_with_text : Opcode::leave_with, place, value);
     code_.release(mark);
   }

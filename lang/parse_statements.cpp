@@ -55,6 +55,9 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Select:
       select_statement(block);
       return true;
+    case Keyword::Try:
+      try_statement(block);
+      return true;
     case Keyword::Proc:
     case Keyword::Func:
       routine();
@@ -92,6 +95,7 @@ void Parser::simple(Block& block) {
   }
   if (at(Keyword::Return)) return return_statement(block);
   if (at(Keyword::Assert)) return assert_statement(block);
+  if (at(Keyword::Raise)) return raise_statement(block);
   if (at(TokenKind::Word)) return word_statement(block);
   if (!at(TokenKind::Reserved)) {
     fail_here(code::kStatementExpected,
@@ -157,7 +161,7 @@ void Parser::unknown_word(Block& block) {
   const bool stands_alone = next_.kind == TokenKind::EndOfLine;
   const bool routine = keyword == Keyword::Proc || keyword == Keyword::Func;
   if (keyword == Keyword::End || (routine && next_.kind != TokenKind::Word) ||
-      (keyword == Keyword::Loop && !stands_alone) || (needs_do && !line_ends_with(Keyword::Do)) ||
+      ((keyword == Keyword::Loop || keyword == Keyword::Try) && !stands_alone) || (needs_do && !line_ends_with(Keyword::Do)) ||
       (keyword == Keyword::If && !line_ends_with(Keyword::Then))) {
     throw SyntaxError{};
   }

@@ -21,6 +21,7 @@ namespace rob::lang {
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
 ///     stand · waited                    WAIT for a condition: its beginning, its end
+///     settle                            an error is caught: its RESCUE begins
 ///
 /// While a program waits for a condition every look at it is 10 ms later than the one before.
 ///
@@ -56,6 +57,8 @@ class PrintingMachine : public Machine {
   Reply wait(int line, double seconds) override;
   Reply stand(int line, double& now) override;
   Reply waited(int line) override;
+  Reply leave_block(int) override { return ready(); }
+  Reply settle(int line) override;
   Reply end(int line) override { return note(line, "end"); }
   Reply print(int line, std::string_view text) override;
   Reply write_signal(int line, int signal, bool value) override;

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "lang/builtins.h"
+#include "lang/codes.h"
 #include "lang/fold.h"
 #include "lang/number_text.h"
 
@@ -35,7 +36,10 @@ Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
 Vm::State Vm::run(std::int64_t budget) {
   if (state_ == State::Done || state_ == State::Failed) return state_;
   budget_ = budget;
-  state_ = execute(next_);
+  do {
+    if (rescuing_ && !rescue()) return state_ = leave(next_, next_, State::Waiting);
+    state_ = execute(next_);
+  } while (rescuing_);
   return state_;
 }
 
@@ -375,6 +379,23 @@ print:
   ROB_NEXT(1);
 fail_assertion:
   return fail_assertion_at(pc);
+open_try:
+  if (!open_try(pc)) return fail_tries_too_deep(pc);
+  ROB_NEXT(2);
+leave_try:
+  ROB_ASK(machine_.leave_block(line(pc)), pc);
+  guards_.pop_back();
+  ROB_NEXT(1);
+leave_rescue:
+  guards_.pop_back();
+  ROB_NEXT(1);
+raise:
+  return fail(pc, {.code = std::string(code::kRaised),
+                   .place = place(pc),
+                   .message = texts_[pc->a()],
+                   .help = ""});
+raise_again:
+  return raise_again(pc);
 end:
   ROB_ASK(machine_.end(line(pc)), pc);
   return leave(pc + 1, pc, State::Done);

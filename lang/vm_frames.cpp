@@ -41,7 +41,7 @@ Vm::State Vm::fail(Code pc, RuntimeError error) {
     error_.calls.push_back(
         {.routine = chunk_.routines[frame.routine].name, .line = line(frame.back - 1)});
   }
-  return leave(pc, pc, State::Failed);
+  return give_up(pc);
 }
 
 Vm::State Vm::fail(Code pc, ArithmeticError error) {

@@ -179,6 +179,17 @@ Reply RobotMachine::waited(int line) {
   return reply;
 }
 
+Reply RobotMachine::leave_block(int /*line*/) { return decided() ? Reply::Done : Reply::Later; }
+
+Reply RobotMachine::settle(int line) {
+  begun_ = standing_ = false;
+  const Reply reply = stop(line);
+  if (reply != Reply::Done) return reply;
+  const bool stands = channels_.settled.load(std::memory_order_acquire) >= planner_.last_number() &&
+                      channels_.effects_done.load(std::memory_order_acquire) >= effects_;
+  return stands ? Reply::Done : Reply::Later;
+}
+
 Reply RobotMachine::end(int line) {
   const Reply reply = stop(line);
   if (reply == Reply::Done) buffer_.close();
@@ -224,9 +235,7 @@ Reply RobotMachine::pulse(int line, int signal, double seconds) {
 }
 
 bool RobotMachine::observable() const {
-  // Program and motion share the number of the last segment: its decision point has come once the
-  // generator names it.
-  if (channels_.decidable.load(std::memory_order_acquire) < planner_.last_number()) return false;
+  if (!decided()) return false;
   // At standstill what was written before acts first; in a corner it acts behind the decision
   // point.
   const bool stands = exact_ || channels_.standing.load(std::memory_order_relaxed);
@@ -240,6 +249,12 @@ Reply RobotMachine::read_signal(int /*line*/, int signal, bool& value) {
                                           : channels_.inputs.load(std::memory_order_relaxed);
   value = (bits >> (asked.channel - 1) & 1U) != 0;
   return Reply::Done;
+}
+
+/// Program and motion share the number of the last segment: its decision point has come once the
+/// generator names it.
+bool RobotMachine::decided() const {
+  return channels_.decidable.load(std::memory_order_acquire) >= planner_.last_number();
 }
 
 Reply RobotMachine::read_analog(int /*line*/, int signal, double& volts) {

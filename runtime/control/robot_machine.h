@@ -34,6 +34,8 @@ class RobotMachine final : public lang::Machine {
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
   lang::Reply waited(int line) override;
+  lang::Reply leave_block(int line) override;
+  lang::Reply settle(int line) override;
   lang::Reply end(int line) override;
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply write_signal(int line, int signal, bool value) override;
@@ -52,6 +54,8 @@ class RobotMachine final : public lang::Machine {
   motion::Effect effect_on(int line, int signal) const;
   /// Whether the world may be read now.
   bool observable() const;
+  /// Whether the decision point of the last motion has come.
+  bool decided() const;
   void warn(int line, const motion::PlannedSegment& planned);
 
   const motion::RobotModel& robot_;
