@@ -141,6 +141,7 @@ struct WatchedMotion {
   Block otherwise;  ///< of ELSE: one statement
 };
 struct Stop {};
+struct Brake {};
 /// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm
 struct Declaration {
   struct Declared {
@@ -251,9 +252,9 @@ struct Raise {
 
 struct Statement {
   Place place;  ///< of its first word
-  std::variant<Move, WatchedMotion, Stop, Declaration, SignalDeclaration, Assign, Pulse, Print,
-               Wait, If, While, For, Loop, Select, Exit, Next, Assert, CallStatement, Return, Try,
-               Raise>
+  std::variant<Move, WatchedMotion, Stop, Brake, Declaration, SignalDeclaration, Assign, Pulse,
+               Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, CallStatement, Return,
+               Try, Raise>
       node;
 };
 

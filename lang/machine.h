@@ -45,6 +45,10 @@ class Machine {
   virtual Reply ended(int line, bool& hit) = 0;
   /// STOP: the last target is reached exactly.
   virtual Reply stop(int line) = 0;
+  /// BRAKE: as soon as the last motion is the running one, it is braked on its path; its rest is
+  /// dropped, with what is bound to it, and the axes stand there. Done at standstill, or at once
+  /// where nothing moves any more.
+  virtual Reply brake(int line) = 0;
   /// WAIT 0.5s: the last target is reached exactly, then the axes stand for `seconds`, 0 or more.
   virtual Reply wait(int line, double seconds) = 0;
   /// The condition of a WAIT is due: the last target is reached exactly, and all that was commanded

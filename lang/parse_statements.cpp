@@ -85,6 +85,10 @@ void Parser::simple(Block& block) {
     advance();
     return add(block, place, Stop{});
   }
+  if (at(Keyword::Brake)) {
+    advance();
+    return add(block, place, Brake{});
+  }
   if (at(Keyword::Exit)) {
     advance();
     return add(block, place, Exit{});

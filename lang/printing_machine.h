@@ -16,7 +16,7 @@ namespace rob::lang {
 ///
 ///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
 ///     movel by 20 0 0 · move joints - - 90 · … zone 5mm · … fine
-///     stop · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
+///     stop · brake · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
 ///     guard · ended hit · ended reached
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
@@ -54,6 +54,7 @@ class PrintingMachine : public Machine {
   Reply guard(int line, const Watch& condition) override;
   Reply ended(int line, bool& hit) override;
   Reply stop(int line) override { return note(line, "stop"); }
+  Reply brake(int line) override { return note(line, "brake"); }
   Reply wait(int line, double seconds) override;
   Reply stand(int line, double& now) override;
   Reply waited(int line) override;

@@ -52,6 +52,7 @@ class StatementChecker {
     check(watched.otherwise);
   }
   void check(Stop&) {}
+  void check(Brake&) {}
   void check(Declaration& declaration);
   // Signals (check_signals.cpp)
   void check(SignalDeclaration& signal);

@@ -37,6 +37,7 @@ class StatementCompiler {
   void compile(const Move& move);
   void compile(const WatchedMotion& watched);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
+  void compile(const Brake&) { code_.emit(Opcode::brake, place_); }
   void compile(const Declaration& declaration);
   void compile(const SignalDeclaration& signal);
   void compile(const Assign& assign);

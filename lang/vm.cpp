@@ -360,6 +360,9 @@ answer:  // stands in code that is jumped over
 stop:
   ROB_ASK(machine_.stop(line(pc)), pc);
   ROB_NEXT(1);
+brake:
+  ROB_ASK(machine_.brake(line(pc)), pc);
+  ROB_NEXT(1);
 wait:
   if (!check_wait(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
   ROB_ASK(machine_.wait(line(pc), n[pc->a()].real), pc);

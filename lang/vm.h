@@ -31,7 +31,8 @@ struct RuntimeError {
 };
 
 /// The longest text that a program can build, in bytes. [choice] far more than a line to be read,
-/// and with at most kTextStack text registers a program never holds more than 64 MiB of text.
+/// and with at most kTextStack text registers a program never holds more than 64 MiB of text,
+/// and those of kMostTries errors.
 inline constexpr std::size_t kMostText = 65536;
 
 /// How deep calls may be nested, and the registers of all of them together. [choice] a recursion
