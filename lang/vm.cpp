@@ -396,7 +396,7 @@ raise:
   return fail(pc, {.code = std::string(code::kRaised),
                    .place = place(pc),
                    .message = texts_[pc->a()],
-                   .help = ""});
+                   .help = texts_[pc->a()].empty() ? "the text behind this RAISE is empty" : ""});
 raise_again:
   return raise_again(pc);
 end:

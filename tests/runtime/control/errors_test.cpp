@@ -44,12 +44,12 @@ TEST_CASE("a RESCUE starts at standstill with an empty queue, and moves on from 
   CHECK(result.status == "done");
   CHECK(result.starved == 0);
   CHECK(result.final_joints[0] == doctest::Approx(60));
-  // Rest to rest twice: what it takes with a STOP in the place of the error, and the cycle or two
-  // in which the program notices the standstill.
+  // Rest to rest twice: what it takes with a STOP in the place of the error, and the cycles in
+  // which the standstill is seen, told to the program, and left.
   SteppedRun stopped("MOVE(40, 40, 0)\nSTOP\nMOVE(60, 40, 0)\n");
   const double both = stopped.run().measured;
   CHECK(result.measured >= both - 1e-9);
-  CHECK(result.measured <= both + 0.021);
+  CHECK(result.measured <= both + 0.03 + 1e-9);
 }
 
 TEST_CASE("leaving a TRY normally keeps the blend") {
