@@ -58,7 +58,7 @@ inline constexpr std::size_t kMostTries = kMostCalls;
 /// Errors take effect in motion order: with a TRY block open, the machine first settles what was
 /// commanded before; then the RESCUE goes on in the frame of its TRY.
 ///
-/// Arithmetic, loops, calls, motions and observations take no memory. Texts do.
+/// Arithmetic, loops, calls, motions and observations take no memory. Texts and TRY blocks do.
 class Vm {
  public:
   enum class State : std::uint8_t {
