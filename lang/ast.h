@@ -163,6 +163,7 @@ struct When {
   Block action;  ///< one statement
 };
 struct Stop {};
+struct Brake {};
 /// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm
 struct Declaration {
   struct Declared {
@@ -272,11 +273,21 @@ struct Return {
   ExprPtr value;  ///< null where left out
 };
 
+/// TRY: where the body goes wrong, the rescue is executed.
+struct Try {
+  Block body;
+  Declaration::Declared why;  ///< the name of the reason; empty where left out
+  Block rescue;
+};
+struct Raise {
+  ExprPtr value;  ///< null: the error that is being handled, again
+};
+
 struct Statement {
   Place place;  ///< of its first word
-  std::variant<Move, WatchedMotion, When, Stop, Declaration, SignalDeclaration, Assign, Pulse,
-               Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect, Simulate,
-               CallStatement, Return>
+  std::variant<Move, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration, Assign,
+               Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
+               Simulate, CallStatement, Return, Try, Raise>
       node;
 };
 

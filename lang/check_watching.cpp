@@ -33,7 +33,8 @@ void WatchChecker::check_action(const Statement& action, std::string_view word) 
   const Expr* value = nullptr;
   bool sound = false;
   if (const auto* const assign = std::get_if<Assign>(&action.node)) {
-    const Symbol* const target = assign->target.symbol;
+    const auto* const name = std::get_if<Name>(&assign->target->node);
+    const Symbol* const target = name != nullptr ? name->symbol : nullptr;
     sound = target == nullptr || target->kind == Symbol::Kind::Signal;
     value = assign->value.get();
   } else if (const auto* const pulse = std::get_if<Pulse>(&action.node)) {

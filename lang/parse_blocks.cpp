@@ -22,6 +22,7 @@ bool takes_lines(Keyword keyword) {
     case Keyword::For:
     case Keyword::Loop:
     case Keyword::Select:
+    case Keyword::Try:
     case Keyword::Proc:
     case Keyword::Func:
     case Keyword::Var:
@@ -88,6 +89,7 @@ bool Parser::at_block_end() const {
     case Keyword::Endfor:
     case Keyword::Endloop:
     case Keyword::Endselect:
+    case Keyword::Endtry:
     case Keyword::Endproc:
     case Keyword::Endfunc:
     case Keyword::Endtest:
@@ -95,6 +97,7 @@ bool Parser::at_block_end() const {
     case Keyword::Else:
     case Keyword::Elsif:
     case Keyword::Case:
+    case Keyword::Rescue:
       return closes_outer();
     default:
       return false;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -41,6 +43,7 @@ class StatementCompiler {
   /// Code that disarms what was armed in this frame beyond the first `kept`.
   void leave_whens(std::size_t kept);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
+  void compile(const Brake&) { code_.emit(Opcode::brake, place_); }
   void compile(const Declaration& declaration);
   void compile(const SignalDeclaration& signal);
   void compile(const Assign& assign);
@@ -53,15 +56,14 @@ class StatementCompiler {
   void compile(const For& loop);
   void compile(const Loop& loop);
   void compile(const Select& select);
-  void compile(const Exit&) {
-    leave_whens(loops_.back().whens);
-    loops_.back().exits.push_back(code_.jump(place_));
-  }
-  void compile(const Next&) {
-    leave_whens(loops_.back().whens);
-    loops_.back().nexts.push_back(code_.jump(place_));
-  }
+  void compile(const Exit&);
+  void compile(const Next&);
   void compile(const Assert& assertion);
+
+  void compile(const Try& statement);
+  void compile(const Raise& statement);
+  /// Code that leaves the TRY and RESCUE blocks which are open beyond the first `kept`.
+  void leave_guards(std::size_t kept, Place place);
 
   void compile(const CallStatement& statement) { expressions_.call(*statement.call); }
   void compile(const Return& statement);
@@ -76,8 +78,10 @@ class StatementCompiler {
   struct LoopJumps {
     CodeBuilder::Jumps exits;
     CodeBuilder::Jumps nexts;
-    std::size_t whens = 0;  ///< that were armed in this frame when it began
+    std::size_t whens = 0;   ///< that were armed in this frame when it began
+    std::size_t guards = 0;  ///< open around the loop
   };
+  enum class Guard : std::uint8_t { Try, Rescue };
   /// Code for the body; NEXT arrives behind it.
   void compile_body(const Block& body);
   /// EXIT arrives here: behind the loop.
@@ -98,6 +102,7 @@ class StatementCompiler {
   Place place_;  ///< of the present statement: its line is what the Machine is told
   std::vector<LoopJumps> loops_;
   std::size_t whens_ = 0;             ///< WHENs of this frame whose block is open
+  std::vector<Guard> guards_;         ///< blocks that are open, of the present routine
   const Routine* routine_ = nullptr;  ///< that is being compiled; null at the top level
   CodeBuilder::Jumps returns_;        ///< RETURN at the top level: the end of the program
 };

@@ -27,6 +27,7 @@ Reply RobotMachine::ended(int line, bool& hit) {
   const motion::Rest rest = *next;
   channels_.rests.pop();
   guarded_ = false;
+  brakable_ = 0;
   if (rest.early()) {
     planner_.retarget(rest.q);
     exact_ = true;
@@ -56,9 +57,7 @@ Reply RobotMachine::arm() {
 }
 
 Reply RobotMachine::disarm(int line, int id) {
-  if (channels_.decidable.load(std::memory_order_acquire) < planner_.last_number()) {
-    return Reply::Later;
-  }
+  if (!decided()) return Reply::Later;
   motion::Effect effect;
   effect.tag = static_cast<motion::Tag>(line);
   effect.kind = motion::Effect::Kind::Disarm;
@@ -68,11 +67,6 @@ Reply RobotMachine::disarm(int line, int id) {
   return reply;
 }
 
-bool RobotMachine::settled() const {
-  return channels_.settled.load(std::memory_order_acquire) >= planner_.last_number() &&
-         channels_.effects_done.load(std::memory_order_acquire) >= effects_;
-}
-
 std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
   const motion::Rest* const rest = channels_.rests.front();
   if (rest == nullptr || rest->by == nullptr) return std::nullopt;
@@ -80,7 +74,8 @@ std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
   planner_.retarget(rest->q);
   buffer_.braked();
   exact_ = true;
-  begun_ = standing_ = guarded_ = false;
+  begun_ = standing_ = guarded_ = braking_ = false;
+  brakable_ = 0;
   recording_ = nullptr;
   channels_.rests.pop();
   return error;

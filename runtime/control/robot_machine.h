@@ -1,8 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
-#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -43,10 +43,13 @@ class RobotMachine final : public lang::Machine {
   lang::Reply when(int line, const lang::Watch& condition, int& id) override;
   lang::Reply disarm(int line, int id) override;
   lang::Reply stop(int line) override;
+  lang::Reply brake(int line) override;
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
   bool taken_as_met(int line) override;
   lang::Reply waited(int line) override;
+  lang::Reply leave_block(int line) override;
+  lang::Reply settle(int line) override;
   lang::Reply end(int line) override;
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply write_signal(int line, int signal, bool value) override;
@@ -73,13 +76,16 @@ class RobotMachine final : public lang::Machine {
   lang::Reply queue(motion::Effect effect);
   lang::Reply push(motion::Effect effect);
   lang::Reply arm();
-  bool settled() const;
   /// An effect on an output, still to be told what it does.
   motion::Effect effect_on(int line, int signal) const;
   /// Notes that a signal was read which nobody drives.
   void note_assumed(int line, int signal);
   /// Whether the world may be read now.
   bool observable() const;
+  /// Whether the axes stand, and all effects have acted.
+  bool settled() const;
+  /// Whether the decision point of the last motion has come.
+  bool decided() const;
   void warn(int line, const motion::PlannedSegment& planned);
 
   const motion::RobotModel& robot_;
@@ -92,14 +98,12 @@ class RobotMachine final : public lang::Machine {
   std::int64_t effects_ = 0;  ///< queued so far
   std::int64_t simulations_ = 0;
   std::vector<std::string> assumed_;
-  int assumed_read_ = -1;  ///< by the condition of the present WAIT
-  bool exact_ = true;      ///< the last motion queued ends at standstill
-  bool begun_ = false;     ///< the present WAIT has queued its first segment
-  ProgramWatch until_;     ///< what the guarded motion is asked
-  bool guarded_ = false;   ///< what is queued now ends early if until_ holds
-  bool exact_ = true;         ///< the last motion queued ends at standstill
-  bool begun_ = false;        ///< the present WAIT has queued its first segment
-  ProgramWatch until_;        ///< what the guarded motion is asked
+  int assumed_read_ = -1;       ///< by the condition of the present WAIT
+  bool exact_ = true;           ///< the last motion queued ends at standstill
+  std::uint32_t brakable_ = 0;  ///< number of the last motion; 0 where a barrier stands behind it
+  bool braking_ = false;        ///< the generator has been asked to brake
+  bool begun_ = false;          ///< the present WAIT has queued its first segment
+  ProgramWatch until_;          ///< what the guarded motion is asked
   WhenPool whens_;
   motion::WatchedAction* recording_ = nullptr;  ///< the WHEN whose action comes next
   int armed_ = 0;                               ///< WHENs that are not disarmed yet
