@@ -184,7 +184,7 @@ constexpr std::array kBuiltins = std::to_array<Builtin>({
 });
 
 constexpr std::array kLater = std::to_array<std::string_view>(
-    {"CLOCK", "FORCE", "FORWARD", "FRAME3", "HERE", "HITPOSE", "INV", "JOINTS", "MIX", "POSE",
+    {"FORCE", "FORWARD", "FRAME3", "HERE", "HITPOSE", "INV", "JOINTS", "MIX", "POSE",
      "QUAT", "TARGET", "TORQUE", "TO_FRAME", "TURN", "WORLD", "WRENCH", "ZYZ"});
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/fold.h"
 #include "lang/observations.h"
@@ -41,7 +42,18 @@ bool WatchChecker::check_watchable(const Expr& expression, std::string_view word
     return refuse(code::kNotWatchable, "it works with single values",
                   "give the part a variable before, and watch that");
   }
+  if (const auto* const name = std::get_if<Name>(&expression.node);
+      name != nullptr && name->symbol != nullptr && name->symbol->kind == Symbol::Kind::Reading) {
+    diagnostics_.error(code::kNotYet, expression.place,
+                       fmt::format("{} in the condition of {} is not in this version of Rob yet",
+                                   name->symbol->name, word));
+    return false;
+  }
   if (const auto* const call = std::get_if<Call>(&expression.node)) {
+    if (same_word(call->callee, "RANDOM") && call->routine == nullptr) {
+      return refuse(code::kNotWatchable, "it cannot draw random numbers",
+                    "give the answer a variable before, and watch that");
+    }
     if (call->routine != nullptr) {
       return refuse(code::kWatchCallsRoutine, "it cannot call a routine of the program",
                     "write the condition itself here");

@@ -112,6 +112,7 @@ bool StatementChecker::assignable(const Symbol& symbol, Place place) {
     case Symbol::Kind::Routine:
       return refuse("is a routine, not a variable", "");
     case Symbol::Kind::BuiltIn:
+    case Symbol::Kind::Reading:
       return refuse("belongs to the language and cannot be changed", "");
   }
   return false;

@@ -64,7 +64,7 @@ bool on_whole_numbers(const Binary& binary, const Type& result) {
 /// What is no variable is read anew each time; in a watch its value was fixed before.
 bool ExpressionCompiler::lives_in_register(const Symbol& symbol) const {
   if (symbol.kind == Symbol::Kind::BuiltIn) return watching_;
-  return symbol.kind != Symbol::Kind::Signal;
+  return symbol.kind != Symbol::Kind::Signal && symbol.kind != Symbol::Kind::Reading;
 }
 
 void ExpressionCompiler::begin(const Expr& expression) {
@@ -160,6 +160,9 @@ void ExpressionCompiler::compile(const Name& name, const Expr& expression, Regis
   const Symbol& symbol = *name.symbol;
   if (symbol.kind == Symbol::Kind::Signal) {
     read_signal(symbol, target, expression.place);
+  } else if (symbol.kind == Symbol::Kind::Reading) {
+    code_.emit(Opcode::read, expression.place, target, static_cast<unsigned>(symbol.reading),
+               latched_ ? 1 : 0);
   } else if (!lives_in_register(symbol)) {
     code_.emit(Opcode::read_hit, expression.place, target);
   } else {

@@ -67,6 +67,9 @@ void Line::operand(char kind, unsigned field) {
     case 'b':
       operands_ += byte(field) != 0 ? "TRUE " : "FALSE ";
       return;
+    case 'q':
+      operands_ += fmt::format("{} ", name_of(static_cast<Reading>(byte(field))));
+      return;
     case 'n':
       add("", byte(field));
       return;

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "lang/arithmetic.h"
 #include "lang/move_command.h"
+#include "lang/pose_math.h"
+#include "lang/reading.h"
 
 namespace rob::lang {
 
@@ -68,6 +72,14 @@ class Machine {
   /// `Later` until that instant has come.
   virtual Reply read_signal(int line, int signal, bool& value) = 0;
   virtual Reply read_analog(int line, int signal, double& volts) = 0;
+  /// What a name of the language stands for, into as many slots as Reading says. `Later` as for a
+  /// signal if it is an observation.
+  virtual Reply read(int line, Reading what, Slot* value) = 0;
+  /// The tool's pose for axis values, and axis values for a pose, of all that reach it those
+  /// nearest to `near`; without `near` to the last target. Refused where the robot cannot.
+  virtual Reply forward(int line, std::span<const double> joints, PoseValue& pose) = 0;
+  virtual Reply inverse(int line, const PoseValue& pose, std::span<const double> near,
+                        std::span<double> joints) = 0;
   /// Valid after a Refused reply, until the next call.
   virtual const Refusal& refusal() const = 0;
 };

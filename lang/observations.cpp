@@ -9,7 +9,9 @@ int observations(const Expr& expression) {
   struct Counter {
     int operator()(const Name& name) const {
       // A name that is not known is reported already; it may have been meant for a signal.
-      return name.symbol == nullptr || name.symbol->kind == Symbol::Kind::Signal ? 1 : 0;
+      if (name.symbol == nullptr || name.symbol->kind == Symbol::Kind::Signal) return 1;
+      const bool reading = name.symbol->kind == Symbol::Kind::Reading;
+      return reading && is_observation(name.symbol->reading) ? 1 : 0;
     }
     int operator()(const Unary& unary) const { return observations(*unary.operand); }
     int operator()(const Binary& binary) const {

@@ -5,7 +5,10 @@
 
 #include <fmt/core.h>
 
+#include "lang/cartesian_axes.h"
+#include "lang/codes.h"
 #include "lang/number_text.h"
+#include "lang/pose_slots.h"
 
 namespace rob::lang {
 PrintingMachine::PrintingMachine(const RobotSignature& robot) : robot_(robot) {}
@@ -41,7 +44,14 @@ Reply PrintingMachine::note(int line, std::string text) {
 }
 
 Reply PrintingMachine::move(int line, const MoveCommand& command) {
-  return note(line, move_text(robot_, command));
+  const Reply reply = note(line, move_text(robot_, command));
+  if (reply != Reply::Done) return reply;
+  for (int i = 0; i < command.count; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    if (!command.has(i)) continue;
+    commanded_[index] = command.target[index] + (command.relative ? commanded_[index] : 0);
+  }
+  return reply;
 }
 
 Reply PrintingMachine::guard(int line, const Watch& condition) {
@@ -98,6 +108,31 @@ Reply PrintingMachine::write_signal(int line, int signal, bool value) {
   const Reply reply = note(line, fmt::format("{} {}", name, value ? "on" : "off"));
   if (reply == Reply::Done) written_[signal] = value ? 1 : 0;
   return reply;
+}
+
+Reply PrintingMachine::read(int, Reading what, Slot* value) {
+  const Reply reply = is_observation(what) ? ready() : Reply::Done;
+  if (reply != Reply::Done) return reply;
+  if (what == Reading::Clock) {
+    value->real = 0.01 * cycle_;
+  } else if (what == Reading::Joints) {
+    for (std::size_t i = 0; i < robot_.coordinates.size(); ++i) value[i].real = commanded_[i];
+  } else {
+    store(tool_of(robot_.coordinates, commanded_), value);
+  }
+  return reply;
+}
+
+Reply PrintingMachine::forward(int, std::span<const double> joints, PoseValue& pose) {
+  pose = tool_of(robot_.coordinates, joints);
+  return Reply::Done;
+}
+
+Reply PrintingMachine::inverse(int, const PoseValue& pose, std::span<const double>,
+                               std::span<double> joints) {
+  if (coordinates_of(robot_.coordinates, pose, joints)) return Reply::Done;
+  refusal_ = {.code = std::string(code::kUnreachable), .message = "out of reach", .help = ""};
+  return Reply::Refused;
 }
 
 Reply PrintingMachine::write_analog(int line, int signal, double volts) {

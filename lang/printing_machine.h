@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -23,6 +24,9 @@ namespace rob::lang {
 ///     stand · waited                    WAIT for a condition: its beginning, its end
 ///
 /// While a program waits for a condition every look at it is 10 ms later than the one before.
+///
+/// The robot is where the last motion was to bring it, from 0 on every coordinate at the beginning;
+/// its kinematics is that of cartesian_axes.h.
 ///
 /// Everything is taken at once, unless a test asks for something else.
 class PrintingMachine : public Machine {
@@ -63,6 +67,10 @@ class PrintingMachine : public Machine {
   Reply pulse(int line, int signal, double seconds) override;
   Reply read_signal(int line, int signal, bool& value) override;
   Reply read_analog(int line, int signal, double& volts) override;
+  Reply read(int line, Reading what, Slot* value) override;
+  Reply forward(int line, std::span<const double> joints, PoseValue& pose) override;
+  Reply inverse(int line, const PoseValue& pose, std::span<const double> near,
+                std::span<double> joints) override;
   const Refusal& refusal() const override { return refusal_; }
 
  private:
@@ -80,6 +88,7 @@ class PrintingMachine : public Machine {
   std::vector<Call> calls_;
   std::map<int, Script> scripts_;
   std::map<int, double> written_;
+  std::array<double, kMaxCoordinates> commanded_{};
   int later_ = 0;
   int reads_ = 0;
   int cycle_ = 0;

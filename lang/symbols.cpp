@@ -28,6 +28,7 @@ Scopes::Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot) : symbo
   hit.name = "HIT";
   hit.type = Type::boolean();
   declare(std::move(hit));
+  provide(Reading::Clock, Type::real(kTime));
   for (std::size_t i = 0; i < robot.signals.size(); ++i) {
     Symbol signal;
     signal.kind = Symbol::Kind::Signal;
@@ -46,6 +47,15 @@ Scopes::Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot) : symbo
       channels_.push_back(&symbols_.back());
     }
   }
+}
+
+void Scopes::provide(Reading reading, const Type& type) {
+  Symbol symbol;
+  symbol.kind = Symbol::Kind::Reading;
+  symbol.name = name_of(reading);
+  symbol.type = type;
+  symbol.reading = reading;
+  declare(std::move(symbol));
 }
 
 const Symbol* Scopes::channel(std::string_view word, std::int64_t number) const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lang/ast.h"
+#include "lang/reading.h"
 #include "lang/robot_signature.h"
 
 namespace rob::lang {
@@ -22,6 +23,7 @@ struct Symbol {
     LoopVariable,   ///< of FOR: read-only in the body
     Signal,         ///< declared by the robot's file or by SIGNAL; DIN[n], DOUT[n]
     BuiltIn,        ///< PI, HIT
+    Reading,        ///< CLOCK: read from the robot
     Routine         ///< PROC or FUNC
   };
 
@@ -31,6 +33,7 @@ struct Symbol {
   Place place;          ///< of its declaration; line 0 for what is not declared in the program
   std::size_t id = 0;   ///< dense, from 0: an index for what later stages know of it
   Constant value;       ///< where it is known before the program runs
+  Reading reading{};    ///< of Kind::Reading
   int signal = 0;       ///< its index in the RobotSignature
   bool output = false;  ///< a signal that may be assigned
   int channel = 0;      ///< n of DIN[n], DOUT[n], AIN[n] or AOUT[n]
@@ -77,6 +80,8 @@ class Scopes {
   std::vector<std::string_view> visible() const;
 
  private:
+  void provide(Reading reading, const Type& type);
+
   using Scope = std::map<std::string, const Symbol*, std::less<>>;
 
   std::deque<Symbol>& symbols_;

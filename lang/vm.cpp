@@ -265,6 +265,12 @@ read_analog_latched:
   if (next_cycle_is_due()) return leave(pc, latch_, State::NextCycle);
   ROB_ASK(observe_analog(pc), latch_);
   ROB_NEXT(1);
+read : {
+  const Code resume = pc->c() != 0 ? latch_ : pc;
+  if (waits_for_cycle(pc)) return leave(pc, resume, State::NextCycle);
+  ROB_ASK(read(pc), resume);
+  ROB_NEXT(1);
+}
 write_signal:
   ROB_ASK(machine_.write_signal(line(pc), pc->x(), n[pc->a()].integer != 0), pc);
   ROB_NEXT(1);

@@ -97,6 +97,9 @@ class Vm {
   bool next_cycle_is_due() const { return turned_ && observed_; }
   Reply observe(Code pc);
   Reply observe_analog(Code pc);
+  Reply read(Code pc);
+  /// Whether the `read` at `pc` is an observation that belongs to the next cycle.
+  bool waits_for_cycle(Code pc) const;
   Reply stand(Code pc);
   Reply guard(Code pc);
   Reply ended(Code pc);

@@ -39,6 +39,20 @@ Reply Vm::observe_analog(Code pc) {
   return reply;
 }
 
+bool Vm::waits_for_cycle(Code pc) const {
+  return is_observation(static_cast<Reading>(pc->b())) && next_cycle_is_due();
+}
+
+Reply Vm::read(Code pc) {
+  const auto what = static_cast<Reading>(pc->b());
+  const Reply reply = machine_.read(line(pc), what, &numbers_[pc->a()]);
+  if (reply == Reply::Done && is_observation(what)) {
+    observed_ = true;
+    turned_ = false;
+  }
+  return reply;
+}
+
 Reply Vm::stand(Code pc) {
   const Reply reply = machine_.stand(line(pc), numbers_[pc->a()].real);
   if (reply == Reply::Done) {

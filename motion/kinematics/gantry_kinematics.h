@@ -11,6 +11,9 @@ class GantryKinematics final : public Kinematics {
   int axes() const noexcept override { return 3; }
   /// (x, y, theta) → position (x, y, 0), turned by c = theta about z.
   Pose forward(const JointVector& q) const noexcept override;
+  /// Poses off the plane z = 0, or turned about another axis than z, have none.
+  std::optional<JointVector> inverse(const Pose& pose,
+                                     const JointVector& near) const noexcept override;
 };
 
 }  // namespace rob::motion

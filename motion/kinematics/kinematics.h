@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "motion/space/joint_vector.h"
 #include "motion/space/pose.h"
 
@@ -13,6 +15,10 @@ class Kinematics {
   virtual int axes() const noexcept = 0;
   /// The tool's pose in the world; q: axes() values in m or rad.
   virtual Pose forward(const JointVector& q) const noexcept = 0;
+  /// The axis values that bring the tool to a pose: of all solutions the one nearest to `near`.
+  /// None if there is no solution. Limits of the axes are not looked at.
+  virtual std::optional<JointVector> inverse(const Pose& pose,
+                                             const JointVector& near) const noexcept = 0;
 };
 
 }  // namespace rob::motion

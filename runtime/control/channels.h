@@ -10,6 +10,7 @@
 #include "motion/space/joint_vector.h"
 #include "motion/space/spsc_ring.h"
 #include "runtime/control/analog_cells.h"
+#include "runtime/control/latest_joints.h"
 #include "runtime/control/operator_panel.h"
 
 namespace rob::runtime {
@@ -67,6 +68,7 @@ struct Channels {
   AnalogCells analog_outputs;             ///< V, as outputs
   AnalogCells analog_inputs;              ///< V, as inputs
   std::atomic<std::int64_t> cycle{0};     ///< motion → program: number of the present one
+  LatestJoints joints;  ///< motion → program: the references of the present cycle
   /// motion → program: the axes stand behind this segment, and its effects have acted
   std::atomic<std::uint32_t> settled{0};
   std::atomic<std::uint32_t> decidable{0};    ///< motion → program: see TrajectoryGenerator

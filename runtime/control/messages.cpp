@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "lang/ascii.h"
+#include "lang/codes.h"
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/control/units.h"
@@ -76,6 +77,19 @@ Words words_for_condition(lang::ArithmeticError error) {
       std::string(text.code),
       fmt::format("{}, in the condition that is looked at in every control cycle", text.message),
       std::string(text.help)};
+}
+
+Words words_for_unreachable(const motion::RobotModel& robot) {
+  return {std::string(lang::code::kUnreachable),
+          fmt::format("{} cannot bring its tool to this pose", robot.name),
+          "DIST and TURN tell how far it is from one that is known to be reached"};
+}
+
+Words words_for_no_kinematics(const motion::RobotModel& robot) {
+  return {
+      std::string(lang::code::kNoKinematics),
+      fmt::format("how the axes of {} move its tool is not in this version of Rob yet", robot.name),
+      "use joint values: JOINTS() reads them"};
 }
 
 Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot) {

@@ -20,6 +20,10 @@ Words words_for(const motion::Refusal& refusal, const motion::RobotModel& robot)
 Words words_for_long_wait(double seconds);
 /// What a program looks at in every control cycle could not be computed.
 Words words_for_condition(lang::ArithmeticError error);
+/// A pose that the robot cannot bring its tool to.
+Words words_for_unreachable(const motion::RobotModel& robot);
+/// A robot that has no kinematics here.
+Words words_for_no_kinematics(const motion::RobotModel& robot);
 /// "axis x follows 2.1 mm behind; 2 mm are permitted here".
 Words words_for(const motion::FollowingFinding& finding, const motion::RobotModel& robot);
 /// The motion task was so late that the path could not be made up.

@@ -43,6 +43,7 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   end_pulses(now_);
   if (finished_ && !pulses_.any()) over_.store(true, std::memory_order_release);
   channels_.cycle.store(number, std::memory_order_relaxed);
+  channels_.joints.store(current_.reference.q);
   if (current_.state == motion::MotionState::Idle) {
     channels_.settled.store(current_.piece, std::memory_order_release);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -41,9 +42,15 @@ class RobotMachine final : public lang::Machine {
   lang::Reply pulse(int line, int signal, double seconds) override;
   lang::Reply read_signal(int line, int signal, bool& value) override;
   lang::Reply read_analog(int line, int signal, double& volts) override;
+  lang::Reply read(int line, lang::Reading what, lang::Slot* value) override;
+  lang::Reply forward(int line, std::span<const double> joints, lang::PoseValue& pose) override;
+  lang::Reply inverse(int line, const lang::PoseValue& pose, std::span<const double> near,
+                      std::span<double> joints) override;
   const lang::Refusal& refusal() const override { return refusal_; }
 
  private:
+  bool place_can_be_read() const;
+  lang::Reply tool_at(const motion::JointVector& q, lang::PoseValue& pose);
   void queue(motion::SegmentDescriptor segment, bool stop, bool further = false);
   /// The last target exactly, then a dwell, as one statement.
   lang::Reply dwell(int line, double seconds);

@@ -35,11 +35,40 @@ TEST_CASE("with theta at 90° the tool's x axis points along the world's y") {
   CHECK((pose.orientation * Eigen::Vector3d(1, 0, 0)).isApprox(Eigen::Vector3d(0, 1, 0)));
 }
 
+TEST_CASE("the axes that are found for a pose bring the tool there") {
+  const GantryKinematics gantry;
+  for (const double theta : {0.0, 0.7, -2.5, 3.0}) {
+    const JointVector q = axes(0.14, 0.04, theta);
+    const auto found = gantry.inverse(gantry.forward(q), q);
+    REQUIRE(found.has_value());
+    CHECK((*found - q).cwiseAbs().maxCoeff() < 1e-15);
+  }
+}
+
+TEST_CASE("of all turns that point the same way the one nearest to the axis is taken") {
+  const GantryKinematics gantry;
+  const auto found = gantry.inverse(gantry.forward(axes(0, 0, -3.1)), axes(0, 0, 3.1));
+  REQUIRE(found.has_value());
+  CHECK((*found)[2] == doctest::Approx(2 * std::numbers::pi - 3.1));
+}
+
+TEST_CASE("a pose above the gantry's plane, or tilted, has no axes") {
+  const GantryKinematics gantry;
+  Pose pose;
+  CHECK(gantry.inverse(pose, axes(0, 0, 0)).has_value());
+  pose.position.z() = 0.001;
+  CHECK_FALSE(gantry.inverse(pose, axes(0, 0, 0)).has_value());
+  pose.position.z() = 0;
+  pose.orientation = orientation_from({0.001, 0, 0});
+  CHECK_FALSE(gantry.inverse(pose, axes(0, 0, 0)).has_value());
+}
+
 TEST_CASE("the gantry's kinematics takes no memory") {
   const GantryKinematics gantry;
   const JointVector q = axes(0.1, 0.2, 0.3);
   rob::test::NoAllocation guard;
   CHECK(gantry.forward(q).position.x() == 0.1);
+  CHECK(gantry.inverse(gantry.forward(q), q).has_value());
   CHECK(gantry.axes() == 3);
   CHECK(guard.count() == 0);
 }

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lang/pose_math.h"
+#include "lang/robot_signature.h"
+
+/// The kinematics of a robot whose coordinates are those of its tool: x, y, z move it along the
+/// axes of the world; a, b, c (or theta) turn it about them. What tests have instead of a robot.
+namespace rob::lang {
+
+/// Coordinates of other names move nothing.
+PoseValue tool_of(const std::vector<RobotSignature::Coordinate>& coordinates,
+                  std::span<const double> values);
+
+/// The values that bring the tool to `pose`; false if there are none: the robot lacks a coordinate.
+bool coordinates_of(const std::vector<RobotSignature::Coordinate>& coordinates,
+                    const PoseValue& pose, std::span<double> values);
+
+}  // namespace rob::lang

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "lang/arithmetic.h"
+#include "lang/pose_math.h"
+
+/// How a pose lies in the slots of the Vm: x y z in m, then w i j k.
+namespace rob::lang {
+
+inline constexpr int kPoseSlots = 7;
+
+inline Vector3 load_vector(const Slot* slots) {
+  return {slots[0].real, slots[1].real, slots[2].real};
+}
+
+inline PoseValue load_pose(const Slot* slots) {
+  return {load_vector(slots), {slots[3].real, slots[4].real, slots[5].real, slots[6].real}};
+}
+
+inline void store(const Vector3& vector, Slot* slots) {
+  slots[0].real = vector.x;
+  slots[1].real = vector.y;
+  slots[2].real = vector.z;
+}
+
+inline void store(const PoseValue& pose, Slot* slots) {
+  store(pose.position, slots);
+  slots[3].real = pose.rotation.w;
+  slots[4].real = pose.rotation.i;
+  slots[5].real = pose.rotation.j;
+  slots[6].real = pose.rotation.k;
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <optional>
+
+#include "lang/pose_slots.h"
+#include "runtime/control/messages.h"
+#include "runtime/control/robot_machine.h"
+
+/// The part of RobotMachine that tells where the robot is, and where it would be.
+namespace rob::runtime {
+
+using lang::Reading;
+using lang::Reply;
+
+namespace {
+
+lang::PoseValue to_lang(const motion::Pose& pose) {
+  const Eigen::Vector3d& place = pose.position;
+  const Eigen::Quaterniond& turn = pose.orientation;
+  // + 0.0: the language knows no -0.
+  return {{place.x() + 0.0, place.y() + 0.0, place.z() + 0.0},
+          {turn.w() + 0.0, turn.x() + 0.0, turn.y() + 0.0, turn.z() + 0.0}};
+}
+
+motion::Pose to_motion(const lang::PoseValue& pose) {
+  const auto& [place, turn] = pose;
+  return {Eigen::Vector3d(place.x, place.y, place.z),
+          Eigen::Quaterniond(turn.w, turn.i, turn.j, turn.k)};
+}
+
+motion::JointVector to_motion(std::span<const double> joints) {
+  motion::JointVector q(static_cast<Eigen::Index>(joints.size()));
+  std::ranges::copy(joints, q.begin());
+  return q;
+}
+
+}  // namespace
+
+/// Behind an exact motion no blend is lost by waiting until the axes stand, and only then are they
+/// where the program sent them.
+bool RobotMachine::place_can_be_read() const {
+  const bool stands = channels_.settled.load(std::memory_order_acquire) >= planner_.last_number();
+  return observable() && (!exact_ || stands);
+}
+
+Reply RobotMachine::read(int /*line*/, Reading what, lang::Slot* value) {
+  if (is_observation(what) && !place_can_be_read()) return Reply::Later;
+  const motion::JointVector q =
+      is_observation(what) ? channels_.joints.load() : planner_.commanded();
+  switch (what) {
+    case Reading::Clock: {
+      const std::int64_t cycle = channels_.cycle.load(std::memory_order_relaxed);
+      value->real = static_cast<double>(cycle) * robot_.reference_period;
+      return Reply::Done;
+    }
+    case Reading::Joints:
+      for (const double axis : q) (value++)->real = axis + 0.0;
+      return Reply::Done;
+    case Reading::Here:
+    case Reading::Target:
+      break;
+  }
+  lang::PoseValue pose;
+  const Reply reply = tool_at(q, pose);
+  if (reply == Reply::Done) lang::store(pose, value);
+  return reply;
+}
+
+Reply RobotMachine::tool_at(const motion::JointVector& q, lang::PoseValue& pose) {
+  if (robot_.kinematics == nullptr) {
+    refusal_ = words_for_no_kinematics(robot_);
+    return Reply::Refused;
+  }
+  pose = to_lang(robot_.kinematics->forward(q));
+  return Reply::Done;
+}
+
+Reply RobotMachine::forward(int /*line*/, std::span<const double> joints, lang::PoseValue& pose) {
+  return tool_at(to_motion(joints), pose);
+}
+
+Reply RobotMachine::inverse(int /*line*/, const lang::PoseValue& pose, std::span<const double> near,
+                            std::span<double> joints) {
+  if (robot_.kinematics == nullptr) {
+    refusal_ = words_for_no_kinematics(robot_);
+    return Reply::Refused;
+  }
+  const motion::JointVector from = near.empty() ? planner_.commanded() : to_motion(near);
+  const auto q = robot_.kinematics->inverse(to_motion(pose), from);
+  if (!q) {
+    refusal_ = words_for_unreachable(robot_);
+    return Reply::Refused;
+  }
+  std::ranges::transform(*q, joints.begin(), [](double axis) { return axis + 0.0; });
+  return Reply::Done;
+}
+
+}  // namespace rob::runtime
