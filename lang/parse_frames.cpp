@@ -10,8 +10,17 @@
 namespace rob::lang {
 
 bool Parser::at_frame_declaration() const {
-  const bool word = at_word("FRAME") || at_word("TOOL");
-  return word && next_.kind == TokenKind::Word;
+  if (!at_word("FRAME") && !at_word("TOOL")) return false;
+  switch (next_.kind) {
+    case TokenKind::Assign:
+    case TokenKind::Equal:
+    case TokenKind::Dot:
+    case TokenKind::LeftBracket:
+    case TokenKind::LeftParen:
+      return false;
+    default:
+      return true;
+  }
 }
 
 // decl = "TOOL" IDENT "=" expr [ "MASS" expr [ "COG" expr ] ] eol
