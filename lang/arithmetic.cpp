@@ -38,6 +38,15 @@ ArithmeticErrorText describe(ArithmeticError error) {
     case ArithmeticError::NotANumber:
       return {code::kNotANumber, "NUM of a text that is no number",
               "a number is written as in a program, without unit: 12, -0.5 or 1e-3"};
+    case ArithmeticError::ZeroQuaternion:
+      return {code::kZeroQuaternion, "QUAT with w, i, j and k all zero is no orientation",
+              "QUAT(x, y, z, 1, 0, 0, 0) is not turned"};
+    case ArithmeticError::OppositePoses:
+      return {code::kOppositePoses, "these poses are turned by 180deg: no way round is shortest",
+              "go by way of a third pose"};
+    case ArithmeticError::CollinearPlaces:
+      return {code::kCollinearPlaces, "the places of FRAME3 lie on a line, so they make no plane",
+              "take three places that are far from each other and not on a line"};
     case ArithmeticError::RangeReversed:
       return {code::kRangeReversed, "the lower bound of RANDOM is above the upper one",
               "the order is RANDOM(lower, upper)"};

@@ -33,6 +33,9 @@ enum class ArithmeticError : std::uint8_t {
   DigitsOutOfRange,
   NotANumber,
   RangeReversed,
+  ZeroQuaternion,
+  OppositePoses,
+  CollinearPlaces,
   ZeroVector
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -121,7 +122,9 @@ struct Expr {
   std::variant<NumberLiteral, BoolLiteral, StringLiteral, Name, Unary, Binary, Call, Tuple, Member,
                Index>
       node;
-  Type type;          ///< set by the checker
+  Type type;  ///< set by the checker
+  /// Set by the checker: a pose in this FRAME that stands where one in the world is wanted.
+  mutable const Symbol* moved_from = nullptr;
   Constant constant;  ///< set by the checker where the value is known before the program runs
   int height = 1;     ///< levels of this tree; the parser keeps it at kMaxDepth (parser.h) at most
 };
@@ -164,7 +167,7 @@ struct When {
 };
 struct Stop {};
 struct Brake {};
-/// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm
+/// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm · FRAME f = POSE(…) · TOOL t = POSE(…) MASS 1kg
 struct Declaration {
   struct Declared {
     std::string name;
@@ -175,6 +178,9 @@ struct Declaration {
   std::vector<Declared> names;
   std::optional<Type> type;  ///< where it was written; Unknown where the parser found it faulty
   ExprPtr value;             ///< null where left out
+  ExprPtr mass{};            ///< of TOOL; null where left out
+  ExprPtr cog{};             ///< of TOOL: its centre of gravity; null where left out
+  const TypeDetail* frame = nullptr;  ///< of FRAME: what poses in it have as their detail
 };
 /// SIGNAL part_here = DIN[1] · SIGNAL wire: SPEED = AOUT[1] SCALE 0mm/s TO 300mm/s
 struct SignalDeclaration {
@@ -325,6 +331,13 @@ struct Program {
   Header header;
   Block statements;
   std::vector<Routine> routines;
+  /// A FRAME that a type names.
+  struct FrameUse {
+    const TypeDetail* frame = nullptr;
+    Place place;
+  };
+  std::map<std::string, TypeDetail> frames{};  ///< by name in capitals; details keep their address
+  std::vector<FrameUse> frame_uses{};
   /// Where END stands, or the end of the file if there is none.
   Place end;
 };

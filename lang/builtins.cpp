@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "lang/ascii.h"
+#include "lang/pose_functions.h"
 #include "lang/text_functions.h"
 
 namespace rob::lang {
@@ -137,6 +138,16 @@ constexpr Builtin on_texts(std::string_view name, std::string_view signature,
           .text = function};
 }
 
+using pose_functions::seen_from;
+
+constexpr Builtin on_places(std::string_view name, std::string_view signature,
+                            BuiltinFunction function) {
+  Builtin builtin = on_texts(name, signature, nullptr);
+  builtin.rule = BuiltinRule::Places;
+  builtin.real = function;
+  return builtin;
+}
+
 /// Three numbers in a row are a VEC already.
 Error vector_of(Arguments /*a*/, Slot& /*r*/) { return Error::None; }
 Error dot(Arguments a, Slot& r) {
@@ -180,12 +191,13 @@ constexpr std::array kBuiltins = std::to_array<Builtin>({
   {#name, least, most, BuiltinRule::rule, integer, real, {}, nullptr},
 #define ROB_TEXT_BUILTIN(name, signature, function) \
   on_texts(#name, signature, text_functions::function),
+#define ROB_PLACE_BUILTIN(name, signature, function) \
+  on_places(#name, signature, pose_functions::function),
 #include "lang/builtins.def"
 });
 
-constexpr std::array kLater = std::to_array<std::string_view>(
-    {"FORCE", "FORWARD", "FRAME3", "HERE", "HITPOSE", "INV", "JOINTS", "MIX", "POSE", "QUAT",
-     "TARGET", "TORQUE", "TO_FRAME", "TURN", "WORLD", "WRENCH", "ZYZ"});
+constexpr std::array kLater =
+    std::to_array<std::string_view>({"FORCE", "FORWARD", "HITPOSE", "JOINTS", "TORQUE", "WRENCH"});
 
 }  // namespace
 
@@ -200,6 +212,20 @@ const Builtin* find_builtin(std::string_view name, std::size_t arguments) {
     if (first == nullptr) first = &builtin;
   }
   return first;
+}
+
+const Builtin* find_builtin(const Call& call) {
+  const Builtin* const plain = find_builtin(call.callee, call.arguments.size());
+  if (plain == nullptr || call.arguments.empty() || !call.arguments.front()->type.is_place()) {
+    return plain;
+  }
+  for (const Builtin& builtin : kBuiltins) {
+    if (builtin.name == plain->name && builtin.rule == BuiltinRule::Places &&
+        builtin.least == call.arguments.size()) {
+      return &builtin;
+    }
+  }
+  return plain;
 }
 
 bool computes_whole(const Builtin& builtin, const Call& call) {

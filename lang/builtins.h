@@ -32,6 +32,8 @@ enum class BuiltinRule : std::uint8_t {
   VecToDirection,  ///< VEC of D → VEC of REAL
   AnyToText,       ///< any → STRING; compiled in line, so it has no function
   Random,          ///< none → REAL, two of one D → D; the Vm's own, so it has no function
+  ToFrame,         ///< pose, FRAME → pose in it
+  Places,          ///< of poses, as its signature says
   Texts            ///< as its signature says
 };
 
@@ -40,9 +42,9 @@ enum class BuiltinRule : std::uint8_t {
 /// argument: all is read before anything is written.
 using BuiltinFunction = ArithmeticError (*)(std::span<const Slot> arguments, Slot& result);
 
-/// What the arguments of a function on texts are, letter by letter, and behind a colon its result:
-/// "SII:S" (builtins.def).
-struct TextSignature {
+/// What the arguments of a function on texts or poses are, letter by letter, and behind a colon its
+/// result: "SII:S" (builtins.def).
+struct Signature {
   std::string_view parameters;
   char result = 0;
 };
@@ -60,7 +62,7 @@ struct Builtin {
   BuiltinRule rule = BuiltinRule::SameNumber;
   BuiltinFunction integer = nullptr;
   BuiltinFunction real = nullptr;
-  TextSignature signature{};  ///< of BuiltinRule::Texts
+  Signature signature{};  ///< of BuiltinRule::Texts and Places
   TextFunction text = nullptr;
 };
 
@@ -68,6 +70,9 @@ struct Builtin {
 std::span<const Builtin> builtins();
 /// The one that takes so many arguments, or the first of that name, or null. `name` in any case.
 const Builtin* find_builtin(std::string_view name, std::size_t arguments);
+/// The one that a call with checked arguments means: of those that take so many, one for poses if
+/// the first argument is one.
+const Builtin* find_builtin(const Call& call);
 /// Whether a checked call computes with INT slots: all its arguments are INT, and the function has
 /// such a case. Otherwise its arguments are converted to REAL.
 bool computes_whole(const Builtin& builtin, const Call& call);

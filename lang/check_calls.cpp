@@ -16,11 +16,14 @@ namespace {
 
 /// Of all forms of the function: FLOOR(x) and FLOOR(x, step) make "1 to 2 arguments".
 std::string count_of_arguments(const Builtin& builtin) {
+  std::size_t least = builtin.least;
   std::size_t most = builtin.most;
   for (const Builtin& other : builtins()) {
-    if (other.name == builtin.name) most = std::max<std::size_t>(most, other.most);
+    if (other.name != builtin.name) continue;
+    least = std::min(least, other.least);
+    most = std::max<std::size_t>(most, other.most);
   }
-  if (most > builtin.least) return fmt::format("{} to {} arguments", builtin.least, most);
+  if (most > least) return fmt::format("{} to {} arguments", least, most);
   return builtin.least == 1 ? "one argument" : fmt::format("{} arguments", builtin.least);
 }
 
@@ -84,7 +87,7 @@ const Builtin* ExpressionChecker::resolve_function(const Call& call, Place place
                            : "it hides the function of that name: give it another name");
     return nullptr;
   }
-  const Builtin* const builtin = find_builtin(call.callee, call.arguments.size());
+  const Builtin* const builtin = find_builtin(call);
   if (builtin != nullptr) return builtin;
   if (is_later_builtin(call.callee)) {
     diagnostics_.error(code::kNotYet, place,
@@ -135,6 +138,10 @@ Type ExpressionChecker::check_arguments(const Builtin& builtin, const Call& call
       return Type::string();
     case BuiltinRule::Random:
       return call.arguments.empty() ? Type::real() : common_dimension(call);
+    case BuiltinRule::ToFrame:
+      return check_to_frame(call);
+    case BuiltinRule::Places:
+      return check_places(builtin, call);
     case BuiltinRule::Texts:
       return check_texts(builtin, call);
     case BuiltinRule::NumbersToVec: {
@@ -259,7 +266,7 @@ void ExpressionChecker::fold_call(const Builtin& builtin, const Call& call, Expr
   const bool whole = computes_whole(builtin, call);
   const Type common = whole ? Type::integer() : Type::real();
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
-    arguments[i] = converted(call.arguments[i]->constant, common);
+    arguments[i] = converted(known_value(*call.arguments[i]), common);
     if (!known(arguments[i])) return;
   }
   keep(fold(whole ? builtin.integer : builtin.real, {arguments.data(), call.arguments.size()},

@@ -55,6 +55,9 @@ Type ExpressionChecker::check(const Tuple& tuple, Expr& expression) {
 Type ExpressionChecker::check(Member& member, Expr& expression) {
   const Type whole = check(member.object);
   if (!whole.known()) return {};
+  if (const auto angle = angle_of(whole, member.field)) {
+    return check_angle(member, *angle, expression);
+  }
   const auto field = field_of(whole, member.field);
   if (!field) {
     const auto names = field_names(whole);

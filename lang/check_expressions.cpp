@@ -88,6 +88,16 @@ bool ExpressionChecker::accept(const Expr& expression, const Type& wanted,
   const Type& type = expression.type;
   if (type.kind == Type::Kind::Unknown || wanted.kind == Type::Kind::Unknown) return true;
   if (type == wanted || (type == Type::integer() && wanted == Type::real())) return true;
+  if (type.is_place() && wanted.is_place()) {
+    if (fits_place(expression, wanted)) return true;
+    diagnostics_.error(
+        code::kFrames, expression.place,
+        fmt::format("this is {}; {} {} here", described(expression), needed, in_words(wanted)),
+        wanted.is(Type::Kind::Pose)
+            ? fmt::format("TO_FRAME(p, {}) gives the same place there", frame_name(wanted))
+            : "");
+    return false;
+  }
   std::string help;
   if (wanted == Type::integer() && type == Type::real()) {
     help = "ROUND, TRUNC, FLOOR and CEIL make a whole number of it";

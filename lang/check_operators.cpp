@@ -132,6 +132,15 @@ Type ExpressionChecker::check_logical(Binary& binary, Expr& expression) {
 }
 
 Type ExpressionChecker::check_comparison(const Binary& binary, const Expr& expression) {
+  if (binary.left->type.is_place() || binary.right->type.is_place()) {
+    diagnostics_.error(
+        code::kPoseOperands, expression.place,
+        fmt::format("'{}' does not compare poses, which are hardly ever equal to the "
+                    "last bit",
+                    symbol_of(binary.op)),
+        "for example DIST(p, q) < 0.1mm AND TURN(p, q) < 0.1deg");
+    return Type::boolean();
+  }
   const Type common = common_type(binary.left->type, binary.right->type);
   if (unknown(common)) {
     unlike(binary, expression);
@@ -149,6 +158,9 @@ Type ExpressionChecker::check_comparison(const Binary& binary, const Expr& expre
 }
 
 Type ExpressionChecker::check_sum(const Binary& binary, const Expr& expression) {
+  if (binary.left->type.is_place() || binary.right->type.is_place()) {
+    return check_place_sum(binary, expression);
+  }
   const Type common = common_type(binary.left->type, binary.right->type);
   if (unknown(common)) return unlike(binary, expression);
   if (common.numeric() || common.is(Type::Kind::Vec)) return common;
@@ -169,6 +181,9 @@ bool ExpressionChecker::scales_vector(const Binary& binary) const {
 }
 
 Type ExpressionChecker::check_product(const Binary& binary, const Expr& expression) {
+  if (binary.left->type.is_place() || binary.right->type.is_place()) {
+    return check_place_product(binary, expression);
+  }
   if (scales_vector(binary)) {
     const Dimension product = binary.left->type.dimension * binary.right->type.dimension;
     return bounded(product, expression).known() ? Type::vec(product) : Type{};
@@ -267,6 +282,11 @@ Type ExpressionChecker::bounded(Dimension d, const Expr& expression) {
 }
 
 void ExpressionChecker::fold_binary(const Binary& binary, Expr& expression) {
+  if (binary.left->type.is_place()) {
+    if (expression.type.known() && binary.op >= BinaryOp::Add)
+      keep(fold_places(binary), expression);
+    return;
+  }
   const Type& left = binary.left->type;
   const Type& right = binary.right->type;
   const Constant& a = binary.left->constant;

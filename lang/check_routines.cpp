@@ -23,6 +23,7 @@ void StatementChecker::check(Program& program) {
   }
   moves_.warn_of_zones(program.statements);
   for (Routine& routine : program.routines) check(routine);
+  check_frame_uses(program);
   scopes_.leave();
   uses_.report(diagnostics_);
 }

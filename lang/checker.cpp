@@ -67,13 +67,19 @@ void StatementChecker::check(Declaration& declaration) {
                                      shortened(declaration.names.front().name), in_words(type)));
     }
   }
+  type = settled(type);
   // A constant text lives in a register: each use of it in the tree would be a copy.
   if (declaration.constant && declaration.value != nullptr && type != Type::string()) {
-    value = converted(declaration.value->constant, type);
+    value = converted(known_value(*declaration.value), type);
+  }
+  if (declaration.constant && (type.is(Type::Kind::Frame) || type.is(Type::Kind::Tool)) &&
+      declaration.value != nullptr) {
+    check_frame(declaration, value);
   }
   const auto kind = declaration.constant ? Symbol::Kind::NamedConstant : Symbol::Kind::Variable;
   for (Declaration::Declared& declared : declaration.names) {
     declared.symbol = declare(kind, declared.name, declared.place, type, value);
+    if (declaration.frame != nullptr) scopes_.frame(*declared.symbol, declaration.frame);
   }
 }
 
@@ -84,6 +90,13 @@ void StatementChecker::check(Assign& assign) {
   if (root == nullptr) {
     diagnostics_.error(code::kNotAssignable, assign.target->place,
                        "only a variable, or a part of one, can be assigned");
+    return;
+  }
+  if (const auto* const member = std::get_if<Member>(&assign.target->node);
+      member != nullptr && angle_of(member->object->type, member->field)) {
+    diagnostics_.error(code::kAngleAssigned, assign.target->place,
+                       "an angle of a pose cannot be changed alone",
+                       "build the pose anew: POSE(p.x, p.y, p.z, a, b, c)");
     return;
   }
   if (root->symbol == nullptr || !assignable(*root->symbol, assign.target->place)) return;

@@ -19,8 +19,10 @@ void StatementCompiler::compile(const Try& statement) {
   // What was armed inside, in routines that were called too, is left with the block.
   code_.emit(Instruction::ax(Opcode::disarm, 0, static_cast<std::uint16_t>(whens_)), place);
   if (statement.why.symbol != nullptr) {
-    code_.name_register(statement.why.name, why, true);
-    expressions_.settle(*statement.why.symbol, why);
+    Location home;
+    home.texts.offset = why;
+    name_home(*statement.why.symbol, home);
+    expressions_.settle(*statement.why.symbol, home);
   }
   compile(statement.rescue);
   leave_guards(guards_.size() - 1, place);

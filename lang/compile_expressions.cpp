@@ -94,7 +94,7 @@ Register ExpressionCompiler::result_register(const Type& type) {
 
 Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
   const bool convert = as_real && expression.type == Type::integer();
-  if (!convert && is_variable(expression)) {
+  if (!convert && expression.moved_from == nullptr && is_variable(expression)) {
     const Location at = locate(expression);
     const SlotsAt& part = is_text(expression) ? at.texts : at.numbers;
     if (part.in_register()) return part.reg();
@@ -117,12 +117,24 @@ Register ExpressionCompiler::operand_before(const Expr& then, const Expr& expres
 
 void ExpressionCompiler::into(const Expr& expression, Register target, bool as_real) {
   const auto mark = code_.mark();
+  if (expression.moved_from != nullptr) {
+    into_world(expression, target);
+  } else {
+    into_as_it_is(expression, target, as_real);
+  }
+  code_.release(mark);
+}
+
+void ExpressionCompiler::into_as_it_is(const Expr& expression, Register target, bool as_real) {
   if (known(expression.constant)) {
     load(expression, target, as_real);
   } else if (as_real && expression.type == Type::integer()) {
     code_.emit(Opcode::int_to_real, expression.place, target, operand(expression, false));
   } else if (const auto* const name = std::get_if<Name>(&expression.node)) {
     compile(*name, expression, target);
+  } else if (const auto* const member = std::get_if<Member>(&expression.node);
+             member != nullptr && angle_of(member->object->type, member->field)) {
+    compile_angle(*member, target, expression.place);
   } else if (std::holds_alternative<Member>(expression.node) ||
              std::holds_alternative<Index>(expression.node)) {
     load(locate(expression), expression.type, target, expression.place);
@@ -137,7 +149,6 @@ void ExpressionCompiler::into(const Expr& expression, Register target, bool as_r
   } else {
     compile(std::get<Binary>(expression.node), expression, target);
   }
-  code_.release(mark);
 }
 
 void ExpressionCompiler::load(const Expr& expression, Register target, bool as_real) {
@@ -187,6 +198,7 @@ void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, R
     code_.emit(Opcode::join_text, expression.place, target, left, right);
     return;
   }
+  if (binary.left->type.is_place()) return compile_on_places(binary, expression, target);
   if (expression.type.is(Type::Kind::Vec)) return compile_vector(binary, expression, target);
   // DIV of reals yields an INT from REAL operands.
   const bool whole = on_whole_numbers(binary, expression.type);
@@ -202,7 +214,7 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
     if (is_text(expression)) return code_.emit(Opcode::copy_text, expression.place, target, result);
     return copy_registers(target, result, slots_of(expression.type).numbers, expression.place);
   }
-  const Builtin& builtin = *find_builtin(call.callee, call.arguments.size());
+  const Builtin& builtin = *find_builtin(call);
   if (builtin.rule == BuiltinRule::AnyToText) {
     const Register text = code_.text_register();
     code_.load_text(text, "", expression.place);

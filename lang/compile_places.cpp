@@ -27,6 +27,9 @@ Location ExpressionCompiler::home(const Symbol& symbol) const {
 
 bool ExpressionCompiler::is_variable(const Expr& expression) const {
   if (known(expression.constant)) return false;
+  if (const auto* const member = std::get_if<Member>(&expression.node)) {
+    if (angle_of(member->object->type, member->field)) return false;
+  }
   const Name* const root = root_of(expression);
   return root != nullptr && lives_in_register(*root->symbol) && !known(root->symbol->value);
 }
@@ -37,8 +40,8 @@ Location ExpressionCompiler::locate(const Expr& expression) {
       if (lives_in_register(*name->symbol)) return home(*name->symbol);
     }
     if (const auto* const member = std::get_if<Member>(&expression.node)) {
-      const Type& whole = member->object->type;
-      return locate(*member->object).behind(field_of(whole, member->field)->offset);
+      const auto field = field_of(member->object->type, member->field);
+      if (field) return locate(*member->object).behind(field->offset);
     }
     if (const auto* const index = std::get_if<Index>(&expression.node)) return element(*index);
   }

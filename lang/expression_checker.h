@@ -70,6 +70,18 @@ class ExpressionChecker {
   Type check_texts(const Builtin& builtin, const Call& call);
   bool check_unit(const Expr& value, const Expr& unit_text);
   Type common_dimension(const Call& call);
+  // Poses (check_poses.cpp)
+  Type common_frame(const Expr& left, const Expr& right, std::string_view what);
+  /// The FRAME that a pose is in; null for the world, and where none was found.
+  const Symbol* frame_of(const Type& pose) const;
+  bool fits_place(const Expr& expression, const Type& wanted) const;
+  Type check_to_frame(const Call& call);
+  Type check_place_sum(const Binary& binary, const Expr& expression);
+  Type check_place_product(const Binary& binary, const Expr& expression);
+  Folded fold_places(const Binary& binary) const;
+  static Type check_angle(const Member& member, int which, Expr& expression);
+  Type check_places(const Builtin& builtin, const Call& call);
+
   Type check_vectors(const Builtin& builtin, const Call& call);
 
   // Routines (check_routine_calls.cpp)
@@ -97,6 +109,8 @@ class ExpressionChecker {
   const Expr* statement_ = nullptr;  ///< the call that is a statement of its own
 };
 
+/// The value of a constant as its place wants it: of a pose that was moved, in the world.
+Constant known_value(const Expr& expression);
 /// "a length, 5mm": type and, where it is known, value; for messages.
 std::string described(const Expr& expression);
 /// The type that two operands share: INT, or REAL of their dimension, or BOOL or STRING; Unknown

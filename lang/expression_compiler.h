@@ -71,6 +71,7 @@ class ExpressionCompiler {
 
  private:
   void into(const Expr& expression, Register target, bool as_real);
+  void into_as_it_is(const Expr& expression, Register target, bool as_real);
   Register operand(const Expr& expression, bool as_real);
   /// The same where `then` is computed before the value is used: what that changes is no matter.
   Register operand_before(const Expr& then, const Expr& expression, bool as_real);
@@ -100,6 +101,11 @@ class ExpressionCompiler {
   void load_text(SlotsAt from, Register target, Place place);
   void store_text(SlotsAt to, Register value, Place place);
   Register result_register(const Type& type);
+
+  // Poses (compile_poses.cpp)
+  void into_world(const Expr& expression, Register target);
+  void compile_on_places(const Binary& binary, const Expr& expression, Register target);
+  void compile_angle(const Member& member, Register target, Place place);
 
   // Compound values (compile_compounds.cpp)
   void compile(const Tuple& tuple, Register target);

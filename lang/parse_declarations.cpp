@@ -40,10 +40,13 @@ constexpr auto kTypes = std::to_array<NamedType>({
     {"FREQUENCY", real(kFrequency)},
     {"VOLTAGE", real(kVoltage)},
     {"VEC", {Type::Kind::Vec, kLength}},
+    {"POSE", {Type::Kind::Pose}},
+    {"WRENCH", {Type::Kind::Wrench}},
+    {"FRAME", {Type::Kind::Frame}},
+    {"TOOL", {Type::Kind::Tool}},
 });
 
-constexpr std::array<std::string_view, 6> kLaterTypes{"POSE",  "JOINTS", "WRENCH",
-                                                      "ARRAY", "FRAME",  "TOOL"};
+constexpr std::array<std::string_view, 2> kLaterTypes{"JOINTS", "ARRAY"};
 
 std::string type_help(std::string_view word) {
   std::array<std::string_view, kTypes.size()> names;
@@ -140,6 +143,7 @@ Type Parser::type() {
   }
   if (const auto known = named_type(word.text)) {
     advance();
+    if (known->is(Type::Kind::Pose)) return pose_type();
     return known->is(Type::Kind::Vec) && at_word("OF") ? vec_type() : *known;
   }
   for (const std::string_view later : kLaterTypes) {

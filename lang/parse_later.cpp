@@ -15,8 +15,7 @@ namespace rob::lang {
 namespace {
 
 /// Statements known by their place only: the first word of a line.
-constexpr std::array<std::string_view, 7> kLaterWords{"PRESS", "PATH", "TOOL",    "FRAME",
-                                                      "START", "ZERO", "OVERRIDE"};
+constexpr std::array<std::string_view, 5> kLaterWords{"PRESS", "PATH", "START", "ZERO", "OVERRIDE"};
 
 /// A DO at the end of its line opens a block for every motion, closed by ENDMOVE.
 std::string closer_of(const Token& opener) {
@@ -32,10 +31,7 @@ bool always_opens_block(const Token& word) {
 }
 
 bool declares(const Token& word) {
-  if (word.kind == TokenKind::Word) {
-    return same_word(word.text, "TOOL") || same_word(word.text, "FRAME");
-  }
-  return word.keyword == Keyword::Point;
+  return word.kind == TokenKind::Reserved && word.keyword == Keyword::Point;
 }
 
 }  // namespace

@@ -131,6 +131,7 @@ void Parser::simple(Block& block) {
 /// at the beginning of a line, or a mistake.
 void Parser::word_statement(Block& block) {
   if (at_header()) return header(block);
+  if (at_frame_declaration()) return frame_declaration(block);
   if (at_later_word()) later_statement(block);
   if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
   if (next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket) {

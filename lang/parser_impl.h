@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -97,6 +98,11 @@ class Parser {
   bool at_channel() const;
   void declared_names(Declaration& declaration);
   void declared_type_and_value(Declaration& declaration);
+  // Frames (parse_frames.cpp)
+  bool at_frame_declaration() const;
+  void frame_declaration(Block& block);
+  Type pose_type();
+  const TypeDetail* frame_named(std::string_view name);
   Declaration::Declared declared_name(std::string_view kind);
   Type type();
   Type vec_type();
@@ -228,6 +234,8 @@ class Parser {
   std::uint32_t muted_line_ = 0;  ///< has had its message
   std::vector<OpenBlock> open_blocks_;
   Header header_;
+  std::map<std::string, TypeDetail> frames_;
+  std::vector<Program::FrameUse> frame_uses_;
   std::vector<Routine> routines_;
   std::optional<std::set<std::string>> routine_names_;  ///< of the whole text, once asked for
 };

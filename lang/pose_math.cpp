@@ -141,9 +141,9 @@ FixedAngles to_fixed(const Quaternion& q) {
 }
 
 Vector3 rotate(const Quaternion& q, const Vector3& v) {
-  // The matrix of a quaternion of any length, divided by its square: exact for quarter turns, whose
-  // components are equal, however they were rounded.
-  const double s = 1 / squared_length(q);
+  // The matrix of a quaternion, divided by the square of its length: exact for quarter turns, whose
+  // components are equal, however they were rounded. So near to 1 the inverse of n is 2 - n.
+  const double s = 2 - squared_length(q);
   const double ww = q.w * q.w;
   const double ii = q.i * q.i;
   const double jj = q.j * q.j;

@@ -95,6 +95,11 @@ class StatementChecker {
   void check(CallStatement& statement) { expressions_.check_statement(statement.call); }
   void check(Return& statement);
 
+  // Frames (check_frames.cpp)
+  void check_frame(const Declaration& declaration, const Constant& value);
+  void check_tool_number(const Expr& value, const Type& wanted, std::string_view needed);
+  void check_frame_uses(const Program& program);
+
   // Routines (check_routines.cpp)
   void declare(const Routine& routine);
   void check(Routine& routine);

@@ -28,7 +28,15 @@ Scopes::Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot) : symbo
   hit.name = "HIT";
   hit.type = Type::boolean();
   declare(std::move(hit));
+  Symbol world;
+  world.kind = Symbol::Kind::BuiltIn;
+  world.name = "world";
+  world.type = {Type::Kind::Frame};
+  world.value = std::vector<double>{0, 0, 0, 1, 0, 0, 0};
+  declare(std::move(world));
   provide(Reading::Clock, Type::real(kTime));
+  provide(Reading::Here, Type::pose());
+  provide(Reading::Target, Type::pose());
   for (std::size_t i = 0; i < robot.signals.size(); ++i) {
     Symbol signal;
     signal.kind = Symbol::Kind::Signal;
@@ -76,6 +84,12 @@ const Symbol* Scopes::find(std::string_view name) const {
     if (const auto found = scope->find(key); found != scope->end()) return found->second;
   }
   return nullptr;
+}
+
+const Symbol* Scopes::find_global(std::string_view name) const {
+  if (scopes_.size() < 2) return nullptr;
+  const auto found = scopes_[1].find(to_upper(name));
+  return found == scopes_[1].end() ? nullptr : found->second;
 }
 
 const Symbol* Scopes::find_innermost(std::string_view name) const {

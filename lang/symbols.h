@@ -30,19 +30,20 @@ struct Symbol {
   Kind kind = Kind::Variable;
   std::string name;  ///< as it was declared
   Type type;
-  Place place;          ///< of its declaration; line 0 for what is not declared in the program
-  std::size_t id = 0;   ///< dense, from 0: an index for what later stages know of it
-  Constant value;       ///< where it is known before the program runs
-  Reading reading{};    ///< of Kind::Reading
-  int signal = 0;       ///< its index in the RobotSignature
-  bool output = false;  ///< a signal that may be assigned
-  int channel = 0;      ///< n of DIN[n], DOUT[n], AIN[n] or AOUT[n]
-  bool analog = false;  ///< a signal that is a number
-  double low = 0;       ///< of an analog signal, SI: what 0V stand for
-  double high = 0;      ///< what kMostVolts stand for
-  bool global = false;  ///< declared at the top level: routines see it
-  bool by_reference = false;         ///< a REF parameter: stands for a variable of the caller
-  const Routine* routine = nullptr;  ///< of Kind::Routine
+  Place place;         ///< of its declaration; line 0 for what is not declared in the program
+  std::size_t id = 0;  ///< dense, from 0: an index for what later stages know of it
+  Constant value;      ///< where it is known before the program runs
+  Reading reading{};   ///< of Kind::Reading
+  const TypeDetail* frame = nullptr;  ///< of a FRAME: the detail of poses in it
+  int signal = 0;                     ///< its index in the RobotSignature
+  bool output = false;                ///< a signal that may be assigned
+  int channel = 0;                    ///< n of DIN[n], DOUT[n], AIN[n] or AOUT[n]
+  bool analog = false;                ///< a signal that is a number
+  double low = 0;                     ///< of an analog signal, SI: what 0V stand for
+  double high = 0;                    ///< what kMostVolts stand for
+  bool global = false;                ///< declared at the top level: routines see it
+  bool by_reference = false;          ///< a REF parameter: stands for a variable of the caller
+  const Routine* routine = nullptr;   ///< of Kind::Routine
 };
 
 /// The names that may be used at one place of the program. Scopes nest; the outermost holds what
@@ -61,6 +62,8 @@ class Scopes {
 
   /// Null if the name is unknown here.
   const Symbol* find(std::string_view name) const;
+  /// The name at the top level of the program, whatever hides it here; null if there is none.
+  const Symbol* find_global(std::string_view name) const;
   /// Null if the innermost scope has no such name.
   const Symbol* find_innermost(std::string_view name) const;
   /// Whether the language or the robot gives this name a meaning.
@@ -75,6 +78,7 @@ class Scopes {
   void define(const Symbol& symbol, const Routine& routine) {
     symbols_[symbol.id].routine = &routine;
   }
+  void frame(const Symbol& symbol, const TypeDetail* detail) { symbols_[symbol.id].frame = detail; }
   void refer(const Symbol& symbol) { symbols_[symbol.id].by_reference = true; }
   /// All names that can be seen from here, for "did you mean".
   std::vector<std::string_view> visible() const;

@@ -35,6 +35,9 @@ constexpr std::array kNamedDimensions = std::to_array<NamedDimension>({
 });
 
 constexpr std::array<std::string_view, 3> kVecFields{"x", "y", "z"};
+constexpr std::array<std::string_view, 3> kAngleFields{"a", "b", "c"};
+constexpr std::array<std::string_view, 7> kPlaceFields{"x", "y", "z", "a", "b", "c", "pos"};
+constexpr std::array<std::string_view, 2> kWrenchFields{"force", "torque"};
 
 /// An exponent beyond the type's range sticks at its end; the checker refuses such quantities
 /// long before that (kMostExponent).
@@ -91,7 +94,7 @@ std::string in_words(const Type& type) {
     case Type::Kind::Vec:
       return "a VEC, each " + in_words(type.dimension);
     case Type::Kind::Pose:
-      return "a pose";
+      return is_free(type) ? "a pose" : "a pose IN " + frame_name(type);
     case Type::Kind::Joints:
       return "a value for each joint";
     case Type::Kind::Wrench:
@@ -107,6 +110,33 @@ std::string in_words(const Type& type) {
       return "a record " + type.detail->name;
   }
   return {};
+}
+
+Type free_pose() {
+  static const TypeDetail kFree;
+  return Type::pose(&kFree);
+}
+
+bool is_free(const Type& type) { return type == free_pose(); }
+
+Type as_pose(const Type& place) {
+  if (place.is(Type::Kind::Frame)) return Type::pose();
+  return place.is(Type::Kind::Tool) ? free_pose() : place;
+}
+
+Type settled(const Type& type) { return is_free(type) ? Type::pose() : type; }
+
+std::string frame_name(const Type& pose) {
+  if (is_free(pose)) return "no frame";
+  return pose.detail == nullptr ? "world" : pose.detail->name;
+}
+
+std::optional<int> angle_of(const Type& type, std::string_view field) {
+  if (!type.is_place()) return std::nullopt;
+  for (int i = 0; i < 3; ++i) {
+    if (same_word(kAngleFields[static_cast<std::size_t>(i)], field)) return i;
+  }
+  return std::nullopt;
 }
 
 Slots slots_of(const Type& type) {
@@ -154,6 +184,15 @@ bool has_default(const Type& type) {
 }
 
 std::optional<Field> field_of(const Type& type, std::string_view name) {
+  if (type.is_place()) {
+    if (same_word(name, "pos")) return Field{Type::vec(kLength), {}};
+    return field_of(Type::vec(kLength), name);
+  }
+  if (type.is(Type::Kind::Wrench)) {
+    if (same_word(name, "force")) return Field{Type::vec(kForce), {}};
+    if (same_word(name, "torque")) return Field{Type::vec(kTorque), {.numbers = 3}};
+    return std::nullopt;
+  }
   if (type.is(Type::Kind::Vec)) {
     for (std::size_t i = 0; i < kVecFields.size(); ++i) {
       if (!same_word(kVecFields[i], name)) continue;
@@ -171,6 +210,8 @@ std::optional<Field> field_of(const Type& type, std::string_view name) {
 
 std::vector<std::string_view> field_names(const Type& type) {
   if (type.is(Type::Kind::Vec)) return {kVecFields.begin(), kVecFields.end()};
+  if (type.is_place()) return {kPlaceFields.begin(), kPlaceFields.end()};
+  if (type.is(Type::Kind::Wrench)) return {kWrenchFields.begin(), kWrenchFields.end()};
   std::vector<std::string_view> names;
   if (!type.is(Type::Kind::Record)) return names;
   for (const TypeDetail::Field& field : type.detail->fields) names.push_back(field.name);

@@ -82,7 +82,7 @@ struct Type {
 
   Kind kind = Kind::Unknown;
   Dimension dimension{};               ///< of Real and Vec only
-  const TypeDetail* detail = nullptr;  ///< of Joints, Array and Record
+  const TypeDetail* detail = nullptr;  ///< of Joints, Array, Record, and Pose
 
   bool operator==(const Type&) const = default;
   bool known() const { return kind != Kind::Unknown; }
@@ -98,6 +98,10 @@ struct Type {
   static Type real(Dimension d = {}) { return {Kind::Real, d}; }
   static Type string() { return {Kind::String}; }
   static Type vec(Dimension d) { return {Kind::Vec, d}; }
+  /// In the frame of `detail`; without one in the world.
+  static Type pose(const TypeDetail* frame = nullptr) { return {Kind::Pose, {}, frame}; }
+  /// POSE, FRAME and TOOL: a place and an orientation.
+  bool is_place() const { return kind == Kind::Pose || kind == Kind::Frame || kind == Kind::Tool; }
 };
 
 /// What a compound type is made of.
@@ -109,10 +113,22 @@ struct TypeDetail {
   Slots slots;                  ///< of a whole value
   Type element;                 ///< of Array
   std::int64_t length = 0;      ///< of Array
-  std::string name;             ///< of Record
+  std::string name;             ///< of Record; of Pose: the frame
   std::vector<Field> fields;    ///< of Record, in the order of their slots
   std::vector<Dimension> axes;  ///< of Joints
 };
+
+/// A pose that has no frame yet and takes the one that its place in the program wants.
+Type free_pose();
+bool is_free(const Type& type);
+/// What a place is as a pose: a FRAME one in the world, a TOOL one without frame.
+Type as_pose(const Type& place);
+/// The type of a variable that is given a value of this type: what is free is in the world.
+Type settled(const Type& type);
+/// "world", "pallet"; "no frame" of what is free.
+std::string frame_name(const Type& pose);
+/// 0, 1 or 2 for .a, .b or .c of a place; they are computed, and do not lie in it.
+std::optional<int> angle_of(const Type& type, std::string_view field);
 
 Slots slots_of(const Type& type);
 

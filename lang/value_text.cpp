@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "lang/number_text.h"
+#include "lang/pose_slots.h"
 
 namespace rob::lang {
 namespace {
@@ -25,6 +26,13 @@ class Writer {
         return quoted(*texts_++);
       case Type::Kind::Vec:
         return put("(") && row(Type::real(type.dimension), 3) && put(")");
+      case Type::Kind::Pose:
+      case Type::Kind::Frame:
+      case Type::Kind::Tool:
+        return pose();
+      case Type::Kind::Wrench:
+        return put("WRENCH(") && value(Type::vec(kForce)) && put(", ") &&
+               value(Type::vec(kTorque)) && put(")");
       default:
         return true;
     }
@@ -42,6 +50,16 @@ class Writer {
       if (!put(i == 0 ? "" : ", ") || !value(type)) return false;
     }
     return true;
+  }
+
+  bool pose() {
+    const FixedAngles angles = pose_math::to_fixed(load_pose(numbers_).rotation);
+    bool fits = put("POSE(") && row(Type::real(kLength), 3);
+    for (const double angle : {angles.a, angles.b, angles.c}) {
+      fits = fits && put(", ") && put(number_text(angle, kAngle));
+    }
+    numbers_ += kPoseSlots - 3;
+    return fits && put(")");
   }
 
   bool quoted(std::string_view text) {

@@ -11,6 +11,7 @@
 #include "lang/codes.h"
 #include "lang/fold.h"
 #include "lang/number_text.h"
+#include "lang/pose_functions.h"
 #include "lang/value_text.h"
 
 namespace rob::lang {
@@ -125,6 +126,15 @@ call_real:
   ROB_NEXT(1);
 call_text:
   ROB_CHECKED(builtins()[pc->c()].text(&n[pc->a()], &texts_[pc->b()]));
+  ROB_NEXT(1);
+pose_product:
+  ROB_CHECKED(pose_functions::product(&n[pc->b()], &n[pc->c()], &n[pc->a()]));
+  ROB_NEXT(1);
+pose_transform:
+  ROB_CHECKED(pose_functions::transformed(&n[pc->b()], &n[pc->c()], &n[pc->a()]));
+  ROB_NEXT(1);
+pose_angle:
+  pose_functions::angle(&n[pc->b()], pc->c(), n[pc->a()]);
   ROB_NEXT(1);
 random:
   n[pc->a()].real = random_.share();
