@@ -72,7 +72,9 @@ std::optional<ExpressionCompiler::Compared> ExpressionCompiler::compare(const Ex
   const auto* const binary = std::get_if<Binary>(&condition.node);
   const bool comparison =
       binary != nullptr && binary->op >= BinaryOp::Equal && binary->op <= BinaryOp::GreaterEqual;
-  if (!comparison || known(condition.constant)) return std::nullopt;
+  if (!comparison || known(condition.constant) || !binary->left->type.scalar()) {
+    return std::nullopt;
+  }
   begin(condition);
   const bool real =
       binary->left->type.kind == Type::Kind::Real || binary->right->type.kind == Type::Kind::Real;

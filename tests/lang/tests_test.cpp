@@ -48,6 +48,11 @@ TEST_CASE("an EXPECT that does not hold tells both sides, and the TEST goes on")
             "failed n >= 2.5 does not hold: left 2, right 2.5", "end"});
 }
 
+TEST_CASE("an EXPECT of compound values is compared as a whole") {
+  CHECK(calls_of("VAR v = (1mm, 2mm, 3mm)\nTEST \"a\"\nVAR w = v\nEXPECT v == w\n"
+                 "EXPECT v == w + w\nENDTEST") == Texts{"failed v == w + w does not hold", "end"});
+}
+
 TEST_CASE("SIMULATE hands an input its value and its delay") {
   CHECK(
       calls_of("VAR t = 2s\nTEST \"a\"\nSIMULATE lift_up = t > 1s AFTER t\nSIMULATE DIN[1] = OFF\n"
