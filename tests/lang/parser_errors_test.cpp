@@ -206,7 +206,7 @@ TEST_CASE("what a later version will have is named once, and skipped with all th
         1);
   CHECK(errors("TEST \"a\"\n MOVEL a\nENDTEST\nSTOP").size() == 1);
   CHECK(errors("PATH AT 8mm/s DO\n AFTER 2mm : torch = ON\nENDPATH\nSTOP").size() == 1);
-  CHECK(errors("WHEN door : RAISE \"open\"\nSTOP").size() == 1);
+  CHECK(errors("SPIRAL FROM 4mm TURNS 5\nSTOP").size() == 1);
   CHECK(errors("WHEN door DO\n BRAKE\nENDWHEN\nSTOP").size() == 1);
   CHECK(errors("MOVEL a DO\n BEFORE 3mm : torch = OFF\nENDMOVE\nSTOP").size() == 1);
   CHECK(errors("MOVE(1,2,3) ZONE 5mm DO\n AFTER 3mm : torch = ON\nENDMOVE\nSTOP") ==
