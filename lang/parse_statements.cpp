@@ -173,7 +173,8 @@ void Parser::unknown_word(Block& block) {
   const bool stands_alone = next_.kind == TokenKind::EndOfLine;
   const bool routine = keyword == Keyword::Proc || keyword == Keyword::Func;
   if (keyword == Keyword::End || (routine && next_.kind != TokenKind::Word) ||
-      ((keyword == Keyword::Loop || keyword == Keyword::Try) && !stands_alone) || (needs_do && !line_ends_with(Keyword::Do)) ||
+      ((keyword == Keyword::Loop || keyword == Keyword::Try) && !stands_alone) ||
+      (needs_do && !line_ends_with(Keyword::Do)) ||
       (keyword == Keyword::If && !line_ends_with(Keyword::Then))) {
     throw SyntaxError{};
   }
