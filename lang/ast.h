@@ -161,6 +161,7 @@ struct WatchedMotion {
   Block otherwise;  ///< of ELSE: one statement
 };
 struct Stop {};
+struct Brake {};
 /// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm · FRAME f = POSE(…) · TOOL t = POSE(…) MASS 1kg
 struct Declaration {
   struct Declared {
@@ -261,10 +262,21 @@ struct Return {
   ExprPtr value;  ///< null where left out
 };
 
+/// TRY: where the body goes wrong, the rescue is executed.
+struct Try {
+  Block body;
+  Declaration::Declared why;  ///< the name of the reason; empty where left out
+  Block rescue;
+};
+struct Raise {
+  ExprPtr value;  ///< null: the error that is being handled, again
+};
+
 struct Statement {
   Place place;  ///< of its first word
-  std::variant<Move, WatchedMotion, Stop, Declaration, SignalDeclaration, Assign, Pulse, Print,
-               Wait, If, While, For, Loop, Select, Exit, Next, Assert, CallStatement, Return>
+  std::variant<Move, WatchedMotion, Stop, Brake, Declaration, SignalDeclaration, Assign, Pulse,
+               Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, CallStatement, Return,
+               Try, Raise>
       node;
 };
 

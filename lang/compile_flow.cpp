@@ -7,7 +7,7 @@
 namespace rob::lang {
 
 void StatementCompiler::compile_body(const Block& body) {
-  loops_.emplace_back();
+  loops_.push_back({.exits = {}, .nexts = {}, .guards = guards_.size()});
   compile(body);
   code_.land(loops_.back().nexts);
 }
@@ -15,6 +15,16 @@ void StatementCompiler::compile_body(const Block& body) {
 void StatementCompiler::leave_loop() {
   code_.land(loops_.back().exits);
   loops_.pop_back();
+}
+
+void StatementCompiler::compile(const Exit&) {
+  leave_guards(loops_.back().guards, place_);
+  loops_.back().exits.push_back(code_.jump(place_));
+}
+
+void StatementCompiler::compile(const Next&) {
+  leave_guards(loops_.back().guards, place_);
+  loops_.back().nexts.push_back(code_.jump(place_));
 }
 
 void StatementCompiler::compile(const While& loop) {

@@ -54,13 +54,16 @@ void StatementCompiler::compile(const Routine& routine) {
 void StatementCompiler::compile(const Return& statement) {
   const Place place = place_;
   if (routine_ == nullptr) {
+    leave_guards(0, place);
     returns_.push_back(code_.jump(place));
   } else if (statement.value == nullptr) {
+    leave_guards(0, place);
     code_.emit(Opcode::leave, place);
   } else {
     const auto mark = code_.mark();
     const Type& type = routine_->result;
     const Register value = expressions_.value(*statement.value, type.is(Type::Kind::Real));
+    leave_guards(0, place);
     if (type.is(Type::Kind::String)) {
       code_.emit(Opcode::leave_with_text, place, value);
     } else {

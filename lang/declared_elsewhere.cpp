@@ -39,6 +39,11 @@ struct Search {
     }
     return search(select.otherwise, key);
   }
+  Found operator()(const Try& guarded) const {
+    if (to_upper(guarded.why.name) == key) return guarded.why.place;
+    if (const Found found = search(guarded.body, key)) return found;
+    return search(guarded.rescue, key);
+  }
   template <typename Other>
   Found operator()(const Other&) const {
     return std::nullopt;

@@ -49,6 +49,10 @@ class Machine {
   virtual Reply ended(int line, bool& hit) = 0;
   /// STOP: the last target is reached exactly.
   virtual Reply stop(int line) = 0;
+  /// BRAKE: as soon as the last motion is the running one, it is braked on its path; its rest is
+  /// dropped, with what is bound to it, and the axes stand there. Done at standstill, or at once
+  /// where nothing moves any more.
+  virtual Reply brake(int line) = 0;
   /// WAIT 0.5s: the last target is reached exactly, then the axes stand for `seconds`, 0 or more.
   virtual Reply wait(int line, double seconds) = 0;
   /// The condition of a WAIT is due: the last target is reached exactly, and all that was commanded
@@ -57,6 +61,13 @@ class Machine {
   virtual Reply stand(int line, double& now) = 0;
   /// The condition that stand() was for has been met, or its time is over.
   virtual Reply waited(int line) = 0;
+  /// A TRY block is left: an observation, Done at the decision point of the last motion. What goes
+  /// wrong from then on is no longer the block's.
+  virtual Reply leave_block(int line) = 0;
+  /// The program has gone wrong in a TRY block: the last target is reached exactly, and all that
+  /// was commanded acts. Done when the axes stand and nothing is left to do. Never refused; ends
+  /// whatever WAIT was under way.
+  virtual Reply settle(int line) = 0;
   /// END, written or implied by the end of the file: stops, and is Done once all that was
   /// commanded has been queued (not: carried out).
   virtual Reply end(int line) = 0;

@@ -21,6 +21,7 @@ bool takes_lines(Keyword keyword) {
     case Keyword::For:
     case Keyword::Loop:
     case Keyword::Select:
+    case Keyword::Try:
     case Keyword::Proc:
     case Keyword::Func:
     case Keyword::Var:
@@ -87,12 +88,14 @@ bool Parser::at_block_end() const {
     case Keyword::Endfor:
     case Keyword::Endloop:
     case Keyword::Endselect:
+    case Keyword::Endtry:
     case Keyword::Endproc:
     case Keyword::Endfunc:
       return true;
     case Keyword::Else:
     case Keyword::Elsif:
     case Keyword::Case:
+    case Keyword::Rescue:
       return closes_outer();
     default:
       return false;

@@ -55,6 +55,9 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Select:
       select_statement(block);
       return true;
+    case Keyword::Try:
+      try_statement(block);
+      return true;
     case Keyword::Proc:
     case Keyword::Func:
       routine();
@@ -82,6 +85,10 @@ void Parser::simple(Block& block) {
     advance();
     return add(block, place, Stop{});
   }
+  if (at(Keyword::Brake)) {
+    advance();
+    return add(block, place, Brake{});
+  }
   if (at(Keyword::Exit)) {
     advance();
     return add(block, place, Exit{});
@@ -92,6 +99,7 @@ void Parser::simple(Block& block) {
   }
   if (at(Keyword::Return)) return return_statement(block);
   if (at(Keyword::Assert)) return assert_statement(block);
+  if (at(Keyword::Raise)) return raise_statement(block);
   if (at(TokenKind::Word)) return word_statement(block);
   if (!at(TokenKind::Reserved)) {
     fail_here(code::kStatementExpected,
@@ -157,7 +165,8 @@ void Parser::unknown_word(Block& block) {
   const bool stands_alone = next_.kind == TokenKind::EndOfLine;
   const bool routine = keyword == Keyword::Proc || keyword == Keyword::Func;
   if (keyword == Keyword::End || (routine && next_.kind != TokenKind::Word) ||
-      (keyword == Keyword::Loop && !stands_alone) || (needs_do && !line_ends_with(Keyword::Do)) ||
+      ((keyword == Keyword::Loop || keyword == Keyword::Try) && !stands_alone) ||
+      (needs_do && !line_ends_with(Keyword::Do)) ||
       (keyword == Keyword::If && !line_ends_with(Keyword::Then))) {
     throw SyntaxError{};
   }

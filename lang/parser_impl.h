@@ -157,6 +157,11 @@ class Parser {
   void law_header(const Place& place);
   void units_header();
 
+  // TRY and RAISE (parse_errors.cpp)
+  void try_statement(Block& block);
+  void rescue_header(Try& node);
+  void raise_statement(Block& block);
+
   // What later versions have (parse_later.cpp)
   bool at_later_word() const;
   [[noreturn]] void later_statement(Block& block);

@@ -99,6 +99,12 @@ Reply PrintingMachine::waited(int line) {
   return reply;
 }
 
+Reply PrintingMachine::settle(int line) {
+  const Reply reply = note(line, "settle");
+  if (reply == Reply::Done) standing_ = false;
+  return reply;
+}
+
 Reply PrintingMachine::print(int line, std::string_view text) {
   return note(line, fmt::format("print {}", text));
 }

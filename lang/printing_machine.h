@@ -17,11 +17,12 @@ namespace rob::lang {
 ///
 ///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
 ///     movel by 20 0 0 · move joints - - 90 · … zone 5mm · … fine
-///     stop · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
+///     stop · brake · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
 ///     guard · ended hit · ended reached
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
 ///     stand · waited                    WAIT for a condition: its beginning, its end
+///     settle                            an error is caught: its RESCUE begins
 ///
 /// While a program waits for a condition every look at it is 10 ms later than the one before.
 ///
@@ -57,9 +58,12 @@ class PrintingMachine : public Machine {
   Reply guard(int line, const Watch& condition) override;
   Reply ended(int line, bool& hit) override;
   Reply stop(int line) override { return note(line, "stop"); }
+  Reply brake(int line) override { return note(line, "brake"); }
   Reply wait(int line, double seconds) override;
   Reply stand(int line, double& now) override;
   Reply waited(int line) override;
+  Reply leave_block(int) override { return ready(); }
+  Reply settle(int line) override;
   Reply end(int line) override { return note(line, "end"); }
   Reply print(int line, std::string_view text) override;
   Reply write_signal(int line, int signal, bool value) override;

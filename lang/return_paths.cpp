@@ -23,6 +23,7 @@ struct Search {
     return in(select.otherwise) ||
            std::ranges::any_of(select.cases, [&](auto& one) { return in(one.body); });
   }
+  bool operator()(const Try& guarded) const { return in(guarded.body) || in(guarded.rescue); }
   bool operator()(const While& loop) const { return !exits && in(loop.body); }
   bool operator()(const For& loop) const { return !exits && in(loop.body); }
   bool operator()(const Loop& loop) const { return !exits && in(loop.body); }
@@ -57,6 +58,13 @@ struct EndingOf {
   Ending operator()(const Return&) const { return Ending::Never; }
   Ending operator()(const Exit&) const { return Ending::Never; }
   Ending operator()(const Next&) const { return Ending::Never; }
+  Ending operator()(const Raise&) const { return Ending::Never; }
+  Ending operator()(const Try& guarded) const {
+    Branches branches;
+    branches.add(guarded.body);
+    branches.add(guarded.rescue);
+    return branches.result(true);
+  }
   Ending operator()(const If& conditional) const {
     Branches branches;
     bool complete = !conditional.otherwise.empty();

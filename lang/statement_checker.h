@@ -52,6 +52,7 @@ class StatementChecker {
     check(watched.otherwise);
   }
   void check(Stop&) {}
+  void check(Brake&) {}
   void check(Declaration& declaration);
   // Signals (check_signals.cpp)
   void check(SignalDeclaration& signal);
@@ -77,6 +78,9 @@ class StatementChecker {
   void check(Exit&) { require_loop("EXIT"); }
   void check(Next&) { require_loop("NEXT"); }
   void check(Assert& assertion) { expressions_.check_condition(assertion.condition, "ASSERT"); }
+
+  void check(Try& statement);
+  void check(Raise& statement);
 
   void check(CallStatement& statement) { expressions_.check_statement(statement.call); }
   void check(Return& statement);
@@ -116,6 +120,7 @@ class StatementChecker {
   Diagnostics& diagnostics_;
   Place place_;                       ///< of the present statement
   int loops_ = 0;                     ///< open around it
+  int rescues_ = 0;                   ///< RESCUE blocks open around it
   const Routine* routine_ = nullptr;  ///< that it belongs to; null at the top level
 };
 

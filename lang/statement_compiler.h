@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -35,6 +37,7 @@ class StatementCompiler {
   void compile(const Move& move);
   void compile(const WatchedMotion& watched);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
+  void compile(const Brake&) { code_.emit(Opcode::brake, place_); }
   void compile(const Declaration& declaration);
   void compile(const SignalDeclaration& signal);
   void compile(const Assign& assign);
@@ -47,9 +50,14 @@ class StatementCompiler {
   void compile(const For& loop);
   void compile(const Loop& loop);
   void compile(const Select& select);
-  void compile(const Exit&) { loops_.back().exits.push_back(code_.jump(place_)); }
-  void compile(const Next&) { loops_.back().nexts.push_back(code_.jump(place_)); }
+  void compile(const Exit&);
+  void compile(const Next&);
   void compile(const Assert& assertion);
+
+  void compile(const Try& statement);
+  void compile(const Raise& statement);
+  /// Code that leaves the TRY and RESCUE blocks which are open beyond the first `kept`.
+  void leave_guards(std::size_t kept, Place place);
 
   void compile(const CallStatement& statement) { expressions_.call(*statement.call); }
   void compile(const Return& statement);
@@ -59,7 +67,9 @@ class StatementCompiler {
   struct LoopJumps {
     CodeBuilder::Jumps exits;
     CodeBuilder::Jumps nexts;
+    std::size_t guards = 0;  ///< open around the loop
   };
+  enum class Guard : std::uint8_t { Try, Rescue };
   /// Code for the body; NEXT arrives behind it.
   void compile_body(const Block& body);
   /// EXIT arrives here: behind the loop.
@@ -79,6 +89,7 @@ class StatementCompiler {
   ExpressionCompiler expressions_;
   Place place_;  ///< of the present statement: its line is what the Machine is told
   std::vector<LoopJumps> loops_;
+  std::vector<Guard> guards_;         ///< blocks that are open, of the present routine
   const Routine* routine_ = nullptr;  ///< that is being compiled; null at the top level
   CodeBuilder::Jumps returns_;        ///< RETURN at the top level: the end of the program
 };

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "lang/builtins.h"
+#include "lang/codes.h"
 #include "lang/fold.h"
 #include "lang/number_text.h"
 #include "lang/pose_functions.h"
@@ -311,6 +312,9 @@ answer:  // stands in code that is jumped over
 stop:
   ROB_ASK(machine_.stop(line(pc)), pc);
   ROB_NEXT(1);
+brake:
+  ROB_ASK(machine_.brake(line(pc)), pc);
+  ROB_NEXT(1);
 wait:
   if (!check_wait(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
   ROB_ASK(machine_.wait(line(pc), n[pc->a()].real), pc);
@@ -330,6 +334,23 @@ print:
   ROB_NEXT(1);
 fail_assertion:
   return fail_assertion_at(pc);
+open_try:
+  if (!open_try(pc)) return fail_tries_too_deep(pc);
+  ROB_NEXT(2);
+leave_try:
+  ROB_ASK(machine_.leave_block(line(pc)), pc);
+  guards_.pop_back();
+  ROB_NEXT(1);
+leave_rescue:
+  guards_.pop_back();
+  ROB_NEXT(1);
+raise:
+  return fail(pc, {.code = std::string(code::kRaised),
+                   .place = place(pc),
+                   .message = texts_[pc->a()],
+                   .help = texts_[pc->a()].empty() ? "the text behind this RAISE is empty" : ""});
+raise_again:
+  return raise_again(pc);
 end:
   ROB_ASK(machine_.end(line(pc)), pc);
   return leave(pc + 1, pc, State::Done);

@@ -31,7 +31,8 @@ struct RuntimeError {
 };
 
 /// The longest text that a program can build, in bytes. [choice] far more than a line to be read,
-/// and with at most kTextStack text registers a program never holds more than 64 MiB of text.
+/// and with at most kTextStack text registers a program never holds more than 64 MiB of text,
+/// and those of kMostTries errors.
 inline constexpr std::size_t kMostText = 65536;
 
 /// How deep calls may be nested, and the registers of all of them together. [choice] a recursion
@@ -39,6 +40,8 @@ inline constexpr std::size_t kMostText = 65536;
 inline constexpr std::size_t kMostCalls = 1000;
 inline constexpr std::size_t kNumberStack = 65536;
 inline constexpr std::size_t kTextStack = 1024;
+/// TRY blocks that can be open, those whose RESCUE runs included. [choice] one a call.
+inline constexpr std::size_t kMostTries = kMostCalls;
 
 /// Executes a Chunk against a Machine. It never blocks: where the program has to wait, run()
 /// returns and is called again. `chunk` and `machine` must outlive it.
@@ -52,7 +55,10 @@ inline constexpr std::size_t kTextStack = 1024;
 /// A routine called a second time is like a loop that has turned. It may be called in the middle of
 /// an expression: what is observed after the call belongs to a new instant.
 ///
-/// Arithmetic, loops, calls, motions and observations take no memory. Texts do.
+/// Errors take effect in motion order: with a TRY block open, the machine first settles what was
+/// commanded before; then the RESCUE goes on in the frame of its TRY.
+///
+/// Arithmetic, loops, calls, motions and observations take no memory. Texts and TRY blocks do.
 class Vm {
  public:
   enum class State : std::uint8_t {
@@ -84,6 +90,13 @@ class Vm {
   State leave(Code pc, Code resume, State state);
   State fail(Code pc, RuntimeError error);
   State fail(Code pc, ArithmeticError error);
+  /// error_ is complete: to the innermost TRY block, or to the end.
+  State give_up(Code pc);
+  State raise_again(Code pc);
+  /// Goes on at the RESCUE of the innermost TRY block; false while the machine has not settled.
+  bool rescue();
+  bool open_try(Code pc);
+  State fail_tries_too_deep(Code pc);
   /// What a reply other than Done to the instruction at `pc` means.
   State pause(Code pc, Code resume, Reply reply);
   /// Pays for the instructions up to `pc`; execution goes on at `target`.
@@ -144,6 +157,17 @@ class Vm {
     std::string* texts;
     std::uint32_t routine;
   };
+
+  /// A TRY block that is open, or whose RESCUE runs.
+  struct Guard {
+    Code rescue;
+    std::size_t depth;  ///< calls that were open
+    std::uint8_t why;   ///< text register
+    bool caught;        ///< the RESCUE runs: it catches nothing more
+    RuntimeError error{};
+  };
+  std::vector<Guard> guards_;
+  bool rescuing_ = false;  ///< error_ is on its way to a RESCUE
 
   std::vector<Slot> number_stack_;  ///< the frame of the top level is the first
   std::vector<std::string> text_stack_;

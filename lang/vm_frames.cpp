@@ -27,7 +27,10 @@ Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
 Vm::State Vm::run(std::int64_t budget) {
   if (state_ == State::Done || state_ == State::Failed) return state_;
   budget_ = budget;
-  state_ = execute(next_);
+  do {
+    if (rescuing_ && !rescue()) return state_ = leave(next_, next_, State::Waiting);
+    state_ = execute(next_);
+  } while (rescuing_);
   return state_;
 }
 
@@ -90,7 +93,7 @@ Vm::State Vm::fail(Code pc, RuntimeError error) {
     error_.calls.push_back(
         {.routine = chunk_.routines[frame.routine].name, .line = line(frame.back - 1)});
   }
-  return leave(pc, pc, State::Failed);
+  return give_up(pc);
 }
 
 Vm::State Vm::fail(Code pc, ArithmeticError error) {

@@ -92,6 +92,7 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& command) {
   const auto& planned = std::get<motion::PlannedSegment>(outcome);
   warn(line, planned);
   queue(planned.segment, false);
+  brakable_ = planned.segment.number;
   if (!command.exact()) return Reply::Done;
   if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) {
     queue(*segment, true, true);
@@ -116,6 +117,7 @@ Reply RobotMachine::ended(int line, bool& hit) {
   motion::Rest rest;
   if (!channels_.rests.take(rest)) return Reply::Later;
   guarded_ = false;
+  brakable_ = 0;
   if (rest.early()) {
     planner_.retarget(rest.q);
     exact_ = true;
@@ -130,6 +132,26 @@ Reply RobotMachine::stop(int line) {
   if (buffer_.full()) return Reply::Later;
   const auto segment = planner_.stop(static_cast<motion::Tag>(line));
   if (segment) queue(*segment, true);
+  brakable_ = 0;
+  return Reply::Done;
+}
+
+/// What STOP, WAIT or UNTIL has brought to rest is not braked: that it be reached was promised.
+Reply RobotMachine::brake(int /*line*/) {
+  if (brakable_ == 0) return Reply::Done;
+  if (!braking_) {
+    const bool arrived =
+        channels_.settled.load(std::memory_order_acquire) >= planner_.last_number();
+    if (arrived) return settled() ? Reply::Done : Reply::Later;
+    buffer_.brake(brakable_);
+    braking_ = true;
+  }
+  motion::Rest rest;
+  if (!channels_.rests.take(rest)) return Reply::Later;
+  planner_.retarget(rest.q);
+  braking_ = false;
+  exact_ = true;
+  brakable_ = 0;
   return Reply::Done;
 }
 
@@ -147,6 +169,7 @@ Reply RobotMachine::wait(int line, double seconds) {
 Reply RobotMachine::dwell(int line, double seconds) {
   const auto tag = static_cast<motion::Tag>(line);
   if (buffer_.full()) return Reply::Later;
+  brakable_ = 0;
   if (const auto segment = planner_.stop(tag)) {
     queue(*segment, true);
     begun_ = true;
@@ -177,6 +200,20 @@ Reply RobotMachine::waited(int line) {
   const Reply reply = dwell(line, 0);
   if (reply == Reply::Done) begun_ = standing_ = false;
   return reply;
+}
+
+Reply RobotMachine::leave_block(int /*line*/) { return decided() ? Reply::Done : Reply::Later; }
+
+Reply RobotMachine::settle(int line) {
+  begun_ = standing_ = guarded_ = false;
+  const Reply reply = stop(line);
+  if (reply != Reply::Done) return reply;
+  return settled() ? Reply::Done : Reply::Later;
+}
+
+bool RobotMachine::settled() const {
+  return channels_.settled.load(std::memory_order_acquire) >= planner_.last_number() &&
+         channels_.effects_done.load(std::memory_order_acquire) >= effects_;
 }
 
 Reply RobotMachine::end(int line) {
@@ -224,9 +261,7 @@ Reply RobotMachine::pulse(int line, int signal, double seconds) {
 }
 
 bool RobotMachine::observable() const {
-  // Program and motion share the number of the last segment: its decision point has come once the
-  // generator names it.
-  if (channels_.decidable.load(std::memory_order_acquire) < planner_.last_number()) return false;
+  if (!decided()) return false;
   // At standstill what was written before acts first; in a corner it acts behind the decision
   // point.
   const bool stands = exact_ || channels_.standing.load(std::memory_order_relaxed);
@@ -240,6 +275,12 @@ Reply RobotMachine::read_signal(int /*line*/, int signal, bool& value) {
                                           : channels_.inputs.load(std::memory_order_relaxed);
   value = (bits >> (asked.channel - 1) & 1U) != 0;
   return Reply::Done;
+}
+
+/// Program and motion share the number of the last segment: its decision point has come once the
+/// generator names it.
+bool RobotMachine::decided() const {
+  return channels_.decidable.load(std::memory_order_acquire) >= planner_.last_number();
 }
 
 Reply RobotMachine::read_analog(int /*line*/, int signal, double& volts) {

@@ -32,9 +32,12 @@ class RobotMachine final : public lang::Machine {
   lang::Reply guard(int line, const lang::Watch& condition) override;
   lang::Reply ended(int line, bool& hit) override;
   lang::Reply stop(int line) override;
+  lang::Reply brake(int line) override;
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
   lang::Reply waited(int line) override;
+  lang::Reply leave_block(int line) override;
+  lang::Reply settle(int line) override;
   lang::Reply end(int line) override;
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply write_signal(int line, int signal, bool value) override;
@@ -59,6 +62,10 @@ class RobotMachine final : public lang::Machine {
   motion::Effect effect_on(int line, int signal) const;
   /// Whether the world may be read now.
   bool observable() const;
+  /// Whether the axes stand, and all effects have acted.
+  bool settled() const;
+  /// Whether the decision point of the last motion has come.
+  bool decided() const;
   void warn(int line, const motion::PlannedSegment& planned);
 
   const motion::RobotModel& robot_;
@@ -68,12 +75,14 @@ class RobotMachine final : public lang::Machine {
   Channels& channels_;
   ProgramLog& log_;
   lang::Refusal refusal_;
-  std::int64_t effects_ = 0;  ///< queued so far
-  bool exact_ = true;         ///< the last motion queued ends at standstill
-  bool begun_ = false;        ///< the present WAIT has queued its first segment
-  ProgramWatch until_;        ///< what the guarded motion is asked
-  bool guarded_ = false;      ///< what is queued now ends early if until_ holds
-  bool standing_ = false;     ///< the present WAIT for a condition has queued all it needs
+  std::int64_t effects_ = 0;    ///< queued so far
+  bool exact_ = true;           ///< the last motion queued ends at standstill
+  std::uint32_t brakable_ = 0;  ///< number of the last motion; 0 where a barrier stands behind it
+  bool braking_ = false;        ///< the generator has been asked to brake
+  bool begun_ = false;          ///< the present WAIT has queued its first segment
+  ProgramWatch until_;          ///< what the guarded motion is asked
+  bool guarded_ = false;        ///< what is queued now ends early if until_ holds
+  bool standing_ = false;       ///< the present WAIT for a condition has queued all it needs
 };
 
 }  // namespace rob::runtime
