@@ -44,8 +44,7 @@ void CodeBuilder::emit(Instruction instruction, Place place) {
   chunk_.places.push_back(place);
 }
 
-void CodeBuilder::load_constant(Register target, Slot value, std::uint64_t bits, Type type,
-                                Place place) {
+std::uint32_t CodeBuilder::constant_index(Slot value, std::uint64_t bits, Type type) {
   const auto next = static_cast<std::uint32_t>(chunk_.constants.size());
   const auto [entry, added] =
       constant_indices_.try_emplace(std::tuple(bits, type.kind, type.dimension), next);
@@ -53,12 +52,26 @@ void CodeBuilder::load_constant(Register target, Slot value, std::uint64_t bits,
     chunk_.constants.push_back(value);
     chunk_.constant_types.push_back(type);
   }
-  if (entry->second <= std::numeric_limits<std::uint16_t>::max()) {
-    emit(Instruction::ax(Opcode::load_constant, target, entry->second), place);
+  return entry->second;
+}
+
+void CodeBuilder::load_constant(Register target, Slot value, std::uint64_t bits, Type type,
+                                Place place) {
+  const std::uint32_t index = constant_index(value, bits, type);
+  if (index <= std::numeric_limits<std::uint16_t>::max()) {
+    emit(Instruction::ax(Opcode::load_constant, target, index), place);
   } else {
     emit(Opcode::load_constant_wide, place, target);
-    emit(operand_word(entry->second), place);
+    emit(operand_word(index), place);
   }
+}
+
+std::optional<std::uint8_t> CodeBuilder::constant_operand(Slot value, std::uint64_t bits,
+                                                          Type type) {
+  if (watching_) return std::nullopt;
+  const std::uint32_t index = constant_index(value, bits, type);
+  if (index > std::numeric_limits<std::uint8_t>::max()) return std::nullopt;
+  return static_cast<std::uint8_t>(index);
 }
 
 void CodeBuilder::load_integer(Register target, std::int64_t value, Place place) {
@@ -171,6 +184,7 @@ void CodeBuilder::call(std::size_t routine, Register numbers, Register texts, Pl
 
 void CodeBuilder::begin_watch(Place place) {
   const Jump over = jump(place);
+  watching_ = true;
   watch_ = {.numbers = numbers_, .texts = texts_, .over = over, .entry = here()};
   numbers_ = {};
   texts_ = {};
@@ -178,6 +192,7 @@ void CodeBuilder::begin_watch(Place place) {
 
 std::uint16_t CodeBuilder::end_watch(Register answer, int values, Place place) {
   emit(Opcode::answer, place, answer);
+  watching_ = false;
   numbers_ = watch_.numbers;
   texts_ = watch_.texts;
   land(watch_.over);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -33,6 +34,9 @@ class CodeBuilder {
   }
   void load_integer(Register target, std::int64_t value, Place place);
   void load_real(Register target, double value, Dimension dimension, Place place);
+  /// The index of a constant for an operand of 8 bits; none where it lies beyond them, or where
+  /// the code is that of a watch, which has no such operands.
+  std::optional<std::uint8_t> constant_operand(Slot value, std::uint64_t bits, Type type);
   /// An ASSERT whose condition, as it was written, does not hold.
   void fail_assertion(const std::string& condition, Place place);
   void load_text(Register target, const std::string& text, Place place);
@@ -109,6 +113,7 @@ class CodeBuilder {
   std::size_t text_index(const std::string& text);
   void close_frame();
   void fail(Limit limit, Place place);
+  std::uint32_t constant_index(Slot value, std::uint64_t bits, Type type);
   void load_constant(Register target, Slot value, std::uint64_t bits, Type type, Place place);
   void set_distance(std::size_t at, std::size_t target);
 
@@ -122,6 +127,7 @@ class CodeBuilder {
 
   Chunk chunk_;
   OpenWatch watch_;
+  bool watching_ = false;  ///< watch_ is open
   Registers numbers_;
   Registers texts_;
   std::vector<std::size_t> live_names_;  ///< indices into chunk_.names

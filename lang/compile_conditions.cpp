@@ -42,6 +42,43 @@ ComparisonOpcodes opcodes_of(BinaryOp op) {
   return {Opcode::if_less_equal_int, Opcode::if_less_equal_real, Opcode::less_equal_text};
 }
 
+/// A comparison with a constant on its right, as ==, < or <=: x > 2 is NOT x <= 2.
+struct ConstantComparison {
+  BinaryOp op;
+  bool reversed = false;
+};
+
+ConstantComparison with_constant_right(BinaryOp op, bool exchanged) {
+  switch (op) {
+    case BinaryOp::NotEqual:
+      return {BinaryOp::Equal, true};
+    case BinaryOp::Less:
+      return exchanged ? ConstantComparison{BinaryOp::LessEqual, true}
+                       : ConstantComparison{BinaryOp::Less};
+    case BinaryOp::LessEqual:
+      return exchanged ? ConstantComparison{BinaryOp::Less, true}
+                       : ConstantComparison{BinaryOp::LessEqual};
+    case BinaryOp::Greater:
+      return exchanged ? ConstantComparison{BinaryOp::Less}
+                       : ConstantComparison{BinaryOp::LessEqual, true};
+    case BinaryOp::GreaterEqual:
+      return exchanged ? ConstantComparison{BinaryOp::LessEqual}
+                       : ConstantComparison{BinaryOp::Less, true};
+    default:
+      return {op};
+  }
+}
+
+Opcode opcode_of(BinaryOp op, bool real) {
+  if (op == BinaryOp::Equal) {
+    return real ? Opcode::if_equal_real_constant : Opcode::if_equal_int_constant;
+  }
+  if (op == BinaryOp::Less) {
+    return real ? Opcode::if_less_real_constant : Opcode::if_less_int_constant;
+  }
+  return real ? Opcode::if_less_equal_real_constant : Opcode::if_less_equal_int_constant;
+}
+
 }  // namespace
 
 CodeBuilder::Jumps ExpressionCompiler::jumps_if(const Expr& condition, bool when) {
@@ -131,6 +168,17 @@ CodeBuilder::Jumps ExpressionCompiler::jumps_of_comparison(const Binary& binary,
                                                            Place place) {
   const bool real =
       binary.left->type.kind == Type::Kind::Real || binary.right->type.kind == Type::Kind::Real;
+  if (binary.op != BinaryOp::Xor) {
+    const bool exchanged = known(binary.left->constant);
+    const Expr& constant = exchanged ? *binary.left : *binary.right;
+    if (const auto operand_index = constant_operand(constant, real)) {
+      const ConstantComparison compared = with_constant_right(binary.op, exchanged);
+      const Register variable = operand(exchanged ? *binary.right : *binary.left, real);
+      code_.emit(opcode_of(compared.op, real), place, variable, *operand_index,
+                 when != compared.reversed ? 1 : 0);
+      return {code_.jump(place)};
+    }
+  }
   const Register left = operand_before(*binary.right, *binary.left, real);
   const Register right = operand(*binary.right, real);
   return compare_numbers(binary, left, right, when, place);

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <bit>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -52,6 +54,22 @@ Opcode real_opcode(BinaryOp op) {
   }
 }
 
+/// The operation with a constant on its right, if there is one.
+std::optional<Opcode> constant_opcode(BinaryOp op, bool whole) {
+  switch (op) {
+    case BinaryOp::Add:
+      return whole ? Opcode::add_int_constant : Opcode::add_real_constant;
+    case BinaryOp::Subtract:
+      return whole ? Opcode::sub_int_constant : Opcode::sub_real_constant;
+    case BinaryOp::Multiply:
+      return whole ? Opcode::mul_int_constant : Opcode::mul_real_constant;
+    case BinaryOp::Divide:
+      return whole ? std::nullopt : std::optional(Opcode::quot_real_constant);
+    default:
+      return std::nullopt;
+  }
+}
+
 /// Whether an operation works on INT slots. INT / INT is real, and so is INT ^ INT unless the
 /// checker says otherwise.
 bool on_whole_numbers(const Binary& binary, const Type& result) {
@@ -102,6 +120,11 @@ Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
     load(at, expression.type, target, expression.place);
     return target;
   }
+  // What a routine returns stays where the call has left it.
+  if (const auto* const call = std::get_if<Call>(&expression.node);
+      call != nullptr && call->routine != nullptr && !convert && expression.moved_from == nullptr) {
+    return call_routine(*call, expression);
+  }
   const Register target = result_register(expression.type);
   into(expression, target, as_real);
   return target;
@@ -109,7 +132,7 @@ Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
 
 Register ExpressionCompiler::operand_before(const Expr& then, const Expr& expression,
                                             bool as_real) {
-  if (!calls_routine(then)) return operand(expression, as_real);
+  if (!calls_routine(then) || !is_variable(expression)) return operand(expression, as_real);
   const Register target = result_register(expression.type);
   into(expression, target, as_real);
   return target;
@@ -200,12 +223,43 @@ void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, R
   }
   if (binary.left->type.is_place()) return compile_on_places(binary, expression, target);
   if (expression.type.is(Type::Kind::Vec)) return compile_vector(binary, expression, target);
+  if (compile_by_constant(binary, expression, target)) return;
   // DIV of reals yields an INT from REAL operands.
   const bool whole = on_whole_numbers(binary, expression.type);
   const Register left = operand_before(*binary.right, *binary.left, !whole);
   const Register right = operand(*binary.right, !whole);
   code_.emit(whole ? whole_opcode(binary.op) : real_opcode(binary.op), expression.place, target,
              left, right);
+}
+
+std::optional<std::uint8_t> ExpressionCompiler::constant_operand(const Expr& expression,
+                                                                 bool as_real) {
+  const Constant constant =
+      as_real ? converted(expression.constant, Type::real()) : expression.constant;
+  if (const auto* const real = std::get_if<double>(&constant)) {
+    return code_.constant_operand(Slot{.real = *real}, std::bit_cast<std::uint64_t>(*real),
+                                  Type::real(expression.type.dimension));
+  }
+  const auto* const whole = std::get_if<std::int64_t>(&constant);
+  if (whole == nullptr) return std::nullopt;
+  return code_.constant_operand(Slot{.integer = *whole}, static_cast<std::uint64_t>(*whole),
+                                Type::integer());
+}
+
+/// An operation with a constant, where there is one: what is on its left may stand on its right
+/// where the order is no matter.
+bool ExpressionCompiler::compile_by_constant(const Binary& binary, const Expr& expression,
+                                             Register target) {
+  const bool whole = on_whole_numbers(binary, expression.type);
+  const std::optional<Opcode> op = constant_opcode(binary.op, whole);
+  if (!op) return false;
+  const bool exchanged = known(binary.left->constant);
+  if (exchanged && binary.op != BinaryOp::Add && binary.op != BinaryOp::Multiply) return false;
+  const Expr& variable = exchanged ? *binary.right : *binary.left;
+  const auto constant = constant_operand(exchanged ? *binary.left : *binary.right, !whole);
+  if (!constant) return false;
+  code_.emit(*op, expression.place, target, operand(variable, !whole), *constant);
+  return true;
 }
 
 void ExpressionCompiler::compile(const Call& call, const Expr& expression, Register target) {

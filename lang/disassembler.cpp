@@ -84,6 +84,8 @@ void Line::operand(char kind, unsigned field) {
       return;
     case 'k':
       return add_constant(instruction().x());
+    case 'c':
+      return add_constant(byte(field));
     case 'g':
       add("g", instruction().x());
       return remark(chunk_.signals[instruction().x()]);

@@ -73,6 +73,9 @@ class ExpressionCompiler {
   void into(const Expr& expression, Register target, bool as_real);
   void into_as_it_is(const Expr& expression, Register target, bool as_real);
   Register operand(const Expr& expression, bool as_real);
+  /// A number that is known, as an operand of 8 bits; none if it is not, or there is no room.
+  std::optional<std::uint8_t> constant_operand(const Expr& expression, bool as_real);
+  bool compile_by_constant(const Binary& binary, const Expr& expression, Register target);
   /// The same where `then` is computed before the value is used: what that changes is no matter.
   Register operand_before(const Expr& then, const Expr& expression, bool as_real);
 

@@ -78,13 +78,14 @@ Vm::State Vm::execute(Code pc) {
 #include "lang/opcodes.def"
   };
   Slot* n = numbers_;
+  const Slot* const constants = chunk_.constants.data();
   ROB_NEXT(0);
 
 load_constant:
-  n[pc->a()] = chunk_.constants[pc->x()];
+  n[pc->a()] = constants[pc->x()];
   ROB_NEXT(1);
 load_constant_wide:
-  n[pc->a()] = chunk_.constants[(pc + 1)->word];
+  n[pc->a()] = constants[(pc + 1)->word];
   ROB_NEXT(2);
 load_int:
   n[pc->a()].integer = pc->signed_x();
@@ -112,6 +113,7 @@ int_to_real:
   ROB_BINARY(div_real, floor_divide, real, integer);
   ROB_BINARY(mod_real, floor_modulo, real, real);
   ROB_BINARY(pow_real, real_power, real, real);
+#include "lang/vm_constants.inc"
 neg_int:
   ROB_CHECKED(arithmetic::negate(n[pc->b()].integer, n[pc->a()].integer));
   ROB_NEXT(1);

@@ -117,7 +117,10 @@ class Vm {
   /// What a reply other than Done to the instruction at `pc` means.
   State pause(Code pc, Code resume, Reply reply);
   /// Pays for the instructions up to `pc`; execution goes on at `target`.
-  void pay(Code pc, Code target);
+  void pay(Code pc, Code target) {
+    budget_ -= pc - paid_;
+    paid_ = target;
+  }
   /// The frame of the routine that is called at `pc`; false if the stack is used up.
   bool enter(Code pc) { return enter(pc, (pc + 1)->word, pc + 2); }
   bool enter(Code pc, std::uint32_t routine, Code back);
@@ -125,8 +128,13 @@ class Vm {
   /// Back to the caller's frame; where its code goes on.
   Code leave_routine();
   /// A loop turns: pays for the instructions up to here; false if the budget is used up.
-  bool turn(Code pc, Code target);
-  void count_turn(Code pc, Code target);
+  bool turn(Code pc, Code target) {
+    pay(pc, target);
+    turned_ = true;
+    return budget_ > 0 && (turns_.empty() || count_turn(pc, target));
+  }
+  /// False if the loop has turned too often.
+  bool count_turn(Code pc, Code target);
   bool next_cycle_is_due() const { return turned_ && observed_; }
   Reply observe(Code pc);
   Reply observe_analog(Code pc);
@@ -215,8 +223,9 @@ class Vm {
   Code latch_;  ///< the `latch` of the expression that is being computed
   Code paid_;   ///< what lies between here and the present instruction is not counted yet
   Random random_;
-  Random latched_random_;  ///< as it was at latch_
-  std::int64_t executed_ = 0;
+  Random latched_random_;      ///< as it was at latch_
+  std::int64_t executed_ = 0;  ///< up to the last leave()
+  std::int64_t granted_ = 0;   ///< the budget as it was then
   std::int64_t budget_ = 0;
   bool turned_ = false;  ///< a loop has turned since the last observation
   /// A WHEN that is armed.
@@ -230,5 +239,31 @@ class Vm {
   bool hit_ = false;       ///< the last guarded motion was ended by its guard
   bool observed_ = false;  ///< the world was observed in the present cycle
 };
+
+// In every call: here, so that the dispatch loop has them in line.
+
+inline bool Vm::enter(Code pc, std::uint32_t number, Code back) {
+  const RoutineCode& routine = chunk_.routines[number];
+  Slot* const numbers = numbers_ + pc->a();
+  std::string* const texts = texts_ + pc->b();
+  const auto left = number_stack_.data() + number_stack_.size() - numbers;
+  const auto texts_left = text_stack_.data() + text_stack_.size() - texts;
+  if (depth_ == frames_.size() || left < routine.registers || texts_left < routine.text_registers) {
+    return false;
+  }
+  frames_[depth_++] = {back, numbers_, texts_, number};
+  numbers_ = numbers;
+  texts_ = texts;
+  if (called_in_[number] == cycle_) turned_ = true;
+  called_in_[number] = cycle_;
+  return true;
+}
+
+inline Vm::Code Vm::leave_routine() {
+  const Frame& frame = frames_[--depth_];
+  numbers_ = frame.numbers;
+  texts_ = frame.texts;
+  return frame.back;
+}
 
 }  // namespace rob::lang

@@ -27,7 +27,7 @@ Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
 
 Vm::State Vm::run(std::int64_t budget) {
   if (state_ == State::Done || state_ == State::Failed || circling_ != 0) return state_;
-  budget_ = budget;
+  granted_ = budget_ = budget;
   do {
     if (rescuing_ && !rescue()) return state_ = leave(next_, next_, State::Waiting);
     state_ = execute(next_);
@@ -36,8 +36,9 @@ Vm::State Vm::run(std::int64_t budget) {
 }
 
 Vm::State Vm::leave(Code pc, Code resume, State state) {
-  executed_ += pc - paid_;
-  paid_ = resume;
+  pay(pc, resume);
+  executed_ += granted_ - budget_;
+  granted_ = budget_;
   next_ = resume;
   // An expression that starts anew draws the same random numbers.
   if (resume == latch_ && resume != pc) random_ = latched_random_;
@@ -49,62 +50,24 @@ Vm::State Vm::leave(Code pc, Code resume, State state) {
   return state;
 }
 
-void Vm::pay(Code pc, Code target) {
-  const auto spent = pc - paid_;
-  executed_ += spent;
-  budget_ -= spent;
-  paid_ = target;
-}
-
-bool Vm::turn(Code pc, Code target) {
-  pay(pc, target);
-  turned_ = true;
-  if (!turns_.empty()) count_turn(pc, target);
-  return budget_ > 0;
-}
-
 void Vm::limit_turns(std::uint32_t most) {
   turns_.assign(chunk_.code.size(), 0);
   most_turns_ = most;
 }
 
 /// The loops inside this one begin anew with each of its turns.
-void Vm::count_turn(Code pc, Code target) {
+bool Vm::count_turn(Code pc, Code target) {
   const auto first = turns_.begin() + (target - chunk_.code.data());
   std::fill(first + 1, turns_.begin() + (pc - chunk_.code.data()), 0U);
-  if (++*first < most_turns_) return;
+  if (++*first < most_turns_) return true;
   circling_ = line(target);
-  budget_ = 0;
+  return false;
 }
 
 void Vm::choose_test(std::size_t test) {
   test_ = chunk_.tests.at(test).routine;
   next_ = chunk_.code.data() + chunk_.test_entry;
   latch_ = paid_ = next_;
-}
-
-bool Vm::enter(Code pc, std::uint32_t number, Code back) {
-  const RoutineCode& routine = chunk_.routines[number];
-  Slot* const numbers = numbers_ + pc->a();
-  std::string* const texts = texts_ + pc->b();
-  const auto left = number_stack_.data() + number_stack_.size() - numbers;
-  const auto texts_left = text_stack_.data() + text_stack_.size() - texts;
-  if (depth_ == frames_.size() || left < routine.registers || texts_left < routine.text_registers) {
-    return false;
-  }
-  frames_[depth_++] = {back, numbers_, texts_, number};
-  numbers_ = numbers;
-  texts_ = texts;
-  if (called_in_[number] == cycle_) turned_ = true;
-  called_in_[number] = cycle_;
-  return true;
-}
-
-Vm::Code Vm::leave_routine() {
-  const Frame& frame = frames_[--depth_];
-  numbers_ = frame.numbers;
-  texts_ = frame.texts;
-  return frame.back;
 }
 
 Vm::State Vm::fail(Code pc, RuntimeError error) {
