@@ -15,8 +15,8 @@ void MoveChecker::check(const Header& header) {
 }
 
 void MoveChecker::check(const Move& move, Place place) {
-  bool sound = move.axis != nullptr ? check_joint(move)
-                                    : move.target != nullptr && check_target(*move.target);
+  bool sound =
+      move.axis != nullptr ? check_joint(move) : move.target != nullptr && check_target(move);
   sound = clauses_.check(move.clauses, place) && sound;
   remember_features(move.clauses, place);
   if (sound) remember_constants(move);
@@ -91,6 +91,9 @@ void MoveChecker::warn_of_zone(const Expr& zone, std::string_view word, Place pl
 }
 
 void MoveChecker::remember_constants(const Move& move) {
+  if (!move.by && move.axis == nullptr && !std::holds_alternative<Tuple>(move.target->node)) {
+    return remember_value(*move.target);
+  }
   if (move.by || (move.axis != nullptr && constant_number(*move.axis) == std::nullopt)) return;
   ConstantTarget constant{.place = move.target->place, .command = {}};
   MoveCommand& command = constant.command;

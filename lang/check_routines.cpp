@@ -4,6 +4,7 @@
 
 #include "lang/ascii.h"
 #include "lang/codes.h"
+#include "lang/corner_readings.h"
 #include "lang/fold.h"
 #include "lang/return_paths.h"
 #include "lang/statement_checker.h"
@@ -26,6 +27,7 @@ void StatementChecker::check(Program& program) {
   check_frame_uses(program);
   scopes_.leave();
   uses_.report(diagnostics_);
+  warn_of_corner_readings(program, diagnostics_);
 }
 
 void StatementChecker::declare(const Routine& routine) {

@@ -23,15 +23,10 @@ std::vector<std::string_view> coordinate_names(const RobotSignature& robot) {
 
 }  // namespace
 
-bool MoveChecker::check_target(const Expr& target) {
+bool MoveChecker::check_target(const Move& move) {
+  const Expr& target = *move.target;
   const auto* const tuple = std::get_if<Tuple>(&target.node);
-  if (tuple == nullptr) {
-    diagnostics_.error(
-        code::kComponentCount, target.place,
-        fmt::format("MOVE needs a target of {} components: ({})", robot_.coordinates.size(),
-                    fmt::join(coordinate_names(robot_), ", ")));
-    return false;
-  }
+  if (tuple == nullptr) return check_value(move);
   // Checked whatever the shape of the tuple, so that all mistakes inside are found at once.
   for (const Tuple::Element& element : tuple->elements) expressions_.check(element.value);
   if (!check_shape(*tuple, target.place)) return false;

@@ -33,6 +33,7 @@ Register StatementCompiler::compile_axis(const Move& move, MoveForm& form) {
 }
 
 Register StatementCompiler::compile_target(const Move& move, MoveForm& form) {
+  if (!std::holds_alternative<Tuple>(move.target->node)) return compile_value(*move.target, form);
   const auto elements = by_coordinate(std::get<Tuple>(move.target->node), robot_);
   form.count = static_cast<int>(elements.size());
   int given = 0;
@@ -44,6 +45,16 @@ Register StatementCompiler::compile_target(const Move& move, MoveForm& form) {
     form.given = static_cast<std::uint8_t>(form.given | 1U << i);
     compile_component(*elements[i]->value, robot_.coordinates[i].dimension, next++);
   }
+  return first;
+}
+
+/// A pose, or a VEC behind BY, as it lies in registers.
+Register StatementCompiler::compile_value(const Expr& target, MoveForm& form) {
+  form.means = MoveCommand::Target::Pose;
+  form.count = slots_of(target.type).numbers;
+  form.given = given_all(form.count);
+  const Register first = code_.number_registers(form.count);
+  expressions_.value_into(target, first);
   return first;
 }
 

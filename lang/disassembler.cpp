@@ -163,6 +163,7 @@ void Line::add_move(std::size_t index) {
   add("m", index);
   if (form.kind != MotionKind::Joint) remark(std::string(word_of(form.kind)));
   if (form.means == MoveCommand::Target::Axes) remark("JOINT");
+  if (form.means == MoveCommand::Target::Pose) remark("POSE");
   if (form.relative) remark("BY");
   std::string target = "(";
   for (int i = 0; i < form.count && !form.computed_axis; ++i) {

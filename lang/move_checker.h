@@ -28,7 +28,12 @@ class MoveChecker {
 
  private:
   bool check_joint(const Move& move);
-  bool check_target(const Expr& target);
+  bool check_target(const Move& move);
+  // check_computed_targets.cpp
+  bool check_value(const Move& move);
+  void report_no_target(const Move& move, const Type& type);
+  void remember_value(const Expr& target);
+
   bool check_shape(const Tuple& tuple, Place place);
   bool check_names(const Tuple& tuple);
   bool check_component(const Tuple::Element& element, std::size_t coordinate);

@@ -13,7 +13,8 @@ struct MoveCommand {
   /// What the components of a target are.
   enum class Target : std::uint8_t {
     Coordinates,  ///< of a tuple, as RobotSignature names them
-    Axes          ///< the axes themselves
+    Axes,         ///< the axes themselves
+    Pose          ///< of the tool in the world, x y z w i j k; BY: x y z added to its place
   };
   enum class Pace : std::uint8_t {
     Unspecified,   ///< no AT
@@ -53,5 +54,10 @@ struct MoveCommand {
   /// Whether the target is to be reached exactly, at rest.
   bool exact() const { return fine || (zone != Zone::Unspecified && zone_value == 0); }
 };
+
+/// MoveCommand::given where all of `count` components are.
+constexpr std::uint8_t given_all(int count) {
+  return static_cast<std::uint8_t>((1U << static_cast<unsigned>(count)) - 1);
+}
 
 }  // namespace rob::lang

@@ -1,6 +1,7 @@
 #include <string>
 
 #include "lang/number_text.h"
+#include "lang/pose_math.h"
 #include "lang/printing_machine.h"
 #include "lang/units.h"
 
@@ -50,32 +51,54 @@ std::string profile_text(Profile profile) {
   return text;
 }
 
+/// In mm or deg, without the unit.
+std::string plain(double value, Dimension dimension) {
+  const std::string number = number_text(value, dimension);
+  return ' ' + number.substr(0, number.size() - unit_text(dimension).size());
+}
+
 /// The components in mm and deg, without their units.
 std::string components_text(const std::vector<RobotSignature::Coordinate>& components,
                             const MoveCommand& command) {
   std::string text;
   for (int i = 0; i < command.count; ++i) {
-    text += ' ';
     if (!command.has(i)) {
-      text += '-';
+      text += " -";
       continue;
     }
     const auto index = static_cast<std::size_t>(i);
-    const Dimension dimension = components[index].dimension;
-    const std::string number = number_text(command.target[index], dimension);
-    text += number.substr(0, number.size() - unit_text(dimension).size());
+    text += plain(command.target[index], components[index].dimension);
   }
   return text;
+}
+
+std::string pose_text(const MoveCommand& command) {
+  const auto& t = command.target;
+  std::string text = " pose";
+  for (std::size_t i = 0; i < 3; ++i) text += plain(t[i], kLength);
+  if (command.relative) return text;
+  const FixedAngles angles = pose_math::to_fixed({t[3], t[4], t[5], t[6]});
+  return text + plain(angles.a, kAngle) + plain(angles.b, kAngle) + plain(angles.c, kAngle);
+}
+
+std::string target_text(const RobotSignature& robot, const MoveCommand& command) {
+  const std::string by = command.relative ? " by" : "";
+  switch (command.means) {
+    case MoveCommand::Target::Coordinates:
+      return by + components_text(robot.coordinates, command);
+    case MoveCommand::Target::Axes:
+      return " joints" + by + components_text(robot.axes, command);
+    case MoveCommand::Target::Pose:
+      break;
+  }
+  return by + pose_text(command);
 }
 
 }  // namespace
 
 std::string move_text(const RobotSignature& robot, const MoveCommand& command) {
-  const bool axes = command.means == MoveCommand::Target::Axes;
   std::string text = command.kind == MotionKind::Line ? "movel" : "move";
-  if (axes) text += " joints";
-  if (command.relative) text += " by";
-  text += components_text(axes ? robot.axes : robot.coordinates, command);
+  text += target_text(robot, command);
   text += pace_text(command);
   if (command.over > 0) text += " over " + number_text(command.over, kTime);
   text += bound_text(" accel ", command.accel, command.accel_value, kAcceleration,

@@ -90,12 +90,29 @@ void Parser::joint_target(Move& move) {
   move.target = expression();
 }
 
+// target = "(" element { "," element } ")" | expr .
 ExprPtr Parser::target(std::string_view motion) {
-  if (!at(TokenKind::LeftParen)) fail_target(motion);
-  const Place place = current_.place;
-  ExprPtr target = tuple(place, elements("the target"));
-  if (goes_on(current_.kind)) fail_not_yet(current_.place, "a computed target");
-  return target;
+  if (at(TokenKind::LeftParen) && !group_goes_on()) {
+    const Place place = current_.place;
+    return tuple(place, elements("the target"));
+  }
+  const bool value =
+      at(TokenKind::Word) && clause_word(current_).empty() && next_.kind != TokenKind::Comma;
+  if (!value && !at(TokenKind::LeftParen)) fail_target(motion);
+  return expression();
+}
+
+/// Whether the parentheses that begin here are only the beginning of a computed target.
+bool Parser::group_goes_on() const {
+  Lexer ahead = lexer_.quiet_copy();
+  int open = 1;
+  Token token = next_;
+  for (; open > 0; token = ahead.next()) {
+    if (token.kind == TokenKind::EndOfLine || token.kind == TokenKind::EndOfFile) return false;
+    if (token.kind == TokenKind::LeftParen) ++open;
+    if (token.kind == TokenKind::RightParen) --open;
+  }
+  return goes_on(token.kind);
 }
 
 /// `MOVE 140, 40, 0` and `MOVE` alone: shows how the target is written.

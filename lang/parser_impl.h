@@ -113,6 +113,7 @@ class Parser {
   bool at_clause_word(std::string_view word) const;
   void joint_target(Move& move);
   ExprPtr target(std::string_view motion);
+  bool group_goes_on() const;
   [[noreturn]] void fail_target(std::string_view motion);
   void clauses(Clauses& clauses);
   void report_twice(std::string_view word);

@@ -7,6 +7,7 @@
 
 #include "lang/cartesian_axes.h"
 #include "lang/codes.h"
+#include "lang/move_pose.h"
 #include "lang/number_text.h"
 #include "lang/pose_slots.h"
 
@@ -44,13 +45,19 @@ Reply PrintingMachine::note(int line, std::string text) {
 }
 
 Reply PrintingMachine::move(int line, const MoveCommand& command) {
-  const Reply reply = note(line, move_text(robot_, command));
-  if (reply != Reply::Done) return reply;
-  for (int i = 0; i < command.count; ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    if (!command.has(i)) continue;
-    commanded_[index] = command.target[index] + (command.relative ? commanded_[index] : 0);
+  std::array<double, kMaxCoordinates> reached = commanded_;
+  if (command.means == MoveCommand::Target::Pose) {
+    const PoseValue pose = target_pose(command, tool_of(robot_.coordinates, commanded_));
+    const Reply reply = inverse(line, pose, commanded_, reached);
+    if (reply != Reply::Done) return reply;
+  } else {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(command.count); ++i) {
+      if (!command.has(static_cast<int>(i))) continue;
+      reached[i] = command.target[i] + (command.relative ? commanded_[i] : 0);
+    }
   }
+  const Reply reply = note(line, move_text(robot_, command));
+  if (reply == Reply::Done) commanded_ = reached;
   return reply;
 }
 

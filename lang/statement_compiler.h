@@ -91,6 +91,7 @@ class StatementCompiler {
   void name_home(const Symbol& symbol, const Location& home);
   Register compile_axis(const Move& move, MoveForm& form);
   Register compile_target(const Move& move, MoveForm& form);
+  Register compile_value(const Expr& target, MoveForm& form);
   void compile_clauses(const Clauses& clauses, MoveForm& form);
   void compile_component(const Expr& component, Dimension dimension, Register target);
   void default_value(const Type& type, const Location& home, Place place);

@@ -14,6 +14,9 @@ class GantryKinematics final : public Kinematics {
   /// Poses off the plane z = 0, or turned about another axis than z, have none.
   std::optional<JointVector> inverse(const Pose& pose,
                                      const JointVector& near) const noexcept override;
+  const char* reach() const noexcept override {
+    return "places its tool in the plane z = 0mm and turns it about z alone";
+  }
 };
 
 }  // namespace rob::motion

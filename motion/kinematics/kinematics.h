@@ -19,6 +19,8 @@ class Kinematics {
   /// None if there is no solution. Limits of the axes are not looked at.
   virtual std::optional<JointVector> inverse(const Pose& pose,
                                              const JointVector& near) const noexcept = 0;
+  /// In words, for messages: "places and turns its tool …".
+  virtual const char* reach() const noexcept = 0;
 };
 
 }  // namespace rob::motion

@@ -6,6 +6,7 @@
 
 #include "lang/ascii.h"
 #include "lang/codes.h"
+#include "lang/fold.h"
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/control/simulated_inputs.h"
@@ -80,10 +81,13 @@ Words words_for_condition(lang::ArithmeticError error) {
       std::string(text.help)};
 }
 
-Words words_for_unreachable(const motion::RobotModel& robot) {
+Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose) {
+  const auto& [p, q] = pose;
+  const lang::Constant value = std::vector<double>{p.x, p.y, p.z, q.w, q.i, q.j, q.k};
   return {std::string(lang::code::kUnreachable),
-          fmt::format("{} cannot bring its tool to this pose", robot.name),
-          "DIST and TURN tell how far it is from one that is known to be reached"};
+          fmt::format("{} cannot bring its tool to {}", robot.name,
+                      lang::text_of(value, lang::Type::pose())),
+          fmt::format("{} {}", robot.name, robot.kinematics->reach())};
 }
 
 Words words_for_no_kinematics(const motion::RobotModel& robot) {

@@ -4,6 +4,7 @@
 
 #include "lang/arithmetic.h"
 #include "lang/machine.h"
+#include "lang/pose_math.h"
 #include "motion/plan/feasibility.h"
 #include "motion/robots/robot_model.h"
 #include "motion/servo/following_supervisor.h"
@@ -21,7 +22,7 @@ Words words_for_long_wait(double seconds);
 /// What a program looks at in every control cycle could not be computed.
 Words words_for_condition(lang::ArithmeticError error);
 /// A pose that the robot cannot bring its tool to.
-Words words_for_unreachable(const motion::RobotModel& robot);
+Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose);
 /// A robot that has no kinematics here.
 Words words_for_no_kinematics(const motion::RobotModel& robot);
 /// More SIMULATEs wait for their time than there is room for.

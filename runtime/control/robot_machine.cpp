@@ -84,8 +84,10 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
       whens_(signals_) {}
 
 /// What is to be exact takes two segments, which are queued together.
-Reply RobotMachine::move(int line, const lang::MoveCommand& command) {
-  if (buffer_.room() < (command.exact() ? 2U : 1U)) return Reply::Later;
+Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
+  if (buffer_.room() < (asked.exact() ? 2U : 1U)) return Reply::Later;
+  lang::MoveCommand command = asked;
+  if (const Reply reply = settle_target(command); reply != Reply::Done) return reply;
   const motion::PlanOutcome outcome = planner_.plan(request_of(line, command));
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
     refusal_ = words_for(*refusal, robot_);

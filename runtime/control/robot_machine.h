@@ -12,6 +12,7 @@
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
+#include "runtime/control/messages.h"
 #include "runtime/control/program_log.h"
 #include "runtime/control/program_watch.h"
 #include "runtime/control/when_pool.h"
@@ -23,6 +24,11 @@ lang::RobotSignature signature_of(const motion::RobotModel& robot);
 
 /// The MotionRequest of a MOVE; the source line is its tag.
 motion::MotionRequest request_of(int line, const lang::MoveCommand& command);
+
+/// A motion to a pose becomes one to the axis values that bring the tool there; or why there are
+/// none. `near`: where the axes come from.
+std::optional<Words> settle_on_axes(const motion::RobotModel& robot, const lang::PoseValue& pose,
+                                    const motion::JointVector& near, lang::MoveCommand& command);
 
 /// The program's side of a robot: completes and checks what is asked, puts it into the buffer,
 /// and answers Later while the buffer is full or a decision point has not come. All calls come
@@ -69,6 +75,7 @@ class RobotMachine final : public lang::Machine {
 
  private:
   bool place_can_be_read() const;
+  lang::Reply settle_target(lang::MoveCommand& command);
   lang::Reply tool_at(const motion::JointVector& q, lang::PoseValue& pose);
   void queue(motion::SegmentDescriptor segment, bool stop, bool further = false);
   /// The last target exactly, then a dwell, as one statement.

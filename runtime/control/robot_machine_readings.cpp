@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "lang/move_pose.h"
 #include "lang/pose_slots.h"
+#include "motion/plan/reach.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
 
@@ -33,7 +35,27 @@ motion::JointVector to_motion(std::span<const double> joints) {
   return q;
 }
 
+/// Axis values for a pose, or why there are none.
+std::optional<Words> axes_for(const motion::RobotModel& robot, const lang::PoseValue& pose,
+                              const motion::JointVector& near, std::span<double> joints) {
+  if (robot.kinematics == nullptr) return words_for_no_kinematics(robot);
+  const auto q = motion::reach(robot, to_motion(pose), near);
+  if (!q) return words_for_unreachable(robot, pose);
+  std::ranges::transform(*q, joints.begin(), [](double axis) { return axis + 0.0; });
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::optional<Words> settle_on_axes(const motion::RobotModel& robot, const lang::PoseValue& pose,
+                                    const motion::JointVector& near, lang::MoveCommand& command) {
+  const auto words = axes_for(robot, pose, near, command.target);
+  command.means = lang::MoveCommand::Target::Axes;
+  command.relative = false;
+  command.count = robot.axis_count();
+  command.given = lang::given_all(command.count);
+  return words;
+}
 
 /// Behind an exact motion no blend is lost by waiting until the axes stand, and only then are they
 /// where the program sent them.
@@ -80,17 +102,26 @@ Reply RobotMachine::forward(int /*line*/, std::span<const double> joints, lang::
 
 Reply RobotMachine::inverse(int /*line*/, const lang::PoseValue& pose, std::span<const double> near,
                             std::span<double> joints) {
-  if (robot_.kinematics == nullptr) {
-    refusal_ = words_for_no_kinematics(robot_);
-    return Reply::Refused;
-  }
   const motion::JointVector from = near.empty() ? planner_.commanded() : to_motion(near);
-  const auto q = robot_.kinematics->inverse(to_motion(pose), from);
-  if (!q) {
-    refusal_ = words_for_unreachable(robot_);
+  if (const auto words = axes_for(robot_, pose, from, joints)) {
+    refusal_ = *words;
     return Reply::Refused;
   }
-  std::ranges::transform(*q, joints.begin(), [](double axis) { return axis + 0.0; });
+  return Reply::Done;
+}
+
+/// A pose becomes the axis values that bring the tool there.
+Reply RobotMachine::settle_target(lang::MoveCommand& command) {
+  if (command.means != lang::MoveCommand::Target::Pose) return Reply::Done;
+  lang::PoseValue last{};
+  if (command.relative) {
+    if (const Reply reply = tool_at(planner_.commanded(), last); reply != Reply::Done) return reply;
+  }
+  const lang::PoseValue pose = lang::target_pose(command, last);
+  if (const auto words = settle_on_axes(robot_, pose, planner_.commanded(), command)) {
+    refusal_ = *words;
+    return Reply::Refused;
+  }
   return Reply::Done;
 }
 

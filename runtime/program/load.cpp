@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "lang/move_pose.h"
 #include "lang/robot_name.h"
 #include "motion/plan/feasibility.h"
+#include "motion/plan/reach.h"
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/control/feature_words.h"
@@ -27,12 +29,21 @@ bool is_known_robot(const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
+std::optional<Words> words_against_target(lang::MoveCommand command,
+                                          const motion::RobotModel& robot) {
+  if (command.means == lang::MoveCommand::Target::Pose) {
+    const lang::PoseValue pose = lang::target_pose(command, {});
+    if (auto words = settle_on_axes(robot, pose, motion::middle(robot), command)) return words;
+  }
+  const auto refusal = motion::check_target(robot, command.given, command.target);
+  return refusal ? std::optional(words_for(*refusal, robot)) : std::nullopt;
+}
+
 void refuse_targets_out_of_reach(lang::Compilation& compilation, const motion::RobotModel& robot) {
   for (const lang::ConstantTarget& target : compilation.constant_targets) {
-    const auto refusal = motion::check_target(robot, target.command.given, target.command.target);
-    if (!refusal) continue;
-    const Words words = words_for(*refusal, robot);
-    compilation.diagnostics.error(words.code, target.place, words.message, words.help);
+    const auto words = words_against_target(target.command, robot);
+    if (!words) continue;
+    compilation.diagnostics.error(words->code, target.place, words->message, words->help);
     compilation.chunk.reset();
   }
 }

@@ -19,6 +19,9 @@ TEST_CASE("the components of a target may be left out or named") {
   CHECK(shown(sound("MOVE(x: 140mm, theta: a+1)").statement<Move>().target) ==
         "<x:real;theta:(a + 1);>");
   CHECK(shown(sound("MOVE(140)").statement<Move>().target) == "<140;>");
+  // What goes on behind the parentheses is a value.
+  CHECK(shown(sound("MOVE (a) + b").statement<Move>().target) == "(a + b)");
+  CHECK(shown(sound("MOVE p AT 5%").statement<Move>().target) == "p");
 }
 
 TEST_CASE("AT and OVER stand in any order behind the target, or not at all") {

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "lang/codes.h"
 #include "lang/diagnostic.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/files.h"
@@ -22,7 +23,8 @@ struct Refused {
 std::vector<Refused> refusals_of(const rob::runtime::LoadedProgram& program) {
   std::vector<Refused> refused;
   for (const rob::lang::Diagnostic& found : program.compilation.diagnostics.all()) {
-    if (found.code.starts_with("E4") || found.code.starts_with("E55")) {
+    const bool unreachable = found.code == rob::lang::code::kUnreachable;
+    if (unreachable || found.code.starts_with("E4") || found.code.starts_with("E55")) {
       refused.push_back({found.place.line, found.message});
     }
   }
