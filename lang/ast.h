@@ -188,8 +188,10 @@ struct SignalDeclaration {
   Place name_place;
   std::optional<Type> type;  ///< where it was written
   Place type_place;
-  ExprPtr low;   ///< SCALE: what 0V stand for; null where left out
-  ExprPtr high;  ///< what kMostVolts stand for
+  ExprPtr low;            ///< SCALE: what 0V stand for; null where left out
+  ExprPtr high;           ///< what kMostVolts stand for
+  ExprPtr safe;           ///< SAFE; null where left out
+  double safe_value = 0;  ///< set by the checker: 1 for ON, V
   Name channel;
   Place channel_place;
   const Symbol* symbol = nullptr;  ///< set by the checker

@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,6 +26,7 @@ void StatementChecker::check(SignalDeclaration& signal) {
   const Symbol* const channel = expressions_.resolve_channel(signal.channel, signal.channel_place);
   expressions_.check(signal.low);
   expressions_.check(signal.high);
+  expressions_.check(signal.safe);
   if (channel == nullptr) {
     declare(Symbol::Kind::Variable, signal.name, signal.name_place, {}, {});
     return;
@@ -33,11 +35,14 @@ void StatementChecker::check(SignalDeclaration& signal) {
   Symbol symbol = *channel;
   symbol.name = signal.name;
   symbol.place = signal.name_place;
+  const std::size_t found = diagnostics_.all().size();
   if (channel->analog) {
     check_analog(signal, symbol);
   } else {
     check_digital(signal, *channel);
   }
+  const bool sound = diagnostics_.all().size() == found;
+  if (signal.safe != nullptr && sound) check_safe(signal, symbol);
   signal.symbol = scopes_.declare(std::move(symbol));
 }
 

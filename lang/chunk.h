@@ -101,6 +101,13 @@ struct NamedSignal {
   bool operator==(const NamedSignal&) const = default;
 };
 
+/// What an output becomes when the run goes wrong: SAFE.
+struct SafeValue {
+  int signal = 0;    ///< its index in the RobotSignature
+  double value = 0;  ///< 1 for ON, V
+  std::uint32_t line = 0;
+};
+
 /// A PROC or FUNC: where its code begins, and how much of the stack it takes.
 struct RoutineCode {
   std::string name;
@@ -128,6 +135,7 @@ struct Chunk {
   std::vector<WatchForm> watches;
   std::vector<std::string> signals;  ///< names by number; for listings
   std::vector<NamedSignal> named_signals;
+  std::vector<SafeValue> safe_values;
   std::vector<NamedRegister> names;
   std::vector<RoutineCode> routines;
   std::vector<TestCode> tests;

@@ -71,6 +71,7 @@ class CodeBuilder {
   void name_register(const std::string& name, Register index, bool text);
 
   /// Tells reports what the program calls a signal.
+  void declare_safe(const SafeValue& value) { chunk_.safe_values.push_back(value); }
   void name_signal(NamedSignal signal) { chunk_.named_signals.push_back(std::move(signal)); }
 
   /// What follows is what every TEST begins with.

@@ -65,7 +65,9 @@ void StatementCompiler::compile(const When& when) {
   const auto mark = code_.mark();
   const ExpressionCompiler::WatchCode watch = expressions_.watch(*when.condition);
   code_.when(watch.values, watch.index, whens_++, place);
+  acting_ = true;
   compile(when.action);
+  acting_ = false;
   code_.release(mark);
 }
 

@@ -111,6 +111,8 @@ void StatementCompiler::compile(const SignalDeclaration& signal) {
                      .dimension = symbol.type.dimension,
                      .low = symbol.low,
                      .high = symbol.high});
+  if (signal.safe == nullptr) return;
+  code_.declare_safe({symbol.signal, signal.safe_value, signal.name_place.line});
 }
 
 /// What is constant between two computed values is one text.

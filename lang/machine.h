@@ -50,6 +50,8 @@ class Machine {
   /// WHEN: what is set or pulsed next is not done now, but in every control cycle in which the
   /// condition comes true, from here on in motion order.
   virtual Reply when(int line, const Watch& condition, int& id) = 0;
+  /// Directly behind when(): its action is to raise this error, once the axes have been braked.
+  virtual Reply raise_when(int line, std::string_view text) = 0;
   /// The block of a WHEN is left. An observation: `Later` until the decision point of the last
   /// motion.
   virtual Reply disarm(int line, int id) = 0;

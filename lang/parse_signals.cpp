@@ -15,7 +15,7 @@ constexpr std::string_view kExample = "SIGNAL part_here = DIN[1]";
 
 }  // namespace
 
-// "SIGNAL" IDENT [ ":" type ] "=" channel [ "SCALE" expr "TO" expr ]
+// "SIGNAL" IDENT [ ":" type ] "=" channel [ "SCALE" expr "TO" expr ] [ "SAFE" expr ]
 void Parser::signal_declaration(Block& block) {
   const Place place = current_.place;
   if (!open_blocks_.empty()) {
@@ -41,7 +41,8 @@ void Parser::signal_declaration(Block& block) {
     signal.channel = channel("'='");
     if (at_word("SCALE")) scale(signal);
     if (at_word("SAFE")) {
-      fail_not_yet(current_.place, fmt::format("{} behind a signal", to_upper(current_.text)));
+      advance();
+      signal.safe = expression();
     }
   } catch (const SyntaxError&) {
     Declaration unknown;

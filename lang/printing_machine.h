@@ -23,6 +23,7 @@ namespace rob::lang {
 ///                                       it holds or the scripted signals change no more
 ///     failed TEXT · simulate lift_up 1 after 2s
 ///     when 1 · disarm 1                 WHEN, before its action; counted in the order of arming
+///     raise TEXT                        the action of a WHEN
 ///     stand · waited                    WAIT for a condition: its beginning, its end
 ///     settle                            an error is caught: its RESCUE begins
 ///
@@ -60,6 +61,7 @@ class PrintingMachine : public Machine {
   Reply guard(int line, const Watch& condition) override;
   Reply ended(int line, bool& hit) override;
   Reply when(int line, const Watch& condition, int& id) override;
+  Reply raise_when(int line, std::string_view text) override;
   Reply disarm(int line, int id) override;
   Reply stop(int line) override { return note(line, "stop"); }
   Reply brake(int line) override { return note(line, "brake"); }

@@ -52,7 +52,11 @@ class StatementChecker {
     check(watched.otherwise);
   }
   void check(When& when) {
+    const bool raises =
+        !when.action.empty() && std::holds_alternative<Raise>(when.action.front().node);
+    rescues_ += raises ? 1 : 0;  // check_when() tells what RAISE needs here
     check(when.action);
+    rescues_ -= raises ? 1 : 0;
     watches_.check_when(when);
   }
   void check(Stop&) {}
@@ -71,6 +75,8 @@ class StatementChecker {
   void check_analog(const SignalDeclaration& signal, Symbol& symbol);
   void check_scale(const SignalDeclaration& signal, Symbol& symbol);
   std::optional<double> constant_end(const Expr& end);
+  void check_safe(SignalDeclaration& signal, const Symbol& symbol);
+  std::optional<double> safe_value(const Expr& safe, const Symbol& symbol);
 
   void check(Assign& assign);
   void check(Print& print) {
@@ -128,10 +134,11 @@ class StatementChecker {
   WaitChecker waits_;
   WatchChecker watches_;
   Diagnostics& diagnostics_;
-  Place place_;                       ///< of the present statement
-  int loops_ = 0;                     ///< open around it
-  int rescues_ = 0;                   ///< RESCUE blocks open around it
-  const Routine* routine_ = nullptr;  ///< that it belongs to; null at the top level
+  std::map<int, std::uint32_t> safe_lines_;  ///< where a signal's SAFE value stands, by its number
+  Place place_;                              ///< of the present statement
+  int loops_ = 0;                            ///< open around it
+  int rescues_ = 0;                          ///< RESCUE blocks open around it
+  const Routine* routine_ = nullptr;         ///< that it belongs to; null at the top level
 };
 
 }  // namespace rob::lang

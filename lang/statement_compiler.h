@@ -102,6 +102,7 @@ class StatementCompiler {
   ExpressionCompiler expressions_;
   Place place_;  ///< of the present statement: its line is what the Machine is told
   std::vector<LoopJumps> loops_;
+  bool acting_ = false;               ///< the present statement is the action of a WHEN
   std::size_t whens_ = 0;             ///< WHENs of this frame whose block is open
   std::vector<Guard> guards_;         ///< blocks that are open, of the present routine
   const Routine* routine_ = nullptr;  ///< that is being compiled; null at the top level

@@ -375,6 +375,9 @@ raise:
                    .place = place(pc),
                    .message = texts_[pc->a()],
                    .help = texts_[pc->a()].empty() ? "the text behind this RAISE is empty" : ""});
+raise_when:
+  ROB_ASK(machine_.raise_when(line(pc), texts_[pc->a()]), pc);
+  ROB_NEXT(1);
 raise_again:
   return raise_again(pc);
 end:

@@ -47,6 +47,7 @@ struct Effect {
   Tag tag = 0;
   Kind kind = Kind::Note;
   bool value = false;        ///< of an Output or Simulate
+  bool safe = false;         ///< of an Output or Analog: nothing sets it any more behind this one
   std::uint8_t channel = 0;  ///< of the output or, for Simulate…, the input
   double volts = 0;          ///< of an …Analog: as asked for; the channel carries what it can
   double seconds = 0;        ///< of the run: how long a Pulse is on, in how long a Simulate… acts

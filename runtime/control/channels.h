@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "motion/generate/trajectory_generator.h"
 #include "motion/servo/following_supervisor.h"
@@ -76,6 +77,8 @@ struct Channels {
   std::atomic<std::int64_t> effects_done{0};      ///< motion → program: effects that have acted
   std::atomic<std::int64_t> simulations_done{0};  ///< motion → program: SIMULATEs that have acted
   OperatorPanel panel;  ///< motion → program: what a signal script does in the operator's place
+  /// Before the run: what outputs become when it goes wrong.
+  std::vector<motion::Effect> safe;
   std::atomic<bool> hold_requested{false};  ///< main → motion
   std::atomic<std::int64_t> lost{0};        ///< snapshots that found their ring full
 };

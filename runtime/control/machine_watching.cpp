@@ -46,6 +46,11 @@ Reply RobotMachine::when(int line, const lang::Watch& condition, int& id) {
   return Reply::Done;
 }
 
+Reply RobotMachine::raise_when(int /*line*/, std::string_view text) {
+  whens_.raises(*recording_, text);
+  return arm();
+}
+
 Reply RobotMachine::arm() {
   motion::Effect effect;
   effect.tag = recording_->tag;
@@ -67,9 +72,14 @@ Reply RobotMachine::disarm(int line, int id) {
   return reply;
 }
 
-std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
+bool RobotMachine::interrupted() const {
   const motion::Rest* const rest = channels_.rests.front();
-  if (rest == nullptr || rest->by == nullptr) return std::nullopt;
+  return rest != nullptr && rest->by != nullptr;
+}
+
+std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
+  if (!interrupted()) return std::nullopt;
+  const motion::Rest* const rest = channels_.rests.front();
   lang::RuntimeError error = whens_.error_of(*rest);
   planner_.retarget(rest->q);
   buffer_.braked();

@@ -54,6 +54,8 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   channels_.references.push(current_.reference);
   collect_events();
   channels_.standing.store(current_.state == motion::MotionState::Idle, std::memory_order_relaxed);
+  // What was dropped is behind the path, too; the program is told of the drop first.
+  if (rests_pending_ > 0) return;
   channels_.decidable.store(generator_.decidable(), std::memory_order_release);
 }
 
@@ -90,10 +92,13 @@ void MotionTask::take_finding(const ServoSample& sample) noexcept {
   if (!stop) return;
   faulted_ = true;
   generator_.hold();
+  take_safe_values();
 }
 
 void MotionTask::take_requests() noexcept {
-  if (channels_.hold_requested.load(std::memory_order_relaxed)) generator_.hold();
+  if (!channels_.hold_requested.load(std::memory_order_relaxed)) return;
+  generator_.hold();
+  take_safe_values();
 }
 
 motion::CycleView MotionTask::view(double now) const noexcept {
@@ -136,7 +141,10 @@ void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
 
 void MotionTask::collect_events() noexcept {
   MotionEvent event;
-  while (generator_.take_event(event)) pending_.push(event);
+  while (generator_.take_event(event)) {
+    if (event.kind == MotionEvent::Kind::Rest) ++rests_pending_;
+    pending_.push(event);
+  }
 }
 
 void MotionTask::release_events(double until) noexcept {
@@ -151,12 +159,16 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
   switch (event.kind) {
     case MotionEvent::Kind::EffectDue:
       if (faulted_) return;  // a fault drops what is behind it
+      if (locked(event.effect)) {
+        channels_.effects_done.fetch_add(1, std::memory_order_release);
+        return;
+      }
       act(event.effect, cycle_time);
       channels_.effects_done.fetch_add(1, std::memory_order_release);
       event.time = cycle_time;  // it acts in this cycle, and says so
       break;
     case MotionEvent::Kind::ActionDue:
-      if (faulted_) return;
+      if (faulted_ || locked(event.effect)) return;
       act(event.effect, cycle_time);
       event.time = cycle_time;
       break;
@@ -170,6 +182,7 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
     case MotionEvent::Kind::Fault:
       faulted_ = true;
       generator_.hold();
+      take_safe_values();
       break;
     case MotionEvent::Kind::Finished:
       finished_ = true;
@@ -187,9 +200,39 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
 void MotionTask::hand_over_rest() noexcept {
   motion::Rest rest;
   if (generator_.take_rest(rest)) channels_.rests.push(rest);
+  --rests_pending_;
+}
+
+bool MotionTask::locked(const Effect& effect) const noexcept {
+  const std::uint64_t bit = std::uint64_t{1} << effect.channel;
+  switch (effect.kind) {
+    case Effect::Kind::Output:
+    case Effect::Kind::Pulse:
+      return (locked_ & bit) != 0;
+    case Effect::Kind::Analog:
+      return (analog_locked_ & bit) != 0;
+    default:
+      return false;
+  }
+}
+
+void MotionTask::lock(const Effect& effect) noexcept {
+  const std::uint64_t bit = std::uint64_t{1} << effect.channel;
+  (effect.kind == Effect::Kind::Analog ? analog_locked_ : locked_) |= bit;
+}
+
+void MotionTask::take_safe_values() noexcept {
+  if (safe_) return;
+  safe_ = true;
+  for (const Effect& effect : channels_.safe) {
+    if (locked(effect)) continue;  // a failed program has taken it already
+    act(effect, now_);
+    tell({.kind = MotionEvent::Kind::ActionDue, .time = now_, .tag = effect.tag, .effect = effect});
+  }
 }
 
 void MotionTask::act(const Effect& effect, double now) noexcept {
+  if (effect.safe) lock(effect);
   switch (effect.kind) {
     case Effect::Kind::Output:
       pulses_.forget(effect.channel);

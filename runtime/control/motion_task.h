@@ -46,6 +46,11 @@ class MotionTask {
   void release_events(double until) noexcept;
   void release(motion::MotionEvent event, double cycle_time) noexcept;
   void act(const motion::Effect& effect, double now) noexcept;
+  /// Whether the effect is on an output that has taken its SAFE value for good.
+  bool locked(const motion::Effect& effect) const noexcept;
+  void lock(const motion::Effect& effect) noexcept;
+  /// What has gone wrong cannot wait for standstill: all SAFE values at once.
+  void take_safe_values() noexcept;
   void simulate(WorldSignal place, double value, double time) noexcept;
   void switch_output(int channel, bool on) noexcept;
   /// Switches off what was on for a PULSE that is over at `now`.
@@ -65,11 +70,15 @@ class MotionTask {
   double lateness_ = 0;
   std::uint64_t outputs_ = 0;
   motion::AnalogValues analog_outputs_{};
+  std::uint64_t locked_ = 0;  ///< bit i: output channel i keeps its SAFE value
+  std::uint64_t analog_locked_ = 0;
+  bool safe_ = false;                 ///< take_safe_values() has been called
   std::uint64_t machine_inputs_ = 0;  ///< as the machine says
   motion::AnalogValues machine_analog_inputs_{};
   SimulatedInputs simulated_;
   Pulses pulses_;
   bool finished_ = false;  ///< motion is over; pulses may still be under way
+  int rests_pending_ = 0;  ///< that the generator has made, and the program has not been given
   double saturation_ = 0;
   bool warned_ = false;
   bool faulted_ = false;

@@ -7,6 +7,7 @@ namespace rob::runtime {
 ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine, std::uint64_t seed,
                          std::optional<std::size_t> test)
     : vm_(chunk, machine, seed), machine_(machine) {
+  machine.declare_safe(chunk.safe_values);
   if (test) vm_.choose_test(*test);
 }
 
@@ -31,7 +32,7 @@ ProgramTask::State ProgramTask::step(std::int64_t budget) {
 
 /// An error takes effect in motion order: the last motion commanded before it is made exact.
 ProgramTask::State ProgramTask::finish(int line) {
-  const lang::Reply reply = machine_.end(line);
+  const lang::Reply reply = failure_ ? machine_.fail(line) : machine_.end(line);
   return reply == lang::Reply::Later ? State::Waiting : State::Over;
 }
 

@@ -185,6 +185,7 @@ Reply RobotMachine::leave_block(int /*line*/) { return decided() ? Reply::Done :
 
 Reply RobotMachine::settle(int line) {
   begun_ = standing_ = guarded_ = false;
+  recording_ = nullptr;  // a WHEN whose action could not be computed
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
   return settled() ? Reply::Done : Reply::Later;
@@ -192,7 +193,7 @@ Reply RobotMachine::settle(int line) {
 
 bool RobotMachine::settled() const {
   return channels_.settled.load(std::memory_order_acquire) >= planner_.last_number() &&
-         channels_.effects_done.load(std::memory_order_acquire) >= effects_;
+         !interrupted() && channels_.effects_done.load(std::memory_order_acquire) >= effects_;
 }
 
 Reply RobotMachine::end(int line) {
@@ -311,7 +312,8 @@ Reply RobotMachine::read_signal(int line, int signal, bool& value) {
 /// Program and motion share the number of the last segment: its decision point has come once the
 /// generator names it.
 bool RobotMachine::decided() const {
-  return channels_.decidable.load(std::memory_order_acquire) >= planner_.last_number();
+  return channels_.decidable.load(std::memory_order_acquire) >= planner_.last_number() &&
+         !interrupted();
 }
 
 Reply RobotMachine::read_analog(int line, int signal, double& volts) {

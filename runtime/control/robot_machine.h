@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "lang/chunk.h"
 #include "lang/machine.h"
 #include "motion/plan/look_ahead_buffer.h"
 #include "motion/plan/motion_planner.h"
@@ -43,10 +44,17 @@ class RobotMachine final : public lang::Machine {
   /// each place that reads one is a finding.
   void assume(std::vector<std::string> inputs) { assumed_ = std::move(inputs); }
 
+  /// Before the run: what outputs become when it goes wrong.
+  void declare_safe(const std::vector<lang::SafeValue>& values);
+  /// The program has failed for good: as end(), but when all that was commanded has acted the
+  /// outputs take their SAFE values.
+  lang::Reply fail(int line);
+
   lang::Reply move(int line, const lang::MoveCommand& command) override;
   lang::Reply guard(int line, const lang::Watch& condition) override;
   lang::Reply ended(int line, bool& hit) override;
   lang::Reply when(int line, const lang::Watch& condition, int& id) override;
+  lang::Reply raise_when(int line, std::string_view text) override;
   lang::Reply disarm(int line, int id) override;
   lang::Reply stop(int line) override;
   lang::Reply brake(int line) override;
@@ -89,6 +97,8 @@ class RobotMachine final : public lang::Machine {
   void note_assumed(int line, int signal);
   /// Whether the world may be read now.
   bool observable() const;
+  /// Whether take_interruption() has something: until then the program is where it happened.
+  bool interrupted() const;
   /// Whether the axes stand, and all effects have acted.
   bool settled() const;
   /// Whether the decision point of the last motion has come.
@@ -115,6 +125,7 @@ class RobotMachine final : public lang::Machine {
   motion::WatchedAction* recording_ = nullptr;  ///< the WHEN whose action comes next
   int armed_ = 0;                               ///< WHENs that are not disarmed yet
   bool guarded_ = false;                        ///< what is queued now ends early if until_ holds
+  std::size_t safe_queued_ = 0;                 ///< SAFE values that have been queued
   bool standing_ = false;  ///< the present WAIT for a condition has queued all it needs
 };
 

@@ -45,6 +45,7 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
     }
     if (clock.now() >= limits.virtual_time || program.executed() >= limits.instructions) {
       timing.gave_up = true;
+      controller.channels().safe.clear();  // nothing has gone wrong
       controller.request_hold();
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lang/codes.h"
 #include "motion/generate/watch_list.h"
 #include "runtime/control/messages.h"
 
@@ -35,15 +36,25 @@ motion::WatchedAction* WhenPool::set_up(int line, const lang::Watch& condition, 
   return &place->action;
 }
 
+void WhenPool::raises(motion::WatchedAction& action, std::string_view text) {
+  action.kind = motion::WatchedAction::Kind::Raise;
+  place_of(action).text = text;
+}
+
 lang::RuntimeError WhenPool::error_of(const motion::Rest& rest) {
   const Place& place = place_of(*rest.by);
+  rest.by->fired.store(false, std::memory_order_relaxed);
   lang::RuntimeError error;
   error.place.line = rest.by->tag;
+  if (rest.outcome == motion::Rest::Outcome::Raised) {
+    error.code = lang::code::kRaised;
+    error.message = place.text;
+    return error;
+  }
   const Words words = words_for_condition(place.watch.error());
   error.code = words.code;
   error.message = words.message;
   error.help = words.help;
-  rest.by->fired.store(false, std::memory_order_relaxed);
   return error;
 }
 

@@ -213,8 +213,15 @@ void RunRecorder::take_effect(const MotionEvent& event) {
 }
 
 void RunRecorder::take_output(const MotionEvent& event) {
-  if (event.effect.kind == Effect::Kind::Analog) return add_analog(event);
-  add_output(event, event.effect.kind == Effect::Kind::Pulse || event.effect.value);
+  if (event.effect.kind == Effect::Kind::Analog) {
+    add_analog(event);
+  } else {
+    add_output(event, event.effect.kind == Effect::Kind::Pulse || event.effect.value);
+  }
+  if (event.effect.safe) {
+    add_event(event.time, "safe", static_cast<int>(event.tag),
+              fmt::format("{} takes its SAFE value", result_.signals.back().name));
+  }
 }
 
 void RunRecorder::add_output(const MotionEvent& event, bool value) {

@@ -1,0 +1,33 @@
+#include "runtime/control/robot_machine.h"
+
+/// The part of RobotMachine that knows SAFE: what outputs become when a run goes wrong.
+namespace rob::runtime {
+
+using lang::Reply;
+using motion::Effect;
+
+void RobotMachine::declare_safe(const std::vector<lang::SafeValue>& values) {
+  channels_.safe.clear();
+  for (const lang::SafeValue& declared : values) {
+    Effect effect = effect_on(static_cast<int>(declared.line), declared.signal);
+    const bool analog = signals_.at(static_cast<std::size_t>(declared.signal)).analog;
+    effect.kind = analog ? Effect::Kind::Analog : Effect::Kind::Output;
+    effect.value = declared.value != 0;
+    effect.volts = declared.value;
+    effect.safe = true;
+    channels_.safe.push_back(effect);
+  }
+}
+
+Reply RobotMachine::fail(int line) {
+  if (channels_.safe.empty()) return end(line);
+  take_interruption();  // the first error is the one to mend
+  const Reply reply = settle(line);
+  if (reply != Reply::Done) return reply;
+  for (; safe_queued_ < channels_.safe.size(); ++safe_queued_) {
+    if (queue(channels_.safe[safe_queued_]) != Reply::Done) return Reply::Later;
+  }
+  return end(line);
+}
+
+}  // namespace rob::runtime
