@@ -6,12 +6,14 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "lang/diagnostic.h"
 #include "lang/motion_words.h"
+#include "lang/pose_math.h"
 #include "lang/types.h"
 #include "lang/units.h"
 
@@ -196,6 +198,22 @@ struct SignalDeclaration {
   Place channel_place;
   const Symbol* symbol = nullptr;  ///< set by the checker
 };
+/// POINT pick, place · POINT home = POSE(0mm, 0mm, 50mm)
+struct PointDeclaration {
+  struct Point {
+    Declaration::Declared declared;
+    std::optional<PoseValue> kept{};  ///< set by the checker: what the points file says
+  };
+  std::vector<Point> points;
+  ExprPtr value;      ///< null where left out
+  bool sound = true;  ///< could be read
+};
+/// TEACH pick
+struct Teach {
+  Name target;
+  Place target_place;
+  const Symbol* frame = nullptr;  ///< set by the checker: that the point is in; null for the world
+};
 struct Assign {
   ExprPtr target;  ///< a Name, or a Member or Index of one
   ExprPtr value;
@@ -295,7 +313,7 @@ struct Statement {
   Place place;  ///< of its first word
   std::variant<Move, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration, Assign,
                Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
-               Simulate, CallStatement, Return, Try, Raise>
+               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach>
       node;
 };
 
@@ -340,6 +358,7 @@ struct Program {
   };
   std::map<std::string, TypeDetail> frames{};  ///< by name in capitals; details keep their address
   std::vector<FrameUse> frame_uses{};
+  std::set<std::string> taught{};  ///< names behind TEACH, in capitals
   /// Where END stands, or the end of the file if there is none.
   Place end;
 };

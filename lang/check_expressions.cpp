@@ -59,6 +59,7 @@ Type ExpressionChecker::check(Name& name, Expr& expression) {
   name.symbol = name.index != nullptr ? resolve_channel(name, expression.place)
                                       : resolve(name.text, expression.place);
   if (name.symbol == nullptr) return {};
+  if (name.symbol->kind == Symbol::Kind::Point) missing_.use(*name.symbol);
   expression.constant = name.symbol->value;
   return name.symbol->type;
 }

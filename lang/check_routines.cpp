@@ -23,8 +23,10 @@ void StatementChecker::check(Program& program) {
     check(statement);
   }
   moves_.warn_of_zones(program.statements);
+  missing_.enter_routines();
   for (Routine& routine : program.routines) check(routine);
   check_frame_uses(program);
+  warn_of_missing_points();
   scopes_.leave();
   uses_.report(diagnostics_);
   warn_of_corner_readings(program, diagnostics_);

@@ -122,6 +122,9 @@ bool StatementChecker::assignable(const Symbol& symbol, Place place) {
                     "use a variable of its own, or WHILE");
     case Symbol::Kind::Signal:
       return symbol.output || refuse("is an input of the robot and can only be read", "");
+    case Symbol::Kind::Point:
+      return refuse("is a point, which TEACH alone changes",
+                    "give the value to a variable, or TEACH it where the robot stands");
     case Symbol::Kind::Routine:
       return refuse("is a routine, not a variable", "");
     case Symbol::Kind::BuiltIn:
@@ -216,10 +219,14 @@ void StatementChecker::check_constant_range(const For& loop, const Type& type) {
                      std::string(text.message), std::string(text.help));
 }
 
-CheckedProgram check(Program program, const RobotSignature& robot, Diagnostics& diagnostics) {
-  CheckedProgram checked{
-      .program = std::move(program), .symbols = {}, .constant_targets = {}, .features = {}};
-  StatementChecker(checked, robot, diagnostics).check(checked.program);
+CheckedProgram check(Program program, const RobotSignature& robot, const PointTable& points,
+                     Diagnostics& diagnostics) {
+  CheckedProgram checked{.program = std::move(program),
+                         .symbols = {},
+                         .constant_targets = {},
+                         .features = {},
+                         .missing_points = {}};
+  StatementChecker(checked, robot, points, diagnostics).check(checked.program);
   return checked;
 }
 

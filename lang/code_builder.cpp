@@ -102,6 +102,13 @@ void CodeBuilder::load_text(Register target, const std::string& text, Place plac
   emit(operand_word(text_index(text)), place);
 }
 
+void CodeBuilder::teach(Register pose, const std::string& point, const std::string& frame,
+                        Place place) {
+  emit(Opcode::teach, place, pose);
+  emit(operand_word(text_index(point)), place);
+  emit(operand_word(text_index(frame)), place);
+}
+
 void CodeBuilder::fail_assertion(const std::string& condition, Place place) {
   emit(Opcode::fail_assertion, place);
   emit(operand_word(text_index(condition)), place);

@@ -39,6 +39,8 @@ class CodeBuilder {
   std::optional<std::uint8_t> constant_operand(Slot value, std::uint64_t bits, Type type);
   /// An ASSERT whose condition, as it was written, does not hold.
   void fail_assertion(const std::string& condition, Place place);
+  /// TEACH: a pose of the registers from `pose` on.
+  void teach(Register pose, const std::string& point, const std::string& frame, Place place);
   void load_text(Register target, const std::string& text, Place place);
   void append_real(Register text, Register value, Dimension dimension, Place place);
   /// A compound value whose slots begin at a register.

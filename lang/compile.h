@@ -7,6 +7,8 @@
 #include "lang/chunk.h"
 #include "lang/diagnostic.h"
 #include "lang/machine.h"
+#include "lang/missing_points.h"
+#include "lang/point_table.h"
 #include "lang/robot_signature.h"
 
 namespace rob::lang {
@@ -30,10 +32,12 @@ struct Compilation {
   std::optional<Chunk> chunk;  ///< empty if the program has errors
   std::vector<ConstantTarget> constant_targets;
   std::vector<FeatureUse> features;
+  std::vector<MissingPoint> missing_points;  ///< each has had a warning
 };
 
 /// Lexer, parser, checker and compiler in a row; finds all errors of the text. Never throws for
-/// what a text may contain.
-Compilation compile(std::string_view source, const RobotSignature& robot);
+/// what a text may contain. `points`: what the program's POINTs are worth.
+Compilation compile(std::string_view source, const RobotSignature& robot,
+                    const PointTable& points = {});
 
 }  // namespace rob::lang

@@ -12,7 +12,10 @@ void StatementCompiler::compile_test_entry(const Program& program) {
   code_.begin_tests();
   const auto mark = code_.mark();
   for (const Statement& statement : program.statements) {
-    if (std::holds_alternative<Declaration>(statement.node)) compile(statement);
+    if (std::holds_alternative<Declaration>(statement.node) ||
+        std::holds_alternative<PointDeclaration>(statement.node)) {
+      compile(statement);
+    }
   }
   code_.call_test(program.end);
   code_.emit(Opcode::end, program.end);

@@ -18,6 +18,12 @@ struct Search {
     }
     return std::nullopt;
   }
+  Found operator()(const PointDeclaration& points) const {
+    for (const PointDeclaration::Point& point : points.points) {
+      if (to_upper(point.declared.name) == key) return point.declared.place;
+    }
+    return std::nullopt;
+  }
   Found operator()(const SignalDeclaration& signal) const {
     return to_upper(signal.name) == key ? Found(signal.name_place) : std::nullopt;
   }

@@ -7,6 +7,7 @@
 #include "lang/builtins.h"
 #include "lang/diagnostic.h"
 #include "lang/fold.h"
+#include "lang/missing_points.h"
 #include "lang/routine_uses.h"
 #include "lang/symbols.h"
 
@@ -18,8 +19,12 @@ class ExpressionChecker {
  public:
   /// `program` is only searched, for names that are declared elsewhere.
   ExpressionChecker(const Scopes& scopes, const Program& program, RoutineUses& uses,
-                    Diagnostics& diagnostics)
-      : scopes_(scopes), program_(program), uses_(uses), diagnostics_(diagnostics) {}
+                    MissingPoints& missing, Diagnostics& diagnostics)
+      : scopes_(scopes),
+        program_(program),
+        uses_(uses),
+        missing_(missing),
+        diagnostics_(diagnostics) {}
 
   /// `expression` may be null: what could not be read is Unknown.
   Type check(const ExprPtr& expression);
@@ -40,6 +45,9 @@ class ExpressionChecker {
   /// DIN[n], DOUT[n], AIN[n] or AOUT[n]; null, and a message, if n is no constant or the robot has
   /// no such channel.
   const Symbol* resolve_channel(Name& name, Place place);
+
+  /// The FRAME that a pose is in; null for the world, and where none was found.
+  const Symbol* frame_of(const Type& pose) const;
 
   /// While constants say that a part of the program is never executed, a computation in it that
   /// must fail is no mistake: `IF n <> 0 THEN x = 10 / n` with CONST n = 0.
@@ -72,8 +80,6 @@ class ExpressionChecker {
   Type common_dimension(const Call& call);
   // Poses (check_poses.cpp)
   Type common_frame(const Expr& left, const Expr& right, std::string_view what);
-  /// The FRAME that a pose is in; null for the world, and where none was found.
-  const Symbol* frame_of(const Type& pose) const;
   bool fits_place(const Expr& expression, const Type& wanted) const;
   Type check_to_frame(const Call& call);
   Type check_place_sum(const Binary& binary, const Expr& expression);
@@ -104,6 +110,7 @@ class ExpressionChecker {
   const Scopes& scopes_;
   const Program& program_;
   RoutineUses& uses_;
+  MissingPoints& missing_;
   Diagnostics& diagnostics_;
   int unreached_ = 0;
   const Expr* statement_ = nullptr;  ///< the call that is a statement of its own

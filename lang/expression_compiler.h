@@ -69,6 +69,11 @@ class ExpressionCompiler {
   };
   WatchCode watch(const Expr& condition);
 
+  /// A pose in registers becomes the value of a point.
+  void store_point(const Symbol& point, Register pose, Place place) {
+    store(home(point), point.type, pose, place);
+  }
+
  private:
   void into(const Expr& expression, Register target, bool as_real);
   void into_as_it_is(const Expr& expression, Register target, bool as_real);

@@ -30,10 +30,6 @@ bool always_opens_block(const Token& word) {
   return same_word(word.text, "PRESS") || same_word(word.text, "PATH");
 }
 
-bool declares(const Token& word) {
-  return word.kind == TokenKind::Reserved && word.keyword == Keyword::Point;
-}
-
 }  // namespace
 
 bool Parser::at_later_word() const {
@@ -45,16 +41,13 @@ bool Parser::at_later_word() const {
          next_.kind != TokenKind::LeftBracket;
 }
 
-void Parser::later_statement(Block& block) {
+void Parser::later_statement() {
   const Token word = current_;
   report(code::kNotYet, word.place,
          fmt::format("{} is not in this version of Rob yet", to_upper(word.text)));
   const bool always = always_opens_block(word);
   if (always || line_ends_with(Keyword::Do)) {
     skip_later_block(to_upper(word.text), closer_of(word), always);
-  } else if (declares(word)) {
-    advance();
-    declare_unknown(block);
   }
   throw SyntaxError{};
 }

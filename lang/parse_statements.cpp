@@ -52,6 +52,9 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Signal:
       signal_declaration(block);
       return true;
+    case Keyword::Point:
+      point_declaration(block);
+      return true;
     case Keyword::Loop:
       loop_statement(block);
       return true;
@@ -97,6 +100,7 @@ void Parser::simple(Block& block) {
     advance();
     return add(block, place, Brake{});
   }
+  if (at(Keyword::Teach)) return teach_statement(block);
   if (at(Keyword::Exit)) {
     advance();
     return add(block, place, Exit{});
@@ -118,7 +122,7 @@ void Parser::simple(Block& block) {
     case KeywordRole::Later:
     case KeywordRole::LaterMotion:
     case KeywordRole::LaterBlock:
-      later_statement(block);
+      later_statement();
     case KeywordRole::Closer:
       stray_closer();
     default:
@@ -132,7 +136,7 @@ void Parser::simple(Block& block) {
 void Parser::word_statement(Block& block) {
   if (at_header()) return header(block);
   if (at_frame_declaration()) return frame_declaration(block);
-  if (at_later_word()) later_statement(block);
+  if (at_later_word()) later_statement();
   if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
   if (next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket) {
     return assignment(block);

@@ -101,6 +101,11 @@ class Parser {
   // Frames (parse_frames.cpp)
   bool at_frame_declaration() const;
   void frame_declaration(Block& block);
+
+  // Points (parse_points.cpp)
+  void point_declaration(Block& block);
+  void teach_statement(Block& block);
+
   Type pose_type();
   const TypeDetail* frame_named(std::string_view name);
   Declaration::Declared declared_name(std::string_view kind);
@@ -167,7 +172,7 @@ class Parser {
 
   // What later versions have (parse_later.cpp)
   bool at_later_word() const;
-  [[noreturn]] void later_statement(Block& block);
+  [[noreturn]] void later_statement();
   void declare_unknown(Block& block);
   void skip_later_block(std::string_view opener, std::string_view closer, bool always);
   bool skip_line();
@@ -237,6 +242,7 @@ class Parser {
   Header header_;
   std::map<std::string, TypeDetail> frames_;
   std::vector<Program::FrameUse> frame_uses_;
+  std::set<std::string> taught_;
   std::vector<Routine> routines_;
   std::optional<std::set<std::string>> routine_names_;  ///< of the whole text, once asked for
 };

@@ -167,6 +167,15 @@ Reply PrintingMachine::write_analog(int line, int signal, double volts) {
   return reply;
 }
 
+Reply PrintingMachine::teach(int line, std::string_view point, std::string_view frame,
+                             const PoseValue& pose) {
+  constexpr double kMillimetres = 1000;  // in 1 m
+  const auto& [p, q] = pose;
+  return note(line, fmt::format("teach {} {:g} {:g} {:g}{}{}", point, p.x * kMillimetres,
+                                p.y * kMillimetres, p.z * kMillimetres, frame.empty() ? "" : " in ",
+                                frame));
+}
+
 Reply PrintingMachine::expectation_failed(int line, std::string_view text) {
   return note(line, fmt::format("failed {}", text));
 }

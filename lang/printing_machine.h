@@ -18,6 +18,7 @@ namespace rob::lang {
 ///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
 ///     movel by 20 0 0 · move joints - - 90 · … zone 5mm · … fine
 ///     stop · brake · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
+///     teach pick 40 20 0 · teach pick 40 20 0 in pallet     the place, in mm
 ///     guard · ended hit · ended reached
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
@@ -65,6 +66,8 @@ class PrintingMachine : public Machine {
   Reply disarm(int line, int id) override;
   Reply stop(int line) override { return note(line, "stop"); }
   Reply brake(int line) override { return note(line, "brake"); }
+  Reply teach(int line, std::string_view point, std::string_view frame,
+              const PoseValue& pose) override;
   Reply wait(int line, double seconds) override;
   Reply stand(int line, double& now) override;
   bool taken_as_met(int /*line*/) override { return false; }

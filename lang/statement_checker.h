@@ -21,13 +21,17 @@ namespace rob::lang {
 /// Private to the checker: checks statements, one check() for each kind.
 class StatementChecker {
  public:
-  StatementChecker(CheckedProgram& checked, const RobotSignature& robot, Diagnostics& diagnostics)
+  StatementChecker(CheckedProgram& checked, const RobotSignature& robot, const PointTable& points,
+                   Diagnostics& diagnostics)
       : scopes_(checked.symbols, robot),
         uses_(checked.program.routines.size()),
-        expressions_(scopes_, checked.program, uses_, diagnostics),
+        expressions_(scopes_, checked.program, uses_, missing_, diagnostics),
         moves_(robot, expressions_, diagnostics, checked),
         waits_(expressions_, diagnostics),
         watches_(expressions_, diagnostics),
+        points_(points),
+        taught_(checked.program.taught),
+        missing_points_(checked.missing_points),
         diagnostics_(diagnostics) {}
 
   /// The top level first, then the routines, which see all its names.
@@ -106,6 +110,12 @@ class StatementChecker {
   void check_tool_number(const Expr& value, const Type& wanted, std::string_view needed);
   void check_frame_uses(const Program& program);
 
+  // POINT and TEACH (check_points.cpp)
+  void check(PointDeclaration& declaration);
+  void check(Teach& teach);
+  Type type_of(const PointTable::Point& kept, Place place);
+  void warn_of_missing_points();
+
   // Routines (check_routines.cpp)
   void declare(const Routine& routine);
   void check(Routine& routine);
@@ -129,10 +139,14 @@ class StatementChecker {
 
   Scopes scopes_;
   RoutineUses uses_;
+  MissingPoints missing_;
   ExpressionChecker expressions_;
   MoveChecker moves_;
   WaitChecker waits_;
   WatchChecker watches_;
+  const PointTable& points_;
+  const std::set<std::string>& taught_;
+  std::vector<MissingPoint>& missing_points_;
   Diagnostics& diagnostics_;
   std::map<int, std::uint32_t> safe_lines_;  ///< where a signal's SAFE value stands, by its number
   Place place_;                              ///< of the present statement

@@ -46,6 +46,10 @@ class StatementCompiler {
   void compile(const Brake&) { code_.emit(Opcode::brake, place_); }
   void compile(const Declaration& declaration);
   void compile(const SignalDeclaration& signal);
+  // POINT and TEACH (compile_points.cpp)
+  void compile(const PointDeclaration& declaration);
+  void compile(const Teach& teach);
+  void load_pose(const PoseValue& pose, Register first, Place place);
   void compile(const Assign& assign);
   void compile(const Pulse& pulse);
   void compile(const Print& print);

@@ -24,7 +24,8 @@ struct Symbol {
     Signal,         ///< declared by the robot's file or by SIGNAL; DIN[n], DOUT[n]
     BuiltIn,        ///< PI, HIT
     Reading,        ///< CLOCK: read from the robot
-    Routine         ///< PROC or FUNC
+    Routine,        ///< PROC or FUNC
+    Point           ///< POINT: changed by TEACH alone; without one its value is known
   };
 
   Kind kind = Kind::Variable;

@@ -324,6 +324,9 @@ stop:
 brake:
   ROB_ASK(machine_.brake(line(pc)), pc);
   ROB_NEXT(1);
+teach:
+  ROB_ASK(teach(pc), pc);
+  ROB_NEXT(3);
 wait:
   if (!check_wait(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
   ROB_ASK(machine_.wait(line(pc), n[pc->a()].real), pc);

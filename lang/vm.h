@@ -145,6 +145,7 @@ class Vm {
   Reply guard(Code pc);
   Reply ended(Code pc);
   Reply simulate(Code pc, double value);
+  Reply teach(Code pc);
   Reply when(Code pc);
   /// Disarms the WHENs beyond the first `kept`.
   Reply disarm(int line, std::size_t kept);

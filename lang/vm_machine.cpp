@@ -4,6 +4,7 @@
 
 #include "lang/codes.h"
 #include "lang/number_text.h"
+#include "lang/pose_slots.h"
 #include "lang/vm.h"
 
 /// The part of Vm that asks the Machine: what is commanded, observed and waited for.
@@ -85,6 +86,11 @@ bool Vm::check_pulse(Code pc, double seconds) {
             .help = fmt::format("a pulse takes more than 0s and at most {}",
                                 number_text(kLongestPulse, kTime))};
   return false;
+}
+
+Reply Vm::teach(Code pc) {
+  return machine_.teach(line(pc), chunk_.texts[(pc + 1)->word], chunk_.texts[(pc + 2)->word],
+                        load_pose(&numbers_[pc->a()]));
 }
 
 Reply Vm::simulate(Code pc, double value) {

@@ -94,7 +94,8 @@ std::string problems_text(const RunResult& result, const LoadedProgram& program,
 ExitCode run_files(const Options& options) {
   ExitCode worst = ExitCode::Done;
   std::vector<Json> documents;
-  const std::vector<LoadedProgram> programs = load_programs(options);
+  std::vector<LoadedProgram> programs = load_programs(options);
+  for (LoadedProgram& program : programs) refuse_missing_points(program);
   const std::vector<SignalScript> scripts = load_scripts(options, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
     const LoadedProgram& program = programs[i];

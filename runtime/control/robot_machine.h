@@ -14,6 +14,7 @@
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
 #include "runtime/control/messages.h"
+#include "runtime/control/point_keeper.h"
 #include "runtime/control/program_log.h"
 #include "runtime/control/program_watch.h"
 #include "runtime/control/when_pool.h"
@@ -49,6 +50,9 @@ class RobotMachine final : public lang::Machine {
   /// The program has failed for good: as end(), but when all that was commanded has acted the
   /// outputs take their SAFE values.
   lang::Reply fail(int line);
+  /// Where TEACH keeps points; without it (null), as while a program is foretold or tested, they
+  /// live for the run only. It must outlive the run.
+  void keep_points(PointKeeper* keeper) { keeper_ = keeper; }
 
   lang::Reply move(int line, const lang::MoveCommand& command) override;
   lang::Reply guard(int line, const lang::Watch& condition) override;
@@ -58,6 +62,8 @@ class RobotMachine final : public lang::Machine {
   lang::Reply disarm(int line, int id) override;
   lang::Reply stop(int line) override;
   lang::Reply brake(int line) override;
+  lang::Reply teach(int line, std::string_view point, std::string_view frame,
+                    const lang::PoseValue& pose) override;
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
   bool taken_as_met(int line) override;
@@ -112,6 +118,7 @@ class RobotMachine final : public lang::Machine {
   Channels& channels_;
   ProgramLog& log_;
   lang::Refusal refusal_;
+  PointKeeper* keeper_ = nullptr;
   std::int64_t effects_ = 0;  ///< queued so far
   std::int64_t simulations_ = 0;
   std::vector<std::string> assumed_;

@@ -96,6 +96,18 @@ Reply RobotMachine::tool_at(const motion::JointVector& q, lang::PoseValue& pose)
   return Reply::Done;
 }
 
+/// HERE was read just before, at rest: the axes are still told to stand where it was.
+Reply RobotMachine::teach(int /*line*/, std::string_view point, std::string_view frame,
+                          const lang::PoseValue& pose) {
+  if (keeper_ == nullptr) return Reply::Done;
+  const motion::JointVector q = channels_.joints.load();
+  const auto refusal =
+      keeper_->keep(point, frame, pose, {q.data(), static_cast<std::size_t>(q.size())});
+  if (!refusal) return Reply::Done;
+  refusal_ = *refusal;
+  return Reply::Refused;
+}
+
 Reply RobotMachine::forward(int /*line*/, std::span<const double> joints, lang::PoseValue& pose) {
   return tool_at(to_motion(joints), pose);
 }

@@ -3,16 +3,21 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "lang/ascii.h"
 #include "lang/move_pose.h"
 #include "lang/robot_name.h"
 #include "motion/plan/feasibility.h"
 #include "motion/plan/reach.h"
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
+#include "runtime/control/codes.h"
 #include "runtime/control/feature_words.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/files.h"
+#include "runtime/program/points_file.h"
 
 namespace rob::runtime {
 
@@ -73,14 +78,15 @@ motion::RobotModel load_robot(const std::string& name_or_file) {
 }
 
 LoadedProgram load_program(const std::string& file, const std::string& asked) {
-  return compile_program(file, read_file(file, kMostSource), asked);
+  return compile_program(file, read_file(file, kMostSource), asked, points_file_of(file));
 }
 
-LoadedProgram compile_program(std::string file, std::string source, const std::string& asked) {
+LoadedProgram compile_program(std::string file, std::string source, const std::string& asked,
+                              const std::string& points_file) {
   const auto declared = lang::declared_robot(source);
   if (!declared) {
     return compile_program(std::move(file), std::move(source),
-                           load_robot(asked.empty() ? kDefaultRobot : asked));
+                           load_robot(asked.empty() ? kDefaultRobot : asked), points_file);
   }
   if (asked.empty() && !is_known_robot(declared->name)) {
     LoadedProgram program{std::move(file), std::move(source), load_robot(kDefaultRobot), {}};
@@ -88,8 +94,9 @@ LoadedProgram compile_program(std::string file, std::string source, const std::s
     program.compilation.diagnostics.error(words.code, declared->place, words.message, words.help);
     return program;
   }
-  LoadedProgram program = compile_program(std::move(file), std::move(source),
-                                          load_robot(asked.empty() ? declared->name : asked));
+  LoadedProgram program =
+      compile_program(std::move(file), std::move(source),
+                      load_robot(asked.empty() ? declared->name : asked), points_file);
   if (program.robot.name != declared->name) {
     const Words words = words_for_other_robot(declared->name, program.robot.name);
     program.compilation.diagnostics.error(words.code, declared->place, words.message, words.help);
@@ -106,13 +113,28 @@ SignalScript load_signal_script(const std::string& file, const LoadedProgram& pr
                              program.compilation.chunk->named_signals);
 }
 
-LoadedProgram compile_program(std::string file, std::string source,
-                              const motion::RobotModel& robot) {
+LoadedProgram compile_program(std::string file, std::string source, const motion::RobotModel& robot,
+                              const std::string& points_file) {
   LoadedProgram program{std::move(file), std::move(source), robot, {}};
-  program.compilation = lang::compile(program.source, signature_of(robot));
+  program.compilation = lang::compile(
+      program.source, signature_of(robot),
+      points_file.empty() ? lang::PointTable{} : load_points(points_file, robot).table());
   refuse_targets_out_of_reach(program.compilation, robot);
   refuse_what_the_robot_cannot(program.compilation, robot);
   return program;
+}
+
+void refuse_missing_points(LoadedProgram& program) {
+  lang::Compilation& compilation = program.compilation;
+  for (const lang::MissingPoint& point : compilation.missing_points) {
+    compilation.diagnostics.error(
+        code::kPointMissing, point.place,
+        fmt::format("{} has no value: '{}' does not have it", lang::shortened(point.name),
+                    points_file_of(program.file)),
+        fmt::format("TEACH {0} before its first use, or give it a value: POINT {0} = POSE(…)",
+                    lang::shortened(point.name)));
+    compilation.chunk.reset();
+  }
 }
 
 }  // namespace rob::runtime

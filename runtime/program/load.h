@@ -28,13 +28,18 @@ motion::RobotModel load_robot(const std::string& name_or_file);
 /// load_robot() does for what is asked for.
 LoadedProgram load_program(const std::string& file, const std::string& asked);
 
-/// The same from text: `file` is for messages only.
-LoadedProgram compile_program(std::string file, std::string source, const std::string& asked);
+/// The same from text: `file` is for messages only. `points_file`: where its points are; empty for
+/// a program without any.
+LoadedProgram compile_program(std::string file, std::string source, const std::string& asked,
+                              const std::string& points_file = "");
 
 /// Compiles for this robot, whatever the text says; checks the targets that are known beforehand
 /// against the robot, so that nothing moves if one of them cannot be reached.
-LoadedProgram compile_program(std::string file, std::string source,
-                              const motion::RobotModel& robot);
+LoadedProgram compile_program(std::string file, std::string source, const motion::RobotModel& robot,
+                              const std::string& points_file = "");
+
+/// Refuses a program that needs points which nobody has taught: for what moves or tests.
+void refuse_missing_points(LoadedProgram& program);
 
 /// The signal script of a program; `file` empty: one without rules. Throws FileError.
 SignalScript load_signal_script(const std::string& file, const LoadedProgram& program);

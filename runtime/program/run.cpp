@@ -15,6 +15,7 @@
 #include "runtime/control/program_task.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/interruption.h"
+#include "runtime/program/points_file.h"
 #include "runtime/program/run_recorder.h"
 #include "runtime/program/simulation.h"
 #include "runtime/program/trace_writer.h"
@@ -156,6 +157,8 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
   Controller controller(robot, simulation_of(robot), options.override_share,
                         rules_of(options.script));
   prepare_panel(controller, options.script);
+  PointsFile points(points_file_of(program.file), robot);
+  controller.machine().keep_points(&points);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
                        names_in(program, robot), {listener.print, [&](const Snapshot& snapshot) {

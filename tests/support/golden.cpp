@@ -128,7 +128,7 @@ void run(const lang::Chunk& chunk, lang::PrintingMachine& machine, Comparison& c
 GoldenResult check_golden(std::string_view source, const lang::RobotSignature& robot) {
   const GoldenScript script = read_golden(source);
   Comparison comparison(script);
-  const lang::Compilation compilation = lang::compile(source, robot);
+  const lang::Compilation compilation = lang::compile(source, robot, script.points);
   for (const lang::Diagnostic& diagnostic : compilation.diagnostics.all()) {
     comparison.message(
         diagnostic.severity == lang::Severity::Error ? Kind::Error : Kind::Warning,

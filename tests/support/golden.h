@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lang/point_table.h"
 #include "lang/robot_signature.h"
 
 /// Golden programs: .rob files with the expectation in a comment on the line it is about.
@@ -39,6 +40,7 @@ struct Expectation {
 /// What a golden program says about itself.
 struct GoldenScript {
   std::vector<Expectation> expectations;
+  lang::PointTable points;  ///< "// given point pick in pallet: 40 20 10", in mm
   std::map<std::string, std::vector<double>> signals;  ///< by name; 1 is ON, V
   int later = 0;
   std::vector<std::string> mistakes;  ///< comments that look like expectations and are none

@@ -36,12 +36,30 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// "lift_up: OFF ON" or "later: 3".
+/// "pick: 40 20 10" or "pick in pallet: 40 20 10", in mm.
+bool read_point(const std::string& name, std::istringstream values, GoldenScript& script) {
+  constexpr double kMillimetre = 1e-3;  // m
+  constexpr std::string_view kIn = " in ";
+  const auto in = name.find(kIn);
+  lang::PointTable::Point point{name.substr(0, in), "", {}};
+  if (in != std::string::npos) point.frame = name.substr(in + kIn.size());
+  auto& [x, y, z] = point.pose.position;
+  if (!(values >> x >> y >> z)) return false;
+  for (double* const length : {&x, &y, &z}) *length *= kMillimetre;
+  script.points.points.push_back(std::move(point));
+  return true;
+}
+
+/// "lift_up: OFF ON", "later: 3" or "point pick: 40 20 10".
 bool read_given(std::string_view text, GoldenScript& script) {
   const auto colon = text.find(':');
   if (colon == std::string_view::npos) return false;
   const std::string name(trimmed(text.substr(0, colon)));
   std::istringstream values{std::string(text.substr(colon + 1))};
+  constexpr std::string_view kPoint = "point ";
+  if (name.starts_with(kPoint)) {
+    return read_point(name.substr(kPoint.size()), std::move(values), script);
+  }
   if (name == "later") return static_cast<bool>(values >> script.later);
   for (std::string value; values >> value;) {
     char* end = nullptr;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/ascii.h"
+#include "lang/pose_math.h"
+
+namespace rob::lang {
+
+/// What a program's points file holds, as plain values; where it comes from is none of the
+/// language's business.
+struct PointTable {
+  struct Point {
+    std::string name;
+    std::string frame;  ///< of the program, that `pose` is in; empty for the world
+    PoseValue pose;
+  };
+  std::vector<Point> points;
+
+  /// Names are the same in small letters and in capitals. Null if there is none.
+  const Point* find(std::string_view name) const {
+    for (const Point& point : points) {
+      if (same_word(point.name, name)) return &point;
+    }
+    return nullptr;
+  }
+};
+
+}  // namespace rob::lang

@@ -1,0 +1,112 @@
+#include "runtime/program/points_file.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+#include <utility>
+
+#include "lang/ascii.h"
+#include "lang/number_text.h"
+#include "lang/robot_signature.h"
+#include "runtime/control/codes.h"
+#include "runtime/control/robot_machine.h"
+#include "runtime/program/atomic_file.h"
+#include "runtime/program/files.h"
+
+namespace rob::runtime {
+
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{4} << 20U;  // [choice] more than 10,000 points
+
+bool is_there(const std::string& file) {
+  struct stat status {};
+  return ::lstat(file.c_str(), &status) == 0 || errno != ENOENT;
+}
+
+std::string line_of(const Points::Point& point, const lang::RobotSignature& robot) {
+  const auto& [p, q] = point.value.pose;
+  const lang::FixedAngles angles = lang::pose_math::to_fixed(q);
+  std::string line = point.value.name + " = POSE(";
+  for (const double length : {p.x, p.y, p.z}) {
+    line += lang::number_text(length, lang::kLength) + ", ";
+  }
+  line += fmt::format("{}, {}, {}) JOINTS(", lang::number_text(angles.a, lang::kAngle),
+                      lang::number_text(angles.b, lang::kAngle),
+                      lang::number_text(angles.c, lang::kAngle));
+  for (std::size_t i = 0; i < point.joints.size(); ++i) {
+    line += (i == 0 ? "" : ", ") + lang::number_text(point.joints[i], robot.axes[i].dimension);
+  }
+  const std::string& frame = point.value.frame;
+  return line + fmt::format(") IN {} TOOL {} TAUGHT \"{}\"\n", frame.empty() ? "world" : frame,
+                            point.tool.empty() ? "none" : point.tool, point.taught);
+}
+
+std::string now() {
+  return fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
+}
+
+}  // namespace
+
+lang::PointTable Points::table() const {
+  lang::PointTable table;
+  for (const Point& point : points) table.points.push_back(point.value);
+  return table;
+}
+
+std::string points_file_of(const std::string& program_file) {
+  constexpr std::string_view kProgram = ".rob";
+  const bool program = program_file.ends_with(kProgram);
+  return program_file.substr(0, program_file.size() - (program ? kProgram.size() : 0)) + ".points";
+}
+
+std::string points_text(const Points& points, const motion::RobotModel& robot) {
+  const lang::RobotSignature signature = signature_of(robot);
+  std::vector<const Points::Point*> sorted;
+  for (const Points::Point& point : points.points) sorted.push_back(&point);
+  std::ranges::sort(sorted, {},
+                    [](const Points::Point* point) { return lang::to_upper(point->value.name); });
+  std::string text = fmt::format("ROBOT \"{}\"\n", robot.name);
+  for (const Points::Point* const point : sorted) text += line_of(*point, signature);
+  return text;
+}
+
+Points load_points(const std::string& file, const motion::RobotModel& robot) {
+  if (!is_there(file)) return {};
+  const std::string text = read_file(file, kMostBytes);
+  Points points = parse_points(text, robot);
+  if (!points.diagnostics.has_errors()) return points;
+  std::string messages = fmt::format("the points in '{}' cannot be used", file);
+  for (const lang::Diagnostic& found : points.diagnostics.all()) {
+    messages += "\n" + lang::render(found, file, text);
+  }
+  while (messages.ends_with('\n')) messages.pop_back();
+  throw FileError(messages);
+}
+
+std::optional<lang::Refusal> PointsFile::keep(std::string_view point, std::string_view frame,
+                                              const lang::PoseValue& pose,
+                                              std::span<const double> joints) {
+  try {
+    Points points = load_points(file_, robot_);
+    Points::Point taught;
+    taught.value = {std::string(point), std::string(frame), pose};
+    taught.joints.assign(joints.begin(), joints.end());
+    taught.taught = now();
+    std::erase_if(points.points,
+                  [&](const Points::Point& old) { return lang::same_word(old.value.name, point); });
+    points.points.push_back(std::move(taught));
+    save_file(file_, points_text(points, robot_));
+  } catch (const FileError& error) {
+    return lang::Refusal{code::kPointNotKept,
+                         fmt::format("{} cannot be kept: {}", point, error.what()),
+                         "the points file is as it was"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/diagnostic.h"
+#include "lang/point_table.h"
+#include "motion/robots/robot_model.h"
+#include "runtime/control/point_keeper.h"
+
+namespace rob::runtime {
+
+/// What a points file (docs/language.md, "Points") holds: behind a line that names the robot, a
+/// point a line, blank lines and `//` comments.
+///
+///     ROBOT "gantry"
+///     pick = POSE(40mm, 20mm, 0mm, 0deg, 0deg, 90deg) JOINTS(40mm, 20mm, 90deg) IN world
+///         TOOL none TAUGHT "2026-11-21 05:40:12 UTC"          (on the same line)
+struct Points {
+  struct Point {
+    lang::PointTable::Point value;
+    std::vector<double> joints;  ///< m or rad, one an axis
+    std::string tool;            ///< of the program; empty for none
+    std::string taught;          ///< when, for people
+  };
+  std::vector<Point> points;
+  lang::Diagnostics diagnostics;  ///< all errors of the file; with one it must not be used
+
+  lang::PointTable table() const;
+};
+
+/// Where the points of a program are: `pallet.points` beside `pallet.rob`.
+std::string points_file_of(const std::string& program_file);
+
+Points parse_points(std::string_view text, const motion::RobotModel& robot);
+/// Sorted by name, so that it always looks the same; parse_points() reads it back.
+std::string points_text(const Points& points, const motion::RobotModel& robot);
+
+/// The points of a file; none if it is not there. Throws FileError, with all messages, if it cannot
+/// be read or used.
+Points load_points(const std::string& file, const motion::RobotModel& robot);
+
+/// Keeps what is taught in a file, which is read again each time: what was edited meanwhile stays.
+class PointsFile final : public PointKeeper {
+ public:
+  /// `robot` must outlive it.
+  PointsFile(std::string file, const motion::RobotModel& robot)
+      : file_(std::move(file)), robot_(robot) {}
+
+  std::optional<lang::Refusal> keep(std::string_view point, std::string_view frame,
+                                    const lang::PoseValue& pose,
+                                    std::span<const double> joints) override;
+
+ private:
+  std::string file_;
+  const motion::RobotModel& robot_;
+};
+
+}  // namespace rob::runtime

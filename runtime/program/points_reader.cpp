@@ -1,0 +1,230 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "lang/ascii.h"
+#include "lang/lexer.h"
+#include "lang/number_text.h"
+#include "lang/robot_signature.h"
+#include "lang/source_text.h"
+#include "runtime/control/codes.h"
+#include "runtime/control/robot_machine.h"
+#include "runtime/program/points_file.h"
+
+/// The reader of points files.
+namespace rob::runtime {
+
+namespace {
+
+using lang::Token;
+using lang::TokenKind;
+
+constexpr std::size_t kMostPoints = 10'000;  // [choice] far more than anybody teaches
+constexpr std::size_t kMostName = 64;        // bytes [choice]
+
+std::string shown(const Token& token) {
+  if (token.kind == TokenKind::EndOfLine || token.kind == TokenKind::EndOfFile) {
+    return "the end of the line";
+  }
+  return fmt::format("'{}'", lang::shortened(token.text));
+}
+
+class Reader {
+ public:
+  Reader(Points& points, std::string_view text, const motion::RobotModel& robot)
+      : points_(points), lexer_(text, points.diagnostics), robot_(signature_of(robot)) {}
+
+  void read() {
+    advance();
+    bool named = false;
+    while (token_.kind != TokenKind::EndOfFile) {
+      if (token_.kind == TokenKind::EndOfLine) {
+        advance();
+        continue;
+      }
+      try {
+        if (!named) {
+          named = true;
+          robot();
+        } else {
+          point();
+        }
+      } catch (const Wrong&) {
+        if (wrong_robot_) return;
+        while (!at_line_end()) advance();
+      }
+    }
+  }
+
+ private:
+  struct Wrong {};
+
+  void advance() { token_ = lexer_.next(); }
+  bool at_line_end() const {
+    return token_.kind == TokenKind::EndOfLine || token_.kind == TokenKind::EndOfFile;
+  }
+  bool at_word(std::string_view word) const {
+    const bool is_word = token_.kind == TokenKind::Word || token_.kind == TokenKind::Reserved;
+    return is_word && lang::same_word(token_.text, word);
+  }
+  [[noreturn]] void fail(const char* code, const lang::Place& place, std::string message,
+                         std::string help) {
+    // A token that could not be read has had its message.
+    if (token_.kind != TokenKind::Bad) {
+      points_.diagnostics.error(code, place, std::move(message), std::move(help));
+    }
+    throw Wrong{};
+  }
+  [[noreturn]] void expected(std::string_view what) {
+    fail(code::kPointLine, token_.place, fmt::format("{} expected, not {}", what, shown(token_)),
+         "mend the line, or take it out and TEACH the point again");
+  }
+  void take(TokenKind kind, std::string_view what) {
+    if (token_.kind != kind) expected(what);
+    advance();
+  }
+  void take_word(std::string_view word) {
+    if (!at_word(word)) expected(word);
+    advance();
+  }
+
+  void robot();
+  void point();
+  std::string point_name();
+  lang::PoseValue pose();
+  std::vector<double> joints();
+  double quantity(lang::Dimension dimension);
+  std::string name_or(std::string_view nothing);
+  std::string text();
+  void end_of_line() {
+    if (!at_line_end()) expected("the end of the line");
+  }
+
+  Points& points_;
+  lang::Lexer lexer_;
+  lang::RobotSignature robot_;
+  Token token_;
+  bool wrong_robot_ = false;
+  std::map<std::string, std::uint32_t> lines_;  ///< of the points read, by name in capitals
+};
+
+// robot = "ROBOT" STRING
+void Reader::robot() {
+  take_word("ROBOT");
+  const lang::Place place = token_.place;
+  const std::string name = text();
+  if (name != robot_.name) {
+    wrong_robot_ = true;
+    fail(code::kPointsOfOther, place,
+         fmt::format("these points were taught on the robot {}; the program is for {}",
+                     lang::shortened(name), robot_.name),
+         fmt::format("run the program with --robot {}, or move the file away and teach anew",
+                     lang::shortened(name)));
+  }
+  end_of_line();
+}
+
+// point = IDENT "=" pose joints "IN" ( "world" | IDENT ) "TOOL" ( "none" | IDENT ) "TAUGHT" STRING
+void Reader::point() {
+  const lang::Place place = token_.place;
+  Points::Point point;
+  point.value.name = point_name();
+  take(TokenKind::Assign, "'='");
+  point.value.pose = pose();
+  point.joints = joints();
+  take_word("IN");
+  point.value.frame = name_or("world");
+  take_word("TOOL");
+  point.tool = name_or("none");
+  take_word("TAUGHT");
+  point.taught = text();
+  end_of_line();
+  const auto [first, is_new] = lines_.emplace(lang::to_upper(point.value.name), place.line);
+  if (!is_new) {
+    fail(code::kPointTwice, place,
+         fmt::format("{} stands in this file twice, first in line {}", point.value.name,
+                     first->second),
+         "take out the line that is not meant");
+  }
+  if (points_.points.size() == kMostPoints) {
+    fail(code::kPointLine, place, fmt::format("a points file has at most {} points", kMostPoints),
+         "take out those that the program does not need");
+  }
+  points_.points.push_back(std::move(point));
+}
+
+std::string Reader::point_name() {
+  if (token_.kind != TokenKind::Word || token_.text.size() > kMostName) {
+    expected(fmt::format("the name of a point, of at most {} bytes,", kMostName));
+  }
+  std::string name(token_.text);
+  advance();
+  return name;
+}
+
+lang::PoseValue Reader::pose() {
+  take_word("POSE");
+  take(TokenKind::LeftParen, "'('");
+  double numbers[6];
+  for (int i = 0; i < 6; ++i) {
+    if (i > 0) take(TokenKind::Comma, "','");
+    numbers[i] = quantity(i < 3 ? lang::kLength : lang::kAngle);
+  }
+  take(TokenKind::RightParen, "')'");
+  return {{numbers[0], numbers[1], numbers[2]},
+          lang::pose_math::from_fixed({numbers[3], numbers[4], numbers[5]})};
+}
+
+std::vector<double> Reader::joints() {
+  take_word("JOINTS");
+  take(TokenKind::LeftParen, "'('");
+  std::vector<double> joints;
+  for (const lang::RobotSignature::Coordinate& axis : robot_.axes) {
+    if (!joints.empty()) take(TokenKind::Comma, "','");
+    joints.push_back(quantity(axis.dimension));
+  }
+  take(TokenKind::RightParen, "')'");
+  return joints;
+}
+
+double Reader::quantity(lang::Dimension dimension) {
+  const bool negative = token_.kind == TokenKind::Minus;
+  if (negative) advance();
+  const bool fits = token_.kind == TokenKind::Number && token_.number.dimension == dimension;
+  if (!fits || !std::isfinite(token_.number.value)) {
+    expected(dimension == lang::kLength ? "a length such as 20mm" : "an angle such as 90deg");
+  }
+  const double value = token_.number.value;
+  advance();
+  return negative ? 0.0 - value : value;
+}
+
+/// Empty for `nothing`.
+std::string Reader::name_or(std::string_view nothing) {
+  if (token_.kind != TokenKind::Word || token_.text.size() > kMostName) {
+    expected(fmt::format("a name, or {},", nothing));
+  }
+  std::string name(token_.text);
+  advance();
+  return lang::same_word(name, nothing) ? "" : name;
+}
+
+std::string Reader::text() {
+  if (token_.kind != TokenKind::String) expected("a text between quotes");
+  std::string text = token_.string;
+  advance();
+  return text;
+}
+
+}  // namespace
+
+Points parse_points(std::string_view text, const motion::RobotModel& robot) {
+  Points points;
+  if (lang::check_source(text, points.diagnostics)) Reader(points, text, robot).read();
+  return points;
+}
+
+}  // namespace rob::runtime
