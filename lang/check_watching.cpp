@@ -40,12 +40,17 @@ void WatchChecker::check_action(const Statement& action, std::string_view word) 
   } else if (const auto* const pulse = std::get_if<Pulse>(&action.node)) {
     sound = true;
     value = pulse->time.get();
+  } else if (const auto* const raise = std::get_if<Raise>(&action.node)) {
+    sound = word == "WHEN" && raise->value != nullptr;
+    value = raise->value.get();
   }
   if (!sound) {
     diagnostics_.error(
         code::kActionMisplaced, action.place,
         fmt::format("this cannot be done in the control cycle itself, as {} does it", word),
-        "behind ':' an output is set or pulsed: lift = OFF, PULSE lift 50ms");
+        word == "WHEN" ? "behind ':' an output is set or pulsed, or an error raised: "
+                         "lift = OFF, PULSE lift 50ms, RAISE \"door\""
+                       : "behind ':' an output is set or pulsed: lift = OFF, PULSE lift 50ms");
   } else if (value != nullptr && (calls_routine(*value) || observations(*value) > 0)) {
     diagnostics_.error(code::kActionNotFixed, value->place,
                        fmt::format("the value is fixed when {} is executed: it cannot read a "

@@ -65,7 +65,11 @@ void StatementCompiler::compile(const When& when) {
   const auto mark = code_.mark();
   const ExpressionCompiler::WatchCode watch = expressions_.watch(*when.condition);
   code_.when(watch.values, watch.index, whens_++, place);
-  compile(when.action);
+  if (const auto* const raise = std::get_if<Raise>(&when.action.front().node)) {
+    code_.emit(Opcode::when_raise, place, expressions_.value(*raise->value));
+  } else {
+    compile(when.action);
+  }
   code_.release(mark);
 }
 

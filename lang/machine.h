@@ -47,9 +47,11 @@ class Machine {
   /// Behind a guarded motion. `Later` until it has ended; `hit`: because its condition held.
   /// Refused where the condition could not be computed: the motion has ended, too.
   virtual Reply ended(int line, bool& hit) = 0;
-  /// WHEN: what is set or pulsed next is not done now, but in every control cycle in which the
-  /// condition comes true, from here on in motion order.
+  /// WHEN: what is set or pulsed next, or what when_raise() says, is not done now, but in every
+  /// control cycle in which the condition comes true, from here on in motion order.
   virtual Reply when(int line, const Watch& condition, int& id) = 0;
+  /// The action: the axes brake, all that was commanded is dropped, and the program fails.
+  virtual Reply when_raise(int line, std::string_view text) = 0;
   /// The block of a WHEN is left. An observation: `Later` until the decision point of the last
   /// motion.
   virtual Reply disarm(int line, int id) = 0;

@@ -86,6 +86,10 @@ Reply PrintingMachine::when(int line, const Watch&, int& id) {
   return reply;
 }
 
+Reply PrintingMachine::when_raise(int line, std::string_view text) {
+  return note(line, fmt::format("raise {}", text));
+}
+
 Reply PrintingMachine::disarm(int line, int id) { return note(line, fmt::format("disarm {}", id)); }
 
 Reply PrintingMachine::wait(int line, double seconds) {

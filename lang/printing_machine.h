@@ -22,7 +22,7 @@ namespace rob::lang {
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
 ///     failed TEXT · simulate lift_up 1 after 2s
-///     when 1 · disarm 1                 WHEN, before its action; counted in the order of arming
+///     when 1 · raise TEXT · disarm 1    WHEN, before its action; counted in the order of arming
 ///     stand · waited                    WAIT for a condition: its beginning, its end
 ///     settle                            an error is caught: its RESCUE begins
 ///
@@ -60,6 +60,7 @@ class PrintingMachine : public Machine {
   Reply guard(int line, const Watch& condition) override;
   Reply ended(int line, bool& hit) override;
   Reply when(int line, const Watch& condition, int& id) override;
+  Reply when_raise(int line, std::string_view text) override;
   Reply disarm(int line, int id) override;
   Reply stop(int line) override { return note(line, "stop"); }
   Reply brake(int line) override { return note(line, "brake"); }

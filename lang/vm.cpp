@@ -308,6 +308,9 @@ when:
   if (armed_count_ == kMostWhens) return fail_too_many_whens(pc);
   ROB_ASK(when(pc), pc);
   ROB_NEXT(2);
+when_raise:
+  ROB_ASK(machine_.when_raise(line(pc), texts_[pc->a()]), pc);
+  ROB_NEXT(1);
 disarm:
   ROB_ASK(disarm(line(pc), whens_below(pc->x())), pc);
   ROB_NEXT(1);

@@ -192,6 +192,7 @@ class Vm {
     std::size_t depth;  ///< calls that were open
     std::uint8_t why;   ///< text register
     bool caught;        ///< the RESCUE runs: it catches nothing more
+    std::size_t armed;  ///< WHENs that were armed
     RuntimeError error{};
   };
   std::vector<Guard> guards_;

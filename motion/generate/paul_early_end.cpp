@@ -10,6 +10,7 @@ using Kind = MotionEvent::Kind;
 
 void PaulGenerator::look(const CycleView& view) noexcept {
   view_ = view;
+  untold_ = false;
   if (faulted_) return;
   watches_.ask(view, [this](WatchedAction& action, WatchAnswer answer) noexcept {
     return do_watched(action, answer);
@@ -92,6 +93,7 @@ void PaulGenerator::end_early(double instant) noexcept {
   latest_ = std::max(latest_, instant);
   fire_effects(latest_);
   if (rest_.outcome == Rest::Outcome::Braked) buffer_.braked();
+  untold_ = rest_.by != nullptr;
   clock_.release();
   rest_.q = segment_.target;
   tell_rest(latest_);

@@ -318,7 +318,10 @@ void PaulGenerator::stand() noexcept {
   sample_.limit = 0;
 }
 
+/// While an error ends all that was commanded there is nothing to decide: the program learns of it
+/// first.
 void PaulGenerator::publish_decidable() noexcept {
+  if (failing() || untold_) return;
   std::uint32_t number = segment_.number;
   const bool due = !running_ || inserted_ || clock_.next() > end_ + kSameInstant;
   if (!due) --number;

@@ -146,6 +146,7 @@ class PaulGenerator final : public TrajectoryGenerator {
   WatchList watches_;
   CycleView view_;           ///< of the present cycle
   Rest rest_;                ///< in the making
+  bool untold_ = false;      ///< an error has ended motions, and its Rest cannot be known yet
   std::uint32_t ended_ = 0;  ///< generations up to this one are over
   std::uint32_t kept_ = 0;   ///< effects of the one that ended last act up to this number
 

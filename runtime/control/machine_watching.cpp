@@ -22,10 +22,8 @@ Reply RobotMachine::ended(int line, bool& hit) {
       queue(*segment, true, true);
     }
   }
-  const motion::Rest* next = channels_.rests.front();
-  if (next == nullptr || next->by != nullptr) return Reply::Later;
-  const motion::Rest rest = *next;
-  channels_.rests.pop();
+  motion::Rest rest;
+  if (!take_rest(rest)) return Reply::Later;
   guarded_ = false;
   brakable_ = 0;
   if (rest.early()) {
@@ -44,6 +42,11 @@ Reply RobotMachine::when(int line, const lang::Watch& condition, int& id) {
   recording_ = action;
   ++armed_;
   return Reply::Done;
+}
+
+Reply RobotMachine::when_raise(int /*line*/, std::string_view text) {
+  whens_.set_text(*recording_, std::string(text));
+  return arm();
 }
 
 Reply RobotMachine::arm() {
@@ -67,9 +70,19 @@ Reply RobotMachine::disarm(int line, int id) {
   return reply;
 }
 
+bool RobotMachine::interrupted() const {
+  const motion::Rest* const next = channels_.rests.front();
+  return next != nullptr && next->by != nullptr;
+}
+
+/// One that a WHEN has caused is left for take_interruption().
+bool RobotMachine::take_rest(motion::Rest& rest) {
+  return !interrupted() && channels_.rests.take(rest);
+}
+
 std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
+  if (!interrupted()) return std::nullopt;
   const motion::Rest* const rest = channels_.rests.front();
-  if (rest == nullptr || rest->by == nullptr) return std::nullopt;
   lang::RuntimeError error = whens_.error_of(*rest);
   planner_.retarget(rest->q);
   buffer_.braked();

@@ -120,10 +120,9 @@ Reply RobotMachine::brake(int /*line*/) {
     buffer_.brake(brakable_);
     braking_ = true;
   }
-  const motion::Rest* const rest = channels_.rests.front();
-  if (rest == nullptr || rest->by != nullptr) return Reply::Later;
-  planner_.retarget(rest->q);
-  channels_.rests.pop();
+  motion::Rest rest;
+  if (!take_rest(rest)) return Reply::Later;
+  planner_.retarget(rest.q);
   braking_ = false;
   exact_ = true;
   brakable_ = 0;
@@ -183,6 +182,7 @@ Reply RobotMachine::leave_block(int /*line*/) { return decided() ? Reply::Done :
 
 Reply RobotMachine::settle(int line) {
   begun_ = standing_ = guarded_ = false;
+  recording_ = nullptr;
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
   return settled() ? Reply::Done : Reply::Later;
@@ -190,7 +190,7 @@ Reply RobotMachine::settle(int line) {
 
 bool RobotMachine::settled() const {
   return channels_.settled.load(std::memory_order_acquire) >= planner_.last_number() &&
-         channels_.effects_done.load(std::memory_order_acquire) >= effects_;
+         channels_.effects_done.load(std::memory_order_acquire) >= effects_ && !interrupted();
 }
 
 Reply RobotMachine::end(int line) {
@@ -309,7 +309,8 @@ Reply RobotMachine::read_signal(int line, int signal, bool& value) {
 /// Program and motion share the number of the last segment: its decision point has come once the
 /// generator names it.
 bool RobotMachine::decided() const {
-  return channels_.decidable.load(std::memory_order_acquire) >= planner_.last_number();
+  return channels_.decidable.load(std::memory_order_acquire) >= planner_.last_number() &&
+         !interrupted();
 }
 
 Reply RobotMachine::read_analog(int line, int signal, double& volts) {

@@ -41,6 +41,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply guard(int line, const lang::Watch& condition) override;
   lang::Reply ended(int line, bool& hit) override;
   lang::Reply when(int line, const lang::Watch& condition, int& id) override;
+  lang::Reply when_raise(int line, std::string_view text) override;
   lang::Reply disarm(int line, int id) override;
   lang::Reply stop(int line) override;
   lang::Reply brake(int line) override;
@@ -84,6 +85,10 @@ class RobotMachine final : public lang::Machine {
   bool observable() const;
   /// Whether the axes stand, and all effects have acted.
   bool settled() const;
+  /// A WHEN has ended all that was commanded, and the program has still to learn of it.
+  bool interrupted() const;
+  /// How what was guarded or braked has ended, once it has.
+  bool take_rest(motion::Rest& rest);
   /// Whether the decision point of the last motion has come.
   bool decided() const;
   void warn(int line, const motion::PlannedSegment& planned);

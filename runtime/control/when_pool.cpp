@@ -1,7 +1,9 @@
 #include "runtime/control/when_pool.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "lang/codes.h"
 #include "motion/generate/watch_list.h"
 #include "runtime/control/messages.h"
 
@@ -35,14 +37,24 @@ motion::WatchedAction* WhenPool::set_up(int line, const lang::Watch& condition, 
   return &place->action;
 }
 
+void WhenPool::set_text(motion::WatchedAction& action, std::string text) {
+  action.kind = motion::WatchedAction::Kind::Raise;
+  place_of(action).text = std::move(text);
+}
+
 lang::RuntimeError WhenPool::error_of(const motion::Rest& rest) {
   const Place& place = place_of(*rest.by);
   lang::RuntimeError error;
   error.place.line = rest.by->tag;
-  const Words words = words_for_condition(place.watch.error());
-  error.code = words.code;
-  error.message = words.message;
-  error.help = words.help;
+  if (rest.outcome == motion::Rest::Outcome::Failed) {
+    const Words words = words_for_condition(place.watch.error());
+    error.code = words.code;
+    error.message = words.message;
+    error.help = words.help;
+  } else {
+    error.code = lang::code::kRaised;
+    error.message = place.text;
+  }
   rest.by->fired.store(false, std::memory_order_relaxed);
   return error;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <string>
 #include <vector>
 
 #include "lang/vm.h"
@@ -20,6 +21,8 @@ class WhenPool {
   /// A place for a WHEN in this line, and its number; null while all are in use.
   motion::WatchedAction* set_up(int line, const lang::Watch& condition, int& id);
   motion::WatchedAction& at(int id) { return places_.at(static_cast<std::size_t>(id)).action; }
+  /// What it raises.
+  void set_text(motion::WatchedAction& action, std::string text);
   /// The error that a Rest which a WHEN has caused means.
   lang::RuntimeError error_of(const motion::Rest& rest);
 
@@ -29,6 +32,7 @@ class WhenPool {
 
     motion::WatchedAction action;
     ProgramWatch watch;
+    std::string text;
   };
 
   Place& place_of(const motion::WatchedAction& action);
