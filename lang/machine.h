@@ -18,6 +18,15 @@ struct Watch;  // lang/watch.h
 /// program waits for it.
 inline constexpr double kLongestPulse = 1000;
 
+/// Where a path event lies. SI.
+struct PathPlace {
+  bool before = false;  ///< BEFORE: counts back from the end of the motion
+  double distance = 0;  ///< m of the tool's way
+  double lead = 0;      ///< LEAD: s before the place is passed; LAG: below 0
+};
+/// The longest LEAD and LAG, s. [choice] longer than any valve takes.
+inline constexpr double kLongestLead = 0.5;
+
 /// What became of a command.
 enum class Reply : std::uint8_t {
   Done,    ///< taken
@@ -52,6 +61,8 @@ class Machine {
   virtual Reply when(int line, const Watch& condition, int& id) = 0;
   /// The action: the axes brake, all that was commanded is dropped, and the program fails.
   virtual Reply when_raise(int line, std::string_view text) = 0;
+  /// What is set or pulsed next is not done now, but on the way of the motion commanded next.
+  virtual Reply on_the_way(int line, const PathPlace& place) = 0;
   /// The block of a WHEN is left. An observation: `Later` until the decision point of the last
   /// motion.
   virtual Reply disarm(int line, int id) = 0;

@@ -40,6 +40,7 @@ class StatementCompiler {
   void compile(const Move& move);
   void compile(const WatchedMotion& watched);
   void compile(const When& when);
+  void compile(const WayPoint& event);
   /// Code that disarms what was armed in this frame beyond the first `kept`.
   void leave_whens(std::size_t kept);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }

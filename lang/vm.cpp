@@ -311,6 +311,10 @@ when:
 when_raise:
   ROB_ASK(machine_.when_raise(line(pc), texts_[pc->a()]), pc);
   ROB_NEXT(1);
+on_the_way:
+  if (!check_place(pc)) return fail(pc, std::move(error_));
+  ROB_ASK(machine_.on_the_way(line(pc), place_of(pc)), pc);
+  ROB_NEXT(1);
 disarm:
   ROB_ASK(disarm(line(pc), whens_below(pc->x())), pc);
   ROB_NEXT(1);

@@ -86,14 +86,21 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
 /// What is to be exact takes two segments, which are queued together.
 Reply RobotMachine::move(int line, const lang::MoveCommand& command) {
   if (buffer_.room() < (command.exact() ? 2U : 1U)) return Reply::Later;
-  const motion::PlanOutcome outcome = planner_.plan(request_of(line, command));
+  const motion::MotionRequest request = request_of(line, command);
+  motion::SegmentDescriptor with_events;
+  if (!attach(with_events, planner_.way(request))) return Reply::Refused;
+  const motion::PlanOutcome outcome = planner_.plan(request);
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
     refusal_ = words_for(*refusal, robot_);
     return Reply::Refused;
   }
   const auto& planned = std::get<motion::PlannedSegment>(outcome);
   warn(line, planned);
-  queue(planned.segment, false);
+  motion::SegmentDescriptor segment = planned.segment;
+  segment.events = with_events.events;
+  segment.on_the_way = with_events.on_the_way;
+  for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
+  queue(segment, false);
   brakable_ = planned.segment.number;
   if (!command.exact()) return Reply::Done;
   if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) {
@@ -183,6 +190,8 @@ Reply RobotMachine::leave_block(int /*line*/) { return decided() ? Reply::Done :
 Reply RobotMachine::settle(int line) {
   begun_ = standing_ = guarded_ = false;
   recording_ = nullptr;
+  place_.reset();
+  on_the_way_.clear();
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
   return settled() ? Reply::Done : Reply::Later;
@@ -330,6 +339,11 @@ void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool furt
 }
 
 Reply RobotMachine::queue(motion::Effect effect) {
+  if (place_) {
+    on_the_way_.push_back({*place_, effect});
+    place_.reset();
+    return Reply::Done;
+  }
   if (recording_ != nullptr) {
     recording_->effect = effect;
     return arm();

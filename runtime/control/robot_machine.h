@@ -43,6 +43,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply when(int line, const lang::Watch& condition, int& id) override;
   lang::Reply when_raise(int line, std::string_view text) override;
   lang::Reply disarm(int line, int id) override;
+  lang::Reply on_the_way(int line, const lang::PathPlace& place) override;
   lang::Reply stop(int line) override;
   lang::Reply brake(int line) override;
   lang::Reply wait(int line, double seconds) override;
@@ -111,8 +112,16 @@ class RobotMachine final : public lang::Machine {
   ProgramWatch until_;          ///< what the guarded motion is asked
   WhenPool whens_;
   motion::WatchedAction* recording_ = nullptr;  ///< the WHEN whose action comes next
-  int armed_ = 0;                               ///< WHENs that are not disarmed yet
-  bool guarded_ = false;                        ///< what is queued now ends early if until_ holds
+  /// What the next motion does on its way, and the place whose action comes next.
+  struct OnTheWay {
+    lang::PathPlace place;
+    motion::Effect effect;
+  };
+  bool attach(motion::SegmentDescriptor& segment, double way);
+  std::vector<OnTheWay> on_the_way_;
+  std::optional<lang::PathPlace> place_;
+  int armed_ = 0;          ///< WHENs that are not disarmed yet
+  bool guarded_ = false;   ///< what is queued now ends early if until_ holds
   bool standing_ = false;  ///< the present WAIT for a condition has queued all it needs
 };
 
