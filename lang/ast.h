@@ -155,12 +155,22 @@ struct Move {
   ExprPtr target;   ///< a Tuple; of MOVE JOINT the axis' value
   Clauses clauses;
 };
+/// AFTER 2mm LEAD 20ms : lift = ON
+struct WayPoint {
+  Place place;
+  bool before = false;
+  ExprPtr distance;
+  bool lag = false;
+  ExprPtr shift;  ///< of LEAD or LAG; null where left out
+  Block action;   ///< one statement
+};
 /// MOVE(140, 40, 0) UNTIL touched ELSE PRINT "missed": a motion, and what is looked at on its way.
 struct WatchedMotion {
   Block motion;   ///< one statement
   ExprPtr until;  ///< null where left out
   bool has_else = false;
   Block otherwise;  ///< of ELSE: one statement
+  std::vector<WayPoint> events;
 };
 /// WHEN door : lift = OFF
 struct When {

@@ -5,9 +5,11 @@
 #include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/fold.h"
+#include "lang/machine.h"
 #include "lang/observations.h"
 #include "lang/routine.h"
 #include "lang/symbols.h"
+#include "lang/target.h"
 #include "lang/watch_checker.h"
 
 namespace rob::lang {
@@ -26,6 +28,27 @@ void WatchChecker::check_when(const When& when) {
                        "name a signal, as in WHEN door : lift = OFF");
   }
   if (!when.action.empty()) check_action(when.action.front(), "WHEN");
+}
+
+void WatchChecker::check_event(const WayPoint& event) {
+  const auto check = [&](const ExprPtr& value, Type wanted, const char* word) {
+    if (value == nullptr) return;
+    expressions_.check(value);
+    if (!expressions_.accept(*value, wanted, std::string(word) + " needs")) return;
+    const auto number = constant_number(*value);
+    const bool time = wanted == Type::real(kTime);
+    if (!number || (*number >= 0 && (!time || *number <= kLongestLead))) return;
+    diagnostics_.error(
+        code::kPlaceUnsound, value->place,
+        time ? fmt::format("{} is 0s to {}s; this is {}", word, kLongestLead, described(*value))
+             : fmt::format("{} counts along the motion, from 0mm on; this is {}", word,
+                           described(*value)));
+  };
+  check(event.distance, Type::real(kLength), event.before ? "BEFORE" : "AFTER");
+  check(event.shift, Type::real(kTime), event.lag ? "LAG" : "LEAD");
+  if (!event.action.empty()) {
+    check_action(event.action.front(), event.before ? "BEFORE" : "AFTER");
+  }
 }
 
 /// What may be done in the control cycle itself, with a value that is fixed beforehand.
@@ -48,8 +71,9 @@ void WatchChecker::check_action(const Statement& action, std::string_view word) 
     diagnostics_.error(
         code::kActionMisplaced, action.place,
         fmt::format("this cannot be done in the control cycle itself, as {} does it", word),
-        "behind ':' an output is set or pulsed, or an error is raised: lift = OFF, PULSE lift 50ms,"
-        " RAISE \"the door is open\"");
+        word == "WHEN" ? "behind ':' an output is set or pulsed, or an error raised: "
+                         "lift = OFF, PULSE lift 50ms, RAISE \"door\""
+                       : "behind ':' an output is set or pulsed: lift = OFF, PULSE lift 50ms");
   } else if (value != nullptr && (calls_routine(*value) || observations(*value) > 0)) {
     diagnostics_.error(code::kActionNotFixed, value->place,
                        fmt::format("the value is fixed when {} is executed: it cannot read a "

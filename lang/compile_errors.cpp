@@ -41,8 +41,7 @@ void StatementCompiler::compile(const Raise& statement) {
   const Place place = place_;
   if (statement.value == nullptr) return code_.emit(Opcode::raise_again, place);
   const auto mark = code_.mark();
-  const Opcode op = acting_ ? Opcode::raise_when : Opcode::raise;
-  code_.emit(op, place, expressions_.value(*statement.value));
+  code_.emit(Opcode::raise, place, expressions_.value(*statement.value));
   code_.release(mark);
 }
 

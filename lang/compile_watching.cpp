@@ -65,9 +65,11 @@ void StatementCompiler::compile(const When& when) {
   const auto mark = code_.mark();
   const ExpressionCompiler::WatchCode watch = expressions_.watch(*when.condition);
   code_.when(watch.values, watch.index, whens_++, place);
-  acting_ = true;
-  compile(when.action);
-  acting_ = false;
+  if (const auto* const raise = std::get_if<Raise>(&when.action.front().node)) {
+    code_.emit(Opcode::when_raise, place, expressions_.value(*raise->value));
+  } else {
+    compile(when.action);
+  }
   code_.release(mark);
 }
 
@@ -76,10 +78,27 @@ void StatementCompiler::leave_whens(std::size_t kept) {
   code_.emit(Instruction::ax(Opcode::disarm, 0, static_cast<std::uint16_t>(kept)), place_);
 }
 
+void StatementCompiler::compile(const WayPoint& event) {
+  const auto mark = code_.mark();
+  const Register distance = code_.number_registers(2);
+  const auto lead = static_cast<Register>(distance + 1);
+  expressions_.value_into(*event.distance, distance);
+  if (event.shift == nullptr) {
+    code_.load_real(lead, 0, kTime, event.place);
+  } else {
+    expressions_.value_into(*event.shift, lead);
+    if (event.lag) code_.emit(Opcode::neg_real, event.place, lead, lead);
+  }
+  code_.emit(Opcode::on_the_way, event.place, distance, event.before ? 1 : 0);
+  compile(event.action);
+  code_.release(mark);
+}
+
 /// The guard is set before the motion is commanded, and asked for behind it.
 void StatementCompiler::compile(const WatchedMotion& watched) {
   const Place place = place_;
   const auto mark = code_.mark();
+  for (const WayPoint& event : watched.events) compile(event);
   if (watched.until == nullptr) return compile(watched.motion);
   const ExpressionCompiler::WatchCode watch = expressions_.watch(*watched.until);
   code_.emit(Instruction::ax(Opcode::guard, watch.values, watch.index), place);

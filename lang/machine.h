@@ -18,6 +18,15 @@ struct Watch;  // lang/watch.h
 /// program waits for it.
 inline constexpr double kLongestPulse = 1000;
 
+/// Where a path event lies. SI.
+struct PathPlace {
+  bool before = false;  ///< BEFORE: counts back from the end of the motion
+  double distance = 0;  ///< m of the tool's way
+  double lead = 0;      ///< LEAD: s before the place is passed; LAG: below 0
+};
+/// The longest LEAD and LAG, s. [choice] longer than any valve takes.
+inline constexpr double kLongestLead = 0.5;
+
 /// What became of a command.
 enum class Reply : std::uint8_t {
   Done,    ///< taken
@@ -47,11 +56,13 @@ class Machine {
   /// Behind a guarded motion. `Later` until it has ended; `hit`: because its condition held.
   /// Refused where the condition could not be computed: the motion has ended, too.
   virtual Reply ended(int line, bool& hit) = 0;
-  /// WHEN: what is set or pulsed next is not done now, but in every control cycle in which the
-  /// condition comes true, from here on in motion order.
+  /// WHEN: what is set or pulsed next, or what when_raise() says, is not done now, but in every
+  /// control cycle in which the condition comes true, from here on in motion order.
   virtual Reply when(int line, const Watch& condition, int& id) = 0;
-  /// Directly behind when(): its action is to raise this error, once the axes have been braked.
-  virtual Reply raise_when(int line, std::string_view text) = 0;
+  /// The action: the axes brake, all that was commanded is dropped, and the program fails.
+  virtual Reply when_raise(int line, std::string_view text) = 0;
+  /// What is set or pulsed next is not done now, but on the way of the motion commanded next.
+  virtual Reply on_the_way(int line, const PathPlace& place) = 0;
   /// The block of a WHEN is left. An observation: `Later` until the decision point of the last
   /// motion.
   virtual Reply disarm(int line, int id) = 0;

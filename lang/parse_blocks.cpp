@@ -88,6 +88,7 @@ bool Parser::at_block_end() const {
     case Keyword::Endwhile:
     case Keyword::Endfor:
     case Keyword::Endloop:
+    case Keyword::Endmove:
     case Keyword::Endselect:
     case Keyword::Endtry:
     case Keyword::Endproc:

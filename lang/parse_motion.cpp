@@ -144,7 +144,7 @@ void Parser::fail_target(std::string_view motion) {
 // clause = "AT" expr | "OVER" expr | "ACCEL" expr | "JERK" expr | "PROFILE" IDENT | "ZONE" expr
 //        | "FINE" .
 void Parser::clauses(Clauses& clauses) {
-  while (!at_line_end() && !at(Keyword::Else) && !at(Keyword::Until)) {
+  while (!at_line_end() && !at(Keyword::Else) && !at(Keyword::Until) && !at(Keyword::Do)) {
     const auto* const valued =
         std::ranges::find_if(kValuedClauses, [&](std::string_view word) { return at_word(word); });
     if (valued != kValuedClauses.end()) {

@@ -84,8 +84,9 @@ bool Parser::block_statement(Block& block) {
 void Parser::simple(Block& block) {
   const Place place = current_.place;
   if (at(Keyword::Move) || at(Keyword::Movel)) {
+    const bool first = current_.first_on_line;
     move(block);
-    return behind_motion(block);
+    return behind_motion(block, first);
   }
   if (at(Keyword::Print)) return print(block);
   if (at(Keyword::Wait)) return wait(block);

@@ -9,20 +9,77 @@
 namespace rob::lang {
 
 // until = "UNTIL" expr [ "ELSE" simple ] .
-void Parser::behind_motion(Block& block) {
-  if (!at(Keyword::Until)) return;
+// motion [ until ] "DO" eol { trigger eol } "ENDMOVE" eol
+void Parser::behind_motion(Block& block, bool may_open_block) {
+  if (!at(Keyword::Until) && !at(Keyword::Do)) return;
   const Place place = block.back().place;
   WatchedMotion watched;
   watched.motion.push_back(std::move(block.back()));
   block.pop_back();
-  advance();
-  watched.until = expression();
-  if (at(Keyword::Else) && !current_.first_on_line) {
+  if (at(Keyword::Until)) {
     advance();
-    watched.has_else = true;
-    alternative(watched.otherwise);
+    watched.until = expression();
+    if (at(Keyword::Else) && !current_.first_on_line) {
+      advance();
+      watched.has_else = true;
+      alternative(watched.otherwise);
+    }
+  }
+  if (at(Keyword::Do)) {
+    if (!may_open_block) {
+      fail_here(code::kMisplaced, "a motion with DO cannot stand on the line of another statement",
+                "begin a new line before it");
+    }
+    path_events(watched, place);
   }
   add(block, place, std::move(watched));
+}
+
+void Parser::path_events(WatchedMotion& motion, const Place& place) {
+  constexpr std::size_t kMostEvents = 8;  // of one motion, as the machine takes them
+  const OpenBlock open{Keyword::Move, Keyword::Endmove, place};
+  advance();
+  header_end("a motion with DO");
+  open_blocks_.push_back(open);
+  for (;;) {
+    while (accept(TokenKind::EndOfLine)) {
+    }
+    if (at(TokenKind::EndOfFile) || at_block_end()) break;
+    try {
+      motion.events.push_back(path_event());
+      end_of_line();
+    } catch (const SyntaxError&) {
+      recover();
+    }
+  }
+  open_blocks_.pop_back();
+  close(open);
+  if (motion.events.size() <= kMostEvents) return;
+  report(code::kTooManyEvents, motion.events[kMostEvents].place,
+         fmt::format("a motion can have {} path events", kMostEvents),
+         "divide the motion; it is blended into the next");
+}
+
+// trigger = ( "AFTER" | "BEFORE" ) expr [ ( "LEAD" | "LAG" ) expr ] ":" action .
+WayPoint Parser::path_event() {
+  WayPoint event;
+  event.place = current_.place;
+  event.before = at_word("BEFORE");
+  if (!event.before && !at_word("AFTER")) {
+    fail_here(
+        code::kMisplaced,
+        fmt::format("between DO and ENDMOVE stand AFTER and BEFORE, not {}", described(current_)),
+        "for example AFTER 2mm : lift = ON");
+  }
+  advance();
+  event.distance = expression();
+  event.lag = at_word("LAG");
+  if (event.lag || at_word("LEAD")) {
+    advance();
+    event.shift = expression();
+  }
+  action(event.action, event.before ? "the place of BEFORE" : "the place of AFTER");
+  return event;
 }
 
 // "WHEN" expr ":" action eol

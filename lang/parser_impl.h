@@ -127,8 +127,10 @@ class Parser {
   [[noreturn]] void fail_clause();
 
   // What is looked at in every control cycle (parse_watching.cpp)
-  void behind_motion(Block& block);
+  void behind_motion(Block& block, bool may_open_block);
   void when_statement(Block& block);
+  void path_events(WatchedMotion& motion, const Place& place);
+  WayPoint path_event();
   void action(Block& block, std::string_view behind);
 
   // Blocks (parse_blocks.cpp)

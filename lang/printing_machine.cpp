@@ -93,8 +93,16 @@ Reply PrintingMachine::when(int line, const Watch&, int& id) {
   return reply;
 }
 
-Reply PrintingMachine::raise_when(int line, std::string_view text) {
+Reply PrintingMachine::when_raise(int line, std::string_view text) {
   return note(line, fmt::format("raise {}", text));
+}
+
+Reply PrintingMachine::on_the_way(int line, const PathPlace& place) {
+  std::string text =
+      fmt::format("{} {}", place.before ? "before" : "after", number_text(place.distance, kLength));
+  if (place.lead > 0) text += " lead " + number_text(place.lead, kTime);
+  if (place.lead < 0) text += " lag " + number_text(-place.lead, kTime);
+  return note(line, std::move(text));
 }
 
 Reply PrintingMachine::disarm(int line, int id) { return note(line, fmt::format("disarm {}", id)); }

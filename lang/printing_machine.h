@@ -23,8 +23,8 @@ namespace rob::lang {
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
 ///     failed TEXT · simulate lift_up 1 after 2s
-///     when 1 · disarm 1                 WHEN, before its action; counted in the order of arming
-///     raise TEXT                        the action of a WHEN
+///     after 2mm · before 3mm lead 0.1s  a path event, before its action
+///     when 1 · raise TEXT · disarm 1    WHEN, before its action; counted in the order of arming
 ///     stand · waited                    WAIT for a condition: its beginning, its end
 ///     settle                            an error is caught: its RESCUE begins
 ///
@@ -62,8 +62,9 @@ class PrintingMachine : public Machine {
   Reply guard(int line, const Watch& condition) override;
   Reply ended(int line, bool& hit) override;
   Reply when(int line, const Watch& condition, int& id) override;
-  Reply raise_when(int line, std::string_view text) override;
+  Reply when_raise(int line, std::string_view text) override;
   Reply disarm(int line, int id) override;
+  Reply on_the_way(int line, const PathPlace& place) override;
   Reply stop(int line) override { return note(line, "stop"); }
   Reply brake(int line) override { return note(line, "brake"); }
   Reply teach(int line, std::string_view point, std::string_view frame,

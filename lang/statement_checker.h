@@ -52,8 +52,12 @@ class StatementChecker {
   void check(Move& move) { moves_.check(move, place_); }
   void check(WatchedMotion& watched) {
     check(watched.motion);
-    watches_.check_until(watched.until);
+    if (watched.until != nullptr) watches_.check_until(watched.until);
     check(watched.otherwise);
+    for (WayPoint& event : watched.events) {
+      check(event.action);
+      watches_.check_event(event);
+    }
   }
   void check(When& when) {
     const bool raises =

@@ -40,6 +40,7 @@ class StatementCompiler {
   void compile(const Move& move);
   void compile(const WatchedMotion& watched);
   void compile(const When& when);
+  void compile(const WayPoint& event);
   /// Code that disarms what was armed in this frame beyond the first `kept`.
   void leave_whens(std::size_t kept);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
@@ -106,7 +107,6 @@ class StatementCompiler {
   ExpressionCompiler expressions_;
   Place place_;  ///< of the present statement: its line is what the Machine is told
   std::vector<LoopJumps> loops_;
-  bool acting_ = false;               ///< the present statement is the action of a WHEN
   std::size_t whens_ = 0;             ///< WHENs of this frame whose block is open
   std::vector<Guard> guards_;         ///< blocks that are open, of the present routine
   const Routine* routine_ = nullptr;  ///< that is being compiled; null at the top level

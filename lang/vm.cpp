@@ -192,41 +192,7 @@ loop:
   ROB_IF(if_less_real, n[pc->a()].real < n[pc->b()].real, pc->c());
   ROB_IF(if_less_equal_real, n[pc->a()].real <= n[pc->b()].real, pc->c());
 
-for_prepare_int : {
-  Slot* const f = &n[pc->a()];
-  std::int64_t turns = 0;
-  ROB_CHECKED(arithmetic::turns(f[0].integer, f[1].integer, f[2].integer, turns));
-  if (turns == 0) ROB_NEXT(2 + (pc + 1)->distance());
-  f[1].integer = turns - 1;
-  ROB_NEXT(2);
-}
-for_next_int : {
-  Slot* const f = &n[pc->a()];
-  if (f[1].integer == 0) ROB_NEXT(2);
-  f[1].integer -= 1;
-  f[0].integer += f[2].integer;
-  ++pc;
-  ROB_TURN(pc + 1 + pc->distance());
-}
-for_prepare_real : {
-  Slot* const f = &n[pc->a()];
-  std::int64_t turns = 0;
-  ROB_CHECKED(arithmetic::turns(f[0].real, f[1].real, f[2].real, turns));
-  if (turns == 0) ROB_NEXT(2 + (pc + 1)->distance());
-  f[1].integer = turns - 1;
-  f[3].real = f[0].real;
-  f[4].real = 0;
-  ROB_NEXT(2);
-}
-for_next_real : {
-  Slot* const f = &n[pc->a()];
-  if (f[1].integer == 0) ROB_NEXT(2);
-  f[1].integer -= 1;
-  f[4].real += 1;
-  f[0].real = f[3].real + f[4].real * f[2].real;
-  ++pc;
-  ROB_TURN(pc + 1 + pc->distance());
-}
+#include "lang/vm_for.inc"
 
 load_text:
   texts_[pc->a()] = chunk_.texts[(pc + 1)->word];
@@ -310,6 +276,13 @@ when:
   if (armed_count_ == kMostWhens) return fail_too_many_whens(pc);
   ROB_ASK(when(pc), pc);
   ROB_NEXT(2);
+when_raise:
+  ROB_ASK(machine_.when_raise(line(pc), texts_[pc->a()]), pc);
+  ROB_NEXT(1);
+on_the_way:
+  if (!check_place(pc)) return fail(pc, std::move(error_));
+  ROB_ASK(machine_.on_the_way(line(pc), place_of(pc)), pc);
+  ROB_NEXT(1);
 disarm:
   ROB_ASK(disarm(line(pc), whens_below(pc->x())), pc);
   ROB_NEXT(1);
@@ -378,9 +351,6 @@ raise:
                    .place = place(pc),
                    .message = texts_[pc->a()],
                    .help = texts_[pc->a()].empty() ? "the text behind this RAISE is empty" : ""});
-raise_when:
-  ROB_ASK(machine_.raise_when(line(pc), texts_[pc->a()]), pc);
-  ROB_NEXT(1);
 raise_again:
   return raise_again(pc);
 end:

@@ -151,6 +151,9 @@ class Vm {
   Reply disarm(int line, std::size_t kept);
   std::size_t whens_below(std::size_t level) const;
   State fail_too_many_whens(Code pc);
+  PathPlace place_of(Code pc) const;
+  /// False, with error_ set, if LEAD or LAG turned out to be too long.
+  bool check_place(Code pc);
   State fail_timeout(Code pc);
 
   // Motions (vm_motion.cpp): false, with error_ set, if a value turned out to be impossible.
@@ -201,6 +204,7 @@ class Vm {
     std::size_t depth;  ///< calls that were open
     std::uint8_t why;   ///< text register
     bool caught;        ///< the RESCUE runs: it catches nothing more
+    std::size_t armed;  ///< WHENs that were armed
     RuntimeError error{};
   };
   std::vector<Guard> guards_;

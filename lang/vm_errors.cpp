@@ -12,7 +12,7 @@ namespace rob::lang {
 bool Vm::open_try(Code pc) {
   if (guards_.size() == kMostTries) return false;
   const Code jump = pc + 1;
-  guards_.push_back({jump + 1 + jump->distance(), depth_, pc->a(), false});
+  guards_.push_back({jump + 1 + jump->distance(), depth_, pc->a(), false, armed_count_});
   return true;
 }
 
@@ -31,9 +31,10 @@ Vm::State Vm::raise_again(Code pc) {
 
 bool Vm::rescue() {
   if (machine_.settle(static_cast<int>(error_.place.line)) != Reply::Done) return false;
-  rescuing_ = false;
   while (guards_.back().caught) guards_.pop_back();
   Guard& guard = guards_.back();
+  if (disarm(static_cast<int>(error_.place.line), guard.armed) != Reply::Done) return false;
+  rescuing_ = false;
   guard.caught = true;
   while (depth_ > guard.depth) leave_routine();
   // What the program raised itself is its own text; the rest can be told apart by the code.

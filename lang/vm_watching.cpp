@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "lang/codes.h"
+#include "lang/number_text.h"
 #include "lang/vm.h"
 #include "lang/watch.h"
 
@@ -54,6 +56,24 @@ Reply Vm::disarm(int line, std::size_t kept) {
     --armed_count_;
   }
   return Reply::Done;
+}
+
+PathPlace Vm::place_of(Code pc) const {
+  const Slot* const slots = numbers_ + pc->a();
+  return {.before = pc->b() != 0, .distance = slots[0].real, .lead = slots[1].real};
+}
+
+bool Vm::check_place(Code pc) {
+  const PathPlace at = place_of(pc);
+  if (at.distance >= 0 && std::abs(at.lead) <= kLongestLead) return true;
+  error_ = {.code = std::string(code::kPlaceUnsound),
+            .place = place(pc),
+            .message = fmt::format("a path event lies 0mm or more from the end of its motion, with "
+                                   "at most {}s of LEAD or LAG; this is {} and {}",
+                                   kLongestLead, number_text(at.distance, kLength),
+                                   number_text(std::abs(at.lead), kTime)),
+            .help = ""};
+  return false;
 }
 
 void Vm::interrupt(RuntimeError error) { state_ = fail(next_, std::move(error)); }

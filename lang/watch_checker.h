@@ -20,6 +20,8 @@ class WatchChecker {
   void check_until(const ExprPtr& condition);
   /// The condition of a WHEN, and what it does, which has been checked as a statement before.
   void check_when(const When& when);
+  /// A path event; its action has been checked as a statement before.
+  void check_event(const WayPoint& event);
 
  private:
   bool check_condition(const ExprPtr& condition, std::string_view word);

@@ -8,8 +8,12 @@ namespace rob::motion {
 
 using Kind = MotionEvent::Kind;
 
+/// s, as in paul_generator.cpp
+constexpr double kSameInstant = 1e-9;
+
 void PaulGenerator::look(const CycleView& view) noexcept {
   view_ = view;
+  untold_ = false;
   if (faulted_) return;
   watches_.ask(view, [this](WatchedAction& action, WatchAnswer answer) noexcept {
     return do_watched(action, answer);
@@ -85,6 +89,7 @@ void PaulGenerator::end_early(double instant) noexcept {
   }
   running_ = false;
   inserted_ = false;
+  path_events_.drop();
   segment_.guard = {};
   t_acc_ = usual_t_acc_;
   ended_ = rest_.generation;
@@ -92,6 +97,7 @@ void PaulGenerator::end_early(double instant) noexcept {
   latest_ = std::max(latest_, instant);
   fire_effects(latest_);
   if (rest_.outcome == Rest::Outcome::Braked) buffer_.braked();
+  untold_ = rest_.by != nullptr;
   clock_.release();
   rest_.q = segment_.target;
   tell_rest(latest_);
@@ -116,6 +122,17 @@ void PaulGenerator::tell_rest(double time) noexcept {
   rest_.time = time;
   rests_.push(rest_);
   tell({.kind = Kind::Rest, .time = time, .tag = rest_.tag, .number = segment_.number});
+}
+
+void PaulGenerator::fire_path_events() noexcept {
+  double due = 0;
+  if (failing()) return;
+  while (const Effect* effect = path_events_.take(clock_.path_time() + kSameInstant, due)) {
+    tell({.kind = Kind::ActionDue,
+          .time = clock_.run_time(due),
+          .tag = effect->tag,
+          .effect = *effect});
+  }
 }
 
 /// A WHEN whose block the program has left is disarmed in any case.

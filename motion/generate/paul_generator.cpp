@@ -99,6 +99,7 @@ void PaulGenerator::step(double stamp) noexcept {
   adapt_clock();
   clock_.advance(stamp, !running_ || dwelling());
   if (running_) run_segments();
+  fire_path_events();
   if (clock_.braked()) end_early(clock_.steady_since());
   report_held();
   drop_ended();
@@ -191,6 +192,7 @@ void PaulGenerator::fail(const SegmentDescriptor& segment, int axis, double inst
 /// S1: A := X, B := C, C := D, T1 := T2, t := −t_acc.
 void PaulGenerator::begin(const SegmentDescriptor& segment, double instant) noexcept {
   if (segment.dwell) return begin_dwell(segment, instant);
+  const bool from_rest = !running_ || segment_.no_length;
   const JointVector b = segment_.target;
   const JointVector a = running_ && !segment_.dwell ? path_.sample(exit()).q : b;
   path_ = PaulTransition(a, b, segment.target, segment.duration, t_acc_);
@@ -201,6 +203,12 @@ void PaulGenerator::begin(const SegmentDescriptor& segment, double instant) noex
   t_acc_ = segment.t_acc;
   running_ = true;
   milestone_ = segment.no_length ? end_ : zero_;
+  if (segment.no_length) {
+    path_events_.stop(zero_ - instant);
+  } else {
+    path_events_.begin(segment, zero_, zero_ - instant, from_rest, instant,
+                       clock_.override_share());
+  }
   passing_ = segment.no_length ? segment.number : before;
 }
 
@@ -318,7 +326,10 @@ void PaulGenerator::stand() noexcept {
   sample_.limit = 0;
 }
 
+/// While an error ends all that was commanded there is nothing to decide: the program learns of it
+/// first.
 void PaulGenerator::publish_decidable() noexcept {
+  if (failing() || untold_) return;
   std::uint32_t number = segment_.number;
   const bool due = !running_ || inserted_ || clock_.next() > end_ + kSameInstant;
   if (!due) --number;

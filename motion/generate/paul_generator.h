@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "motion/generate/path_clock.h"
+#include "motion/generate/path_events.h"
 #include "motion/generate/paul_transition.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/generate/watch_list.h"
@@ -45,6 +46,8 @@ namespace rob::motion {
 ///
 /// WHENs are armed and disarmed by effects, asked in look() before the guard, and act in the cycle;
 /// one that raises brakes like a guard, and no effect acts any more from then on.
+///
+/// Path events are due at their places (PathEvents), to the instant at constant override.
 ///
 /// A segment whose rates would not be finite is not begun: Fault, the axes arrive at the target
 /// before it, and nothing more is begun. A reference that is no number all the same is not handed
@@ -90,6 +93,7 @@ class PaulGenerator final : public TrajectoryGenerator {
   void finish_if_done() noexcept;
   void report_held() noexcept;
   void fire_effects(double time) noexcept;
+  void fire_path_events() noexcept;
   void make_sample() noexcept;
   void follow_path() noexcept;
   void stand() noexcept;
@@ -144,8 +148,10 @@ class PaulGenerator final : public TrajectoryGenerator {
   // What ends early
   const double usual_t_acc_;  ///< of the first transition after it
   WatchList watches_;
+  PathEvents path_events_;
   CycleView view_;           ///< of the present cycle
   Rest rest_;                ///< in the making
+  bool untold_ = false;      ///< an error has ended motions, and its Rest cannot be known yet
   std::uint32_t ended_ = 0;  ///< generations up to this one are over
   std::uint32_t kept_ = 0;   ///< effects of the one that ended last act up to this number
 

@@ -56,6 +56,14 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request) noexcept {
   return PlannedSegment{commit(request.tag, target, no_length, timing), timing.warnings};
 }
 
+double MotionPlanner::way(const MotionRequest& request) const noexcept {
+  const std::array<double, kMaxJoints> wanted = absolute(request);
+  if (check_target(robot_, request.given, wanted)) return 0;
+  const Eigen::Vector3d from = robot_.kinematics->forward(commanded_).position;
+  const Eigen::Vector3d to = robot_.kinematics->forward(complete(request.given, wanted)).position;
+  return (to - from).norm();
+}
+
 std::optional<SegmentDescriptor> MotionPlanner::stop(Tag tag) noexcept {
   if (exact_) return std::nullopt;
   return commit(tag, commanded_, true, Timing{2 * t_acc_before_, t_acc_before_, 0, 0});

@@ -58,6 +58,10 @@ class MotionPlanner {
   /// `start`: where the axes stand.
   MotionPlanner(const RobotModel& robot, const JointVector& start) noexcept;
 
+  /// How long the leg of a request would be: the way of the tool, m; 0 where it does not move or
+  /// the request would be refused.
+  double way(const MotionRequest& request) const noexcept;
+
   /// The request as a segment; a refusal leaves everything as it was.
   PlanOutcome plan(const MotionRequest& request) noexcept;
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "motion/plan/motion_request.h"
@@ -9,27 +11,6 @@
 namespace rob::motion {
 
 struct WatchedAction;
-
-/// One motion, complete and admissible: what the generator needs and nothing else.
-/// The segment runs from where the one before it ends (B) to `target` (C).
-struct SegmentDescriptor {
-  Tag tag = 0;
-  std::uint32_t number = 0;  ///< 1, 2, 3 … in the order of the buffer
-  JointVector target;        ///< m, rad
-  double duration = 0;       ///< s: T1 of S1
-  double t_acc = 0;          ///< s: half the transition around `target`
-  bool no_length = false;    ///< target = the target before: the exact pass, a stop or a dwell
-  bool dwell = false;        ///< a standstill of `duration`, 0 too; override does not stretch it
-  std::uint8_t limit = 0;    ///< what set the duration: 0 nothing, 1 AT, 2 + i the speed of axis i
-  double t_acc_before = 0;   ///< s: half the transition in which it begins
-  /// What ends early takes all of its generation with it; see Rest
-  std::uint32_t generation = 1;
-  Watch guard{};  ///< ends it early: UNTIL. Also of the stop that makes it exact
-
-  /// s from the decision instant before it to its own: S1's t runs from −t_acc_before to T1 −
-  /// t_acc.
-  double span() const noexcept { return dwell ? duration : duration + (t_acc_before - t_acc); }
-};
 
 /// Something that happens in motion order beside the axes: an output, a line of print.
 struct Effect {
@@ -55,6 +36,39 @@ struct Effect {
   std::uint32_t after = 0;   ///< number of the segment that carries it; 0: before any motion
   std::uint32_t generation = 1;
   WatchedAction* watched = nullptr;  ///< of Arm and Disarm
+};
+
+/// Something that happens at a place on the way of a motion.
+struct PathEvent {
+  double share = 0;  ///< of the leg, 0 … 1
+  double lead = 0;   ///< s of the run by which it comes before the place; below 0: behind it
+  Effect effect;     ///< `after`: the number of its motion
+};
+
+/// One motion, complete and admissible: what the generator needs and nothing else.
+/// The segment runs from where the one before it ends (B) to `target` (C).
+struct SegmentDescriptor {
+  /// [choice] as many as are on a leg of a seam, and the buffer stays small
+  static constexpr std::size_t kMostEvents = 8;
+
+  Tag tag = 0;
+  std::uint32_t number = 0;  ///< 1, 2, 3 … in the order of the buffer
+  JointVector target;        ///< m, rad
+  double duration = 0;       ///< s: T1 of S1
+  double t_acc = 0;          ///< s: half the transition around `target`
+  bool no_length = false;    ///< target = the target before: the exact pass, a stop or a dwell
+  bool dwell = false;        ///< a standstill of `duration`, 0 too; override does not stretch it
+  std::uint8_t limit = 0;    ///< what set the duration: 0 nothing, 1 AT, 2 + i the speed of axis i
+  double t_acc_before = 0;   ///< s: half the transition in which it begins
+  /// What ends early takes all of its generation with it; see Rest
+  std::uint32_t generation = 1;
+  Watch guard{};  ///< ends it early: UNTIL. Also of the stop that makes it exact
+
+  /// s from the decision instant before it to its own: S1's t runs from −t_acc_before to T1 −
+  /// t_acc.
+  double span() const noexcept { return dwell ? duration : duration + (t_acc_before - t_acc); }
+  std::size_t events = 0;
+  std::array<PathEvent, kMostEvents> on_the_way{};  ///< the first `events` of them
 };
 
 }  // namespace rob::motion

@@ -1,4 +1,5 @@
 #include <string>
+#include <utility>
 
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
@@ -22,10 +23,8 @@ Reply RobotMachine::ended(int line, bool& hit) {
       queue(*segment, true, true);
     }
   }
-  const motion::Rest* next = channels_.rests.front();
-  if (next == nullptr || next->by != nullptr) return Reply::Later;
-  const motion::Rest rest = *next;
-  channels_.rests.pop();
+  motion::Rest rest;
+  if (!take_rest(rest)) return Reply::Later;
   guarded_ = false;
   brakable_ = 0;
   if (rest.early()) {
@@ -46,8 +45,8 @@ Reply RobotMachine::when(int line, const lang::Watch& condition, int& id) {
   return Reply::Done;
 }
 
-Reply RobotMachine::raise_when(int /*line*/, std::string_view text) {
-  whens_.raises(*recording_, text);
+Reply RobotMachine::when_raise(int /*line*/, std::string_view text) {
+  whens_.set_text(*recording_, std::string(text));
   return arm();
 }
 
@@ -72,9 +71,38 @@ Reply RobotMachine::disarm(int line, int id) {
   return reply;
 }
 
+Reply RobotMachine::on_the_way(int /*line*/, const lang::PathPlace& place) {
+  place_ = place;
+  return Reply::Done;
+}
+
+/// False, and a refusal, where a place lies beyond the leg.
+bool RobotMachine::attach(motion::SegmentDescriptor& segment, double way) {
+  const std::vector<OnTheWay> events = std::exchange(on_the_way_, {});
+  for (const OnTheWay& one : events) {
+    const double distance = one.place.distance;
+    const double place = one.place.before ? way - distance : distance;
+    if (!(way > 0) || place < -motion::kLimitTolerance || place > way + motion::kLimitTolerance) {
+      refusal_ = words_for_place(distance, way);
+      return false;
+    }
+    motion::PathEvent& event = segment.on_the_way[segment.events++];
+    event.share = place / way;
+    event.lead = one.place.lead;
+    event.effect = one.effect;
+    log_.queued_effect();
+  }
+  return true;
+}
+
 bool RobotMachine::interrupted() const {
-  const motion::Rest* const rest = channels_.rests.front();
-  return rest != nullptr && rest->by != nullptr;
+  const motion::Rest* const next = channels_.rests.front();
+  return next != nullptr && next->by != nullptr;
+}
+
+/// One that a WHEN has caused is left for take_interruption().
+bool RobotMachine::take_rest(motion::Rest& rest) {
+  return !interrupted() && channels_.rests.take(rest);
 }
 
 std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
@@ -87,6 +115,8 @@ std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
   begun_ = standing_ = guarded_ = braking_ = false;
   brakable_ = 0;
   recording_ = nullptr;
+  place_.reset();
+  on_the_way_.clear();
   channels_.rests.pop();
   return error;
 }

@@ -73,6 +73,15 @@ Words words_for_long_wait(double seconds) {
           "wait for a signal, or in a loop"};
 }
 
+Words words_for_place(double distance, double way) {
+  const auto length = motion::AxisKind::Linear;
+  return {code::kPlaceBeyond,
+          way > 0 ? fmt::format("{} is beyond this motion, whose way is {} long",
+                                shown(distance, length), shown(way, length))
+                  : "the tool has no way to go in this motion",
+          "AFTER counts from the beginning of the motion, BEFORE from its end"};
+}
+
 Words words_for_condition(lang::ArithmeticError error) {
   const lang::ArithmeticErrorText text = lang::describe(error);
   return {

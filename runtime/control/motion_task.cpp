@@ -170,7 +170,6 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
     case MotionEvent::Kind::ActionDue:
       if (faulted_ || locked(event.effect)) return;
       act(event.effect, cycle_time);
-      event.time = cycle_time;
       break;
     case MotionEvent::Kind::EffectDropped:
       channels_.effects_done.fetch_add(1, std::memory_order_release);

@@ -88,14 +88,21 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
   if (buffer_.room() < (asked.exact() ? 2U : 1U)) return Reply::Later;
   lang::MoveCommand command = asked;
   if (const Reply reply = settle_target(command); reply != Reply::Done) return reply;
-  const motion::PlanOutcome outcome = planner_.plan(request_of(line, command));
+  const motion::MotionRequest request = request_of(line, command);
+  motion::SegmentDescriptor with_events;
+  if (!attach(with_events, planner_.way(request))) return Reply::Refused;
+  const motion::PlanOutcome outcome = planner_.plan(request);
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
     refusal_ = words_for(*refusal, robot_);
     return Reply::Refused;
   }
   const auto& planned = std::get<motion::PlannedSegment>(outcome);
   warn(line, planned);
-  queue(planned.segment, false);
+  motion::SegmentDescriptor segment = planned.segment;
+  segment.events = with_events.events;
+  segment.on_the_way = with_events.on_the_way;
+  for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
+  queue(segment, false);
   brakable_ = planned.segment.number;
   if (!command.exact()) return Reply::Done;
   if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) {
@@ -122,10 +129,9 @@ Reply RobotMachine::brake(int /*line*/) {
     buffer_.brake(brakable_);
     braking_ = true;
   }
-  const motion::Rest* const rest = channels_.rests.front();
-  if (rest == nullptr || rest->by != nullptr) return Reply::Later;
-  planner_.retarget(rest->q);
-  channels_.rests.pop();
+  motion::Rest rest;
+  if (!take_rest(rest)) return Reply::Later;
+  planner_.retarget(rest.q);
   braking_ = false;
   exact_ = true;
   brakable_ = 0;
@@ -185,7 +191,9 @@ Reply RobotMachine::leave_block(int /*line*/) { return decided() ? Reply::Done :
 
 Reply RobotMachine::settle(int line) {
   begun_ = standing_ = guarded_ = false;
-  recording_ = nullptr;  // a WHEN whose action could not be computed
+  recording_ = nullptr;
+  place_.reset();
+  on_the_way_.clear();
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
   return settled() ? Reply::Done : Reply::Later;
@@ -193,7 +201,7 @@ Reply RobotMachine::settle(int line) {
 
 bool RobotMachine::settled() const {
   return channels_.settled.load(std::memory_order_acquire) >= planner_.last_number() &&
-         !interrupted() && channels_.effects_done.load(std::memory_order_acquire) >= effects_;
+         channels_.effects_done.load(std::memory_order_acquire) >= effects_ && !interrupted();
 }
 
 Reply RobotMachine::end(int line) {
@@ -333,6 +341,11 @@ void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool furt
 }
 
 Reply RobotMachine::queue(motion::Effect effect) {
+  if (place_) {
+    on_the_way_.push_back({*place_, effect});
+    place_.reset();
+    return Reply::Done;
+  }
   if (recording_ != nullptr) {
     recording_->effect = effect;
     return arm();

@@ -58,8 +58,9 @@ class RobotMachine final : public lang::Machine {
   lang::Reply guard(int line, const lang::Watch& condition) override;
   lang::Reply ended(int line, bool& hit) override;
   lang::Reply when(int line, const lang::Watch& condition, int& id) override;
-  lang::Reply raise_when(int line, std::string_view text) override;
+  lang::Reply when_raise(int line, std::string_view text) override;
   lang::Reply disarm(int line, int id) override;
+  lang::Reply on_the_way(int line, const lang::PathPlace& place) override;
   lang::Reply stop(int line) override;
   lang::Reply brake(int line) override;
   lang::Reply teach(int line, std::string_view point, std::string_view frame,
@@ -103,10 +104,12 @@ class RobotMachine final : public lang::Machine {
   void note_assumed(int line, int signal);
   /// Whether the world may be read now.
   bool observable() const;
-  /// Whether take_interruption() has something: until then the program is where it happened.
-  bool interrupted() const;
   /// Whether the axes stand, and all effects have acted.
   bool settled() const;
+  /// A WHEN has ended all that was commanded, and the program has still to learn of it.
+  bool interrupted() const;
+  /// How what was guarded or braked has ended, once it has.
+  bool take_rest(motion::Rest& rest);
   /// Whether the decision point of the last motion has come.
   bool decided() const;
   void warn(int line, const motion::PlannedSegment& planned);
@@ -130,10 +133,18 @@ class RobotMachine final : public lang::Machine {
   ProgramWatch until_;          ///< what the guarded motion is asked
   WhenPool whens_;
   motion::WatchedAction* recording_ = nullptr;  ///< the WHEN whose action comes next
-  int armed_ = 0;                               ///< WHENs that are not disarmed yet
-  bool guarded_ = false;                        ///< what is queued now ends early if until_ holds
-  std::size_t safe_queued_ = 0;                 ///< SAFE values that have been queued
-  bool standing_ = false;  ///< the present WAIT for a condition has queued all it needs
+  /// What the next motion does on its way, and the place whose action comes next.
+  struct OnTheWay {
+    lang::PathPlace place;
+    motion::Effect effect;
+  };
+  bool attach(motion::SegmentDescriptor& segment, double way);
+  std::vector<OnTheWay> on_the_way_;
+  std::optional<lang::PathPlace> place_;
+  int armed_ = 0;                ///< WHENs that are not disarmed yet
+  bool guarded_ = false;         ///< what is queued now ends early if until_ holds
+  std::size_t safe_queued_ = 0;  ///< SAFE values that have been queued
+  bool standing_ = false;        ///< the present WAIT for a condition has queued all it needs
 };
 
 }  // namespace rob::runtime

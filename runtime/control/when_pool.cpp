@@ -1,6 +1,7 @@
 #include "runtime/control/when_pool.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "lang/codes.h"
 #include "motion/generate/watch_list.h"
@@ -36,9 +37,9 @@ motion::WatchedAction* WhenPool::set_up(int line, const lang::Watch& condition, 
   return &place->action;
 }
 
-void WhenPool::raises(motion::WatchedAction& action, std::string_view text) {
+void WhenPool::set_text(motion::WatchedAction& action, std::string text) {
   action.kind = motion::WatchedAction::Kind::Raise;
-  place_of(action).text = text;
+  place_of(action).text = std::move(text);
 }
 
 lang::RuntimeError WhenPool::error_of(const motion::Rest& rest) {
@@ -46,15 +47,16 @@ lang::RuntimeError WhenPool::error_of(const motion::Rest& rest) {
   rest.by->fired.store(false, std::memory_order_relaxed);
   lang::RuntimeError error;
   error.place.line = rest.by->tag;
-  if (rest.outcome == motion::Rest::Outcome::Raised) {
+  if (rest.outcome == motion::Rest::Outcome::Failed) {
+    const Words words = words_for_condition(place.watch.error());
+    error.code = words.code;
+    error.message = words.message;
+    error.help = words.help;
+  } else {
     error.code = lang::code::kRaised;
     error.message = place.text;
-    return error;
   }
-  const Words words = words_for_condition(place.watch.error());
-  error.code = words.code;
-  error.message = words.message;
-  error.help = words.help;
+  rest.by->fired.store(false, std::memory_order_relaxed);
   return error;
 }
 

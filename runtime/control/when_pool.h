@@ -2,7 +2,6 @@
 
 #include <deque>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "lang/vm.h"
@@ -22,8 +21,8 @@ class WhenPool {
   /// A place for a WHEN in this line, and its number; null while all are in use.
   motion::WatchedAction* set_up(int line, const lang::Watch& condition, int& id);
   motion::WatchedAction& at(int id) { return places_.at(static_cast<std::size_t>(id)).action; }
-  /// Before it is armed: it raises an error with this text instead of acting.
-  void raises(motion::WatchedAction& action, std::string_view text);
+  /// What it raises.
+  void set_text(motion::WatchedAction& action, std::string text);
   /// The error that a Rest which a WHEN has caused means.
   lang::RuntimeError error_of(const motion::Rest& rest);
 
@@ -33,7 +32,7 @@ class WhenPool {
 
     motion::WatchedAction action;
     ProgramWatch watch;
-    std::string text{};  ///< of the error that it raises
+    std::string text;
   };
 
   Place& place_of(const motion::WatchedAction& action);

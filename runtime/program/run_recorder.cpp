@@ -71,6 +71,8 @@ void RunRecorder::take(const MotionEvent& event) {
       take_effect(event);
       break;
     case MotionEvent::Kind::ActionDue:
+      if (event.effect.after > 0)
+        --result_.dropped_effects;  // a path event is one of the program's
       take_output(event);
       break;
     case MotionEvent::Kind::PulseOver:

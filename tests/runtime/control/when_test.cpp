@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "tests/support/no_allocation.h"
 #include "tests/support/stepped_run.h"
 
@@ -65,6 +67,48 @@ TEST_CASE("the condition of a WHEN that cannot be computed is an error of the pr
   CHECK(result.output.empty());
   CHECK(result.dropped_effects == 1);
   CHECK(result.measured < 1);
+}
+
+TEST_CASE("a WHEN that raises brakes at once, drops what is behind, and ends the program") {
+  SteppedRun run(
+      "WHEN lift_up : RAISE \"up\"\nlift = ON\nMOVE(100,0,0)\nPRINT 1\nDOUT[1] = ON\n"
+      "MOVE(200,0,0)\nPRINT 2");
+  const RunResult result = run.run();
+  REQUIRE(run.task.failure());
+  CHECK(run.task.failure()->code == "E340");
+  CHECK(run.task.failure()->message == "up");
+  CHECK(run.task.failure()->place.line == 1);
+  CHECK(result.output.empty());
+  CHECK(result.dropped_effects == 3);
+  CHECK(result.measured < 1);
+  CHECK(result.lines[0].ended == "brake");
+}
+
+TEST_CASE("an error that a WHEN raises is handled by the TRY around it, from the place of rest") {
+  SteppedRun run(
+      "TRY\n  WHEN lift_up : RAISE \"up\"\n  lift = ON\n  MOVE(100,0,0)\n  MOVE(200,0,0)\n"
+      "RESCUE why\n  PRINT why\n  MOVE(0,40,0)\nENDTRY\nPRINT \"on\"");
+  const RunResult result = run.run();
+  CHECK(!run.task.failure());
+  REQUIRE(result.output.size() == 2);
+  CHECK(result.output[0] == "up");
+  CHECK(result.output[1] == "on");
+  CHECK(result.final_joints[0] == doctest::Approx(0));
+  CHECK(result.final_joints[1] == doctest::Approx(40));
+  double most_x = 0;
+  for (const auto& row : run.rows) most_x = std::max(most_x, 1000 * row.sample.reference.q[0]);
+  CHECK(most_x < 5);
+}
+
+TEST_CASE("a WHEN raises even while the program waits, computes or has nothing left to do") {
+  const std::string when = "WHEN lift_up : RAISE \"up\"\nlift = ON\n";
+  for (const char* rest : {"WAIT 100s", "WAIT lift_down AND lift_up", "LOOP\nENDLOOP",
+                           "MOVE(100,0,0) UNTIL gripper_closed", "MOVE(100,0,0)"}) {
+    SteppedRun run(when + rest);
+    run.run(20);
+    REQUIRE(run.task.failure());
+    CHECK(run.task.failure()->code == "E340");
+  }
 }
 
 TEST_CASE("a thousand WHENs one after another find their places") {
