@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
     }
     const ExitCode code = rob::runtime::carry_out(std::get<Options>(parsed));
     if (code == ExitCode::Done && !rob::runtime::results_written()) {
-      return fail(ExitCode::InputOutput, "the results could not be written; is the disk full?");
+      return fail(ExitCode::InputOutput, "the results could not all be written: the disk is full, or their reader has gone");
     }
     return static_cast<int>(code);
   } catch (const rob::runtime::FileError& error) {

@@ -54,8 +54,6 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   channels_.references.push(current_.reference);
   collect_events();
   channels_.standing.store(current_.state == motion::MotionState::Idle, std::memory_order_relaxed);
-  // What was dropped is behind the path, too; the program is told of the drop first.
-  if (rests_pending_ > 0) return;
   channels_.decidable.store(generator_.decidable(), std::memory_order_release);
 }
 
@@ -141,10 +139,7 @@ void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
 
 void MotionTask::collect_events() noexcept {
   MotionEvent event;
-  while (generator_.take_event(event)) {
-    if (event.kind == MotionEvent::Kind::Rest) ++rests_pending_;
-    pending_.push(event);
-  }
+  while (generator_.take_event(event)) pending_.push(event);
 }
 
 void MotionTask::release_events(double until) noexcept {
@@ -199,7 +194,6 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
 void MotionTask::hand_over_rest() noexcept {
   motion::Rest rest;
   if (generator_.take_rest(rest)) channels_.rests.push(rest);
-  --rests_pending_;
 }
 
 bool MotionTask::locked(const Effect& effect) const noexcept {

@@ -78,7 +78,6 @@ class MotionTask {
   SimulatedInputs simulated_;
   Pulses pulses_;
   bool finished_ = false;  ///< motion is over; pulses may still be under way
-  int rests_pending_ = 0;  ///< that the generator has made, and the program has not been given
   double saturation_ = 0;
   bool warned_ = false;
   bool faulted_ = false;
