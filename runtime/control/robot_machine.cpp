@@ -105,8 +105,8 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
   queue(segment, false);
   brakable_ = planned.segment.number;
   if (!command.exact()) return Reply::Done;
-  if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) {
-    queue(*segment, true, true);
+  if (const auto exact = planner_.stop(static_cast<motion::Tag>(line))) {
+    queue(*exact, true, true);
   }
   return Reply::Done;
 }

@@ -82,7 +82,7 @@ Points load_points(const std::string& file, const motion::RobotModel& robot) {
   if (!points.diagnostics.has_errors()) return points;
   std::string messages = fmt::format("the points in '{}' cannot be used", file);
   for (const lang::Diagnostic& found : points.diagnostics.all()) {
-    messages += "\n" + lang::render(found, file, text);
+    messages += fmt::format("\n{}", lang::render(found, file, text));
   }
   while (messages.ends_with('\n')) messages.pop_back();
   throw FileError(messages);
