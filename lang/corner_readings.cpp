@@ -77,11 +77,12 @@ class Walk {
   }
   void visit(const WatchedMotion& watched) {
     block(watched.motion);
-    settle(0);
+    if (watched.until != nullptr) settle(0);
     block(watched.otherwise);
   }
   void visit(const Stop&) { settle(0); }
   void visit(const Brake&) { settle(0); }
+  void visit(const Teach&) { settle(0); }
   void visit(const Wait& wait) {
     settle(0);
     block(wait.otherwise);

@@ -35,7 +35,9 @@ int main(int argc, char** argv) {
     }
     const ExitCode code = rob::runtime::carry_out(std::get<Options>(parsed));
     if (code == ExitCode::Done && !rob::runtime::results_written()) {
-      return fail(ExitCode::InputOutput, "the results could not all be written: the disk is full, or their reader has gone");
+      return fail(
+          ExitCode::InputOutput,
+          "the results could not all be written: the disk is full, or their reader has gone");
     }
     return static_cast<int>(code);
   } catch (const rob::runtime::FileError& error) {
