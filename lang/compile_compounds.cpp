@@ -9,19 +9,6 @@ constexpr int kParts = 3;  // of a VEC
 
 Register part(Register first, int i) { return static_cast<Register>(first + i); }
 
-Opcode part_opcode(BinaryOp op) {
-  switch (op) {
-    case BinaryOp::Add:
-      return Opcode::add_real;
-    case BinaryOp::Subtract:
-      return Opcode::sub_real;
-    case BinaryOp::Multiply:
-      return Opcode::mul_real;
-    default:
-      return Opcode::quot_real;
-  }
-}
-
 }  // namespace
 
 /// Into registers of its own first: a component may be computed from what lies in the target.
@@ -54,7 +41,7 @@ void ExpressionCompiler::compile_vector(const Binary& binary, const Expr& expres
   const int left_step = binary.left->type.numeric() ? 0 : 1;
   const int right_step = binary.right->type.numeric() ? 0 : 1;
   for (int i = 0; i < kParts; ++i) {
-    code_.emit(part_opcode(binary.op), expression.place, part(target, i), part(left, i * left_step),
+    code_.emit(real_opcode(binary.op), expression.place, part(target, i), part(left, i * left_step),
                part(right, i * right_step));
   }
 }

@@ -35,25 +35,6 @@ Opcode whole_opcode(BinaryOp op) {
   }
 }
 
-Opcode real_opcode(BinaryOp op) {
-  switch (op) {
-    case BinaryOp::Add:
-      return Opcode::add_real;
-    case BinaryOp::Subtract:
-      return Opcode::sub_real;
-    case BinaryOp::Multiply:
-      return Opcode::mul_real;
-    case BinaryOp::Divide:
-      return Opcode::quot_real;
-    case BinaryOp::Div:
-      return Opcode::div_real;
-    case BinaryOp::Mod:
-      return Opcode::mod_real;
-    default:
-      return Opcode::pow_real;
-  }
-}
-
 /// The operation with a constant on its right, if there is one.
 std::optional<Opcode> constant_opcode(BinaryOp op, bool whole) {
   switch (op) {
@@ -78,6 +59,25 @@ bool on_whole_numbers(const Binary& binary, const Type& result) {
 }
 
 }  // namespace
+
+Opcode real_opcode(BinaryOp op) {
+  switch (op) {
+    case BinaryOp::Add:
+      return Opcode::add_real;
+    case BinaryOp::Subtract:
+      return Opcode::sub_real;
+    case BinaryOp::Multiply:
+      return Opcode::mul_real;
+    case BinaryOp::Divide:
+      return Opcode::quot_real;
+    case BinaryOp::Div:
+      return Opcode::div_real;
+    case BinaryOp::Mod:
+      return Opcode::mod_real;
+    default:
+      return Opcode::pow_real;
+  }
+}
 
 /// What is no variable is read anew each time; in a watch its value was fixed before.
 bool ExpressionCompiler::lives_in_register(const Symbol& symbol) const {

@@ -20,7 +20,6 @@ Location ExpressionCompiler::home(const Symbol& symbol) const {
   if (watching_ || !in_routine_ || !symbol.global) return home;
   for (SlotsAt* const at : {&home.numbers, &home.texts}) {
     if (at->base == Base::Own) at->base = Base::GlobalRegister;
-    if (at->base == Base::Memory) at->base = Base::GlobalMemory;
   }
   return home;
 }
@@ -96,9 +95,6 @@ void ExpressionCompiler::refer(SlotsAt at, bool text, Register target, Place pla
       return code_.emit(text ? Opcode::refer_text : Opcode::refer, place, target, at.reg());
     case Base::GlobalRegister:
       return code_.load_integer(target, at.offset, place);
-    case Base::Memory:
-    case Base::GlobalMemory:
-      return;
     case Base::Place:
       code_.emit(Opcode::copy, place, target, at.place);
       if (at.offset == 0) return;
@@ -122,9 +118,6 @@ void ExpressionCompiler::load_numbers(SlotsAt from, Register target, int count, 
                    place);
       }
       return;
-    case Base::Memory:
-    case Base::GlobalMemory:
-      return;
     case Base::Place:
       code_.emit(Opcode::load_reference, place, target, from.place, static_cast<unsigned>(count));
       code_.emit(word(from.offset), place);
@@ -142,9 +135,6 @@ void ExpressionCompiler::store_numbers(SlotsAt to, Register value, int count, Pl
                                    to.offset + static_cast<unsigned>(i)),
                    place);
       }
-      return;
-    case Base::Memory:
-    case Base::GlobalMemory:
       return;
     case Base::Place:
       code_.emit(Opcode::store_reference, place, value, to.place, static_cast<unsigned>(count));
@@ -165,9 +155,6 @@ void ExpressionCompiler::load_text(SlotsAt from, Register target, Place place) {
       return code_.emit(Opcode::copy_text, place, target, from.reg());
     case Base::GlobalRegister:
       return code_.emit(Instruction::ax(Opcode::load_global_text, target, from.offset), place);
-    case Base::Memory:
-    case Base::GlobalMemory:
-      return;
     case Base::Place:
       code_.emit(Opcode::load_reference_text, place, target, from.place);
       code_.emit(word(from.offset), place);
@@ -181,9 +168,6 @@ void ExpressionCompiler::store_text(SlotsAt to, Register value, Place place) {
       return code_.emit(Opcode::copy_text, place, to.reg(), value);
     case Base::GlobalRegister:
       return code_.emit(Instruction::ax(Opcode::store_global_text, value, to.offset), place);
-    case Base::Memory:
-    case Base::GlobalMemory:
-      return;
     case Base::Place:
       code_.emit(Opcode::store_reference_text, place, value, to.place);
       code_.emit(word(to.offset), place);

@@ -153,4 +153,7 @@ class ExpressionCompiler {
   bool latched_ = false;   ///< the present expression reads more than one signal
 };
 
+/// The operation on two REALs.
+Opcode real_opcode(BinaryOp op);
+
 }  // namespace rob::lang

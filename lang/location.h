@@ -11,10 +11,8 @@ namespace rob::lang {
 struct SlotsAt {
   enum class Base : std::uint8_t {
     Own,             ///< registers of the present frame
-    Memory,          ///< of the present frame, behind `offset` slots
     GlobalRegister,  ///< of the top level, seen from a routine
-    GlobalMemory,
-    Place  ///< `offset` slots behind the place on the stack that register `place` holds
+    Place            ///< `offset` slots behind the place on the stack that register `place` holds
   };
 
   Base base = Base::Own;

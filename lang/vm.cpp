@@ -41,10 +41,10 @@ bool equal_slots(const Slot* a, const Slot* b, std::size_t count) {
     const ArithmeticError error = (operation);                  \
     if (error != ArithmeticError::None) return fail(pc, error); \
   } while (false)
-#define ROB_BINARY(name, function, in, out)                                        \
+#define ROB_ARITHMETIC(name, function, in, out)                                    \
   name:                                                                            \
   ROB_CHECKED(arithmetic::function(n[pc->b()].in, n[pc->c()].in, n[pc->a()].out)); \
-  ROB_NEXT(1)
+  ROB_NEXT(1);
 #define ROB_IF(name, condition, expected)                                   \
   name:                                                                     \
   if ((condition) == ((expected) != 0)) ROB_NEXT(2 + (pc + 1)->distance()); \
@@ -100,19 +100,7 @@ int_to_real:
   n[pc->a()].real = static_cast<double>(n[pc->b()].integer);
   ROB_NEXT(1);
 
-  ROB_BINARY(add_int, add, integer, integer);
-  ROB_BINARY(sub_int, subtract, integer, integer);
-  ROB_BINARY(mul_int, multiply, integer, integer);
-  ROB_BINARY(div_int, floor_divide, integer, integer);
-  ROB_BINARY(mod_int, floor_modulo, integer, integer);
-  ROB_BINARY(pow_int, integer_power, integer, integer);
-  ROB_BINARY(add_real, add, real, real);
-  ROB_BINARY(sub_real, subtract, real, real);
-  ROB_BINARY(mul_real, multiply, real, real);
-  ROB_BINARY(quot_real, divide, real, real);
-  ROB_BINARY(div_real, floor_divide, real, integer);
-  ROB_BINARY(mod_real, floor_modulo, real, real);
-  ROB_BINARY(pow_real, real_power, real, real);
+#include "lang/arithmetic_opcodes.def"
 #include "lang/vm_constants.inc"
 neg_int:
   ROB_CHECKED(arithmetic::negate(n[pc->b()].integer, n[pc->a()].integer));
@@ -362,7 +350,6 @@ end:
 #undef ROB_GO
 #undef ROB_TURN
 #undef ROB_IF
-#undef ROB_BINARY
 #undef ROB_CHECKED
 #undef ROB_NEXT
 #pragma GCC diagnostic pop

@@ -1,6 +1,7 @@
 #include "lang/watch.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "lang/builtins.h"
 
@@ -32,8 +33,7 @@ class Evaluation {
   const Slot& c() const noexcept { return n_[pc_->c()]; }
 
   Error step() noexcept;
-  Error whole() noexcept;
-  Error real() noexcept;
+  Error binary() noexcept;
   Error call() noexcept;
   Error next(int words) noexcept {
     pc_ += words;
@@ -96,58 +96,24 @@ Error Evaluation::step() noexcept {
     case Opcode::call_int:
     case Opcode::call_real:
       return passed(call());
-    case Opcode::add_int:
-    case Opcode::sub_int:
-    case Opcode::mul_int:
-    case Opcode::div_int:
-    case Opcode::mod_int:
-    case Opcode::pow_int:
     case Opcode::neg_int:
-      return passed(whole());
+      return passed(arithmetic::negate(b().integer, a().integer));
+    case Opcode::neg_real:
+      return passed(arithmetic::negate(b().real, a().real));
     default:
-      return passed(real());
+      return passed(binary());
   }
 }
 
-Error Evaluation::whole() noexcept {
-  std::int64_t& result = a().integer;
+Error Evaluation::binary() noexcept {
   switch (pc_->opcode()) {
-    case Opcode::add_int:
-      return arithmetic::add(b().integer, c().integer, result);
-    case Opcode::sub_int:
-      return arithmetic::subtract(b().integer, c().integer, result);
-    case Opcode::mul_int:
-      return arithmetic::multiply(b().integer, c().integer, result);
-    case Opcode::div_int:
-      return arithmetic::floor_divide(b().integer, c().integer, result);
-    case Opcode::mod_int:
-      return arithmetic::floor_modulo(b().integer, c().integer, result);
-    case Opcode::pow_int:
-      return arithmetic::integer_power(b().integer, c().integer, result);
+#define ROB_ARITHMETIC(name, function, in, out) \
+  case Opcode::name:                            \
+    return arithmetic::function(b().in, c().in, a().out);
+#include "lang/arithmetic_opcodes.def"
     default:
-      return arithmetic::negate(b().integer, result);
-  }
-}
-
-Error Evaluation::real() noexcept {
-  double& result = a().real;
-  switch (pc_->opcode()) {
-    case Opcode::add_real:
-      return arithmetic::add(b().real, c().real, result);
-    case Opcode::sub_real:
-      return arithmetic::subtract(b().real, c().real, result);
-    case Opcode::mul_real:
-      return arithmetic::multiply(b().real, c().real, result);
-    case Opcode::quot_real:
-      return arithmetic::divide(b().real, c().real, result);
-    case Opcode::div_real:
-      return arithmetic::floor_divide(b().real, c().real, a().integer);
-    case Opcode::mod_real:
-      return arithmetic::floor_modulo(b().real, c().real, result);
-    case Opcode::pow_real:
-      return arithmetic::real_power(b().real, c().real, result);
-    default:
-      return arithmetic::negate(b().real, result);
+      assert(false);  // is_watchable() lets nothing else through
+      return Error::None;
   }
 }
 
@@ -182,21 +148,10 @@ bool is_watchable(Opcode opcode) {
     case Opcode::if_less_equal_real:
     case Opcode::call_int:
     case Opcode::call_real:
-    case Opcode::add_int:
-    case Opcode::sub_int:
-    case Opcode::mul_int:
-    case Opcode::div_int:
-    case Opcode::mod_int:
-    case Opcode::pow_int:
     case Opcode::neg_int:
-    case Opcode::add_real:
-    case Opcode::sub_real:
-    case Opcode::mul_real:
-    case Opcode::quot_real:
-    case Opcode::div_real:
-    case Opcode::mod_real:
-    case Opcode::pow_real:
     case Opcode::neg_real:
+#define ROB_ARITHMETIC(name, function, in, out) case Opcode::name:
+#include "lang/arithmetic_opcodes.def"
     case Opcode::answer:
       return true;
     default:

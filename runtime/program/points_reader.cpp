@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "lang/ascii.h"
-#include "lang/lexer.h"
 #include "lang/number_text.h"
 #include "lang/robot_signature.h"
 #include "lang/source_text.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/robot_machine.h"
+#include "runtime/program/line_reader.h"
 #include "runtime/program/points_file.h"
 
 /// The reader of points files.
@@ -19,112 +19,61 @@ namespace rob::runtime {
 
 namespace {
 
-using lang::Token;
 using lang::TokenKind;
 
 constexpr std::size_t kMostPoints = 10'000;  // [choice] far more than anybody teaches
 constexpr std::size_t kMostName = 64;        // bytes [choice]
+constexpr std::string_view kText = "a text between quotes";
 
-std::string shown(const Token& token) {
-  if (token.kind == TokenKind::EndOfLine || token.kind == TokenKind::EndOfFile) {
-    return "the end of the line";
-  }
-  return fmt::format("'{}'", lang::shortened(token.text));
-}
-
-class Reader {
+class Reader : LineReader {
  public:
   Reader(Points& points, std::string_view text, const motion::RobotModel& robot)
-      : points_(points), lexer_(text, points.diagnostics), robot_(signature_of(robot)) {}
+      : LineReader(text, points.diagnostics, code::kPointLine,
+                   "mend the line, or take it out and TEACH the point again"),
+        points_(points),
+        robot_(signature_of(robot)) {}
 
+  /// The first line names the robot; the points of another one are of no use.
   void read() {
-    advance();
     bool named = false;
-    while (token_.kind != TokenKind::EndOfFile) {
-      if (token_.kind == TokenKind::EndOfLine) {
-        advance();
-        continue;
+    read_lines([&] {
+      if (named) {
+        point();
+        return true;
       }
-      try {
-        if (!named) {
-          named = true;
-          robot();
-        } else {
-          point();
-        }
-      } catch (const Wrong&) {
-        if (wrong_robot_) return;
-        while (!at_line_end()) advance();
-      }
-    }
+      named = true;
+      return robot();
+    });
   }
 
  private:
-  struct Wrong {};
-
-  void advance() { token_ = lexer_.next(); }
-  bool at_line_end() const {
-    return token_.kind == TokenKind::EndOfLine || token_.kind == TokenKind::EndOfFile;
-  }
-  bool at_word(std::string_view word) const {
-    const bool is_word = token_.kind == TokenKind::Word || token_.kind == TokenKind::Reserved;
-    return is_word && lang::same_word(token_.text, word);
-  }
-  [[noreturn]] void fail(const char* code, const lang::Place& place, std::string message,
-                         std::string help) {
-    // A token that could not be read has had its message.
-    if (token_.kind != TokenKind::Bad) {
-      points_.diagnostics.error(code, place, std::move(message), std::move(help));
-    }
-    throw Wrong{};
-  }
-  [[noreturn]] void expected(std::string_view what) {
-    fail(code::kPointLine, token_.place, fmt::format("{} expected, not {}", what, shown(token_)),
-         "mend the line, or take it out and TEACH the point again");
-  }
-  void take(TokenKind kind, std::string_view what) {
-    if (token_.kind != kind) expected(what);
-    advance();
-  }
-  void take_word(std::string_view word) {
-    if (!at_word(word)) expected(word);
-    advance();
-  }
-
-  void robot();
+  bool robot();
   void point();
   std::string point_name();
   lang::PoseValue pose();
   std::vector<double> joints();
   double quantity(lang::Dimension dimension);
   std::string name_or(std::string_view nothing);
-  std::string text();
-  void end_of_line() {
-    if (!at_line_end()) expected("the end of the line");
-  }
 
   Points& points_;
-  lang::Lexer lexer_;
   lang::RobotSignature robot_;
-  Token token_;
-  bool wrong_robot_ = false;
   std::map<std::string, std::uint32_t> lines_;  ///< of the points read, by name in capitals
 };
 
 // robot = "ROBOT" STRING
-void Reader::robot() {
+bool Reader::robot() {
   take_word("ROBOT");
   const lang::Place place = token_.place;
-  const std::string name = text();
-  if (name != robot_.name) {
-    wrong_robot_ = true;
-    fail(code::kPointsOfOther, place,
-         fmt::format("these points were taught on the robot {}; the program is for {}",
-                     lang::shortened(name), robot_.name),
-         fmt::format("run the program with --robot {}, or move the file away and teach anew",
-                     lang::shortened(name)));
-  }
+  const std::string name = take_text(kText);
   end_of_line();
+  if (name == robot_.name) return true;
+  points_.diagnostics.error(
+      code::kPointsOfOther, place,
+      fmt::format("these points were taught on the robot {}; the program is for {}",
+                  lang::shortened(name), robot_.name),
+      fmt::format("run the program with --robot {}, or move the file away and teach anew",
+                  lang::shortened(name)));
+  return false;
 }
 
 // point = IDENT "=" pose joints "IN" ( "world" | IDENT ) "TOOL" ( "none" | IDENT ) "TAUGHT" STRING
@@ -140,7 +89,7 @@ void Reader::point() {
   take_word("TOOL");
   point.tool = name_or("none");
   take_word("TAUGHT");
-  point.taught = text();
+  point.taught = take_text(kText);
   end_of_line();
   const auto [first, is_new] = lines_.emplace(lang::to_upper(point.value.name), place.line);
   if (!is_new) {
@@ -210,13 +159,6 @@ std::string Reader::name_or(std::string_view nothing) {
   std::string name(token_.text);
   advance();
   return lang::same_word(name, nothing) ? "" : name;
-}
-
-std::string Reader::text() {
-  if (token_.kind != TokenKind::String) expected("a text between quotes");
-  std::string text = token_.string;
-  advance();
-  return text;
 }
 
 }  // namespace

@@ -6,19 +6,17 @@
 #include <optional>
 #include <utility>
 
-#include "lang/ascii.h"
-#include "lang/lexer.h"
 #include "lang/number_text.h"
 #include "lang/source_text.h"
 #include "lang/suggest.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/robot_machine.h"
+#include "runtime/program/line_reader.h"
 
 namespace rob::runtime {
 
 namespace {
 
-using lang::Token;
 using lang::TokenKind;
 using Comparison = SimulationRule::Comparison;
 
@@ -73,61 +71,26 @@ Comparison reversed(Comparison comparison) {
   }
 }
 
-std::string shown(const Token& token) {
-  if (token.kind == TokenKind::EndOfLine || token.kind == TokenKind::EndOfFile) {
-    return "the end of the line";
-  }
-  return fmt::format("'{}'", lang::shortened(token.text));
-}
-
-class Reader {
+class Reader : LineReader {
  public:
   Reader(SignalScript& script, const motion::RobotModel& robot,
          const std::vector<lang::NamedSignal>& named)
-      : script_(script), lexer_(script.source, script.diagnostics) {
+      : LineReader(script.source, script.diagnostics, code::kScriptLine,
+                   "a line is: at 2.5s part_here = ON, or: when lift_up == ON after 0.3s : "
+                   "part_here = ON"),
+        script_(script) {
     know(robot, named);
   }
 
   void read() {
-    advance();
-    while (token_.kind != TokenKind::EndOfFile) {
-      if (token_.kind == TokenKind::EndOfLine) {
-        advance();
-        continue;
-      }
-      try {
-        rule();
-      } catch (const Wrong&) {
-        while (!at_line_end()) advance();
-      }
-    }
+    read_lines([&] {
+      rule();
+      return true;
+    });
   }
 
  private:
-  struct Wrong {};
-
   void know(const motion::RobotModel& robot, const std::vector<lang::NamedSignal>& named);
-  void advance() { token_ = lexer_.next(); }
-  bool at_line_end() const {
-    return token_.kind == TokenKind::EndOfLine || token_.kind == TokenKind::EndOfFile;
-  }
-  bool at_word(std::string_view word) const {
-    const bool is_word = token_.kind == TokenKind::Word || token_.kind == TokenKind::Reserved;
-    return is_word && lang::same_word(token_.text, word);
-  }
-  [[noreturn]] void fail(const char* code, const lang::Place& place, std::string message,
-                         std::string help = "") {
-    // A token that could not be read has had its message.
-    if (token_.kind != TokenKind::Bad) {
-      script_.diagnostics.error(code, place, std::move(message), std::move(help));
-    }
-    throw Wrong{};
-  }
-  [[noreturn]] void expected(std::string_view what) {
-    fail(code::kScriptLine, token_.place, fmt::format("{} expected, not {}", what, shown(token_)),
-         "a line is: at 2.5s part_here = ON, or: when lift_up == ON after 0.3s : part_here = ON");
-  }
-
   void rule();
   void condition(SimulationRule& rule);
   SimulatedSetting setting();
@@ -139,8 +102,6 @@ class Reader {
   double quantity(const Known& known);
 
   SignalScript& script_;
-  lang::Lexer lexer_;
-  Token token_;
   std::vector<Known> known_;
 };
 
@@ -186,13 +147,12 @@ void Reader::rule() {
       advance();
       rule.time = time("after");
     }
-    if (token_.kind != TokenKind::Colon) expected("':'");
-    advance();
+    take(TokenKind::Colon, "':'");
   } else {
     expected("at or when");
   }
   rule.setting = setting();
-  if (!at_line_end()) expected("the end of the line");
+  end_of_line();
   if (script_.rules.size() == kMostRules) {
     fail(code::kScriptLine, place, fmt::format("a script has at most {} lines", kMostRules));
   }
@@ -228,31 +188,26 @@ SimulatedSetting Reader::setting() {
          fmt::format("{} is an output: the program sets it, no script can", known.name),
          "set an input");
   }
-  if (token_.kind != TokenKind::Assign) expected("'='");
-  advance();
+  take(TokenKind::Assign, "'='");
   return {known.signal, value_for(known), 0};
 }
 
 SimulatedSetting Reader::operators_setting(WorldSignal::Kind kind) {
   SimulatedSetting setting{{kind, 0}, 0, static_cast<std::uint32_t>(script_.answers.size())};
   advance();
-  if (token_.kind != TokenKind::Assign) expected("'='");
-  advance();
+  take(TokenKind::Assign, "'='");
   if (kind == WorldSignal::Kind::Go) {
     setting.value = truth("GO") ? 1 : 0;
     return setting;
   }
-  if (token_.kind != TokenKind::String) expected("a text such as \"7\"");
-  script_.answers.push_back(token_.string);
-  advance();
+  script_.answers.push_back(take_text("a text such as \"7\""));
   return setting;
 }
 
 const Known& Reader::signal() {
   if (token_.kind != TokenKind::Word) expected("the name of a signal");
-  const Token word = token_;
-  std::string name(word.text);
-  lang::Place place = word.place;
+  std::string name(token_.text);
+  lang::Place place = token_.place;
   advance();
   if (token_.kind == TokenKind::LeftBracket) {
     advance();
@@ -296,8 +251,7 @@ double Reader::value_for(const Known& known) {
 bool Reader::truth(std::string_view name) {
   const bool on = at_word("ON") || at_word("TRUE");
   if (!on && !at_word("OFF") && !at_word("FALSE")) {
-    fail(code::kScriptValue, token_.place,
-         fmt::format("{} is ON or OFF, not {}", name, shown(token_)));
+    fail(code::kScriptValue, token_.place, fmt::format("{} is ON or OFF, not {}", name, shown()));
   }
   advance();
   return on;
@@ -312,7 +266,7 @@ double Reader::quantity(const Known& known) {
   if (token_.kind != TokenKind::Number || token_.number.dimension != scale.dimension) {
     fail(code::kScriptValue, token_.place,
          fmt::format("{} is {}, not {}", known.name,
-                     lang::in_words(lang::Type::real(scale.dimension)), shown(token_)),
+                     lang::in_words(lang::Type::real(scale.dimension)), shown()),
          fmt::format("for example {}", lang::number_text(scale.high, scale.dimension)));
   }
   const lang::NumberLiteral& number = token_.number;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,5 +64,12 @@ struct SteppedRun {
     return recorder.finish();
   }
 };
+
+/// What the report says of a line.
+inline const runtime::LineResult& line(const runtime::RunResult& result, int number) {
+  for (const runtime::LineResult& row : result.lines)
+    if (row.line == number) return row;
+  throw std::logic_error("no such line");
+}
 
 }  // namespace rob::test

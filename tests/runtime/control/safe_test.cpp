@@ -74,26 +74,6 @@ TEST_CASE("what is given up has not gone wrong") {
   CHECK(safe_events(result) == 0);
 }
 
-TEST_CASE("a WHEN that raises brakes, drops what is behind, and is caught at standstill") {
-  SteppedRun run(
-      "TRY\n"
-      "  WHEN lift_up : RAISE \"up\"\n"
-      "  lift = ON\n"
-      "  MOVE(100, 0, 0)\n"
-      "  PRINT \"there\"\n"
-      "  MOVE(200, 0, 0)\n"
-      "RESCUE why\n"
-      "  PRINT why\n"
-      "ENDTRY\n"
-      "MOVE(0, 0, 0)\n");
-  const RunResult result = run.run();
-  CHECK(result.status == "done");
-  REQUIRE(result.output.size() == 1);
-  CHECK(result.output[0] == "up");
-  CHECK(result.dropped_effects == 1);
-  CHECK(result.final_joints[0] == doctest::Approx(0));
-}
-
 TEST_CASE("a WHEN that raises without a TRY ends the program, and the SAFE values are taken") {
   SteppedRun run(kSignals +
                  "WHEN lift_up : RAISE \"up\"\nlift = ON\nMOVE(100, 0, 0)\nMOVE(200, 0, 0)\n");

@@ -6,21 +6,11 @@
 #include "tests/support/no_allocation.h"
 #include "tests/support/stepped_run.h"
 
-using rob::runtime::LineResult;
 using rob::runtime::RunResult;
+using rob::test::line;
 using rob::test::SteppedRun;
 
 // 100 mm of the gantry take 5 s and the exact stop 2.75 s; its lift takes 0.5 s.
-
-namespace {
-
-const LineResult& line(const RunResult& result, int number) {
-  for (const LineResult& row : result.lines)
-    if (row.line == number) return row;
-  throw std::logic_error("no such line");
-}
-
-}  // namespace
 
 TEST_CASE("a guarded motion ends where its signal comes, and the report says so") {
   SteppedRun run("lift = ON\nMOVE(100,0,0) UNTIL lift_up ELSE PRINT \"missed\"\nPRINT HIT");

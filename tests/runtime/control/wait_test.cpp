@@ -2,21 +2,11 @@
 
 #include "tests/support/stepped_run.h"
 
-using rob::runtime::LineResult;
 using rob::runtime::RunResult;
+using rob::test::line;
 using rob::test::SteppedRun;
 
 // Every short motion and every stop of the gantry takes 2.75 s; its lift takes 0.5 s.
-
-namespace {
-
-const LineResult& line(const RunResult& result, int number) {
-  for (const LineResult& row : result.lines)
-    if (row.line == number) return row;
-  throw std::logic_error("no such line");
-}
-
-}  // namespace
 
 TEST_CASE("a WAIT makes the move before it exact and takes its own time exactly") {
   SteppedRun run("MOVE(40,0,0)\nWAIT 0.3333s\nMOVE(0,0,0)");
