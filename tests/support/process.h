@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/scratch_folder.h"
+
 namespace rob::test {
 
 /// What became of a program that was started: its exit code, or 128 + the signal that ended it.
@@ -17,20 +19,6 @@ struct ProcessResult {
 
 /// The whole of a file, byte by byte; throws std::runtime_error if it cannot be read.
 std::string read_whole_file(const std::filesystem::path& file);
-
-/// A new folder for passing files; it disappears with the object.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// A program that runs beside the test: `arguments[0]` with the others, standard input empty.
 /// The constructor throws std::system_error if it cannot be started; the destructor kills what has

@@ -13,25 +13,25 @@
 #include <string>
 
 #include "runtime/program/files.h"
+#include "tests/support/file_error.h"
+#include "tests/support/scratch_folder.h"
 
 namespace fs = std::filesystem;
 using rob::runtime::FileCalls;
 using rob::runtime::FileError;
 using rob::runtime::read_file;
 using rob::runtime::save_file;
+using rob::test::message_of;
+using rob::test::ScratchFolder;
 
 namespace {
 
 /// A folder with one file in it, which is to be saved.
 struct Scratch {
-  fs::path path;
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "rob-save-XXXXXX").string();
-    path = mkdtemp(name.data());
-    std::ofstream(file()) << "old";
-  }
-  ~Scratch() { fs::remove_all(path); }
-  std::string file() const { return (path / "a.rob").string(); }
+  ScratchFolder folder;
+  fs::path path = folder.path();
+  Scratch() { std::ofstream(file()) << "old"; }
+  std::string file() const { return folder.file("a.rob"); }
   std::string temporary() const { return (path / ".a.rob.saving").string(); }
   std::string content() const { return read_file(file(), 1000); }
   /// Only the file itself is there.
@@ -83,15 +83,6 @@ class FaultyCalls : public FileCalls {
 
 constexpr Call kAll[] = {Call::Open,  Call::Lock, Call::Truncate, Call::Permit,
                          Call::Write, Call::Sync, Call::Rename};
-
-std::string message_of(auto&& call) {
-  try {
-    call();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 }  // namespace
 

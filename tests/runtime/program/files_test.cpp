@@ -7,38 +7,18 @@
 #include <string>
 
 #include "runtime/program/files.h"
+#include "tests/support/file_error.h"
+#include "tests/support/scratch_folder.h"
 
 namespace fs = std::filesystem;
 using rob::runtime::FileError;
 using rob::runtime::open_log;
 using rob::runtime::read_file;
-
-namespace {
-
-/// A folder of the test's own, gone with it.
-struct Scratch {
-  fs::path path;
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "rob-files-XXXXXX").string();
-    path = mkdtemp(name.data());
-  }
-  ~Scratch() { fs::remove_all(path); }
-  std::string file(const char* name) const { return (path / name).string(); }
-};
-
-std::string message_of(auto&& call) {
-  try {
-    call();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-}  // namespace
+using rob::test::message_of;
+using rob::test::ScratchFolder;
 
 TEST_CASE("a file is read whole, bytes as they are") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string text("MOVE(1,2,3)\r\n\0\xff end", 19);
   std::ofstream(scratch.file("a.rob"), std::ios::binary) << text;
   CHECK(read_file(scratch.file("a.rob"), 100) == text);
@@ -47,10 +27,10 @@ TEST_CASE("a file is read whole, bytes as they are") {
 }
 
 TEST_CASE("fault 41: a folder, a pipe, a device or a missing file is refused at once, by name") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   mkfifo(scratch.file("pipe").c_str(), 0600);
-  CHECK(message_of([&] { read_file(scratch.path.string(), 100); }) ==
-        "cannot read '" + scratch.path.string() + "': it is a folder; name a file");
+  CHECK(message_of([&] { read_file(scratch.path().string(), 100); }) ==
+        "cannot read '" + scratch.path().string() + "': it is a folder; name a file");
   CHECK(message_of([&] { read_file(scratch.file("pipe"), 100); }) ==
         "cannot read '" + scratch.file("pipe") + "': it is a pipe; name a file");
   CHECK(message_of([&] { read_file("/dev/zero", 100); }) ==
@@ -61,7 +41,7 @@ TEST_CASE("fault 41: a folder, a pipe, a device or a missing file is refused at 
 }
 
 TEST_CASE("fault 4: a file beyond the stated limit is refused without being read") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   std::ofstream(scratch.file("long.rob")) << "STOP";
   fs::resize_file(scratch.file("long.rob"), std::uintmax_t{100} << 20U);  // sparse
   CHECK(message_of([&] { read_file(scratch.file("long.rob"), std::size_t{32} << 20U); }) ==
@@ -69,11 +49,11 @@ TEST_CASE("fault 4: a file beyond the stated limit is refused without being read
 }
 
 TEST_CASE("fault 41: a log is a regular file; what cannot be one is refused at once") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   mkfifo(scratch.file("pipe").c_str(), 0600);
   CHECK(message_of([&] { open_log(scratch.file("pipe")); }).find("it is a pipe") !=
         std::string::npos);
-  CHECK(message_of([&] { open_log(scratch.path.string()); }).find("Is a directory") !=
+  CHECK(message_of([&] { open_log(scratch.path().string()); }).find("Is a directory") !=
         std::string::npos);
   CHECK(message_of([&] { open_log("/dev/zero"); }).find("it is a device") != std::string::npos);
   CHECK(message_of([&] {
@@ -83,7 +63,7 @@ TEST_CASE("fault 41: a log is a regular file; what cannot be one is refused at o
 }
 
 TEST_CASE("a log starts empty whatever the file held") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   std::ofstream(scratch.file("t.csv")) << "old";
   std::fputs("new", open_log(scratch.file("t.csv")).get());
   CHECK(read_file(scratch.file("t.csv"), 100) == "new");

@@ -1,0 +1,123 @@
+#include "runtime/program/points_file.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include "motion/robots/robot_library.h"
+#include "runtime/program/files.h"
+#include "tests/support/file_error.h"
+#include "tests/support/scratch_folder.h"
+
+using rob::runtime::load_points;
+using rob::runtime::parse_points;
+using rob::runtime::Points;
+using rob::runtime::PointsFile;
+using rob::runtime::read_file;
+using rob::test::message_of;
+using rob::test::ScratchFolder;
+
+namespace {
+
+const rob::motion::RobotModel& gantry() {
+  static const rob::motion::RobotModel robot = rob::motion::embedded_robot("gantry");
+  return robot;
+}
+
+const std::string kRobot = "ROBOT \"gantry\"\n";
+
+std::string point(const std::string& name) {
+  return name +
+         " = POSE(40mm, 20mm, 0mm, 0deg, 0deg, 90deg) JOINTS(40mm, 20mm, 90deg) IN world TOOL none "
+         "TAUGHT \"2026-11-21\"\n";
+}
+
+/// "line:column code" of the first error; empty where there is none.
+std::string first_error(const std::string& text) {
+  const Points points = parse_points(text, gantry());
+  if (!points.diagnostics.has_errors()) return "";
+  const rob::lang::Diagnostic& found = points.diagnostics.all().front();
+  return std::to_string(found.place.line) + ":" + std::to_string(found.place.column) + " " +
+         found.code;
+}
+
+}  // namespace
+
+TEST_CASE("a point is read in metres and radians, with its joints") {
+  const Points points = parse_points(kRobot + "\n// taught by hand\n" + point("pick"), gantry());
+  REQUIRE_FALSE(points.diagnostics.has_errors());
+  REQUIRE(points.points.size() == 1);
+  const Points::Point& pick = points.points[0];
+  CHECK(pick.value.name == "pick");
+  CHECK(pick.value.frame.empty());
+  CHECK(pick.tool.empty());
+  CHECK(pick.taught == "2026-11-21");
+  CHECK(pick.value.pose.position.x == 0.040);
+  CHECK(pick.value.pose.position.y == 0.020);
+  // A quarter turn about z is the quaternion (cos 45deg, 0, 0, sin 45deg).
+  CHECK(std::abs(pick.value.pose.rotation.w - std::numbers::sqrt2 / 2) < 1e-15);
+  CHECK(std::abs(pick.value.pose.rotation.k - std::numbers::sqrt2 / 2) < 1e-15);
+  REQUIRE(pick.joints.size() == 3);
+  CHECK(pick.joints[2] == doctest::Approx(std::numbers::pi / 2));
+}
+
+TEST_CASE("what is written is read back the same, sorted by name") {
+  const std::string sorted = kRobot + point("Above") + point("nest") + point("Pick");
+  const Points points =
+      parse_points(kRobot + point("Pick") + point("nest") + point("Above"), gantry());
+  CHECK(points_text(points, gantry()) == sorted);
+  CHECK(points_text(parse_points(sorted, gantry()), gantry()) == sorted);
+}
+
+TEST_CASE("a file that is not as TEACH writes it is refused with the place") {
+  CHECK(first_error("").empty());
+  CHECK(first_error(kRobot).empty());
+  CHECK(first_error(point("pick")) == "1:1 E546");
+  CHECK(first_error(kRobot + "pick = 3\n") == "2:8 E546");
+  CHECK(first_error(kRobot + "pick = POSE(40, 20mm, 0mm, 0deg, 0deg, 0deg)\n") == "2:13 E546");
+  CHECK(first_error(kRobot + "pick = POSE(40mm, 20mm\n") == "2:23 E546");
+  CHECK(first_error(kRobot + point("pick") + "MOVE(1,2,3)\n") == "3:1 E546");
+  CHECK(first_error(kRobot + point("pick") + point("PICK")) == "3:1 E548");
+  CHECK(first_error("ROBOT \"ums7\"\n" + point("pick")) == "1:7 E547");
+  CHECK(first_error(std::string("ROBOT \"gantry\"\n\0", 16)) == "2:1 E103");
+  CHECK(first_error(kRobot + "pick\xff = 1") == "2:5 E104");
+}
+
+TEST_CASE("all errors of a file are found, not the first alone") {
+  const Points points = parse_points(kRobot + "a = 1\n" + point("b") + "c = 2\n", gantry());
+  CHECK(points.diagnostics.error_count() == 2);
+  CHECK(points.points.size() == 1);
+}
+
+TEST_CASE("a point is taught into a file, and what was edited meanwhile stays") {
+  const ScratchFolder folder;
+  const std::string file = folder.file("a.points");
+  PointsFile points(file, gantry());
+  const double joints[] = {0.040, 0.020, 0};
+  CHECK_FALSE(points.keep("pick", "", {{0.040, 0.020, 0}, {1, 0, 0, 0}}, joints));
+  std::ofstream(file, std::ios::app) << point("nest");
+  CHECK_FALSE(points.keep("PICK", "pallet", {{0.050, 0.020, 0}, {1, 0, 0, 0}}, joints));
+  const Points kept = load_points(file, gantry());
+  REQUIRE(kept.points.size() == 2);
+  CHECK(kept.points[0].value.name == "nest");
+  CHECK(kept.points[1].value.name == "PICK");
+  CHECK(kept.points[1].value.frame == "pallet");
+  CHECK(kept.points[1].value.pose.position.x == 0.050);
+}
+
+TEST_CASE("a file that cannot be used is not overwritten by TEACH") {
+  const ScratchFolder folder;
+  const std::string file = folder.file("a.points");
+  const std::string text = "ROBOT \"ums7\"\n" + point("pick");
+  std::ofstream(file) << text;
+  CHECK(message_of([&] { load_points(file, gantry()); }).find("E547") != std::string::npos);
+  PointsFile points(file, gantry());
+  const double joints[] = {0, 0, 0};
+  const auto refusal = points.keep("pick", "", {{0, 0, 0}, {1, 0, 0, 0}}, joints);
+  REQUIRE(refusal);
+  CHECK(refusal->code == "E549");
+  CHECK(read_file(file, 1000) == text);
+}
