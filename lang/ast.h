@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -154,6 +155,25 @@ struct Move {
   ExprPtr axis;     ///< of MOVE JOINT; null else
   ExprPtr target;   ///< a Tuple; of MOVE JOINT the axis' value
   Clauses clauses;
+};
+/// MOVE(140, 40, 0), and further motions of this kind on the lines that follow it: in numbers
+/// alone, and kept so (plain_motion.h).
+struct PlainMotions {
+  struct Written {
+    std::uint32_t offset = 0;  ///< of its first letter in the source, bytes
+    std::uint32_t line = 0;
+    std::uint32_t column = 0;
+    MotionKind kind = MotionKind::Joint;
+    std::uint8_t given = 0;  ///< set by the checker: as in MoveCommand
+  };
+  std::string_view source;  ///< that all of them stand in
+  std::vector<Written> motions;
+  std::vector<double> values{};  ///< set by the checker: the given components of all, SI, in order
+
+  static Place place(const Written& motion) {
+    return {motion.line, motion.column,
+            static_cast<std::uint32_t>(word_of(motion.kind).size())};
+  }
 };
 /// AFTER 2mm LEAD 20ms : lift = ON
 struct WayPoint {
@@ -321,7 +341,7 @@ struct Raise {
 
 struct Statement {
   Place place;  ///< of its first word
-  std::variant<Move, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration, Assign,
+  std::variant<Move, PlainMotions, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration, Assign,
                Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
                Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach>
       node;

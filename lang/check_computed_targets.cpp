@@ -45,18 +45,16 @@ void MoveChecker::report_no_target(const Move& move, const Type& type) {
                          : fmt::format("{}(140, 40, 0)", word));
 }
 
-/// A target that is known beforehand is looked at before anything moves.
-void MoveChecker::remember_value(const Expr& target) {
+void MoveChecker::judge_value(const Expr& target) {
   const Constant value = known_value(target);
   const auto* const slots = std::get_if<std::vector<double>>(&value);
   if (slots == nullptr) return;
-  ConstantTarget constant{.place = target.place, .command = {}};
-  MoveCommand& command = constant.command;
+  MoveCommand command;
   command.means = MoveCommand::Target::Pose;
   command.count = static_cast<int>(slots->size());
   command.given = given_all(command.count);
   std::ranges::copy(*slots, command.target.begin());
-  checked_.constant_targets.push_back(constant);
+  judge(command, target.place);
 }
 
 }  // namespace rob::lang

@@ -19,7 +19,7 @@ void MoveChecker::check(const Move& move, Place place) {
       move.axis != nullptr ? check_joint(move) : move.target != nullptr && check_target(move);
   sound = clauses_.check(move.clauses, place) && sound;
   remember_features(move.clauses, place);
-  if (sound) remember_constants(move);
+  if (sound) judge_constants(move);
 }
 
 void MoveChecker::remember_features(const Clauses& clauses, Place place) {
@@ -90,13 +90,12 @@ void MoveChecker::warn_of_zone(const Expr& zone, std::string_view word, Place pl
       "leave ZONE out, or write FINE");
 }
 
-void MoveChecker::remember_constants(const Move& move) {
+void MoveChecker::judge_constants(const Move& move) {
   if (!move.by && move.axis == nullptr && !std::holds_alternative<Tuple>(move.target->node)) {
-    return remember_value(*move.target);
+    return judge_value(*move.target);
   }
   if (move.by || (move.axis != nullptr && constant_number(*move.axis) == std::nullopt)) return;
-  ConstantTarget constant{.place = move.target->place, .command = {}};
-  MoveCommand& command = constant.command;
+  MoveCommand command;
   const auto keep = [&](std::size_t i, const Expr& value, Dimension dimension) {
     const auto known = constant_component(value, dimension, robot_);
     if (!known) return;
@@ -115,7 +114,13 @@ void MoveChecker::remember_constants(const Move& move) {
       if (elements[i] != nullptr) keep(i, *elements[i]->value, robot_.coordinates[i].dimension);
     }
   }
-  if (command.given != 0) checked_.constant_targets.push_back(constant);
+  if (command.given != 0) judge(command, move.target->place);
+}
+
+/// A target that is known beforehand is looked at before anything moves.
+void MoveChecker::judge(const MoveCommand& command, Place place) {
+  const auto refusal = judge_ ? judge_(command) : std::nullopt;
+  if (refusal) diagnostics_.error(refusal->code, place, refusal->message, refusal->help);
 }
 
 }  // namespace rob::lang

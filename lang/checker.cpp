@@ -220,13 +220,12 @@ void StatementChecker::check_constant_range(const For& loop, const Type& type) {
 }
 
 CheckedProgram check(Program program, const RobotSignature& robot, const PointTable& points,
-                     Diagnostics& diagnostics) {
+                     const TargetJudge& judge, Diagnostics& diagnostics) {
   CheckedProgram checked{.program = std::move(program),
                          .symbols = {},
-                         .constant_targets = {},
                          .features = {},
                          .missing_points = {}};
-  StatementChecker(checked, robot, points, diagnostics).check(checked.program);
+  StatementChecker(checked, robot, points, judge, diagnostics).check(checked.program);
   return checked;
 }
 

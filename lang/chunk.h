@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -42,6 +43,16 @@ struct Instruction {
   constexpr std::int16_t signed_x() const { return static_cast<std::int16_t>(word >> 16); }
   constexpr std::int32_t distance() const { return static_cast<std::int32_t>(word) >> 8; }
 };
+
+/// A REAL that stands in the code itself.
+constexpr std::array<Instruction, 2> words_of(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  return {Instruction{static_cast<std::uint32_t>(bits)},
+          Instruction{static_cast<std::uint32_t>(bits >> 32U)}};
+}
+constexpr double real_at(const Instruction* words) {
+  return std::bit_cast<double>(words[0].word | std::uint64_t{words[1].word} << 32U);
+}
 
 /// The farthest that a jump reaches, in words: what fits 24 bits with a sign.
 inline constexpr std::size_t kFarthestJump = (std::size_t{1} << 23) - 1;
@@ -116,6 +127,27 @@ struct RoutineCode {
   int text_registers = 0;
 };
 
+/// A place for each word of code, in order. Words in a row that come from one place take no more
+/// than one.
+class PlaceTable {
+ public:
+  void push_back(const Place& place) {
+    if (runs_.empty() || runs_.back().place != place) runs_.push_back({size_, place});
+    ++size_;
+  }
+  const Place& operator[](std::size_t word) const;
+  std::size_t size() const { return size_; }
+  const Place& back() const { return runs_.back().place; }
+
+ private:
+  struct Run {
+    std::uint32_t first = 0;  ///< its first word
+    Place place;
+  };
+  std::vector<Run> runs_;
+  std::uint32_t size_ = 0;
+};
+
 /// A TEST: what it is called, where it stands, and its routine.
 struct TestCode {
   std::string name;
@@ -125,7 +157,7 @@ struct TestCode {
 
 struct Chunk {
   std::vector<Instruction> code;
-  std::vector<Place> places;  ///< of every word of code: where it comes from
+  PlaceTable places;  ///< of every word of code: where it comes from
   std::vector<Slot> constants;
   std::vector<Type> constant_types;  ///< parallel to constants; for listings
   std::vector<std::string> texts;

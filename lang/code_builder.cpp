@@ -125,10 +125,21 @@ void CodeBuilder::append_value(Register text, Register first, const Type& type, 
   emit(operand_word(index_in(chunk_.types, type)), place);
 }
 
-void CodeBuilder::move(Register first, const MoveForm& form, Place place) {
+std::uint16_t CodeBuilder::form_index(const MoveForm& form, Place place) {
   const std::size_t index = index_in(chunk_.moves, form);
   if (index > std::numeric_limits<std::uint16_t>::max()) fail(Limit::Motions, place);
-  emit(Instruction::ax(Opcode::move, first, static_cast<std::uint16_t>(index)), place);
+  return static_cast<std::uint16_t>(index);
+}
+
+void CodeBuilder::move(Register first, const MoveForm& form, Place place) {
+  emit(Instruction::ax(Opcode::move, first, form_index(form, place)), place);
+}
+
+void CodeBuilder::move_to(const MoveForm& form, std::span<const double> components, Place place) {
+  emit(Instruction::ax(Opcode::move_to, 0, form_index(form, place)), place);
+  for (const double component : components) {
+    for (const Instruction half : words_of(component)) emit(half, place);
+  }
 }
 
 CodeBuilder::Jump CodeBuilder::jump(Place place) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -46,6 +47,8 @@ class CodeBuilder {
   /// A compound value whose slots begin at a register.
   void append_value(Register text, Register first, const Type& type, Place place);
   void move(Register first, const MoveForm& form, Place place);
+  /// The same with its components in the code, SI.
+  void move_to(const MoveForm& form, std::span<const double> components, Place place);
 
   /// A jump forward, aimed later with land().
   [[nodiscard]] Jump jump(Place place);
@@ -114,6 +117,7 @@ class CodeBuilder {
   };
 
   std::size_t text_index(const std::string& text);
+  std::uint16_t form_index(const MoveForm& form, Place place);
   void close_frame();
   void fail(Limit limit, Place place);
   std::uint32_t constant_index(Slot value, std::uint64_t bits, Type type);

@@ -9,14 +9,13 @@
 namespace rob::lang {
 
 Compilation compile(std::string_view source, const RobotSignature& robot,
-                    const PointTable& points) {
+                    const PointTable& points, const TargetJudge& judge) {
   Compilation compilation;
   Diagnostics& diagnostics = compilation.diagnostics;
   Program program = parse(source, diagnostics);
   RobotSignature signature = robot;
   signature.units = program.header.units;
-  CheckedProgram checked = check(std::move(program), signature, points, diagnostics);
-  compilation.constant_targets = std::move(checked.constant_targets);
+  CheckedProgram checked = check(std::move(program), signature, points, judge, diagnostics);
   compilation.features = std::move(checked.features);
   compilation.missing_points = std::move(checked.missing_points);
   if (!diagnostics.has_errors()) compilation.chunk = generate(checked, signature, diagnostics);

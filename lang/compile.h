@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -13,12 +14,10 @@
 
 namespace rob::lang {
 
-/// A motion whose written coordinates are known before the program runs, so that it can be
-/// checked against the robot while nothing moves yet. `command` holds the constant components only.
-struct ConstantTarget {
-  Place place;
-  MoveCommand command;
-};
+/// Asked for every motion whose written coordinates are known before the program runs, while
+/// nothing moves yet: why the robot cannot go there, or nothing. The command holds the constant
+/// components only.
+using TargetJudge = std::function<std::optional<Refusal>(const MoveCommand& command)>;
 
 /// Where a program asks for something that not every robot can do.
 struct FeatureUse {
@@ -30,14 +29,14 @@ struct FeatureUse {
 struct Compilation {
   Diagnostics diagnostics;
   std::optional<Chunk> chunk;  ///< empty if the program has errors
-  std::vector<ConstantTarget> constant_targets;
   std::vector<FeatureUse> features;
   std::vector<MissingPoint> missing_points;  ///< each has had a warning
 };
 
 /// Lexer, parser, checker and compiler in a row; finds all errors of the text. Never throws for
-/// what a text may contain. `points`: what the program's POINTs are worth.
+/// what a text may contain. `points`: what the program's POINTs are worth. A target that `judge`
+/// refuses is an error of the program.
 Compilation compile(std::string_view source, const RobotSignature& robot,
-                    const PointTable& points = {});
+                    const PointTable& points = {}, const TargetJudge& judge = {});
 
 }  // namespace rob::lang

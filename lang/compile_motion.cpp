@@ -1,3 +1,5 @@
+#include <bit>
+
 #include "lang/statement_compiler.h"
 #include "lang/target.h"
 
@@ -13,6 +15,18 @@ void StatementCompiler::compile(const Move& move) {
   compile_clauses(move.clauses, form);
   code_.move(first, form, place);
   code_.release(mark);
+}
+
+void StatementCompiler::compile(const PlainMotions& motions) {
+  auto values = motions.values.begin();
+  for (const PlainMotions::Written& motion : motions.motions) {
+    const MoveForm form{.kind = motion.kind,
+                        .count = static_cast<int>(robot_.coordinates.size()),
+                        .given = motion.given};
+    const auto end = values + std::popcount(motion.given);
+    code_.move_to(form, {values, end}, PlainMotions::place(motion));
+    values = end;
+  }
 }
 
 /// Registers are taken one behind another, so that they lie together.

@@ -75,6 +75,7 @@ class Walk {
     const bool exact = move.clauses.fine || (zone != nullptr && constant_number(*zone) == 0.0);
     settle(exact ? 0 : place_.line);
   }
+  void visit(const PlainMotions& motions) { settle(motions.motions.back().line); }
   void visit(const WatchedMotion& watched) {
     block(watched.motion);
     if (watched.until != nullptr) settle(0);

@@ -1,6 +1,7 @@
 #include "lang/disassembler.h"
 
 #include <algorithm>
+#include <bit>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -48,6 +49,7 @@ class Line {
   void add_register(bool text, unsigned index);
   void add_constant(std::size_t index);
   void add_move(std::size_t index);
+  void add_components(const MoveForm& form);
   void add_watch(std::size_t index);
   bool in_watch() const;
 
@@ -119,6 +121,8 @@ void Line::operand(char kind, unsigned field) {
       return add(kind == 'L' ? "of " : "+", next_word());
     case 'N':
       return add("", next_word());
+    case 'D':
+      return add_components(chunk_.moves[instruction().x()]);
     case 'V':
       return remark(in_words(chunk_.types[next_word()]));
     default:  // 'J': the jump that follows is listed on a line of its own
@@ -178,6 +182,15 @@ void Line::add_move(std::size_t index) {
   if (form.zone != MoveCommand::Zone::Unspecified) remark("ZONE");
   if (form.fine) remark("FINE");
   if (form.profile != Profile::Unspecified) remark("PROFILE");
+}
+
+void Line::add_components(const MoveForm& form) {
+  std::string values;
+  for (int i = std::popcount(form.given); i > 0; --i, words_ += 2) {
+    values += fmt::format("{}{}", values.empty() ? "" : " ",
+                          number_text(real_at(&chunk_.code[offset_ + words_]), kNone));
+  }
+  remark(fmt::format("SI: {}", values));
 }
 
 }  // namespace

@@ -68,6 +68,17 @@ Lexer::Lexer(std::string_view source, Diagnostics& diagnostics)
   if (source.starts_with(kByteOrderMark)) offset_ = begin_ = kByteOrderMark.size();
 }
 
+void Lexer::begin_at(std::size_t offset, const Place& place) {
+  offset_ = begin_ = offset;
+  line_ = place.line;
+  begin_column_ = place.column;
+}
+
+void Lexer::skip_to(std::size_t offset) {
+  offset_ = offset;
+  at_line_begin_ = false;
+}
+
 Lexer Lexer::quiet_copy() const {
   Lexer copy = *this;
   copy.diagnostics_ = nullptr;

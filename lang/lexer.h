@@ -23,6 +23,11 @@ class Lexer {
   /// unless there is nothing at all.
   Token next();
 
+  /// Goes on at a place of the text where a token begins.
+  void begin_at(std::size_t offset, const Place& place);
+  /// Goes on behind what has been read otherwise, on the line of the last token.
+  void skip_to(std::size_t offset);
+
   /// A copy that goes on from here and reports nothing.
   Lexer quiet_copy() const;
 

@@ -5,6 +5,7 @@
 #include "lang/checker.h"
 #include "lang/clause_checker.h"
 #include "lang/expression_checker.h"
+#include "lang/plain_motion.h"
 #include "lang/robot_signature.h"
 
 namespace rob::lang {
@@ -12,9 +13,11 @@ namespace rob::lang {
 /// Checks motions: the target against the robot's coordinates or axes, and the clauses.
 class MoveChecker {
  public:
-  MoveChecker(const RobotSignature& robot, ExpressionChecker& expressions, Diagnostics& diagnostics,
-              CheckedProgram& checked)
+  MoveChecker(const RobotSignature& robot, ExpressionChecker& expressions, const TargetJudge& judge,
+              Diagnostics& diagnostics, CheckedProgram& checked)
       : robot_(robot),
+        plain_(robot),
+        judge_(judge),
         expressions_(expressions),
         clauses_(expressions, diagnostics),
         diagnostics_(diagnostics),
@@ -23,6 +26,7 @@ class MoveChecker {
   void check(const Header& header);
   /// `place`: of the statement.
   void check(const Move& move, Place place);
+  void check(PlainMotions& motions);
   /// A ZONE before UNTIL, or directly before STOP or WAIT, which make its target exact.
   void warn_of_zones(const Block& block);
 
@@ -32,16 +36,21 @@ class MoveChecker {
   // check_computed_targets.cpp
   bool check_value(const Move& move);
   void report_no_target(const Move& move, const Type& type);
-  void remember_value(const Expr& target);
+  void judge_value(const Expr& target);
 
   bool check_shape(const Tuple& tuple, Place place);
   bool check_names(const Tuple& tuple);
   bool check_component(const Tuple::Element& element, std::size_t coordinate);
   void warn_of_zone(const Expr& zone, std::string_view word, Place place);
   void remember_features(const Clauses& clauses, Place place);
-  void remember_constants(const Move& move);
+  void judge_constants(const Move& move);
+  void judge(const MoveCommand& command, Place place);
+  // check_plain_motions.cpp
+  bool settle(PlainMotions& motions, PlainMotions::Written& motion);
 
   const RobotSignature& robot_;
+  PlainTargets plain_;
+  const TargetJudge& judge_;
   ExpressionChecker& expressions_;
   ClauseChecker clauses_;
   Diagnostics& diagnostics_;

@@ -8,6 +8,7 @@
 #include "lang/ascii.h"
 #include "lang/codes.h"
 #include "lang/parser_impl.h"
+#include "lang/plain_motion.h"
 #include "lang/suggest.h"
 
 /// The parser's rules for motions and their clauses.
@@ -25,6 +26,10 @@ constexpr std::array<std::string_view, 7> kClauseWords{"AT",   "OVER", "ACCEL", 
 bool goes_on(TokenKind kind) {
   return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star ||
          kind == TokenKind::Slash || kind == TokenKind::Caret || kind == TokenKind::Dot;
+}
+
+MotionKind motion_kind(const Token& word) {
+  return word.keyword == Keyword::Movel ? MotionKind::Line : MotionKind::Joint;
 }
 
 }  // namespace
@@ -53,7 +58,7 @@ std::string_view clause_word(const Token& token) {
 void Parser::move(Block& block) {
   const Place place = current_.place;
   Move move;
-  move.kind = at(Keyword::Movel) ? MotionKind::Line : MotionKind::Joint;
+  move.kind = motion_kind(current_);
   advance();
   try {
     if (move.kind == MotionKind::Joint && at_clause_word("JOINT")) {
@@ -69,6 +74,25 @@ void Parser::move(Block& block) {
     if (line_ends_with(Keyword::Do)) skip_later_block("MOVE", "ENDMOVE", false);
     throw;
   }
+}
+
+/// A motion in numbers alone goes with those on the lines before it. False where it is none.
+bool Parser::plain_motion(Block& block) {
+  const auto motion = read_plain_motion(source_.substr(current_.offset), current_.text.size());
+  if (!motion) return false;
+  if (block.empty() || !std::holds_alternative<PlainMotions>(block.back().node)) {
+    add(block, current_.place, PlainMotions{.source = source_, .motions = {}});
+  }
+  std::get<PlainMotions>(block.back().node)
+      .motions.push_back({.offset = static_cast<std::uint32_t>(current_.offset),
+                          .line = current_.place.line,
+                          .column = current_.place.column,
+                          .kind = motion_kind(current_)});
+  previous_ = current_;
+  lexer_.skip_to(current_.offset + motion->length);
+  shift();
+  shift();
+  return true;
 }
 
 /// A word behind MOVE that is not the name of what stands there.

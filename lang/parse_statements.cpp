@@ -85,6 +85,7 @@ void Parser::simple(Block& block) {
   const Place place = current_.place;
   if (at(Keyword::Move) || at(Keyword::Movel)) {
     const bool first = current_.first_on_line;
+    if (first && !rereading_ && plain_motion(block)) return;
     move(block);
     return behind_motion(block, first);
   }

@@ -82,6 +82,21 @@ Program Parser::program() {
   return program;
 }
 
+Block parse_line(std::string_view source, std::size_t offset, const Place& place,
+                 Diagnostics& diagnostics) {
+  return Parser(source, diagnostics).line_at(offset, place);
+}
+
+Block Parser::line_at(std::size_t offset, const Place& place) {
+  Block block;
+  rereading_ = true;
+  lexer_.begin_at(offset, place);
+  shift();
+  shift();
+  statement(block);
+  return block;
+}
+
 // --------------------------------------------------------------------- tokens
 
 void Parser::shift() {

@@ -39,6 +39,7 @@ class Parser {
  public:
   Parser(std::string_view source, Diagnostics& diagnostics);
   Program program();
+  Block line_at(std::size_t offset, const Place& place);
 
  private:
   struct SyntaxError {};
@@ -115,6 +116,7 @@ class Parser {
 
   // Motions (parse_motion.cpp)
   void move(Block& block);
+  bool plain_motion(Block& block);
   bool at_clause_word(std::string_view word) const;
   void joint_target(Move& move);
   ExprPtr target(std::string_view motion);
@@ -238,6 +240,7 @@ class Parser {
   Token next_;
   int brackets_ = 0;  ///< open ones; inside them line ends do not count
   int level_ = 0;
+  bool rereading_ = false;  ///< what the checker has refused: as a tree
   std::size_t nodes_ = 0;
   std::uint32_t muted_line_ = 0;  ///< has had its message
   std::vector<OpenBlock> open_blocks_;

@@ -22,11 +22,11 @@ namespace rob::lang {
 class StatementChecker {
  public:
   StatementChecker(CheckedProgram& checked, const RobotSignature& robot, const PointTable& points,
-                   Diagnostics& diagnostics)
+                   const TargetJudge& judge, Diagnostics& diagnostics)
       : scopes_(checked.symbols, robot),
         uses_(checked.program.routines.size()),
         expressions_(scopes_, checked.program, uses_, missing_, diagnostics),
-        moves_(robot, expressions_, diagnostics, checked),
+        moves_(robot, expressions_, judge, diagnostics, checked),
         waits_(expressions_, diagnostics),
         watches_(expressions_, diagnostics),
         points_(points),
@@ -50,6 +50,7 @@ class StatementChecker {
     std::visit([&](auto& node) { check(node); }, statement.node);
   }
   void check(Move& move) { moves_.check(move, place_); }
+  void check(PlainMotions& motions) { moves_.check(motions); }
   void check(WatchedMotion& watched) {
     check(watched.motion);
     if (watched.until != nullptr) watches_.check_until(watched.until);

@@ -38,6 +38,7 @@ class StatementCompiler {
   }
 
   void compile(const Move& move);
+  void compile(const PlainMotions& motions);
   void compile(const WatchedMotion& watched);
   void compile(const When& when);
   void compile(const WayPoint& event);

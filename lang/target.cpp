@@ -13,14 +13,6 @@
 namespace rob::lang {
 namespace {
 
-/// That of UNITS, else mm or deg.
-Unit default_unit(Dimension dimension, const RobotSignature& robot) {
-  for (const Unit& unit : robot.units) {
-    if (unit.dimension == dimension) return unit;
-  }
-  return find_unit(unit_text(dimension)).value_or(Unit{.dimension = dimension});
-}
-
 /// The value of `0.3` or `-0.3` with the default unit behind its digits.
 std::optional<double> bare_literal(const Expr& component, Dimension dimension,
                                    const RobotSignature& robot) {
@@ -37,6 +29,13 @@ std::optional<double> bare_literal(const Expr& component, Dimension dimension,
 }
 
 }  // namespace
+
+Unit default_unit(Dimension dimension, const RobotSignature& robot) {
+  for (const Unit& unit : robot.units) {
+    if (unit.dimension == dimension) return unit;
+  }
+  return find_unit(unit_text(dimension)).value_or(Unit{.dimension = dimension});
+}
 
 std::optional<std::size_t> coordinate_named(const RobotSignature& robot, std::string_view name) {
   for (std::size_t i = 0; i < robot.coordinates.size(); ++i) {

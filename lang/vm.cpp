@@ -1,6 +1,7 @@
 #include "lang/vm.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <span>
 #include <utility>
@@ -253,6 +254,11 @@ move : {
   if (!build(pc, command)) return fail(pc, std::move(error_));
   ROB_ASK(machine_.move(line(pc), command), pc);
   ROB_NEXT(1);
+}
+move_to : {
+  const MoveCommand command = build_plain(pc);
+  ROB_ASK(machine_.move(line(pc), command), pc);
+  ROB_NEXT(1 + 2 * std::popcount(command.given));
 }
 guard:
   ROB_ASK(guard(pc), pc);

@@ -158,6 +158,7 @@ class Vm {
 
   // Motions (vm_motion.cpp): false, with error_ set, if a value turned out to be impossible.
   bool build(Code pc, MoveCommand& command);
+  MoveCommand build_plain(Code pc) const;
   bool choose_axis(Code pc, Slot axis, MoveCommand& command);
   bool build_clauses(Code pc, const MoveForm& form, const Slot* next, MoveCommand& command);
   bool check_zone(Code pc, double value, Dimension dimension);

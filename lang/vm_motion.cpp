@@ -50,6 +50,18 @@ bool Vm::build(Code pc, MoveCommand& command) {
   return build_clauses(pc, form, next, command);
 }
 
+MoveCommand Vm::build_plain(Code pc) const {
+  const MoveForm& form = chunk_.moves[pc->x()];
+  MoveCommand command{.kind = form.kind, .count = form.count, .given = form.given};
+  Code next = pc + 1;
+  for (int i = 0; i < form.count; ++i) {
+    if (!command.has(i)) continue;
+    command.target[static_cast<std::size_t>(i)] = real_at(next);
+    next += 2;
+  }
+  return command;
+}
+
 bool Vm::choose_axis(Code pc, Slot axis, MoveCommand& command) {
   if (axis.integer >= 1 && axis.integer <= command.count) {
     command.given = static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis.integer - 1));

@@ -34,23 +34,27 @@ bool is_known_robot(const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-std::optional<Words> words_against_target(lang::MoveCommand command,
-                                          const motion::RobotModel& robot) {
-  if (command.means == lang::MoveCommand::Target::Pose) {
-    const lang::PoseValue pose = lang::target_pose(command, {});
-    if (auto words = settle_on_axes(robot, pose, motion::middle(robot), command)) return words;
-  }
+std::optional<Words> words_against_axes(const lang::MoveCommand& command,
+                                        const motion::RobotModel& robot) {
   const auto refusal = motion::check_target(robot, command.given, command.target);
   return refusal ? std::optional(words_for(*refusal, robot)) : std::nullopt;
 }
 
-void refuse_targets_out_of_reach(lang::Compilation& compilation, const motion::RobotModel& robot) {
-  for (const lang::ConstantTarget& target : compilation.constant_targets) {
-    const auto words = words_against_target(target.command, robot);
-    if (!words) continue;
-    compilation.diagnostics.error(words->code, target.place, words->message, words->help);
-    compilation.chunk.reset();
-  }
+std::optional<Words> words_against_pose(lang::MoveCommand command,
+                                        const motion::RobotModel& robot) {
+  const lang::PoseValue pose = lang::target_pose(command, {});
+  if (auto words = settle_on_axes(robot, pose, motion::middle(robot), command)) return words;
+  return words_against_axes(command, robot);
+}
+
+/// Why a target that is known beforehand is out of reach.
+std::optional<lang::Refusal> refusal_of(const lang::MoveCommand& command,
+                                        const motion::RobotModel& robot) {
+  const bool pose = command.means == lang::MoveCommand::Target::Pose;
+  const auto words =
+      pose ? words_against_pose(command, robot) : words_against_axes(command, robot);
+  if (!words) return std::nullopt;
+  return lang::Refusal{words->code, words->message, words->help};
 }
 
 void refuse_what_the_robot_cannot(lang::Compilation& compilation, const motion::RobotModel& robot) {
@@ -118,8 +122,8 @@ LoadedProgram compile_program(std::string file, std::string source, const motion
   LoadedProgram program{std::move(file), std::move(source), robot, {}};
   program.compilation = lang::compile(
       program.source, signature_of(robot),
-      points_file.empty() ? lang::PointTable{} : load_points(points_file, robot).table());
-  refuse_targets_out_of_reach(program.compilation, robot);
+      points_file.empty() ? lang::PointTable{} : load_points(points_file, robot).table(),
+      [&](const lang::MoveCommand& command) { return refusal_of(command, robot); });
   refuse_what_the_robot_cannot(program.compilation, robot);
   return program;
 }

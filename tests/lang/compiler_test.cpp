@@ -62,8 +62,9 @@ TEST_CASE("every instruction knows the line that it comes from") {
   REQUIRE(program.compiled());
   const Chunk& chunk = program.chunk();
   REQUIRE(chunk.places.size() == chunk.code.size());
-  for (const Place& place : chunk.places) {
-    const bool named = place.line == 1 || place.line == 3 || place.line == 5;
+  for (std::size_t word = 0; word < chunk.places.size(); ++word) {
+    const std::uint32_t line = chunk.places[word].line;
+    const bool named = line == 1 || line == 3 || line == 5;
     CHECK(named);
   }
   CHECK(chunk.places.back().line == 5);
