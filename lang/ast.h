@@ -171,8 +171,7 @@ struct PlainMotions {
   std::vector<double> values{};  ///< set by the checker: the given components of all, SI, in order
 
   static Place place(const Written& motion) {
-    return {motion.line, motion.column,
-            static_cast<std::uint32_t>(word_of(motion.kind).size())};
+    return {motion.line, motion.column, static_cast<std::uint32_t>(word_of(motion.kind).size())};
   }
 };
 /// AFTER 2mm LEAD 20ms : lift = ON
@@ -341,8 +340,8 @@ struct Raise {
 
 struct Statement {
   Place place;  ///< of its first word
-  std::variant<Move, PlainMotions, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration, Assign,
-               Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
+  std::variant<Move, PlainMotions, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration,
+               Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
                Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach>
       node;
 };

@@ -221,10 +221,8 @@ void StatementChecker::check_constant_range(const For& loop, const Type& type) {
 
 CheckedProgram check(Program program, const RobotSignature& robot, const PointTable& points,
                      const TargetJudge& judge, Diagnostics& diagnostics) {
-  CheckedProgram checked{.program = std::move(program),
-                         .symbols = {},
-                         .features = {},
-                         .missing_points = {}};
+  CheckedProgram checked{
+      .program = std::move(program), .symbols = {}, .features = {}, .missing_points = {}};
   StatementChecker(checked, robot, points, judge, diagnostics).check(checked.program);
   return checked;
 }

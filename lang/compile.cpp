@@ -8,8 +8,8 @@
 
 namespace rob::lang {
 
-Compilation compile(std::string_view source, const RobotSignature& robot,
-                    const PointTable& points, const TargetJudge& judge) {
+Compilation compile(std::string_view source, const RobotSignature& robot, const PointTable& points,
+                    const TargetJudge& judge) {
   Compilation compilation;
   Diagnostics& diagnostics = compilation.diagnostics;
   Program program = parse(source, diagnostics);

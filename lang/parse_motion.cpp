@@ -76,8 +76,10 @@ void Parser::move(Block& block) {
   }
 }
 
-/// A motion in numbers alone goes with those on the lines before it. False where it is none.
+/// A motion in numbers alone goes with those on the lines before it. False where it is none, or
+/// where its word is a guess.
 bool Parser::plain_motion(Block& block) {
+  if (current_.place.line == muted_line_) return false;
   const auto motion = read_plain_motion(source_.substr(current_.offset), current_.text.size());
   if (!motion) return false;
   if (block.empty() || !std::holds_alternative<PlainMotions>(block.back().node)) {

@@ -78,7 +78,8 @@ std::optional<PlainMotion> read_plain_motion(std::string_view text, std::size_t 
     auto& component = motion.components[static_cast<std::size_t>(motion.count++)];
     if (!reader.component(component)) return std::nullopt;
   } while (reader.accept(','));
-  if (!reader.accept(')')) return std::nullopt;
+  const bool nothing = motion.count == 1 && motion.components.front().number.empty();
+  if (nothing || !reader.accept(')')) return std::nullopt;
   motion.length = reader.at();
   return reader.at_line_end() ? std::optional(motion) : std::nullopt;
 }

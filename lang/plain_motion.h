@@ -18,7 +18,7 @@ namespace rob::lang {
 struct PlainMotion {
   /// `-0.5m`: what a place of the tuple holds.
   struct Component {
-    std::string_view number;   ///< without sign and unit; empty where the place was left out
+    std::string_view number;  ///< without sign and unit; empty where the place was left out
     bool negative = false;
     std::optional<Unit> unit;  ///< none: that of the place
   };

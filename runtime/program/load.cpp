@@ -51,8 +51,7 @@ std::optional<Words> words_against_pose(lang::MoveCommand command,
 std::optional<lang::Refusal> refusal_of(const lang::MoveCommand& command,
                                         const motion::RobotModel& robot) {
   const bool pose = command.means == lang::MoveCommand::Target::Pose;
-  const auto words =
-      pose ? words_against_pose(command, robot) : words_against_axes(command, robot);
+  const auto words = pose ? words_against_pose(command, robot) : words_against_axes(command, robot);
   if (!words) return std::nullopt;
   return lang::Refusal{words->code, words->message, words->help};
 }

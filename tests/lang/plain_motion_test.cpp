@@ -32,9 +32,8 @@ std::string component(std::mt19937& random) {
   static constexpr std::array kNumbers = std::to_array<std::string_view>(
       {"0", "40", "39.99", "0.1", "126.6", "00.50", "123456789012345678", "1234567890123456789",
        "99999999999999999999", "1e2", "5.", ".5", "1_0", "0x1", "x", ""});
-  static constexpr std::array kUnits =
-      std::to_array<std::string_view>({"", "", "", "mm", "cm", "in", "deg", "rad", "%", "s", "mm/s",
-                                       "Mm", " mm", "\u00b0"});
+  static constexpr std::array kUnits = std::to_array<std::string_view>(
+      {"", "", "", "mm", "cm", "in", "deg", "rad", "%", "s", "mm/s", "Mm", " mm", "\u00b0"});
   const auto one_of = [&](const auto& texts) { return texts[random() % texts.size()]; };
   std::string text(random() % 4 == 0 ? "-" : "");
   if (random() % 8 == 0) text += ' ';
@@ -63,9 +62,9 @@ TEST_CASE("a motion in numbers alone is read straight from the text") {
 
 TEST_CASE("what is written in any other way is left to the parser") {
   for (const char* const text :
-       {"MOVE(1,2,3", "MOVE(1,2,\n3)", "MOVE(1,2,3) AT 50%", "MOVE(x: 1)", "MOVE(1+1,2,3)", "MOVE p",
-        "MOVE(1,2,3) STOP", "MOVE(1e3,2,3)", "MOVE(50%,2,3)", "MOVE(1 mm,2,3)", "MOVE(1,2,3)\r",
-        "MOVE BY (1,2,3)", "MOVE(+1,2,3)", "MOVE(--1,2,3)", "MOVE"}) {
+       {"MOVE(1,2,3", "MOVE(1,2,\n3)", "MOVE(1,2,3) AT 50%", "MOVE(x: 1)", "MOVE(1+1,2,3)",
+        "MOVE p", "MOVE(1,2,3) STOP", "MOVE(1e3,2,3)", "MOVE(50%,2,3)", "MOVE(1 mm,2,3)",
+        "MOVE(1,2,3)\r", "MOVE BY (1,2,3)", "MOVE(+1,2,3)", "MOVE(--1,2,3)", "MOVE()", "MOVE"}) {
     CAPTURE(text);
     CHECK_FALSE(is_plain(text));
   }
@@ -88,12 +87,13 @@ TEST_CASE("as numbers and as a tree a motion means the same, and is refused for 
 }
 
 TEST_CASE("what is wrong with one of many motions is told where it stands") {
-  const ProgramRun program("MOVE(1,2,3)\n  MOVE(1,2s,3)\nMOVE(1,2,3)\nMOVE(1,2)\n");
+  const ProgramRun program("MOVE(1,2,3)\n  MOVE(1,2s,3)\nMOVE(1,2,3)\nMOVE(1,2)\nMOOVE(1,2,3)\n");
   const auto& found = program.compilation().diagnostics.all();
-  REQUIRE(found.size() == 2);
+  REQUIRE(found.size() == 3);
   CHECK(found[0].code == "E207");
   CHECK(found[0].place == Place{.line = 2, .column = 10, .length = 2});
   CHECK(found[1].place.line == 4);
+  CHECK(found[2].code == "E120");
 }
 
 TEST_CASE("many motions in numbers take a few bytes each") {
