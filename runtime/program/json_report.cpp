@@ -38,7 +38,10 @@ Json line_json(const LineResult& line, bool measured) {
     if (measured) json["corner_miss_mm"]["measured"] = optional_millimetres(line.miss_measured);
   }
   if (line.count > 1) json["count"] = line.count;
-  if (measured) json["ended"] = line.ended;
+  if (measured) {
+    json["ended"] = line.ended;
+    json["s_mm"] = millimetres(line.way);
+  }
   return json;
 }
 
@@ -48,16 +51,20 @@ Json lines_json(const RunResult& result, bool measured) {
   return lines;
 }
 
+Json joints_json(const std::vector<double>& values) {
+  Json joints = Json::array();
+  for (const double q : values) joints.push_back(millimetres(q));
+  return joints;
+}
+
 Json final_json(const RunResult& result) {
   if (result.final_joints.empty()) return nullptr;
-  Json joints = Json::array();
-  for (const double q : result.final_joints) joints.push_back(millimetres(q));
   Json pose;
   const char* names[] = {"x", "y", "z", "a", "b", "c"};
   for (std::size_t i = 0; i < result.final_pose.size(); ++i) {
     pose[names[i]] = millimetres(result.final_pose[i]);
   }
-  return {{"joints", joints}, {"pose", pose}};
+  return {{"joints", joints_json(result.final_joints)}, {"pose", pose}};
 }
 
 Json signals_json(const RunResult& result) {
@@ -82,7 +89,8 @@ Json events_json(const RunResult& result) {
     events.push_back({{"t", seconds(event.time)},
                       {"kind", event.kind},
                       {"line", event.line},
-                      {"text", event.text}});
+                      {"text", event.text},
+                      {"q", joints_json(event.joints)}});
   }
   return events;
 }
@@ -152,6 +160,7 @@ Json run_json(const RunResult& result) {
           {"lost_rows", result.lost_rows},
           {"worst_u_sat", result.worst_saturation},
           {"peak", peaks_json(result)},
+          {"deviation_mm", millimetres(result.deviation)},
           {"error", problem_json(result.error)}};
 }
 

@@ -32,6 +32,7 @@ RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share,
       names_(std::move(names)),
       listener_(std::move(listener)),
       meter_(*robot.kinematics),
+      path_(*robot.kinematics, robot.start),
       reached_(robot.start) {
   result_.robot = robot.name;
   for (const motion::Axis& axis : robot.axes) result_.peaks.push_back({axis.name});
@@ -56,6 +57,8 @@ void RunRecorder::drain() {
 
 void RunRecorder::take(const Snapshot& snapshot) {
   meter_.measured(snapshot.measured);
+  const double way = path_.reference(snapshot.sample.reference.q);
+  if (running_) line_of(*running_).way += way * kMillimetresPerMetre;
   take_peaks(snapshot);
   if (early_) locate(snapshot);
   last_ = snapshot;
@@ -121,6 +124,7 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   running_ = Running{*planned, reached_, event.time, false};
   reached_ = planned->target;
   meter_.watch(planned->number, planned->target);
+  path_.programmed(running_->from, planned->target);
 
   LineResult& line = line_of(*planned);
   const double duration = planned->span() / (planned->dwell ? 1 : override_share_);
@@ -180,7 +184,11 @@ void RunRecorder::end_segment(double time, const LoggedSegment* next) {
   LineResult& line = line_of(*running_);
   line.measured += time - running_->started;
   if (running_->cut) return running_.reset();
-  if (!running_->stop) raise(line.miss_planned, planned_miss(*running_, next));
+  if (!running_->stop) {
+    const double miss = planned_miss(*running_, next);
+    raise(line.miss_planned, miss);
+    result_.deviation = std::max(result_.deviation, miss);
+  }
   if (next != nullptr && next->stop) line.exact = true;
   if (next == nullptr && line.count == 1) line.decides.reset();  // nothing follows it
   behind_ = running_;
@@ -274,7 +282,7 @@ void RunRecorder::take_peaks(const Snapshot& snapshot) {
 }
 
 void RunRecorder::add_event(double time, const char* kind, int line, std::string text) {
-  result_.events.push_back({time, kind, line, std::move(text)});
+  result_.events.push_back({time, kind, line, std::move(text), shown_joints()});
 }
 
 void RunRecorder::fail(double time, const char* kind, Words words) {
@@ -287,6 +295,16 @@ void RunRecorder::fail(double time, const char* kind, Words words) {
                           {static_cast<std::uint32_t>(line()), 0, 0},
                           std::move(words.message),
                           std::move(words.help)};
+}
+
+/// Of the last reference, mm or deg.
+std::vector<double> RunRecorder::shown_joints() const {
+  const motion::JointVector& q = last_ ? last_->sample.reference.q : robot_.start;
+  std::vector<double> shown;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    shown.push_back(q[i] * shown_per_si(robot_.axes[static_cast<std::size_t>(i)].kind));
+  }
+  return shown;
 }
 
 LineResult& RunRecorder::line_of(const LoggedSegment& segment) {
@@ -304,11 +322,9 @@ RunResult RunRecorder::finish() {
   result_.cycles =
       static_cast<std::int64_t>(std::ceil(result_.measured / robot_.reference_period - kRounding));
   for (auto& [number, line] : lines_) result_.lines.push_back(line);
+  result_.deviation = std::max(result_.deviation, path_.deviation() * kMillimetresPerMetre);
+  result_.final_joints = shown_joints();
   const motion::JointVector q = last_ ? last_->sample.reference.q : robot_.start;
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    result_.final_joints.push_back(q[i] *
-                                   shown_per_si(robot_.axes[static_cast<std::size_t>(i)].kind));
-  }
   result_.final_pose = shown_pose(robot_.kinematics->forward(q));
   return std::move(result_);
 }

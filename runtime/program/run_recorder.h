@@ -11,6 +11,7 @@
 #include "runtime/control/messages.h"
 #include "runtime/control/program_log.h"
 #include "runtime/program/corner_meter.h"
+#include "runtime/program/path_meter.h"
 #include "runtime/program/run_result.h"
 #include "runtime/program/signal_names.h"
 
@@ -72,6 +73,7 @@ class RunRecorder {
   void add_output(const motion::MotionEvent& event, bool value);
   void add_analog(const motion::MotionEvent& event);
   void take_peaks(const Snapshot& snapshot);
+  std::vector<double> shown_joints() const;
   void add_event(double time, const char* kind, int line, std::string text);
   void fail(double time, const char* kind, Words words);
   LineResult& line_of(const LoggedSegment& segment);
@@ -83,6 +85,7 @@ class RunRecorder {
   SignalNames names_;
   Listener listener_;
   CornerMeter meter_;
+  PathMeter path_;
   RunResult result_;
   std::map<int, LineResult> lines_;
   std::optional<Running> running_;

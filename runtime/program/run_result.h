@@ -29,7 +29,8 @@ struct LineResult {
   double starts = 0;       ///< when it ran first
   double planned = 0;      ///< how long it takes, the sum over all times
   double measured = 0;
-  std::optional<double> decides;       ///< when what follows must be known, the first time
+  double way = 0;                 ///< of the tool's reference in it, mm, the sum over all times
+  std::optional<double> decides;  ///< when what follows must be known, the first time
   std::optional<double> miss_planned;  ///< the greatest of all times; none for a STOP
   std::optional<double> miss_measured;
   bool exact = false;  ///< its last motion was made exact by a STOP or the end
@@ -50,6 +51,7 @@ struct RunEvent {
   std::string kind;
   int line = 0;
   std::string text;
+  std::vector<double> joints{};  ///< the reference of the cycle before, mm or deg
 };
 
 /// What an axis was asked for at most: mm, deg and their rates.
@@ -97,6 +99,7 @@ struct RunResult {
   std::int64_t lost_rows = 0;        ///< of the trace
   double worst_saturation = 0;       ///< greatest force demanded / what the drive can give
   std::vector<AxisPeak> peaks;
+  double deviation = 0;  ///< mm: the greatest distance from the programmed path or points
 };
 
 }  // namespace rob::runtime

@@ -95,6 +95,41 @@ TEST_CASE("with --json standard output is one document, whatever the program pri
   CHECK(report["final"]["joints"][0] == 10.0);
 }
 
+TEST_CASE("the report tells the way of each line, and how far the path was left") {
+  const auto report = [](const char* program) {
+    return json::parse(RobCommand(program)("run", {"--fast", "--json"}).out);
+  };
+  const json straight = report("MOVE(30,40,0) FINE\nMOVE(130,40,0) FINE\nMOVE(130,40,0) FINE\n");
+  CHECK(straight["lines"][0]["s_mm"] == doctest::Approx(50));  // 3, 4, 5
+  CHECK(straight["lines"][1]["s_mm"] == doctest::Approx(100));
+  CHECK(straight["lines"][2]["s_mm"] == 0);
+  CHECK(straight["deviation_mm"] == doctest::Approx(0).epsilon(1e-5));
+
+  const json triangle = report(kTriangle);
+  double most = 0;
+  for (const json& line : triangle["lines"]) {
+    if (!line["corner_miss_mm"].is_object()) continue;
+    most = std::max(most, line["corner_miss_mm"]["planned"].get<double>());
+  }
+  CHECK(most > 1);
+  CHECK(triangle["deviation_mm"] == doctest::Approx(most));
+}
+
+TEST_CASE("an event tells where the axes were") {
+  const RobCommand command("lift = ON\nMOVE(300,0,0) UNTIL lift_down\n");
+  const json report = json::parse(command("run", {"--fast", "--json"}).out);
+  REQUIRE(report["events"].size() == 1);
+  const json& hit = report["events"][0];
+  CHECK(hit["kind"] == "hit");
+  REQUIRE(hit["q"].size() == 3);
+  const double there = hit["q"][0];
+  const double at_rest = report["final"]["joints"][0];
+  // v²/2a = (20 mm/s)²/(2·100 mm/s²) = 2 mm of braking, behind at most two cycles at 20 mm/s.
+  CHECK(at_rest - there > 2);
+  CHECK(at_rest - there < 2.5);
+  CHECK(report["lines"][1]["s_mm"] == doctest::Approx(at_rest));
+}
+
 TEST_CASE("a run-time error tells its line, exit code 70, behind what was commanded before") {
   const ProcessResult result =
       RobCommand("VAR n = 0\nMOVE(10,0,0)\nPRINT \"before\"\nPRINT 1 / n\nPRINT \"after\"\n")(
