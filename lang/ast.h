@@ -319,11 +319,19 @@ struct Raise {
   ExprPtr value;  ///< null: the error that is being handled, again
 };
 
+/// USE tools
+struct Use {
+  std::string name;
+  std::uint32_t file = 0;  ///< its number; 0 where it could not be read
+  /// What the file declares, if this is the first USE of it in the whole program.
+  Block declarations{};
+};
+
 struct Statement {
   Place place;  ///< of its first word
   std::variant<Move, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration, Assign,
                Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
-               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach>
+               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, Use>
       node;
 };
 
@@ -371,6 +379,10 @@ struct Program {
   std::set<std::string> taught{};  ///< names behind TEACH, in capitals
   /// Where END stands, or the end of the file if there is none.
   Place end;
+  std::size_t nodes = 0;                        ///< statements and expressions read so far
+  bool whole = true;                            ///< all that it USEs could be read
+  std::vector<Program> used{};                  ///< what is left of the files that it USEs
+  std::vector<std::vector<Unit>> used_units{};  ///< UNITS of each file, its own first
 };
 
 }  // namespace rob::lang

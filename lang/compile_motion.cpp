@@ -81,7 +81,7 @@ void StatementCompiler::compile_component(const Expr& component, Dimension dimen
   expressions_.value_into(component, target, true);
   if (!is_bare(component.type)) return;
   const auto mark = code_.mark();
-  const BareUnit unit = bare_unit(dimension, robot_);
+  const BareUnit unit = bare_unit(dimension, robot_, component.place);
   const Register scale = code_.number_registers();
   if (unit.divisor != 1) {
     code_.load_real(scale, unit.divisor, kNone, component.place);

@@ -23,7 +23,7 @@ struct BareUnit {
   double divisor = 1;
   double factor = 1;
 };
-BareUnit bare_unit(Dimension dimension, const RobotSignature& robot);
+BareUnit bare_unit(Dimension dimension, const RobotSignature& robot, const Place& place);
 
 /// Whether a component is a bare number, to be taken in UNITS.
 bool is_bare(const Type& type);
