@@ -110,7 +110,7 @@ std::uint32_t Scopes::enter_file(std::uint32_t file) {
 }
 
 void Scopes::use(const std::string& name, std::uint32_t file) {
-  files_[file_].used.push_back({name, file});
+  if (!is_file(name)) files_[file_].used.push_back({name, file});
 }
 
 bool Scopes::is_file(std::string_view name) const {
