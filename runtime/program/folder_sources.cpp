@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "lang/source_text.h"
@@ -65,10 +66,13 @@ std::variant<lang::SourceFile, lang::NoSource> FolderSources::find(std::string_v
   std::ranges::sort(names);  // a folder has no order of its own
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   const std::string meant = lang::did_you_mean(lang::suggest(name, candidates));
-  return lang::NoSource{
-      fmt::format("there is no {}{} in '{}' or '{}'", name, kEnding,
-                  folders[0].lexically_normal().string(), folders[1].lexically_normal().string()),
-      meant.empty() ? "USE tools reads tools.rob from one of these folders" : meant};
+  const std::string beside = folders[0].lexically_normal().string();
+  const std::string library = folders[1].lexically_normal().string();
+  std::string message = fmt::format("there is no {}{} in '{}'", name, kEnding, beside);
+  if (library != beside) message += fmt::format(" or '{}'", library);
+  if (!meant.empty()) return lang::NoSource{std::move(message), meant};
+  return lang::NoSource{std::move(message),
+                        "USE tools reads tools.rob from the folder of its file, or from lib"};
 }
 
 }  // namespace rob::runtime
