@@ -167,11 +167,13 @@ struct PlainMotions {
     std::uint8_t given = 0;  ///< set by the checker: as in MoveCommand
   };
   std::string_view source;  ///< that all of them stand in
+  std::uint32_t file = 0;   ///< its number
   std::vector<Written> motions;
   std::vector<double> values{};  ///< set by the checker: the given components of all, SI, in order
 
-  static Place place(const Written& motion) {
-    return {motion.line, motion.column, static_cast<std::uint32_t>(word_of(motion.kind).size())};
+  Place place(const Written& motion) const {
+    return {motion.line, motion.column, static_cast<std::uint32_t>(word_of(motion.kind).size()),
+            file};
   }
 };
 /// AFTER 2mm LEAD 20ms : lift = ON
@@ -338,11 +340,19 @@ struct Raise {
   ExprPtr value;  ///< null: the error that is being handled, again
 };
 
+/// USE tools
+struct Use {
+  std::string name;
+  std::uint32_t file = 0;  ///< its number; 0 where it could not be read
+  /// What the file declares, if this is the first USE of it in the whole program.
+  Block declarations{};
+};
+
 struct Statement {
   Place place;  ///< of its first word
   std::variant<Move, PlainMotions, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration,
                Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
-               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach>
+               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, Use>
       node;
 };
 
@@ -390,6 +400,10 @@ struct Program {
   std::set<std::string> taught{};  ///< names behind TEACH, in capitals
   /// Where END stands, or the end of the file if there is none.
   Place end;
+  std::size_t nodes = 0;                        ///< statements and expressions read so far
+  bool whole = true;                            ///< all that it USEs could be read
+  std::vector<Program> used{};                  ///< what is left of the files that it USEs
+  std::vector<std::vector<Unit>> used_units{};  ///< UNITS of each file, its own first
 };
 
 }  // namespace rob::lang

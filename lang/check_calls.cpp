@@ -48,6 +48,7 @@ Type ExpressionChecker::check(Call& call, Expr& expression) {
   for (const ExprPtr& argument : call.arguments) {
     sound = check(argument).kind != Type::Kind::Unknown && sound;
   }
+  if (report_ambiguous(call.callee, expression.place)) return {};
   if (const Symbol* const symbol = scopes_.find(call.callee);
       symbol != nullptr && symbol->kind == Symbol::Kind::Routine) {
     return check_routine_call(call, expression, *symbol->routine);

@@ -129,6 +129,7 @@ void ExpressionChecker::check_condition(const ExprPtr& condition, std::string_vi
 
 const Symbol* ExpressionChecker::resolve(std::string_view name, Place place) {
   const Symbol* const symbol = scopes_.find(name);
+  if (symbol != nullptr && report_ambiguous(name, place)) return nullptr;
   if (symbol == nullptr) {
     report_unknown(name, place);
   } else if (symbol->kind == Symbol::Kind::Routine) {
@@ -177,7 +178,10 @@ void ExpressionChecker::report_unknown(std::string_view name, Place place) {
                        fmt::format("{} is not in this version of Rob yet", to_upper(name)));
     return;
   }
-  if (const auto declared = find_declaration(program_, name)) {
+  if (scopes_.is_file(name.substr(0, name.find('.')))) {
+    return report_no_such_name(name, place);
+  }
+  if (const auto declared = find_declaration(program_, name, place.file)) {
     const bool later = declared->line > place.line ||
                        (declared->line == place.line && declared->column >= place.column);
     diagnostics_.error(

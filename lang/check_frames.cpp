@@ -18,10 +18,10 @@ Constant constant_of(const PoseValue& pose) {
 
 }  // namespace
 
+/// Of any file, where it is declared already.
 const Symbol* ExpressionChecker::frame_of(const Type& pose) const {
   if (!pose.is(Type::Kind::Pose) || pose.detail == nullptr || is_free(pose)) return nullptr;
-  const Symbol* const symbol = scopes_.find_global(pose.detail->name);
-  return symbol != nullptr && symbol->frame == pose.detail ? symbol : nullptr;
+  return scopes_.frame_of(pose.detail);
 }
 
 /// Whether a place may stand where another kind of place is wanted; a pose in a frame is brought
@@ -94,8 +94,10 @@ void StatementChecker::check_tool_number(const Expr& value, const Type& wanted,
 
 void StatementChecker::check_frame_uses(const Program& program) {
   for (const Program::FrameUse& use : program.frame_uses) {
+    if (scopes_.frame_of(use.frame) != nullptr) continue;
+    scopes_.enter_file(use.place.file);
     const Symbol* const symbol = scopes_.find_global(use.frame->name);
-    if (symbol != nullptr && (symbol->frame == use.frame || !symbol->type.known())) continue;
+    if (symbol != nullptr && !symbol->type.known()) continue;
     diagnostics_.error(code::kNoFrame, use.place,
                        fmt::format("{} is no FRAME of this program", shortened(use.frame->name)),
                        fmt::format("FRAME {} = POSE(…) declares one", shortened(use.frame->name)));

@@ -7,7 +7,7 @@ namespace rob::lang {
 void MoveChecker::check(PlainMotions& motions) {
   for (PlainMotions::Written& motion : motions.motions) {
     if (settle(motions, motion)) continue;
-    const Place place = PlainMotions::place(motion);
+    const Place place = motions.place(motion);
     for (const Statement& statement :
          parse_line(motions.source, motion.offset, place, diagnostics_)) {
       check(std::get<Move>(statement.node), place);
@@ -18,10 +18,10 @@ void MoveChecker::check(PlainMotions& motions) {
 bool MoveChecker::settle(PlainMotions& motions, PlainMotions::Written& motion) {
   const auto read =
       read_plain_motion(motions.source.substr(motion.offset), word_of(motion.kind).size());
-  const auto target = read ? plain_.of(*read) : std::nullopt;
+  const auto target = read ? plain_.of(*read, motions.file) : std::nullopt;
   if (!target) return false;
   const MoveCommand command{.kind = motion.kind,
-                            .count = plain_.count(),
+                            .count = static_cast<int>(robot_.coordinates.size()),
                             .given = target->given,
                             .target = target->values};
   if (target->given != 0 && judge_ && judge_(command)) return false;

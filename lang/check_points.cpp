@@ -26,6 +26,7 @@ void StatementChecker::check(PointDeclaration& declaration) {
         fmt::format("{} needs", shortened(declaration.points.front().declared.name)));
   }
   for (PointDeclaration::Point& point : declaration.points) {
+    if (is_of_other_file(point.declared)) continue;
     Type type = given.is(Type::Kind::Pose) ? given : Type::pose();
     Constant value;
     const PointTable::Point* const kept = points_.find(point.declared.name);
@@ -44,6 +45,19 @@ void StatementChecker::check(PointDeclaration& declaration) {
       missing_.declare(*point.declared.symbol);
     }
   }
+}
+
+/// All points of a program are kept in one points file, by their names.
+bool StatementChecker::is_of_other_file(const Declaration::Declared& point) {
+  const auto [earlier, is_new] = points_declared_.try_emplace(to_upper(point.name), point.place);
+  if (is_new || earlier->second.file == point.place.file) return false;
+  diagnostics_.error(
+      code::kPointOfTwoFiles, point.place,
+      fmt::format("{} is a POINT of another file already, in {}", shortened(point.name),
+                  diagnostics_.line_of(earlier->second, point.place)),
+      "all points of a program are kept together: give one another name, or"
+      " declare it in one file that both USE");
+  return true;
 }
 
 /// A pose in the frame that its entry names.

@@ -16,8 +16,10 @@ void StatementChecker::check(Program& program) {
   moves_.check(program.header);
   scopes_.enter();
   for (const Routine& routine : program.routines) {
+    scopes_.enter_file(routine.place.file);
     if (!routine.test) declare(routine);
   }
+  scopes_.enter_file(0);
   for (Statement& statement : program.statements) {
     uses_.next_statement();
     check(statement);
@@ -46,6 +48,7 @@ void StatementChecker::declare(const Routine& routine) {
 }
 
 void StatementChecker::check(Routine& routine) {
+  scopes_.enter_file(routine.place.file);
   routine_ = &routine;
   uses_.enter(&routine);
   scopes_.enter();

@@ -29,6 +29,9 @@ void StatementChecker::warn_of_name(Symbol::Kind kind, const std::string& name, 
         kind == Symbol::Kind::Routine || earlier->kind == Symbol::Kind::Routine
             ? "give one of them another name"
             : "to give it another value, write it without VAR");
+  } else if (const auto files = scopes_.files_with(name);
+             scopes_.at_top_level() && !files.empty()) {
+    warn_of_hiding(name, place, files.front());
   } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr || is_later_builtin(name)) {
     diagnostics_.warning(
         code::kHidesBuiltIn, place,
@@ -115,8 +118,8 @@ bool StatementChecker::assignable(const Symbol& symbol, Place place) {
     case Symbol::Kind::Variable:
       return true;
     case Symbol::Kind::NamedConstant:
-      return refuse("is a constant",
-                    fmt::format("declare it with VAR in line {} to change it", symbol.place.line));
+      return refuse("is a constant", fmt::format("declare it with VAR in {} to change it",
+                                                 diagnostics_.line_of(symbol.place, place)));
     case Symbol::Kind::LoopVariable:
       return refuse("is the variable of a FOR, which alone changes it",
                     "use a variable of its own, or WHILE");

@@ -116,7 +116,7 @@ struct NamedSignal {
 struct SafeValue {
   int signal = 0;    ///< its index in the RobotSignature
   double value = 0;  ///< 1 for ON, V
-  std::uint32_t line = 0;
+  int line = 0;      ///< line_tag() of its declaration
 };
 
 /// A PROC or FUNC: where its code begins, and how much of the stack it takes.

@@ -11,6 +11,7 @@
 #include "lang/missing_points.h"
 #include "lang/point_table.h"
 #include "lang/robot_signature.h"
+#include "lang/used_files.h"
 
 namespace rob::lang {
 
@@ -31,12 +32,15 @@ struct Compilation {
   std::optional<Chunk> chunk;  ///< empty if the program has errors
   std::vector<FeatureUse> features;
   std::vector<MissingPoint> missing_points;  ///< each has had a warning
+  std::vector<SourceFile> used;              ///< the files that it USEs, by Place::file from 1
 };
 
 /// Lexer, parser, checker and compiler in a row; finds all errors of the text. Never throws for
 /// what a text may contain. `points`: what the program's POINTs are worth. A target that `judge`
-/// refuses is an error of the program.
+/// refuses is an error of the program. `sources`: where the files are that it USEs; null: there
+/// are none.
 Compilation compile(std::string_view source, const RobotSignature& robot,
-                    const PointTable& points = {}, const TargetJudge& judge = {});
+                    const PointTable& points = {}, const TargetJudge& judge = {},
+                    const Sources* sources = nullptr);
 
 }  // namespace rob::lang

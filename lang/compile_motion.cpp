@@ -24,7 +24,7 @@ void StatementCompiler::compile(const PlainMotions& motions) {
                         .count = static_cast<int>(robot_.coordinates.size()),
                         .given = motion.given};
     const auto end = values + std::popcount(motion.given);
-    code_.move_to(form, {values, end}, PlainMotions::place(motion));
+    code_.move_to(form, {values, end}, motions.place(motion));
     values = end;
   }
 }
@@ -95,7 +95,7 @@ void StatementCompiler::compile_component(const Expr& component, Dimension dimen
   expressions_.value_into(component, target, true);
   if (!is_bare(component.type)) return;
   const auto mark = code_.mark();
-  const BareUnit unit = bare_unit(dimension, robot_);
+  const BareUnit unit = bare_unit(dimension, robot_, component.place);
   const Register scale = code_.number_registers();
   if (unit.divisor != 1) {
     code_.load_real(scale, unit.divisor, kNone, component.place);

@@ -11,15 +11,22 @@ namespace rob::lang {
 void StatementCompiler::compile_test_entry(const Program& program) {
   code_.begin_tests();
   const auto mark = code_.mark();
-  for (const Statement& statement : program.statements) {
-    if (std::holds_alternative<Declaration>(statement.node) ||
-        std::holds_alternative<PointDeclaration>(statement.node)) {
-      compile(statement);
-    }
-  }
+  compile_variables(program.statements);
   code_.call_test(program.end);
   code_.emit(Opcode::end, program.end);
   code_.release(mark);
+}
+
+/// What a SIGNAL declares stands in the Chunk already.
+void StatementCompiler::compile_variables(const Block& statements) {
+  for (const Statement& statement : statements) {
+    if (const Use* const use = std::get_if<Use>(&statement.node)) {
+      compile_variables(use->declarations);
+    } else if (std::holds_alternative<Declaration>(statement.node) ||
+               std::holds_alternative<PointDeclaration>(statement.node)) {
+      compile(statement);
+    }
+  }
 }
 
 void StatementCompiler::compile(const Expect& expectation) {

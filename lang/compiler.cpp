@@ -112,7 +112,7 @@ void StatementCompiler::compile(const SignalDeclaration& signal) {
                      .low = symbol.low,
                      .high = symbol.high});
   if (signal.safe == nullptr) return;
-  code_.declare_safe({symbol.signal, signal.safe_value, signal.name_place.line});
+  code_.declare_safe({symbol.signal, signal.safe_value, line_tag(signal.name_place)});
 }
 
 /// What is constant between two computed values is one text.

@@ -63,12 +63,29 @@ Found search(const Block& block, const std::string& key) {
   return std::nullopt;
 }
 
+/// The top level of a file: where it is USEd first. Null if it declares nothing there.
+const Block* top_level_of(std::uint32_t file, const Block& statements) {
+  for (const Statement& statement : statements) {
+    const Use* const use = std::get_if<Use>(&statement.node);
+    if (use == nullptr) continue;
+    if (use->file == file && !use->declarations.empty()) return &use->declarations;
+    if (const Block* const found = top_level_of(file, use->declarations)) return found;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
-std::optional<Place> find_declaration(const Program& program, std::string_view name) {
+std::optional<Place> find_declaration(const Program& program, std::string_view name,
+                                      std::uint32_t file) {
   const std::string key = to_upper(name);
-  if (const Found found = search(program.statements, key)) return found;
+  const Block* const top_level =
+      file == 0 ? &program.statements : top_level_of(file, program.statements);
+  if (top_level != nullptr) {
+    if (const Found found = search(*top_level, key)) return found;
+  }
   for (const Routine& routine : program.routines) {
+    if (routine.place.file != file) continue;
     for (const Routine::Parameters& group : routine.parameters) {
       for (const Declaration::Declared& declared : group.names) {
         if (to_upper(declared.name) == key) return declared.place;

@@ -193,11 +193,17 @@ void Line::add_components(const MoveForm& form) {
   remark(fmt::format("SI: {}", values));
 }
 
+/// "5", or "2:5" of the second file that is USEd.
+std::string line_text(const Place& place) {
+  return place.file == 0 ? std::to_string(place.line)
+                         : fmt::format("{}:{}", place.file, place.line);
+}
+
 }  // namespace
 
 std::string disassemble(const Chunk& chunk) {
   std::string listing;
-  std::uint32_t last_line = 0;
+  int last_line = 0;
   for (std::size_t offset = 0; offset < chunk.code.size();) {
     const auto begins = [&](const RoutineCode& routine) { return routine.entry == offset; };
     if (const auto routine = std::ranges::find_if(chunk.routines, begins);
@@ -205,9 +211,9 @@ std::string disassemble(const Chunk& chunk) {
       listing += fmt::format("{}\n", routine->name);
     }
     const Line line(chunk, offset);
-    const std::uint32_t source = chunk.places[offset].line;
+    const int source = line_tag(chunk.places[offset]);
     listing += fmt::format("{:>6} {:>5}  ", offset,
-                           source == last_line ? std::string() : std::to_string(source));
+                           source == last_line ? std::string() : line_text(chunk.places[offset]));
     listing += line.text();
     last_line = source;
     offset += line.words();

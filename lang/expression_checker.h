@@ -105,6 +105,9 @@ class ExpressionChecker {
   void fold_binary(const Binary& binary, Expr& expression);
   void fold_call(const Builtin& builtin, const Call& call, Expr& expression);
   void report_unknown(std::string_view name, Place place);
+  // Names of other files (check_use.cpp)
+  bool report_ambiguous(std::string_view name, Place place);
+  void report_no_such_name(std::string_view name, Place place);
   const Builtin* resolve_function(const Call& call, Place place);
 
   const Scopes& scopes_;

@@ -63,8 +63,8 @@ constexpr auto kRemedies = std::to_array<std::pair<std::string_view, std::string
 
 }  // namespace
 
-Lexer::Lexer(std::string_view source, Diagnostics& diagnostics)
-    : source_(source), diagnostics_(&diagnostics) {
+Lexer::Lexer(std::string_view source, Diagnostics& diagnostics, std::uint32_t file)
+    : source_(source), diagnostics_(&diagnostics), file_(file) {
   if (source.starts_with(kByteOrderMark)) offset_ = begin_ = kByteOrderMark.size();
 }
 
@@ -206,7 +206,8 @@ void Lexer::begin_token() {
 /// The place of bytes from the token's beginning on, in characters.
 Place Lexer::place(std::size_t begin, std::size_t end) const {
   const std::uint32_t before = count_code_points(source_.substr(begin_, begin - begin_));
-  return {line_, begin_column_ + before, count_code_points(source_.substr(begin, end - begin))};
+  const std::uint32_t length = count_code_points(source_.substr(begin, end - begin));
+  return {line_, begin_column_ + before, length, file_};
 }
 
 Token Lexer::finish(TokenKind kind) {

@@ -127,6 +127,11 @@ Declaration::Declared Parser::declared_name(std::string_view kind) {
     fail_here(code::kNameExpected,
               fmt::format("a name expected after {}, not {}", kind, described(current_)));
   }
+  if (outline_.names_file(current_.text)) {
+    report(code::kNameOfUsedFile, current_.place,
+           fmt::format("{} is the name of a file that is USEd here", described(current_)),
+           "choose another name");
+  }
   Declaration::Declared declared{std::string(current_.text), current_.place};
   advance();
   return declared;

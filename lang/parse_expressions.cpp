@@ -159,7 +159,8 @@ ExprPtr Parser::postfix() {
     const int height = name.index->height + 1;
     return make(place, std::move(name), height);
   }
-  ExprPtr expr = primary();
+  const Place begin = current_.place;
+  ExprPtr expr = at_foreign_name() ? make(begin, Name{foreign_name()}) : primary();
   if (at(TokenKind::LeftParen) && std::holds_alternative<Name>(expr->node)) {
     expr = call(expr->place, std::move(std::get<Name>(expr->node).text));
   }

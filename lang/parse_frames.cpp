@@ -75,7 +75,8 @@ Type Parser::pose_type() {
   const Token name = current_;
   advance();
   if (same_word(name.text, "world")) return Type::pose();
-  const TypeDetail* const frame = frame_named(name.text);
+  const TypeDetail* frame = imported_type(name.text, name.place);
+  if (frame == nullptr) frame = frame_named(name.text);
   frame_uses_.push_back({frame, name.place});
   return Type::pose(frame);
 }

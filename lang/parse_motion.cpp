@@ -83,7 +83,7 @@ bool Parser::plain_motion(Block& block) {
   const auto motion = read_plain_motion(source_.substr(current_.offset), current_.text.size());
   if (!motion) return false;
   if (block.empty() || !std::holds_alternative<PlainMotions>(block.back().node)) {
-    add(block, current_.place, PlainMotions{.source = source_, .motions = {}});
+    add(block, current_.place, PlainMotions{.source = source_, .file = current_.place.file, .motions = {}});
   }
   std::get<PlainMotions>(block.back().node)
       .motions.push_back({.offset = static_cast<std::uint32_t>(current_.offset),

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -106,7 +107,7 @@ void Parser::return_statement(Block& block) {
   add(block, place, std::move(node));
 }
 
-/// Whether a PROC or FUNC of this name stands anywhere in the text.
+/// Whether a PROC or FUNC of this name stands anywhere in the text, or in a file that it USEs.
 bool Parser::names_routine(std::string_view name) {
   if (!routine_names_) {
     routine_names_.emplace();
@@ -118,7 +119,11 @@ bool Parser::names_routine(std::string_view name) {
                 (token.keyword == Keyword::Proc || token.keyword == Keyword::Func);
     }
   }
-  return routine_names_->contains(to_upper(name));
+  const auto named = [&](const Routine& routine) { return same_word(routine.name, name); };
+  return routine_names_->contains(to_upper(name)) ||
+         std::ranges::any_of(imports_, [&](const Import& import) {
+           return std::ranges::any_of(import.program->routines, named);
+         });
 }
 
 }  // namespace rob::lang

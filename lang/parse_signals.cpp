@@ -74,6 +74,8 @@ void Parser::pulse(Block& block) {
   pulse.target_place = current_.place;
   if (at_channel()) {
     pulse.target = channel("PULSE");
+  } else if (at_foreign_name()) {
+    pulse.target.text = foreign_name();
   } else if (at(TokenKind::Word)) {
     pulse.target.text = current_.text;
     advance();

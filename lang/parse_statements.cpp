@@ -52,6 +52,9 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Signal:
       signal_declaration(block);
       return true;
+    case Keyword::Use:
+      use_statement(block);
+      return true;
     case Keyword::Point:
       point_declaration(block);
       return true;
@@ -198,11 +201,16 @@ std::string_view Parser::statement_meant() const {
   return closes ? closer : nearest;
 }
 
+/// Also a call of another file's routine, which begins like an assignment to a part.
 // assign = place "=" expr .
 void Parser::assignment(Block& block) {
   const Place place = current_.place;
   Assign assign;
   assign.target = postfix();
+  const bool call = std::holds_alternative<Call>(assign.target->node);
+  if (call && !at(TokenKind::Assign) && !at(TokenKind::Equal)) {
+    return add(block, place, CallStatement{std::move(assign.target)});  // of a USEd file
+  }
   if (!at(TokenKind::Assign) && !at(TokenKind::Equal)) {
     fail_here(code::kAssignExpected, fmt::format("'=' expected, not {}", described(current_)));
   }

@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, 5> kOperatorWords{"AND", "OR", "XOR", "DI
 
 Program parse(std::string_view source, Diagnostics& diagnostics) {
   if (!check_source(source, diagnostics)) return {};
-  return Parser(source, diagnostics).program();
+  const Outline outline = outline_of(source);
+  return Parser(source, diagnostics, {.outline = &outline}).program();
 }
 
 bool begins_statement(const Token& token) {
@@ -38,8 +39,13 @@ std::string described(const Token& token) {
   return fmt::format("'{}'", shortened(token.text));
 }
 
-Parser::Parser(std::string_view source, Diagnostics& diagnostics)
-    : source_(source), diagnostics_(diagnostics), lexer_(source, diagnostics) {}
+Parser::Parser(std::string_view source, Diagnostics& diagnostics, Surroundings surroundings)
+    : source_(source),
+      diagnostics_(diagnostics),
+      lexer_(source, diagnostics, surroundings.file),
+      outline_(*surroundings.outline),
+      imports_(std::move(surroundings.imports)),
+      nodes_(surroundings.nodes) {}
 
 // program = { NL } { item } [ "END" { NL } ] .
 Program Parser::program() {
@@ -57,7 +63,7 @@ Program Parser::program() {
     program.end = current_.place;
     // A file without END ends as if END stood on the line behind its last one.
     if (at(TokenKind::EndOfFile) && current_.place.column > 1) {
-      program.end = Place{current_.place.line + 1, 1};
+      program.end = Place{current_.place.line + 1, 1, 1, current_.place.file};
     }
     if (at(Keyword::End)) advance();
     while (accept(TokenKind::EndOfLine)) {
@@ -76,7 +82,9 @@ Program Parser::program() {
   program.frame_uses = std::move(frame_uses_);
   program.taught = std::move(taught_);
   program.routines = std::move(routines_);
-  if (program.statements.empty() && program.routines.empty() && !diagnostics_.has_errors()) {
+  program.nodes = nodes_;
+  if (program.end.file == 0 && program.statements.empty() && program.routines.empty() &&
+      !diagnostics_.has_errors()) {
     diagnostics_.warning(code::kEmptyProgram, Place{0, 0, 1}, "the program has no statement");
   }
   return program;
@@ -84,7 +92,9 @@ Program Parser::program() {
 
 Block parse_line(std::string_view source, std::size_t offset, const Place& place,
                  Diagnostics& diagnostics) {
-  return Parser(source, diagnostics).line_at(offset, place);
+  const Outline nothing;
+  return Parser(source, diagnostics, {.file = place.file, .outline = &nothing})
+      .line_at(offset, place);
 }
 
 Block Parser::line_at(std::size_t offset, const Place& place) {
@@ -153,7 +163,7 @@ bool Parser::line_ends_with(Keyword keyword) const {
 Place Parser::behind_previous() const {
   const Place& place = previous_.place;
   if (place.line == 0) return current_.place;
-  return {place.line, place.column + place.length, 1};
+  return {place.line, place.column + place.length, 1, place.file};
 }
 
 // --------------------------------------------------------------------- errors

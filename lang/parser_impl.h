@@ -12,6 +12,7 @@
 #include "lang/ast.h"
 #include "lang/diagnostic.h"
 #include "lang/lexer.h"
+#include "lang/outline.h"
 #include "lang/parser.h"
 #include "lang/token.h"
 
@@ -35,9 +36,26 @@ std::optional<Type> named_type(std::string_view word);
 /// A clause of the language, whether this version has it or not; empty if it is none.
 std::string_view clause_word(const Token& token);
 
+/// A file that a text USEs, read already.
+struct Import {
+  std::string name;        ///< as USE writes it
+  std::uint32_t line = 0;  ///< of the USE
+  std::uint32_t file = 0;
+  Program* program = nullptr;
+  const std::set<std::string>* types = nullptr;  ///< that it declares, in capitals
+};
+
+/// What a text is part of.
+struct Surroundings {
+  std::uint32_t file = 0;
+  const Outline* outline = nullptr;  ///< of the text
+  std::vector<Import> imports{};
+  std::size_t nodes = 0;  ///< of the files that were read before
+};
+
 class Parser {
  public:
-  Parser(std::string_view source, Diagnostics& diagnostics);
+  Parser(std::string_view source, Diagnostics& diagnostics, Surroundings surroundings);
   Program program();
   Block line_at(std::size_t offset, const Place& place);
 
@@ -102,6 +120,13 @@ class Parser {
   // Frames (parse_frames.cpp)
   bool at_frame_declaration() const;
   void frame_declaration(Block& block);
+
+  // USE (parse_use.cpp)
+  void use_statement(Block& block);
+  const Import* import_named(std::string_view name) const;
+  bool at_foreign_name() const;
+  std::string foreign_name();
+  const TypeDetail* imported_type(std::string_view name, const Place& place);
 
   // Points (parse_points.cpp)
   void point_declaration(Block& block);
@@ -235,13 +260,15 @@ class Parser {
   std::string_view source_;
   Diagnostics& diagnostics_;
   Lexer lexer_;
+  const Outline& outline_;
+  std::vector<Import> imports_;
   Token previous_;
   Token current_;
   Token next_;
   int brackets_ = 0;  ///< open ones; inside them line ends do not count
   int level_ = 0;
   bool rereading_ = false;  ///< what the checker has refused: as a tree
-  std::size_t nodes_ = 0;
+  std::size_t nodes_;
   std::uint32_t muted_line_ = 0;  ///< has had its message
   std::vector<OpenBlock> open_blocks_;
   Header header_;

@@ -84,15 +84,18 @@ std::optional<PlainMotion> read_plain_motion(std::string_view text, std::size_t 
   return reader.at_line_end() ? std::optional(motion) : std::nullopt;
 }
 
-PlainTargets::PlainTargets(const RobotSignature& robot) {
-  for (const RobotSignature::Coordinate& coordinate : robot.coordinates) {
-    units_.push_back(default_unit(coordinate.dimension, robot));
+std::optional<PlainTargets::Target> PlainTargets::of(const PlainMotion& motion,
+                                                     std::uint32_t file) {
+  if (units_.empty() || file_ != file) {
+    units_.clear();
+    file_ = file;
+    for (const RobotSignature::Coordinate& coordinate : robot_.coordinates) {
+      units_.push_back(default_unit(coordinate.dimension, robot_, file));
+    }
   }
-}
-
-std::optional<PlainTargets::Target> PlainTargets::of(const PlainMotion& motion) const {
   // Six axes: (x, y, z) keeps the orientation.
-  if (motion.count != count() && (count() != 6 || motion.count != 3)) return std::nullopt;
+  const auto count = static_cast<int>(units_.size());
+  if (motion.count != count && (count != 6 || motion.count != 3)) return std::nullopt;
   Target target;
   for (std::size_t i = 0; i < static_cast<std::size_t>(motion.count); ++i) {
     const PlainMotion::Component& component = motion.components[i];

@@ -39,12 +39,14 @@ class PlainTargets {
     std::array<double, kMaxCoordinates> values{};  ///< SI; what is not given is 0
   };
 
-  explicit PlainTargets(const RobotSignature& robot);
-  /// Nothing where components do not fit the robot: then the checker tells.
-  std::optional<Target> of(const PlainMotion& motion) const;
-  int count() const { return static_cast<int>(units_.size()); }
+  explicit PlainTargets(const RobotSignature& robot) : robot_(robot) {}
+  /// Nothing where components do not fit the robot: then the checker tells. `file`: the number of
+  /// the file that it stands in.
+  std::optional<Target> of(const PlainMotion& motion, std::uint32_t file);
 
  private:
+  const RobotSignature& robot_;
+  std::uint32_t file_ = 0;   ///< that units_ are of
   std::vector<Unit> units_;  ///< of bare numbers, by coordinate
 };
 

@@ -25,7 +25,8 @@ struct RobotSignature {
   std::string name;
   std::vector<Coordinate> coordinates;  ///< at most kMaxCoordinates, in the order of a tuple
   std::vector<Coordinate> axes;         ///< at most kMaxCoordinates, in the order of JOINTS
-  std::vector<Unit> units{};    ///< of bare numbers in a tuple, where they are not mm or deg
+  /// Of bare numbers in a tuple, where they are not mm or deg; by the number of the file.
+  std::vector<std::vector<Unit>> units{};
   std::vector<Signal> signals;  ///< the index is the number that Machine is given
 };
 

@@ -115,9 +115,14 @@ class StatementChecker {
   void check_tool_number(const Expr& value, const Type& wanted, std::string_view needed);
   void check_frame_uses(const Program& program);
 
+  // USE (check_use.cpp)
+  void check(Use& use);
+  void warn_of_hiding(const std::string& name, const Place& place, const std::string& file);
+
   // POINT and TEACH (check_points.cpp)
   void check(PointDeclaration& declaration);
   void check(Teach& teach);
+  bool is_of_other_file(const Declaration::Declared& point);
   Type type_of(const PointTable::Point& kept, Place place);
   void warn_of_missing_points();
 
@@ -153,11 +158,12 @@ class StatementChecker {
   const std::set<std::string>& taught_;
   std::vector<MissingPoint>& missing_points_;
   Diagnostics& diagnostics_;
-  std::map<int, std::uint32_t> safe_lines_;  ///< where a signal's SAFE value stands, by its number
-  Place place_;                              ///< of the present statement
-  int loops_ = 0;                            ///< open around it
-  int rescues_ = 0;                          ///< RESCUE blocks open around it
-  const Routine* routine_ = nullptr;         ///< that it belongs to; null at the top level
+  std::map<int, Place> safe_lines_;  ///< where a signal's SAFE value stands, by its number
+  std::map<std::string, Place> points_declared_;  ///< of all files, by their names in capitals
+  Place place_;                                   ///< of the present statement
+  int loops_ = 0;                                 ///< open around it
+  int rescues_ = 0;                               ///< RESCUE blocks open around it
+  const Routine* routine_ = nullptr;              ///< that it belongs to; null at the top level
 };
 
 }  // namespace rob::lang

@@ -48,6 +48,9 @@ class StatementCompiler {
   void compile(const Brake&) { code_.emit(Opcode::brake, place_); }
   void compile(const Declaration& declaration);
   void compile(const SignalDeclaration& signal);
+  void compile(const Use& use) {
+    for (const Statement& statement : use.declarations) compile(statement);
+  }
   // POINT and TEACH (compile_points.cpp)
   void compile(const PointDeclaration& declaration);
   void compile(const Teach& teach);
@@ -77,6 +80,7 @@ class StatementCompiler {
 
   // TEST (compile_tests.cpp)
   void compile_test_entry(const Program& program);
+  void compile_variables(const Block& statements);
   void compile(const Expect& expectation);
   void compile(const Simulate& simulation);
 

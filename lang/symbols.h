@@ -61,7 +61,19 @@ class Scopes {
   /// Whether what is declared now belongs to the whole program.
   bool at_top_level() const { return scopes_.size() == 2; }
 
-  /// Null if the name is unknown here.
+  /// At the top level: from here on the names of another file are known; returns which were.
+  std::uint32_t enter_file(std::uint32_t file);
+  /// From here on the present file knows the names of another one, plainly and behind `name`.
+  void use(const std::string& name, std::uint32_t file);
+  bool is_file(std::string_view name) const;
+  /// The USEd files, as the present one calls them, in which a plain name is found.
+  std::vector<std::string> files_with(std::string_view name) const;
+  /// The present file's own names that another file has, too.
+  std::vector<const Symbol*> shared_with(std::uint32_t file) const;
+  /// All names of a USEd file, by what the present one calls it.
+  std::vector<std::string_view> names_in(std::string_view name) const;
+
+  /// Null if the name is unknown here. `tools.grip` is the name of a USEd file.
   const Symbol* find(std::string_view name) const;
   /// The name at the top level of the program, whatever hides it here; null if there is none.
   const Symbol* find_global(std::string_view name) const;
@@ -79,7 +91,12 @@ class Scopes {
   void define(const Symbol& symbol, const Routine& routine) {
     symbols_[symbol.id].routine = &routine;
   }
-  void frame(const Symbol& symbol, const TypeDetail* detail) { symbols_[symbol.id].frame = detail; }
+  void frame(const Symbol& symbol, const TypeDetail* detail) {
+    symbols_[symbol.id].frame = detail;
+    frames_[detail] = &symbol;
+  }
+  /// The FRAME, of any file, that poses of this detail are in; null if it is not declared yet.
+  const Symbol* frame_of(const TypeDetail* detail) const;
   void refer(const Symbol& symbol) { symbols_[symbol.id].by_reference = true; }
   /// All names that can be seen from here, for "did you mean".
   std::vector<std::string_view> visible() const;
@@ -89,8 +106,25 @@ class Scopes {
 
   using Scope = std::map<std::string, const Symbol*, std::less<>>;
 
+  struct UsedFile {
+    std::string name;
+    std::uint32_t file;
+  };
+  /// A file of the program: its names while it is not the present one, and what it USEs.
+  struct File {
+    Scope parked;
+    std::vector<UsedFile> used;
+  };
+  const Scope& names_of(std::uint32_t file) const {
+    return file == file_ ? scopes_[1] : files_[file].parked;
+  }
+  const Symbol* find_used(const std::string& key) const;
+
   std::deque<Symbol>& symbols_;
   std::vector<Scope> scopes_;
+  std::vector<File> files_;
+  std::uint32_t file_ = 0;
+  std::map<const TypeDetail*, const Symbol*> frames_;
   std::vector<const Symbol*> channels_;
 };
 

@@ -25,14 +25,16 @@ std::optional<double> bare_literal(const Expr& component, Dimension dimension,
   if (literal == nullptr || literal->has_unit) return std::nullopt;
   const std::string digits =
       literal->is_integer ? std::to_string(literal->integer) : number_text(literal->value, kNone);
-  return to_si(digits, default_unit(dimension, robot));
+  return to_si(digits, default_unit(dimension, robot, component.place.file));
 }
 
 }  // namespace
 
-Unit default_unit(Dimension dimension, const RobotSignature& robot) {
-  for (const Unit& unit : robot.units) {
-    if (unit.dimension == dimension) return unit;
+Unit default_unit(Dimension dimension, const RobotSignature& robot, std::uint32_t file) {
+  if (file < robot.units.size()) {
+    for (const Unit& unit : robot.units[file]) {
+      if (unit.dimension == dimension) return unit;
+    }
   }
   return find_unit(unit_text(dimension)).value_or(Unit{.dimension = dimension});
 }
@@ -56,8 +58,8 @@ std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple, const Robot
   return elements;
 }
 
-BareUnit bare_unit(Dimension dimension, const RobotSignature& robot) {
-  const Unit unit = default_unit(dimension, robot);
+BareUnit bare_unit(Dimension dimension, const RobotSignature& robot, const Place& place) {
+  const Unit unit = default_unit(dimension, robot, place.file);
   return {.divisor = std::pow(10.0, -unit.exponent10), .factor = unit.factor};
 }
 
@@ -68,7 +70,7 @@ std::optional<double> constant_component(const Expr& component, Dimension dimens
   const auto number = constant_number(component);
   if (!number || !is_bare(component.type)) return number;
   if (const auto literal = bare_literal(component, dimension, robot)) return literal;
-  const BareUnit unit = bare_unit(dimension, robot);
+  const BareUnit unit = bare_unit(dimension, robot, component.place);
   double si = 0;
   if (arithmetic::divide(*number, unit.divisor, si) != ArithmeticError::None ||
       arithmetic::multiply(si, unit.factor, si) != ArithmeticError::None) {

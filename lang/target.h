@@ -17,8 +17,8 @@ std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple, const Robot
 /// The index of a coordinate by its name in any case, or nothing.
 std::optional<std::size_t> coordinate_named(const RobotSignature& robot, std::string_view name);
 
-/// The unit of bare numbers of a dimension in targets: that of UNITS, else mm or deg.
-Unit default_unit(Dimension dimension, const RobotSignature& robot);
+/// The unit of bare numbers of a dimension in targets: that of UNITS in the file, else mm or deg.
+Unit default_unit(Dimension dimension, const RobotSignature& robot, std::uint32_t file);
 
 /// A bare number in a target takes the UNITS of its place: si = number / divisor * factor, in two
 /// steps since 40 / 1000 is the double nearest to 0.04, which 40 * 0.001 need not be.
@@ -26,7 +26,7 @@ struct BareUnit {
   double divisor = 1;
   double factor = 1;
 };
-BareUnit bare_unit(Dimension dimension, const RobotSignature& robot);
+BareUnit bare_unit(Dimension dimension, const RobotSignature& robot, const Place& place);
 
 /// Whether a component is a bare number, to be taken in UNITS.
 bool is_bare(const Type& type);

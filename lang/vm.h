@@ -186,7 +186,7 @@ class Vm {
   State fail_assertion_at(Code pc);
 
   Place place(Code pc) const { return chunk_.places[index(pc)]; }
-  int line(Code pc) const { return static_cast<int>(place(pc).line); }
+  int line(Code pc) const { return line_tag(place(pc)); }
   std::size_t index(Code pc) const { return static_cast<std::size_t>(pc - chunk_.code.data()); }
 
   const Chunk& chunk_;

@@ -30,10 +30,10 @@ Vm::State Vm::raise_again(Code pc) {
 }
 
 bool Vm::rescue() {
-  if (machine_.settle(static_cast<int>(error_.place.line)) != Reply::Done) return false;
+  if (machine_.settle(line_tag(error_.place)) != Reply::Done) return false;
   while (guards_.back().caught) guards_.pop_back();
   Guard& guard = guards_.back();
-  if (disarm(static_cast<int>(error_.place.line), guard.armed) != Reply::Done) return false;
+  if (disarm(line_tag(error_.place), guard.armed) != Reply::Done) return false;
   rescuing_ = false;
   guard.caught = true;
   while (depth_ > guard.depth) leave_routine();

@@ -58,7 +58,7 @@ RunResult run_one(const LoadedProgram& program, const Options& options,
   if (script.diagnostics.has_errors()) return refused(script, robot);
   const double planned =
       isatty(STDERR_FILENO) != 0 ? foretell(program, robot, options.seed, &script).planned : 0;
-  Progress progress(planned / options.override_share, options.override_share);
+  Progress progress(planned / options.override_share, options.override_share, used_names(program));
   const RunOptions run_options{options.fast, options.override_share, options.trace, options.seed,
                                &script};
   RunResult result = run(program, robot, run_options, listener_of(options, progress));
@@ -88,7 +88,8 @@ std::vector<SignalScript> load_scripts(const Options& options,
 std::string problems_text(const RunResult& result, const LoadedProgram& program,
                           const SignalScript& script) {
   const bool in_script = program.runnable() && script.diagnostics.has_errors();
-  return problems_text(result, in_script ? script.source : program.source);
+  return in_script ? problems_text(result, script.source)
+                   : problems_text(result, program.source, program.compilation.used);
 }
 
 ExitCode run_files(const Options& options) {
@@ -147,7 +148,7 @@ ExitCode compile_files(const Options& options) {
   ExitCode worst = ExitCode::Done;
   for (const LoadedProgram& program : load_programs(options)) {
     for (const lang::Diagnostic& found : program.compilation.diagnostics.all()) {
-      put_message(lang::render(found, program.file, program.source));
+      put_message(lang::render(found, program.file, program.source, program.compilation.used));
     }
     if (!program.runnable()) {
       worst = ExitCode::ProgramError;

@@ -27,7 +27,7 @@ Outcome test_file(const LoadedProgram& program, const Options& options) {
   const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) {
     const RunResult result = refused(program, robot);
-    put_message(problems_text(result, program.source));
+    put_message(problems_text(result, program.source, program.compilation.used));
     return {{{"status", result.status},
              {"file", program.file},
              {"ok", 0},

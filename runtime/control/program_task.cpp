@@ -12,7 +12,7 @@ ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine, std::u
 }
 
 ProgramTask::State ProgramTask::step(std::int64_t budget) {
-  if (failure_) return finish(static_cast<int>(failure_->place.line));
+  if (failure_) return finish(lang::line_tag(failure_->place));
   if (circling() != 0) return finish(circling());
   if (auto error = machine_.take_interruption()) vm_.interrupt(std::move(*error));
   switch (vm_.run(budget)) {
@@ -27,7 +27,7 @@ ProgramTask::State ProgramTask::step(std::int64_t budget) {
       break;
   }
   failure_ = vm_.error();
-  return finish(static_cast<int>(failure_->place.line));
+  return finish(lang::line_tag(failure_->place));
 }
 
 /// An error takes effect in motion order: the last motion commanded before it is made exact.

@@ -281,18 +281,14 @@ void RobotMachine::note_assumed(int line, int signal) {
     return;
   }
   const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
-  log_.found({lang::Severity::Note,
-              code::kAssumed,
-              {static_cast<std::uint32_t>(line), 0, 0},
+  log_.found({lang::Severity::Note, code::kAssumed, lang::tagged_place(line),
               fmt::format("assumed: {} is {} here", name, analog ? "at 0 V" : "OFF"),
               "a signal script (--signals) says what it does"});
 }
 
 bool RobotMachine::taken_as_met(int line) {
   if (assumed_read_ < 0) return false;
-  log_.found({lang::Severity::Note,
-              code::kAssumed,
-              {static_cast<std::uint32_t>(line), 0, 0},
+  log_.found({lang::Severity::Note, code::kAssumed, lang::tagged_place(line),
               fmt::format("assumed: this WAIT for {} is met after 0 s",
                           assumed_[static_cast<std::size_t>(assumed_read_)]),
               "a signal script (--signals) says when it is"});
@@ -364,7 +360,7 @@ Reply RobotMachine::push(motion::Effect effect) {
 }
 
 void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
-  const lang::Place place{static_cast<std::uint32_t>(line), 0, 0};
+  const lang::Place place = lang::tagged_place(line);
   if ((planned.warnings & motion::PlannedSegment::kPaceCut) != 0) {
     log_.found({lang::Severity::Warning, code::kAboveAxes, place,
                 "AT asks for more than the axes can do",

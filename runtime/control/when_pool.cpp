@@ -46,7 +46,7 @@ lang::RuntimeError WhenPool::error_of(const motion::Rest& rest) {
   const Place& place = place_of(*rest.by);
   rest.by->fired.store(false, std::memory_order_relaxed);
   lang::RuntimeError error;
-  error.place.line = rest.by->tag;
+  error.place = lang::tagged_place(static_cast<int>(rest.by->tag));
   if (rest.outcome == motion::Rest::Outcome::Failed) {
     const Words words = words_for_condition(place.watch.error());
     error.code = words.code;

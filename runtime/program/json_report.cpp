@@ -25,10 +25,20 @@ Json optional_millimetres(const std::optional<double>& value) {
   return value ? Json(millimetres(*value)) : Json(nullptr);
 }
 
-Json line_json(const LineResult& line, bool measured) {
-  Json json{{"line", line.line},
-            {"starts_s", seconds(line.starts)},
-            {"planned_s", seconds(line.planned)}};
+/// A line of the program's own file is its number; of another one, with the name of the file.
+void put_line(Json& json, const std::vector<std::string>& used, const lang::Place& place) {
+  json["line"] = place.line;
+  if (place.file > 0) json["file"] = used[place.file - 1];
+}
+void put_line(Json& json, const std::vector<std::string>& used, int tag) {
+  put_line(json, used, lang::tagged_place(tag));
+}
+
+Json line_json(const RunResult& result, const LineResult& line, bool measured) {
+  Json json;
+  put_line(json, result.used, line.line);
+  json["starts_s"] = seconds(line.starts);
+  json["planned_s"] = seconds(line.planned);
   if (measured) json["measured_s"] = seconds(line.measured);
   json["decides_s"] = optional_seconds(line.decides);
   if (!line.miss_planned) {
@@ -47,7 +57,7 @@ Json line_json(const LineResult& line, bool measured) {
 
 Json lines_json(const RunResult& result, bool measured) {
   Json lines = Json::array();
-  for (const LineResult& line : result.lines) lines.push_back(line_json(line, measured));
+  for (const LineResult& line : result.lines) lines.push_back(line_json(result, line, measured));
   return lines;
 }
 
@@ -77,7 +87,7 @@ Json signals_json(const RunResult& result) {
     } else {
       json["value"] = change.value;
     }
-    json["line"] = change.line;
+    put_line(json, result.used, change.line);
     signals.push_back(std::move(json));
   }
   return signals;
@@ -86,11 +96,11 @@ Json signals_json(const RunResult& result) {
 Json events_json(const RunResult& result) {
   Json events = Json::array();
   for (const RunEvent& event : result.events) {
-    events.push_back({{"t", seconds(event.time)},
-                      {"kind", event.kind},
-                      {"line", event.line},
-                      {"text", event.text},
-                      {"q", joints_json(event.joints)}});
+    Json json{{"t", seconds(event.time)}, {"kind", event.kind}};
+    put_line(json, result.used, event.line);
+    json["text"] = event.text;
+    json["q"] = joints_json(event.joints);
+    events.push_back(std::move(json));
   }
   return events;
 }
@@ -112,12 +122,12 @@ const char* name_of(lang::Severity severity) {
 Json findings_json(const RunResult& result) {
   Json findings = Json::array();
   for (const lang::Diagnostic& finding : result.findings) {
-    findings.push_back({{"severity", name_of(finding.severity)},
-                        {"code", finding.code},
-                        {"line", finding.place.line},
-                        {"column", finding.place.column},
-                        {"message", finding.message},
-                        {"help", finding.help}});
+    Json json{{"severity", name_of(finding.severity)}, {"code", finding.code}};
+    put_line(json, result.used, finding.place);
+    json["column"] = finding.place.column;
+    json["message"] = finding.message;
+    json["help"] = finding.help;
+    findings.push_back(std::move(json));
   }
   return findings;
 }
@@ -128,7 +138,9 @@ Json problem_json(const std::optional<Problem>& problem) {
   if (!problem) return nullptr;
   Json calls = Json::array();
   for (const lang::CallSite& call : problem->calls) {
-    calls.push_back({{"routine", call.routine}, {"line", call.line}});
+    Json json{{"routine", call.routine}};
+    put_line(json, problem->used, call.line);
+    calls.push_back(std::move(json));
   }
   return {{"code", problem->code},
           {"file", problem->file},

@@ -17,6 +17,7 @@
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/files.h"
+#include "runtime/program/folder_sources.h"
 #include "runtime/program/points_file.h"
 
 namespace rob::runtime {
@@ -66,6 +67,18 @@ void refuse_what_the_robot_cannot(lang::Compilation& compilation, const motion::
 }
 
 }  // namespace
+
+std::vector<std::string> used_names(const LoadedProgram& program) {
+  std::vector<std::string> names;
+  for (const lang::SourceFile& file : program.compilation.used) names.push_back(file.name);
+  return names;
+}
+
+void place_in(const LoadedProgram& program, Problem& problem) {
+  problem.used = used_names(program);
+  const std::uint32_t file = problem.place.file;
+  problem.file = file == 0 ? program.file : problem.used.at(file - 1);
+}
 
 motion::RobotModel load_robot(const std::string& name_or_file) {
   const bool is_file = std::string_view(name_or_file).ends_with(".toml");
@@ -119,10 +132,11 @@ SignalScript load_signal_script(const std::string& file, const LoadedProgram& pr
 LoadedProgram compile_program(std::string file, std::string source, const motion::RobotModel& robot,
                               const std::string& points_file) {
   LoadedProgram program{std::move(file), std::move(source), robot, {}};
+  const FolderSources sources(program.file);
   program.compilation = lang::compile(
       program.source, signature_of(robot),
       points_file.empty() ? lang::PointTable{} : load_points(points_file, robot).table(),
-      [&](const lang::MoveCommand& command) { return refusal_of(command, robot); });
+      [&](const lang::MoveCommand& command) { return refusal_of(command, robot); }, &sources);
   refuse_what_the_robot_cannot(program.compilation, robot);
   return program;
 }

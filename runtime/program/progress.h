@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "runtime/program/run.h"
 
 namespace rob::runtime {
@@ -8,8 +11,9 @@ namespace rob::runtime {
 /// planned, override and state. Prints nothing where stderr is no terminal.
 class Progress {
  public:
-  /// `planned`: s, or 0 where it is not known. `override_share`: 1 is 100 %.
-  Progress(double planned, double override_share);
+  /// `planned`: s, or 0 where it is not known. `override_share`: 1 is 100 %. `used`: the names of
+  /// the files that the program USEs.
+  Progress(double planned, double override_share, std::vector<std::string> used);
 
   void show(const Position& position);
   /// Makes room for other output.
@@ -18,6 +22,7 @@ class Progress {
  private:
   double planned_;
   double override_share_;
+  std::vector<std::string> used_;
   bool terminal_;
   bool shown_ = false;
   double last_ = -1;

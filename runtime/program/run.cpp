@@ -42,11 +42,14 @@ bool same_file(const std::string& a, const std::string& b) {
 std::optional<TraceWriter> open_trace(const RunOptions& options, const LoadedProgram& program,
                                       const motion::RobotModel& robot) {
   if (options.trace.empty()) return std::nullopt;
-  if (same_file(options.trace, program.file)) {
+  std::vector<std::string> files = used_names(program);
+  files.push_back(program.file);
+  for (const std::string& file : files) {
+    if (!same_file(options.trace, file)) continue;
     throw FileError(
-        fmt::format("the trace would overwrite the program '{}'; name another file", program.file));
+        fmt::format("the trace would overwrite the program '{}'; name another file", file));
   }
-  return std::optional<TraceWriter>(std::in_place, options.trace, robot);
+  return std::optional<TraceWriter>(std::in_place, options.trace, robot, used_names(program));
 }
 
 SignalNames names_in(const LoadedProgram& program, const motion::RobotModel& robot) {
@@ -142,7 +145,8 @@ RunResult refusal(const lang::Diagnostics& diagnostics, const std::string& file,
 
 RunResult start_of(const LoadedProgram& program, RunResult result) {
   result.file = program.file;
-  if (result.error) result.error->file = program.file;
+  result.used = used_names(program);
+  if (result.error) place_in(program, *result.error);
   result.findings_left_out = program.compilation.diagnostics.left_out();
   const auto& found = program.compilation.diagnostics.all();
   result.findings.insert(result.findings.begin(), found.begin(), found.end());
@@ -210,11 +214,8 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   if (task.failure()) add_failure(result, *task.failure());
   if (task.circling() != 0) {
     result.findings.push_back(
-        {lang::Severity::Note,
-         code::kCircling,
-         {static_cast<std::uint32_t>(task.circling()), 0, 0},
-         fmt::format("the loop goes on; it was foretold for {} turns", kForetellTurns),
-         ""});
+        {lang::Severity::Note, code::kCircling, lang::tagged_place(task.circling()),
+         fmt::format("the loop goes on; it was foretold for {} turns", kForetellTurns), ""});
   }
   if (timing.gave_up) {
     result.findings.push_back({lang::Severity::Note,

@@ -258,10 +258,7 @@ void RunRecorder::add_analog(const MotionEvent& event) {
       fmt::format("{}: {} is beyond what the channel carries; it is set to {}", name,
                   names_.quantity(channel, event.effect.volts).text, carried.text);
   add_event(event.time, "warning", line, text);
-  log_.found({lang::Severity::Warning,
-              code::kAnalogCut,
-              {static_cast<std::uint32_t>(line), 0, 0},
-              text,
+  log_.found({lang::Severity::Warning, code::kAnalogCut, lang::tagged_place(line), text,
               "keep the value within its SCALE, or give the signal a wider one"});
 }
 
@@ -290,11 +287,8 @@ void RunRecorder::fail(double time, const char* kind, Words words) {
   if (result_.error) return;  // the first cause is the one to mend
   result_.status = "fault";
   result_.exit_code = ExitCode::Fault;
-  result_.error = Problem{std::move(words.code),
-                          "",
-                          {static_cast<std::uint32_t>(line()), 0, 0},
-                          std::move(words.message),
-                          std::move(words.help)};
+  result_.error = Problem{std::move(words.code), "", lang::tagged_place(line()),
+                          std::move(words.message), std::move(words.help)};
 }
 
 /// Of the last reference, mm or deg.

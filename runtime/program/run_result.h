@@ -22,7 +22,8 @@ enum class ExitCode : int {
   Terminated = 143
 };
 
-/// One source line's share of a run. Times in s, misses in mm.
+/// One source line's share of a run. Times in s, misses in mm. Here and below `line` is a
+/// lang::line_tag().
 struct LineResult {
   int line = 0;
   std::int64_t count = 0;  ///< how often it ran
@@ -70,6 +71,7 @@ struct Problem {
   std::string message;
   std::string help;
   std::vector<lang::CallSite> calls{};  ///< the routines it happened in, the innermost first
+  std::vector<std::string> used{};      ///< as of RunResult: for the lines of `calls`
 };
 
 /// Everything that `rob run` and `rob check` tell of one program.
@@ -77,6 +79,7 @@ struct RunResult {
   std::string status = "done";  ///< done | program-error | fault | interrupted
   ExitCode exit_code = ExitCode::Done;
   std::string file;
+  std::vector<std::string> used;  ///< names of the files that it USEs, by lang::Place::file from 1
   std::string robot;
   std::string law = "paul";
   std::string clock;

@@ -7,9 +7,9 @@ TEST_CASE("the published gantry program is read as it stands") {
       "MOVE(40,40,0) // X = 40, Y = 40, theta = 0\n"
       "MOVE(140,40,0)\nMOVE(90,126,0)\nMOVE(40,40,0)\nSTOP\nEND\n");
   REQUIRE(p.program.statements.size() == 2);
-  const auto& motions = p.statement<PlainMotions>(0).motions;
-  REQUIRE(motions.size() == 4);
-  CHECK(PlainMotions::place(motions[2]) == Place{3, 1, 4});
+  const PlainMotions& plain = p.statement<PlainMotions>(0);
+  REQUIRE(plain.motions.size() == 4);
+  CHECK(plain.place(plain.motions[2]) == Place{3, 1, 4});
   CHECK(std::holds_alternative<Stop>(p.program.statements[1].node));
   CHECK(p.program.end == Place{6, 1, 3});
 }
