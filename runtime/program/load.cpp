@@ -36,6 +36,10 @@ bool is_known_robot(const std::string& name) {
 
 std::optional<Words> words_against_target(lang::MoveCommand command,
                                           const motion::RobotModel& robot) {
+  const bool of_tool =
+      command.means == lang::MoveCommand::Target::Pose ||
+      (command.means == lang::MoveCommand::Target::Coordinates && robot.tool_coordinates);
+  if (of_tool && robot.kinematics == nullptr) return std::nullopt;  // nobody can tell
   if (command.means == lang::MoveCommand::Target::Pose) {
     const lang::PoseValue pose = lang::target_pose(command, {});
     if (auto words = settle_on_axes(robot, pose, motion::middle(robot), command)) return words;
@@ -135,6 +139,15 @@ void refuse_missing_points(LoadedProgram& program) {
                     lang::shortened(point.name)));
     compilation.chunk.reset();
   }
+}
+
+void refuse_robot_without_kinematics(LoadedProgram& program) {
+  if (program.robot.kinematics != nullptr) return;
+  const auto declared = lang::declared_robot(program.source);
+  const Words words = words_for_not_run(program.robot);
+  program.compilation.diagnostics.error(words.code, declared ? declared->place : lang::Place{},
+                                        words.message, words.help);
+  program.compilation.chunk.reset();
 }
 
 }  // namespace rob::runtime

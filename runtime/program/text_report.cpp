@@ -36,6 +36,7 @@ std::string calls_text(const std::vector<lang::CallSite>& calls) {
 }  // namespace
 
 std::string check_table(const RunResult& result) {
+  if (!result.foretold) return "no mistakes found; nothing is foretold\n";
   std::string table = "   line  starts   takes   decides at   corner missed by\n";
   for (const LineResult& line : result.lines) {
     std::string row =
