@@ -29,7 +29,7 @@ void StatementChecker::warn_of_name(Symbol::Kind kind, const std::string& name, 
         kind == Symbol::Kind::Routine || earlier->kind == Symbol::Kind::Routine
             ? "give one of them another name"
             : "to give it another value, write it without VAR");
-  } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr || is_later_builtin(name)) {
+  } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr) {
     diagnostics_.warning(
         code::kHidesBuiltIn, place,
         fmt::format("{} hides what the language or the robot calls so", shortened(name)),
@@ -226,6 +226,9 @@ CheckedProgram check(Program program, const RobotSignature& robot, const PointTa
                          .constant_targets = {},
                          .features = {},
                          .missing_points = {}};
+  TypeDetail& joints = *checked.program.joints;
+  for (const RobotSignature::Coordinate& axis : robot.axes) joints.axes.push_back(axis.dimension);
+  joints.slots.numbers = static_cast<int>(joints.axes.size());
   StatementChecker(checked, robot, points, diagnostics).check(checked.program);
   return checked;
 }

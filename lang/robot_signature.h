@@ -27,6 +27,7 @@ struct RobotSignature {
   std::vector<Coordinate> axes;         ///< at most kMaxCoordinates, in the order of JOINTS
   std::vector<Unit> units{};    ///< of bare numbers in a tuple, where they are not mm or deg
   std::vector<Signal> signals;  ///< the index is the number that Machine is given
+  bool force_sensor = false;    ///< `force`, `torque` and WRENCH() can be read
 };
 
 /// "DOUT": what the channels of a kind are called.

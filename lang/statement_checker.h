@@ -25,7 +25,7 @@ class StatementChecker {
                    Diagnostics& diagnostics)
       : scopes_(checked.symbols, robot),
         uses_(checked.program.routines.size()),
-        expressions_(scopes_, checked.program, uses_, missing_, diagnostics),
+        expressions_(scopes_, checked.program, robot, uses_, missing_, diagnostics),
         moves_(robot, expressions_, diagnostics, checked),
         waits_(expressions_, diagnostics),
         watches_(expressions_, diagnostics),
@@ -73,6 +73,7 @@ class StatementChecker {
   // TEST (check_tests.cpp)
   void check(Expect& expectation);
   void check(Simulate& simulation);
+  void check_simulated_force(Simulate& simulation, const Symbol& symbol);
   void require_test(std::string_view word);
 
   // Signals (check_signals.cpp)
@@ -117,6 +118,7 @@ class StatementChecker {
   // POINT and TEACH (check_points.cpp)
   void check(PointDeclaration& declaration);
   void check(Teach& teach);
+  void check(ZeroForce&) { expressions_.has_sensor(Reading::Force, place_); }
   Type type_of(const PointTable::Point& kept, Place place);
   void warn_of_missing_points();
 
