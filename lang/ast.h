@@ -142,6 +142,8 @@ struct Clauses {
   std::array<ExprPtr, kClauses> values;  ///< by Clause; null where left out
   Profile profile = Profile::Unspecified;
   bool fine = false;
+  bool live = false;  ///< AT LIVE: computed anew in every control cycle
+  Place live_place{};
 
   const ExprPtr& operator[](Clause clause) const {
     return values[static_cast<std::size_t>(clause)];
@@ -200,6 +202,8 @@ struct When {
 };
 struct Stop {};
 struct Brake {};
+/// ZERO force
+struct ZeroForce {};
 /// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm · FRAME f = POSE(…) · TOOL t = POSE(…) MASS 1kg
 struct Declaration {
   struct Declared {
@@ -318,6 +322,9 @@ struct Expect {
 struct Simulate {
   Name target;
   Place target_place;
+  std::string part{};  ///< "z" of force.z; empty for an input
+  Place part_place{};
+  int component = 0;  ///< of a part, set by the checker: force x y z, torque x y z
   ExprPtr value;
   ExprPtr after;  ///< null: at once
 };
@@ -352,7 +359,7 @@ struct Statement {
   Place place;  ///< of its first word
   std::variant<Move, PlainMotions, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration,
                Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
-               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, Use>
+               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use>
       node;
 };
 
@@ -397,6 +404,8 @@ struct Program {
   };
   std::map<std::string, TypeDetail> frames{};  ///< by name in capitals; details keep their address
   std::vector<FrameUse> frame_uses{};
+  /// Of the type JOINTS: all of a program are of the same robot, which the checker puts in.
+  std::shared_ptr<TypeDetail> joints = std::make_shared<TypeDetail>();
   std::set<std::string> taught{};  ///< names behind TEACH, in capitals
   /// Where END stands, or the end of the file if there is none.
   Place end;

@@ -196,9 +196,6 @@ constexpr std::array kBuiltins = std::to_array<Builtin>({
 #include "lang/builtins.def"
 });
 
-constexpr std::array kLater =
-    std::to_array<std::string_view>({"FORCE", "FORWARD", "HITPOSE", "JOINTS", "TORQUE", "WRENCH"});
-
 }  // namespace
 
 std::span<const Builtin> builtins() { return kBuiltins; }
@@ -241,11 +238,6 @@ std::vector<std::string_view> builtin_names() {
     if (names.empty() || names.back() != builtin.name) names.push_back(builtin.name);
   }
   return names;
-}
-
-bool is_later_builtin(std::string_view name) {
-  const std::string key = to_upper(name);
-  return std::ranges::find(kLater, key) != kLater.end();
 }
 
 }  // namespace rob::lang

@@ -33,8 +33,11 @@ enum class BuiltinRule : std::uint8_t {
   AnyToText,       ///< any → STRING; compiled in line, so it has no function
   Random,          ///< none → REAL, two of one D → D; the Vm's own, so it has no function
   ToFrame,         ///< pose, FRAME → pose in it
-  Places,          ///< of poses, as its signature says
-  Texts            ///< as its signature says
+  Joints,   ///< none, one value an axis, or pose [, JOINTS] → JOINTS; the robot computes it
+  Forward,  ///< JOINTS → pose in the world; the same
+  Wrench,   ///< none → WRENCH; read from the robot
+  Places,   ///< of poses, as its signature says
+  Texts     ///< as its signature says
 };
 
 /// Pure; takes no memory. The slots of all arguments in a row; all are INT, or all are REAL, as the
@@ -78,7 +81,5 @@ const Builtin* find_builtin(const Call& call);
 bool computes_whole(const Builtin& builtin, const Call& call);
 /// Each name once, for "did you mean".
 std::vector<std::string_view> builtin_names();
-/// A function or value of the language that this version does not have yet.
-bool is_later_builtin(std::string_view name);
 
 }  // namespace rob::lang

@@ -21,12 +21,23 @@ bool MoveChecker::check_value(const Move& move) {
     return expressions_.accept(target, Type::pose(), fmt::format("{} needs", word));
   }
   if (type == Type::vec(kLength) && move.by) return true;
+  if (type.is(Type::Kind::Joints) && !move.by && move.kind == MotionKind::Joint) return true;
   report_no_target(move, type);
   return false;
 }
 
 void MoveChecker::report_no_target(const Move& move, const Type& type) {
   const std::string_view word = word_of(move.kind);
+  if (type.is(Type::Kind::Joints)) {
+    diagnostics_.error(
+        code::kNoTarget, move.target->place,
+        fmt::format("{}{} does not take a value for each joint", word, move.by ? " BY" : ""),
+        move.by ? "MOVE j + k goes to the sum of two"
+                : fmt::format("MOVE j goes to the joints j, {} FORWARD(j) to the "
+                              "place that they bring the tool to",
+                              word));
+    return;
+  }
   if (move.by) {
     diagnostics_.error(code::kNoTarget, move.target->place,
                        fmt::format("{} BY needs components or a VEC of lengths; this is {}", word,
@@ -50,7 +61,8 @@ void MoveChecker::judge_value(const Expr& target) {
   const auto* const slots = std::get_if<std::vector<double>>(&value);
   if (slots == nullptr) return;
   MoveCommand command;
-  command.means = MoveCommand::Target::Pose;
+  const bool axes = target.type.is(Type::Kind::Joints);
+  command.means = axes ? MoveCommand::Target::Axes : MoveCommand::Target::Pose;
   command.count = static_cast<int>(slots->size());
   command.given = given_all(command.count);
   std::ranges::copy(*slots, command.target.begin());

@@ -59,6 +59,10 @@ Type ExpressionChecker::check(Name& name, Expr& expression) {
   name.symbol = name.index != nullptr ? resolve_channel(name, expression.place)
                                       : resolve(name.text, expression.place);
   if (name.symbol == nullptr) return {};
+  if (name.symbol->kind == Symbol::Kind::Reading &&
+      !has_sensor(name.symbol->reading, expression.place)) {
+    return {};
+  }
   if (name.symbol->kind == Symbol::Kind::Point) missing_.use(*name.symbol);
   expression.constant = name.symbol->value;
   return name.symbol->type;
@@ -171,11 +175,6 @@ void ExpressionChecker::report_unknown(std::string_view name, Place place) {
   if (find_builtin(name, 0) != nullptr) {
     diagnostics_.error(code::kNotAFunction, place, fmt::format("{} is a function", name),
                        fmt::format("give it its arguments: {}(…)", to_upper(name)));
-    return;
-  }
-  if (is_later_builtin(name)) {
-    diagnostics_.error(code::kNotYet, place,
-                       fmt::format("{} is not in this version of Rob yet", to_upper(name)));
     return;
   }
   if (scopes_.is_file(name.substr(0, name.find('.')))) {

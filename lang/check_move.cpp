@@ -6,6 +6,7 @@
 #include "lang/codes.h"
 #include "lang/move_checker.h"
 #include "lang/target.h"
+#include "lang/watch_checker.h"
 
 namespace rob::lang {
 
@@ -19,6 +20,9 @@ void MoveChecker::check(const Move& move, Place place) {
       move.axis != nullptr ? check_joint(move) : move.target != nullptr && check_target(move);
   sound = clauses_.check(move.clauses, place) && sound;
   remember_features(move.clauses, place);
+  if (sound && move.clauses.live) {
+    WatchChecker(expressions_, diagnostics_).check_live(*move.clauses[Clause::At]);
+  }
   if (sound) judge_constants(move);
 }
 
@@ -27,6 +31,7 @@ void MoveChecker::remember_features(const Clauses& clauses, Place place) {
   const ExprPtr& jerk = clauses[Clause::Jerk];
   if (accel) checked_.features.push_back({accel->place, MotionFeature::Accel});
   if (jerk) checked_.features.push_back({jerk->place, MotionFeature::Jerk});
+  if (clauses.live) checked_.features.push_back({clauses.live_place, MotionFeature::LivePace});
   if (clauses.profile != Profile::Unspecified)
     checked_.features.push_back({place, MotionFeature::Profile});
 }

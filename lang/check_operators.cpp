@@ -163,7 +163,8 @@ Type ExpressionChecker::check_sum(const Binary& binary, const Expr& expression) 
   }
   const Type common = common_type(binary.left->type, binary.right->type);
   if (unknown(common)) return unlike(binary, expression);
-  if (common.numeric() || common.is(Type::Kind::Vec)) return common;
+  if (common.numeric() || common.is(Type::Kind::Vec) || common.is(Type::Kind::Joints))
+    return common;
   if (is_text(common) && binary.op == BinaryOp::Add) return common;
   std::string these = in_words(common);
   if (is_text(common)) these = "texts";
@@ -180,6 +181,16 @@ bool ExpressionChecker::scales_vector(const Binary& binary) const {
          (vec(*binary.right) && binary.left->type.numeric());
 }
 
+/// Whether one side is JOINTS and the other a plain number.
+bool ExpressionChecker::scales_joints(const Binary& binary) {
+  const auto joints = [](const Expr& side) { return side.type.is(Type::Kind::Joints); };
+  const auto plain = [](const Expr& side) {
+    return side.type.numeric() && side.type.dimension.none();
+  };
+  return (joints(*binary.left) && plain(*binary.right)) ||
+         (joints(*binary.right) && plain(*binary.left));
+}
+
 Type ExpressionChecker::check_product(const Binary& binary, const Expr& expression) {
   if (binary.left->type.is_place() || binary.right->type.is_place()) {
     return check_place_product(binary, expression);
@@ -187,6 +198,10 @@ Type ExpressionChecker::check_product(const Binary& binary, const Expr& expressi
   if (scales_vector(binary)) {
     const Dimension product = binary.left->type.dimension * binary.right->type.dimension;
     return bounded(product, expression).known() ? Type::vec(product) : Type{};
+  }
+  if (scales_joints(binary)) {
+    const bool first = binary.left->type.is(Type::Kind::Joints);
+    return (first ? binary.left : binary.right)->type;
   }
   if (!both_numbers(binary)) return {};
   const Type& left = binary.left->type;

@@ -32,7 +32,7 @@ void StatementChecker::warn_of_name(Symbol::Kind kind, const std::string& name, 
   } else if (const auto files = scopes_.files_with(name);
              scopes_.at_top_level() && !files.empty()) {
     warn_of_hiding(name, place, files.front());
-  } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr || is_later_builtin(name)) {
+  } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr) {
     diagnostics_.warning(
         code::kHidesBuiltIn, place,
         fmt::format("{} hides what the language or the robot calls so", shortened(name)),
@@ -226,6 +226,9 @@ CheckedProgram check(Program program, const RobotSignature& robot, const PointTa
                      const TargetJudge& judge, Diagnostics& diagnostics) {
   CheckedProgram checked{
       .program = std::move(program), .symbols = {}, .features = {}, .missing_points = {}};
+  TypeDetail& joints = *checked.program.joints;
+  for (const RobotSignature::Coordinate& axis : robot.axes) joints.axes.push_back(axis.dimension);
+  joints.slots.numbers = static_cast<int>(joints.axes.size());
   StatementChecker(checked, robot, points, judge, diagnostics).check(checked.program);
   return checked;
 }

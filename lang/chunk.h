@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -162,7 +163,8 @@ struct Chunk {
   std::vector<Type> constant_types;  ///< parallel to constants; for listings
   std::vector<std::string> texts;
   std::vector<Dimension> dimensions;
-  std::vector<Type> types;  ///< of the compound values that are made into texts
+  std::vector<Type> types;                   ///< of the compound values that are made into texts
+  std::shared_ptr<const TypeDetail> joints;  ///< of the JOINTS among them
   std::vector<MoveForm> moves;
   std::vector<WatchForm> watches;
   std::vector<std::string> signals;  ///< names by number; for listings

@@ -217,7 +217,8 @@ std::uint16_t CodeBuilder::end_watch(Register answer, int values, Place place) {
   for (std::size_t at = watch_.entry; at < here(); ++at) {
     const Opcode opcode = chunk_.code[at].opcode();
     if (!is_watchable(opcode)) fail(Limit::Watch, chunk_.places[at]);
-    if (opcode == Opcode::load_constant_wide) ++at;  // its operand
+    const bool operand = opcode == Opcode::load_constant_wide || opcode == Opcode::equal_block;
+    if (operand) ++at;
   }
   const std::size_t index = chunk_.watches.size();
   if (here() - watch_.entry > kLongestWatch || values > kMostWatched ||

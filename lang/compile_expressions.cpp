@@ -82,7 +82,8 @@ Opcode real_opcode(BinaryOp op) {
 /// What is no variable is read anew each time; in a watch its value was fixed before.
 bool ExpressionCompiler::lives_in_register(const Symbol& symbol) const {
   if (symbol.kind == Symbol::Kind::BuiltIn) return watching_;
-  return symbol.kind != Symbol::Kind::Signal && symbol.kind != Symbol::Kind::Reading;
+  if (symbol.kind == Symbol::Kind::Reading) return watching_ && !is_observation(symbol.reading);
+  return symbol.kind != Symbol::Kind::Signal;
 }
 
 void ExpressionCompiler::begin(const Expr& expression) {
@@ -195,8 +196,7 @@ void ExpressionCompiler::compile(const Name& name, const Expr& expression, Regis
   if (symbol.kind == Symbol::Kind::Signal) {
     read_signal(symbol, target, expression.place);
   } else if (symbol.kind == Symbol::Kind::Reading) {
-    code_.emit(Opcode::read, expression.place, target, static_cast<unsigned>(symbol.reading),
-               latched_ ? 1 : 0);
+    read(symbol.reading, target, expression.place);
   } else if (!lives_in_register(symbol)) {
     code_.emit(Opcode::read_hit, expression.place, target);
   } else {
@@ -222,7 +222,9 @@ void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, R
     return;
   }
   if (binary.left->type.is_place()) return compile_on_places(binary, expression, target);
-  if (expression.type.is(Type::Kind::Vec)) return compile_vector(binary, expression, target);
+  if (expression.type.is(Type::Kind::Vec) || expression.type.is(Type::Kind::Joints)) {
+    return compile_vector(binary, expression, target);
+  }
   if (compile_by_constant(binary, expression, target)) return;
   // DIV of reals yields an INT from REAL operands.
   const bool whole = on_whole_numbers(binary, expression.type);
@@ -276,6 +278,9 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
     code_.emit(Opcode::copy_text, expression.place, target, text);
     return;
   }
+  if (const auto reading = reading_of(call)) return read(*reading, target, expression.place);
+  if (builtin.rule == BuiltinRule::Joints) return compile_joints(call, expression, target);
+  if (builtin.rule == BuiltinRule::Forward) return compile_forward(call, expression, target);
   if (builtin.rule == BuiltinRule::Random) return draw(call, expression, target);
   if (builtin.rule == BuiltinRule::Texts) return call_on_texts(builtin, call, expression, target);
   const bool whole = computes_whole(builtin, call);

@@ -10,6 +10,7 @@ void StatementCompiler::compile(const Move& move) {
   const Place place = place_;
   const auto mark = code_.mark();
   MoveForm form{.kind = move.kind, .relative = move.by};
+  if (move.clauses.live) compile_live(*move.clauses[Clause::At]);
   const Register first =
       move.axis != nullptr ? compile_axis(move, form) : compile_target(move, form);
   compile_clauses(move.clauses, form);
@@ -62,9 +63,10 @@ Register StatementCompiler::compile_target(const Move& move, MoveForm& form) {
   return first;
 }
 
-/// A pose, or a VEC behind BY, as it lies in registers.
+/// A pose, JOINTS, or a VEC behind BY, as it lies in registers.
 Register StatementCompiler::compile_value(const Expr& target, MoveForm& form) {
-  form.means = MoveCommand::Target::Pose;
+  form.means =
+      target.type.is(Type::Kind::Joints) ? MoveCommand::Target::Axes : MoveCommand::Target::Pose;
   form.count = slots_of(target.type).numbers;
   form.given = given_all(form.count);
   const Register first = code_.number_registers(form.count);
@@ -75,10 +77,13 @@ Register StatementCompiler::compile_value(const Expr& target, MoveForm& form) {
 void StatementCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) {
   form.fine = clauses.fine;
   form.profile = clauses.profile;
+  const ExprPtr& at = clauses[Clause::At];
   for (const ExprPtr& value : clauses.values) {
-    if (value != nullptr) expressions_.value_into(*value, code_.number_registers(), true);
+    const bool set_up = clauses.live && &value == &at;
+    if (value != nullptr && !set_up)
+      expressions_.value_into(*value, code_.number_registers(), true);
   }
-  if (clauses[Clause::At]) form.pace = *pace_of(clauses[Clause::At]->type);
+  if (at && !clauses.live) form.pace = *pace_of(at->type);
   form.over = clauses[Clause::Over] != nullptr;
   if (clauses[Clause::Accel]) form.accel = *accel_of(clauses[Clause::Accel]->type);
   if (clauses[Clause::Jerk]) form.jerk = *jerk_of(clauses[Clause::Jerk]->type);

@@ -57,13 +57,18 @@ void StatementCompiler::compile(const Simulate& simulation) {
   const auto mark = code_.mark();
   const Register value = code_.number_registers(2);
   const auto after = static_cast<Register>(value + 1);
-  expressions_.value_into(*simulation.value, value, symbol.analog);
+  const bool force = symbol.kind == Symbol::Kind::Reading;
+  expressions_.value_into(*simulation.value, value, symbol.analog || force);
   if (simulation.after != nullptr) {
     expressions_.value_into(*simulation.after, after);
   } else {
     code_.load_real(after, 0, kTime, place_);
   }
-  expressions_.simulate(symbol, value, place_);
+  if (force) {
+    expressions_.simulate_force(simulation.component, value, place_);
+  } else {
+    expressions_.simulate(symbol, value, place_);
+  }
   code_.release(mark);
 }
 

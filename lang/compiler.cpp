@@ -25,7 +25,9 @@ std::vector<std::string> signal_names(const RobotSignature& robot) {
 }  // namespace
 
 StatementCompiler::StatementCompiler(const CheckedProgram& checked, const RobotSignature& robot)
-    : robot_(robot), code_(signal_names(robot)), expressions_(code_, checked.symbols.size()) {}
+    : robot_(robot), code_(signal_names(robot)), expressions_(code_, checked.symbols.size()) {
+  code_.keep(checked.program.joints);
+}
 
 std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnostics& diagnostics) {
   const auto mark = code_.mark();

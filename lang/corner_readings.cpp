@@ -6,6 +6,7 @@
 
 #include "lang/codes.h"
 #include "lang/fold.h"
+#include "lang/observations.h"
 #include "lang/routine.h"
 #include "lang/symbols.h"
 #include "lang/target.h"
@@ -13,7 +14,12 @@
 namespace rob::lang {
 namespace {
 
-/// The first HERE or CLOCK in an expression; null if there is none.
+/// Whether it tells how far a motion has come.
+bool tells_progress(Reading reading) {
+  return reading == Reading::Here || reading == Reading::Clock || reading == Reading::Joints;
+}
+
+/// The first HERE, CLOCK or JOINTS() in an expression; null if there is none.
 const Expr* reading_in(const ExprPtr& expression);
 
 struct ReadingFinder {
@@ -22,7 +28,7 @@ struct ReadingFinder {
   const Expr* operator()(const Name& name) const {
     const Symbol* const symbol = name.symbol;
     const bool reading = symbol != nullptr && symbol->kind == Symbol::Kind::Reading &&
-                         is_observation(symbol->reading);
+                         tells_progress(symbol->reading);
     return reading ? &whole : nullptr;
   }
   const Expr* operator()(const Unary& unary) const { return reading_in(unary.operand); }
@@ -31,6 +37,7 @@ struct ReadingFinder {
     return left != nullptr ? left : reading_in(binary.right);
   }
   const Expr* operator()(const Call& call) const {
+    if (const auto reading = reading_of(call); reading && tells_progress(*reading)) return &whole;
     for (const ExprPtr& argument : call.arguments) {
       if (const Expr* const found = reading_in(argument)) return found;
     }
@@ -153,7 +160,8 @@ class Walk {
   void look(const ExprPtr& expression) {
     const Expr* const reading = loose_ == 0 ? nullptr : reading_in(expression);
     if (reading != nullptr) {
-      const std::string& name = std::get<Name>(reading->node).symbol->name;
+      const auto* const symbol = std::get_if<Name>(&reading->node);
+      const std::string name = symbol != nullptr ? symbol->symbol->name : "JOINTS()";
       diagnostics_.warning(
           code::kReadInCorner, reading->place,
           fmt::format("{} is read where the corner of line {} begins, before its target is reached",

@@ -8,6 +8,7 @@
 #include "lang/diagnostic.h"
 #include "lang/fold.h"
 #include "lang/missing_points.h"
+#include "lang/robot_signature.h"
 #include "lang/routine_uses.h"
 #include "lang/symbols.h"
 
@@ -18,9 +19,10 @@ namespace rob::lang {
 class ExpressionChecker {
  public:
   /// `program` is only searched, for names that are declared elsewhere.
-  ExpressionChecker(const Scopes& scopes, const Program& program, RoutineUses& uses,
-                    MissingPoints& missing, Diagnostics& diagnostics)
+  ExpressionChecker(const Scopes& scopes, const Program& program, const RobotSignature& robot,
+                    RoutineUses& uses, MissingPoints& missing, Diagnostics& diagnostics)
       : scopes_(scopes),
+        robot_(robot),
         program_(program),
         uses_(uses),
         missing_(missing),
@@ -45,6 +47,9 @@ class ExpressionChecker {
   /// DIN[n], DOUT[n], AIN[n] or AOUT[n]; null, and a message, if n is no constant or the robot has
   /// no such channel.
   const Symbol* resolve_channel(Name& name, Place place);
+
+  /// False, and a message, if it needs a force sensor that the robot does not have.
+  bool has_sensor(Reading reading, Place place);
 
   /// The FRAME that a pose is in; null for the world, and where none was found.
   const Symbol* frame_of(const Type& pose) const;
@@ -74,7 +79,7 @@ class ExpressionChecker {
   Type check_product(const Binary& binary, const Expr& expression);
   Type check_division(const Binary& binary, const Expr& expression);
   Type check_power(const Binary& binary, const Expr& expression);
-  Type check_arguments(const Builtin& builtin, const Call& call);
+  Type check_arguments(const Builtin& builtin, const Call& call, Place place);
   Type check_texts(const Builtin& builtin, const Call& call);
   bool check_unit(const Expr& value, const Expr& unit_text);
   Type common_dimension(const Call& call);
@@ -90,6 +95,12 @@ class ExpressionChecker {
 
   Type check_vectors(const Builtin& builtin, const Call& call);
 
+  // JOINTS, and what is read of a force sensor (check_joints.cpp)
+  Type joints() const { return Type::joints(program_.joints.get()); }
+  Type check_joints(const Call& call, Expr& expression);
+  Type check_inverse(const Call& call);
+  Type axis_type(const Index& index, const Type& joints);
+
   // Routines (check_routine_calls.cpp)
   Type check_routine_call(Call& call, const Expr& expression, const Routine& routine);
   bool bind(Call& call, Place place, const Routine& routine);
@@ -99,6 +110,7 @@ class ExpressionChecker {
 
   bool both_numbers(const Binary& binary);
   bool scales_vector(const Binary& binary) const;
+  static bool scales_joints(const Binary& binary);
   Type unlike(const Binary& binary, const Expr& expression);
   Type bounded(Dimension dimension, const Expr& expression);
   void keep(const Folded& folded, Expr& expression);
@@ -111,6 +123,7 @@ class ExpressionChecker {
   const Builtin* resolve_function(const Call& call, Place place);
 
   const Scopes& scopes_;
+  const RobotSignature& robot_;
   const Program& program_;
   RoutineUses& uses_;
   MissingPoints& missing_;

@@ -44,6 +44,10 @@ class ExpressionCompiler {
   void append_register(Register value, const Type& type, bool real, Register text, Place place);
   /// SIMULATE of an input: its value in `value`, which is overwritten, the delay behind it.
   void simulate(const Symbol& symbol, Register value, Place place);
+  /// SIMULATE of a part of the force or the torque.
+  void simulate_force(int component, Register value, Place place) {
+    code_.emit(Opcode::simulate_force, place, value, static_cast<unsigned>(component));
+  }
   /// Gives an output the value of a register, in motion order.
   void write_signal(const Symbol& symbol, Register value, Place place);
   /// A call that is a statement of its own.
@@ -114,6 +118,11 @@ class ExpressionCompiler {
   void into_world(const Expr& expression, Register target);
   void compile_on_places(const Binary& binary, const Expr& expression, Register target);
   void compile_angle(const Member& member, Register target, Place place);
+
+  // JOINTS (compile_joints.cpp)
+  void read(Reading reading, Register target, Place place);
+  void compile_joints(const Call& call, const Expr& expression, Register target);
+  void compile_forward(const Call& call, const Expr& expression, Register target);
 
   // Compound values (compile_compounds.cpp)
   void compile(const Tuple& tuple, Register target);

@@ -66,6 +66,10 @@ class Machine {
   /// The block of a WHEN is left. An observation: `Later` until the decision point of the last
   /// motion.
   virtual Reply disarm(int line, int id) = 0;
+  /// AT LIVE: the pace of the motion that is commanded next, computed anew in every control cycle.
+  virtual Reply live_pace(int line, const Watch& pace, MoveCommand::Pace means) = 0;
+  /// ZERO force: the last target is reached exactly, and what the force sensor tells then is 0.
+  virtual Reply zero_force(int line) = 0;
   /// STOP: the last target is reached exactly.
   virtual Reply stop(int line) = 0;
   /// BRAKE: as soon as the last motion is the running one, it is braked on its path; its rest is
@@ -111,6 +115,9 @@ class Machine {
   /// From `after` seconds behind this point of motion order on, an input has this value (1 for ON,
   /// V), whatever the machine says.
   virtual Reply simulate(int line, int signal, double value, double after) = 0;
+  /// The same of one part of what the force sensor tells: N of force x, y, z, then Nm of torque x,
+  /// y, z.
+  virtual Reply simulate_force(int line, int component, double value, double after) = 0;
   /// Reads a signal at the decision point of the motion commanded before. An observation:
   /// `Later` until that instant has come.
   virtual Reply read_signal(int line, int signal, bool& value) = 0;

@@ -36,6 +36,6 @@ inline std::optional<Profile> find_profile(std::string_view word) {
 }
 
 /// What not every robot can do, so that each has to say whether it can.
-enum class MotionFeature : std::uint8_t { Accel, Jerk, Profile, LookAhead };
+enum class MotionFeature : std::uint8_t { Accel, Jerk, Profile, LookAhead, LivePace };
 
 }  // namespace rob::lang

@@ -1,9 +1,17 @@
 #include "lang/observations.h"
 
+#include "lang/ascii.h"
 #include "lang/fold.h"
 #include "lang/symbols.h"
 
 namespace rob::lang {
+
+std::optional<Reading> reading_of(const Call& call) {
+  if (call.routine != nullptr || !call.arguments.empty()) return std::nullopt;
+  if (same_word(call.callee, "JOINTS")) return Reading::Joints;
+  if (same_word(call.callee, "WRENCH")) return Reading::Wrench;
+  return std::nullopt;
+}
 
 int observations(const Expr& expression) {
   struct Counter {
@@ -18,7 +26,7 @@ int observations(const Expr& expression) {
       return observations(*binary.left) + observations(*binary.right);
     }
     int operator()(const Call& call) const {
-      int sum = 0;
+      int sum = reading_of(call) ? 1 : 0;
       for (const ExprPtr& argument : call.arguments) sum += observations(*argument);
       return sum;
     }

@@ -41,12 +41,13 @@ constexpr auto kTypes = std::to_array<NamedType>({
     {"VOLTAGE", real(kVoltage)},
     {"VEC", {Type::Kind::Vec, kLength}},
     {"POSE", {Type::Kind::Pose}},
+    {"JOINTS", {Type::Kind::Joints}},
     {"WRENCH", {Type::Kind::Wrench}},
     {"FRAME", {Type::Kind::Frame}},
     {"TOOL", {Type::Kind::Tool}},
 });
 
-constexpr std::array<std::string_view, 2> kLaterTypes{"JOINTS", "ARRAY"};
+constexpr std::array<std::string_view, 1> kLaterTypes{"ARRAY"};
 
 std::string type_help(std::string_view word) {
   std::array<std::string_view, kTypes.size()> names;
@@ -149,6 +150,7 @@ Type Parser::type() {
   if (const auto known = named_type(word.text)) {
     advance();
     if (known->is(Type::Kind::Pose)) return pose_type();
+    if (known->is(Type::Kind::Joints)) return Type::joints(joints_.get());
     return known->is(Type::Kind::Vec) && at_word("OF") ? vec_type() : *known;
   }
   for (const std::string_view later : kLaterTypes) {

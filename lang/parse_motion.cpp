@@ -122,9 +122,10 @@ ExprPtr Parser::target(std::string_view motion) {
     const Place place = current_.place;
     return tuple(place, elements("the target"));
   }
-  const bool value =
+  const bool named =
       at(TokenKind::Word) && clause_word(current_).empty() && next_.kind != TokenKind::Comma;
-  if (!value && !at(TokenKind::LeftParen)) fail_target(motion);
+  const bool scaled = at(TokenKind::Number) && next_.kind == TokenKind::Star;  // 0.5 * j
+  if (!named && !scaled && !at(TokenKind::LeftParen)) fail_target(motion);
   return expression();
 }
 
@@ -167,15 +168,15 @@ void Parser::fail_target(std::string_view motion) {
        fmt::format("{}({})", motion, list ? written : "140, 40, 0"));
 }
 
-// clause = "AT" expr | "OVER" expr | "ACCEL" expr | "JERK" expr | "PROFILE" IDENT | "ZONE" expr
+// clause = "AT" [ "LIVE" ] expr | "OVER" expr | "ACCEL" expr | "JERK" expr | "PROFILE" IDENT |
+// "ZONE" expr
 //        | "FINE" .
 void Parser::clauses(Clauses& clauses) {
   while (!at_line_end() && !at(Keyword::Else) && !at(Keyword::Until) && !at(Keyword::Do)) {
     const auto* const valued =
         std::ranges::find_if(kValuedClauses, [&](std::string_view word) { return at_word(word); });
     if (valued != kValuedClauses.end()) {
-      const auto index = static_cast<std::size_t>(valued - kValuedClauses.begin());
-      clause(clauses.values[index], *valued);
+      clause(clauses, static_cast<Clause>(valued - kValuedClauses.begin()), *valued);
     } else if (at_word("FINE")) {
       if (clauses.fine) report_twice("FINE");
       clauses.fine = true;
@@ -193,14 +194,29 @@ void Parser::report_twice(std::string_view word) {
          "keep one of the two");
 }
 
-void Parser::clause(ExprPtr& slot, std::string_view word) {
+void Parser::clause(Clauses& clauses, Clause which, std::string_view word) {
+  ExprPtr& slot = clauses.values[static_cast<std::size_t>(which)];
   if (slot) report_twice(word);
   advance();
-  const bool live = at_word("LIVE") && !goes_on(next_.kind) && next_.kind != TokenKind::EndOfLine &&
-                    clause_word(next_).empty();
-  if (live) fail_not_yet(current_.place, fmt::format("{} LIVE", word));
+  if (at_live()) {
+    if (which != Clause::At) {
+      fail(code::kLiveMisplaced, current_.place,
+           fmt::format("{} is fixed when the motion is commanded; LIVE belongs to AT alone", word),
+           "MOVE(140, 40, 0) AT LIVE 20mm/s * share");
+    }
+    clauses.live = true;
+    clauses.live_place = current_.place;
+    advance();
+  }
   ExprPtr value = expression();
   if (!slot) slot = std::move(value);
+}
+
+/// LIVE with a value behind it; a variable may be called so, too.
+bool Parser::at_live() const {
+  const bool ends = next_.kind == TokenKind::EndOfLine || next_.kind == TokenKind::EndOfFile ||
+                    next_.kind == TokenKind::Reserved || !clause_word(next_).empty();
+  return at_word("LIVE") && !ends && !goes_on(next_.kind);
 }
 
 void Parser::profile(Clauses& clauses) {

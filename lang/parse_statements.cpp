@@ -142,6 +142,7 @@ void Parser::word_statement(Block& block) {
   if (at_header()) return header(block);
   if (at_frame_declaration()) return frame_declaration(block);
   if (at_later_word()) later_statement();
+  if (at_zero()) return zero_statement(block);
   if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
   if (next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket) {
     return assignment(block);

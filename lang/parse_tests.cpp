@@ -61,7 +61,7 @@ void Parser::expect_statement(Block& block) {
   add(block, place, std::move(node));
 }
 
-// control = "SIMULATE" ( IDENT | channel ) "=" expr [ "AFTER" expr ] .
+// control = "SIMULATE" ( IDENT [ "." IDENT ] | channel ) "=" expr [ "AFTER" expr ] .
 void Parser::simulate_statement(Block& block) {
   const Place place = current_.place;
   Simulate node;
@@ -78,7 +78,16 @@ void Parser::simulate_statement(Block& block) {
         fmt::format("the name of an input expected after SIMULATE, not {}", described(current_)),
         kSimulateExample);
   }
-  if (at(TokenKind::Dot)) fail_not_yet(node.target_place, "SIMULATE of a force");
+  if (node.target.index == nullptr && accept(TokenKind::Dot)) {
+    node.part = current_.text;
+    node.part_place = current_.place;
+    if (!at(TokenKind::Word)) {
+      fail_here(code::kNameExpected,
+                fmt::format("x, y or z expected behind the '.', not {}", described(current_)),
+                "SIMULATE force.z = 5N AFTER 2s");
+    }
+    advance();
+  }
   if (!accept(TokenKind::Assign)) {
     fail_here(code::kAssignExpected, fmt::format("'=' expected, not {}", described(current_)),
               kSimulateExample);

@@ -45,7 +45,8 @@ Parser::Parser(std::string_view source, Diagnostics& diagnostics, Surroundings s
       lexer_(source, diagnostics, surroundings.file),
       outline_(*surroundings.outline),
       imports_(std::move(surroundings.imports)),
-      nodes_(surroundings.nodes) {}
+      nodes_(surroundings.nodes),
+      joints_(std::move(surroundings.joints)) {}
 
 // program = { NL } { item } [ "END" { NL } ] .
 Program Parser::program() {
@@ -81,6 +82,7 @@ Program Parser::program() {
   program.frames = std::move(frames_);
   program.frame_uses = std::move(frame_uses_);
   program.taught = std::move(taught_);
+  program.joints = joints_;
   program.routines = std::move(routines_);
   program.nodes = nodes_;
   if (program.end.file == 0 && program.statements.empty() && program.routines.empty() &&

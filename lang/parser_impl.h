@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -51,6 +52,8 @@ struct Surroundings {
   const Outline* outline = nullptr;  ///< of the text
   std::vector<Import> imports{};
   std::size_t nodes = 0;  ///< of the files that were read before
+  /// What JOINTS is in all of them.
+  std::shared_ptr<TypeDetail> joints = std::make_shared<TypeDetail>();
 };
 
 class Parser {
@@ -131,6 +134,8 @@ class Parser {
   // Points (parse_points.cpp)
   void point_declaration(Block& block);
   void teach_statement(Block& block);
+  bool at_zero() const;
+  void zero_statement(Block& block);
 
   Type pose_type();
   const TypeDetail* frame_named(std::string_view name);
@@ -150,7 +155,8 @@ class Parser {
   void clauses(Clauses& clauses);
   void report_twice(std::string_view word);
   void profile(Clauses& clauses);
-  void clause(ExprPtr& slot, std::string_view word);
+  void clause(Clauses& clauses, Clause which, std::string_view word);
+  bool at_live() const;
   [[noreturn]] void fail_clause();
 
   // What is looked at in every control cycle (parse_watching.cpp)
@@ -275,6 +281,7 @@ class Parser {
   std::map<std::string, TypeDetail> frames_;
   std::vector<Program::FrameUse> frame_uses_;
   std::set<std::string> taught_;
+  std::shared_ptr<TypeDetail> joints_;
   std::vector<Routine> routines_;
   std::optional<std::set<std::string>> routine_names_;  ///< of the whole text, once asked for
 };

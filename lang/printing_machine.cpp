@@ -72,6 +72,7 @@ Reply PrintingMachine::ended(int line, bool& hit) {
     explicit World(PrintingMachine& m) : machine(m) {}
     bool signal(int signal) const noexcept override { return machine.value_of(signal) != 0; }
     double analog(int signal) const noexcept override { return machine.value_of(signal); }
+    void read(Reading what, Slot* value) const noexcept override { machine.answer(what, value); }
   };
   std::size_t looks = 1;
   for (const auto& [signal, script] : scripts_) looks = std::max(looks, script.values.size());
@@ -84,7 +85,19 @@ Reply PrintingMachine::ended(int line, bool& hit) {
     }
     hit = result.value.integer != 0;
   }
+  hit_ = commanded_;
   return note(line, hit ? "ended hit" : "ended reached");
+}
+
+Reply PrintingMachine::live_pace(int line, const Watch&, MoveCommand::Pace) {
+  return note(line, "live pace");
+}
+
+Reply PrintingMachine::simulate_force(int line, int component, double value, double after) {
+  const bool force = component < 3;
+  return note(line, fmt::format("simulate {}.{} {} after {}", force ? "force" : "torque",
+                                "xyz"[component % 3], number_text(value, force ? kForce : kTorque),
+                                number_text(after, kTime)));
 }
 
 Reply PrintingMachine::when(int line, const Watch&, int& id) {
@@ -146,14 +159,22 @@ Reply PrintingMachine::write_signal(int line, int signal, bool value) {
 Reply PrintingMachine::read(int, Reading what, Slot* value) {
   const Reply reply = is_observation(what) ? ready() : Reply::Done;
   if (reply != Reply::Done) return reply;
+  answer(what, value);
+  return reply;
+}
+
+void PrintingMachine::answer(Reading what, Slot* value) {
   if (what == Reading::Clock) {
     value->real = 0.01 * cycle_;
   } else if (what == Reading::Joints) {
-    for (std::size_t i = 0; i < robot_.coordinates.size(); ++i) value[i].real = commanded_[i];
+    for (std::size_t i = 0; i < robot_.axes.size(); ++i) value[i].real = commanded_[i];
+  } else if (needs_sensor(what)) {
+    const int first = what == Reading::Torque ? 3 : 0;
+    const int count = slots_of(what, 0);
+    for (int i = 0; i < count; ++i) (value++)->real = value_of(force_part(first + i));
   } else {
-    store(tool_of(robot_.coordinates, commanded_), value);
+    store(tool_of(robot_.coordinates, what == Reading::HitPose ? hit_ : commanded_), value);
   }
-  return reply;
 }
 
 Reply PrintingMachine::forward(int, std::span<const double> joints, PoseValue& pose) {

@@ -22,7 +22,8 @@ namespace rob::lang {
 ///     guard · ended hit · ended reached
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
-///     failed TEXT · simulate lift_up 1 after 2s
+///     failed TEXT · simulate lift_up 1 after 2s · simulate force.z 5N after 0s
+///     zero force · live pace            ZERO force; AT LIVE, before its motion
 ///     after 2mm · before 3mm lead 0.1s  a path event, before its action
 ///     when 1 · raise TEXT · disarm 1    WHEN, before its action; counted in the order of arming
 ///     stand · waited                    WAIT for a condition: its beginning, its end
@@ -31,7 +32,8 @@ namespace rob::lang {
 /// While a program waits for a condition every look at it is 10 ms later than the one before.
 ///
 /// The robot is where the last motion was to bring it, from 0 on every coordinate at the beginning;
-/// its kinematics is that of cartesian_axes.h.
+/// its kinematics is that of cartesian_axes.h. Axes are taken for coordinates: of an arm the first
+/// one moves x, 1 m for 1 rad. A force sensor tells 0 where nothing is scripted.
 ///
 /// Everything is taken at once, unless a test asks for something else.
 class PrintingMachine : public Machine {
@@ -47,6 +49,8 @@ class PrintingMachine : public Machine {
   /// What the following reads of a signal answer, one after another (1 is ON, V); the last stays.
   /// Without a script an output answers what was written last, an input FALSE.
   void script(int signal, std::vector<double> values);
+  /// What script() calls a part of the force sensor's: force x y z, torque x y z.
+  static int force_part(int component) { return -1 - component; }
   /// The next `times` calls are answered Later.
   void answer_later(int times) { later_ = times; }
   /// The call that comes after `calls` further ones is refused.
@@ -65,6 +69,8 @@ class PrintingMachine : public Machine {
   Reply when_raise(int line, std::string_view text) override;
   Reply disarm(int line, int id) override;
   Reply on_the_way(int line, const PathPlace& place) override;
+  Reply live_pace(int line, const Watch& pace, MoveCommand::Pace means) override;
+  Reply zero_force(int line) override { return note(line, "zero force"); }
   Reply stop(int line) override { return note(line, "stop"); }
   Reply brake(int line) override { return note(line, "brake"); }
   Reply teach(int line, std::string_view point, std::string_view frame,
@@ -82,6 +88,7 @@ class PrintingMachine : public Machine {
   Reply pulse(int line, int signal, double seconds) override;
   Reply expectation_failed(int line, std::string_view text) override;
   Reply simulate(int line, int signal, double value, double after) override;
+  Reply simulate_force(int line, int component, double value, double after) override;
   Reply read_signal(int line, int signal, bool& value) override;
   Reply read_analog(int line, int signal, double& volts) override;
   Reply read(int line, Reading what, Slot* value) override;
@@ -97,6 +104,7 @@ class PrintingMachine : public Machine {
   };
 
   double value_of(int signal);
+  void answer(Reading what, Slot* value);
   /// Done where the call may be carried out.
   Reply ready();
   Reply note(int line, std::string text);
@@ -111,6 +119,7 @@ class PrintingMachine : public Machine {
   int cycle_ = 0;
   bool standing_ = false;
   Watch guard_;
+  std::array<double, kMaxCoordinates> hit_{};  ///< where the last guarded motion ended
   int whens_ = 0;
   std::optional<int> refuse_after_;
   Refusal refusal_;

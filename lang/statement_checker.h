@@ -25,7 +25,7 @@ class StatementChecker {
                    const TargetJudge& judge, Diagnostics& diagnostics)
       : scopes_(checked.symbols, robot),
         uses_(checked.program.routines.size()),
-        expressions_(scopes_, checked.program, uses_, missing_, diagnostics),
+        expressions_(scopes_, checked.program, robot, uses_, missing_, diagnostics),
         moves_(robot, expressions_, judge, diagnostics, checked),
         waits_(expressions_, diagnostics),
         watches_(expressions_, diagnostics),
@@ -74,6 +74,7 @@ class StatementChecker {
   // TEST (check_tests.cpp)
   void check(Expect& expectation);
   void check(Simulate& simulation);
+  void check_simulated_force(Simulate& simulation, const Symbol& symbol);
   void require_test(std::string_view word);
 
   // Signals (check_signals.cpp)
@@ -123,6 +124,7 @@ class StatementChecker {
   void check(PointDeclaration& declaration);
   void check(Teach& teach);
   bool is_of_other_file(const Declaration::Declared& point);
+  void check(ZeroForce&) { expressions_.has_sensor(Reading::Force, place_); }
   Type type_of(const PointTable::Point& kept, Place place);
   void warn_of_missing_points();
 

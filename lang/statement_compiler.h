@@ -42,6 +42,7 @@ class StatementCompiler {
   void compile(const WatchedMotion& watched);
   void compile(const When& when);
   void compile(const WayPoint& event);
+  void compile_live(const Expr& pace);
   /// Code that disarms what was armed in this frame beyond the first `kept`.
   void leave_whens(std::size_t kept);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
@@ -54,6 +55,7 @@ class StatementCompiler {
   // POINT and TEACH (compile_points.cpp)
   void compile(const PointDeclaration& declaration);
   void compile(const Teach& teach);
+  void compile(const ZeroForce&) { code_.emit(Opcode::zero_force, place_); }
   void load_pose(const PoseValue& pose, Register first, Place place);
   void compile(const Assign& assign);
   void compile(const Pulse& pulse);

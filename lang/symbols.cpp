@@ -38,6 +38,9 @@ Scopes::Scopes(std::deque<Symbol>& symbols, const RobotSignature& robot)
   provide(Reading::Clock, Type::real(kTime));
   provide(Reading::Here, Type::pose());
   provide(Reading::Target, Type::pose());
+  provide(Reading::HitPose, Type::pose());
+  provide(Reading::Force, Type::vec(kForce));
+  provide(Reading::Torque, Type::vec(kTorque));
   for (std::size_t i = 0; i < robot.signals.size(); ++i) {
     Symbol signal;
     signal.kind = Symbol::Kind::Signal;

@@ -221,6 +221,10 @@ std::vector<std::string_view> field_names(const Type& type) {
 std::optional<Elements> elements_of(const Type& type) {
   if (type.is(Type::Kind::Vec)) return Elements{Type::real(type.dimension), 3};
   if (type.is(Type::Kind::Array)) return Elements{type.detail->element, type.detail->length};
+  if (type.is(Type::Kind::Joints)) {
+    const std::vector<Dimension>& axes = type.detail->axes;
+    return Elements{Type::real(axes.front()), static_cast<std::int64_t>(axes.size())};
+  }
   return std::nullopt;
 }
 

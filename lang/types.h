@@ -98,6 +98,8 @@ struct Type {
   static Type real(Dimension d = {}) { return {Kind::Real, d}; }
   static Type string() { return {Kind::String}; }
   static Type vec(Dimension d) { return {Kind::Vec, d}; }
+  /// `axes`: those of the robot that the program is for.
+  static Type joints(const TypeDetail* axes) { return {Kind::Joints, {}, axes}; }
   /// In the frame of `detail`; without one in the world.
   static Type pose(const TypeDetail* frame = nullptr) { return {Kind::Pose, {}, frame}; }
   /// POSE, FRAME and TOOL: a place and an orientation.
@@ -148,7 +150,7 @@ std::vector<std::string_view> field_names(const Type& type);
 
 /// What an index chooses from: elements of one type in a row.
 struct Elements {
-  Type type;
+  Type type;  ///< of JOINTS that of the first axis; the others may be of another dimension
   std::int64_t count = 0;
 };
 /// Nothing if values of this type have no elements.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -48,7 +49,8 @@ class Reader {
                             {.file = number,
                              .outline = &file.outline,
                              .imports = std::move(imports),
-                             .nodes = nodes_})
+                             .nodes = nodes_,
+                             .joints = joints_})
                          .program();
       nodes_ = file.program.nodes;
     }
@@ -175,6 +177,7 @@ class Reader {
   std::deque<File> files_;  ///< the program's own first
   std::size_t bytes_ = 0;
   std::size_t nodes_ = 0;
+  std::shared_ptr<TypeDetail> joints_ = std::make_shared<TypeDetail>();
   bool whole_ = true;
 };
 

@@ -33,6 +33,8 @@ class Writer {
       case Type::Kind::Wrench:
         return put("WRENCH(") && value(Type::vec(kForce)) && put(", ") &&
                value(Type::vec(kTorque)) && put(")");
+      case Type::Kind::Joints:
+        return put("JOINTS(") && joints(type.detail->axes) && put(")");
       default:
         return true;
     }
@@ -48,6 +50,13 @@ class Writer {
   bool row(const Type& type, std::int64_t count) {
     for (std::int64_t i = 0; i < count; ++i) {
       if (!put(i == 0 ? "" : ", ") || !value(type)) return false;
+    }
+    return true;
+  }
+
+  bool joints(const std::vector<Dimension>& axes) {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (!put(i == 0 ? "" : ", ") || !value(Type::real(axes[i]))) return false;
     }
     return true;
   }

@@ -127,6 +127,12 @@ pose_transform:
 pose_angle:
   pose_functions::angle(&n[pc->b()], pc->c(), n[pc->a()]);
   ROB_NEXT(1);
+forward:
+  ROB_ASK(forward(pc), pc);
+  ROB_NEXT(1);
+inverse:
+  ROB_ASK(inverse(pc), pc);
+  ROB_NEXT(2);
 random:
   n[pc->a()].real = random_.share();
   ROB_NEXT(1);
@@ -234,6 +240,7 @@ read_analog_latched:
   ROB_ASK(observe_analog(pc), latch_);
   ROB_NEXT(1);
 read : {
+  if (!check_hit_pose(pc)) return fail(pc, std::move(error_));
   const Code resume = pc->c() != 0 ? latch_ : pc;
   if (waits_for_cycle(pc)) return leave(pc, resume, State::NextCycle);
   ROB_ASK(read(pc), resume);
@@ -260,6 +267,9 @@ move_to : {
   ROB_ASK(machine_.move(line(pc), command), pc);
   ROB_NEXT(1 + 2 * std::popcount(command.given));
 }
+live_pace:
+  ROB_ASK(live_pace(pc), pc);
+  ROB_NEXT(2);
 guard:
   ROB_ASK(guard(pc), pc);
   ROB_NEXT(1);
@@ -287,6 +297,9 @@ answer:  // stands in code that is jumped over
   ROB_NEXT(1);
 stop:
   ROB_ASK(machine_.stop(line(pc)), pc);
+  ROB_NEXT(1);
+zero_force:
+  ROB_ASK(machine_.zero_force(line(pc)), pc);
   ROB_NEXT(1);
 brake:
   ROB_ASK(machine_.brake(line(pc)), pc);
@@ -329,6 +342,10 @@ simulate:
 simulate_analog:
   if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
   ROB_ASK(simulate(pc, n[pc->a()].real), pc);
+  ROB_NEXT(1);
+simulate_force:
+  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
+  ROB_ASK(simulate_force(pc), pc);
   ROB_NEXT(1);
 open_try:
   if (!open_try(pc)) return fail_tries_too_deep(pc);

@@ -141,6 +141,12 @@ class Vm {
   Reply read(Code pc);
   /// Whether the `read` at `pc` is an observation that belongs to the next cycle.
   bool waits_for_cycle(Code pc) const;
+  Reply forward(Code pc);
+  Reply inverse(Code pc);
+  Reply live_pace(Code pc);
+  Reply simulate_force(Code pc);
+  /// False, with error_ set, if HITPOSE is read before the first guarded motion.
+  bool check_hit_pose(Code pc);
   Reply stand(Code pc);
   Reply guard(Code pc);
   Reply ended(Code pc);
@@ -242,6 +248,7 @@ class Vm {
   };
   std::array<Armed, kMostWhens> armed_;
   std::size_t armed_count_ = 0;
+  bool guarded_ = false;   ///< a guarded motion has ended
   bool hit_ = false;       ///< the last guarded motion was ended by its guard
   bool observed_ = false;  ///< the world was observed in the present cycle
 };

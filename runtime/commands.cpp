@@ -96,7 +96,10 @@ ExitCode run_files(const Options& options) {
   ExitCode worst = ExitCode::Done;
   std::vector<Json> documents;
   std::vector<LoadedProgram> programs = load_programs(options);
-  for (LoadedProgram& program : programs) refuse_missing_points(program);
+  for (LoadedProgram& program : programs) {
+    refuse_missing_points(program);
+    refuse_robot_without_kinematics(program);
+  }
   const std::vector<SignalScript> scripts = load_scripts(options, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
     const LoadedProgram& program = programs[i];
@@ -170,6 +173,11 @@ std::string describe(const motion::RobotModel& robot) {
     signals += fmt::format(" {} ({})", signal.name, signal.output ? "output" : "input");
   }
   text += signals.empty() ? "" : "    signals:" + signals + "\n";
+  if (robot.force_sensor) text += "    measures forces and torques on its tool\n";
+  if (robot.kinematics == nullptr) {
+    return text +
+           "    cannot be run in this version yet; programs for it are compiled and checked\n";
+  }
   return text + "    MOVE under Paul's law; simulated\n";
 }
 

@@ -49,7 +49,10 @@ ExitCode test_files(const Options& options) {
   std::vector<LoadedProgram> programs;
   for (const std::string& file : options.files)
     programs.push_back(load_program(file, options.robot));
-  for (LoadedProgram& program : programs) refuse_missing_points(program);
+  for (LoadedProgram& program : programs) {
+    refuse_missing_points(program);
+    refuse_robot_without_kinematics(program);
+  }
   ExitCode code = ExitCode::Done;
   Json documents = Json::array();
   for (const LoadedProgram& program : programs) {

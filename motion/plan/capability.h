@@ -10,6 +10,7 @@ namespace rob::motion {
 enum class Capability : std::uint8_t {
   AccelerationBound,  ///< of a single motion
   JerkBound,
+  LivePace,  ///< a pace that changes while the motion runs
   Profile,   ///< of the acceleration, from rest to rest
   LookAhead  ///< corners rounded within a length
 };

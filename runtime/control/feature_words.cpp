@@ -33,6 +33,10 @@ Explained explained(MotionFeature feature) {
     case MotionFeature::LookAhead:
       return {Capability::LookAhead, "LAW LOOKAHEAD", "in this version it knows Paul's law alone",
               "leave LAW out; ZONE bounds corners under Paul's law, too"};
+    case MotionFeature::LivePace:
+      return {Capability::LivePace, "AT LIVE",
+              "under Paul's law the speed of a motion is fixed when it is planned",
+              "leave LIVE out: the speed is then computed once, when the motion is commanded"};
     case MotionFeature::Profile:
       break;
   }

@@ -106,6 +106,20 @@ Words words_for_no_kinematics(const motion::RobotModel& robot) {
       "use joint values: JOINTS() reads them"};
 }
 
+Words words_for_no_sensor(const motion::RobotModel& robot) {
+  return {code::kNotPossible,
+          fmt::format("{} has no force sensor that this version can read", robot.name),
+          "a signal can tell of a contact, as in UNTIL DIN[1]"};
+}
+
+Words words_for_not_run(const motion::RobotModel& robot) {
+  return {code::kNotRun,
+          fmt::format("{} cannot be run in this version of Rob yet: how its axes move its tool is "
+                      "not known to it",
+                      robot.name),
+          "`rob compile` and `rob check` read programs for it and find their mistakes"};
+}
+
 Words words_for_many_simulations() {
   return {code::kManySimulations,
           fmt::format("more than {} SIMULATEs wait for their time", SimulatedInputs::kMostWaiting),

@@ -25,6 +25,10 @@ Words words_for_condition(lang::ArithmeticError error);
 Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose);
 /// A robot that has no kinematics here.
 Words words_for_no_kinematics(const motion::RobotModel& robot);
+/// A robot whose forces cannot be read here.
+Words words_for_no_sensor(const motion::RobotModel& robot);
+/// A robot whose kinematics is not known, where it was to run a program.
+Words words_for_not_run(const motion::RobotModel& robot);
 /// More SIMULATEs wait for their time than there is room for.
 Words words_for_many_simulations();
 /// A path event that lies beyond its motion, m.

@@ -27,6 +27,11 @@ void add_unnamed(lang::RobotSignature& signature, bool output, bool analog, int 
   }
 }
 
+std::vector<lang::RobotSignature::Coordinate> tool_coordinates() {
+  return {{"x", lang::kLength}, {"y", lang::kLength}, {"z", lang::kLength},
+          {"a", lang::kAngle},  {"b", lang::kAngle},  {"c", lang::kAngle}};
+}
+
 }  // namespace
 
 lang::RobotSignature signature_of(const motion::RobotModel& robot) {
@@ -36,7 +41,8 @@ lang::RobotSignature signature_of(const motion::RobotModel& robot) {
     const bool linear = axis.kind == motion::AxisKind::Linear;
     signature.axes.push_back({axis.name, linear ? lang::kLength : lang::kAngle});
   }
-  signature.coordinates = signature.axes;
+  signature.coordinates = robot.tool_coordinates ? tool_coordinates() : signature.axes;
+  signature.force_sensor = robot.force_sensor;
   for (const motion::RobotSignal& signal : robot.signals) {
     signature.signals.push_back({signal.name, signal.output, signal.channel + 1});
   }
@@ -80,8 +86,8 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
       buffer_(buffer),
       channels_(channels),
       log_(log),
-      until_(signals_),
-      whens_(signals_) {}
+      until_(signals_, robot),
+      whens_(signals_, robot) {}
 
 /// What is to be exact takes two segments, which are queued together.
 Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {

@@ -61,6 +61,8 @@ class RobotMachine final : public lang::Machine {
   lang::Reply when_raise(int line, std::string_view text) override;
   lang::Reply disarm(int line, int id) override;
   lang::Reply on_the_way(int line, const lang::PathPlace& place) override;
+  lang::Reply live_pace(int line, const lang::Watch& pace, lang::MoveCommand::Pace means) override;
+  lang::Reply zero_force(int line) override;
   lang::Reply stop(int line) override;
   lang::Reply brake(int line) override;
   lang::Reply teach(int line, std::string_view point, std::string_view frame,
@@ -78,6 +80,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply pulse(int line, int signal, double seconds) override;
   lang::Reply expectation_failed(int line, std::string_view text) override;
   lang::Reply simulate(int line, int signal, double value, double after) override;
+  lang::Reply simulate_force(int line, int component, double value, double after) override;
   lang::Reply read_signal(int line, int signal, bool& value) override;
   lang::Reply read_analog(int line, int signal, double& volts) override;
   lang::Reply read(int line, lang::Reading what, lang::Slot* value) override;
@@ -91,6 +94,8 @@ class RobotMachine final : public lang::Machine {
  private:
   bool place_can_be_read() const;
   lang::Reply settle_target(lang::MoveCommand& command);
+  /// No robot that can be run has a force sensor yet, and none moves at a pace computed on its way.
+  lang::Reply refuse_sensor();
   lang::Reply tool_at(const motion::JointVector& q, lang::PoseValue& pose);
   void queue(motion::SegmentDescriptor segment, bool stop, bool further = false);
   /// The last target exactly, then a dwell, as one statement.
@@ -126,6 +131,7 @@ class RobotMachine final : public lang::Machine {
   std::int64_t simulations_ = 0;
   std::vector<std::string> assumed_;
   int assumed_read_ = -1;       ///< by the condition of the present WAIT
+  motion::JointVector hit_;     ///< where the last guarded motion was hit, or ended
   bool exact_ = true;           ///< the last motion queued ends at standstill
   std::uint32_t brakable_ = 0;  ///< number of the last motion; 0 where a barrier stands behind it
   bool braking_ = false;        ///< the generator has been asked to brake

@@ -5,6 +5,7 @@
 #include "lang/pose_slots.h"
 #include "motion/plan/reach.h"
 #include "runtime/control/messages.h"
+#include "runtime/control/pose_values.h"
 #include "runtime/control/robot_machine.h"
 
 /// The part of RobotMachine that tells where the robot is, and where it would be.
@@ -15,21 +16,7 @@ using lang::Reply;
 
 namespace {
 
-lang::PoseValue to_lang(const motion::Pose& pose) {
-  const Eigen::Vector3d& place = pose.position;
-  const Eigen::Quaterniond& turn = pose.orientation;
-  // + 0.0: the language knows no -0.
-  return {{place.x() + 0.0, place.y() + 0.0, place.z() + 0.0},
-          {turn.w() + 0.0, turn.x() + 0.0, turn.y() + 0.0, turn.z() + 0.0}};
-}
-
-motion::Pose to_motion(const lang::PoseValue& pose) {
-  const auto& [place, turn] = pose;
-  return {Eigen::Vector3d(place.x, place.y, place.z),
-          Eigen::Quaterniond(turn.w, turn.i, turn.j, turn.k)};
-}
-
-motion::JointVector to_motion(std::span<const double> joints) {
+motion::JointVector joints_of(std::span<const double> joints) {
   motion::JointVector q(static_cast<Eigen::Index>(joints.size()));
   std::ranges::copy(joints, q.begin());
   return q;
@@ -66,8 +53,10 @@ bool RobotMachine::place_can_be_read() const {
 
 Reply RobotMachine::read(int /*line*/, Reading what, lang::Slot* value) {
   if (is_observation(what) && !place_can_be_read()) return Reply::Later;
-  const motion::JointVector q =
-      is_observation(what) ? channels_.joints.load() : planner_.commanded();
+  if (needs_sensor(what)) return refuse_sensor();
+  const motion::JointVector q = is_observation(what)       ? channels_.joints.load()
+                                : what == Reading::HitPose ? hit_
+                                                           : planner_.commanded();
   switch (what) {
     case Reading::Clock: {
       const std::int64_t cycle = channels_.cycle.load(std::memory_order_relaxed);
@@ -77,14 +66,25 @@ Reply RobotMachine::read(int /*line*/, Reading what, lang::Slot* value) {
     case Reading::Joints:
       for (const double axis : q) (value++)->real = axis + 0.0;
       return Reply::Done;
-    case Reading::Here:
-    case Reading::Target:
+    default:
       break;
   }
   lang::PoseValue pose;
   const Reply reply = tool_at(q, pose);
   if (reply == Reply::Done) lang::store(pose, value);
   return reply;
+}
+
+Reply RobotMachine::refuse_sensor() {
+  refusal_ = words_for_no_sensor(robot_);
+  return Reply::Refused;
+}
+
+Reply RobotMachine::zero_force(int /*line*/) { return refuse_sensor(); }
+
+Reply RobotMachine::simulate_force(int /*line*/, int /*component*/, double /*value*/,
+                                   double /*after*/) {
+  return refuse_sensor();
 }
 
 Reply RobotMachine::tool_at(const motion::JointVector& q, lang::PoseValue& pose) {
@@ -109,12 +109,12 @@ Reply RobotMachine::teach(int /*line*/, std::string_view point, std::string_view
 }
 
 Reply RobotMachine::forward(int /*line*/, std::span<const double> joints, lang::PoseValue& pose) {
-  return tool_at(to_motion(joints), pose);
+  return tool_at(joints_of(joints), pose);
 }
 
 Reply RobotMachine::inverse(int /*line*/, const lang::PoseValue& pose, std::span<const double> near,
                             std::span<double> joints) {
-  const motion::JointVector from = near.empty() ? planner_.commanded() : to_motion(near);
+  const motion::JointVector from = near.empty() ? planner_.commanded() : joints_of(near);
   if (const auto words = axes_for(robot_, pose, from, joints)) {
     refusal_ = *words;
     return Reply::Refused;
@@ -124,6 +124,10 @@ Reply RobotMachine::inverse(int /*line*/, const lang::PoseValue& pose, std::span
 
 /// A pose becomes the axis values that bring the tool there.
 Reply RobotMachine::settle_target(lang::MoveCommand& command) {
+  if (robot_.tool_coordinates && command.means == lang::MoveCommand::Target::Coordinates) {
+    refusal_ = words_for_no_kinematics(robot_);
+    return Reply::Refused;
+  }
   if (command.means != lang::MoveCommand::Target::Pose) return Reply::Done;
   lang::PoseValue last{};
   if (command.relative) {

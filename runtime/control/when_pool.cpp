@@ -25,7 +25,7 @@ motion::WatchedAction* WhenPool::set_up(int line, const lang::Watch& condition, 
   auto place = std::ranges::find_if(places_, [](const Place& one) { return free(one.action); });
   if (place == places_.end()) {
     if (places_.size() == kMostPlaces) return nullptr;
-    places_.emplace_back(signals_);
+    places_.emplace_back(signals_, robot_);
     place = std::prev(places_.end());
   }
   id = static_cast<int>(place - places_.begin());

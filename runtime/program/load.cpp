@@ -52,6 +52,9 @@ std::optional<Words> words_against_pose(lang::MoveCommand command,
 std::optional<lang::Refusal> refusal_of(const lang::MoveCommand& command,
                                         const motion::RobotModel& robot) {
   const bool pose = command.means == lang::MoveCommand::Target::Pose;
+  const bool of_tool = pose || (command.means == lang::MoveCommand::Target::Coordinates &&
+                                robot.tool_coordinates);
+  if (of_tool && robot.kinematics == nullptr) return std::nullopt;  // nobody can tell
   const auto words = pose ? words_against_pose(command, robot) : words_against_axes(command, robot);
   if (!words) return std::nullopt;
   return lang::Refusal{words->code, words->message, words->help};
@@ -152,6 +155,15 @@ void refuse_missing_points(LoadedProgram& program) {
                     lang::shortened(point.name)));
     compilation.chunk.reset();
   }
+}
+
+void refuse_robot_without_kinematics(LoadedProgram& program) {
+  if (program.robot.kinematics != nullptr) return;
+  const auto declared = lang::declared_robot(program.source);
+  const Words words = words_for_not_run(program.robot);
+  program.compilation.diagnostics.error(words.code, declared ? declared->place : lang::Place{},
+                                        words.message, words.help);
+  program.compilation.chunk.reset();
 }
 
 }  // namespace rob::runtime

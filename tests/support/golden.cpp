@@ -1,6 +1,7 @@
 #include "tests/support/golden.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/core.h>
 
@@ -120,12 +121,19 @@ int line_of(const lang::Place& place, const lang::Compilation& compilation,
   return within ? file->lines[place.line - 1] : 0;
 }
 
+constexpr std::array<std::string_view, 6> kForceParts{"force.x",  "force.y",  "force.z",
+                                                      "torque.x", "torque.y", "torque.z"};
+
 void prepare(lang::PrintingMachine& machine, const lang::RobotSignature& robot,
              const GoldenScript& script, Comparison& comparison) {
   machine.answer_later(script.later);
   for (const auto& [name, values] : script.signals) {
     const auto signal = std::ranges::find(robot.signals, name, lang::shown_name);
-    if (signal == robot.signals.end()) {
+    const auto* const part = std::ranges::find(kForceParts, name);
+    if (part != kForceParts.end()) {
+      const auto component = static_cast<int>(part - kForceParts.begin());
+      machine.script(lang::PrintingMachine::force_part(component), values);
+    } else if (signal == robot.signals.end()) {
       comparison.difference("there is no signal " + name);
     } else {
       machine.script(static_cast<int>(signal - robot.signals.begin()), values);

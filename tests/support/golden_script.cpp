@@ -64,10 +64,11 @@ bool read_given(std::string_view text, GoldenScript& script) {
   if (name == "later") return static_cast<bool>(values >> script.later);
   for (std::string value; values >> value;) {
     char* end = nullptr;
-    const double volts = std::strtod(value.c_str(), &end);
-    const bool analog = end != value.c_str() && std::string_view(end) == "V";
+    const double number = std::strtod(value.c_str(), &end);
+    const std::string_view unit = end;
+    const bool analog = end != value.c_str() && (unit == "V" || unit == "N" || unit == "Nm");
     if (!analog && value != "ON" && value != "OFF") return false;
-    script.signals[name].push_back(analog ? volts : value == "ON" ? 1 : 0);
+    script.signals[name].push_back(analog ? number : value == "ON" ? 1 : 0);
   }
   return !script.signals[name].empty();
 }
