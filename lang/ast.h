@@ -127,6 +127,9 @@ struct Expr {
   Type type;  ///< set by the checker
   /// Set by the checker: a pose in this FRAME that stands where one in the world is wanted.
   mutable const Symbol* moved_from = nullptr;
+  /// Set by the checker: a pose that stands where a TOOL is wanted, or the other way round.
+  /// Slots that it is to have; 0: those of its type.
+  mutable int place_slots = 0;
   Constant constant;  ///< set by the checker where the value is known before the program runs
   int height = 1;     ///< levels of this tree; the parser keeps it at kMaxDepth (parser.h) at most
 };
@@ -134,11 +137,22 @@ struct Expr {
 // ----------------------------------------------------------------- statements
 
 /// Clauses of a motion that have a value, in the order of its registers (MoveForm).
-enum class Clause : std::uint8_t { At, Over, Accel, Jerk, Zone };
-inline constexpr std::size_t kClauses = 5;
+enum class Clause : std::uint8_t { At, Over, Accel, Jerk, Zone, For };
+inline constexpr std::size_t kClauses = 6;
+
+/// WITH cup IN pallet: the tool that moves, and the frame of what has none of its own.
+struct Surroundings {
+  ExprPtr tool;          ///< a Name; null where left out
+  ExprPtr frame;         ///< a Name; null where left out, and of IN TOOL
+  bool in_tool = false;  ///< IN TOOL
+  Place frame_place{};   ///< of what stands behind IN
+  bool none() const { return tool == nullptr && frame == nullptr && !in_tool; }
+  bool has_frame() const { return frame != nullptr || in_tool; }
+};
 
 struct Clauses {
   std::array<ExprPtr, kClauses> values;  ///< by Clause; null where left out
+  Surroundings surroundings;
   Profile profile = Profile::Unspecified;
   bool fine = false;
 
@@ -147,12 +161,17 @@ struct Clauses {
   }
   ExprPtr& operator[](Clause clause) { return values[static_cast<std::size_t>(clause)]; }
 };
-/// MOVE(40, 40, 0) · MOVEL BY (20mm, 0mm, 0deg) · MOVE JOINT 3 TO 90deg
+/// MOVE(40, 40, 0) · MOVEL BY (20mm, 0mm, 0deg) · MOVE JOINT 3 TO 90deg · MOVES VIA p, q TO r ·
+/// SPIRAL FROM 4mm TURNS 5 · JOG WORLD (x: 5mm/s) FOR 2s
 struct Move {
   MotionKind kind = MotionKind::Joint;
-  bool by = false;  ///< BY: from the last commanded target
-  ExprPtr axis;     ///< of MOVE JOINT; null else
-  ExprPtr target;   ///< a Tuple; of MOVE JOINT the axis' value
+  bool by = false;           ///< BY: from the last commanded target
+  ExprPtr axis;              ///< of MOVE JOINT; null else
+  ExprPtr target;            ///< a Tuple or a value; of MOVE JOINT the axis' value; null of SPIRAL
+  std::vector<ExprPtr> via;  ///< of MOVEC and MOVES: the points before the target
+  ExprPtr radius;            ///< of SPIRAL
+  ExprPtr turns;             ///< of SPIRAL
+  JogFrame jog{};            ///< of JOG, whose target are the rates
   Clauses clauses;
 };
 /// AFTER 2mm LEAD 20ms : lift = ON
@@ -176,6 +195,28 @@ struct WatchedMotion {
 struct When {
   ExprPtr condition;
   Block action;  ///< one statement
+};
+/// PATH AT 8mm/s DO: its clauses are the defaults of the motions in it.
+struct PathBlock {
+  Clauses clauses;
+  Block body;
+};
+/// PRESS Z 10N LIMIT 5mm/s DO
+struct Press {
+  int axis = 0;  ///< 0, 1, 2 for X, Y, Z
+  ExprPtr force;
+  ExprPtr limit;              ///< null where left out
+  Surroundings surroundings;  ///< of the axis: IN alone
+  Block body;
+};
+/// WITH cup IN pallet DO
+struct With {
+  Surroundings surroundings;
+  Block body;
+};
+/// OVERRIDE 30%
+struct SetOverride {
+  ExprPtr share;
 };
 struct Stop {};
 struct Brake {};
@@ -323,7 +364,8 @@ struct Statement {
   Place place;  ///< of its first word
   std::variant<Move, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration, Assign,
                Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
-               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach>
+               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, PathBlock,
+               WayPoint, Press, With, SetOverride>
       node;
 };
 
@@ -369,6 +411,7 @@ struct Program {
   std::map<std::string, TypeDetail> frames{};  ///< by name in capitals; details keep their address
   std::vector<FrameUse> frame_uses{};
   std::set<std::string> taught{};  ///< names behind TEACH, in capitals
+  bool surroundings = false;       ///< WITH or IN stand somewhere: routines may run in them
   /// Where END stands, or the end of the file if there is none.
   Place end;
 };

@@ -125,10 +125,10 @@ void CodeBuilder::append_value(Register text, Register first, const Type& type, 
   emit(operand_word(index_in(chunk_.types, type)), place);
 }
 
-void CodeBuilder::move(Register first, const MoveForm& form, Place place) {
+void CodeBuilder::motion(Opcode op, Register first, const MoveForm& form, Place place) {
   const std::size_t index = index_in(chunk_.moves, form);
   if (index > std::numeric_limits<std::uint16_t>::max()) fail(Limit::Motions, place);
-  emit(Instruction::ax(Opcode::move, first, static_cast<std::uint16_t>(index)), place);
+  emit(Instruction::ax(op, first, static_cast<std::uint16_t>(index)), place);
 }
 
 CodeBuilder::Jump CodeBuilder::jump(Place place) {

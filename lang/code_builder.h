@@ -45,7 +45,12 @@ class CodeBuilder {
   void append_real(Register text, Register value, Dimension dimension, Place place);
   /// A compound value whose slots begin at a register.
   void append_value(Register text, Register first, const Type& type, Place place);
-  void move(Register first, const MoveForm& form, Place place);
+  void move(Register first, const MoveForm& form, Place place) {
+    motion(Opcode::move, first, form, place);
+  }
+  void via(Register first, const MoveForm& form, Place place) {
+    motion(Opcode::via, first, form, place);
+  }
 
   /// A jump forward, aimed later with land().
   [[nodiscard]] Jump jump(Place place);
@@ -116,6 +121,7 @@ class CodeBuilder {
   std::size_t text_index(const std::string& text);
   void close_frame();
   void fail(Limit limit, Place place);
+  void motion(Opcode op, Register first, const MoveForm& form, Place place);
   std::uint32_t constant_index(Slot value, std::uint64_t bits, Type type);
   void load_constant(Register target, Slot value, std::uint64_t bits, Type type, Place place);
   void set_distance(std::size_t at, std::size_t target);

@@ -16,18 +16,17 @@ namespace rob::lang {
 namespace {
 
 /// By Clause.
-constexpr std::array<std::string_view, kClauses> kValuedClauses{"AT", "OVER", "ACCEL", "JERK",
-                                                                "ZONE"};
+constexpr std::array<std::string_view, 5> kValuedClauses{"AT", "OVER", "ACCEL", "JERK", "ZONE"};
 constexpr std::array<std::string_view, 7> kClauseWords{"AT",   "OVER", "ACCEL",  "JERK",
                                                        "ZONE", "FINE", "PROFILE"};
+
+}  // namespace
 
 /// Whether a value may go on with this sign: then the target is computed.
 bool goes_on(TokenKind kind) {
   return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star ||
          kind == TokenKind::Slash || kind == TokenKind::Caret || kind == TokenKind::Dot;
 }
-
-}  // namespace
 
 std::string_view clause_word(const Token& token) {
   if (token.kind == TokenKind::Word) {
@@ -49,26 +48,111 @@ std::string_view clause_word(const Token& token) {
 }
 
 // motion = ( "MOVE" | "MOVEL" ) ( expr | "BY" expr ) { clause }
-//        | "MOVE" "JOINT" expr ( "TO" | "BY" ) expr { clause } .
+//        | "MOVE" "JOINT" expr ( "TO" | "BY" ) expr { clause }
+//        | ( "MOVEC" | "MOVES" ) "VIA" expr { "," expr } "TO" expr { clause }
+//        | "SPIRAL" "FROM" expr "TURNS" expr { clause }
+//        | "JOG" ( "JOINT" | "WORLD" | "TOOL" ) expr { clause } .
 void Parser::move(Block& block) {
   const Place place = current_.place;
   Move move;
-  move.kind = at(Keyword::Movel) ? MotionKind::Line : MotionKind::Joint;
+  const auto* const word = std::ranges::find(kMotionWords, spelling(current_.keyword));
+  move.kind = static_cast<MotionKind>(word - kMotionWords.begin());
   advance();
   try {
-    if (move.kind == MotionKind::Joint && at_clause_word("JOINT")) {
-      joint_target(move);
-    } else {
-      move.by = at_clause_word("BY");
-      if (move.by) advance();
-      move.target = target(word_of(move.kind));
-    }
+    target_of(move);
     clauses(move.clauses);
     add(block, place, std::move(move));
   } catch (const SyntaxError&) {
     if (line_ends_with(Keyword::Do)) skip_later_block("MOVE", "ENDMOVE", false);
     throw;
   }
+}
+
+bool Parser::at_motion() const {
+  return at(TokenKind::Reserved) &&
+         std::ranges::find(kMotionWords, spelling(current_.keyword)) != kMotionWords.end();
+}
+
+void Parser::target_of(Move& move) {
+  switch (move.kind) {
+    case MotionKind::Arc:
+    case MotionKind::Spline:
+      return curve(move);
+    case MotionKind::Spiral:
+      return spiral(move);
+    case MotionKind::Jog:
+      return jog(move);
+    case MotionKind::Joint:
+      if (at_clause_word("JOINT")) return joint_target(move);
+      break;
+    case MotionKind::Line:
+      break;
+  }
+  move.by = at_clause_word("BY");
+  if (move.by) advance();
+  move.target = target(word_of(move.kind));
+}
+
+/// A word that has to stand here, and the value behind it.
+ExprPtr Parser::word_and_value(std::string_view word, std::string_view behind,
+                               std::string_view example) {
+  if (!at_word(word)) {
+    fail(code::kWordExpected, behind_previous(), fmt::format("{} expected after {}", word, behind),
+         std::string(example));
+  }
+  advance();
+  return expression();
+}
+
+void Parser::curve(Move& move) {
+  const bool arc = move.kind == MotionKind::Arc;
+  const std::string_view example = arc ? "MOVEC VIA p TO q" : "MOVES VIA p, q TO r";
+  const Place place = previous_.place;
+  const auto require = [&](std::string_view word, std::string_view behind) {
+    if (at_word(word)) return advance();
+    fail(code::kWordExpected, behind_previous(), fmt::format("{} expected after {}", word, behind),
+         std::string(example));
+  };
+  require("VIA", word_of(move.kind));
+  do {
+    if (at_word("TO")) break;  // behind a comma too many, or where a point is missing
+    move.via.push_back(target("VIA", true));
+  } while (accept(TokenKind::Comma));
+  require("TO", "the points of VIA");
+  move.target = target("TO");
+  if (move.via.empty() || (arc && move.via.size() > 1)) {
+    report(code::kViaCount, place,
+           arc ? fmt::format("MOVEC goes through one point to its target; here are {}",
+                             move.via.size())
+               : fmt::format("MOVES needs a point between its beginning and its target"),
+           arc && !move.via.empty() ? "MOVES goes through any number of points"
+                                    : std::string(example));
+  }
+}
+
+void Parser::spiral(Move& move) {
+  constexpr std::string_view kExample = "SPIRAL FROM 4mm TURNS 5";
+  move.radius = word_and_value("FROM", "SPIRAL", kExample);
+  move.turns = word_and_value("TURNS", "the radius", kExample);
+}
+
+void Parser::jog(Move& move) {
+  constexpr std::string_view kExample = "JOG WORLD (x: 10mm/s) FOR 2s";
+  const auto* const word =
+      std::ranges::find_if(kJogWords, [&](std::string_view each) { return at_word(each); });
+  if (word == kJogWords.end()) {
+    fail(code::kWordExpected, behind_previous(), "JOINT, WORLD or TOOL expected after JOG",
+         std::string(kExample));
+  }
+  move.jog = static_cast<JogFrame>(word - kJogWords.begin());
+  advance();
+  if (!at(TokenKind::LeftParen)) {
+    fail(code::kTargetExpected, behind_previous(),
+         fmt::format("the rates of JOG are written in parentheses: '(' expected after {}", *word),
+         std::string(kExample));
+  }
+  const Place place = current_.place;
+  move.target = tuple(place, elements("the rates"));
 }
 
 /// A word behind MOVE that is not the name of what stands there.
@@ -91,13 +175,13 @@ void Parser::joint_target(Move& move) {
 }
 
 // target = "(" element { "," element } ")" | expr .
-ExprPtr Parser::target(std::string_view motion) {
+ExprPtr Parser::target(std::string_view motion, bool in_list) {
   if (at(TokenKind::LeftParen) && !group_goes_on()) {
     const Place place = current_.place;
     return tuple(place, elements("the target"));
   }
-  const bool value =
-      at(TokenKind::Word) && clause_word(current_).empty() && next_.kind != TokenKind::Comma;
+  const bool value = at(TokenKind::Word) && clause_word(current_).empty() &&
+                     (in_list || next_.kind != TokenKind::Comma);
   if (!value && !at(TokenKind::LeftParen)) fail_target(motion);
   return expression();
 }
@@ -142,7 +226,7 @@ void Parser::fail_target(std::string_view motion) {
 }
 
 // clause = "AT" expr | "OVER" expr | "ACCEL" expr | "JERK" expr | "PROFILE" IDENT | "ZONE" expr
-//        | "FINE" .
+//        | "FINE" | "IN" refframe | "WITH" IDENT | "FOR" expr .
 void Parser::clauses(Clauses& clauses) {
   while (!at_line_end() && !at(Keyword::Else) && !at(Keyword::Until) && !at(Keyword::Do)) {
     const auto* const valued =
@@ -156,6 +240,12 @@ void Parser::clauses(Clauses& clauses) {
       advance();
     } else if (at_word("PROFILE")) {
       profile(clauses);
+    } else if (at(Keyword::For)) {
+      clause(clauses[Clause::For], "FOR");
+    } else if (at(Keyword::With)) {
+      with_tool(clauses.surroundings);
+    } else if (at(Keyword::In)) {
+      in_frame(clauses.surroundings);
     } else {
       fail_clause();
     }

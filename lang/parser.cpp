@@ -75,6 +75,7 @@ Program Parser::program() {
   program.frames = std::move(frames_);
   program.frame_uses = std::move(frame_uses_);
   program.taught = std::move(taught_);
+  program.surroundings = surroundings_;
   program.routines = std::move(routines_);
   if (program.statements.empty() && program.routines.empty() && !diagnostics_.has_errors()) {
     diagnostics_.warning(code::kEmptyProgram, Place{0, 0, 1}, "the program has no statement");

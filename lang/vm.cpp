@@ -254,6 +254,7 @@ move : {
   ROB_ASK(machine_.move(line(pc), command), pc);
   ROB_NEXT(1);
 }
+#include "lang/vm_surroundings.inc"
 guard:
   ROB_ASK(guard(pc), pc);
   ROB_NEXT(1);

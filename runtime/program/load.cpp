@@ -37,7 +37,7 @@ bool is_known_robot(const std::string& name) {
 std::optional<Words> words_against_target(lang::MoveCommand command,
                                           const motion::RobotModel& robot) {
   if (command.means == lang::MoveCommand::Target::Pose) {
-    const lang::PoseValue pose = lang::target_pose(command, {});
+    const lang::PoseValue pose = lang::target_pose(command, {}, {}, {});
     if (auto words = settle_on_axes(robot, pose, motion::middle(robot), command)) return words;
   }
   const auto refusal = motion::check_target(robot, command.given, command.target);
