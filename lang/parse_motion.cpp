@@ -93,32 +93,23 @@ void Parser::target_of(Move& move) {
   move.target = target(word_of(move.kind));
 }
 
-/// A word that has to stand here, and the value behind it.
-ExprPtr Parser::word_and_value(std::string_view word, std::string_view behind,
-                               std::string_view example) {
-  if (!at_word(word)) {
-    fail(code::kWordExpected, behind_previous(), fmt::format("{} expected after {}", word, behind),
-         std::string(example));
-  }
-  advance();
-  return expression();
+/// A word that has to stand here.
+void Parser::expect_word(std::string_view word, std::string_view behind, std::string_view example) {
+  if (at_word(word)) return advance();
+  fail(code::kWordExpected, behind_previous(), fmt::format("{} expected after {}", word, behind),
+       std::string(example));
 }
 
 void Parser::curve(Move& move) {
   const bool arc = move.kind == MotionKind::Arc;
   const std::string_view example = arc ? "MOVEC VIA p TO q" : "MOVES VIA p, q TO r";
   const Place place = previous_.place;
-  const auto require = [&](std::string_view word, std::string_view behind) {
-    if (at_word(word)) return advance();
-    fail(code::kWordExpected, behind_previous(), fmt::format("{} expected after {}", word, behind),
-         std::string(example));
-  };
-  require("VIA", word_of(move.kind));
+  expect_word("VIA", word_of(move.kind), example);
   do {
     if (at_word("TO")) break;  // behind a comma too many, or where a point is missing
     move.via.push_back(target("VIA", true));
   } while (accept(TokenKind::Comma));
-  require("TO", "the points of VIA");
+  expect_word("TO", "the points of VIA", example);
   move.target = target("TO");
   if (move.via.empty() || (arc && move.via.size() > 1)) {
     report(code::kViaCount, place,
@@ -132,8 +123,10 @@ void Parser::curve(Move& move) {
 
 void Parser::spiral(Move& move) {
   constexpr std::string_view kExample = "SPIRAL FROM 4mm TURNS 5";
-  move.radius = word_and_value("FROM", "SPIRAL", kExample);
-  move.turns = word_and_value("TURNS", "the radius", kExample);
+  expect_word("FROM", "SPIRAL", kExample);
+  move.radius = expression();
+  expect_word("TURNS", "the radius", kExample);
+  move.turns = expression();
 }
 
 void Parser::jog(Move& move) {
@@ -281,8 +274,6 @@ void Parser::profile(Clauses& clauses) {
 }
 
 void Parser::fail_clause() {
-  const std::string_view known = clause_word(current_);
-  if (!known.empty()) fail_not_yet(current_.place, fmt::format("{} behind a motion", known));
   const std::string meant = did_you_mean(suggest(current_.text, kClauseWords));
   if (!at(TokenKind::Word) || (meant.empty() && !remedy().empty())) end_of_line();
   fail_here(code::kUnknownClause, fmt::format("{} is no clause of a motion", described(current_)),

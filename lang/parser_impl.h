@@ -128,7 +128,7 @@ class Parser {
   void curve(Move& move);
   void spiral(Move& move);
   void jog(Move& move);
-  ExprPtr word_and_value(std::string_view word, std::string_view behind, std::string_view example);
+  void expect_word(std::string_view word, std::string_view behind, std::string_view example);
   ExprPtr target(std::string_view motion, bool in_list = false);
   bool group_goes_on() const;
   [[noreturn]] void fail_target(std::string_view motion);
