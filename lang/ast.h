@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "lang/ast_motion.h"
 #include "lang/diagnostic.h"
 #include "lang/motion_words.h"
 #include "lang/pose_math.h"
@@ -23,12 +24,8 @@
 /// reads it. The depth of a tree is bounded by the parser, so recursion over it is safe.
 namespace rob::lang {
 
-struct Expr;
-struct Statement;
 struct Symbol;
 struct Routine;
-using ExprPtr = std::unique_ptr<Expr>;
-using Block = std::vector<Statement>;
 
 // ---------------------------------------------------------------- expressions
 
@@ -128,73 +125,15 @@ struct Expr {
   Type type;  ///< set by the checker
   /// Set by the checker: a pose in this FRAME that stands where one in the world is wanted.
   mutable const Symbol* moved_from = nullptr;
+  /// Set by the checker: a pose that stands where a TOOL is wanted, or the other way round.
+  /// Slots that it is to have; 0: those of its type.
+  mutable int place_slots = 0;
   Constant constant;  ///< set by the checker where the value is known before the program runs
   int height = 1;     ///< levels of this tree; the parser keeps it at kMaxDepth (parser.h) at most
 };
 
 // ----------------------------------------------------------------- statements
 
-/// Clauses of a motion that have a value, in the order of its registers (MoveForm).
-enum class Clause : std::uint8_t { At, Over, Accel, Jerk, Zone };
-inline constexpr std::size_t kClauses = 5;
-
-struct Clauses {
-  std::array<ExprPtr, kClauses> values;  ///< by Clause; null where left out
-  Profile profile = Profile::Unspecified;
-  bool fine = false;
-  bool live = false;  ///< AT LIVE: computed anew in every control cycle
-  Place live_place{};
-
-  const ExprPtr& operator[](Clause clause) const {
-    return values[static_cast<std::size_t>(clause)];
-  }
-  ExprPtr& operator[](Clause clause) { return values[static_cast<std::size_t>(clause)]; }
-};
-/// MOVE(40, 40, 0) · MOVEL BY (20mm, 0mm, 0deg) · MOVE JOINT 3 TO 90deg
-struct Move {
-  MotionKind kind = MotionKind::Joint;
-  bool by = false;  ///< BY: from the last commanded target
-  ExprPtr axis;     ///< of MOVE JOINT; null else
-  ExprPtr target;   ///< a Tuple; of MOVE JOINT the axis' value
-  Clauses clauses;
-};
-/// MOVE(140, 40, 0), and further motions of this kind on the lines that follow it: in numbers
-/// alone, and kept so (plain_motion.h).
-struct PlainMotions {
-  struct Written {
-    std::uint32_t offset = 0;  ///< of its first letter in the source, bytes
-    std::uint32_t line = 0;
-    std::uint32_t column = 0;
-    MotionKind kind = MotionKind::Joint;
-    std::uint8_t given = 0;  ///< set by the checker: as in MoveCommand
-  };
-  std::string_view source;  ///< that all of them stand in
-  std::uint32_t file = 0;   ///< its number
-  std::vector<Written> motions;
-  std::vector<double> values{};  ///< set by the checker: the given components of all, SI, in order
-
-  Place place(const Written& motion) const {
-    return {motion.line, motion.column, static_cast<std::uint32_t>(word_of(motion.kind).size()),
-            file};
-  }
-};
-/// AFTER 2mm LEAD 20ms : lift = ON
-struct WayPoint {
-  Place place;
-  bool before = false;
-  ExprPtr distance;
-  bool lag = false;
-  ExprPtr shift;  ///< of LEAD or LAG; null where left out
-  Block action;   ///< one statement
-};
-/// MOVE(140, 40, 0) UNTIL touched ELSE PRINT "missed": a motion, and what is looked at on its way.
-struct WatchedMotion {
-  Block motion;   ///< one statement
-  ExprPtr until;  ///< null where left out
-  bool has_else = false;
-  Block otherwise;  ///< of ELSE: one statement
-  std::vector<WayPoint> events;
-};
 /// WHEN door : lift = OFF
 struct When {
   ExprPtr condition;
@@ -359,7 +298,8 @@ struct Statement {
   Place place;  ///< of its first word
   std::variant<Move, PlainMotions, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration,
                Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
-               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use>
+               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use,
+               PathBlock, WayPoint, Press, With, SetOverride>
       node;
 };
 
@@ -407,6 +347,7 @@ struct Program {
   /// Of the type JOINTS: all of a program are of the same robot, which the checker puts in.
   std::shared_ptr<TypeDetail> joints = std::make_shared<TypeDetail>();
   std::set<std::string> taught{};  ///< names behind TEACH, in capitals
+  bool surroundings = false;       ///< WITH or IN stand somewhere: routines may run in them
   /// Where END stands, or the end of the file if there is none.
   Place end;
   std::size_t nodes = 0;                        ///< statements and expressions read so far

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "lang/ascii.h"
@@ -28,6 +30,8 @@ const Symbol* ExpressionChecker::frame_of(const Type& pose) const {
 /// to the world where that is wanted.
 bool ExpressionChecker::fits_place(const Expr& expression, const Type& wanted) const {
   const Type pose = as_pose(expression.type);
+  const Slots slots = slots_of(wanted);
+  if (slots != slots_of(expression.type)) expression.place_slots = slots.numbers;
   if (is_free(pose) || (wanted.is(Type::Kind::Pose) && pose == wanted)) return true;
   if (wanted.is(Type::Kind::Pose) && wanted != Type::pose()) return false;
   if (wanted.is(Type::Kind::Tool)) return pose == Type::pose();
@@ -37,9 +41,18 @@ bool ExpressionChecker::fits_place(const Expr& expression, const Type& wanted) c
 }
 
 Constant known_value(const Expr& expression) {
-  if (expression.moved_from == nullptr || !known(expression.constant)) return expression.constant;
-  const PoseValue frame = pose_of(expression.moved_from->value);
-  return constant_of(pose_math::compose(frame, pose_of(expression.constant)));
+  if (!known(expression.constant)) return {};
+  Constant value = expression.constant;
+  if (expression.moved_from != nullptr) {
+    const PoseValue frame = pose_of(expression.moved_from->value);
+    value = constant_of(pose_math::compose(frame, pose_of(expression.constant)));
+  }
+  // A pose as a TOOL weighs nothing.
+  auto* const slots = std::get_if<std::vector<double>>(&value);
+  if (slots != nullptr && expression.place_slots != 0) {
+    slots->resize(static_cast<std::size_t>(expression.place_slots));
+  }
+  return value;
 }
 
 /// TO_FRAME(p, f): f is the name of a FRAME, so that the frame of the result is known.
@@ -60,7 +73,7 @@ Type ExpressionChecker::check_to_frame(const Call& call) {
 }
 
 /// FRAME and TOOL are constants of the program.
-void StatementChecker::check_frame(const Declaration& declaration, const Constant& value) {
+void StatementChecker::check_frame(const Declaration& declaration, Constant& value) {
   const Declaration::Declared& declared = declaration.names.front();
   const std::string_view word = declaration.type->is(Type::Kind::Tool) ? "TOOL" : "FRAME";
   if (declaration.value->type.known() && !known(value)) {
@@ -77,6 +90,19 @@ void StatementChecker::check_frame(const Declaration& declaration, const Constan
   if (declaration.cog != nullptr) {
     expressions_.check(declaration.cog);
     check_tool_number(*declaration.cog, Type::vec(kLength), "COG needs");
+  }
+  add_load(declaration, value);
+}
+
+/// MASS and COG become part of a TOOL's value.
+void StatementChecker::add_load(const Declaration& declaration, Constant& value) {
+  auto* const slots = std::get_if<std::vector<double>>(&value);
+  if (slots == nullptr || declaration.mass == nullptr) return;
+  const Constant mass = converted(declaration.mass->constant, Type::real());
+  if (const double* const number = std::get_if<double>(&mass)) slots->at(kPoseSlots) = *number;
+  if (declaration.cog == nullptr) return;
+  if (const auto* const cog = std::get_if<std::vector<double>>(&declaration.cog->constant)) {
+    std::copy(cog->begin(), cog->end(), slots->begin() + kPoseSlots + 1);
   }
 }
 

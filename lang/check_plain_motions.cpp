@@ -10,7 +10,7 @@ void MoveChecker::check(PlainMotions& motions) {
     const Place place = motions.place(motion);
     for (const Statement& statement :
          parse_line(motions.source, motion.offset, place, diagnostics_)) {
-      check(std::get<Move>(statement.node), place);
+      check(std::get<Move>(statement.node), place, false);
     }
   }
 }
@@ -24,7 +24,7 @@ bool MoveChecker::settle(PlainMotions& motions, PlainMotions::Written& motion) {
                             .count = static_cast<int>(robot_.coordinates.size()),
                             .given = target->given,
                             .target = target->values};
-  if (target->given != 0 && judge_ && judge_(command)) return false;
+  if (target->given != 0 && places_are_known() && judge_ && judge_(command)) return false;
   motion.given = target->given;
   for (std::size_t i = 0; i < command.target.size(); ++i) {
     if (command.has(static_cast<int>(i))) motions.values.push_back(command.target[i]);

@@ -26,6 +26,7 @@ void StatementChecker::check(Program& program) {
   }
   moves_.warn_of_zones(program.statements);
   missing_.enter_routines();
+  moves_.in_routine(true);
   for (Routine& routine : program.routines) check(routine);
   check_frame_uses(program);
   warn_of_missing_points();

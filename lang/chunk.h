@@ -61,11 +61,14 @@ inline constexpr std::size_t kFarthestJump = (std::size_t{1} << 23) - 1;
 inline constexpr int kMostRegisters = 256;
 
 /// What a `move` instruction finds in the registers from A on: the number of the axis where it is
-/// computed, the given components in order, then the values of AT, OVER, ACCEL, JERK and ZONE.
+/// computed, the given components in order or radius and turns of a spiral, then the values of AT,
+/// OVER, ACCEL, JERK, ZONE and FOR. A `via` finds components alone.
 struct MoveForm {
   MotionKind kind = MotionKind::Joint;
   MoveCommand::Target means = MoveCommand::Target::Coordinates;
+  JogFrame jog{};
   bool relative = false;
+  bool in_frame = false;       ///< as in MoveCommand
   bool computed_axis = false;  ///< `given` says nothing: the first register does
   int count = 0;               ///< components that there are
   std::uint8_t given = 0;      ///< as in MoveCommand
@@ -74,6 +77,7 @@ struct MoveForm {
   MoveCommand::Bound accel = MoveCommand::Bound::Unspecified;
   MoveCommand::Bound jerk = MoveCommand::Bound::Unspecified;
   MoveCommand::Zone zone = MoveCommand::Zone::Unspecified;
+  bool lasts = false;  ///< FOR
   bool fine = false;
   Profile profile = Profile::Unspecified;
 

@@ -135,6 +135,10 @@ void CodeBuilder::move(Register first, const MoveForm& form, Place place) {
   emit(Instruction::ax(Opcode::move, first, form_index(form, place)), place);
 }
 
+void CodeBuilder::via(Register first, const MoveForm& form, Place place) {
+  emit(Instruction::ax(Opcode::via, first, form_index(form, place)), place);
+}
+
 void CodeBuilder::move_to(const MoveForm& form, std::span<const double> components, Place place) {
   emit(Instruction::ax(Opcode::move_to, 0, form_index(form, place)), place);
   for (const double component : components) {

@@ -47,7 +47,8 @@ class CodeBuilder {
   /// A compound value whose slots begin at a register.
   void append_value(Register text, Register first, const Type& type, Place place);
   void move(Register first, const MoveForm& form, Place place);
-  /// The same with its components in the code, SI.
+  void via(Register first, const MoveForm& form, Place place);
+  /// A move with its components in the code, SI.
   void move_to(const MoveForm& form, std::span<const double> components, Place place);
 
   /// A jump forward, aimed later with land().

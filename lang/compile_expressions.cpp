@@ -112,7 +112,8 @@ Register ExpressionCompiler::result_register(const Type& type) {
 }
 
 Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
-  const bool convert = as_real && expression.type == Type::integer();
+  const bool convert = (as_real && expression.type == Type::integer()) ||
+                       numbers_of(expression) > slots_of(expression.type).numbers;
   if (!convert && expression.moved_from == nullptr && is_variable(expression)) {
     const Location at = locate(expression);
     const SlotsAt& part = is_text(expression) ? at.texts : at.numbers;
@@ -126,7 +127,9 @@ Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
       call != nullptr && call->routine != nullptr && !convert && expression.moved_from == nullptr) {
     return call_routine(*call, expression);
   }
-  const Register target = result_register(expression.type);
+  const Register target = expression.place_slots != 0
+                              ? code_.number_registers(expression.place_slots)
+                              : result_register(expression.type);
   into(expression, target, as_real);
   return target;
 }
@@ -141,7 +144,9 @@ Register ExpressionCompiler::operand_before(const Expr& then, const Expr& expres
 
 void ExpressionCompiler::into(const Expr& expression, Register target, bool as_real) {
   const auto mark = code_.mark();
-  if (expression.moved_from != nullptr) {
+  if (expression.place_slots != 0) {
+    into_other_place(expression, target);
+  } else if (expression.moved_from != nullptr) {
     into_world(expression, target);
   } else {
     into_as_it_is(expression, target, as_real);
@@ -285,13 +290,13 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
   if (builtin.rule == BuiltinRule::Texts) return call_on_texts(builtin, call, expression, target);
   const bool whole = computes_whole(builtin, call);
   int given = 0;
-  for (const ExprPtr& argument : call.arguments) given += slots_of(argument->type).numbers;
+  for (const ExprPtr& argument : call.arguments) given += numbers_of(*argument);
   const int results = slots_of(expression.type).numbers;
   const Register first = code_.number_registers(std::max(given, results));
   Register next = first;
   for (const ExprPtr& argument : call.arguments) {
     into(*argument, next, !whole);
-    next = static_cast<Register>(next + slots_of(argument->type).numbers);
+    next = static_cast<Register>(next + numbers_of(*argument));
   }
   const auto index = static_cast<unsigned>(&builtin - builtins().data());
   code_.emit(whole ? Opcode::call_int : Opcode::call_real, expression.place, first, index,

@@ -59,10 +59,12 @@ void StatementCompiler::compile(const Return& statement) {
   const Place place = place_;
   if (routine_ == nullptr) {
     leave_guards(0, place);
+    leave_scopes(0, place);
     returns_.push_back(code_.jump(place));
   } else if (statement.value == nullptr) {
     leave_whens(0);
     leave_guards(0, place);
+    leave_scopes(0, place);
     code_.emit(Opcode::leave, place);
   } else {
     const auto mark = code_.mark();
@@ -70,6 +72,7 @@ void StatementCompiler::compile(const Return& statement) {
     const Register value = expressions_.value(*statement.value, type.is(Type::Kind::Real));
     leave_whens(0);
     leave_guards(0, place);
+    leave_scopes(0, place);
     if (type.is(Type::Kind::String)) {
       code_.emit(Opcode::leave_with_text, place, value);
     } else {

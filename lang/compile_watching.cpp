@@ -126,13 +126,19 @@ void StatementCompiler::compile(const WayPoint& event) {
 void StatementCompiler::compile(const WatchedMotion& watched) {
   const Place place = place_;
   const auto mark = code_.mark();
+  const auto& move = std::get<Move>(watched.motion.front().node);
+  enter(move.clauses.surroundings);
   for (const WayPoint& event : watched.events) compile(event);
-  if (watched.until == nullptr) return compile(watched.motion);
+  if (watched.until == nullptr) {
+    compile_motion(move, place);
+    return leave(move.clauses.surroundings, place);
+  }
   const ExpressionCompiler::WatchCode watch = expressions_.watch(*watched.until);
   code_.emit(Instruction::ax(Opcode::guard, watch.values, watch.index), place);
-  compile(watched.motion);
+  compile_motion(move, place);
   const Register hit = code_.number_registers();
   code_.emit(Opcode::ended, place, hit);
+  leave(move.clauses.surroundings, place);
   if (watched.has_else) {
     code_.emit(Opcode::if_bool, place, hit, 1);
     const CodeBuilder::Jump done = code_.jump(place);

@@ -76,6 +76,7 @@ class Walk {
 
  private:
   void visit(const Move& move) {
+    for (const ExprPtr& point : move.via) look(point);
     look(move.target);
     for (const ExprPtr& value : move.clauses.values) look(value);
     const ExprPtr& zone = move.clauses[Clause::Zone];
@@ -87,6 +88,14 @@ class Walk {
     block(watched.motion);
     if (watched.until != nullptr) settle(0);
     block(watched.otherwise);
+  }
+  void visit(const With& with) { block(with.body); }
+  void visit(const PathBlock& path) { block(path.body); }
+  void visit(const Press& press) {
+    look(press.force);
+    settle(0);  // it begins at standstill, and ends there
+    block(press.body);
+    settle(0);
   }
   void visit(const Stop&) { settle(0); }
   void visit(const Brake&) { settle(0); }

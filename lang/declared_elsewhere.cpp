@@ -38,6 +38,8 @@ struct Search {
     if (to_upper(loop.variable) == key) return loop.variable_place;
     return search(loop.body, key);
   }
+  Found operator()(const With& with) const { return search(with.body, key); }
+  Found operator()(const Press& press) const { return search(press.body, key); }
   Found operator()(const Loop& loop) const { return search(loop.body, key); }
   Found operator()(const Select& select) const {
     for (const Select::Case& one : select.cases) {

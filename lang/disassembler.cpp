@@ -168,6 +168,10 @@ void Line::add_move(std::size_t index) {
   if (form.kind != MotionKind::Joint) remark(std::string(word_of(form.kind)));
   if (form.means == MoveCommand::Target::Axes) remark("JOINT");
   if (form.means == MoveCommand::Target::Pose) remark("POSE");
+  if (form.in_frame) remark("IN the frame");
+  if (form.kind == MotionKind::Jog) {
+    remark(std::string(kJogWords[static_cast<std::size_t>(form.jog)]));
+  }
   if (form.relative) remark("BY");
   std::string target = "(";
   for (int i = 0; i < form.count && !form.computed_axis; ++i) {
@@ -180,6 +184,7 @@ void Line::add_move(std::size_t index) {
   if (form.accel != MoveCommand::Bound::Unspecified) remark("ACCEL");
   if (form.jerk != MoveCommand::Bound::Unspecified) remark("JERK");
   if (form.zone != MoveCommand::Zone::Unspecified) remark("ZONE");
+  if (form.lasts) remark("FOR");
   if (form.fine) remark("FINE");
   if (form.profile != Profile::Unspecified) remark("PROFILE");
 }

@@ -41,6 +41,9 @@ class ExpressionChecker {
   /// Checks a condition; `word` is the statement it belongs to.
   void check_condition(const ExprPtr& condition, std::string_view word);
 
+  /// What a name means here; null if nothing. No message.
+  const Symbol* find(std::string_view name) const { return scopes_.find(name); }
+
   /// A symbol that may be used here; null, and a message, if there is none.
   const Symbol* resolve(std::string_view name, Place place);
 

@@ -116,6 +116,7 @@ class ExpressionCompiler {
 
   // Poses (compile_poses.cpp)
   void into_world(const Expr& expression, Register target);
+  void into_other_place(const Expr& expression, Register target);
   void compile_on_places(const Binary& binary, const Expr& expression, Register target);
   void compile_angle(const Member& member, Register target, Place place);
 
@@ -162,6 +163,8 @@ class ExpressionCompiler {
   bool latched_ = false;   ///< the present expression reads more than one signal
 };
 
+/// Number slots that the value of an expression takes where it stands.
+int numbers_of(const Expr& expression);
 /// The operation on two REALs.
 Opcode real_opcode(BinaryOp op);
 

@@ -9,6 +9,7 @@
 #include "lang/move_command.h"
 #include "lang/pose_math.h"
 #include "lang/reading.h"
+#include "lang/setting.h"
 
 namespace rob::lang {
 
@@ -50,6 +51,21 @@ class Machine {
   virtual ~Machine() = default;
 
   virtual Reply move(int line, const MoveCommand& command) = 0;
+  /// MOVEC, MOVES: a point through which the motion commanded next goes; of `point` what says where
+  /// counts. Called for each point, in their order.
+  virtual Reply via(int line, const MoveCommand& point) = 0;
+  /// WITH, IN: what motions, HERE, TARGET, forward() and inverse() mean from here on.
+  virtual void work_in(int line, const Setting& setting) = 0;
+  /// PATH: the motions up to end_path() are planned as one before it starts. What is set or pulsed
+  /// on_the_way() there counts along the whole path. settle() drops a path that is still open.
+  virtual Reply begin_path(int line) = 0;
+  virtual Reply end_path(int line) = 0;
+  /// PRESS: from standstill on the reaction along the axis is kept at its force, in the frame that
+  /// work_in() has named last, until end_press(). settle() does not end it.
+  virtual Reply press(int line, const PressCommand& command) = 0;
+  virtual Reply end_press(int line) = 0;
+  /// OVERRIDE: in motion order, a share of the programmed speed, above 0 up to kMostOverride.
+  virtual Reply override_speed(int line, double share) = 0;
   /// UNTIL: the motion that is commanded next ends early, in the first control cycle in which the
   /// condition holds; else it is exact. ended() has to follow it.
   virtual Reply guard(int line, const Watch& condition) = 0;

@@ -31,7 +31,7 @@ void Parser::frame_declaration(Block& block) {
   const std::string_view word = tool ? "TOOL" : "FRAME";
   if (!open_blocks_.empty()) {
     report(code::kOnlyTopLevel, place, fmt::format("{} can stand only outside all blocks", word),
-           fmt::format("write it before the {} of line {}", spelling(open_blocks_.front().opener),
+           fmt::format("write it before the {} of line {}", opener_of(open_blocks_.front().closer),
                        open_blocks_.front().place.line));
   }
   advance();

@@ -15,19 +15,10 @@ namespace rob::lang {
 namespace {
 
 /// Statements known by their place only: the first word of a line.
-constexpr std::array<std::string_view, 4> kLaterWords{"PRESS", "PATH", "START", "OVERRIDE"};
-
-/// A DO at the end of its line opens a block for every motion, closed by ENDMOVE.
-std::string closer_of(const Token& opener) {
-  const bool motion = opener.kind == TokenKind::Reserved &&
-                      role(opener.keyword) == KeywordRole::LaterMotion &&
-                      opener.keyword != Keyword::When;
-  return motion ? "ENDMOVE" : "END" + to_upper(opener.text);
-}
+constexpr std::array<std::string_view, 1> kLaterWords{"START"};
 
 bool always_opens_block(const Token& word) {
-  if (word.kind == TokenKind::Reserved) return role(word.keyword) == KeywordRole::LaterBlock;
-  return same_word(word.text, "PRESS") || same_word(word.text, "PATH");
+  return word.kind == TokenKind::Reserved && role(word.keyword) == KeywordRole::LaterBlock;
 }
 
 }  // namespace
@@ -35,10 +26,8 @@ bool always_opens_block(const Token& word) {
 bool Parser::at_later_word() const {
   const bool listed = std::ranges::any_of(
       kLaterWords, [&](std::string_view word) { return same_word(word, current_.text); });
-  if (!listed) return false;
-  if (next_.kind == TokenKind::LeftParen) return same_word(current_.text, "PATH");
-  return next_.kind != TokenKind::Assign && next_.kind != TokenKind::Dot &&
-         next_.kind != TokenKind::LeftBracket;
+  return listed && next_.kind != TokenKind::LeftParen && next_.kind != TokenKind::Assign &&
+         next_.kind != TokenKind::Dot && next_.kind != TokenKind::LeftBracket;
 }
 
 void Parser::later_statement() {
@@ -47,7 +36,7 @@ void Parser::later_statement() {
          fmt::format("{} is not in this version of Rob yet", to_upper(word.text)));
   const bool always = always_opens_block(word);
   if (always || line_ends_with(Keyword::Do)) {
-    skip_later_block(to_upper(word.text), closer_of(word), always);
+    skip_later_block(to_upper(word.text), fmt::format("END{}", to_upper(word.text)), always);
   }
   throw SyntaxError{};
 }

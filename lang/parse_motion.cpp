@@ -17,22 +17,23 @@ namespace rob::lang {
 namespace {
 
 /// By Clause.
-constexpr std::array<std::string_view, kClauses> kValuedClauses{"AT", "OVER", "ACCEL", "JERK",
-                                                                "ZONE"};
+constexpr std::array<std::string_view, 5> kValuedClauses{"AT", "OVER", "ACCEL", "JERK", "ZONE"};
 constexpr std::array<std::string_view, 7> kClauseWords{"AT",   "OVER", "ACCEL",  "JERK",
                                                        "ZONE", "FINE", "PROFILE"};
+
+/// `keyword`: of a motion.
+MotionKind motion_kind(Keyword keyword) {
+  const auto* const word = std::ranges::find(kMotionWords, spelling(keyword));
+  return static_cast<MotionKind>(word - kMotionWords.begin());
+}
+
+}  // namespace
 
 /// Whether a value may go on with this sign: then the target is computed.
 bool goes_on(TokenKind kind) {
   return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star ||
          kind == TokenKind::Slash || kind == TokenKind::Caret || kind == TokenKind::Dot;
 }
-
-MotionKind motion_kind(const Token& word) {
-  return word.keyword == Keyword::Movel ? MotionKind::Line : MotionKind::Joint;
-}
-
-}  // namespace
 
 std::string_view clause_word(const Token& token) {
   if (token.kind == TokenKind::Word) {
@@ -54,20 +55,17 @@ std::string_view clause_word(const Token& token) {
 }
 
 // motion = ( "MOVE" | "MOVEL" ) ( expr | "BY" expr ) { clause }
-//        | "MOVE" "JOINT" expr ( "TO" | "BY" ) expr { clause } .
+//        | "MOVE" "JOINT" expr ( "TO" | "BY" ) expr { clause }
+//        | ( "MOVEC" | "MOVES" ) "VIA" expr { "," expr } "TO" expr { clause }
+//        | "SPIRAL" "FROM" expr "TURNS" expr { clause }
+//        | "JOG" ( "JOINT" | "WORLD" | "TOOL" ) expr { clause } .
 void Parser::move(Block& block) {
   const Place place = current_.place;
   Move move;
-  move.kind = motion_kind(current_);
+  move.kind = motion_kind(current_.keyword);
   advance();
   try {
-    if (move.kind == MotionKind::Joint && at_clause_word("JOINT")) {
-      joint_target(move);
-    } else {
-      move.by = at_clause_word("BY");
-      if (move.by) advance();
-      move.target = target(word_of(move.kind));
-    }
+    target_of(move);
     clauses(move.clauses);
     add(block, place, std::move(move));
   } catch (const SyntaxError&) {
@@ -76,25 +74,106 @@ void Parser::move(Block& block) {
   }
 }
 
-/// A motion in numbers alone goes with those on the lines before it. False where it is none, or
-/// where its word is a guess.
+/// A motion in numbers alone goes with those on the lines before it. False where it is none, where
+/// its word is a guess, and in a PATH, whose clauses are its own.
 bool Parser::plain_motion(Block& block) {
-  if (current_.place.line == muted_line_) return false;
+  if (current_.place.line == muted_line_ || in_path()) return false;
   const auto motion = read_plain_motion(source_.substr(current_.offset), current_.text.size());
   if (!motion) return false;
   if (block.empty() || !std::holds_alternative<PlainMotions>(block.back().node)) {
-    add(block, current_.place, PlainMotions{.source = source_, .file = current_.place.file, .motions = {}});
+    add(block, current_.place,
+        PlainMotions{.source = source_, .file = current_.place.file, .motions = {}});
   }
   std::get<PlainMotions>(block.back().node)
       .motions.push_back({.offset = static_cast<std::uint32_t>(current_.offset),
                           .line = current_.place.line,
                           .column = current_.place.column,
-                          .kind = motion_kind(current_)});
+                          .kind = motion_kind(current_.keyword)});
   previous_ = current_;
   lexer_.skip_to(current_.offset + motion->length);
   shift();
   shift();
   return true;
+}
+
+bool Parser::at_motion() const {
+  return at(TokenKind::Reserved) &&
+         std::ranges::find(kMotionWords, spelling(current_.keyword)) != kMotionWords.end();
+}
+
+void Parser::target_of(Move& move) {
+  switch (move.kind) {
+    case MotionKind::Arc:
+    case MotionKind::Spline:
+      return curve(move);
+    case MotionKind::Spiral:
+      return spiral(move);
+    case MotionKind::Jog:
+      return jog(move);
+    case MotionKind::Joint:
+      if (at_clause_word("JOINT")) return joint_target(move);
+      break;
+    case MotionKind::Line:
+      break;
+  }
+  move.by = at_clause_word("BY");
+  if (move.by) advance();
+  move.target = target(word_of(move.kind));
+}
+
+/// A word that has to stand here.
+void Parser::expect_word(std::string_view word, std::string_view behind, std::string_view example) {
+  if (at_word(word)) return advance();
+  fail(code::kWordExpected, behind_previous(), fmt::format("{} expected after {}", word, behind),
+       std::string(example));
+}
+
+void Parser::curve(Move& move) {
+  const bool arc = move.kind == MotionKind::Arc;
+  const std::string_view example = arc ? "MOVEC VIA p TO q" : "MOVES VIA p, q TO r";
+  const Place place = previous_.place;
+  expect_word("VIA", word_of(move.kind), example);
+  do {
+    if (at_word("TO")) break;  // behind a comma too many, or where a point is missing
+    move.via.push_back(target("VIA", true));
+  } while (accept(TokenKind::Comma));
+  expect_word("TO", "the points of VIA", example);
+  move.target = target("TO");
+  if (move.via.empty() || (arc && move.via.size() > 1)) {
+    report(code::kViaCount, place,
+           arc ? fmt::format("MOVEC goes through one point to its target; here are {}",
+                             move.via.size())
+               : fmt::format("MOVES needs a point between its beginning and its target"),
+           arc && !move.via.empty() ? "MOVES goes through any number of points"
+                                    : std::string(example));
+  }
+}
+
+void Parser::spiral(Move& move) {
+  constexpr std::string_view kExample = "SPIRAL FROM 4mm TURNS 5";
+  expect_word("FROM", "SPIRAL", kExample);
+  move.radius = expression();
+  expect_word("TURNS", "the radius", kExample);
+  move.turns = expression();
+}
+
+void Parser::jog(Move& move) {
+  constexpr std::string_view kExample = "JOG WORLD (x: 10mm/s) FOR 2s";
+  const auto* const word =
+      std::ranges::find_if(kJogWords, [&](std::string_view each) { return at_word(each); });
+  if (word == kJogWords.end()) {
+    fail(code::kWordExpected, behind_previous(), "JOINT, WORLD or TOOL expected after JOG",
+         std::string(kExample));
+  }
+  move.jog = static_cast<JogFrame>(word - kJogWords.begin());
+  advance();
+  if (!at(TokenKind::LeftParen)) {
+    fail(code::kTargetExpected, behind_previous(),
+         fmt::format("the rates of JOG are written in parentheses: '(' expected after {}", *word),
+         std::string(kExample));
+  }
+  const Place place = current_.place;
+  move.target = tuple(place, elements("the rates"));
 }
 
 /// A word behind MOVE that is not the name of what stands there.
@@ -117,13 +196,13 @@ void Parser::joint_target(Move& move) {
 }
 
 // target = "(" element { "," element } ")" | expr .
-ExprPtr Parser::target(std::string_view motion) {
+ExprPtr Parser::target(std::string_view motion, bool in_list) {
   if (at(TokenKind::LeftParen) && !group_goes_on()) {
     const Place place = current_.place;
     return tuple(place, elements("the target"));
   }
-  const bool named =
-      at(TokenKind::Word) && clause_word(current_).empty() && next_.kind != TokenKind::Comma;
+  const bool named = at(TokenKind::Word) && clause_word(current_).empty() &&
+                     (in_list || next_.kind != TokenKind::Comma);
   const bool scaled = at(TokenKind::Number) && next_.kind == TokenKind::Star;  // 0.5 * j
   if (!named && !scaled && !at(TokenKind::LeftParen)) fail_target(motion);
   return expression();
@@ -168,9 +247,8 @@ void Parser::fail_target(std::string_view motion) {
        fmt::format("{}({})", motion, list ? written : "140, 40, 0"));
 }
 
-// clause = "AT" [ "LIVE" ] expr | "OVER" expr | "ACCEL" expr | "JERK" expr | "PROFILE" IDENT |
-// "ZONE" expr
-//        | "FINE" .
+// clause = "AT" [ "LIVE" ] expr | "OVER" expr | "ACCEL" expr | "JERK" expr | "PROFILE" IDENT
+//        | "ZONE" expr | "FINE" | "IN" refframe | "WITH" IDENT | "FOR" expr .
 void Parser::clauses(Clauses& clauses) {
   while (!at_line_end() && !at(Keyword::Else) && !at(Keyword::Until) && !at(Keyword::Do)) {
     const auto* const valued =
@@ -183,6 +261,12 @@ void Parser::clauses(Clauses& clauses) {
       advance();
     } else if (at_word("PROFILE")) {
       profile(clauses);
+    } else if (at(Keyword::For)) {
+      clause(clauses[Clause::For], "FOR");
+    } else if (at(Keyword::With)) {
+      with_tool(clauses.surroundings);
+    } else if (at(Keyword::In)) {
+      in_frame(clauses.surroundings);
     } else {
       fail_clause();
     }
@@ -233,8 +317,6 @@ void Parser::profile(Clauses& clauses) {
 }
 
 void Parser::fail_clause() {
-  const std::string_view known = clause_word(current_);
-  if (!known.empty()) fail_not_yet(current_.place, fmt::format("{} behind a motion", known));
   const std::string meant = did_you_mean(suggest(current_.text, kClauseWords));
   if (!at(TokenKind::Word) || (meant.empty() && !remedy().empty())) end_of_line();
   fail_here(code::kUnknownClause, fmt::format("{} is no clause of a motion", described(current_)),

@@ -19,9 +19,9 @@ void Parser::routine() {
   if (!open_blocks_.empty()) {
     report(code::kMisplaced, current_.place,
            fmt::format("{} can only stand at the top level, outside of all blocks",
-                       spelling(open.opener)),
+                       opener_of(open.closer)),
            fmt::format("move it behind the end of the {} of line {}",
-                       spelling(open_blocks_.front().opener), open_blocks_.front().place.line));
+                       opener_of(open_blocks_.front().closer), open_blocks_.front().place.line));
   }
   Routine routine;
   routine.place = open.place;
@@ -29,7 +29,7 @@ void Parser::routine() {
   advance();
   try {
     routine_header(routine);
-    header_end(spelling(open.opener));
+    header_end(opener_of(open.closer));
   } catch (const SyntaxError&) {
     routine.sound = false;
     skip_header();

@@ -67,6 +67,9 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Try:
       try_statement(block);
       return true;
+    case Keyword::With:
+      with_statement(block);
+      return true;
     case Keyword::Proc:
     case Keyword::Func:
       routine();
@@ -86,7 +89,7 @@ bool Parser::block_statement(Block& block) {
 // simple = action | motion [ until ] | wait .
 void Parser::simple(Block& block) {
   const Place place = current_.place;
-  if (at(Keyword::Move) || at(Keyword::Movel)) {
+  if (at_motion()) {
     const bool first = current_.first_on_line;
     if (first && !rereading_ && plain_motion(block)) return;
     move(block);
@@ -125,7 +128,6 @@ void Parser::simple(Block& block) {
   }
   switch (role(current_.keyword)) {
     case KeywordRole::Later:
-    case KeywordRole::LaterMotion:
     case KeywordRole::LaterBlock:
       later_statement();
     case KeywordRole::Closer:
@@ -141,6 +143,13 @@ void Parser::simple(Block& block) {
 void Parser::word_statement(Block& block) {
   if (at_header()) return header(block);
   if (at_frame_declaration()) return frame_declaration(block);
+  if (at_placed_word("PATH")) return path_statement(block);
+  if (at_placed_word("PRESS")) return press_statement(block);
+  if (at_placed_word("OVERRIDE")) return override_statement(block);
+  if (in_path() && (at_placed_word("AFTER") || at_placed_word("BEFORE"))) {
+    const Place place = current_.place;
+    return add(block, place, path_event());
+  }
   if (at_later_word()) later_statement();
   if (at_zero()) return zero_statement(block);
   if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
@@ -179,7 +188,8 @@ void Parser::unknown_word(Block& block) {
   report(code::kUnknownStatement, current_.place, message, did_you_mean(meant));
   muted_line_ = current_.place.line;
   const Keyword keyword = find_keyword(meant).value();
-  const bool needs_do = keyword == Keyword::While || keyword == Keyword::For;
+  const bool needs_do =
+      keyword == Keyword::While || keyword == Keyword::For || keyword == Keyword::With;
   const bool stands_alone = next_.kind == TokenKind::EndOfLine;
   const bool routine = keyword == Keyword::Proc || keyword == Keyword::Func;
   if (keyword == Keyword::End || (routine && next_.kind != TokenKind::Word) ||

@@ -22,7 +22,7 @@ void Parser::test() {
     report(code::kMisplaced, current_.place,
            "TEST can only stand at the top level, outside of all blocks",
            fmt::format("move it behind the end of the {} of line {}",
-                       spelling(open_blocks_.front().opener), open_blocks_.front().place.line));
+                       opener_of(open_blocks_.front().closer), open_blocks_.front().place.line));
   }
   Routine test;
   test.place = open.place;

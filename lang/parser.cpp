@@ -39,14 +39,14 @@ std::string described(const Token& token) {
   return fmt::format("'{}'", shortened(token.text));
 }
 
-Parser::Parser(std::string_view source, Diagnostics& diagnostics, Surroundings surroundings)
+Parser::Parser(std::string_view source, Diagnostics& diagnostics, SourceContext context)
     : source_(source),
       diagnostics_(diagnostics),
-      lexer_(source, diagnostics, surroundings.file),
-      outline_(*surroundings.outline),
-      imports_(std::move(surroundings.imports)),
-      nodes_(surroundings.nodes),
-      joints_(std::move(surroundings.joints)) {}
+      lexer_(source, diagnostics, context.file),
+      outline_(*context.outline),
+      imports_(std::move(context.imports)),
+      nodes_(context.nodes),
+      joints_(std::move(context.joints)) {}
 
 // program = { NL } { item } [ "END" { NL } ] .
 Program Parser::program() {
@@ -83,6 +83,7 @@ Program Parser::program() {
   program.frame_uses = std::move(frame_uses_);
   program.taught = std::move(taught_);
   program.joints = joints_;
+  program.surroundings = surroundings_;
   program.routines = std::move(routines_);
   program.nodes = nodes_;
   if (program.end.file == 0 && program.statements.empty() && program.routines.empty() &&

@@ -34,6 +34,12 @@ std::string described(const Token& token);
 /// BOOL, LENGTH, …, in any case; empty if this version has no such type.
 std::optional<Type> named_type(std::string_view word);
 
+/// "IF": what is closed by ENDIF.
+std::string_view opener_of(Keyword closer);
+
+/// Whether a value goes on with this sign.
+bool goes_on(TokenKind kind);
+
 /// A clause of the language, whether this version has it or not; empty if it is none.
 std::string_view clause_word(const Token& token);
 
@@ -47,7 +53,7 @@ struct Import {
 };
 
 /// What a text is part of.
-struct Surroundings {
+struct SourceContext {
   std::uint32_t file = 0;
   const Outline* outline = nullptr;  ///< of the text
   std::vector<Import> imports{};
@@ -58,7 +64,7 @@ struct Surroundings {
 
 class Parser {
  public:
-  Parser(std::string_view source, Diagnostics& diagnostics, Surroundings surroundings);
+  Parser(std::string_view source, Diagnostics& diagnostics, SourceContext context);
   Program program();
   Block line_at(std::size_t offset, const Place& place);
 
@@ -145,11 +151,17 @@ class Parser {
   Type unit_type();
 
   // Motions (parse_motion.cpp)
+  bool at_motion() const;
   void move(Block& block);
   bool plain_motion(Block& block);
+  void target_of(Move& move);
   bool at_clause_word(std::string_view word) const;
   void joint_target(Move& move);
-  ExprPtr target(std::string_view motion);
+  void curve(Move& move);
+  void spiral(Move& move);
+  void jog(Move& move);
+  void expect_word(std::string_view word, std::string_view behind, std::string_view example);
+  ExprPtr target(std::string_view motion, bool in_list = false);
   bool group_goes_on() const;
   [[noreturn]] void fail_target(std::string_view motion);
   void clauses(Clauses& clauses);
@@ -158,6 +170,20 @@ class Parser {
   void clause(Clauses& clauses, Clause which, std::string_view word);
   bool at_live() const;
   [[noreturn]] void fail_clause();
+
+  // WITH, IN, PATH, PRESS, OVERRIDE (parse_surroundings.cpp)
+  bool at_placed_word(std::string_view word) const;
+  bool in_path() const;
+  void with_tool(Surroundings& surroundings);
+  void in_frame(Surroundings& surroundings);
+  ExprPtr name_behind(std::string_view word, std::string_view example);
+  void with_statement(Block& block);
+  void path_statement(Block& block);
+  void press_statement(Block& block);
+  void press_header(Press& press);
+  void override_statement(Block& block);
+  template <typename Header>
+  void header_up_to_do(Header header);
 
   // What is looked at in every control cycle (parse_watching.cpp)
   void behind_motion(Block& block, bool may_open_block);
@@ -282,6 +308,7 @@ class Parser {
   std::vector<Program::FrameUse> frame_uses_;
   std::set<std::string> taught_;
   std::shared_ptr<TypeDetail> joints_;
+  bool surroundings_ = false;
   std::vector<Routine> routines_;
   std::optional<std::set<std::string>> routine_names_;  ///< of the whole text, once asked for
 };

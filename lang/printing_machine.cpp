@@ -46,19 +46,44 @@ Reply PrintingMachine::note(int line, std::string text) {
 
 Reply PrintingMachine::move(int line, const MoveCommand& command) {
   std::array<double, kMaxCoordinates> reached = commanded_;
-  if (command.means == MoveCommand::Target::Pose) {
-    const PoseValue pose = target_pose(command, tool_of(robot_.coordinates, commanded_));
-    const Reply reply = inverse(line, pose, commanded_, reached);
-    if (reply != Reply::Done) return reply;
-  } else {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(command.count); ++i) {
-      if (!command.has(static_cast<int>(i))) continue;
-      reached[i] = command.target[i] + (command.relative ? commanded_[i] : 0);
-    }
-  }
+  if (const Reply reply = reach(line, command, reached); reply != Reply::Done) return reply;
   const Reply reply = note(line, move_text(robot_, command));
   if (reply == Reply::Done) commanded_ = reached;
   return reply;
+}
+
+/// A spiral ends at its centre and a JOG somewhere: neither is followed.
+Reply PrintingMachine::reach(int line, const MoveCommand& command,
+                             std::array<double, kMaxCoordinates>& reached) {
+  if (command.kind == MotionKind::Spiral || command.kind == MotionKind::Jog) return Reply::Done;
+  const bool tuple = command.means == MoveCommand::Target::Coordinates;
+  if (command.means == MoveCommand::Target::Pose || (tuple && !is_plain(setting_))) {
+    const PoseValue last = tip_of(tool_of(robot_.coordinates, commanded_), setting_);
+    const PoseValue pose = target_pose(command, last, setting_, robot_.coordinates);
+    return inverse(line, pose, commanded_, reached);
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(command.count); ++i) {
+    if (!command.has(static_cast<int>(i))) continue;
+    reached[i] = command.target[i] + (command.relative ? commanded_[i] : 0);
+  }
+  return Reply::Done;
+}
+
+Reply PrintingMachine::via(int line, const MoveCommand& point) {
+  return note(line, via_text(robot_, point));
+}
+
+void PrintingMachine::work_in(int line, const Setting& setting) {
+  setting_ = setting;
+  calls_.push_back({.line = line, .text = setting_text(setting)});
+}
+
+Reply PrintingMachine::press(int line, const PressCommand& command) {
+  return note(line, press_text(command));
+}
+
+Reply PrintingMachine::override_speed(int line, double share) {
+  return note(line, fmt::format("override {}%", number_text(share * 100, kNone)));
 }
 
 Reply PrintingMachine::guard(int line, const Watch& condition) {
@@ -173,18 +198,20 @@ void PrintingMachine::answer(Reading what, Slot* value) {
     const int count = slots_of(what, 0);
     for (int i = 0; i < count; ++i) (value++)->real = value_of(force_part(first + i));
   } else {
-    store(tool_of(robot_.coordinates, what == Reading::HitPose ? hit_ : commanded_), value);
+    const PoseValue tool =
+        tool_of(robot_.coordinates, what == Reading::HitPose ? hit_ : commanded_);
+    store(tip_of(tool, setting_), value);
   }
 }
 
 Reply PrintingMachine::forward(int, std::span<const double> joints, PoseValue& pose) {
-  pose = tool_of(robot_.coordinates, joints);
+  pose = tip_of(tool_of(robot_.coordinates, joints), setting_);
   return Reply::Done;
 }
 
 Reply PrintingMachine::inverse(int, const PoseValue& pose, std::span<const double>,
                                std::span<double> joints) {
-  if (coordinates_of(robot_.coordinates, pose, joints)) return Reply::Done;
+  if (coordinates_of(robot_.coordinates, flange_for(pose, setting_), joints)) return Reply::Done;
   refusal_ = {.code = std::string(code::kUnreachable), .message = "out of reach", .help = ""};
   return Reply::Refused;
 }

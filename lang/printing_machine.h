@@ -22,8 +22,12 @@ namespace rob::lang {
 ///     guard · ended hit · ended reached
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
-///     failed TEXT · simulate lift_up 1 after 2s · simulate force.z 5N after 0s
 ///     zero force · live pace            ZERO force; AT LIVE, before its motion
+///     via 10 20 - · movec … · moves … · spiral from 4mm turns 5 · jog world 5 - - for 2s
+///     with flange in world · with 0 0 120 0 0 0 0.8kg cog 0 0 60 in tool
+///                                       WITH and IN, and what holds again behind them
+///     path · end path · press z 10N limit 5mm/s · end press · override 30%
+///     failed TEXT · simulate lift_up 1 after 2s · simulate force.z 5N after 0s
 ///     after 2mm · before 3mm lead 0.1s  a path event, before its action
 ///     when 1 · raise TEXT · disarm 1    WHEN, before its action; counted in the order of arming
 ///     stand · waited                    WAIT for a condition: its beginning, its end
@@ -63,6 +67,13 @@ class PrintingMachine : public Machine {
   int reads() const { return reads_; }
 
   Reply move(int line, const MoveCommand& command) override;
+  Reply via(int line, const MoveCommand& point) override;
+  void work_in(int line, const Setting& setting) override;
+  Reply begin_path(int line) override { return note(line, "path"); }
+  Reply end_path(int line) override { return note(line, "end path"); }
+  Reply press(int line, const PressCommand& command) override;
+  Reply end_press(int line) override { return note(line, "end press"); }
+  Reply override_speed(int line, double share) override;
   Reply guard(int line, const Watch& condition) override;
   Reply ended(int line, bool& hit) override;
   Reply when(int line, const Watch& condition, int& id) override;
@@ -105,6 +116,8 @@ class PrintingMachine : public Machine {
 
   double value_of(int signal);
   void answer(Reading what, Slot* value);
+  /// Where a motion leads, from where the last one did.
+  Reply reach(int line, const MoveCommand& command, std::array<double, kMaxCoordinates>& reached);
   /// Done where the call may be carried out.
   Reply ready();
   Reply note(int line, std::string text);
@@ -114,6 +127,7 @@ class PrintingMachine : public Machine {
   std::map<int, Script> scripts_;
   std::map<int, double> written_;
   std::array<double, kMaxCoordinates> commanded_{};
+  Setting setting_;
   int later_ = 0;
   int reads_ = 0;
   int cycle_ = 0;
@@ -127,5 +141,9 @@ class PrintingMachine : public Machine {
 
 /// "move 40 40 0 at 50%": a motion as PrintingMachine writes it.
 std::string move_text(const RobotSignature& robot, const MoveCommand& command);
+/// "via 40 40 0", "with flange in world", "press z 10N": the same of what lies around motions.
+std::string via_text(const RobotSignature& robot, const MoveCommand& point);
+std::string setting_text(const Setting& setting);
+std::string press_text(const PressCommand& command);
 
 }  // namespace rob::lang

@@ -26,6 +26,8 @@ struct Search {
   bool operator()(const Try& guarded) const { return in(guarded.body) || in(guarded.rescue); }
   bool operator()(const Wait& wait) const { return in(wait.otherwise); }
   bool operator()(const WatchedMotion& watched) const { return in(watched.otherwise); }
+  bool operator()(const With& with) const { return in(with.body); }
+  bool operator()(const Press& press) const { return in(press.body); }
   bool operator()(const While& loop) const { return !exits && in(loop.body); }
   bool operator()(const For& loop) const { return !exits && in(loop.body); }
   bool operator()(const Loop& loop) const { return !exits && in(loop.body); }
@@ -88,6 +90,8 @@ struct EndingOf {
     if (complete) branches.add(conditional.otherwise);
     return branches.result(complete);
   }
+  Ending operator()(const With& with) const { return ending_of(with.body); }
+  Ending operator()(const Press& press) const { return ending_of(press.body); }
   Ending operator()(const Select& select) const {
     Branches branches;
     for (const Select::Case& one : select.cases) branches.add(one.body);

@@ -27,6 +27,8 @@ class StatementChecker {
         uses_(checked.program.routines.size()),
         expressions_(scopes_, checked.program, robot, uses_, missing_, diagnostics),
         moves_(robot, expressions_, judge, diagnostics, checked),
+        clauses_(expressions_, diagnostics),
+        features_(checked.features),
         waits_(expressions_, diagnostics),
         watches_(expressions_, diagnostics),
         points_(points),
@@ -48,11 +50,12 @@ class StatementChecker {
   void check(Statement& statement) {
     place_ = statement.place;
     std::visit([&](auto& node) { check(node); }, statement.node);
+    if (in_path_) check_in_path(statement);
   }
-  void check(Move& move) { moves_.check(move, place_); }
+  void check(Move& move) { moves_.check(move, place_, false); }
   void check(PlainMotions& motions) { moves_.check(motions); }
   void check(WatchedMotion& watched) {
-    check(watched.motion);
+    check_watched(watched);
     if (watched.until != nullptr) watches_.check_until(watched.until);
     check(watched.otherwise);
     for (WayPoint& event : watched.events) {
@@ -71,6 +74,18 @@ class StatementChecker {
   void check(Stop&) {}
   void check(Brake&) {}
   void check(Declaration& declaration);
+  // WITH, PATH, PRESS, OVERRIDE (check_surroundings.cpp)
+  void check(With& with);
+  void check(PathBlock& path);
+  void check(WayPoint& event);
+  void check(Press& press);
+  void check(SetOverride& statement) { clauses_.check_override(statement.share); }
+  void check_watched(WatchedMotion& watched);
+  void check_in_path(const Statement& statement);
+  void check_motion_in_path(const Move& move, Place place);
+  void check_not_read(const ExprPtr& value);
+  void check_path_clauses(const Clauses& clauses, Place place);
+
   // TEST (check_tests.cpp)
   void check(Expect& expectation);
   void check(Simulate& simulation);
@@ -112,7 +127,8 @@ class StatementChecker {
   void check(Return& statement);
 
   // Frames (check_frames.cpp)
-  void check_frame(const Declaration& declaration, const Constant& value);
+  void check_frame(const Declaration& declaration, Constant& value);
+  static void add_load(const Declaration& declaration, Constant& value);
   void check_tool_number(const Expr& value, const Type& wanted, std::string_view needed);
   void check_frame_uses(const Program& program);
 
@@ -154,6 +170,8 @@ class StatementChecker {
   MissingPoints missing_;
   ExpressionChecker expressions_;
   MoveChecker moves_;
+  ClauseChecker clauses_;
+  std::vector<FeatureUse>& features_;
   WaitChecker waits_;
   WatchChecker watches_;
   const PointTable& points_;
@@ -165,6 +183,8 @@ class StatementChecker {
   Place place_;                                   ///< of the present statement
   int loops_ = 0;                                 ///< open around it
   int rescues_ = 0;                               ///< RESCUE blocks open around it
+  bool in_path_ = false;                          ///< inside of PATH
+  bool pressing_ = false;                         ///< inside of PRESS
   const Routine* routine_ = nullptr;              ///< that it belongs to; null at the top level
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -45,6 +46,15 @@ class StatementCompiler {
   void compile_live(const Expr& pace);
   /// Code that disarms what was armed in this frame beyond the first `kept`.
   void leave_whens(std::size_t kept);
+  // WITH, PATH, PRESS, OVERRIDE (compile_surroundings.cpp)
+  void enter(const Surroundings& surroundings);
+  void leave(const Surroundings& surroundings, Place place);
+  void compile(const With& with);
+  void compile(const PathBlock& path);
+  void compile(const Press& press);
+  void compile(const SetOverride& statement);
+  /// Code that leaves the WITHs and PRESSes of this frame beyond the first `kept`.
+  void leave_scopes(std::size_t kept, Place place);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
   void compile(const Brake&) { code_.emit(Opcode::brake, place_); }
   void compile(const Declaration& declaration);
@@ -92,6 +102,7 @@ class StatementCompiler {
     CodeBuilder::Jumps nexts;
     std::size_t whens = 0;   ///< that were armed in this frame when it began
     std::size_t guards = 0;  ///< open around the loop
+    std::size_t scopes = 0;  ///< the same of WITH and PRESS
   };
   enum class Guard : std::uint8_t { Try, Rescue };
   /// Code for the body; NEXT arrives behind it.
@@ -101,8 +112,13 @@ class StatementCompiler {
 
   Location declare(const Symbol& symbol);
   void name_home(const Symbol& symbol, const Location& home);
+  void compile_motion(const Move& move, Place place);
+  void compile_via(const Expr& point, Place place);
+  Register compile_way(const Move& move, MoveForm& form);
+  Register compile_rates(const Move& move, MoveForm& form);
+  Register registers_for(const std::vector<const Tuple::Element*>& elements, MoveForm& form);
   Register compile_axis(const Move& move, MoveForm& form);
-  Register compile_target(const Move& move, MoveForm& form);
+  Register compile_target(const Expr& target, MoveForm& form);
   Register compile_value(const Expr& target, MoveForm& form);
   void compile_clauses(const Clauses& clauses, MoveForm& form);
   void compile_component(const Expr& component, Dimension dimension, Register target);
@@ -114,10 +130,14 @@ class StatementCompiler {
   ExpressionCompiler expressions_;
   Place place_;  ///< of the present statement: its line is what the Machine is told
   std::vector<LoopJumps> loops_;
-  std::size_t whens_ = 0;             ///< WHENs of this frame whose block is open
-  std::vector<Guard> guards_;         ///< blocks that are open, of the present routine
-  const Routine* routine_ = nullptr;  ///< that is being compiled; null at the top level
-  CodeBuilder::Jumps returns_;        ///< RETURN at the top level: the end of the program
+  std::size_t whens_ = 0;  ///< WHENs of this frame whose block is open
+  enum class Scope : std::uint8_t { With, Press };
+  std::vector<Scope> scopes_;        ///< WITHs and PRESSes that are open, of the present routine
+  const PathBlock* path_ = nullptr;  ///< around the motion; null outside of PATH
+  std::array<Register, kClauses> path_values_{};  ///< of its clauses
+  std::vector<Guard> guards_;                     ///< blocks that are open, of the present routine
+  const Routine* routine_ = nullptr;              ///< that is being compiled; null at the top level
+  CodeBuilder::Jumps returns_;  ///< RETURN at the top level: the end of the program
 };
 
 }  // namespace rob::lang

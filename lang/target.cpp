@@ -39,20 +39,21 @@ Unit default_unit(Dimension dimension, const RobotSignature& robot, std::uint32_
   return find_unit(unit_text(dimension)).value_or(Unit{.dimension = dimension});
 }
 
-std::optional<std::size_t> coordinate_named(const RobotSignature& robot, std::string_view name) {
-  for (std::size_t i = 0; i < robot.coordinates.size(); ++i) {
-    if (same_word(robot.coordinates[i].name, name)) return i;
+std::optional<std::size_t> coordinate_named(const Coordinates& coordinates, std::string_view name) {
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (same_word(coordinates[i].name, name)) return i;
   }
   return std::nullopt;
 }
 
-std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple, const RobotSignature& robot) {
-  std::vector<const Tuple::Element*> elements(robot.coordinates.size(), nullptr);
+std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple,
+                                                 const Coordinates& coordinates) {
+  std::vector<const Tuple::Element*> elements(coordinates.size(), nullptr);
   for (std::size_t i = 0; i < tuple.elements.size(); ++i) {
     const Tuple::Element& element = tuple.elements[i];
     if (element.value == nullptr) continue;
     const std::size_t place =
-        element.name.empty() ? i : coordinate_named(robot, element.name).value_or(i);
+        element.name.empty() ? i : coordinate_named(coordinates, element.name).value_or(i);
     if (place < elements.size()) elements[place] = &element;
   }
   return elements;

@@ -10,12 +10,21 @@
 /// What checker and compiler both have to know of target tuples and of clauses.
 namespace rob::lang {
 
-/// The element of a well-formed tuple for each coordinate of the robot, in the robot's order; null
-/// where the coordinate was left out.
-std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple, const RobotSignature& robot);
+/// Coordinates or axes of a robot.
+using Coordinates = std::vector<RobotSignature::Coordinate>;
+
+/// The element of a well-formed tuple for each coordinate, in the robot's order; null where the
+/// coordinate was left out.
+std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple,
+                                                 const Coordinates& coordinates);
 
 /// The index of a coordinate by its name in any case, or nothing.
-std::optional<std::size_t> coordinate_named(const RobotSignature& robot, std::string_view name);
+std::optional<std::size_t> coordinate_named(const Coordinates& coordinates, std::string_view name);
+
+/// What the rates of a JOG are of.
+inline const Coordinates& jogged(JogFrame frame, const RobotSignature& robot) {
+  return frame == JogFrame::Joint ? robot.axes : robot.coordinates;
+}
 
 /// The unit of bare numbers of a dimension in targets: that of UNITS in the file, else mm or deg.
 Unit default_unit(Dimension dimension, const RobotSignature& robot, std::uint32_t file);

@@ -155,8 +155,9 @@ Slots slots_of(const Type& type) {
       return {.numbers = 6};
     case Type::Kind::Pose:
     case Type::Kind::Frame:
-    case Type::Kind::Tool:
       return {.numbers = 7};
+    case Type::Kind::Tool:
+      return {.numbers = 11};
     case Type::Kind::Joints:
     case Type::Kind::Array:
     case Type::Kind::Record:

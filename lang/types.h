@@ -75,7 +75,7 @@ struct Type {
     Joints,  ///< one REAL an axis, each of its axis's dimension
     Wrench,  ///< a force, then a torque
     Frame,   ///< as Pose
-    Tool,    ///< as Pose
+    Tool,    ///< as Pose, then the mass, and x y z of its centre of gravity
     Array,
     Record
   };

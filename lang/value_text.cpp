@@ -28,8 +28,12 @@ class Writer {
         return put("(") && row(Type::real(type.dimension), 3) && put(")");
       case Type::Kind::Pose:
       case Type::Kind::Frame:
-      case Type::Kind::Tool:
         return pose();
+      case Type::Kind::Tool: {
+        const bool fits = pose();
+        numbers_ += kToolSlots - kPoseSlots;
+        return fits;
+      }
       case Type::Kind::Wrench:
         return put("WRENCH(") && value(Type::vec(kForce)) && put(", ") &&
                value(Type::vec(kTorque)) && put(")");

@@ -270,6 +270,7 @@ move_to : {
 live_pace:
   ROB_ASK(live_pace(pc), pc);
   ROB_NEXT(2);
+#include "lang/vm_surroundings.inc"
 guard:
   ROB_ASK(guard(pc), pc);
   ROB_NEXT(1);

@@ -162,6 +162,17 @@ class Vm {
   bool check_place(Code pc);
   State fail_timeout(Code pc);
 
+  // WITH, PRESS, OVERRIDE (vm_surroundings.cpp)
+  void enter_setting(Code pc);
+  void leave_settings(int line, std::size_t kept);
+  PressCommand press_of(Code pc) const;
+  /// Ends the PRESSes beyond the first `kept`.
+  Reply end_presses(int line, std::size_t kept);
+  /// False, with error_ set, if an OVERRIDE turned out to be none.
+  bool check_override(Code pc, double share);
+  /// The same if the force of a PRESS is no direction, or its LIMIT not above zero.
+  bool check_press(Code pc);
+
   // Motions (vm_motion.cpp): false, with error_ set, if a value turned out to be impossible.
   bool build(Code pc, MoveCommand& command);
   MoveCommand build_plain(Code pc) const;
@@ -208,10 +219,12 @@ class Vm {
   /// A TRY block that is open, or whose RESCUE runs.
   struct Guard {
     Code rescue;
-    std::size_t depth;  ///< calls that were open
-    std::uint8_t why;   ///< text register
-    bool caught;        ///< the RESCUE runs: it catches nothing more
-    std::size_t armed;  ///< WHENs that were armed
+    std::size_t depth;     ///< calls that were open
+    std::uint8_t why;      ///< text register
+    bool caught;           ///< the RESCUE runs: it catches nothing more
+    std::size_t armed;     ///< WHENs that were armed
+    std::size_t settings;  ///< WITHs that were open
+    std::size_t presses;   ///< PRESSes that were open
     RuntimeError error{};
   };
   std::vector<Guard> guards_;
@@ -248,9 +261,11 @@ class Vm {
   };
   std::array<Armed, kMostWhens> armed_;
   std::size_t armed_count_ = 0;
-  bool guarded_ = false;   ///< a guarded motion has ended
-  bool hit_ = false;       ///< the last guarded motion was ended by its guard
-  bool observed_ = false;  ///< the world was observed in the present cycle
+  std::vector<Setting> settings_;  ///< of the WITHs that are open
+  std::size_t presses_ = 0;        ///< that are open
+  bool guarded_ = false;           ///< a guarded motion has ended
+  bool hit_ = false;               ///< the last guarded motion was ended by its guard
+  bool observed_ = false;          ///< the world was observed in the present cycle
 };
 
 // In every call: here, so that the dispatch loop has them in line.

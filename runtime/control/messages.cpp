@@ -99,6 +99,14 @@ Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseVal
           fmt::format("{} {}", robot.name, robot.kinematics->reach())};
 }
 
+Words words_for_swing(double swing) {
+  return {code::kNotPossible,
+          fmt::format("MOVEL is not straight here: this tool is off the axis that turns, and its"
+                      " tip would swing by up to {}",
+                      shown(swing, motion::AxisKind::Linear)),
+          "turn before or behind it, or write MOVE"};
+}
+
 Words words_for_no_kinematics(const motion::RobotModel& robot) {
   return {
       std::string(lang::code::kNoKinematics),

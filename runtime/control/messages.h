@@ -23,6 +23,8 @@ Words words_for_long_wait(double seconds);
 Words words_for_condition(lang::ArithmeticError error);
 /// A pose that the robot cannot bring its tool to.
 Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose);
+/// A MOVEL whose tip would swing beside its line, m at most.
+Words words_for_swing(double swing);
 /// A robot that has no kinematics here.
 Words words_for_no_kinematics(const motion::RobotModel& robot);
 /// A robot whose forces cannot be read here.

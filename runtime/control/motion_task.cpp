@@ -242,6 +242,8 @@ void MotionTask::act(const Effect& effect, double now) noexcept {
     case Effect::Kind::SimulateAnalog:
       return simulate({WorldSignal::Kind::AnalogInput, effect.channel}, effect.volts,
                       now + effect.seconds);
+    case Effect::Kind::Override:
+      return set_override(effect.share);
     case Effect::Kind::Note:
     case Effect::Kind::Arm:
     case Effect::Kind::Disarm:
@@ -259,6 +261,12 @@ void MotionTask::switch_output(int channel, bool on) noexcept {
   const std::uint64_t bit = std::uint64_t{1} << channel;
   outputs_ = on ? outputs_ | bit : outputs_ & ~bit;
   channels_.outputs.store(outputs_, std::memory_order_relaxed);
+}
+
+/// Above 1 it is the planner's affair, which has raised what comes from here on.
+void MotionTask::set_override(double share) noexcept {
+  override_share_ = std::min(share, 1.0);
+  generator_.set_override(override_share_);
 }
 
 void MotionTask::end_pulses(double now) noexcept {

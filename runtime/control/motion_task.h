@@ -52,6 +52,7 @@ class MotionTask {
   /// What has gone wrong cannot wait for standstill: all SAFE values at once.
   void take_safe_values() noexcept;
   void simulate(WorldSignal place, double value, double time) noexcept;
+  void set_override(double share) noexcept;
   void switch_output(int channel, bool on) noexcept;
   /// Switches off what was on for a PULSE that is over at `now`.
   void end_pulses(double now) noexcept;
@@ -62,7 +63,7 @@ class MotionTask {
   motion::TrajectoryGenerator& generator_;
   Channels& channels_;
   double period_;
-  double override_share_;
+  double override_share_;  ///< with the program's OVERRIDE, at most 1
 
   motion::GeneratorSample current_;  ///< handed out last, measured when its stamp has come
   bool started_ = false;

@@ -17,6 +17,9 @@ using lang::Reply;
 
 namespace {
 
+/// m by which a MOVEL may leave its line. [choice] what a common linear scale resolves.
+constexpr double kStraight = 1e-6;
+
 /// The channels of one kind that the robot file gives no name.
 void add_unnamed(lang::RobotSignature& signature, bool output, bool analog, int count) {
   for (int channel = 1; channel <= count; ++channel) {
@@ -81,7 +84,8 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
 RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanner& planner,
                            motion::LookAheadBuffer& buffer, Channels& channels, ProgramLog& log)
     : robot_(robot),
-      signals_(signature_of(robot).signals),
+      signature_(signature_of(robot)),
+      signals_(signature_.signals),
       planner_(planner),
       buffer_(buffer),
       channels_(channels),
@@ -91,12 +95,19 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
 
 /// What is to be exact takes two segments, which are queued together.
 Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
-  if (buffer_.room() < (asked.exact() ? 2U : 1U)) return Reply::Later;
+  if (const auto feature = lang::feature_of(asked.kind)) return refuse(*feature);
+  if (buffer_.room() < (asked.exact() ? 2U : 1U) + (tip_jumps() ? 1U : 0U)) return Reply::Later;
   lang::MoveCommand command = asked;
   if (const Reply reply = settle_target(command); reply != Reply::Done) return reply;
   const motion::MotionRequest request = request_of(line, command);
+  const double swing = asked.kind == lang::MotionKind::Line ? planner_.swing(request) : 0;
+  if (swing > kStraight) {
+    refusal_ = words_for_swing(swing);
+    return Reply::Refused;
+  }
   motion::SegmentDescriptor with_events;
   if (!attach(with_events, planner_.way(request))) return Reply::Refused;
+  stop_for_tool(line);
   const motion::PlanOutcome outcome = planner_.plan(request);
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
     refusal_ = words_for(*refusal, robot_);

@@ -30,7 +30,8 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command);
 /// A motion to a pose becomes one to the axis values that bring the tool there; or why there are
 /// none. `near`: where the axes come from.
 std::optional<Words> settle_on_axes(const motion::RobotModel& robot, const lang::PoseValue& pose,
-                                    const motion::JointVector& near, lang::MoveCommand& command);
+                                    const motion::JointVector& near, lang::MoveCommand& command,
+                                    const lang::Setting& setting = {});
 
 /// The program's side of a robot: completes and checks what is asked, puts it into the buffer,
 /// and answers Later while the buffer is full or a decision point has not come. All calls come
@@ -54,7 +55,17 @@ class RobotMachine final : public lang::Machine {
   /// live for the run only. It must outlive the run.
   void keep_points(PointKeeper* keeper) { keeper_ = keeper; }
 
+  /// Before the run: the speed that the program's OVERRIDE is a share of, 1 = as programmed.
+  void set_override(double share);
+
   lang::Reply move(int line, const lang::MoveCommand& command) override;
+  lang::Reply via(int line, const lang::MoveCommand& point) override;
+  void work_in(int line, const lang::Setting& setting) override;
+  lang::Reply begin_path(int line) override;
+  lang::Reply end_path(int line) override;
+  lang::Reply press(int line, const lang::PressCommand& command) override;
+  lang::Reply end_press(int line) override;
+  lang::Reply override_speed(int line, double share) override;
   lang::Reply guard(int line, const lang::Watch& condition) override;
   lang::Reply ended(int line, bool& hit) override;
   lang::Reply when(int line, const lang::Watch& condition, int& id) override;
@@ -96,6 +107,12 @@ class RobotMachine final : public lang::Machine {
   lang::Reply settle_target(lang::MoveCommand& command);
   /// No robot that can be run has a force sensor yet, and none moves at a pace computed on its way.
   lang::Reply refuse_sensor();
+  motion::JointVector near(const lang::MoveCommand& command) const;
+  lang::Reply refuse(lang::MotionFeature feature);
+  /// Whether the tool has been changed in a corner, so that its tip would jump there.
+  bool tip_jumps() const;
+  /// Then the target before is reached exactly.
+  void stop_for_tool(int line);
   lang::Reply tool_at(const motion::JointVector& q, lang::PoseValue& pose);
   void queue(motion::SegmentDescriptor segment, bool stop, bool further = false);
   /// The last target exactly, then a dwell, as one statement.
@@ -120,12 +137,16 @@ class RobotMachine final : public lang::Machine {
   void warn(int line, const motion::PlannedSegment& planned);
 
   const motion::RobotModel& robot_;
-  const std::vector<lang::RobotSignature::Signal> signals_;  ///< by the number that calls name
+  const lang::RobotSignature signature_;
+  const std::vector<lang::RobotSignature::Signal>& signals_;  ///< by the number that calls name
   motion::MotionPlanner& planner_;
   motion::LookAheadBuffer& buffer_;
   Channels& channels_;
   ProgramLog& log_;
   lang::Refusal refusal_;
+  lang::Setting setting_;    ///< of the program's present place
+  lang::Vector3 moved_tip_;  ///< of the tool that the last motion was for
+  double operators_override_ = 1;
   PointKeeper* keeper_ = nullptr;
   std::int64_t effects_ = 0;  ///< queued so far
   std::int64_t simulations_ = 0;

@@ -43,7 +43,7 @@ std::optional<Words> words_against_axes(const lang::MoveCommand& command,
 
 std::optional<Words> words_against_pose(lang::MoveCommand command,
                                         const motion::RobotModel& robot) {
-  const lang::PoseValue pose = lang::target_pose(command, {});
+  const lang::PoseValue pose = lang::target_pose(command, {}, {}, {});
   if (auto words = settle_on_axes(robot, pose, motion::middle(robot), command)) return words;
   return words_against_axes(command, robot);
 }

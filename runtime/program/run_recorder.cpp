@@ -121,13 +121,13 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   const std::optional<LoggedSegment> planned = log_.take_planned(event.number);
   if (!planned) return;  // a stop that the generator made by itself belongs to the line before
   end_segment(event.time, &*planned);
-  running_ = Running{*planned, reached_, event.time, false};
-  reached_ = planned->target;
+  const motion::JointVector from = std::exchange(reached_, planned->target);
   meter_.watch(planned->number, planned->target);
   path_.programmed(running_->from, planned->target);
 
   LineResult& line = line_of(*planned);
   const double duration = planned->span() / (planned->dwell ? 1 : override_share_);
+  running_ = Running{*planned, from, event.time, event.time + duration, false};
   if (!planned->further && line.count++ == 0) line.starts = event.time;
   // Behind a guarded motion the program goes on when it has ended: nothing is decided before.
   if (line.count == 1 && !planned->guard.present()) line.decides = event.time + duration;
@@ -216,10 +216,24 @@ void RunRecorder::take_effect(const MotionEvent& event) {
   if (kind == Kind::Arm || kind == Kind::Disarm) return;
   --result_.dropped_effects;
   // Inputs are the machine's, simulated or not.
+  if (kind == Kind::Override) return take_override(event);
   if (kind == Kind::Simulate || kind == Kind::SimulateAnalog) return;
   if (kind != Kind::Note) return take_output(event);
   result_.output.push_back(log_.take_text(event.effect.id));
   if (listener_.print) listener_.print(result_.output.back());
+}
+
+/// The rest of the running motion takes longer, or less, than was foretold when it began.
+void RunRecorder::take_override(const MotionEvent& event) {
+  const double before = override_share_;
+  override_share_ = std::min(event.effect.share, 1.0);
+  if (!running_ || running_->dwell || running_->cut || running_->ends <= event.time) return;
+  const double more = (running_->ends - event.time) * (before / override_share_ - 1);
+  running_->ends += more;
+  LineResult& line = line_of(*running_);
+  line.planned += more;
+  result_.planned += more;
+  if (line.count == 1 && line.decides) *line.decides += more;
 }
 
 void RunRecorder::take_output(const MotionEvent& event) {

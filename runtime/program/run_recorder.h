@@ -46,6 +46,7 @@ class RunRecorder {
   struct Running : LoggedSegment {
     motion::JointVector from;
     double started = 0;
+    double ends = 0;   ///< as planned
     bool cut = false;  ///< it came to rest before its target
   };
   /// A motion that brakes, until it is known where it came to rest.
@@ -69,6 +70,7 @@ class RunRecorder {
   void end_corner();
   double planned_miss(const Running& segment, const LoggedSegment* next) const;
   void take_effect(const motion::MotionEvent& event);
+  void take_override(const motion::MotionEvent& event);
   void take_output(const motion::MotionEvent& event);
   void add_output(const motion::MotionEvent& event, bool value);
   void add_analog(const motion::MotionEvent& event);
@@ -79,7 +81,7 @@ class RunRecorder {
   LineResult& line_of(const LoggedSegment& segment);
 
   const motion::RobotModel& robot_;
-  double override_share_;
+  double override_share_;  ///< with the program's OVERRIDE, at most 1
   Channels& channels_;
   ProgramLog& log_;
   SignalNames names_;
