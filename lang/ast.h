@@ -88,7 +88,10 @@ struct Call {
   std::vector<ExprPtr> arguments;
   std::vector<std::string> names;    ///< of the arguments; empty where one was not named
   const Routine* routine = nullptr;  ///< set by the checker; null for a built-in function
-  std::vector<const Expr*> bound{};  ///< of a routine, set by the checker: one a parameter
+  /// Of a routine, set by the checker: one a parameter; of a record one a field, null where its
+  /// default stands in.
+  std::vector<const Expr*> bound{};
+  const TypeDetail* record = nullptr;  ///< that is built; set by the checker
 };
 
 /// `(140, , )` or `(x: 140mm)`. One unnamed element in parentheses is a group, not a tuple.
@@ -114,15 +117,20 @@ struct Index {
   ExprPtr index;
 };
 
+/// `[1mm, 2mm]`: an ARRAY.
+struct List {
+  std::vector<ExprPtr> elements;
+};
+
 /// Any constant expression's value; settled by the checker. The last is the slots of a compound
-/// value of nothing but REALs.
+/// value of nothing but REALs. Arrays and records have none: they are computed where they stand.
 using Constant =
     std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>>;
 
 struct Expr {
   Place place;  ///< of the token a message should point at
   std::variant<NumberLiteral, BoolLiteral, StringLiteral, Name, Unary, Binary, Call, Tuple, Member,
-               Index>
+               Index, List>
       node;
   Type type;  ///< set by the checker
   /// Set by the checker: a pose in this FRAME that stands where one in the world is wanted.
@@ -193,6 +201,17 @@ struct Declaration {
   ExprPtr mass{};            ///< of TOOL; null where left out
   ExprPtr cog{};             ///< of TOOL: its centre of gravity; null where left out
   const TypeDetail* frame = nullptr;  ///< of FRAME: what poses in it have as their detail
+};
+/// RECORD part … ENDRECORD
+struct RecordDeclaration {
+  struct Fields {
+    std::vector<Declaration::Declared> names;
+    Type type;
+  };
+  Declaration::Declared declared;
+  std::vector<Fields> groups;
+  TypeDetail* detail = nullptr;  ///< what values of it have as their detail
+  bool sound = true;             ///< could be read
 };
 /// SIGNAL part_here = DIN[1] · SIGNAL wire: SPEED = AOUT[1] SCALE 0mm/s TO 300mm/s
 struct SignalDeclaration {
@@ -323,7 +342,8 @@ struct Statement {
   Place place;  ///< of its first word
   std::variant<Move, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration, Assign,
                Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
-               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach>
+               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach,
+               RecordDeclaration>
       node;
 };
 
@@ -346,7 +366,8 @@ struct Routine {
   std::vector<Parameters> parameters;
   Type result;  ///< of a FUNC
   Block body;
-  Place end;  ///< of ENDPROC or ENDFUNC
+  Place end;            ///< of ENDPROC or ENDFUNC
+  bool memory = false;  ///< set by the checker: not all it computes with fits into registers
 };
 
 /// ROBOT, UNITS and LAW: what holds for the whole program.
@@ -366,7 +387,17 @@ struct Program {
     const TypeDetail* frame = nullptr;
     Place place;
   };
-  std::map<std::string, TypeDetail> frames{};  ///< by name in capitals; details keep their address
+  /// The length in a type ARRAY[n] OF t, which the checker computes.
+  struct ArrayLength {
+    TypeDetail* array = nullptr;
+    ExprPtr length;
+    Place place;
+    bool settled = false;
+  };
+  /// Shared with the Chunk, whose types go on pointing into it.
+  std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>();
+  std::vector<ArrayLength> array_lengths{};
+  bool memory = false;  ///< as of Routine, of the top level
   std::vector<FrameUse> frame_uses{};
   std::set<std::string> taught{};  ///< names behind TEACH, in capitals
   /// Where END stands, or the end of the file if there is none.

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "lang/ascii.h"
+#include "lang/chunk.h"
 #include "lang/codes.h"
 #include "lang/location.h"
 #include "lang/statement_checker.h"
@@ -19,14 +20,26 @@ bool is_constant(const ExprPtr& condition, bool value) {
   return constant != nullptr && *constant == value;
 }
 
+bool is_definition(Symbol::Kind kind) {
+  return kind == Symbol::Kind::Routine || kind == Symbol::Kind::Record;
+}
+
 }  // namespace
+
+/// Variables of more slots than that may not all find registers beside what is computed.
+bool StatementChecker::take_memory_use() {
+  const bool many =
+      declared_.numbers > kVariableRegisters / 2 || declared_.texts > kVariableRegisters / 2;
+  declared_ = {};
+  return expressions_.take_memory_use() || many;
+}
 
 void StatementChecker::warn_of_name(Symbol::Kind kind, const std::string& name, Place place) {
   if (const Symbol* const earlier = scopes_.find_innermost(name)) {
     diagnostics_.error(
         code::kDeclaredTwice, place,
         fmt::format("{} is already declared, in line {}", shortened(name), earlier->place.line),
-        kind == Symbol::Kind::Routine || earlier->kind == Symbol::Kind::Routine
+        is_definition(kind) || is_definition(earlier->kind)
             ? "give one of them another name"
             : "to give it another value, write it without VAR");
   } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr || is_later_builtin(name)) {
@@ -46,7 +59,8 @@ const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& na
   symbol.type = type;
   symbol.place = place;
   symbol.value = std::move(value);
-  symbol.global = scopes_.at_top_level() && kind != Symbol::Kind::Routine;
+  symbol.global = scopes_.at_top_level() && !is_definition(kind);
+  if (!is_definition(kind)) declared_ = declared_ + slots_of(type);
   const Symbol* const declared = scopes_.declare(std::move(symbol));
   if (declared->global) uses_.declared(*declared);
   return declared;
@@ -57,6 +71,9 @@ void StatementChecker::check(Declaration& declaration) {
   Type type = expressions_.check(declaration.value);
   Constant value;
   if (declaration.type) {
+    if (!expressions_.complete(*declaration.type, declaration.names.front().place)) {
+      declaration.type = Type{};
+    }
     type = *declaration.type;
     if (declaration.value != nullptr) {
       expressions_.accept(*declaration.value, type,
@@ -127,6 +144,8 @@ bool StatementChecker::assignable(const Symbol& symbol, Place place) {
                     "give the value to a variable, or TEACH it where the robot stands");
     case Symbol::Kind::Routine:
       return refuse("is a routine, not a variable", "");
+    case Symbol::Kind::Record:
+      return refuse("is a record, not a variable", "");
     case Symbol::Kind::BuiltIn:
     case Symbol::Kind::Reading:
       return refuse("belongs to the language and cannot be changed", "");

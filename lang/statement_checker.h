@@ -79,6 +79,12 @@ class StatementChecker {
   const Symbol* resolve_signal(Name& name, Place place);
   void check(SignalDeclaration& signal);
   void check(Pulse& pulse);
+  // RECORD (check_records.cpp)
+  void check(RecordDeclaration& record);
+  void add_field(TypeDetail& detail, const Declaration::Declared& field, const Type& type);
+  /// Whether the routine, or the top level, that has been checked needs memory behind its
+  /// registers.
+  bool take_memory_use();
   void check_digital(const SignalDeclaration& signal, const Symbol& channel);
   void check_analog(const SignalDeclaration& signal, Symbol& symbol);
   void check_scale(const SignalDeclaration& signal, Symbol& symbol);
@@ -154,6 +160,7 @@ class StatementChecker {
   Diagnostics& diagnostics_;
   std::map<int, std::uint32_t> safe_lines_;  ///< where a signal's SAFE value stands, by its number
   Place place_;                              ///< of the present statement
+  Slots declared_;                           ///< by all variables of the present routine
   int loops_ = 0;                            ///< open around it
   int rescues_ = 0;                          ///< RESCUE blocks open around it
   const Routine* routine_ = nullptr;         ///< that it belongs to; null at the top level
