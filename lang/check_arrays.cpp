@@ -77,6 +77,7 @@ void ExpressionChecker::settle_length(Program::ArrayLength& written) {
   if (!fits_memory(array.element, *number, written.place)) return;
   const Slots size = slots_of(array.element);
   array.length = *number;
+  array.height = height_of(array.element) + 1;
   const auto count = static_cast<int>(*number);
   array.slots = {.numbers = size.numbers * count, .texts = size.texts * count};
 }
@@ -140,7 +141,7 @@ bool ExpressionChecker::accept_list(const Expr& expression, const List& list, co
   if (wanted.detail->length != 0 && count != wanted.detail->length) {
     diagnostics_.error(
         code::kTypeMismatch, expression.place,
-        fmt::format("this list has {} elements; {} {}", count, needed, wanted.detail->length));
+        fmt::format("the length of this list is {}; {} {}", count, needed, wanted.detail->length));
     return false;
   }
   return std::ranges::all_of(list.elements, [&](const ExprPtr& element) {

@@ -6,6 +6,7 @@
 
 #include "lang/ascii.h"
 #include "lang/codes.h"
+#include "lang/parser.h"
 #include "lang/statement_checker.h"
 #include "lang/suggest.h"
 
@@ -45,13 +46,13 @@ void StatementChecker::check(RecordDeclaration& record) {
     }
     for (const Declaration::Declared& field : group.names) add_field(detail, field, group.type);
   }
-  if (detail.fields.empty() && record.sound) {
+  if (detail.fields.empty() && record.sound && !detail.faulty) {
     diagnostics_.error(code::kRecordEmpty, declared.place,
                        fmt::format("the record {} has no fields", shortened(detail.name)),
                        "a line for each, as in width: LENGTH");
   }
   detail.complete = true;
-  detail.faulty = !record.sound;
+  detail.faulty = detail.faulty || !record.sound;
 }
 
 void StatementChecker::add_field(TypeDetail& detail, const Declaration::Declared& field,
@@ -61,6 +62,15 @@ void StatementChecker::add_field(TypeDetail& detail, const Declaration::Declared
         code::kDeclaredTwice, field.place,
         fmt::format("{} has a field {} already", shortened(detail.name), shortened(field.name)),
         "give one of them another name");
+    return;
+  }
+  detail.height = std::max(detail.height, height_of(type) + 1);
+  if (detail.height > kMaxDepth) {
+    diagnostics_.error(
+        code::kTooDeep, field.place,
+        fmt::format("records and arrays are nested too deep: at most {} levels", kMaxDepth));
+    detail.height = 1;
+    detail.faulty = true;
     return;
   }
   const Slots slots = detail.slots + slots_of(type);

@@ -1,5 +1,6 @@
 #include "lang/checker.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -28,9 +29,9 @@ bool is_definition(Symbol::Kind kind) {
 
 /// Variables of more slots than that may not all find registers beside what is computed.
 bool StatementChecker::take_memory_use() {
-  const bool many =
-      declared_.numbers > kVariableRegisters / 2 || declared_.texts > kVariableRegisters / 2;
+  const auto [numbers, texts] = std::exchange(most_declared_, Slots{});
   declared_ = {};
+  const bool many = std::max(numbers, texts) > kVariableRegisters / 2;
   return expressions_.take_memory_use() || many;
 }
 
@@ -61,6 +62,8 @@ const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& na
   symbol.value = std::move(value);
   symbol.global = scopes_.at_top_level() && !is_definition(kind);
   if (!is_definition(kind)) declared_ = declared_ + slots_of(type);
+  most_declared_ = {std::max(most_declared_.numbers, declared_.numbers),
+                    std::max(most_declared_.texts, declared_.texts)};
   const Symbol* const declared = scopes_.declare(std::move(symbol));
   if (declared->global) uses_.declared(*declared);
   return declared;
@@ -180,10 +183,12 @@ void StatementChecker::check(While& loop) {
 
 void StatementChecker::check(For& loop) {
   const Type type = check_range(loop);
+  const Slots declared = declared_;
   scopes_.enter();
   loop.symbol = declare(Symbol::Kind::LoopVariable, loop.variable, loop.variable_place, type, {});
   check_body(loop.body);
   scopes_.leave();
+  declared_ = declared;
 }
 
 /// The type of the loop variable: what first value, last value and step have in common.

@@ -212,10 +212,10 @@ void StatementCompiler::report_limit(Diagnostics& diagnostics) const {
     case CodeBuilder::Limit::None:
       return;
     case CodeBuilder::Limit::Registers:
-      diagnostics.error(
-          code::kTooManyVariables, place,
-          fmt::format("more than {} variables and intermediate values at once", kMostRegisters),
-          "declare variables in the block that needs them, and what does not change with CONST");
+      diagnostics.error(code::kTooManyVariables, place,
+                        fmt::format("more than {} intermediate values and values of loops at once",
+                                    kMostRegisters),
+                        "compute parts of it before, in variables of their own");
       return;
     case CodeBuilder::Limit::Memory:
       diagnostics.error(

@@ -40,10 +40,12 @@ class StatementChecker {
  private:
   /// A block is a scope: what it declares lives to its end.
   void check(Block& block) {
+    const Slots declared = declared_;
     scopes_.enter();
     for (Statement& statement : block) check(statement);
     moves_.warn_of_zones(block);
     scopes_.leave();
+    declared_ = declared;
   }
   void check(Statement& statement) {
     place_ = statement.place;
@@ -160,10 +162,11 @@ class StatementChecker {
   Diagnostics& diagnostics_;
   std::map<int, std::uint32_t> safe_lines_;  ///< where a signal's SAFE value stands, by its number
   Place place_;                              ///< of the present statement
-  Slots declared_;                           ///< by all variables of the present routine
-  int loops_ = 0;                            ///< open around it
-  int rescues_ = 0;                          ///< RESCUE blocks open around it
-  const Routine* routine_ = nullptr;         ///< that it belongs to; null at the top level
+  Slots declared_;       ///< by the variables of the present routine that are known here
+  Slots most_declared_;  ///< of the present routine
+  int loops_ = 0;        ///< open around it
+  int rescues_ = 0;      ///< RESCUE blocks open around it
+  const Routine* routine_ = nullptr;  ///< that it belongs to; null at the top level
 };
 
 }  // namespace rob::lang

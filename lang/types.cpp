@@ -126,6 +126,7 @@ Type TypeTable::array(const Type& element, std::int64_t length) {
   TypeDetail& detail = arrays.emplace_back();
   detail.element = element;
   detail.length = length;
+  detail.height = height_of(element) + 1;
   const Slots slots = slots_of(element);
   const auto count = static_cast<int>(length);
   detail.slots = {.numbers = slots.numbers * count, .texts = slots.texts * count};
@@ -202,6 +203,8 @@ bool has_default(const Type& type) {
       return true;
   }
 }
+
+int height_of(const Type& type) { return type.in_registers() ? 0 : type.detail->height; }
 
 bool holds_place(const Type& type) {
   if (type.is(Type::Kind::Array)) return holds_place(type.detail->element);

@@ -121,6 +121,7 @@ struct TypeDetail {
   Type element;                 ///< of Array
   std::int64_t length = 0;      ///< of Array; 0 while it is not known, or where it is faulty
   int written = -1;             ///< of an Array with a length in the text: its TypeTable index
+  int height = 1;               ///< of Array and Record: levels of them inside each other
   bool complete = false;        ///< of Record: all its fields are known
   bool faulty = false;          ///< of Record: it could not be read, and may have further fields
   std::string name;             ///< of Record; of Pose: the frame
@@ -155,6 +156,9 @@ Slots slots_of(const Type& type);
 /// Whether a variable may be declared without a value: then all its slots are 0, FALSE or "".
 /// A pose or a place of the joints that nobody has given would be a place to crash into.
 bool has_default(const Type& type);
+
+/// Levels of arrays and records inside each other; 0 of what is neither.
+int height_of(const Type& type);
 
 /// Whether a value holds a pose or the like somewhere: then == does not compare it.
 bool holds_place(const Type& type);
