@@ -205,7 +205,8 @@ void CodeBuilder::begin_routine(const std::string& name) {
   memory_ = most_memory_ = {};
   memory_register_.reset();
   reserves_.clear();
-  chunk_.routines.push_back({.name = name, .entry = static_cast<std::uint32_t>(here())});
+  chunk_.routines.push_back(
+      {.name = name, .entry = static_cast<std::uint32_t>(here()), .memory = {}});
 }
 
 void CodeBuilder::close_frame() {
