@@ -11,6 +11,7 @@ namespace rob::lang {
 void StatementCompiler::compile_test_entry(const Program& program) {
   code_.begin_tests();
   const auto mark = code_.mark();
+  if (program.memory) code_.open_memory(program.end);
   compile_variables(program.statements);
   code_.call_test(program.end);
   code_.emit(Opcode::end, program.end);

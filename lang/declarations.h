@@ -11,6 +11,7 @@ inline bool is_declaration(const Statement& statement) {
   return std::holds_alternative<Declaration>(statement.node) ||
          std::holds_alternative<SignalDeclaration>(statement.node) ||
          std::holds_alternative<PointDeclaration>(statement.node) ||
+         std::holds_alternative<RecordDeclaration>(statement.node) ||
          std::holds_alternative<Use>(statement.node);
 }
 

@@ -29,6 +29,7 @@ bool takes_lines(Keyword keyword) {
     case Keyword::Const:
     case Keyword::Signal:
     case Keyword::With:
+    case Keyword::Record:
     case Keyword::End:
       return true;
     default:

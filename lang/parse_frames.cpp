@@ -75,7 +75,7 @@ Type Parser::pose_type() {
   const Token name = current_;
   advance();
   if (same_word(name.text, "world")) return Type::pose();
-  const TypeDetail* frame = imported_type(name.text, name.place);
+  const TypeDetail* frame = imported_type(name.text, name.place, types_->frames);
   if (frame == nullptr) frame = frame_named(name.text);
   frame_uses_.push_back({frame, name.place});
   return Type::pose(frame);
@@ -83,7 +83,7 @@ Type Parser::pose_type() {
 
 /// One detail for each name, so that types are equal where their frames are.
 const TypeDetail* Parser::frame_named(std::string_view name) {
-  TypeDetail& detail = frames_[to_upper(name)];
+  TypeDetail& detail = types_->frames[{file_, to_upper(name)}];
   if (detail.name.empty()) detail.name = name;
   return &detail;
 }

@@ -64,12 +64,13 @@ std::string Parser::foreign_name() {
 }
 
 /// The detail of a type that one of the USEd files declares; null if none does, or this text.
-const TypeDetail* Parser::imported_type(std::string_view name, const Place& place) {
+const TypeDetail* Parser::imported_type(std::string_view name, const Place& place,
+                                        const TypeTable::Named& types) {
   const std::string key = to_upper(name);
   if (outline_.types.contains(key)) return nullptr;
   const Import* found = nullptr;
   for (const Import& import : imports_) {
-    if (!import.types->contains(key)) continue;
+    if (!types.contains({import.file, key})) continue;
     if (found != nullptr) {
       report(code::kAmbiguousName, place,
              fmt::format("{} is a type of {} and of {}", shortened(name), shortened(found->name),
@@ -79,9 +80,7 @@ const TypeDetail* Parser::imported_type(std::string_view name, const Place& plac
     }
     found = &import;
   }
-  if (found == nullptr) return nullptr;
-  const auto detail = found->program->frames.find(key);
-  return detail == found->program->frames.end() ? nullptr : &detail->second;
+  return found == nullptr ? nullptr : &types.at({found->file, key});
 }
 
 }  // namespace rob::lang

@@ -46,6 +46,9 @@ Parser::Parser(std::string_view source, Diagnostics& diagnostics, SourceContext 
       outline_(*context.outline),
       imports_(std::move(context.imports)),
       nodes_(context.nodes),
+      file_(context.file),
+      first_array_length_(context.array_lengths),
+      types_(std::move(context.types)),
       joints_(std::move(context.joints)) {}
 
 // program = { NL } { item } [ "END" { NL } ] .
@@ -79,7 +82,8 @@ Program Parser::program() {
     program.end = current_.place;
   }
   program.header = std::move(header_);
-  program.frames = std::move(frames_);
+  program.types = types_;
+  program.array_lengths = std::move(array_lengths_);
   program.frame_uses = std::move(frame_uses_);
   program.taught = std::move(taught_);
   program.joints = joints_;

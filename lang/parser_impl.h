@@ -49,7 +49,6 @@ struct Import {
   std::uint32_t line = 0;  ///< of the USE
   std::uint32_t file = 0;
   Program* program = nullptr;
-  const std::set<std::string>* types = nullptr;  ///< that it declares, in capitals
 };
 
 /// What a text is part of.
@@ -58,6 +57,9 @@ struct SourceContext {
   const Outline* outline = nullptr;  ///< of the text
   std::vector<Import> imports{};
   std::size_t nodes = 0;  ///< of the files that were read before
+  std::size_t array_lengths = 0;  ///< the same
+  /// Of all of them.
+  std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>();
   /// What JOINTS is in all of them.
   std::shared_ptr<TypeDetail> joints = std::make_shared<TypeDetail>();
 };
@@ -135,7 +137,8 @@ class Parser {
   const Import* import_named(std::string_view name) const;
   bool at_foreign_name() const;
   std::string foreign_name();
-  const TypeDetail* imported_type(std::string_view name, const Place& place);
+  const TypeDetail* imported_type(std::string_view name, const Place& place,
+                                  const TypeTable::Named& types);
 
   // Points (parse_points.cpp)
   void point_declaration(Block& block);
@@ -149,6 +152,14 @@ class Parser {
   Type type();
   Type vec_type();
   Type unit_type();
+
+  // ARRAY, RECORD and lists (parse_compounds.cpp)
+  ExprPtr list();
+  Type array_type();
+  TypeDetail* record_named(std::string_view name);
+  void record_declaration(Block& block);
+  void record_fields(RecordDeclaration& record);
+  RecordDeclaration::Fields record_group();
 
   // Motions (parse_motion.cpp)
   bool at_motion() const;
@@ -247,7 +258,14 @@ class Parser {
   void routine();
   void routine_header(Routine& routine);
   Routine::Parameters parameters();
+  /// What is defined anywhere in the text.
+  struct DefinedNames {
+    std::set<std::string> routines;
+    std::set<std::string> records;
+  };
+  const DefinedNames& defined_names();
   bool names_routine(std::string_view name);
+  bool names_record(std::string_view name);
   void call_statement(Block& block);
   void return_statement(Block& block);
 
@@ -304,13 +322,16 @@ class Parser {
   std::uint32_t muted_line_ = 0;  ///< has had its message
   std::vector<OpenBlock> open_blocks_;
   Header header_;
-  std::map<std::string, TypeDetail> frames_;
+  std::uint32_t file_;
+  std::size_t first_array_length_;
+  std::shared_ptr<TypeTable> types_;
+  std::vector<Program::ArrayLength> array_lengths_;
   std::vector<Program::FrameUse> frame_uses_;
   std::set<std::string> taught_;
   std::shared_ptr<TypeDetail> joints_;
   bool surroundings_ = false;
   std::vector<Routine> routines_;
-  std::optional<std::set<std::string>> routine_names_;  ///< of the whole text, once asked for
+  std::optional<DefinedNames> defined_names_;  ///< once asked for
 };
 
 }  // namespace rob::lang

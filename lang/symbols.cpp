@@ -84,7 +84,7 @@ std::int64_t Scopes::channels(std::string_view word) const {
 
 const Symbol* Scopes::find(std::string_view name) const {
   const std::string key = to_upper(name);
-  for (std::size_t i = scopes_.size(); i > 0; --i) {
+  for (std::size_t i = top_only_ ? 2 : scopes_.size(); i > 0; --i) {
     if (i == 1) {
       if (const Symbol* const found = find_used(key)) return found;
     }

@@ -25,6 +25,7 @@ struct Symbol {
     BuiltIn,        ///< PI, HIT
     Reading,        ///< CLOCK: read from the robot
     Routine,        ///< PROC or FUNC
+    Record,         ///< a type; called, it builds a value
     Point           ///< POINT: changed by TEACH alone; without one its value is known
   };
 
@@ -97,6 +98,8 @@ class Scopes {
   }
   /// The FRAME, of any file, that poses of this detail are in; null if it is not declared yet.
   const Symbol* frame_of(const TypeDetail* detail) const;
+  /// While `only` holds, find() sees the top level and what is provided alone.
+  void look_from_top(bool only) { top_only_ = only; }
   void refer(const Symbol& symbol) { symbols_[symbol.id].by_reference = true; }
   /// All names that can be seen from here, for "did you mean".
   std::vector<std::string_view> visible() const;
@@ -124,6 +127,7 @@ class Scopes {
   std::vector<Scope> scopes_;
   std::vector<File> files_;
   std::uint32_t file_ = 0;
+  bool top_only_ = false;
   std::map<const TypeDetail*, const Symbol*> frames_;
   std::vector<const Symbol*> channels_;
 };

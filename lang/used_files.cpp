@@ -50,9 +50,12 @@ class Reader {
                              .outline = &file.outline,
                              .imports = std::move(imports),
                              .nodes = nodes_,
+                             .array_lengths = array_lengths_.size(),
+                             .types = types_,
                              .joints = joints_})
                          .program();
       nodes_ = file.program.nodes;
+      std::ranges::move(file.program.array_lengths, std::back_inserter(array_lengths_));
     }
     file.open = false;
     if (number > 0) check_used(text, file);
@@ -69,7 +72,7 @@ class Reader {
             fmt::format("{} is USEd in line {} already", shortened(use.name), earlier->line));
       } else if (const std::uint32_t number = import(use, by); number > 0) {
         File& file = files_[number];
-        imports.push_back({use.name, use.place.line, number, &file.program, &file.outline.types});
+        imports.push_back({use.name, use.place.line, number, &file.program});
       }
     }
     return imports;
@@ -153,6 +156,7 @@ class Reader {
     Program whole = std::move(files_.front().program);
     files_.pop_front();
     whole.whole = whole_;
+    whole.array_lengths = std::move(array_lengths_);
     whole.used_units.push_back(whole.header.units);
     for (File& file : files_) {
       Program& part = file.program;
@@ -177,6 +181,8 @@ class Reader {
   std::deque<File> files_;  ///< the program's own first
   std::size_t bytes_ = 0;
   std::size_t nodes_ = 0;
+  std::vector<Program::ArrayLength> array_lengths_;
+  std::shared_ptr<TypeTable> types_ = std::make_shared<TypeTable>();
   std::shared_ptr<TypeDetail> joints_ = std::make_shared<TypeDetail>();
   bool whole_ = true;
 };

@@ -39,6 +39,10 @@ class Writer {
                value(Type::vec(kTorque)) && put(")");
       case Type::Kind::Joints:
         return put("JOINTS(") && joints(type.detail->axes) && put(")");
+      case Type::Kind::Array:
+        return put("[") && row(type.detail->element, type.detail->length) && put("]");
+      case Type::Kind::Record:
+        return record(*type.detail);
       default:
         return true;
     }
@@ -63,6 +67,16 @@ class Writer {
       if (!put(i == 0 ? "" : ", ") || !value(Type::real(axes[i]))) return false;
     }
     return true;
+  }
+
+  bool record(const TypeDetail& detail) {
+    if (!put(detail.name) || !put("(")) return false;
+    std::string_view separator;
+    for (const TypeDetail::Field& field : detail.fields) {
+      if (!put(separator) || !put(field.name) || !put(": ") || !value(field.type)) return false;
+      separator = ", ";
+    }
+    return put(")");
   }
 
   bool pose() {
