@@ -179,6 +179,15 @@ struct When {
 };
 struct Stop {};
 struct Brake {};
+/// HALT "change the tool"
+struct Halt {
+  ExprPtr text;  ///< null where left out
+};
+/// ASK "how many? " INTO count
+struct Ask {
+  ExprPtr text;
+  ExprPtr target;  ///< a Name, or a Member or Index of one
+};
 /// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm · FRAME f = POSE(…) · TOOL t = POSE(…) MASS 1kg
 struct Declaration {
   struct Declared {
@@ -294,8 +303,12 @@ struct Expect {
   std::string text;  ///< the condition as it was written, on one line
 };
 /// SIMULATE part_here = ON AFTER 2s
+/// SIMULATE GO = ON AFTER 2s · SIMULATE ANSWER = "7"
 struct Simulate {
-  Name target;
+  enum class What : std::uint8_t { Input, Go, Answer };
+
+  What what = What::Input;
+  Name target;  ///< of Input
   Place target_place;
   ExprPtr value;
   ExprPtr after;  ///< null: at once
@@ -323,7 +336,7 @@ struct Statement {
   Place place;  ///< of its first word
   std::variant<Move, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration, Assign,
                Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
-               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach>
+               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, Halt, Ask>
       node;
 };
 

@@ -125,6 +125,11 @@ void CodeBuilder::append_value(Register text, Register first, const Type& type, 
   emit(operand_word(index_in(chunk_.types, type)), place);
 }
 
+void CodeBuilder::ask(Register text, Register answer, const Type& type, Place place) {
+  emit(Opcode::ask, place, text, answer);
+  emit(operand_word(index_in(chunk_.types, type)), place);
+}
+
 void CodeBuilder::move(Register first, const MoveForm& form, Place place) {
   const std::size_t index = index_in(chunk_.moves, form);
   if (index > std::numeric_limits<std::uint16_t>::max()) fail(Limit::Motions, place);

@@ -199,8 +199,14 @@ void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
   const Location result = temporary(type);
   const Register at = is_text(type) ? result.texts.reg() : result.numbers.reg();
   value_into(value, at, as_real);
+  assign_register(target, at);
+  code_.release(mark);
+}
+
+void ExpressionCompiler::assign_register(const Expr& target, Register value) {
+  const auto mark = code_.mark();
   begin(target);
-  store(locate(target), type, at, target.place);
+  store(locate(target), target.type, value, target.place);
   code_.release(mark);
 }
 

@@ -46,17 +46,21 @@ void StatementCompiler::compile(const Expect& expectation) {
 }
 
 void StatementCompiler::compile(const Simulate& simulation) {
-  const Symbol& symbol = *simulation.target.symbol;
   const auto mark = code_.mark();
   const Register value = code_.number_registers(2);
   const auto after = static_cast<Register>(value + 1);
-  expressions_.value_into(*simulation.value, value, symbol.analog);
   if (simulation.after != nullptr) {
     expressions_.value_into(*simulation.after, after);
   } else {
     code_.load_real(after, 0, kTime, place_);
   }
-  expressions_.simulate(symbol, value, place_);
+  if (simulation.what != Simulate::What::Input) {
+    simulate_operator(simulation, value);
+  } else {
+    const Symbol& symbol = *simulation.target.symbol;
+    expressions_.value_into(*simulation.value, value, symbol.analog);
+    expressions_.simulate(symbol, value, place_);
+  }
   code_.release(mark);
 }
 

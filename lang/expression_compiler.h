@@ -27,6 +27,8 @@ class ExpressionCompiler {
   void enter_routine() { in_routine_ = true; }
   /// Gives a variable or a part of one, wherever it lives, the value of an expression.
   void assign(const Expr& target, const Expr& value);
+  /// Gives a variable, or a part of one, the value of a register.
+  void assign_register(const Expr& target, Register value);
   /// Gives a variable whose slots lie in registers the value of another one.
   void copy(const Location& from, const Location& to, const Type& type, Place place) {
     store(to, type, type.is(Type::Kind::String) ? from.texts.reg() : from.numbers.reg(), place);

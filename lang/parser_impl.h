@@ -102,6 +102,11 @@ class Parser {
   bool at_frame_declaration() const;
   void frame_declaration(Block& block);
 
+  // HALT and ASK (parse_operator.cpp)
+  void halt_statement(Block& block);
+  void ask_statement(Block& block);
+  bool operators_simulation(Simulate& node);
+
   // Points (parse_points.cpp)
   void point_declaration(Block& block);
   void teach_statement(Block& block);

@@ -69,6 +69,10 @@ class StatementChecker {
   }
   void check(Stop&) {}
   void check(Brake&) {}
+  // HALT and ASK (check_operator.cpp)
+  void check(Halt& halt);
+  void check(Ask& ask);
+  void check_operators_simulation(const Simulate& simulation);
   void check(Declaration& declaration);
   // TEST (check_tests.cpp)
   void check(Expect& expectation);

@@ -146,6 +146,7 @@ class Vm {
   Reply ended(Code pc);
   Reply simulate(Code pc, double value);
   Reply teach(Code pc);
+  Reply ask(Code pc);
   Reply when(Code pc);
   /// Disarms the WHENs beyond the first `kept`.
   Reply disarm(int line, std::size_t kept);
@@ -241,6 +242,7 @@ class Vm {
   };
   std::array<Armed, kMostWhens> armed_;
   std::size_t armed_count_ = 0;
+  std::string misread_;    ///< why the last answer to the present ASK could not be taken
   bool hit_ = false;       ///< the last guarded motion was ended by its guard
   bool observed_ = false;  ///< the world was observed in the present cycle
 };

@@ -20,6 +20,8 @@ struct Effect {
     Pulse,
     Simulate,
     SimulateAnalog,
+    SimulateGo,
+    SimulateAnswer,  ///< `id`
     Note,
     Arm,    ///< `watched` is asked from here on
     Disarm  ///< and no longer, whether it was armed or not

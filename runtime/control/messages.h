@@ -27,6 +27,8 @@ Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseVal
 Words words_for_no_kinematics(const motion::RobotModel& robot);
 /// More SIMULATEs wait for their time than there is room for.
 Words words_for_many_simulations();
+/// HALT or ASK where nobody will ever answer.
+Words words_for_nobody(const char* what);
 /// A path event that lies beyond its motion, m.
 Words words_for_place(double distance, double way);
 /// "axis x follows 2.1 mm behind; 2 mm are permitted here".

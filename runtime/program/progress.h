@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "runtime/program/run.h"
 
 namespace rob::runtime {
@@ -12,6 +14,8 @@ class Progress {
   Progress(double planned, double override_share);
 
   void show(const Position& position);
+  /// What HALT and ASK say to the operator. While they wait, nothing else is shown.
+  void consult(const Note& note, int line);
   /// Makes room for other output.
   void clear();
 
@@ -20,6 +24,7 @@ class Progress {
   double override_share_;
   bool terminal_;
   bool shown_ = false;
+  std::optional<Note::Kind> consulting_;
   double last_ = -1;
 };
 

@@ -94,6 +94,7 @@ class Comparison {
 void prepare(lang::PrintingMachine& machine, const lang::RobotSignature& robot,
              const GoldenScript& script, Comparison& comparison) {
   machine.answer_later(script.later);
+  machine.answer(script.answers);
   for (const auto& [name, values] : script.signals) {
     const auto signal = std::ranges::find(robot.signals, name, lang::shown_name);
     if (signal == robot.signals.end()) {
