@@ -39,6 +39,15 @@ struct Stop {};
 struct Brake {};
 /// ZERO force
 struct ZeroForce {};
+/// HALT "change the tool"
+struct Halt {
+  ExprPtr text;  ///< null where left out
+};
+/// ASK "how many? " INTO count
+struct Ask {
+  ExprPtr text;
+  ExprPtr target;  ///< a Name, or a Member or Index of one
+};
 /// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm · FRAME f = POSE(…) · TOOL t = POSE(…) MASS 1kg
 struct Declaration {
   struct Declared {
@@ -165,8 +174,12 @@ struct Expect {
   std::string text;  ///< the condition as it was written, on one line
 };
 /// SIMULATE part_here = ON AFTER 2s
+/// SIMULATE GO = ON AFTER 2s · SIMULATE ANSWER = "7"
 struct Simulate {
-  Name target;
+  enum class What : std::uint8_t { Input, Go, Answer };
+
+  What what = What::Input;
+  Name target;  ///< of Input
   Place target_place;
   std::string part{};  ///< "z" of force.z; empty for an input
   Place part_place{};
@@ -206,7 +219,7 @@ struct Statement {
   std::variant<Move, PlainMotions, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration,
                Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
                Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use,
-               PathBlock, WayPoint, Press, With, SetOverride, RecordDeclaration>
+               PathBlock, WayPoint, Press, With, SetOverride, RecordDeclaration, Halt, Ask>
       node;
 };
 

@@ -24,7 +24,10 @@ void StatementChecker::check(Simulate& simulation) {
   require_test("SIMULATE");
   expressions_.check(simulation.value);
   expressions_.check(simulation.after);
-  const Symbol* const symbol = resolve_signal(simulation.target, simulation.target_place);
+  const bool input = simulation.what == Simulate::What::Input;
+  if (!input) check_operators_simulation(simulation);
+  const Symbol* const symbol =
+      input ? resolve_signal(simulation.target, simulation.target_place) : nullptr;
   simulation.target.symbol = symbol;
   if (simulation.after != nullptr) {
     expressions_.accept(*simulation.after, Type::real(kTime), "AFTER needs");

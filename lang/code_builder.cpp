@@ -130,6 +130,11 @@ void CodeBuilder::append_memory(Register text, Register places, const Type& type
   emit(operand_word(index_in(chunk_.types, type)), place);
 }
 
+void CodeBuilder::ask(Register text, Register answer, const Type& type, Place place) {
+  emit(Opcode::ask, place, text, answer);
+  emit(operand_word(index_in(chunk_.types, type)), place);
+}
+
 std::uint16_t CodeBuilder::form_index(const MoveForm& form, Place place) {
   const std::size_t index = index_in(chunk_.moves, form);
   if (index > std::numeric_limits<std::uint16_t>::max()) fail(Limit::Motions, place);

@@ -44,6 +44,8 @@ class CodeBuilder {
   void teach(Register pose, const std::string& point, const std::string& frame, Place place);
   void load_text(Register target, const std::string& text, Place place);
   void append_real(Register text, Register value, Dimension dimension, Place place);
+  /// ASK for a value of a type.
+  void ask(Register text, Register answer, const Type& type, Place place);
   /// A compound value whose slots begin at a register.
   void append_value(Register text, Register first, const Type& type, Place place);
   /// A value whose numbers and texts begin at the places in two registers.

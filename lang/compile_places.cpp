@@ -227,12 +227,17 @@ void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
     return code_.release(mark);
   }
   begin(value);
-  const Register result = operand_before(target, value, as_real);
+  assign_register(target, operand_before(target, value, as_real));
+  code_.release(mark);
+}
+
+void ExpressionCompiler::assign_register(const Expr& target, Register value) {
+  const auto mark = code_.mark();
   begin(target);
   if (is_number_element(target)) {
-    store_element(std::get<Index>(target.node), result, target.place);
+    store_element(std::get<Index>(target.node), value, target.place);
   } else {
-    store(locate(target), type, result, target.place);
+    store(locate(target), target.type, value, target.place);
   }
   code_.release(mark);
 }

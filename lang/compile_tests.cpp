@@ -54,17 +54,21 @@ void StatementCompiler::compile(const Expect& expectation) {
 }
 
 void StatementCompiler::compile(const Simulate& simulation) {
-  const Symbol& symbol = *simulation.target.symbol;
   const auto mark = code_.mark();
   const Register value = code_.number_registers(2);
   const auto after = static_cast<Register>(value + 1);
-  const bool force = symbol.kind == Symbol::Kind::Reading;
-  expressions_.value_into(*simulation.value, value, symbol.analog || force);
   if (simulation.after != nullptr) {
     expressions_.value_into(*simulation.after, after);
   } else {
     code_.load_real(after, 0, kTime, place_);
   }
+  if (simulation.what != Simulate::What::Input) {
+    simulate_operator(simulation, value);
+    return code_.release(mark);
+  }
+  const Symbol& symbol = *simulation.target.symbol;
+  const bool force = symbol.kind == Symbol::Kind::Reading;
+  expressions_.value_into(*simulation.value, value, symbol.analog || force);
   if (force) {
     expressions_.simulate_force(simulation.component, value, place_);
   } else {

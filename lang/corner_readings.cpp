@@ -106,6 +106,8 @@ class Walk {
   void visit(const Stop&) { settle(0); }
   void visit(const Brake&) { settle(0); }
   void visit(const Teach&) { settle(0); }
+  void visit(const Halt&) { settle(0); }
+  void visit(const Ask&) { settle(0); }
   void visit(const Wait& wait) {
     settle(0);
     block(wait.otherwise);

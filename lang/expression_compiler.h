@@ -27,6 +27,8 @@ class ExpressionCompiler {
   void enter_routine() { in_routine_ = true; }
   /// Gives a variable or a part of one, wherever it lives, the value of an expression.
   void assign(const Expr& target, const Expr& value);
+  /// Gives a variable, or a part of one, the value of a register.
+  void assign_register(const Expr& target, Register value);
   /// Gives a variable the value of another one of its type.
   void copy(const Location& from, const Location& to, const Type& type, Place place);
   /// Gives a new variable the value of an expression, which cannot use it.

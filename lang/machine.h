@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -92,6 +93,12 @@ class Machine {
   /// dropped, with what is bound to it, and the axes stand there. Done at standstill, or at once
   /// where nothing moves any more.
   virtual Reply brake(int line) = 0;
+  /// HALT: the last target is reached exactly, all that was commanded has acted, `text` (empty:
+  /// none) is shown; Done when the operator says so. Refused where nobody is there to say it.
+  virtual Reply halt(int line, std::string_view text) = 0;
+  /// ASK: as halt(), and Done with a line that the operator has typed; with none where the program
+  /// is only foretold.
+  virtual Reply ask(int line, std::string_view text, std::optional<std::string>& answer) = 0;
   /// WAIT 0.5s: the last target is reached exactly, then the axes stand for `seconds`, 0 or more.
   virtual Reply wait(int line, double seconds) = 0;
   /// The condition of a WAIT is due: the last target is reached exactly, and all that was commanded
@@ -134,6 +141,9 @@ class Machine {
   /// The same of one part of what the force sensor tells: N of force x, y, z, then Nm of torque x,
   /// y, z.
   virtual Reply simulate_force(int line, int component, double value, double after) = 0;
+  /// In the same way the operator lets a HALT go on (if `go`), or answers an ASK.
+  virtual Reply simulate_go(int line, bool go, double after) = 0;
+  virtual Reply simulate_answer(int line, std::string_view text, double after) = 0;
   /// Reads a signal at the decision point of the motion commanded before. An observation:
   /// `Later` until that instant has come.
   virtual Reply read_signal(int line, int signal, bool& value) = 0;

@@ -111,6 +111,8 @@ void Parser::simple(Block& block) {
     advance();
     return add(block, place, Brake{});
   }
+  if (at(Keyword::Halt)) return halt_statement(block);
+  if (at(Keyword::Ask)) return ask_statement(block);
   if (at(Keyword::Teach)) return teach_statement(block);
   if (at(Keyword::Exit)) {
     advance();

@@ -61,13 +61,16 @@ void Parser::expect_statement(Block& block) {
   add(block, place, std::move(node));
 }
 
-// control = "SIMULATE" ( IDENT [ "." IDENT ] | channel ) "=" expr [ "AFTER" expr ] .
+// control = "SIMULATE" ( IDENT [ "." IDENT ] | channel | "GO" | "ANSWER" ) "=" expr
+//           [ "AFTER" expr ] .
 void Parser::simulate_statement(Block& block) {
   const Place place = current_.place;
   Simulate node;
   advance();
   node.target_place = current_.place;
-  if (at_channel()) {
+  if (operators_simulation(node)) {
+    advance();
+  } else if (at_channel()) {
     node.target = channel("SIMULATE");
   } else if (at(TokenKind::Word)) {
     node.target.text = current_.text;

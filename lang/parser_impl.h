@@ -132,6 +132,11 @@ class Parser {
   bool at_frame_declaration() const;
   void frame_declaration(Block& block);
 
+  // HALT and ASK (parse_operator.cpp)
+  void halt_statement(Block& block);
+  void ask_statement(Block& block);
+  bool operators_simulation(Simulate& node);
+
   // USE (parse_use.cpp)
   void use_statement(Block& block);
   const Import* import_named(std::string_view name) const;

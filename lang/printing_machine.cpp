@@ -145,6 +145,25 @@ Reply PrintingMachine::on_the_way(int line, const PathPlace& place) {
 
 Reply PrintingMachine::disarm(int line, int id) { return note(line, fmt::format("disarm {}", id)); }
 
+Reply PrintingMachine::halt(int line, std::string_view text) {
+  return note(line, fmt::format("halt{}{}", text.empty() ? "" : " ", text));
+}
+
+Reply PrintingMachine::ask(int line, std::string_view text, std::optional<std::string>& answer) {
+  const Reply reply = note(line, fmt::format("ask {}", text));
+  if (reply == Reply::Done && next_answer_ < answers_.size()) answer = answers_[next_answer_++];
+  return reply;
+}
+
+Reply PrintingMachine::simulate_go(int line, bool go, double after) {
+  return note(line,
+              fmt::format("simulate {}go after {}", go ? "" : "no ", number_text(after, kTime)));
+}
+
+Reply PrintingMachine::simulate_answer(int line, std::string_view text, double after) {
+  return note(line, fmt::format("simulate answer {} after {}", text, number_text(after, kTime)));
+}
+
 Reply PrintingMachine::wait(int line, double seconds) {
   return note(line, "wait " + number_text(seconds, kTime));
 }

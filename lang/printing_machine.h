@@ -19,6 +19,7 @@ namespace rob::lang {
 ///     movel by 20 0 0 · move joints - - 90 · … zone 5mm · … fine
 ///     stop · brake · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
 ///     teach pick 40 20 0 · teach pick 40 20 0 in pallet     the place, in mm
+///     halt TEXT · ask TEXT · simulate go after 2s · simulate answer TEXT after 0s
 ///     guard · ended hit · ended reached
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
@@ -55,6 +56,8 @@ class PrintingMachine : public Machine {
   void script(int signal, std::vector<double> values);
   /// What script() calls a part of the force sensor's: force x y z, torque x y z.
   static int force_part(int component) { return -1 - component; }
+  /// What an operator answers, one after another; then an ASK leaves its variable as it is.
+  void answer(std::vector<std::string> answers) { answers_ = std::move(answers); }
   /// The next `times` calls are answered Later.
   void answer_later(int times) { later_ = times; }
   /// The call that comes after `calls` further ones is refused.
@@ -84,6 +87,10 @@ class PrintingMachine : public Machine {
   Reply zero_force(int line) override { return note(line, "zero force"); }
   Reply stop(int line) override { return note(line, "stop"); }
   Reply brake(int line) override { return note(line, "brake"); }
+  Reply halt(int line, std::string_view text) override;
+  Reply ask(int line, std::string_view text, std::optional<std::string>& answer) override;
+  Reply simulate_go(int line, bool go, double after) override;
+  Reply simulate_answer(int line, std::string_view text, double after) override;
   Reply teach(int line, std::string_view point, std::string_view frame,
               const PoseValue& pose) override;
   Reply wait(int line, double seconds) override;
@@ -126,6 +133,8 @@ class PrintingMachine : public Machine {
   std::vector<Call> calls_;
   std::map<int, Script> scripts_;
   std::map<int, double> written_;
+  std::vector<std::string> answers_;
+  std::size_t next_answer_ = 0;
   std::array<double, kMaxCoordinates> commanded_{};
   Setting setting_;
   int later_ = 0;

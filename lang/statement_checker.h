@@ -75,6 +75,10 @@ class StatementChecker {
   }
   void check(Stop&) {}
   void check(Brake&) {}
+  // HALT and ASK (check_operator.cpp)
+  void check(Halt& halt);
+  void check(Ask& ask);
+  void check_operators_simulation(const Simulate& simulation);
   void check(Declaration& declaration);
   // WITH, PATH, PRESS, OVERRIDE (check_surroundings.cpp)
   void check(With& with);

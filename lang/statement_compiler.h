@@ -57,6 +57,10 @@ class StatementCompiler {
   void leave_scopes(std::size_t kept, Place place);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
   void compile(const Brake&) { code_.emit(Opcode::brake, place_); }
+  // HALT and ASK (compile_operator.cpp)
+  void compile(const Halt& halt);
+  void compile(const Ask& ask);
+  void simulate_operator(const Simulate& simulation, Register value);
   void compile(const Declaration& declaration);
   void compile(const SignalDeclaration& signal);
   void compile(const Use& use) {

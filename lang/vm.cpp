@@ -317,6 +317,12 @@ brake:
 teach:
   ROB_ASK(teach(pc), pc);
   ROB_NEXT(3);
+halt:
+  ROB_ASK(machine_.halt(line(pc), texts_[pc->a()]), pc);
+  ROB_NEXT(1);
+ask:
+  ROB_ASK(ask(pc), pc);
+  ROB_NEXT(2);
 wait:
   if (!check_wait(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
   ROB_ASK(machine_.wait(line(pc), n[pc->a()].real), pc);
@@ -356,6 +362,14 @@ simulate_analog:
 simulate_force:
   if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
   ROB_ASK(simulate_force(pc), pc);
+  ROB_NEXT(1);
+simulate_go:
+  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
+  ROB_ASK(machine_.simulate_go(line(pc), n[pc->a()].integer != 0, n[pc->a() + 1].real), pc);
+  ROB_NEXT(1);
+simulate_answer:
+  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
+  ROB_ASK(machine_.simulate_answer(line(pc), texts_[pc->b()], n[pc->a() + 1].real), pc);
   ROB_NEXT(1);
 open_try:
   if (!open_try(pc)) return fail_tries_too_deep(pc);

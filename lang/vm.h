@@ -157,6 +157,7 @@ class Vm {
   Reply ended(Code pc);
   Reply simulate(Code pc, double value);
   Reply teach(Code pc);
+  Reply ask(Code pc);
   Reply when(Code pc);
   /// Disarms the WHENs beyond the first `kept`.
   Reply disarm(int line, std::size_t kept);
@@ -272,6 +273,7 @@ class Vm {
   std::size_t armed_count_ = 0;
   std::vector<Setting> settings_;  ///< of the WITHs that are open
   std::size_t presses_ = 0;        ///< that are open
+  std::string misread_;            ///< why the last answer to the present ASK could not be taken
   bool guarded_ = false;           ///< a guarded motion has ended
   bool hit_ = false;               ///< the last guarded motion was ended by its guard
   bool observed_ = false;          ///< the world was observed in the present cycle

@@ -85,7 +85,10 @@ bool Vm::check_place(Code pc) {
   return false;
 }
 
-void Vm::interrupt(RuntimeError error) { state_ = fail(next_, std::move(error)); }
+void Vm::interrupt(RuntimeError error) {
+  misread_.clear();
+  state_ = fail(next_, std::move(error));
+}
 
 Vm::State Vm::fail_too_many_whens(Code pc) {
   return fail(pc,

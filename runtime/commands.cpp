@@ -17,6 +17,7 @@
 #include "runtime/program/load.h"
 #include "runtime/program/progress.h"
 #include "runtime/program/run.h"
+#include "runtime/program/terminal.h"
 #include "runtime/program/text_report.h"
 #include "runtime/test_files.h"
 
@@ -42,6 +43,7 @@ RunListener listener_of(const Options& options, Progress& progress) {
     progress.clear();
     put_message("rob: " + message + "\n");
   };
+  listener.consult = [&](const Note& note, int line) { progress.consult(note, line); };
   if (options.json) return listener;
   listener.print = [&](const std::string& text) {
     progress.clear();
@@ -59,8 +61,9 @@ RunResult run_one(const LoadedProgram& program, const Options& options,
   const double planned =
       isatty(STDERR_FILENO) != 0 ? foretell(program, robot, options.seed, &script).planned : 0;
   Progress progress(planned / options.override_share, options.override_share, used_names(program));
-  const RunOptions run_options{options.fast, options.override_share, options.trace, options.seed,
-                               &script};
+  Terminal terminal(options.fast);
+  const RunOptions run_options{
+      options.fast, options.override_share, options.trace, options.seed, &script, &terminal};
   RunResult result = run(program, robot, run_options, listener_of(options, progress));
   progress.clear();
   return result;

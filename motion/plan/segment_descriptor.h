@@ -20,6 +20,8 @@ struct Effect {
     Pulse,
     Simulate,
     SimulateAnalog,
+    SimulateGo,
+    SimulateAnswer,  ///< `id`
     Note,
     Override,  ///< from here on the path's time runs at `share`
     Arm,       ///< `watched` is asked from here on

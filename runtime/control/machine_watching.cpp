@@ -121,7 +121,7 @@ std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
   planner_.retarget(rest->q);
   buffer_.braked();
   exact_ = true;
-  begun_ = standing_ = guarded_ = braking_ = false;
+  begun_ = standing_ = guarded_ = braking_ = consulting_ = false;
   brakable_ = 0;
   recording_ = nullptr;
   place_.reset();

@@ -73,6 +73,16 @@ Words words_for_long_wait(double seconds) {
           "wait for a signal, or in a loop"};
 }
 
+Words words_for_nobody(const char* what) {
+  const bool halt = std::string_view(what) == "HALT";
+  return {
+      std::string(lang::code::kNobodyThere),
+      fmt::format("{} waits for the operator, and nobody is there", what),
+      fmt::format("run it on a terminal, or with a signal script (--signals) that has: at 2s {};"
+                  " a TEST has SIMULATE {}",
+                  halt ? "GO = ON" : "ANSWER = \"7\"", halt ? "GO = ON" : "ANSWER = \"7\"")};
+}
+
 Words words_for_place(double distance, double way) {
   const auto length = motion::AxisKind::Linear;
   return {code::kPlaceBeyond,

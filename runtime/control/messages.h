@@ -33,6 +33,8 @@ Words words_for_no_sensor(const motion::RobotModel& robot);
 Words words_for_not_run(const motion::RobotModel& robot);
 /// More SIMULATEs wait for their time than there is room for.
 Words words_for_many_simulations();
+/// HALT or ASK where nobody will ever answer.
+Words words_for_nobody(const char* what);
 /// A path event that lies beyond its motion, m.
 Words words_for_place(double distance, double way);
 /// "axis x follows 2.1 mm behind; 2 mm are permitted here".

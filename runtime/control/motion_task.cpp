@@ -244,6 +244,10 @@ void MotionTask::act(const Effect& effect, double now) noexcept {
                       now + effect.seconds);
     case Effect::Kind::Override:
       return set_override(effect.share);
+    case Effect::Kind::SimulateGo:
+      return simulate({WorldSignal::Kind::Go, 0}, 1, now + effect.seconds);
+    case Effect::Kind::SimulateAnswer:
+      return simulate({WorldSignal::Kind::Answer, 0}, 0, now + effect.seconds, effect.id);
     case Effect::Kind::Note:
     case Effect::Kind::Arm:
     case Effect::Kind::Disarm:
@@ -252,8 +256,9 @@ void MotionTask::act(const Effect& effect, double now) noexcept {
 }
 
 /// What holds from now on is seen in this cycle already.
-void MotionTask::simulate(WorldSignal place, double value, double time) noexcept {
-  simulated_.schedule({place, value, 0}, time);  // RobotMachine has counted: there is room
+void MotionTask::simulate(WorldSignal place, double value, double time,
+                          std::uint32_t answer) noexcept {
+  simulated_.schedule({place, value, answer}, time);  // RobotMachine has counted: there is room
   latch_inputs(now_);
 }
 

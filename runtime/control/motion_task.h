@@ -51,7 +51,7 @@ class MotionTask {
   void lock(const motion::Effect& effect) noexcept;
   /// What has gone wrong cannot wait for standstill: all SAFE values at once.
   void take_safe_values() noexcept;
-  void simulate(WorldSignal place, double value, double time) noexcept;
+  void simulate(WorldSignal place, double value, double time, std::uint32_t answer = 0) noexcept;
   void set_override(double share) noexcept;
   void switch_output(int channel, bool on) noexcept;
   /// Switches off what was on for a PULSE that is over at `now`.

@@ -207,7 +207,7 @@ Reply RobotMachine::waited(int line) {
 Reply RobotMachine::leave_block(int /*line*/) { return decided() ? Reply::Done : Reply::Later; }
 
 Reply RobotMachine::settle(int line) {
-  begun_ = standing_ = guarded_ = false;
+  begun_ = standing_ = guarded_ = consulting_ = false;
   recording_ = nullptr;
   place_.reset();
   on_the_way_.clear();
@@ -230,11 +230,15 @@ Reply RobotMachine::end(int line) {
 }
 
 Reply RobotMachine::print(int line, std::string_view text) {
+  return note(line, {Note::Kind::Print, std::string(text)});
+}
+
+Reply RobotMachine::note(int line, Note note) {
   if (buffer_.effects_full()) return Reply::Later;
   motion::Effect effect;
   effect.tag = static_cast<motion::Tag>(line);
   effect.kind = motion::Effect::Kind::Note;
-  effect.id = log_.keep_text(std::string(text));
+  effect.id = log_.keep(std::move(note));
   return queue(effect);
 }
 
@@ -273,18 +277,23 @@ Reply RobotMachine::expectation_failed(int line, std::string_view text) {
 }
 
 Reply RobotMachine::simulate(int line, int signal, double value, double after) {
-  const std::int64_t waiting =
-      simulations_ - channels_.simulations_done.load(std::memory_order_acquire);
-  if (waiting >= static_cast<std::int64_t>(SimulatedInputs::kMostWaiting)) {
-    refusal_ = words_for_many_simulations();
-    return Reply::Refused;
-  }
   motion::Effect effect = effect_on(line, signal);
   const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
   effect.kind = analog ? motion::Effect::Kind::SimulateAnalog : motion::Effect::Kind::Simulate;
   effect.value = value != 0;
   effect.volts = value;
   effect.seconds = after;
+  return queue_simulation(line, effect);
+}
+
+Reply RobotMachine::queue_simulation(int line, motion::Effect effect) {
+  const std::int64_t waiting =
+      simulations_ - channels_.simulations_done.load(std::memory_order_acquire);
+  if (waiting >= static_cast<std::int64_t>(SimulatedInputs::kMostWaiting)) {
+    refusal_ = words_for_many_simulations();
+    return Reply::Refused;
+  }
+  effect.tag = static_cast<motion::Tag>(line);
   const Reply reply = queue(effect);
   if (reply == Reply::Done) ++simulations_;
   return reply;

@@ -44,7 +44,11 @@ class RobotMachine final : public lang::Machine {
   /// While a program is foretold: the inputs that nobody drives, by signal number what they are
   /// called, empty for all others. They stay OFF or 0V, a WAIT that reads one is taken as met, and
   /// each place that reads one is a finding.
-  void assume(std::vector<std::string> inputs) { assumed_ = std::move(inputs); }
+  /// HALT and ASK are taken as answered where no script answers them.
+  void assume(std::vector<std::string> inputs) {
+    assumed_ = std::move(inputs);
+    foretelling_ = true;
+  }
 
   /// Before the run: what outputs become when it goes wrong.
   void declare_safe(const std::vector<lang::SafeValue>& values);
@@ -78,6 +82,10 @@ class RobotMachine final : public lang::Machine {
   lang::Reply brake(int line) override;
   lang::Reply teach(int line, std::string_view point, std::string_view frame,
                     const lang::PoseValue& pose) override;
+  lang::Reply halt(int line, std::string_view text) override;
+  lang::Reply ask(int line, std::string_view text, std::optional<std::string>& answer) override;
+  lang::Reply simulate_go(int line, bool go, double after) override;
+  lang::Reply simulate_answer(int line, std::string_view text, double after) override;
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
   bool taken_as_met(int line) override;
@@ -122,6 +130,14 @@ class RobotMachine final : public lang::Machine {
   lang::Reply arm();
   /// An effect on an output, still to be told what it does.
   motion::Effect effect_on(int line, int signal) const;
+  lang::Reply note(int line, Note note);
+  lang::Reply queue_simulation(int line, motion::Effect effect);
+  // HALT and ASK (machine_operator.cpp)
+  lang::Reply consult(int line, Note::Kind kind, std::string_view text);
+  lang::Reply answered(int line, std::string answer, bool typed = false);
+  lang::Reply refuse_unattended(const char* what);
+  bool attended() const;
+  void note_answer_assumed(int line, const char* what);
   /// Notes that a signal was read which nobody drives.
   void note_assumed(int line, int signal);
   /// Whether the world may be read now.
@@ -151,6 +167,8 @@ class RobotMachine final : public lang::Machine {
   std::int64_t effects_ = 0;  ///< queued so far
   std::int64_t simulations_ = 0;
   std::vector<std::string> assumed_;
+  bool foretelling_ = false;
+  bool consulting_ = false;     ///< the operator has been shown the text of the present HALT or ASK
   int assumed_read_ = -1;       ///< by the condition of the present WAIT
   motion::JointVector hit_;     ///< where the last guarded motion was hit, or ended
   bool exact_ = true;           ///< the last motion queued ends at standstill

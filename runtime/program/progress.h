@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ class Progress {
   Progress(double planned, double override_share, std::vector<std::string> used);
 
   void show(const Position& position);
+  /// What HALT and ASK say to the operator. While they wait, nothing else is shown.
+  void consult(const Note& note, int line);
   /// Makes room for other output.
   void clear();
 
@@ -25,6 +28,7 @@ class Progress {
   std::vector<std::string> used_;
   bool terminal_;
   bool shown_ = false;
+  std::optional<Note::Kind> consulting_;
   double last_ = -1;
 };
 

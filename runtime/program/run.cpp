@@ -120,12 +120,22 @@ std::vector<std::string> undriven_inputs(const LoadedProgram& program,
   return names;
 }
 
+/// How often a script acts as the operator.
+OperatorPanel::Promise promise_of(const SignalScript& script, WorldSignal::Kind kind) {
+  OperatorPanel::Promise promise;
+  for (const SimulationRule& rule : script.rules) {
+    if (rule.setting.place.kind != kind) continue;
+    if (kind == WorldSignal::Kind::Go && rule.setting.value == 0) continue;
+    promise.whenever = promise.whenever || !rule.timed;
+    promise.times += rule.timed ? 1 : 0;
+  }
+  return promise;
+}
+
 void prepare_panel(Controller& controller, const SignalScript* script) {
   if (script == nullptr) return;
-  const bool gives_go = std::ranges::any_of(script->rules, [](const SimulationRule& rule) {
-    return rule.setting.place.kind == WorldSignal::Kind::Go;
-  });
-  controller.channels().panel.prepare(script->answers, gives_go);
+  controller.channels().panel.prepare(script->answers, promise_of(*script, WorldSignal::Kind::Go),
+                                      promise_of(*script, WorldSignal::Kind::Answer));
 }
 
 /// The first error is what the program is refused for.
@@ -178,13 +188,17 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
   Controller controller(robot, simulation_of(robot), options.override_share,
                         rules_of(options.script));
   prepare_panel(controller, options.script);
+  controller.channels().panel.seat(options.person);
   PointsFile points(points_file_of(program.file), robot);
   controller.machine().keep_points(&points);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
-                       names_in(program, robot), {listener.print, [&](const Snapshot& snapshot) {
-                                                    if (trace) trace->write(snapshot);
-                                                  }});
+                       names_in(program, robot),
+                       {listener.print,
+                        [&](const Snapshot& snapshot) {
+                          if (trace) trace->write(snapshot);
+                        },
+                        listener.consult});
 
   const Interruption interruption(controller.channels().hold_requested);
   const Attend attend = [&] {

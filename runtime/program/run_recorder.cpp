@@ -218,9 +218,28 @@ void RunRecorder::take_effect(const MotionEvent& event) {
   // Inputs are the machine's, simulated or not.
   if (kind == Kind::Override) return take_override(event);
   if (kind == Kind::Simulate || kind == Kind::SimulateAnalog) return;
+  if (kind == Kind::SimulateGo || kind == Kind::SimulateAnswer) return;
   if (kind != Kind::Note) return take_output(event);
-  result_.output.push_back(log_.take_text(event.effect.id));
-  if (listener_.print) listener_.print(result_.output.back());
+  take_note(event, log_.take_note(event.effect.id));
+}
+
+void RunRecorder::take_note(const MotionEvent& event, Note note) {
+  const int line = static_cast<int>(event.tag);
+  switch (note.kind) {
+    case Note::Kind::Print:
+      result_.output.push_back(std::move(note.text));
+      if (listener_.print) listener_.print(result_.output.back());
+      return;
+    case Note::Kind::Halt:
+    case Note::Kind::Ask:
+      if (listener_.consult) listener_.consult(note, line);
+      add_event(event.time, note.kind == Note::Kind::Ask ? "ask" : "halt", line, note.text);
+      return;
+    case Note::Kind::Answer:
+      if (listener_.consult) listener_.consult(note, line);
+      add_event(event.time, "answer", line, note.text);
+      return;
+  }
 }
 
 /// The rest of the running motion takes longer, or less, than was foretold when it began.

@@ -21,10 +21,12 @@ namespace rob::runtime {
 /// effect, event and peak. It reads the channels, in one thread that has no deadline.
 class RunRecorder {
  public:
-  /// Both are called from drain(), in motion order; either may be empty.
+  /// All are called from drain(), in motion order; each may be empty.
   struct Listener {
     std::function<void(const std::string& text)> print;
     std::function<void(const Snapshot& snapshot)> snapshot;
+    /// HALT or ASK waits for the operator; and that it does no more.
+    std::function<void(const Note& note, int line)> consult{};
   };
 
   RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,
@@ -71,6 +73,7 @@ class RunRecorder {
   double planned_miss(const Running& segment, const LoggedSegment* next) const;
   void take_effect(const motion::MotionEvent& event);
   void take_override(const motion::MotionEvent& event);
+  void take_note(const motion::MotionEvent& event, Note note);
   void take_output(const motion::MotionEvent& event);
   void add_output(const motion::MotionEvent& event, bool value);
   void add_analog(const motion::MotionEvent& event);

@@ -127,6 +127,7 @@ constexpr std::array<std::string_view, 6> kForceParts{"force.x",  "force.y",  "f
 void prepare(lang::PrintingMachine& machine, const lang::RobotSignature& robot,
              const GoldenScript& script, Comparison& comparison) {
   machine.answer_later(script.later);
+  machine.answer(script.answers);
   for (const auto& [name, values] : script.signals) {
     const auto signal = std::ranges::find(robot.signals, name, lang::shown_name);
     const auto* const part = std::ranges::find(kForceParts, name);

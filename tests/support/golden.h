@@ -24,6 +24,7 @@
 ///     // given lift_up: OFF OFF ON     what reading a signal answers; the last stays
 ///     // given DIN[1]: ON              the same of a channel without a name
 ///     // given AIN[1]: 2.5V 3V         the same of an analog one
+///     // given answer: 7mm             what the operator answers to the next ASK
 ///     // given later: 3                the first three calls are answered "later"
 ///     // given file tools: PROC a()    a line of tools.rob, which the program USEs; what is
 ///     expected
@@ -45,6 +46,7 @@ struct GoldenScript {
   std::vector<Expectation> expectations;
   lang::PointTable points;  ///< "// given point pick in pallet: 40 20 10", in mm
   std::map<std::string, std::vector<double>> signals;  ///< by name; 1 is ON, V
+  std::vector<std::string> answers;                    ///< of the operator
   int later = 0;
   /// A file to USE, and for each of its lines the one of the golden program where it stands.
   struct File {

@@ -51,7 +51,7 @@ bool read_point(const std::string& name, std::istringstream values, GoldenScript
   return true;
 }
 
-/// "lift_up: OFF ON", "later: 3" or "point pick: 40 20 10".
+/// "lift_up: OFF ON", "answer: 7mm", "later: 3" or "point pick: 40 20 10".
 bool read_given(std::string_view text, GoldenScript& script) {
   const auto colon = text.find(':');
   if (colon == std::string_view::npos) return false;
@@ -60,6 +60,10 @@ bool read_given(std::string_view text, GoldenScript& script) {
   constexpr std::string_view kPoint = "point ";
   if (name.starts_with(kPoint)) {
     return read_point(name.substr(kPoint.size()), std::move(values), script);
+  }
+  if (name == "answer") {
+    script.answers.emplace_back(trimmed(text.substr(colon + 1)));
+    return true;
   }
   if (name == "later") return static_cast<bool>(values >> script.later);
   for (std::string value; values >> value;) {
