@@ -96,10 +96,32 @@ ExprPtr Parser::target(std::string_view motion) {
     const Place place = current_.place;
     return tuple(place, elements("the target"));
   }
-  const bool value =
-      at(TokenKind::Word) && clause_word(current_).empty() && next_.kind != TokenKind::Comma;
+  const bool sign = at(TokenKind::Plus) || at(TokenKind::Minus) || at(Keyword::Not);
+  const bool computed = sign || (at_literal() && goes_on(next_.kind));
+  const bool name = at(TokenKind::Word) && clause_word(current_).empty();
+  const bool value = (computed || name) && !at_list();
   if (!value && !at(TokenKind::LeftParen)) fail_target(motion);
   return expression();
+}
+
+bool Parser::at_literal() const {
+  return at(TokenKind::Number) || at(TokenKind::String) || at(Keyword::True) ||
+         at(Keyword::False) || at(Keyword::On) || at(Keyword::Off);
+}
+
+/// `140, 40, 0` without its parentheses.
+bool Parser::at_list() const {
+  Lexer ahead = lexer_.quiet_copy();
+  int open = 0;
+  for (Token token = next_;
+       token.kind != TokenKind::EndOfLine && token.kind != TokenKind::EndOfFile;
+       token = ahead.next()) {
+    if (token.kind == TokenKind::LeftParen || token.kind == TokenKind::LeftBracket) ++open;
+    if (token.kind == TokenKind::RightParen || token.kind == TokenKind::RightBracket) --open;
+    if (open == 0 && (begins_statement(token) || !clause_word(token).empty())) return false;
+    if (open == 0 && token.kind == TokenKind::Comma) return true;
+  }
+  return false;
 }
 
 /// Whether the parentheses that begin here are only the beginning of a computed target.
