@@ -22,9 +22,17 @@ constexpr std::array<std::string_view, 7> kClauseWords{"AT",   "OVER", "ACCEL", 
                                                        "ZONE", "FINE", "PROFILE"};
 
 /// Whether a value may go on with this sign: then the target is computed.
-bool goes_on(TokenKind kind) {
-  return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star ||
-         kind == TokenKind::Slash || kind == TokenKind::Caret || kind == TokenKind::Dot;
+bool goes_on(const Token& token) {
+  if (token.kind == TokenKind::Reserved) {
+    return token.keyword == Keyword::And || token.keyword == Keyword::Or ||
+           token.keyword == Keyword::Xor || token.keyword == Keyword::Div ||
+           token.keyword == Keyword::Mod;
+  }
+  const bool compares = token.kind >= TokenKind::Equal && token.kind <= TokenKind::GreaterEqual;
+  return compares || token.kind == TokenKind::Plus || token.kind == TokenKind::Minus ||
+         token.kind == TokenKind::Star || token.kind == TokenKind::Slash ||
+         token.kind == TokenKind::Caret || token.kind == TokenKind::Dot ||
+         token.kind == TokenKind::LeftBracket;
 }
 
 }  // namespace
@@ -73,7 +81,7 @@ void Parser::move(Block& block) {
 
 /// A word behind MOVE that is not the name of what stands there.
 bool Parser::at_clause_word(std::string_view word) const {
-  const bool value = goes_on(next_.kind) && next_.kind != TokenKind::Minus;
+  const bool value = goes_on(next_) && next_.kind != TokenKind::Minus;
   return at_word(word) && !value && next_.kind != TokenKind::EndOfLine &&
          next_.kind != TokenKind::Comma;
 }
@@ -96,17 +104,16 @@ ExprPtr Parser::target(std::string_view motion) {
     const Place place = current_.place;
     return tuple(place, elements("the target"));
   }
-  const bool sign = at(TokenKind::Plus) || at(TokenKind::Minus) || at(Keyword::Not);
-  const bool computed = sign || (at_literal() && goes_on(next_.kind));
-  const bool name = at(TokenKind::Word) && clause_word(current_).empty();
-  const bool value = (computed || name) && !at_list();
-  if (!value && !at(TokenKind::LeftParen)) fail_target(motion);
+  if (!at(TokenKind::LeftParen) && (!at_value() || at_list())) fail_target(motion);
   return expression();
 }
 
-bool Parser::at_literal() const {
-  return at(TokenKind::Number) || at(TokenKind::String) || at(Keyword::True) ||
-         at(Keyword::False) || at(Keyword::On) || at(Keyword::Off);
+/// A token that an expression may begin with, and no clause.
+bool Parser::at_value() const {
+  if (at(TokenKind::Word)) return clause_word(current_).empty();
+  if (at(TokenKind::Reserved)) return role(current_.keyword) == KeywordRole::Value;
+  return at(TokenKind::Number) || at(TokenKind::String) || at(TokenKind::Plus) ||
+         at(TokenKind::Minus) || at(TokenKind::LeftBracket);
 }
 
 /// `140, 40, 0` without its parentheses.
@@ -134,7 +141,7 @@ bool Parser::group_goes_on() const {
     if (token.kind == TokenKind::LeftParen) ++open;
     if (token.kind == TokenKind::RightParen) --open;
   }
-  return goes_on(token.kind);
+  return goes_on(token);
 }
 
 /// `MOVE 140, 40, 0` and `MOVE` alone: shows how the target is written.
@@ -192,7 +199,7 @@ void Parser::report_twice(std::string_view word) {
 void Parser::clause(ExprPtr& slot, std::string_view word) {
   if (slot) report_twice(word);
   advance();
-  const bool live = at_word("LIVE") && !goes_on(next_.kind) && next_.kind != TokenKind::EndOfLine &&
+  const bool live = at_word("LIVE") && !goes_on(next_) && next_.kind != TokenKind::EndOfLine &&
                     clause_word(next_).empty();
   if (live) fail_not_yet(current_.place, fmt::format("{} LIVE", word));
   ExprPtr value = expression();

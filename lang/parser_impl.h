@@ -144,7 +144,7 @@ class Parser {
   void joint_target(Move& move);
   ExprPtr target(std::string_view motion);
   bool group_goes_on() const;
-  bool at_literal() const;
+  bool at_value() const;
   bool at_list() const;
   [[noreturn]] void fail_target(std::string_view motion);
   void clauses(Clauses& clauses);

@@ -26,9 +26,15 @@ class Grammar {
   /// that it does not have and that is no class of tokens (NAME, NUMBER, …).
   explicit Grammar(std::string_view text);
 
+  /// How much a sentence has of what it may have. Behind `longest` bytes it comes to its end by the
+  /// shortest way; of so many things that may be left out or repeated, one is there.
+  struct Shape {
+    std::size_t longest = 600;
+    std::size_t one_of = 2;
+  };
   /// A sentence of a rule, as text; `names` are those that it uses.
   std::string sentence(const std::string& rule, Decisions& decisions,
-                       const std::vector<std::string>& names) const;
+                       const std::vector<std::string>& names, const Shape& shape) const;
 
   /// Whether a text, in tokens without the ends of lines inside brackets, is a sentence of a rule.
   /// Otherwise `furthest` is the token behind which no sentence goes on.

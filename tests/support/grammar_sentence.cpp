@@ -13,9 +13,7 @@ using Kind = Node::Kind;
 /// [choice] deep enough for a block in a block with an expression in brackets: the rules of an
 /// expression alone are ten below one another.
 constexpr int kDeepest = 34;
-constexpr std::size_t kMostRepeated = 3;
-/// Bytes behind which a sentence comes to its end by the shortest way: what is left of it is small.
-constexpr std::size_t kLongest = 600;
+constexpr std::size_t kMostRepeated = 4;
 
 constexpr std::array<std::string_view, 6> kNumbers{"0", "1", "2", "7", "2.5", "1e3"};
 constexpr std::array<std::string_view, 8> kQuantities{"20mm", "40mm", "5deg",   "0.5s",
@@ -27,11 +25,11 @@ constexpr std::array<std::string_view, 5> kUnits{"mm", "deg", "s", "mm / s", "N 
 class Writer {
  public:
   Writer(const std::map<std::string, Node>& rules, Decisions& decisions,
-         const std::vector<std::string>& names)
-      : rules_(rules), decisions_(decisions), names_(names) {}
+         const std::vector<std::string>& names, const Grammar::Shape& shape)
+      : rules_(rules), decisions_(decisions), names_(names), shape_(shape) {}
 
   void write(const Node& node, int depth) {
-    const bool deep = depth + node.height >= kDeepest || text_.size() >= kLongest;
+    const bool deep = depth + node.height >= kDeepest || text_.size() >= shape_.longest;
     switch (node.kind) {
       case Kind::Written:
         return put(node.text);
@@ -44,10 +42,10 @@ class Writer {
       case Kind::Choice:
         return write(deep ? lowest(node) : node.parts[decisions_.below(node.parts.size())], depth);
       case Kind::Option:
-        if (!deep && decisions_.below(2) == 1) write(node.parts.front(), depth);
+        if (!deep && more()) write(node.parts.front(), depth);
         return;
       case Kind::Repetition:
-        for (std::size_t i = deep ? 0 : decisions_.below(kMostRepeated + 1); i > 0; --i) {
+        for (std::size_t i = 0; !deep && i < kMostRepeated && more(); ++i) {
           write(node.parts.front(), depth);
         }
         return;
@@ -57,6 +55,8 @@ class Writer {
   const std::string& text() const { return text_; }
 
  private:
+  bool more() { return decisions_.below(shape_.one_of) == 0; }
+
   static const Node& lowest(const Node& choice) {
     return *std::ranges::min_element(choice.parts, {}, &Node::height);
   }
@@ -83,14 +83,15 @@ class Writer {
   const std::map<std::string, Node>& rules_;
   Decisions& decisions_;
   const std::vector<std::string>& names_;
+  const Grammar::Shape& shape_;
   std::string text_;
 };
 
 }  // namespace
 
 std::string Grammar::sentence(const std::string& rule, Decisions& decisions,
-                              const std::vector<std::string>& names) const {
-  Writer writer(rules_, decisions, names);
+                              const std::vector<std::string>& names, const Shape& shape) const {
+  Writer writer(rules_, decisions, names, shape);
   writer.write(rules_.at(rule), 0);
   return writer.text();
 }
