@@ -30,9 +30,17 @@ MotionKind motion_kind(Keyword keyword) {
 }  // namespace
 
 /// Whether a value may go on with this sign: then the target is computed.
-bool goes_on(TokenKind kind) {
-  return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star ||
-         kind == TokenKind::Slash || kind == TokenKind::Caret || kind == TokenKind::Dot;
+bool goes_on(const Token& token) {
+  if (token.kind == TokenKind::Reserved) {
+    return token.keyword == Keyword::And || token.keyword == Keyword::Or ||
+           token.keyword == Keyword::Xor || token.keyword == Keyword::Div ||
+           token.keyword == Keyword::Mod;
+  }
+  const bool compares = token.kind >= TokenKind::Equal && token.kind <= TokenKind::GreaterEqual;
+  return compares || token.kind == TokenKind::Plus || token.kind == TokenKind::Minus ||
+         token.kind == TokenKind::Star || token.kind == TokenKind::Slash ||
+         token.kind == TokenKind::Caret || token.kind == TokenKind::Dot ||
+         token.kind == TokenKind::LeftBracket;
 }
 
 std::string_view clause_word(const Token& token) {
@@ -178,7 +186,7 @@ void Parser::jog(Move& move) {
 
 /// A word behind MOVE that is not the name of what stands there.
 bool Parser::at_clause_word(std::string_view word) const {
-  const bool value = goes_on(next_.kind) && next_.kind != TokenKind::Minus;
+  const bool value = goes_on(next_) && next_.kind != TokenKind::Minus;
   return at_word(word) && !value && next_.kind != TokenKind::EndOfLine &&
          next_.kind != TokenKind::Comma;
 }
@@ -201,11 +209,31 @@ ExprPtr Parser::target(std::string_view motion, bool in_list) {
     const Place place = current_.place;
     return tuple(place, elements("the target"));
   }
-  const bool named = at(TokenKind::Word) && clause_word(current_).empty() &&
-                     (in_list || next_.kind != TokenKind::Comma);
-  const bool scaled = at(TokenKind::Number) && next_.kind == TokenKind::Star;  // 0.5 * j
-  if (!named && !scaled && !at(TokenKind::LeftParen)) fail_target(motion);
+  if (!at(TokenKind::LeftParen) && (!at_value() || (!in_list && at_list()))) fail_target(motion);
   return expression();
+}
+
+/// A token that an expression may begin with, and no clause.
+bool Parser::at_value() const {
+  if (at(TokenKind::Word)) return clause_word(current_).empty();
+  if (at(TokenKind::Reserved)) return role(current_.keyword) == KeywordRole::Value;
+  return at(TokenKind::Number) || at(TokenKind::String) || at(TokenKind::Plus) ||
+         at(TokenKind::Minus) || at(TokenKind::LeftBracket);
+}
+
+/// `140, 40, 0` without its parentheses.
+bool Parser::at_list() const {
+  Lexer ahead = lexer_.quiet_copy();
+  int open = 0;
+  for (Token token = next_;
+       token.kind != TokenKind::EndOfLine && token.kind != TokenKind::EndOfFile;
+       token = ahead.next()) {
+    if (token.kind == TokenKind::LeftParen || token.kind == TokenKind::LeftBracket) ++open;
+    if (token.kind == TokenKind::RightParen || token.kind == TokenKind::RightBracket) --open;
+    if (open == 0 && (begins_statement(token) || !clause_word(token).empty())) return false;
+    if (open == 0 && token.kind == TokenKind::Comma) return true;
+  }
+  return false;
 }
 
 /// Whether the parentheses that begin here are only the beginning of a computed target.
@@ -218,7 +246,7 @@ bool Parser::group_goes_on() const {
     if (token.kind == TokenKind::LeftParen) ++open;
     if (token.kind == TokenKind::RightParen) --open;
   }
-  return goes_on(token.kind);
+  return goes_on(token);
 }
 
 /// `MOVE 140, 40, 0` and `MOVE` alone: shows how the target is written.
@@ -300,7 +328,7 @@ void Parser::clause(Clauses& clauses, Clause which, std::string_view word) {
 bool Parser::at_live() const {
   const bool ends = next_.kind == TokenKind::EndOfLine || next_.kind == TokenKind::EndOfFile ||
                     next_.kind == TokenKind::Reserved || !clause_word(next_).empty();
-  return at_word("LIVE") && !ends && !goes_on(next_.kind);
+  return at_word("LIVE") && !ends && !goes_on(next_);
 }
 
 void Parser::profile(Clauses& clauses) {

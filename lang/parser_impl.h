@@ -38,7 +38,7 @@ std::optional<Type> named_type(std::string_view word);
 std::string_view opener_of(Keyword closer);
 
 /// Whether a value goes on with this sign.
-bool goes_on(TokenKind kind);
+bool goes_on(const Token& token);
 
 /// A clause of the language, whether this version has it or not; empty if it is none.
 std::string_view clause_word(const Token& token);
@@ -179,6 +179,8 @@ class Parser {
   void expect_word(std::string_view word, std::string_view behind, std::string_view example);
   ExprPtr target(std::string_view motion, bool in_list = false);
   bool group_goes_on() const;
+  bool at_value() const;
+  bool at_list() const;
   [[noreturn]] void fail_target(std::string_view motion);
   void clauses(Clauses& clauses);
   void report_twice(std::string_view word);
