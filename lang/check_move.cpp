@@ -97,7 +97,7 @@ void MoveChecker::warn_of_zone(const Expr& zone, std::string_view word, Place pl
 
 void MoveChecker::remember_constants(const Move& move) {
   if (!move.by && move.axis == nullptr && !std::holds_alternative<Tuple>(move.target->node)) {
-    return remember_value(*move.target);
+    return remember_value(move);
   }
   if (move.by || (move.axis != nullptr && constant_number(*move.axis) == std::nullopt)) return;
   ConstantTarget constant{.place = move.target->place, .command = {}};

@@ -1,3 +1,4 @@
+#include "lang/fold.h"
 #include "lang/statement_compiler.h"
 #include "lang/target.h"
 
@@ -5,15 +6,52 @@
 namespace rob::lang {
 
 void StatementCompiler::compile(const Move& move) {
+  const Symbol* const point = bare_point(move);
+  if (point == nullptr || point->taught == nullptr) {
+    const bool by_joints = point != nullptr && known(point->value) && !point->joints.empty();
+    return compile_motion(move, by_joints ? point : nullptr);
+  }
+  const Place place = place_;
+  const auto mark = code_.mark();
+  code_.emit(Opcode::if_bool, place, expressions_.variable(*point->has_taught, place), 0);
+  const CodeBuilder::Jump by_pose = code_.jump(place);
+  code_.release(mark);
+  compile_motion(move, point);
+  const CodeBuilder::Jump done = code_.jump(place);
+  code_.land(by_pose);
+  compile_motion(move, nullptr);
+  code_.land(done);
+}
+
+/// To the joints of a point, if that is given.
+void StatementCompiler::compile_motion(const Move& move, const Symbol* taught) {
   const Place place = place_;
   const auto mark = code_.mark();
   MoveForm form{.kind = move.kind, .relative = move.by};
   if (move.clauses.live) compile_live(*move.clauses[Clause::At]);
-  const Register first =
-      move.axis != nullptr ? compile_axis(move, form) : compile_target(move, form);
+  const Register first = taught != nullptr      ? compile_taught(*taught, form)
+                         : move.axis != nullptr ? compile_axis(move, form)
+                                                : compile_target(move, form);
   compile_clauses(move.clauses, form);
   code_.move(first, form, place);
   code_.release(mark);
+}
+
+/// The joints that a point was taught with: what the points file says, or TEACH has found.
+Register StatementCompiler::compile_taught(const Symbol& point, MoveForm& form) {
+  form.means = MoveCommand::Target::Axes;
+  form.count = static_cast<int>(robot_.axes.size());
+  form.given = given_all(form.count);
+  const Register first = code_.number_registers(form.count);
+  if (point.taught != nullptr) {
+    expressions_.load_variable(*point.taught, first, place_);
+    return first;
+  }
+  for (std::size_t i = 0; i < point.joints.size(); ++i) {
+    code_.load_real(static_cast<Register>(first + i), point.joints[i], robot_.axes[i].dimension,
+                    place_);
+  }
+  return first;
 }
 
 /// Registers are taken one behind another, so that they lie together.

@@ -56,6 +56,7 @@ Location StatementCompiler::declare(const Symbol& symbol) {
 
 /// Tells listings what the registers are called.
 void StatementCompiler::name_home(const Symbol& symbol, const Location& home) {
+  if (symbol.name.empty()) return;
   const bool text = is_text(symbol.type);
   code_.name_register(symbol.name, text ? home.texts.reg() : home.numbers.reg(), text);
 }

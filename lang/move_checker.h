@@ -32,7 +32,7 @@ class MoveChecker {
   // check_computed_targets.cpp
   bool check_value(const Move& move);
   void report_no_target(const Move& move, const Type& type);
-  void remember_value(const Expr& target);
+  void remember_value(const Move& move);
 
   bool check_shape(const Tuple& tuple, Place place);
   bool check_names(const Tuple& tuple);

@@ -38,6 +38,8 @@ class StatementCompiler {
   }
 
   void compile(const Move& move);
+  void compile_motion(const Move& move, const Symbol* taught);
+  Register compile_taught(const Symbol& point, MoveForm& form);
   void compile(const WatchedMotion& watched);
   void compile(const When& when);
   void compile(const WayPoint& event);
@@ -53,6 +55,8 @@ class StatementCompiler {
   void compile(const Teach& teach);
   void compile(const ZeroForce&) { code_.emit(Opcode::zero_force, place_); }
   void load_pose(const PoseValue& pose, Register first, Place place);
+  void keep_joints(const Symbol& point);
+  void teach_joints(const Symbol& point);
   void compile(const Assign& assign);
   void compile(const Pulse& pulse);
   void compile(const Print& print);
