@@ -18,6 +18,9 @@ bool MoveChecker::check_value(const Move& move, const ExprPtr& point) {
   if (!type.known()) return false;
   const std::string_view word = word_of(move.kind);
   if (type.is_place() && !move.by) {
+    if (const Symbol* const point = bare_point(move, checked_.program)) {
+      checked_.symbols[point->id].moved_to = true;
+    }
     return expressions_.accept(target, Type::pose(), fmt::format("{} needs", word)) &&
            check_frame(move, target);
   }
@@ -77,12 +80,14 @@ void MoveChecker::report_no_target(const Move& move, const Expr& target) {
                            : fmt::format("{}(140, 40, 0)", move.via.empty() ? word : "MOVE"));
 }
 
-void MoveChecker::judge_value(const Expr& target) {
-  const Constant value = known_value(target);
+/// `point`: where the target is a bare POINT.
+void MoveChecker::judge_value(const Expr& target, const Symbol* point) {
+  const bool by_joints = point != nullptr && known(point->value) && !point->joints.empty();
+  const Constant value = by_joints ? Constant(point->joints) : known_value(target);
   const auto* const slots = std::get_if<std::vector<double>>(&value);
   if (slots == nullptr) return;
   MoveCommand command;
-  const bool axes = target.type.is(Type::Kind::Joints);
+  const bool axes = by_joints || target.type.is(Type::Kind::Joints);
   command.means = axes ? MoveCommand::Target::Axes : MoveCommand::Target::Pose;
   command.count = static_cast<int>(slots->size());
   command.given = given_all(command.count);

@@ -124,8 +124,8 @@ void MoveChecker::judge_constants(const Move& move) {
   if (!places_are_known() || !move.clauses.surroundings.none()) return;
   if (move.by || move.target == nullptr || move.kind == MotionKind::Jog) return;
   if (move.axis == nullptr) {
-    for (const ExprPtr& point : move.via) judge_target(*point);
-    return judge_target(*move.target);
+    for (const ExprPtr& point : move.via) judge_target(*point, nullptr);
+    return judge_target(*move.target, bare_point(move, checked_.program));
   }
   const auto number = constant_number(*move.axis);
   if (!number) return;
@@ -137,9 +137,9 @@ void MoveChecker::judge_constants(const Move& move) {
   if (command.given != 0) judge(command, move.target->place);
 }
 
-void MoveChecker::judge_target(const Expr& target) {
+void MoveChecker::judge_target(const Expr& target, const Symbol* point) {
   const auto* const tuple = std::get_if<Tuple>(&target.node);
-  if (tuple == nullptr) return judge_value(target);
+  if (tuple == nullptr) return judge_value(target, point);
   MoveCommand command;
   const auto elements = by_coordinate(*tuple, robot_.coordinates);
   command.count = static_cast<int>(elements.size());

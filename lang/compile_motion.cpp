@@ -1,5 +1,6 @@
 #include <bit>
 
+#include "lang/fold.h"
 #include "lang/statement_compiler.h"
 #include "lang/target.h"
 
@@ -7,21 +8,37 @@
 namespace rob::lang {
 
 void StatementCompiler::compile(const Move& move) {
+  const Symbol* const point = bare_point(move, program_);
+  if (point == nullptr || point->taught == nullptr) {
+    const bool by_joints = point != nullptr && known(point->value) && !point->joints.empty();
+    return compile_motion(move, by_joints ? point : nullptr);
+  }
   const Place place = place_;
-  enter(move.clauses.surroundings);
-  compile_motion(move, place);
-  leave(move.clauses.surroundings, place);
+  const auto mark = code_.mark();
+  code_.emit(Opcode::if_bool, place, expressions_.variable(*point->has_taught, place), 0);
+  const CodeBuilder::Jump by_pose = code_.jump(place);
+  code_.release(mark);
+  compile_motion(move, point);
+  const CodeBuilder::Jump done = code_.jump(place);
+  code_.land(by_pose);
+  compile_motion(move, nullptr);
+  code_.land(done);
 }
 
-void StatementCompiler::compile_motion(const Move& move, Place place) {
+/// To the joints of a point, if that is given.
+void StatementCompiler::compile_motion(const Move& move, const Symbol* taught) {
+  const Place place = place_;
+  enter(move.clauses.surroundings);
   for (const ExprPtr& point : move.via) compile_via(*point, place);
   const auto mark = code_.mark();
   MoveForm form{.kind = move.kind, .relative = move.by};
   if (const Expr* const pace = live_pace(move.clauses)) compile_live(*pace);
-  const Register first = compile_way(move, form);
+  const Register first =
+      taught != nullptr ? compile_taught(*taught, form) : compile_way(move, form);
   compile_clauses(move.clauses, form);
   code_.move(first, form, place);
   code_.release(mark);
+  leave(move.clauses.surroundings, place);
 }
 
 void StatementCompiler::compile(const PlainMotions& motions) {
@@ -62,6 +79,23 @@ Register StatementCompiler::compile_rates(const Move& move, MoveForm& form) {
   Register next = first;
   for (const Tuple::Element* element : elements) {
     if (element != nullptr) expressions_.value_into(*element->value, next++, true);
+  }
+  return first;
+}
+
+/// The joints that a point was taught with: what the points file says, or TEACH has found.
+Register StatementCompiler::compile_taught(const Symbol& point, MoveForm& form) {
+  form.means = MoveCommand::Target::Axes;
+  form.count = static_cast<int>(robot_.axes.size());
+  form.given = given_all(form.count);
+  const Register first = code_.number_registers(form.count);
+  if (point.taught != nullptr) {
+    expressions_.load_variable(*point.taught, first, place_);
+    return first;
+  }
+  for (std::size_t i = 0; i < point.joints.size(); ++i) {
+    code_.load_real(static_cast<Register>(first + i), point.joints[i], robot_.axes[i].dimension,
+                    place_);
   }
   return first;
 }

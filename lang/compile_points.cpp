@@ -27,6 +27,7 @@ void StatementCompiler::compile(const PointDeclaration& declaration) {
     } else {
       expressions_.initialise(*declaration.value, home, symbol.type);
     }
+    if (symbol.moved_to && symbol.taught != nullptr) keep_joints(symbol);
   }
 }
 
@@ -46,8 +47,30 @@ void StatementCompiler::compile(const Teach& teach) {
     code_.emit(Opcode::pose_product, place_, pose, inverse, pose);
   }
   code_.teach(pose, symbol.name, frame, place_);
-  expressions_.store_point(symbol, pose, place_);
+  expressions_.store_variable(symbol, pose, place_);
+  if (symbol.moved_to) teach_joints(symbol);
   code_.release(mark);
+}
+
+/// The joints of a point that TEACH may change: at first those of the points file, if it has them.
+void StatementCompiler::keep_joints(const Symbol& point) {
+  const Location joints = declare(*point.taught);
+  const Location has = declare(*point.has_taught);
+  code_.load_integer(has.numbers.reg(), point.joints.empty() ? 0 : 1, place_);
+  for (std::size_t i = 0; i < point.joints.size(); ++i) {
+    code_.load_real(joints.numbers.behind(static_cast<int>(i)).reg(), point.joints[i],
+                    robot_.axes[i].dimension, place_);
+  }
+}
+
+/// At the standstill of TEACH the axes are where HERE was read.
+void StatementCompiler::teach_joints(const Symbol& point) {
+  const Register joints = code_.number_registers(static_cast<int>(robot_.axes.size()));
+  code_.emit(Opcode::read, place_, joints, static_cast<unsigned>(Reading::Joints));
+  expressions_.store_variable(*point.taught, joints, place_);
+  const Register known = code_.number_registers();
+  code_.load_integer(known, 1, place_);
+  expressions_.store_variable(*point.has_taught, known, place_);
 }
 
 }  // namespace rob::lang

@@ -24,7 +24,10 @@ std::vector<std::string> signal_names(const RobotSignature& robot) {
 }  // namespace
 
 StatementCompiler::StatementCompiler(const CheckedProgram& checked, const RobotSignature& robot)
-    : robot_(robot), code_(signal_names(robot)), expressions_(code_, checked.symbols.size()) {
+    : program_(checked.program),
+      robot_(robot),
+      code_(signal_names(robot)),
+      expressions_(code_, checked.symbols.size()) {
   code_.keep(checked.program.joints);
 }
 
@@ -66,6 +69,7 @@ Location StatementCompiler::declare_in_registers(const Symbol& symbol) {
 
 /// Tells listings what the registers are called.
 void StatementCompiler::name_home(const Symbol& symbol, const Location& home) {
+  if (symbol.name.empty()) return;
   const bool text = is_text(symbol.type);
   code_.name_register(symbol.name, text ? home.texts.reg() : home.numbers.reg(), text);
 }

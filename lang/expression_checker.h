@@ -52,6 +52,9 @@ class ExpressionChecker {
   /// no such channel.
   const Symbol* resolve_channel(Name& name, Place place);
 
+  /// The type JOINTS.
+  Type joints() const { return Type::joints(program_.joints.get()); }
+
   /// False, and a message, if it needs a force sensor that the robot does not have.
   bool has_sensor(Reading reading, Place place);
 
@@ -110,7 +113,6 @@ class ExpressionChecker {
   Type check_vectors(const Builtin& builtin, const Call& call);
 
   // JOINTS, and what is read of a force sensor (check_joints.cpp)
-  Type joints() const { return Type::joints(program_.joints.get()); }
   Type check_joints(const Call& call, Expr& expression);
   Type check_inverse(const Call& call);
   Type axis_type(const Index& index, const Type& joints);

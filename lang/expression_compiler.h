@@ -81,9 +81,19 @@ class ExpressionCompiler {
   };
   WatchCode watch(const Expr& condition);
 
-  /// A pose in registers becomes the value of a point.
-  void store_point(const Symbol& point, Register pose, Place place) {
-    store(home(point), point.type, pose, place);
+  /// What lies in registers becomes the value of a point or of another variable.
+  void store_variable(const Symbol& variable, Register value, Place place) {
+    store(home(variable), variable.type, value, place);
+  }
+  /// The value of a variable of numbers, into registers.
+  void load_variable(const Symbol& variable, Register target, Place place) {
+    load(home(variable), variable.type, target, place);
+  }
+  /// The same into new ones.
+  Register variable(const Symbol& variable, Place place) {
+    const Register target = result_register(variable.type);
+    load_variable(variable, target, place);
+    return target;
   }
 
  private:

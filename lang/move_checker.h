@@ -43,7 +43,7 @@ class MoveChecker {
   bool check_value(const Move& move, const ExprPtr& target);
   bool check_frame(const Move& move, const Expr& target);
   void report_no_target(const Move& move, const Expr& target);
-  void judge_value(const Expr& target);
+  void judge_value(const Expr& target, const Symbol* point);
 
   // Curves, SPIRAL, JOG (check_curves.cpp)
   bool check_way(const Move& move, Place place, bool guarded);
@@ -62,7 +62,7 @@ class MoveChecker {
   void remember_features(const Move& move, Place place);
   bool places_are_known() const;
   void judge_constants(const Move& move);
-  void judge_target(const Expr& target);
+  void judge_target(const Expr& target, const Symbol* point);
   void judge(const MoveCommand& command, Place place);
   void keep_component(MoveCommand& command, std::size_t i, const Expr& value,
                       Dimension dimension) const;

@@ -40,6 +40,8 @@ class StatementCompiler {
 
   void compile(const Move& move);
   void compile(const PlainMotions& motions);
+  void compile_motion(const Move& move, const Symbol* taught);
+  Register compile_taught(const Symbol& point, MoveForm& form);
   void compile(const WatchedMotion& watched);
   void compile(const When& when);
   void compile(const WayPoint& event);
@@ -71,6 +73,8 @@ class StatementCompiler {
   void compile(const Teach& teach);
   void compile(const ZeroForce&) { code_.emit(Opcode::zero_force, place_); }
   void load_pose(const PoseValue& pose, Register first, Place place);
+  void keep_joints(const Symbol& point);
+  void teach_joints(const Symbol& point);
   void compile(const Assign& assign);
   void compile(const RecordDeclaration&) {}
   void compile(const Pulse& pulse);
@@ -119,7 +123,6 @@ class StatementCompiler {
   /// What instructions look for in registers.
   Location declare_in_registers(const Symbol& symbol);
   void name_home(const Symbol& symbol, const Location& home);
-  void compile_motion(const Move& move, Place place);
   void compile_via(const Expr& point, Place place);
   Register compile_way(const Move& move, MoveForm& form);
   Register compile_rates(const Move& move, MoveForm& form);
@@ -131,6 +134,7 @@ class StatementCompiler {
   void compile_component(const Expr& component, Dimension dimension, Register target);
   void report_limit(Diagnostics& diagnostics) const;
 
+  const Program& program_;
   const RobotSignature& robot_;
   CodeBuilder code_;
   ExpressionCompiler expressions_;

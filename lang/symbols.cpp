@@ -180,6 +180,15 @@ const Symbol* Scopes::declare(Symbol symbol) {
   return declared;
 }
 
+const Symbol* Scopes::hide(const Type& type) {
+  Symbol symbol;
+  symbol.type = type;
+  symbol.global = true;
+  symbol.id = symbols_.size();
+  symbols_.push_back(std::move(symbol));
+  return &symbols_.back();
+}
+
 std::vector<std::string_view> Scopes::visible() const {
   std::vector<std::string_view> names;
   for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {

@@ -36,16 +36,20 @@ struct Symbol {
   std::size_t id = 0;  ///< dense, from 0: an index for what later stages know of it
   Constant value;      ///< where it is known before the program runs
   Reading reading{};   ///< of Kind::Reading
-  const TypeDetail* frame = nullptr;  ///< of a FRAME: the detail of poses in it
-  int signal = 0;                     ///< its index in the RobotSignature
-  bool output = false;                ///< a signal that may be assigned
-  int channel = 0;                    ///< n of DIN[n], DOUT[n], AIN[n] or AOUT[n]
-  bool analog = false;                ///< a signal that is a number
-  double low = 0;                     ///< of an analog signal, SI: what 0V stand for
-  double high = 0;                    ///< what kMostVolts stand for
-  bool global = false;                ///< declared at the top level: routines see it
-  bool by_reference = false;          ///< a REF parameter: stands for a variable of the caller
-  const Routine* routine = nullptr;   ///< of Kind::Routine
+  std::vector<double> joints{};        ///< of a point, as the points file has them
+  bool moved_to = false;               ///< a point that is by itself the target of a MOVE
+  const Symbol* taught = nullptr;      ///< of a point that TEACH changes: its joints, a variable
+  const Symbol* has_taught = nullptr;  ///< and a BOOL, whether they are known
+  const TypeDetail* frame = nullptr;   ///< of a FRAME: the detail of poses in it
+  int signal = 0;                      ///< its index in the RobotSignature
+  bool output = false;                 ///< a signal that may be assigned
+  int channel = 0;                     ///< n of DIN[n], DOUT[n], AIN[n] or AOUT[n]
+  bool analog = false;                 ///< a signal that is a number
+  double low = 0;                      ///< of an analog signal, SI: what 0V stand for
+  double high = 0;                     ///< what kMostVolts stand for
+  bool global = false;                 ///< declared at the top level: routines see it
+  bool by_reference = false;           ///< a REF parameter: stands for a variable of the caller
+  const Routine* routine = nullptr;    ///< of Kind::Routine
 };
 
 /// The names that may be used at one place of the program. Scopes nest; the outermost holds what
@@ -88,6 +92,8 @@ class Scopes {
   std::int64_t channels(std::string_view word) const;
   /// Declares in the innermost scope; what had the same name there is replaced.
   const Symbol* declare(Symbol symbol);
+  /// A global variable that no program can name.
+  const Symbol* hide(const Type& type);
   /// What is found out about a symbol behind its declaration.
   void define(const Symbol& symbol, const Routine& routine) {
     symbols_[symbol.id].routine = &routine;
@@ -101,6 +107,13 @@ class Scopes {
   /// While `only` holds, find() sees the top level and what is provided alone.
   void look_from_top(bool only) { top_only_ = only; }
   void refer(const Symbol& symbol) { symbols_[symbol.id].by_reference = true; }
+  void keep_joints(const Symbol& point, const std::vector<double>& joints) {
+    symbols_[point.id].joints = joints;
+  }
+  void teach(const Symbol& point, const Symbol& joints, const Symbol& known) {
+    symbols_[point.id].taught = &joints;
+    symbols_[point.id].has_taught = &known;
+  }
   /// All names that can be seen from here, for "did you mean".
   std::vector<std::string_view> visible() const;
 

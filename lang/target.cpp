@@ -107,6 +107,15 @@ std::optional<MoveCommand::Zone> zone_of(const Type& type) {
   return std::nullopt;
 }
 
+const Symbol* bare_point(const Move& move, const Program& program) {
+  if (program.surroundings) return nullptr;
+  if (move.kind != MotionKind::Joint || move.by || move.axis != nullptr) return nullptr;
+  const auto* const name = std::get_if<Name>(&move.target->node);
+  const bool point =
+      name != nullptr && name->symbol != nullptr && name->symbol->kind == Symbol::Kind::Point;
+  return point ? name->symbol : nullptr;
+}
+
 bool alike(const std::vector<RobotSignature::Coordinate>& axes) {
   return std::ranges::all_of(
       axes, [&](const auto& axis) { return axis.dimension == axes.front().dimension; });

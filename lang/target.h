@@ -6,6 +6,7 @@
 #include "lang/ast.h"
 #include "lang/move_command.h"
 #include "lang/robot_signature.h"
+#include "lang/symbols.h"
 
 /// What checker and compiler both have to know of target tuples and of clauses.
 namespace rob::lang {
@@ -53,6 +54,10 @@ std::optional<MoveCommand::Pace> pace_of(const Type& type);
 std::optional<MoveCommand::Bound> accel_of(const Type& type);
 std::optional<MoveCommand::Bound> jerk_of(const Type& type);
 std::optional<MoveCommand::Zone> zone_of(const Type& type);
+
+/// The POINT that is by itself the target of a MOVE, which goes to where the joints stood when it
+/// was taught; null for all other motions.
+const Symbol* bare_point(const Move& move, const Program& program);
 
 /// Whether axes all have one dimension.
 bool alike(const std::vector<RobotSignature::Coordinate>& axes);

@@ -168,6 +168,7 @@ class Reader {
       part.routines.clear();
       std::ranges::move(part.frame_uses, std::back_inserter(whole.frame_uses));
       whole.taught.merge(part.taught);
+      whole.surroundings = whole.surroundings || part.surroundings;
       whole.used_units.push_back(part.header.units);
       whole.used.push_back(std::move(part));
     }

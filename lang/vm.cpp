@@ -351,26 +351,7 @@ call_test : {
 expect_failed:
   ROB_ASK(machine_.expectation_failed(line(pc), texts_[pc->a()]), pc);
   ROB_NEXT(1);
-simulate:
-  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
-  ROB_ASK(simulate(pc, n[pc->a()].integer != 0 ? 1 : 0), pc);
-  ROB_NEXT(1);
-simulate_analog:
-  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
-  ROB_ASK(simulate(pc, n[pc->a()].real), pc);
-  ROB_NEXT(1);
-simulate_force:
-  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
-  ROB_ASK(simulate_force(pc), pc);
-  ROB_NEXT(1);
-simulate_go:
-  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
-  ROB_ASK(machine_.simulate_go(line(pc), n[pc->a()].integer != 0, n[pc->a() + 1].real), pc);
-  ROB_NEXT(1);
-simulate_answer:
-  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
-  ROB_ASK(machine_.simulate_answer(line(pc), texts_[pc->b()], n[pc->a() + 1].real), pc);
-  ROB_NEXT(1);
+#include "lang/vm_simulate.inc"
 open_try:
   if (!open_try(pc)) return fail_tries_too_deep(pc);
   ROB_NEXT(2);
