@@ -56,7 +56,7 @@ TEST_CASE("IN takes tuples, BY and free poses from the frame to the axes") {
   ends_at("MOVE(10, 20, 0) IN pallet\n", 200 - 20, 100 + 10, 90);
   ends_at("MOVE(10, 20, 0) IN pallet\nMOVE(x: 30) IN pallet\n", 180, 130, 90);
   ends_at("MOVE(150, 50, 0)\nMOVE BY (5, 7, 10) IN pallet\n", 150 - 7, 50 + 5, 10);
-  ends_at("MOVE(150, 50, 0)\nMOVEL BY (5mm, 7mm, 0mm) IN pallet\n", 143, 55, 0);
+  ends_at("VAR v = (5mm, 7mm, 0mm)\nMOVE(150, 50, 0)\nMOVEL BY v IN pallet\n", 143, 55, 0);
   ends_at("MOVE POSE(10mm, 20mm, 0mm) IN pallet\n", 180, 110, 90);
   ends_at("WITH IN pallet DO\nMOVE(10, 20, 0)\nMOVE(x: 30)\nENDWITH\nMOVE BY (1, 2, 0)\n", 181, 132,
           90);
@@ -118,9 +118,9 @@ TEST_CASE("rule 18: a change of the tool in a corner makes it exact, with a warn
 
 TEST_CASE("AT bounds the speed of the tip") {
   // A quarter turn takes a tip that is 30 mm off the axis 30·√2 mm further, as the crow flies.
-  const RunResult turned = foretold("MOVE BY (0, 0, 90) WITH pen AT 4mm/s\n");
+  const RunResult turned = foretold("MOVE JOINT 3 TO 90deg WITH pen AT 4mm/s\n");
   CHECK(turned.measured == doctest::Approx(30 * std::numbers::sqrt2 / 4 + 2.75));
-  CHECK(foretold("MOVE BY (0, 0, 90) AT 4mm/s\n").measured == doctest::Approx(90 / 20.0 + 2.75));
+  CHECK(foretold("MOVE JOINT 3 TO 90deg AT 4mm/s\n").measured == doctest::Approx(90 / 20.0 + 2.75));
 }
 
 TEST_CASE("OVERRIDE at standstill stretches what follows, and not a WAIT") {
