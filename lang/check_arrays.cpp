@@ -41,7 +41,7 @@ bool ExpressionChecker::fits_memory(const Type& element, std::int64_t count, Pla
 
 bool ExpressionChecker::complete(const Type& type, Place place) {
   if (type.is(Type::Kind::Record) && !type.detail->complete) {
-    const auto declared = find_declaration(program_, type.detail->name);
+    const auto declared = find_declaration(program_, type.detail->name, place.file);
     diagnostics_.error(
         code::kUnknownName, place,
         fmt::format("the record {} is not known here", shortened(type.detail->name)),
