@@ -8,6 +8,14 @@
 namespace rob::lang {
 
 void StatementCompiler::compile(const Move& move) {
+  const Place place = place_;
+  enter(move.clauses.surroundings);
+  compile_motion(move);
+  leave(move.clauses.surroundings, place);
+}
+
+/// Without its surroundings. A point that may have been taught is decided when it comes to it.
+void StatementCompiler::compile_motion(const Move& move) {
   const Symbol* const point = bare_point(move, program_);
   if (point == nullptr || point->taught == nullptr) {
     const bool by_joints = point != nullptr && known(point->value) && !point->joints.empty();
@@ -28,7 +36,6 @@ void StatementCompiler::compile(const Move& move) {
 /// To the joints of a point, if that is given.
 void StatementCompiler::compile_motion(const Move& move, const Symbol* taught) {
   const Place place = place_;
-  enter(move.clauses.surroundings);
   for (const ExprPtr& point : move.via) compile_via(*point, place);
   const auto mark = code_.mark();
   MoveForm form{.kind = move.kind, .relative = move.by};
@@ -38,7 +45,6 @@ void StatementCompiler::compile_motion(const Move& move, const Symbol* taught) {
   compile_clauses(move.clauses, form);
   code_.move(first, form, place);
   code_.release(mark);
-  leave(move.clauses.surroundings, place);
 }
 
 void StatementCompiler::compile(const PlainMotions& motions) {

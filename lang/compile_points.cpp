@@ -22,7 +22,7 @@ void StatementCompiler::compile(const PointDeclaration& declaration) {
       const auto mark = code_.mark();
       const Register pose = code_.number_registers(kPoseSlots);
       load_pose(point.kept.value_or(PoseValue{}), pose, place_);
-      expressions_.store_point(symbol, pose, place_);
+      expressions_.store_variable(symbol, pose, place_);
       code_.release(mark);
     } else {
       expressions_.initialise(*declaration.value, home, symbol.type);
@@ -54,13 +54,19 @@ void StatementCompiler::compile(const Teach& teach) {
 
 /// The joints of a point that TEACH may change: at first those of the points file, if it has them.
 void StatementCompiler::keep_joints(const Symbol& point) {
-  const Location joints = declare(*point.taught);
-  const Location has = declare(*point.has_taught);
-  code_.load_integer(has.numbers.reg(), point.joints.empty() ? 0 : 1, place_);
+  declare(*point.taught);
+  declare(*point.has_taught);
+  const auto mark = code_.mark();
+  const Register known = code_.number_registers();
+  code_.load_integer(known, point.joints.empty() ? 0 : 1, place_);
+  expressions_.store_variable(*point.has_taught, known, place_);
+  const Register joints = code_.number_registers(static_cast<int>(robot_.axes.size()));
   for (std::size_t i = 0; i < point.joints.size(); ++i) {
-    code_.load_real(joints.numbers.behind(static_cast<int>(i)).reg(), point.joints[i],
-                    robot_.axes[i].dimension, place_);
+    code_.load_real(static_cast<Register>(joints + i), point.joints[i], robot_.axes[i].dimension,
+                    place_);
   }
+  if (!point.joints.empty()) expressions_.store_variable(*point.taught, joints, place_);
+  code_.release(mark);
 }
 
 /// At the standstill of TEACH the axes are where HERE was read.

@@ -130,12 +130,12 @@ void StatementCompiler::compile(const WatchedMotion& watched) {
   enter(move.clauses.surroundings);
   for (const WayPoint& event : watched.events) compile(event);
   if (watched.until == nullptr) {
-    compile_motion(move, place);
+    compile_motion(move);
     return leave(move.clauses.surroundings, place);
   }
   const ExpressionCompiler::WatchCode watch = expressions_.watch(*watched.until);
   code_.emit(Instruction::ax(Opcode::guard, watch.values, watch.index), place);
-  compile_motion(move, place);
+  compile_motion(move);
   const Register hit = code_.number_registers();
   code_.emit(Opcode::ended, place, hit);
   leave(move.clauses.surroundings, place);

@@ -40,7 +40,9 @@ class StatementCompiler {
 
   void compile(const Move& move);
   void compile(const PlainMotions& motions);
+  void compile_motion(const Move& move);
   void compile_motion(const Move& move, const Symbol* taught);
+  const Expr* live_pace(const Clauses& clauses) const;
   Register compile_taught(const Symbol& point, MoveForm& form);
   void compile(const WatchedMotion& watched);
   void compile(const When& when);
