@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lang/diagnostic.h"
+#include "lang/expression_tree.h"
 #include "lang/motion_words.h"
 #include "lang/pose_math.h"
 #include "lang/types.h"
@@ -22,114 +23,8 @@
 /// reads it. The depth of a tree is bounded by the parser, so recursion over it is safe.
 namespace rob::lang {
 
-struct Expr;
 struct Statement;
-struct Symbol;
-struct Routine;
-using ExprPtr = std::unique_ptr<Expr>;
 using Block = std::vector<Statement>;
-
-// ---------------------------------------------------------------- expressions
-
-/// `10`, `0.5`, `20mm`: the value in SI. For a quantity the dimension is its unit's.
-struct NumberLiteral {
-  double value = 0;
-  std::int64_t integer = 0;  ///< the value where is_integer
-  bool is_integer = false;   ///< written without point, exponent or unit
-  Dimension dimension;
-  bool has_unit = false;  ///< written with a unit: tells 50% from 0.5, both dimensionless
-};
-struct BoolLiteral {
-  bool value = false;
-};
-struct StringLiteral {
-  std::string value;
-};
-/// A variable, constant, signal or built-in value; DIN[n], DOUT[n], AIN[n], AOUT[n] have an index.
-struct Name {
-  std::string text;
-  const Symbol* symbol = nullptr;  ///< set by the checker; owned by the CheckedProgram
-  ExprPtr index = nullptr;
-};
-
-enum class UnaryOp : std::uint8_t { Negate, Plus, Not };
-struct Unary {
-  UnaryOp op;
-  ExprPtr operand;
-};
-
-enum class BinaryOp : std::uint8_t {
-  Or,
-  Xor,
-  And,
-  Equal,
-  NotEqual,
-  Less,
-  LessEqual,
-  Greater,
-  GreaterEqual,
-  Add,
-  Subtract,
-  Multiply,
-  Divide,
-  Div,
-  Mod,
-  Power
-};
-struct Binary {
-  BinaryOp op;
-  ExprPtr left;
-  ExprPtr right;
-};
-
-/// `MAX(a, b)`, `place(part, above: 20mm)`: a built-in function or a routine of the program.
-struct Call {
-  std::string callee;
-  std::vector<ExprPtr> arguments;
-  std::vector<std::string> names;    ///< of the arguments; empty where one was not named
-  const Routine* routine = nullptr;  ///< set by the checker; null for a built-in function
-  std::vector<const Expr*> bound{};  ///< of a routine, set by the checker: one a parameter
-};
-
-/// `(140, , )` or `(x: 140mm)`. One unnamed element in parentheses is a group, not a tuple.
-struct Tuple {
-  struct Element {
-    std::string name;  ///< empty where it was not named
-    ExprPtr value;     ///< null where it was left out
-    Place place;
-  };
-  std::vector<Element> elements;
-};
-
-/// `v.x`, `part.size`.
-struct Member {
-  ExprPtr object;
-  std::string field;
-  Place field_place;
-};
-
-/// `a[i]`, `v[2]`.
-struct Index {
-  ExprPtr object;
-  ExprPtr index;
-};
-
-/// Any constant expression's value; settled by the checker. The last is the slots of a compound
-/// value of nothing but REALs.
-using Constant =
-    std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>>;
-
-struct Expr {
-  Place place;  ///< of the token a message should point at
-  std::variant<NumberLiteral, BoolLiteral, StringLiteral, Name, Unary, Binary, Call, Tuple, Member,
-               Index>
-      node;
-  Type type;  ///< set by the checker
-  /// Set by the checker: a pose in this FRAME that stands where one in the world is wanted.
-  mutable const Symbol* moved_from = nullptr;
-  Constant constant;  ///< set by the checker where the value is known before the program runs
-  int height = 1;     ///< levels of this tree; the parser keeps it at kMaxDepth (parser.h) at most
-};
 
 // ----------------------------------------------------------------- statements
 
@@ -193,6 +88,17 @@ struct Declaration {
   ExprPtr mass{};            ///< of TOOL; null where left out
   ExprPtr cog{};             ///< of TOOL: its centre of gravity; null where left out
   const TypeDetail* frame = nullptr;  ///< of FRAME: what poses in it have as their detail
+};
+/// RECORD part … ENDRECORD
+struct RecordDeclaration {
+  struct Fields {
+    std::vector<Declaration::Declared> names;
+    Type type;
+  };
+  Declaration::Declared declared;
+  std::vector<Fields> groups;
+  TypeDetail* detail = nullptr;  ///< what values of it have as their detail
+  bool sound = true;             ///< could be read
 };
 /// SIGNAL part_here = DIN[1] · SIGNAL wire: SPEED = AOUT[1] SCALE 0mm/s TO 300mm/s
 struct SignalDeclaration {
@@ -323,7 +229,8 @@ struct Statement {
   Place place;  ///< of its first word
   std::variant<Move, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration, Assign,
                Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
-               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach>
+               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach,
+               RecordDeclaration>
       node;
 };
 
@@ -346,7 +253,8 @@ struct Routine {
   std::vector<Parameters> parameters;
   Type result;  ///< of a FUNC
   Block body;
-  Place end;  ///< of ENDPROC or ENDFUNC
+  Place end;            ///< of ENDPROC or ENDFUNC
+  bool memory = false;  ///< set by the checker: not all it computes with fits into registers
 };
 
 /// ROBOT, UNITS and LAW: what holds for the whole program.
@@ -366,7 +274,17 @@ struct Program {
     const TypeDetail* frame = nullptr;
     Place place;
   };
-  std::map<std::string, TypeDetail> frames{};  ///< by name in capitals; details keep their address
+  /// The length in a type ARRAY[n] OF t, which the checker computes.
+  struct ArrayLength {
+    TypeDetail* array = nullptr;
+    ExprPtr length;
+    Place place;
+    bool settled = false;
+  };
+  /// Shared with the Chunk, whose types go on pointing into it.
+  std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>();
+  std::vector<ArrayLength> array_lengths{};
+  bool memory = false;  ///< as of Routine, of the top level
   std::vector<FrameUse> frame_uses{};
   std::set<std::string> taught{};  ///< names behind TEACH, in capitals
   /// Where END stands, or the end of the file if there is none.

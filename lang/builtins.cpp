@@ -216,11 +216,13 @@ const Builtin* find_builtin(std::string_view name, std::size_t arguments) {
 
 const Builtin* find_builtin(const Call& call) {
   const Builtin* const plain = find_builtin(call.callee, call.arguments.size());
-  if (plain == nullptr || call.arguments.empty() || !call.arguments.front()->type.is_place()) {
-    return plain;
-  }
+  if (plain == nullptr || call.arguments.empty()) return plain;
+  const Type& first = call.arguments.front()->type;
+  const bool array = first.is(Type::Kind::Array);
+  if (!array && !first.is_place()) return plain;
+  const BuiltinRule rule = array ? BuiltinRule::ArrayLength : BuiltinRule::Places;
   for (const Builtin& builtin : kBuiltins) {
-    if (builtin.name == plain->name && builtin.rule == BuiltinRule::Places &&
+    if (builtin.name == plain->name && builtin.rule == rule &&
         builtin.least == call.arguments.size()) {
       return &builtin;
     }

@@ -33,6 +33,7 @@ enum class BuiltinRule : std::uint8_t {
   AnyToText,       ///< any → STRING; compiled in line, so it has no function
   Random,          ///< none → REAL, two of one D → D; the Vm's own, so it has no function
   ToFrame,         ///< pose, FRAME → pose in it
+  ArrayLength,     ///< ARRAY → INT; known from its type, so it has no function
   Places,          ///< of poses, as its signature says
   Texts            ///< as its signature says
 };
@@ -70,8 +71,8 @@ struct Builtin {
 std::span<const Builtin> builtins();
 /// The one that takes so many arguments, or the first of that name, or null. `name` in any case.
 const Builtin* find_builtin(std::string_view name, std::size_t arguments);
-/// The one that a call with checked arguments means: of those that take so many, one for poses if
-/// the first argument is one.
+/// The one that a call with checked arguments means: of those that take so many, one for poses or
+/// arrays if the first argument is one.
 const Builtin* find_builtin(const Call& call);
 /// Whether a checked call computes with INT slots: all its arguments are INT, and the function has
 /// such a case. Otherwise its arguments are converted to REAL.

@@ -51,6 +51,8 @@ Type ExpressionChecker::check(Call& call, Expr& expression) {
   if (const Symbol* const symbol = scopes_.find(call.callee);
       symbol != nullptr && symbol->kind == Symbol::Kind::Routine) {
     return check_routine_call(call, expression, *symbol->routine);
+  } else if (symbol != nullptr && symbol->kind == Symbol::Kind::Record) {
+    return check_record(call, expression, symbol->type);
   }
   const Builtin* const builtin = resolve_function(call, expression.place);
   if (builtin == nullptr) return {};
@@ -136,6 +138,8 @@ Type ExpressionChecker::check_arguments(const Builtin& builtin, const Call& call
       return only(Type::real(), Type::integer());
     case BuiltinRule::AnyToText:
       return Type::string();
+    case BuiltinRule::ArrayLength:
+      return Type::integer();
     case BuiltinRule::Random:
       return call.arguments.empty() ? Type::real() : common_dimension(call);
     case BuiltinRule::ToFrame:
@@ -254,6 +258,7 @@ Type ExpressionChecker::common_dimension(const Call& call) {
 }
 
 void ExpressionChecker::fold_call(const Builtin& builtin, const Call& call, Expr& expression) {
+  if (builtin.rule == BuiltinRule::ArrayLength) return fold_length(call, expression);
   if (builtin.rule == BuiltinRule::Random || builtin.rule == BuiltinRule::Texts) return;
   if (builtin.rule == BuiltinRule::AnyToText) {
     const Expr& value = *call.arguments.front();

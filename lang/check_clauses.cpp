@@ -29,6 +29,7 @@ bool only_bare_literals(const Expr& expression) {
     bool operator()(const StringLiteral&) const { return false; }
     bool operator()(const Name&) const { return false; }
     bool operator()(const Tuple&) const { return false; }
+    bool operator()(const List&) const { return false; }
     bool operator()(const Member&) const { return false; }
     bool operator()(const Index&) const { return false; }
   };

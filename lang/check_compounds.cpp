@@ -60,6 +60,7 @@ Type ExpressionChecker::check(Member& member, Expr& expression) {
   }
   const auto field = field_of(whole, member.field);
   if (!field) {
+    if (whole.is(Type::Kind::Record) && whole.detail->faulty) return {};
     const auto names = field_names(whole);
     std::string help = did_you_mean(suggest(member.field, names));
     if (help.empty() && !names.empty()) help = fmt::format("it has {}", fmt::join(names, ", "));
@@ -87,7 +88,7 @@ Type ExpressionChecker::check(Index& index, Expr& expression) {
     return elements->type;
   }
   const auto* const number = std::get_if<std::int64_t>(&index.index->constant);
-  if (number == nullptr) return elements->type;
+  if (number == nullptr || elements->count == 0) return elements->type;
   if (*number >= 1 && *number <= elements->count) {
     const int size = slots_of(elements->type).numbers;
     expression.constant =

@@ -29,6 +29,7 @@ std::string described(const Expr& expression) {
 Type ExpressionChecker::check(const ExprPtr& expression) {
   if (expression == nullptr) return {};
   expression->type = check_node(*expression);
+  memory_use_ = memory_use_ || !expression->type.in_registers();
   return expression->type;
 }
 
@@ -99,6 +100,10 @@ bool ExpressionChecker::accept(const Expr& expression, const Type& wanted,
             : "");
     return false;
   }
+  if (const auto* const list = std::get_if<List>(&expression.node);
+      list != nullptr && wanted.is(Type::Kind::Array)) {
+    return accept_list(expression, *list, wanted, needed);
+  }
   std::string help;
   if (wanted == Type::integer() && type == Type::real()) {
     help = "ROUND, TRUNC, FLOOR and CEIL make a whole number of it";
@@ -135,6 +140,11 @@ const Symbol* ExpressionChecker::resolve(std::string_view name, Place place) {
     diagnostics_.error(code::kNotAFunction, place,
                        fmt::format("{} is a routine, not a value", shortened(name)),
                        fmt::format("call it: {}(…)", shortened(name)));
+    return nullptr;
+  } else if (symbol->kind == Symbol::Kind::Record) {
+    diagnostics_.error(code::kNotAFunction, place,
+                       fmt::format("{} is a record, not a value", shortened(name)),
+                       fmt::format("build one: {}(…)", shortened(name)));
     return nullptr;
   } else {
     uses_.used(*symbol);

@@ -132,7 +132,7 @@ Type ExpressionChecker::check_logical(Binary& binary, Expr& expression) {
 }
 
 Type ExpressionChecker::check_comparison(const Binary& binary, const Expr& expression) {
-  if (binary.left->type.is_place() || binary.right->type.is_place()) {
+  if (holds_place(binary.left->type) || holds_place(binary.right->type)) {
     diagnostics_.error(
         code::kPoseOperands, expression.place,
         fmt::format("'{}' does not compare poses, which are hardly ever equal to the "
@@ -142,7 +142,13 @@ Type ExpressionChecker::check_comparison(const Binary& binary, const Expr& expre
     return Type::boolean();
   }
   const Type common = common_type(binary.left->type, binary.right->type);
-  if (unknown(common)) {
+  const bool left_list = std::holds_alternative<List>(binary.left->node);
+  if (unknown(common) && left_list != std::holds_alternative<List>(binary.right->node) &&
+      binary.op <= BinaryOp::NotEqual) {
+    const Expr& list = left_list ? *binary.left : *binary.right;
+    const Expr& other = left_list ? *binary.right : *binary.left;
+    accept(list, other.type, fmt::format("'{}' needs", symbol_of(binary.op)));
+  } else if (unknown(common)) {
     unlike(binary, expression);
   } else if (common == Type::boolean() && binary.op > BinaryOp::NotEqual) {
     diagnostics_.error(code::kTypeMismatch, expression.place,

@@ -25,6 +25,7 @@ Type ExpressionChecker::check_routine_call(Call& call, const Expr& expression,
   const bool statement = &expression == statement_;
   call.routine = &routine;
   uses_.called(routine, expression.place);
+  complete_header(routine);
   if (statement && routine.function) {
     diagnostics_.error(
         code::kRoutineMisused, expression.place,

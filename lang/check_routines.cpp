@@ -22,6 +22,7 @@ void StatementChecker::check(Program& program) {
     uses_.next_statement();
     check(statement);
   }
+  program.memory = take_memory_use();
   moves_.warn_of_zones(program.statements);
   missing_.enter_routines();
   for (Routine& routine : program.routines) check(routine);
@@ -48,10 +49,12 @@ void StatementChecker::declare(const Routine& routine) {
 void StatementChecker::check(Routine& routine) {
   routine_ = &routine;
   uses_.enter(&routine);
+  expressions_.complete_header(routine);
   scopes_.enter();
   check_parameters(routine);
   for (Statement& statement : routine.body) check(statement);
   scopes_.leave();
+  routine.memory = take_memory_use();
   uses_.enter(nullptr);
   routine_ = nullptr;
   if (!routine.function || ending_of(routine.body) != Ending::Surely) return;

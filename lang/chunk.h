@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,14 @@ struct Instruction {
 inline constexpr std::size_t kFarthestJump = (std::size_t{1} << 23) - 1;
 /// Number registers, and text registers, that one frame can have: what fits 8 bits.
 inline constexpr int kMostRegisters = 256;
+/// Of these the ones that variables may take; further ones lie in memory. [choice] what is left is
+/// enough for FOR, and for all that one statement computes.
+inline constexpr int kVariableRegisters = 160;
+
+/// The registers of all frames together; the frames' memory lies behind them (kMemory). [choice]
+/// the numbers take 512 KiB.
+inline constexpr std::size_t kNumberStack = 65536;
+inline constexpr std::size_t kTextStack = 1024;
 
 /// What a `move` instruction finds in the registers from A on: the number of the axis where it is
 /// computed, the given components in order, then the values of AT, OVER, ACCEL, JERK and ZONE.
@@ -114,6 +123,7 @@ struct RoutineCode {
   std::uint32_t entry = 0;
   int registers = 0;
   int text_registers = 0;
+  Slots memory;  ///< behind the registers
 };
 
 /// A TEST: what it is called, where it stands, and its routine.
@@ -142,6 +152,8 @@ struct Chunk {
   std::uint32_t test_entry = 0;  ///< where every TEST begins: with the program's declarations
   int registers = 0;             ///< of the top level
   int text_registers = 0;
+  Slots memory;                                 ///< of the top level, behind its registers
+  std::shared_ptr<const TypeTable> type_table;  ///< where `types` point to
 };
 
 /// "add_int", and what its operands are: the letters of opcodes.def.

@@ -125,6 +125,11 @@ void CodeBuilder::append_value(Register text, Register first, const Type& type, 
   emit(operand_word(index_in(chunk_.types, type)), place);
 }
 
+void CodeBuilder::append_memory(Register text, Register places, const Type& type, Place place) {
+  emit(Opcode::append_memory, place, text, places, static_cast<unsigned>(places + 1));
+  emit(operand_word(index_in(chunk_.types, type)), place);
+}
+
 void CodeBuilder::move(Register first, const MoveForm& form, Place place) {
   const std::size_t index = index_in(chunk_.moves, form);
   if (index > std::numeric_limits<std::uint16_t>::max()) fail(Limit::Motions, place);
@@ -162,7 +167,29 @@ void CodeBuilder::name_register(const std::string& name, Register index, bool te
   chunk_.names.push_back({.name = name, .index = index, .text = text, .from = now, .to = now});
 }
 
+void CodeBuilder::open_memory(Place place) {
+  memory_register_ = number_registers(2);
+  reserves_.push_back(here());
+  emit(Opcode::reserve, place, *memory_register_);
+  emit(operand_word(0), place);
+  emit(operand_word(0), place);
+}
+
+Slots CodeBuilder::take_memory(Slots slots, Place place) {
+  const Slots first = memory_;
+  // Each part is within kMemory, so this many of them cannot overflow before the code is given up.
+  memory_ = memory_ + slots;
+  if (memory_.numbers > kMemory.numbers || memory_.texts > kMemory.texts) {
+    fail(Limit::Memory, place);
+    memory_ = first;
+  }
+  most_memory_ = {std::max(most_memory_.numbers, memory_.numbers),
+                  std::max(most_memory_.texts, memory_.texts)};
+  return first;
+}
+
 void CodeBuilder::release(const Mark& mark) {
+  memory_ = mark.memory;
   numbers_.used = mark.numbers;
   texts_.used = mark.texts;
   while (live_names_.size() > mark.names) {
@@ -175,13 +202,22 @@ void CodeBuilder::begin_routine(const std::string& name) {
   close_frame();
   numbers_ = {};
   texts_ = {};
-  chunk_.routines.push_back({.name = name, .entry = static_cast<std::uint32_t>(here())});
+  memory_ = most_memory_ = {};
+  memory_register_.reset();
+  reserves_.clear();
+  chunk_.routines.push_back(
+      {.name = name, .entry = static_cast<std::uint32_t>(here()), .memory = {}});
 }
 
 void CodeBuilder::close_frame() {
   const bool top = chunk_.routines.empty();
   (top ? chunk_.registers : chunk_.routines.back().registers) = numbers_.most;
   (top ? chunk_.text_registers : chunk_.routines.back().text_registers) = texts_.most;
+  (top ? chunk_.memory : chunk_.routines.back().memory) = most_memory_;
+  for (const std::size_t reserve : reserves_) {
+    chunk_.code[reserve + 1] = operand_word(static_cast<std::size_t>(most_memory_.numbers));
+    chunk_.code[reserve + 2] = operand_word(static_cast<std::size_t>(most_memory_.texts));
+  }
 }
 
 void CodeBuilder::call(std::size_t routine, Register numbers, Register texts, Place place) {

@@ -45,6 +45,8 @@ class CodeBuilder {
   void append_real(Register text, Register value, Dimension dimension, Place place);
   /// A compound value whose slots begin at a register.
   void append_value(Register text, Register first, const Type& type, Place place);
+  /// A value whose numbers and texts begin at the places in two registers.
+  void append_memory(Register text, Register places, const Type& type, Place place);
   void move(Register first, const MoveForm& form, Place place);
 
   /// A jump forward, aimed later with land().
@@ -65,8 +67,22 @@ class CodeBuilder {
     int numbers;
     int texts;
     std::size_t names;
+    Slots memory;
   };
-  Mark mark() const { return {numbers_.used, texts_.used, live_names_.size()}; }
+  Mark mark() const { return {numbers_.used, texts_.used, live_names_.size(), memory_}; }
+  /// Whether so many registers are left for a variable.
+  bool has_room(Slots slots) const {
+    return numbers_.used + slots.numbers <= kVariableRegisters &&
+           texts_.used + slots.texts <= kVariableRegisters;
+  }
+
+  /// The present frame has memory behind its registers; how much turns out at its end.
+  void open_memory(Place place);
+  bool has_memory() const { return memory_register_.has_value(); }
+  /// Holds the place of that memory's numbers; the one behind it that of its texts.
+  Register memory_register() const { return *memory_register_; }
+  /// Takes slots of the memory; where they begin in it.
+  Slots take_memory(Slots slots, Place place);
   /// Gives back all registers taken, and forgets all names given, since `mark`.
   void release(const Mark& mark);
   /// Tells listings that a variable lives in a register from here on.
@@ -99,7 +115,7 @@ class CodeBuilder {
   /// Arms a watch; `level`: how many stand before it in its frame.
   void when(Register values, std::uint16_t watch, std::size_t level, Place place);
 
-  enum class Limit { None, Registers, Jump, Dimensions, Motions, Watch, WatchLength };
+  enum class Limit { None, Registers, Memory, Jump, Dimensions, Motions, Watch, WatchLength };
   /// The limit that was exceeded, and where first.
   Limit failed() const { return failed_; }
   Place failed_at() const { return failed_at_; }
@@ -133,6 +149,10 @@ class CodeBuilder {
   bool watching_ = false;  ///< watch_ is open
   Registers numbers_;
   Registers texts_;
+  Slots memory_;  ///< in use
+  Slots most_memory_;
+  std::optional<Register> memory_register_;
+  std::vector<std::size_t> reserves_;    ///< `reserve` instructions of the present frame
   std::vector<std::size_t> live_names_;  ///< indices into chunk_.names
   /// Constants are kept once: by bits, kind and dimension (which only listings look at).
   std::map<std::tuple<std::uint64_t, Type::Kind, Dimension>, std::uint32_t> constant_indices_;

@@ -20,6 +20,7 @@ Compilation compile(std::string_view source, const RobotSignature& robot,
   compilation.features = std::move(checked.features);
   compilation.missing_points = std::move(checked.missing_points);
   if (!diagnostics.has_errors()) compilation.chunk = generate(checked, signature, diagnostics);
+  if (compilation.chunk) compilation.chunk->type_table = checked.program.types;
   return compilation;
 }
 

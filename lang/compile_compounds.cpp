@@ -57,6 +57,7 @@ void ExpressionCompiler::negate_vector(const Unary& unary, const Expr& expressio
 /// There is no -0 and nothing that is not a number, so values are equal where their slots are.
 CodeBuilder::Jumps ExpressionCompiler::jumps_of_compounds(const Binary& binary, bool when,
                                                           Place place) {
+  if (!binary.left->type.in_registers()) return jumps_of_memory(binary, when, place);
   const int count = slots_of(binary.left->type).numbers;
   Register left = 0;
   if (calls_routine(*binary.right)) {
@@ -74,6 +75,10 @@ CodeBuilder::Jumps ExpressionCompiler::jumps_of_compounds(const Binary& binary, 
 
 void ExpressionCompiler::append_compound(const Expr& expression, Register text) {
   const auto mark = code_.mark();
+  if (!expression.type.in_registers()) {
+    code_.append_memory(text, refer_whole(expression), expression.type, expression.place);
+    return code_.release(mark);
+  }
   code_.append_value(text, operand(expression, false), expression.type, expression.place);
   code_.release(mark);
 }

@@ -106,12 +106,17 @@ void ExpressionCompiler::append_value(const Expr& expression, Register text) {
 }
 
 Register ExpressionCompiler::result_register(const Type& type) {
-  const Location fresh = temporary(type);
+  const Location fresh = temporary(type, {});
   return type.kind == Type::Kind::String ? fresh.texts.reg() : fresh.numbers.reg();
 }
 
 Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
   const bool convert = as_real && expression.type == Type::integer();
+  if (!convert && expression.moved_from == nullptr && is_number_element(expression)) {
+    const Register target = code_.number_registers();
+    load_element(std::get<Index>(expression.node), target, expression.place);
+    return target;
+  }
   if (!convert && expression.moved_from == nullptr && is_variable(expression)) {
     const Location at = locate(expression);
     const SlotsAt& part = is_text(expression) ? at.texts : at.numbers;
@@ -123,7 +128,8 @@ Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
   // What a routine returns stays where the call has left it.
   if (const auto* const call = std::get_if<Call>(&expression.node);
       call != nullptr && call->routine != nullptr && !convert && expression.moved_from == nullptr) {
-    return call_routine(*call, expression);
+    const Location result = call_routine(*call, expression);
+    return is_text(expression) ? result.texts.reg() : result.numbers.reg();
   }
   const Register target = result_register(expression.type);
   into(expression, target, as_real);
@@ -158,6 +164,8 @@ void ExpressionCompiler::into_as_it_is(const Expr& expression, Register target, 
   } else if (const auto* const member = std::get_if<Member>(&expression.node);
              member != nullptr && angle_of(member->object->type, member->field)) {
     compile_angle(*member, target, expression.place);
+  } else if (is_number_element(expression)) {
+    load_element(std::get<Index>(expression.node), target, expression.place);
   } else if (std::holds_alternative<Member>(expression.node) ||
              std::holds_alternative<Index>(expression.node)) {
     load(locate(expression), expression.type, target, expression.place);
@@ -264,9 +272,8 @@ bool ExpressionCompiler::compile_by_constant(const Binary& binary, const Expr& e
 
 void ExpressionCompiler::compile(const Call& call, const Expr& expression, Register target) {
   if (call.routine != nullptr) {
-    const Register result = call_routine(call, expression);
-    if (is_text(expression)) return code_.emit(Opcode::copy_text, expression.place, target, result);
-    return copy_registers(target, result, slots_of(expression.type).numbers, expression.place);
+    const Location result = call_routine(call, expression);
+    return load(result, expression.type, target, expression.place);
   }
   const Builtin& builtin = *find_builtin(call);
   if (builtin.rule == BuiltinRule::AnyToText) {
@@ -275,6 +282,11 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
     append(*call.arguments.front(), text);
     code_.emit(Opcode::copy_text, expression.place, target, text);
     return;
+  }
+  if (builtin.rule == BuiltinRule::ArrayLength) {
+    const Expr& array = *call.arguments.front();
+    locate(array);
+    return code_.load_integer(target, array.type.detail->length, expression.place);
   }
   if (builtin.rule == BuiltinRule::Random) return draw(call, expression, target);
   if (builtin.rule == BuiltinRule::Texts) return call_on_texts(builtin, call, expression, target);

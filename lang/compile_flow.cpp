@@ -44,7 +44,7 @@ void StatementCompiler::compile(const For& loop) {
   const Place place = place_;
   const auto mark = code_.mark();
   const bool real = loop.symbol->type.kind == Type::Kind::Real;
-  const Register value = declare(*loop.symbol).numbers.reg();
+  const Register value = declare_in_registers(*loop.symbol).numbers.reg();
   code_.number_registers(real ? 4 : 2);
   expressions_.value_into(*loop.from, value, real);
   expressions_.value_into(*loop.to, static_cast<Register>(value + 1), real);

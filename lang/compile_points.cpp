@@ -19,9 +19,13 @@ void StatementCompiler::compile(const PointDeclaration& declaration) {
     if (known(symbol.value)) continue;
     const Location home = declare(symbol);
     if (point.kept || declaration.value == nullptr) {
-      load_pose(point.kept.value_or(PoseValue{}), home.numbers.reg(), place_);
+      const auto mark = code_.mark();
+      const Register pose = code_.number_registers(kPoseSlots);
+      load_pose(point.kept.value_or(PoseValue{}), pose, place_);
+      expressions_.store_point(symbol, pose, place_);
+      code_.release(mark);
     } else {
-      expressions_.value_into(*declaration.value, home.numbers.reg());
+      expressions_.initialise(*declaration.value, home, symbol.type);
     }
   }
 }

@@ -11,6 +11,7 @@ namespace rob::lang {
 void StatementCompiler::compile_test_entry(const Program& program) {
   code_.begin_tests();
   const auto mark = code_.mark();
+  if (program.memory) code_.open_memory(program.end);
   for (const Statement& statement : program.statements) {
     if (std::holds_alternative<Declaration>(statement.node) ||
         std::holds_alternative<PointDeclaration>(statement.node)) {

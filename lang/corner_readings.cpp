@@ -42,6 +42,12 @@ struct ReadingFinder {
     }
     return nullptr;
   }
+  const Expr* operator()(const List& list) const {
+    for (const ExprPtr& element : list.elements) {
+      if (const Expr* const found = reading_in(element)) return found;
+    }
+    return nullptr;
+  }
   const Expr* operator()(const Member& member) const { return reading_in(member.object); }
   const Expr* operator()(const Index& index) const {
     const Expr* const object = reading_in(index.object);

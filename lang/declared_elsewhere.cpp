@@ -27,6 +27,9 @@ struct Search {
   Found operator()(const SignalDeclaration& signal) const {
     return to_upper(signal.name) == key ? Found(signal.name_place) : std::nullopt;
   }
+  Found operator()(const RecordDeclaration& record) const {
+    return to_upper(record.declared.name) == key ? Found(record.declared.place) : std::nullopt;
+  }
   Found operator()(const If& conditional) const {
     for (const If::Branch& branch : conditional.branches) {
       if (const Found found = search(branch.body, key)) return found;

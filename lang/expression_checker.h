@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "lang/ast.h"
 #include "lang/builtins.h"
@@ -17,9 +18,9 @@ namespace rob::lang {
 /// reports what does not fit together. What is wrong becomes Unknown, which fits everywhere.
 class ExpressionChecker {
  public:
-  /// `program` is only searched, for names that are declared elsewhere.
-  ExpressionChecker(const Scopes& scopes, const Program& program, RoutineUses& uses,
-                    MissingPoints& missing, Diagnostics& diagnostics)
+  /// `program` is searched for names that are declared elsewhere; types are completed in it.
+  ExpressionChecker(Scopes& scopes, Program& program, RoutineUses& uses, MissingPoints& missing,
+                    Diagnostics& diagnostics)
       : scopes_(scopes),
         program_(program),
         uses_(uses),
@@ -46,6 +47,15 @@ class ExpressionChecker {
   /// no such channel.
   const Symbol* resolve_channel(Name& name, Place place);
 
+  // Arrays and records (check_arrays.cpp)
+  /// Computes the length of an ARRAY in a written type; false, and a message at `place`, where that
+  /// is faulty, or a record in it is not known yet.
+  bool complete(const Type& type, Place place);
+  /// The same for all types in the head of a routine.
+  void complete_header(const Routine& routine);
+  /// Whether a value was met that does not lie in registers, since it was last asked.
+  bool take_memory_use() { return std::exchange(memory_use_, false); }
+
   /// The FRAME that a pose is in; null for the world, and where none was found.
   const Symbol* frame_of(const Type& pose) const;
 
@@ -67,6 +77,7 @@ class ExpressionChecker {
   Type check(Call& call, Expr& expression);
   Type check(Member& member, Expr& expression);
   Type check(Index& index, Expr& expression);
+  Type check(List& list, Expr& expression);
 
   Type check_logical(Binary& binary, Expr& expression);
   Type check_comparison(const Binary& binary, const Expr& expression);
@@ -90,6 +101,18 @@ class ExpressionChecker {
 
   Type check_vectors(const Builtin& builtin, const Call& call);
 
+  // Arrays (check_arrays.cpp)
+  bool fits_memory(const Type& element, std::int64_t count, Place place);
+  void settle_length(Program::ArrayLength& written);
+  Type element_type(const Type& a, const Type& b);
+  bool accept_list(const Expr& expression, const List& list, const Type& wanted,
+                   std::string_view needed);
+  static void fold_length(const Call& call, Expr& expression);
+
+  // Records (check_records.cpp)
+  Type check_record(Call& call, const Expr& expression, const Type& record);
+  bool bind_field(Call& call, const Expr& value, const std::string& name);
+
   // Routines (check_routine_calls.cpp)
   Type check_routine_call(Call& call, const Expr& expression, const Routine& routine);
   bool bind(Call& call, Place place, const Routine& routine);
@@ -107,12 +130,13 @@ class ExpressionChecker {
   void report_unknown(std::string_view name, Place place);
   const Builtin* resolve_function(const Call& call, Place place);
 
-  const Scopes& scopes_;
-  const Program& program_;
+  Scopes& scopes_;
+  Program& program_;
   RoutineUses& uses_;
   MissingPoints& missing_;
   Diagnostics& diagnostics_;
   int unreached_ = 0;
+  bool memory_use_ = false;
   const Expr* statement_ = nullptr;  ///< the call that is a statement of its own
 };
 

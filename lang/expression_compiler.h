@@ -27,10 +27,16 @@ class ExpressionCompiler {
   void enter_routine() { in_routine_ = true; }
   /// Gives a variable or a part of one, wherever it lives, the value of an expression.
   void assign(const Expr& target, const Expr& value);
-  /// Gives a variable whose slots lie in registers the value of another one.
-  void copy(const Location& from, const Location& to, const Type& type, Place place) {
-    store(to, type, type.is(Type::Kind::String) ? from.texts.reg() : from.numbers.reg(), place);
-  }
+  /// Gives a variable the value of another one of its type.
+  void copy(const Location& from, const Location& to, const Type& type, Place place);
+  /// Gives a new variable the value of an expression, which cannot use it.
+  void initialise(const Expr& value, const Location& home, const Type& type);
+  /// 0, FALSE, "".
+  void clear(const Location& home, const Type& type, Place place);
+  /// Slots of the memory of the present frame.
+  Location memory(Slots slots, Place place);
+  /// Brings a whole array or record from one place to another.
+  void copy_memory(const Location& to, const Location& from, Slots slots, Place place);
   /// A comparison whose sides stay at hand; `holds`: the jumps that are taken if it is TRUE.
   struct Compared {
     CodeBuilder::Jumps holds;
@@ -85,8 +91,10 @@ class ExpressionCompiler {
   Register operand_before(const Expr& then, const Expr& expression, bool as_real);
 
   // Routines (compile_calls.cpp)
-  Register call_routine(const Call& call, const Expr& expression);
-  void pass_reference(const Expr& argument, const Location& home, Register first);
+  Location call_routine(const Call& call, const Expr& expression);
+  /// Registers for the places of a value.
+  void pass_places(const Location& at, const Type& type, const Location& home, Register first,
+                   Place place);
   void load(const Expr& expression, Register target, bool as_real);
   void append(const Expr& expression, Register text);
 
@@ -96,7 +104,7 @@ class ExpressionCompiler {
   bool is_variable(const Expr& expression) const;
   /// Where a value lies; what is no variable is computed into registers of its own.
   Location locate(const Expr& expression);
-  Location temporary(const Type& type);
+  Location temporary(const Type& type, Place place);
   Location element(const Index& index);
   SlotsAt element_at(SlotsAt whole, bool text, Register which, std::int64_t count, int size,
                      Place place);
@@ -109,6 +117,21 @@ class ExpressionCompiler {
   void load_text(SlotsAt from, Register target, Place place);
   void store_text(SlotsAt to, Register value, Place place);
   Register result_register(const Type& type);
+
+  // Arrays and records (compile_memory.cpp)
+  SlotsAt reached(SlotsAt at, bool text, Place place);
+  Location reached(const Location& home, const Type& type, Place place);
+  /// A value into slots, wherever they lie, that hold nothing which it needs.
+  void put(const Expr& value, const Location& to, const Type& type);
+  void put_record(const Call& call, const Location& to, Place place);
+  void assign_memory(const Expr& target, const Expr& value);
+  static bool is_number_element(const Expr& expression);
+  void load_element(const Index& index, Register target, Place place);
+  void store_element(const Index& index, Register value, Place place);
+  Register refer_whole(const Expr& expression);
+  /// `keep`: what is computed later may change the variable that it is.
+  Location located_as(const Expr& expression, const Type& type, bool keep);
+  CodeBuilder::Jumps jumps_of_memory(const Binary& binary, bool when, Place place);
 
   // Poses (compile_poses.cpp)
   void into_world(const Expr& expression, Register target);

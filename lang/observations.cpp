@@ -32,6 +32,11 @@ int observations(const Expr& expression) {
       }
       return sum;
     }
+    int operator()(const List& list) const {
+      int sum = 0;
+      for (const ExprPtr& element : list.elements) sum += observations(*element);
+      return sum;
+    }
     int operator()(const Member& member) const { return observations(*member.object); }
     int operator()(const Index& index) const {
       return observations(*index.object) + observations(*index.index);

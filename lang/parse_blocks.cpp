@@ -28,6 +28,7 @@ bool takes_lines(Keyword keyword) {
     case Keyword::Var:
     case Keyword::Const:
     case Keyword::Signal:
+    case Keyword::Record:
     case Keyword::End:
       return true;
     default:

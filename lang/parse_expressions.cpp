@@ -206,7 +206,7 @@ ExprPtr Parser::primary() {
   if (at(Keyword::True) || at(Keyword::On)) return literal(BoolLiteral{true});
   if (at(Keyword::False) || at(Keyword::Off)) return literal(BoolLiteral{false});
   if (at(TokenKind::LeftParen)) return parenthesized();
-  if (at(TokenKind::LeftBracket)) fail_not_yet(current_.place, "a list in brackets");
+  if (at(TokenKind::LeftBracket)) return list();
   fail_value();
 }
 

@@ -82,7 +82,7 @@ Type Parser::pose_type() {
 
 /// One detail for each name, so that types are equal where their frames are.
 const TypeDetail* Parser::frame_named(std::string_view name) {
-  TypeDetail& detail = frames_[to_upper(name)];
+  TypeDetail& detail = types_->frames[to_upper(name)];
   if (detail.name.empty()) detail.name = name;
   return &detail;
 }

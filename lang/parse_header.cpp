@@ -18,7 +18,8 @@ constexpr std::array<std::string_view, 2> kLaws{"PAUL", "LOOKAHEAD"};
 
 bool declares(const Statement& statement) {
   return std::holds_alternative<Declaration>(statement.node) ||
-         std::holds_alternative<SignalDeclaration>(statement.node);
+         std::holds_alternative<SignalDeclaration>(statement.node) ||
+         std::holds_alternative<RecordDeclaration>(statement.node);
 }
 
 }  // namespace

@@ -106,19 +106,29 @@ void Parser::return_statement(Block& block) {
   add(block, place, std::move(node));
 }
 
-/// Whether a PROC or FUNC of this name stands anywhere in the text.
-bool Parser::names_routine(std::string_view name) {
-  if (!routine_names_) {
-    routine_names_.emplace();
-    Lexer lexer = Lexer(source_, diagnostics_).quiet_copy();
-    bool defines = false;
-    for (Token token = lexer.next(); token.kind != TokenKind::EndOfFile; token = lexer.next()) {
-      if (defines && token.kind == TokenKind::Word) routine_names_->insert(to_upper(token.text));
-      defines = token.kind == TokenKind::Reserved &&
-                (token.keyword == Keyword::Proc || token.keyword == Keyword::Func);
-    }
+/// The names behind PROC, FUNC and RECORD anywhere in the text.
+const Parser::DefinedNames& Parser::defined_names() {
+  if (defined_names_) return *defined_names_;
+  defined_names_.emplace();
+  Lexer lexer = Lexer(source_, diagnostics_).quiet_copy();
+  std::set<std::string>* names = nullptr;
+  for (Token token = lexer.next(); token.kind != TokenKind::EndOfFile; token = lexer.next()) {
+    if (names != nullptr && token.kind == TokenKind::Word) names->insert(to_upper(token.text));
+    names = nullptr;
+    if (token.kind != TokenKind::Reserved) continue;
+    const bool routine = token.keyword == Keyword::Proc || token.keyword == Keyword::Func;
+    if (routine) names = &defined_names_->routines;
+    if (token.keyword == Keyword::Record) names = &defined_names_->records;
   }
-  return routine_names_->contains(to_upper(name));
+  return *defined_names_;
+}
+
+bool Parser::names_routine(std::string_view name) {
+  return defined_names().routines.contains(to_upper(name));
+}
+
+bool Parser::names_record(std::string_view name) {
+  return defined_names().records.contains(to_upper(name));
 }
 
 }  // namespace rob::lang

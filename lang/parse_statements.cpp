@@ -55,6 +55,9 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Point:
       point_declaration(block);
       return true;
+    case Keyword::Record:
+      record_declaration(block);
+      return true;
     case Keyword::Loop:
       loop_statement(block);
       return true;
@@ -176,7 +179,8 @@ void Parser::unknown_word(Block& block) {
   const Keyword keyword = find_keyword(meant).value();
   const bool needs_do = keyword == Keyword::While || keyword == Keyword::For;
   const bool stands_alone = next_.kind == TokenKind::EndOfLine;
-  const bool routine = keyword == Keyword::Proc || keyword == Keyword::Func;
+  const bool routine =
+      keyword == Keyword::Proc || keyword == Keyword::Func || keyword == Keyword::Record;
   if (keyword == Keyword::End || (routine && next_.kind != TokenKind::Word) ||
       ((keyword == Keyword::Loop || keyword == Keyword::Try) && !stands_alone) ||
       (needs_do && !line_ends_with(Keyword::Do)) ||

@@ -72,7 +72,8 @@ Program Parser::program() {
     program.end = current_.place;
   }
   program.header = std::move(header_);
-  program.frames = std::move(frames_);
+  program.types = std::move(types_);
+  program.array_lengths = std::move(array_lengths_);
   program.frame_uses = std::move(frame_uses_);
   program.taught = std::move(taught_);
   program.routines = std::move(routines_);

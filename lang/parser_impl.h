@@ -113,6 +113,14 @@ class Parser {
   Type vec_type();
   Type unit_type();
 
+  // ARRAY, RECORD and lists (parse_compounds.cpp)
+  ExprPtr list();
+  Type array_type();
+  TypeDetail* record_named(std::string_view name);
+  void record_declaration(Block& block);
+  void record_fields(RecordDeclaration& record);
+  RecordDeclaration::Fields record_group();
+
   // Motions (parse_motion.cpp)
   void move(Block& block);
   bool at_clause_word(std::string_view word) const;
@@ -188,7 +196,14 @@ class Parser {
   void routine();
   void routine_header(Routine& routine);
   Routine::Parameters parameters();
+  /// What is defined anywhere in the text.
+  struct DefinedNames {
+    std::set<std::string> routines;
+    std::set<std::string> records;
+  };
+  const DefinedNames& defined_names();
   bool names_routine(std::string_view name);
+  bool names_record(std::string_view name);
   void call_statement(Block& block);
   void return_statement(Block& block);
 
@@ -242,11 +257,12 @@ class Parser {
   std::uint32_t muted_line_ = 0;  ///< has had its message
   std::vector<OpenBlock> open_blocks_;
   Header header_;
-  std::map<std::string, TypeDetail> frames_;
+  std::shared_ptr<TypeTable> types_ = std::make_shared<TypeTable>();
+  std::vector<Program::ArrayLength> array_lengths_;
   std::vector<Program::FrameUse> frame_uses_;
   std::set<std::string> taught_;
   std::vector<Routine> routines_;
-  std::optional<std::set<std::string>> routine_names_;  ///< of the whole text, once asked for
+  std::optional<DefinedNames> defined_names_;  ///< once asked for
 };
 
 }  // namespace rob::lang

@@ -40,10 +40,12 @@ class StatementChecker {
  private:
   /// A block is a scope: what it declares lives to its end.
   void check(Block& block) {
+    const Slots declared = declared_;
     scopes_.enter();
     for (Statement& statement : block) check(statement);
     moves_.warn_of_zones(block);
     scopes_.leave();
+    declared_ = declared;
   }
   void check(Statement& statement) {
     place_ = statement.place;
@@ -79,6 +81,12 @@ class StatementChecker {
   const Symbol* resolve_signal(Name& name, Place place);
   void check(SignalDeclaration& signal);
   void check(Pulse& pulse);
+  // RECORD (check_records.cpp)
+  void check(RecordDeclaration& record);
+  void add_field(TypeDetail& detail, const Declaration::Declared& field, const Type& type);
+  /// Whether the routine, or the top level, that has been checked needs memory behind its
+  /// registers.
+  bool take_memory_use();
   void check_digital(const SignalDeclaration& signal, const Symbol& channel);
   void check_analog(const SignalDeclaration& signal, Symbol& symbol);
   void check_scale(const SignalDeclaration& signal, Symbol& symbol);
@@ -154,9 +162,11 @@ class StatementChecker {
   Diagnostics& diagnostics_;
   std::map<int, std::uint32_t> safe_lines_;  ///< where a signal's SAFE value stands, by its number
   Place place_;                              ///< of the present statement
-  int loops_ = 0;                            ///< open around it
-  int rescues_ = 0;                          ///< RESCUE blocks open around it
-  const Routine* routine_ = nullptr;         ///< that it belongs to; null at the top level
+  Slots declared_;       ///< by the variables of the present routine that are known here
+  Slots most_declared_;  ///< of the present routine
+  int loops_ = 0;        ///< open around it
+  int rescues_ = 0;      ///< RESCUE blocks open around it
+  const Routine* routine_ = nullptr;  ///< that it belongs to; null at the top level
 };
 
 }  // namespace rob::lang

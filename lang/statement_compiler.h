@@ -52,6 +52,7 @@ class StatementCompiler {
   void compile(const Teach& teach);
   void load_pose(const PoseValue& pose, Register first, Place place);
   void compile(const Assign& assign);
+  void compile(const RecordDeclaration&) {}
   void compile(const Pulse& pulse);
   void compile(const Print& print);
   void compile(const Wait& wait);
@@ -93,13 +94,14 @@ class StatementCompiler {
   void leave_loop();
 
   Location declare(const Symbol& symbol);
+  /// What instructions look for in registers.
+  Location declare_in_registers(const Symbol& symbol);
   void name_home(const Symbol& symbol, const Location& home);
   Register compile_axis(const Move& move, MoveForm& form);
   Register compile_target(const Move& move, MoveForm& form);
   Register compile_value(const Expr& target, MoveForm& form);
   void compile_clauses(const Clauses& clauses, MoveForm& form);
   void compile_component(const Expr& component, Dimension dimension, Register target);
-  void default_value(const Type& type, const Location& home, Place place);
   void report_limit(Diagnostics& diagnostics) const;
 
   const RobotSignature& robot_;

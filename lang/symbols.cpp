@@ -80,7 +80,8 @@ std::int64_t Scopes::channels(std::string_view word) const {
 
 const Symbol* Scopes::find(std::string_view name) const {
   const std::string key = to_upper(name);
-  for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
+  const auto innermost = top_only_ ? scopes_.rend() - 2 : scopes_.rbegin();
+  for (auto scope = innermost; scope != scopes_.rend(); ++scope) {
     if (const auto found = scope->find(key); found != scope->end()) return found->second;
   }
   return nullptr;

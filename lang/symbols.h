@@ -25,6 +25,7 @@ struct Symbol {
     BuiltIn,        ///< PI, HIT
     Reading,        ///< CLOCK: read from the robot
     Routine,        ///< PROC or FUNC
+    Record,         ///< a type; called, it builds a value
     Point           ///< POINT: changed by TEACH alone; without one its value is known
   };
 
@@ -80,6 +81,8 @@ class Scopes {
     symbols_[symbol.id].routine = &routine;
   }
   void frame(const Symbol& symbol, const TypeDetail* detail) { symbols_[symbol.id].frame = detail; }
+  /// While `only` holds, find() sees the top level and what is provided alone.
+  void look_from_top(bool only) { top_only_ = only; }
   void refer(const Symbol& symbol) { symbols_[symbol.id].by_reference = true; }
   /// All names that can be seen from here, for "did you mean".
   std::vector<std::string_view> visible() const;
@@ -91,6 +94,7 @@ class Scopes {
 
   std::deque<Symbol>& symbols_;
   std::vector<Scope> scopes_;
+  bool top_only_ = false;
   std::vector<const Symbol*> channels_;
 };
 

@@ -112,6 +112,27 @@ std::string in_words(const Type& type) {
   return {};
 }
 
+bool Type::operator==(const Type& other) const {
+  if (kind != other.kind || dimension != other.dimension) return false;
+  if (detail == other.detail) return true;
+  if (kind != Kind::Array) return false;
+  // What is faulty fits everywhere.
+  const bool faulty = detail->length == 0 || other.detail->length == 0;
+  return faulty ||
+         (detail->length == other.detail->length && detail->element == other.detail->element);
+}
+
+Type TypeTable::array(const Type& element, std::int64_t length) {
+  TypeDetail& detail = arrays.emplace_back();
+  detail.element = element;
+  detail.length = length;
+  detail.height = height_of(element) + 1;
+  const Slots slots = slots_of(element);
+  const auto count = static_cast<int>(length);
+  detail.slots = {.numbers = slots.numbers * count, .texts = slots.texts * count};
+  return {Type::Kind::Array, {}, &detail};
+}
+
 Type free_pose() {
   static const TypeDetail kFree;
   return Type::pose(&kFree);
@@ -181,6 +202,15 @@ bool has_default(const Type& type) {
     default:
       return true;
   }
+}
+
+int height_of(const Type& type) { return type.in_registers() ? 0 : type.detail->height; }
+
+bool holds_place(const Type& type) {
+  if (type.is(Type::Kind::Array)) return holds_place(type.detail->element);
+  if (!type.is(Type::Kind::Record)) return type.is_place();
+  return std::ranges::any_of(
+      type.detail->fields, [](const TypeDetail::Field& field) { return holds_place(field.type); });
 }
 
 std::optional<Field> field_of(const Type& type, std::string_view name) {

@@ -33,6 +33,10 @@ class Writer {
       case Type::Kind::Wrench:
         return put("WRENCH(") && value(Type::vec(kForce)) && put(", ") &&
                value(Type::vec(kTorque)) && put(")");
+      case Type::Kind::Array:
+        return put("[") && row(type.detail->element, type.detail->length) && put("]");
+      case Type::Kind::Record:
+        return record(*type.detail);
       default:
         return true;
     }
@@ -50,6 +54,16 @@ class Writer {
       if (!put(i == 0 ? "" : ", ") || !value(type)) return false;
     }
     return true;
+  }
+
+  bool record(const TypeDetail& detail) {
+    if (!put(detail.name) || !put("(")) return false;
+    std::string_view separator;
+    for (const TypeDetail::Field& field : detail.fields) {
+      if (!put(separator) || !put(field.name) || !put(": ") || !value(field.type)) return false;
+      separator = ", ";
+    }
+    return put(")");
   }
 
   bool pose() {

@@ -24,6 +24,14 @@ bool equal_slots(const Slot* a, const Slot* b, std::size_t count) {
   return std::memcmp(a, b, count * sizeof(Slot)) == 0;
 }
 
+void copy_texts(std::string* to, const std::string* from, std::size_t count) {
+  if (to < from) {
+    std::copy(from, from + count, to);
+  } else if (to > from) {
+    std::copy_backward(from, from + count, to + count);
+  }
+}
+
 }  // namespace
 
 // Computed goto, an extension that g++ and clang share: a jump of its own behind each instruction
@@ -140,6 +148,7 @@ random_real : {
   ROB_NEXT(1);
 }
 
+#include "lang/vm_memory.inc"
 #include "lang/vm_places.inc"
 
 call : {

@@ -32,15 +32,15 @@ struct RuntimeError {
 };
 
 /// The longest text that a program can build, in bytes. [choice] far more than a line to be read,
-/// and with at most kTextStack text registers a program never holds more than 64 MiB of text,
-/// and those of kMostTries errors.
+/// and with at most kTextStack text registers and kMemory.texts in arrays and records a program
+/// never holds more than 320 MiB of text, and those of kMostTries errors.
 inline constexpr std::size_t kMostText = 65536;
 
-/// How deep calls may be nested, and the registers of all of them together. [choice] a recursion
-/// that goes deeper has most probably no end; the stack takes 512 KiB.
+/// How deep calls may be nested. [choice] a recursion that goes deeper has most probably no end.
 inline constexpr std::size_t kMostCalls = 1000;
-inline constexpr std::size_t kNumberStack = 65536;
-inline constexpr std::size_t kTextStack = 1024;
+/// What the budget gives for one instruction on long blocks. [choice] copying them takes about as
+/// long as an instruction does.
+inline constexpr std::uint32_t kSlotsAnInstruction = 16;
 /// WHENs that can be armed at once. [choice] more than a person keeps in mind; all are looked at in
 /// every control cycle.
 inline constexpr std::size_t kMostWhens = 16;
@@ -125,6 +125,11 @@ class Vm {
   bool enter(Code pc) { return enter(pc, (pc + 1)->word, pc + 2); }
   bool enter(Code pc, std::uint32_t routine, Code back);
   bool enter_test(Code pc) { return enter(pc, test_, pc + 1); }
+  /// Memory for the frame of a routine, or of the top level; false if there is not so much left.
+  bool reserve(Code pc);
+  State fail_memory(Code pc);
+  void charge(std::uint32_t slots) { budget_ -= slots / kSlotsAnInstruction; }
+  bool append_memory(Code pc);
   /// Back to the caller's frame; where its code goes on.
   Code leave_routine();
   /// A loop turns: pays for the instructions up to here; false if the budget is used up.
@@ -196,6 +201,7 @@ class Vm {
     Slot* numbers;
     std::string* texts;
     std::uint32_t routine;
+    Slots memory;  ///< that was taken
   };
 
   /// A TRY block that is open, or whose RESCUE runs.
@@ -210,7 +216,10 @@ class Vm {
   std::vector<Guard> guards_;
   bool rescuing_ = false;  ///< error_ is on its way to a RESCUE
 
-  std::vector<Slot> number_stack_;  ///< the frame of the top level is the first
+  Slots registers_;  ///< how much of the stacks are registers
+  Slots memory_;     ///< how much of the rest is taken
+  /// Registers, the frame of the top level first; then memory, in the same order.
+  std::vector<Slot> number_stack_;
   std::vector<std::string> text_stack_;
   std::vector<Frame> frames_;
   std::size_t depth_ = 0;  ///< calls that are open
@@ -251,12 +260,12 @@ inline bool Vm::enter(Code pc, std::uint32_t number, Code back) {
   const RoutineCode& routine = chunk_.routines[number];
   Slot* const numbers = numbers_ + pc->a();
   std::string* const texts = texts_ + pc->b();
-  const auto left = number_stack_.data() + number_stack_.size() - numbers;
-  const auto texts_left = text_stack_.data() + text_stack_.size() - texts;
+  const auto left = number_stack_.data() + registers_.numbers - numbers;
+  const auto texts_left = text_stack_.data() + registers_.texts - texts;
   if (depth_ == frames_.size() || left < routine.registers || texts_left < routine.text_registers) {
     return false;
   }
-  frames_[depth_++] = {back, numbers_, texts_, number};
+  frames_[depth_++] = {back, numbers_, texts_, number, memory_};
   numbers_ = numbers;
   texts_ = texts;
   if (called_in_[number] == cycle_) turned_ = true;
@@ -268,6 +277,7 @@ inline Vm::Code Vm::leave_routine() {
   const Frame& frame = frames_[--depth_];
   numbers_ = frame.numbers;
   texts_ = frame.texts;
+  memory_ = frame.memory;
   return frame.back;
 }
 
