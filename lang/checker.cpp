@@ -62,11 +62,13 @@ const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& na
   symbol.name = name;
   symbol.type = type;
   symbol.place = place;
-  symbol.value = std::move(value);
   symbol.global = scopes_.at_top_level() && !is_definition(kind);
-  if (!is_definition(kind)) declared_ = declared_ + slots_of(type);
+  // What is known lives in the code.
+  const bool takes_slots = !is_definition(kind) && !known(value);
+  if (takes_slots) declared_ = declared_ + slots_of(type);
   most_declared_ = {std::max(most_declared_.numbers, declared_.numbers),
                     std::max(most_declared_.texts, declared_.texts)};
+  symbol.value = std::move(value);
   const Symbol* const declared = scopes_.declare(std::move(symbol));
   if (declared->global) uses_.declared(*declared);
   return declared;
