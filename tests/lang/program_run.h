@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lang/compile.h"
@@ -15,8 +16,9 @@ namespace rob::test {
 /// A program from its text, ready to run on a gantry that writes down what it is told.
 class ProgramRun {
  public:
-  explicit ProgramRun(std::string_view source)
-      : robot_(gantry_signature()), compilation_(lang::compile(source, robot_)), machine_(robot_) {
+  explicit ProgramRun(std::string_view source) : ProgramRun(source, gantry_signature()) {}
+  ProgramRun(std::string_view source, lang::RobotSignature robot)
+      : robot_(std::move(robot)), compilation_(lang::compile(source, robot_)), machine_(robot_) {
     if (compilation_.chunk) vm_.emplace(*compilation_.chunk, machine_);
   }
   ProgramRun(const ProgramRun&) = delete;
