@@ -37,7 +37,8 @@ struct ReadingFinder {
     return left != nullptr ? left : reading_in(binary.right);
   }
   const Expr* operator()(const Call& call) const {
-    if (const auto reading = reading_of(call); reading && tells_progress(*reading)) return &whole;
+    const auto reading = reading_of(call);
+    if (reading && tells_progress(*reading) && whole.type.known()) return &whole;
     for (const ExprPtr& argument : call.arguments) {
       if (const Expr* const found = reading_in(argument)) return found;
     }

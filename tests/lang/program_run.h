@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lang/compile.h"
@@ -15,8 +16,9 @@ namespace rob::test {
 /// A program from its text, ready to run on a gantry that writes down what it is told.
 class ProgramRun {
  public:
-  explicit ProgramRun(std::string_view source)
-      : robot_(gantry_signature()),
+  explicit ProgramRun(std::string_view source) : ProgramRun(source, gantry_signature()) {}
+  ProgramRun(std::string_view source, lang::RobotSignature robot)
+      : robot_(std::move(robot)),
         compilation_(lang::compile(source, robot_, {},
                                    [this](const lang::MoveCommand& command) {
                                      targets_.push_back(command);
