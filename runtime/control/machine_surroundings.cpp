@@ -47,9 +47,10 @@ bool RobotMachine::tip_jumps() const {
   return !exact_ && jump > kSamePlace;
 }
 
-void RobotMachine::stop_for_tool(int line) {
+bool RobotMachine::stop_for_tool(int line) {
   using lang::pose_math::operator-;
-  if (tip_jumps()) {
+  const bool jumps = tip_jumps();
+  if (jumps) {
     const double jump = lang::pose_math::length(setting_.tool.tip.position - moved_tip_);
     log_.found({lang::Severity::Warning,
                 code::kToolJumps,
@@ -61,6 +62,7 @@ void RobotMachine::stop_for_tool(int line) {
     if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) queue(*segment, true);
   }
   moved_tip_ = setting_.tool.tip.position;
+  return jumps;
 }
 
 void RobotMachine::set_override(double share) {

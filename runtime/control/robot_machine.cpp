@@ -107,7 +107,7 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
   }
   motion::SegmentDescriptor with_events;
   if (!attach(with_events, planner_.way(request))) return Reply::Refused;
-  stop_for_tool(line);
+  const bool stopped = stop_for_tool(line);
   const motion::PlanOutcome outcome = planner_.plan(request);
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
     refusal_ = words_for(*refusal, robot_);
@@ -119,7 +119,7 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
   segment.events = with_events.events;
   segment.on_the_way = with_events.on_the_way;
   for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
-  queue(segment, false);
+  queue(segment, false, stopped);
   brakable_ = planned.segment.number;
   if (!command.exact()) return Reply::Done;
   if (const auto exact = planner_.stop(static_cast<motion::Tag>(line))) {

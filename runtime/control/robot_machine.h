@@ -119,8 +119,8 @@ class RobotMachine final : public lang::Machine {
   lang::Reply refuse(lang::MotionFeature feature);
   /// Whether the tool has been changed in a corner, so that its tip would jump there.
   bool tip_jumps() const;
-  /// Then the target before is reached exactly.
-  void stop_for_tool(int line);
+  /// Then the target before is reached exactly; whether it had to be.
+  bool stop_for_tool(int line);
   lang::Reply tool_at(const motion::JointVector& q, lang::PoseValue& pose);
   void queue(motion::SegmentDescriptor segment, bool stop, bool further = false);
   /// The last target exactly, then a dwell, as one statement.

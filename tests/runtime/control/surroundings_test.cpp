@@ -111,6 +111,7 @@ TEST_CASE("rule 18: a change of the tool in a corner makes it exact, with a warn
   // 100 mm at 20 mm/s, 2·t_acc to be exact; then 70 mm, since the tip is 30 mm ahead, and the same.
   const RunResult changed = foretold("MOVE(100, 0, 0)\nMOVE(200, 0, 90) WITH pen\n");
   CHECK(jumps(changed) == 1);
+  CHECK(rob::test::line(changed, 6).count == 1);
   CHECK(changed.measured == doctest::Approx(5 + 2.75 + 3.5 + 2.75));
   CHECK(jumps(foretold("MOVE(100, 0, 0) FINE\nMOVE(200, 0, 90) WITH pen\n")) == 0);
   CHECK(jumps(foretold("MOVE(100, 0, 0)\nMOVE(200, 0, 0) IN raised\n")) == 0);
