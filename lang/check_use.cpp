@@ -55,6 +55,12 @@ void ExpressionChecker::report_no_such_name(std::string_view name, Place place) 
                        fmt::format("name what is meant of it: {}.x", shortened(file)));
     return;
   }
+  if (!scopes_.is_file(file)) {
+    diagnostics_.error(code::kUnknownName, place,
+                       fmt::format("{} is no file that is USEd here", shortened(file)),
+                       "a routine is called by its name alone, or behind the name of its file");
+    return;
+  }
   const std::string_view wanted = name.substr(point + 1);
   diagnostics_.error(
       code::kUnknownName, place,

@@ -151,7 +151,8 @@ ExprPtr Parser::power() {
   return binary(BinaryOp::Power, place, std::move(base), std::move(exponent));
 }
 
-// postfix = primary { "." IDENT | "[" expr "]" | "(" [ args ] ")" } .
+// postfix = ( primary | foreign "(" [ args ] ")" ) { "." IDENT | "[" expr "]" } | channel .
+// foreign = IDENT [ "." IDENT ] .
 ExprPtr Parser::postfix() {
   if (at_channel()) {
     const Place place = current_.place;
@@ -166,8 +167,20 @@ ExprPtr Parser::postfix() {
   }
   while (at(TokenKind::Dot) || at(TokenKind::LeftBracket)) {
     expr = at(TokenKind::Dot) ? member(std::move(expr)) : index(std::move(expr));
+    const Place place = expr->place;
+    const std::string callee = at(TokenKind::LeftParen) ? callee_of(*expr) : "";
+    if (!callee.empty()) expr = call(place, callee);
   }
   return expr;
+}
+
+/// `tools.grip` before its arguments, whatever `tools` is; empty where nothing is called.
+std::string Parser::callee_of(const Expr& expr) {
+  const auto* const member = std::get_if<Member>(&expr.node);
+  const auto* const name = member == nullptr ? nullptr : std::get_if<Name>(&member->object->node);
+  if (name == nullptr || name->index != nullptr) return "";
+  if (name->text.find('.') != std::string::npos) return "";
+  return fmt::format("{}.{}", name->text, member->field);
 }
 
 /// "." IDENT

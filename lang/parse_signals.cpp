@@ -66,7 +66,7 @@ void Parser::scale(SignalDeclaration& signal) {
   signal.high = expression();
 }
 
-// panel = "PULSE" ( IDENT | channel ) expr .
+// panel = "PULSE" ( foreign | channel ) expr .
 void Parser::pulse(Block& block) {
   const Place place = current_.place;
   advance();
@@ -74,7 +74,7 @@ void Parser::pulse(Block& block) {
   pulse.target_place = current_.place;
   if (at_channel()) {
     pulse.target = channel("PULSE");
-  } else if (at_foreign_name()) {
+  } else if (at(TokenKind::Word) && next_.kind == TokenKind::Dot) {
     pulse.target.text = foreign_name();
   } else if (at(TokenKind::Word)) {
     pulse.target.text = current_.text;

@@ -286,6 +286,7 @@ class Parser {
   ExprPtr unary();
   ExprPtr power();
   ExprPtr postfix();
+  static std::string callee_of(const Expr& expr);
   ExprPtr member(ExprPtr object);
   ExprPtr index(ExprPtr object);
   ExprPtr primary();

@@ -158,7 +158,7 @@ TEST_CASE("programs of sentences that compile run to their end, or fail with a m
 TEST_CASE("a text that is no sentence is not derived, and the place is told") {
   CHECK(underivable("MOVE(1, 2, 3)\nSTOP\n") == "");
   CHECK(underivable("STOP\nSTOP STOP\n") == "line 2 at 'STOP'");
-  CHECK(underivable("IF a THEN\nSTOP\n") == "line 2 at '\n'");
+  CHECK(underivable("IF a THEN\nSTOP\n") == "line 2 at ''");
   CHECK(underivable("a = (1\n+ 2)\n") == "");
 }
 
