@@ -290,7 +290,7 @@ void Parser::clauses(Clauses& clauses) {
     } else if (at_word("PROFILE")) {
       profile(clauses);
     } else if (at(Keyword::For)) {
-      clause(clauses[Clause::For], "FOR");
+      clause(clauses, Clause::For, "FOR");
     } else if (at(Keyword::With)) {
       with_tool(clauses.surroundings);
     } else if (at(Keyword::In)) {
