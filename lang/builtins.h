@@ -34,11 +34,11 @@ enum class BuiltinRule : std::uint8_t {
   Random,          ///< none → REAL, two of one D → D; the Vm's own, so it has no function
   ToFrame,         ///< pose, FRAME → pose in it
   ArrayLength,     ///< ARRAY → INT; known from its type, so it has no function
-  Joints,          ///< none, one value an axis, or pose [, JOINTS] → JOINTS; the robot computes it
-  Forward,         ///< JOINTS → pose in the world; the same
-  Wrench,          ///< none → WRENCH; read from the robot
-  Places,          ///< of poses, as its signature says
-  Texts            ///< as its signature says
+  Joints,   ///< none, one value an axis, or pose [, JOINTS] → JOINTS; the robot computes it
+  Forward,  ///< JOINTS → pose in the world; the same
+  Wrench,   ///< none → WRENCH; read from the robot
+  Places,   ///< of poses, as its signature says
+  Texts     ///< as its signature says
 };
 
 /// Pure; takes no memory. The slots of all arguments in a row; all are INT, or all are REAL, as the

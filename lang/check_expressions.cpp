@@ -65,7 +65,9 @@ Type ExpressionChecker::check(Name& name, Expr& expression) {
     return {};
   }
   if (name.symbol->kind == Symbol::Kind::Point) missing_.use(*name.symbol);
-  expression.constant = name.symbol->value;
+  const bool frozen = fixed_ && name.symbol->kind == Symbol::Kind::Point;
+  expression.constant = frozen ? name.symbol->kept : name.symbol->value;
+  missed_ = missed_ || (frozen && !known(expression.constant));
   return name.symbol->type;
 }
 

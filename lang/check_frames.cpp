@@ -72,10 +72,25 @@ Type ExpressionChecker::check_to_frame(const Call& call) {
   return {};
 }
 
-/// FRAME and TOOL are constants of the program.
-void StatementChecker::check_frame(const Declaration& declaration, Constant& value) {
+Type ExpressionChecker::check_fixed(const ExprPtr& expression, bool& missed) {
+  fixed_ = true;
+  missed_ = false;
+  const Type type = check(expression);
+  fixed_ = false;
+  missed = missed_;
+  return type;
+}
+
+/// FRAME and TOOL are constants of the program. With a point that nobody has taught they are
+/// taken as the world and the flange: nothing runs then, as the warning says.
+void StatementChecker::check_frame(const Declaration& declaration, Constant& value, bool missed) {
   const Declaration::Declared& declared = declaration.names.front();
   const std::string_view word = declaration.type->is(Type::Kind::Tool) ? "TOOL" : "FRAME";
+  if (declaration.value->type.known() && !known(value) && missed) {
+    std::vector<double> slots(static_cast<std::size_t>(slots_of(*declaration.type).numbers), 0.0);
+    slots[3] = 1;  // w of the quaternion
+    value = std::move(slots);
+  }
   if (declaration.value->type.known() && !known(value)) {
     diagnostics_.error(
         code::kFrameNotConstant, declaration.value->place,

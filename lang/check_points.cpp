@@ -41,6 +41,7 @@ void StatementChecker::check(PointDeclaration& declaration) {
     const bool taught = taught_.contains(to_upper(point.declared.name));
     point.declared.symbol = declare(Symbol::Kind::Point, point.declared.name, point.declared.place,
                                     type, taught ? Constant{} : value);
+    scopes_.keep(*point.declared.symbol, std::move(value));
     if (kept != nullptr) scopes_.keep_joints(*point.declared.symbol, kept->joints);
     if (taught) {
       scopes_.teach(*point.declared.symbol, *scopes_.hide(expressions_.joints()),

@@ -120,6 +120,10 @@ bool WatchChecker::check_call(const Call& call, Place place, std::string_view wo
     return refuse(code::kWatchCallsRoutine, place, word, "it cannot call a routine of the program",
                   "write the condition itself here");
   }
+  if (call.record != nullptr) {
+    return refuse(code::kNotWatchable, place, word, "it cannot build a record",
+                  "give the answer a variable before, and watch that");
+  }
   const BuiltinRule rule = find_builtin(call)->rule;
   const bool axes =
       rule == BuiltinRule::Forward || (rule == BuiltinRule::Joints && !call.arguments.empty() &&

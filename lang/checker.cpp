@@ -76,7 +76,12 @@ const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& na
 
 /// The value is checked before the names are known: VAR x = x + 1 means an earlier x.
 void StatementChecker::check(Declaration& declaration) {
-  Type type = expressions_.check(declaration.value);
+  const bool fixed =
+      declaration.constant && declaration.type &&
+      (declaration.type->is(Type::Kind::Frame) || declaration.type->is(Type::Kind::Tool));
+  bool missed = false;
+  Type type = fixed ? expressions_.check_fixed(declaration.value, missed)
+                    : expressions_.check(declaration.value);
   Constant value;
   if (declaration.type) {
     if (!expressions_.complete(*declaration.type, declaration.names.front().place)) {
@@ -97,9 +102,8 @@ void StatementChecker::check(Declaration& declaration) {
   if (declaration.constant && declaration.value != nullptr && type != Type::string()) {
     value = converted(known_value(*declaration.value), type);
   }
-  if (declaration.constant && (type.is(Type::Kind::Frame) || type.is(Type::Kind::Tool)) &&
-      declaration.value != nullptr) {
-    check_frame(declaration, value);
+  if (fixed && type.known() && declaration.value != nullptr) {
+    check_frame(declaration, value, missed);
   }
   const auto kind = declaration.constant ? Symbol::Kind::NamedConstant : Symbol::Kind::Variable;
   for (Declaration::Declared& declared : declaration.names) {

@@ -129,6 +129,7 @@ void StatementCompiler::compile(const WatchedMotion& watched) {
   const auto& move = std::get<Move>(watched.motion.front().node);
   enter(move.clauses.surroundings);
   for (const WayPoint& event : watched.events) compile(event);
+  place_ = place;  // the actions of the events have theirs
   if (watched.until == nullptr) {
     compile_motion(move);
     return leave(move.clauses.surroundings, place);

@@ -67,6 +67,10 @@ class ExpressionChecker {
   /// Whether a value was met that does not lie in registers, since it was last asked.
   bool take_memory_use() { return std::exchange(memory_use_, false); }
 
+  /// The value of a FRAME or a TOOL, which is fixed before the program runs: points are worth there
+  /// what they are worth at the start. `missed`: one of them has no value, which has been noted.
+  Type check_fixed(const ExprPtr& expression, bool& missed);
+
   /// The FRAME that a pose is in; null for the world, and where none was found.
   const Symbol* frame_of(const Type& pose) const;
 
@@ -159,6 +163,8 @@ class ExpressionChecker {
   int unreached_ = 0;
   bool memory_use_ = false;
   const Expr* statement_ = nullptr;  ///< the call that is a statement of its own
+  bool fixed_ = false;               ///< inside of check_fixed()
+  bool missed_ = false;              ///< there a point without a value was met
 };
 
 /// The value of a constant as its place wants it: of a pose that was moved, in the world.

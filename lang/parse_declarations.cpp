@@ -48,7 +48,6 @@ constexpr auto kTypes = std::to_array<NamedType>({
     {"TOOL", {Type::Kind::Tool}},
 });
 
-
 std::string type_help(std::string_view word, const std::set<std::string>& records) {
   std::vector<std::string_view> names(records.begin(), records.end());
   std::ranges::transform(kTypes, std::back_inserter(names), &NamedType::name);

@@ -327,7 +327,7 @@ void Parser::clause(Clauses& clauses, Clause which, std::string_view word) {
 /// LIVE with a value behind it; a variable may be called so, too.
 bool Parser::at_live() const {
   const bool ends = next_.kind == TokenKind::EndOfLine || next_.kind == TokenKind::EndOfFile ||
-                    next_.kind == TokenKind::Reserved || !clause_word(next_).empty();
+                    begins_statement(next_) || !clause_word(next_).empty();
   return at_word("LIVE") && !ends && !goes_on(next_);
 }
 

@@ -56,7 +56,7 @@ struct SourceContext {
   std::uint32_t file = 0;
   const Outline* outline = nullptr;  ///< of the text
   std::vector<Import> imports{};
-  std::size_t nodes = 0;  ///< of the files that were read before
+  std::size_t nodes = 0;          ///< of the files that were read before
   std::size_t array_lengths = 0;  ///< the same
   /// Of all of them.
   std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>();

@@ -139,7 +139,7 @@ class StatementChecker {
   void check(Return& statement);
 
   // Frames (check_frames.cpp)
-  void check_frame(const Declaration& declaration, Constant& value);
+  void check_frame(const Declaration& declaration, Constant& value, bool missed);
   static void add_load(const Declaration& declaration, Constant& value);
   void check_tool_number(const Expr& value, const Type& wanted, std::string_view needed);
   void check_frame_uses(const Program& program);
@@ -193,13 +193,13 @@ class StatementChecker {
   std::map<int, Place> safe_lines_;  ///< where a signal's SAFE value stands, by its number
   std::map<std::string, Place> points_declared_;  ///< of all files, by their names in capitals
   Place place_;                                   ///< of the present statement
-  Slots declared_;       ///< by the variables of the present routine that are known here
-  Slots most_declared_;  ///< of the present routine
-  int loops_ = 0;                                 ///< open around it
-  int rescues_ = 0;                               ///< RESCUE blocks open around it
-  bool in_path_ = false;                          ///< inside of PATH
-  bool pressing_ = false;                         ///< inside of PRESS
-  const Routine* routine_ = nullptr;              ///< that it belongs to; null at the top level
+  Slots declared_;         ///< by the variables of the present routine that are known here
+  Slots most_declared_;    ///< of the present routine
+  int loops_ = 0;          ///< open around it
+  int rescues_ = 0;        ///< RESCUE blocks open around it
+  bool in_path_ = false;   ///< inside of PATH
+  bool pressing_ = false;  ///< inside of PRESS
+  const Routine* routine_ = nullptr;  ///< that it belongs to; null at the top level
 };
 
 }  // namespace rob::lang

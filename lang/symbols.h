@@ -36,6 +36,7 @@ struct Symbol {
   std::size_t id = 0;  ///< dense, from 0: an index for what later stages know of it
   Constant value;      ///< where it is known before the program runs
   Reading reading{};   ///< of Kind::Reading
+  Constant kept{};     ///< of a point: its value when the program starts
   std::vector<double> joints{};        ///< of a point, as the points file has them
   bool moved_to = false;               ///< a point that is by itself the target of a MOVE
   const Symbol* taught = nullptr;      ///< of a point that TEACH changes: its joints, a variable
@@ -107,6 +108,7 @@ class Scopes {
   /// While `only` holds, find() sees the top level and what is provided alone.
   void look_from_top(bool only) { top_only_ = only; }
   void refer(const Symbol& symbol) { symbols_[symbol.id].by_reference = true; }
+  void keep(const Symbol& point, Constant value) { symbols_[point.id].kept = std::move(value); }
   void keep_joints(const Symbol& point, const std::vector<double>& joints) {
     symbols_[point.id].joints = joints;
   }

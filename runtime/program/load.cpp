@@ -52,15 +52,17 @@ std::optional<Words> words_against_pose(lang::MoveCommand command,
 std::optional<lang::Refusal> refusal_of(const lang::MoveCommand& command,
                                         const motion::RobotModel& robot) {
   const bool pose = command.means == lang::MoveCommand::Target::Pose;
-  const bool of_tool = pose || (command.means == lang::MoveCommand::Target::Coordinates &&
-                                robot.tool_coordinates);
+  const bool of_tool =
+      pose || (command.means == lang::MoveCommand::Target::Coordinates && robot.tool_coordinates);
   if (of_tool && robot.kinematics == nullptr) return std::nullopt;  // nobody can tell
   const auto words = pose ? words_against_pose(command, robot) : words_against_axes(command, robot);
   if (!words) return std::nullopt;
   return lang::Refusal{words->code, words->message, words->help};
 }
 
+/// A robot whose axes nobody knows how to move yet is refused as a whole, when it is to be run.
 void refuse_what_the_robot_cannot(lang::Compilation& compilation, const motion::RobotModel& robot) {
+  if (robot.kinematics == nullptr) return;
   for (const lang::FeatureUse& use : compilation.features) {
     const auto words = words_against(use.feature, robot);
     if (!words) continue;

@@ -123,7 +123,7 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   end_segment(event.time, &*planned);
   const motion::JointVector from = std::exchange(reached_, planned->target);
   meter_.watch(planned->number, planned->target);
-  path_.programmed(running_->from, planned->target);
+  path_.programmed(from, planned->target);
 
   LineResult& line = line_of(*planned);
   const double duration = planned->span() / (planned->dwell ? 1 : override_share_);
