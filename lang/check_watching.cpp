@@ -124,7 +124,9 @@ bool WatchChecker::check_call(const Call& call, Place place, std::string_view wo
     return refuse(code::kNotWatchable, place, word, "it cannot build a record",
                   "give the answer a variable before, and watch that");
   }
-  const BuiltinRule rule = find_builtin(call)->rule;
+  const Builtin* const builtin = find_builtin(call);
+  if (builtin == nullptr) return false;  // has been told
+  const BuiltinRule rule = builtin->rule;
   const bool axes =
       rule == BuiltinRule::Forward || (rule == BuiltinRule::Joints && !call.arguments.empty() &&
                                        call.arguments.front()->type.is_place());
