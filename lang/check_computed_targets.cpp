@@ -18,9 +18,8 @@ bool MoveChecker::check_value(const Move& move, const ExprPtr& point) {
   if (!type.known()) return false;
   const std::string_view word = word_of(move.kind);
   if (type.is_place() && !move.by) {
-    if (const Symbol* const point = bare_point(move, checked_.program)) {
-      checked_.symbols[point->id].moved_to = true;
-    }
+    const Symbol* const taught = bare_point(move, checked_.program);
+    if (taught != nullptr) checked_.symbols[taught->id].moved_to = true;
     return expressions_.accept(target, Type::pose(), fmt::format("{} needs", word)) &&
            check_frame(move, target);
   }
