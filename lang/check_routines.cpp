@@ -26,6 +26,7 @@ void StatementChecker::check(Program& program) {
   missing_.enter_routines();
   for (Routine& routine : program.routines) check(routine);
   check_frame_uses(program);
+  settle_tasks(program);
   warn_of_missing_points();
   scopes_.leave();
   uses_.report(diagnostics_);

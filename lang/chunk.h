@@ -123,6 +123,12 @@ struct TestCode {
   std::uint32_t routine = 0;
 };
 
+/// A TASK: what it is called, and its routine.
+struct TaskCode {
+  std::string name;
+  std::uint32_t routine = 0;
+};
+
 struct Chunk {
   std::vector<Instruction> code;
   std::vector<Place> places;  ///< of every word of code: where it comes from
@@ -140,6 +146,8 @@ struct Chunk {
   std::vector<RoutineCode> routines;
   std::vector<TestCode> tests;
   std::uint32_t test_entry = 0;  ///< where every TEST begins: with the program's declarations
+  std::vector<TaskCode> tasks;
+  std::uint32_t task_entry = 0;  ///< where every TASK begins
   int registers = 0;             ///< of the top level
   int text_registers = 0;
 };

@@ -194,7 +194,10 @@ void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
   if (const auto* const name = std::get_if<Name>(&target.node)) {
     const Location at = home(*name->symbol);
     const SlotsAt& part = is_text(type) ? at.texts : at.numbers;
-    if (part.in_register()) return value_into(value, part.reg(), as_real);
+    if (part.in_register()) {
+      value_into(value, part.reg(), as_real);
+      return publish(*name->symbol, target.place);
+    }
   }
   const Location result = temporary(type);
   const Register at = is_text(type) ? result.texts.reg() : result.numbers.reg();
@@ -205,8 +208,10 @@ void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
 
 void ExpressionCompiler::assign_register(const Expr& target, Register value) {
   const auto mark = code_.mark();
-  begin(target);
-  store(locate(target), target.type, value, target.place);
+  begin_place(target);
+  const Location at = locate(target);
+  store(at, target.type, value, target.place);
+  if (root_of(target)->symbol->shared) publish(at, target.type, target.place);
   code_.release(mark);
 }
 

@@ -23,6 +23,7 @@ void StatementCompiler::compile(const PointDeclaration& declaration) {
     } else {
       expressions_.value_into(*declaration.value, home.numbers.reg());
     }
+    publish(symbol, place_);
   }
 }
 

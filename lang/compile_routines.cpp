@@ -36,6 +36,7 @@ void StatementCompiler::compile(const Routine& routine) {
   if (routine.test) {
     code_.add_test({routine.name, routine.place, static_cast<std::uint32_t>(routine.index)});
   }
+  if (routine.task) code_.add_task({routine.name, static_cast<std::uint32_t>(routine.index)});
   whens_ = 0;
   code_.begin_routine(routine.name);
   const auto mark = code_.mark();

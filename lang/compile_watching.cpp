@@ -3,6 +3,7 @@
 
 #include "lang/expression_compiler.h"
 #include "lang/fold.h"
+#include "lang/observations.h"
 #include "lang/statement_compiler.h"
 
 /// Code for what is evaluated in every control cycle, and for the statements that it belongs to.
@@ -36,6 +37,8 @@ ExpressionCompiler::WatchCode ExpressionCompiler::watch(const Expr& condition) {
   gather(condition, variables);
   const Place place = condition.place;
   const int count = static_cast<int>(variables.size());
+  latched_ = false;
+  refresh(observed_globals(condition), place);
   const Register values = code_.number_registers(std::max(count, 1));
   for (int i = 0; i < count; ++i) {
     const Symbol& variable = *variables[static_cast<std::size_t>(i)];

@@ -71,9 +71,13 @@ class ExpressionCompiler {
   };
   WatchCode watch(const Expr& condition);
 
+  /// TASKs see the present value of a variable that they use.
+  void publish(const Symbol& symbol, Place place);
+
   /// A pose in registers becomes the value of a point.
   void store_point(const Symbol& point, Register pose, Place place) {
     store(home(point), point.type, pose, place);
+    publish(point, place);
   }
 
  private:
@@ -146,6 +150,10 @@ class ExpressionCompiler {
   CodeBuilder::Jump jump_if(Register truth, bool when, Place place);
 
   void begin(const Expr& expression);
+  void begin_place(const Expr& target);
+  // Globals that TASKs use (compile_tasks.cpp)
+  void refresh(const std::vector<const Symbol*>& globals, Place place);
+  void publish(const Location& at, const Type& type, Place place);
   bool lives_in_register(const Symbol& symbol) const;
 
   CodeBuilder& code_;

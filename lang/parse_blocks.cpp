@@ -25,6 +25,7 @@ bool takes_lines(Keyword keyword) {
     case Keyword::Try:
     case Keyword::Proc:
     case Keyword::Func:
+    case Keyword::Task:
     case Keyword::Var:
     case Keyword::Const:
     case Keyword::Signal:
@@ -93,6 +94,7 @@ bool Parser::at_block_end() const {
     case Keyword::Endtry:
     case Keyword::Endproc:
     case Keyword::Endfunc:
+    case Keyword::Endtask:
     case Keyword::Endtest:
       return true;
     case Keyword::Else:

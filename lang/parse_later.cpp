@@ -15,7 +15,7 @@ namespace rob::lang {
 namespace {
 
 /// Statements known by their place only: the first word of a line.
-constexpr std::array<std::string_view, 5> kLaterWords{"PRESS", "PATH", "START", "ZERO", "OVERRIDE"};
+constexpr std::array<std::string_view, 4> kLaterWords{"PRESS", "PATH", "ZERO", "OVERRIDE"};
 
 /// A DO at the end of its line opens a block for every motion, closed by ENDMOVE.
 std::string closer_of(const Token& opener) {

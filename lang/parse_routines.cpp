@@ -106,7 +106,7 @@ void Parser::return_statement(Block& block) {
   add(block, place, std::move(node));
 }
 
-/// Whether a PROC or FUNC of this name stands anywhere in the text.
+/// Whether a PROC, FUNC or TASK of this name stands anywhere in the text.
 bool Parser::names_routine(std::string_view name) {
   if (!routine_names_) {
     routine_names_.emplace();
@@ -115,7 +115,8 @@ bool Parser::names_routine(std::string_view name) {
     for (Token token = lexer.next(); token.kind != TokenKind::EndOfFile; token = lexer.next()) {
       if (defines && token.kind == TokenKind::Word) routine_names_->insert(to_upper(token.text));
       defines = token.kind == TokenKind::Reserved &&
-                (token.keyword == Keyword::Proc || token.keyword == Keyword::Func);
+                (token.keyword == Keyword::Proc || token.keyword == Keyword::Func ||
+                 token.keyword == Keyword::Task);
     }
   }
   return routine_names_->contains(to_upper(name));

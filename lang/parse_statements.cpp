@@ -68,6 +68,9 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Func:
       routine();
       return true;
+    case Keyword::Task:
+      task();
+      return true;
     case Keyword::Test:
       test();
       return true;
@@ -140,6 +143,7 @@ void Parser::word_statement(Block& block) {
   if (at_header()) return header(block);
   if (at_frame_declaration()) return frame_declaration(block);
   if (at_later_word()) later_statement();
+  if (at_start_statement()) return start_statement(block);
   if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
   if (next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket) {
     return assignment(block);
@@ -178,7 +182,8 @@ void Parser::unknown_word(Block& block) {
   const Keyword keyword = find_keyword(meant).value();
   const bool needs_do = keyword == Keyword::While || keyword == Keyword::For;
   const bool stands_alone = next_.kind == TokenKind::EndOfLine;
-  const bool routine = keyword == Keyword::Proc || keyword == Keyword::Func;
+  const bool routine =
+      keyword == Keyword::Proc || keyword == Keyword::Func || keyword == Keyword::Task;
   if (keyword == Keyword::End || (routine && next_.kind != TokenKind::Word) ||
       ((keyword == Keyword::Loop || keyword == Keyword::Try) && !stands_alone) ||
       (needs_do && !line_ends_with(Keyword::Do)) ||

@@ -184,6 +184,11 @@ class Parser {
   void skip_later_block(std::string_view opener, std::string_view closer, bool always);
   bool skip_line();
 
+  // TASK and START (parse_tasks.cpp)
+  void task();
+  bool at_start_statement() const;
+  void start_statement(Block& block);
+
   // TEST (parse_tests.cpp)
   void test();
   void expect_statement(Block& block);

@@ -47,6 +47,7 @@ class StatementChecker {
   }
   void check(Statement& statement) {
     place_ = statement.place;
+    uses_.statement(statement);
     std::visit([&](auto& node) { check(node); }, statement.node);
   }
   void check(Move& move) { moves_.check(move, place_); }
@@ -95,7 +96,7 @@ class StatementChecker {
     for (const ExprPtr& value : print.values) expressions_.check(value);
   }
   void check(Wait& wait) {
-    waits_.check(wait);
+    waits_.check(wait, routine_);
     check(wait.otherwise);
   }
   void check(If& conditional);
@@ -123,6 +124,10 @@ class StatementChecker {
   void check(Teach& teach);
   Type type_of(const PointTable::Point& kept, Place place);
   void warn_of_missing_points();
+
+  // TASK and START (check_tasks.cpp)
+  void check(Start& start);
+  void settle_tasks(const Program& program);
 
   // Routines (check_routines.cpp)
   void declare(const Routine& routine);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -78,6 +79,11 @@ class StatementCompiler {
   void compile(const Return& statement);
   void compile(const Routine& routine);
 
+  // TASK (compile_tasks.cpp)
+  void compile(const Start& start);
+  /// A variable has a new value, which TASKs see if they use it.
+  void publish(const Symbol& symbol, Place place);
+
   // TEST (compile_tests.cpp)
   void compile_test_entry(const Program& program);
   void compile(const Expect& expectation);
@@ -114,7 +120,8 @@ class StatementCompiler {
   std::size_t whens_ = 0;             ///< WHENs of this frame whose block is open
   std::vector<Guard> guards_;         ///< blocks that are open, of the present routine
   const Routine* routine_ = nullptr;  ///< that is being compiled; null at the top level
-  CodeBuilder::Jumps returns_;        ///< RETURN at the top level: the end of the program
+  std::map<std::size_t, std::size_t> task_numbers_;  ///< of TASKs, by their Routine::index
+  CodeBuilder::Jumps returns_;  ///< RETURN at the top level: the end of the program
 };
 
 }  // namespace rob::lang

@@ -45,6 +45,8 @@ struct Symbol {
   bool global = false;                ///< declared at the top level: routines see it
   bool by_reference = false;          ///< a REF parameter: stands for a variable of the caller
   const Routine* routine = nullptr;   ///< of Kind::Routine
+  bool shared = false;                ///< a global that a TASK uses
+  bool observed = false;              ///< and gives a value
 };
 
 /// The names that may be used at one place of the program. Scopes nest; the outermost holds what
@@ -80,6 +82,10 @@ class Scopes {
     symbols_[symbol.id].routine = &routine;
   }
   void frame(const Symbol& symbol, const TypeDetail* detail) { symbols_[symbol.id].frame = detail; }
+  void share(const Symbol& symbol, bool observed) {
+    symbols_[symbol.id].shared = true;
+    symbols_[symbol.id].observed = observed;
+  }
   void refer(const Symbol& symbol) { symbols_[symbol.id].by_reference = true; }
   /// All names that can be seen from here, for "did you mean".
   std::vector<std::string_view> visible() const;

@@ -338,6 +338,19 @@ simulate_answer:
   if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
   ROB_ASK(machine_.simulate_answer(line(pc), texts_[pc->b()], n[pc->a() + 1].real), pc);
   ROB_NEXT(1);
+start:
+  ROB_ASK(machine_.start(line(pc), (pc + 1)->word), pc);
+  ROB_NEXT(2);
+publish:
+  ROB_ASK(publish(pc), pc);
+  ROB_NEXT(2);
+refresh : {
+  if (background_) ROB_NEXT(3);
+  const Code resume = pc->c() != 0 ? latch_ : pc;
+  if (next_cycle_is_due()) return leave(pc, resume, State::NextCycle);
+  ROB_ASK(refresh(pc), resume);
+  ROB_NEXT(3);
+}
 open_try:
   if (!open_try(pc)) return fail_tries_too_deep(pc);
   ROB_NEXT(2);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "lang/diagnostic.h"
 #include "lang/machine.h"
 #include "lang/random.h"
+#include "lang/task_memory.h"
 
 namespace rob::lang {
 
@@ -75,6 +77,13 @@ class Vm {
 
   /// `seed` is where RANDOM begins.
   Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed = Random::kDefaultSeed);
+
+  /// A TASK, by its number, in the memory that they share; run(), state(), error() and executed()
+  /// are for it as for a program.
+  Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memory,
+     std::uint64_t seed);
+  Vm(const Vm&) = delete;
+  Vm& operator=(const Vm&) = delete;
 
   /// Instead of the program: its declarations, then one of Chunk::tests. Before the first run().
   void choose_test(std::size_t test);
@@ -147,6 +156,8 @@ class Vm {
   Reply simulate(Code pc, double value);
   Reply teach(Code pc);
   Reply ask(Code pc);
+  Reply publish(Code pc);
+  Reply refresh(Code pc);
   Reply when(Code pc);
   /// Disarms the WHENs beyond the first `kept`.
   Reply disarm(int line, std::size_t kept);
@@ -211,8 +222,11 @@ class Vm {
   std::vector<Guard> guards_;
   bool rescuing_ = false;  ///< error_ is on its way to a RESCUE
 
-  std::vector<Slot> number_stack_;  ///< the frame of the top level is the first
-  std::vector<std::string> text_stack_;
+  std::vector<Slot> own_numbers_;  ///< of a TASK: none
+  std::vector<std::string> own_texts_;
+  std::span<Slot> number_stack_;  ///< the frame of the top level is the first
+  std::span<std::string> text_stack_;
+  bool background_ = false;  ///< a TASK
   std::vector<Frame> frames_;
   std::size_t depth_ = 0;  ///< calls that are open
   Slot* numbers_;          ///< the registers of the present frame

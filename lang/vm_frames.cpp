@@ -13,8 +13,10 @@ namespace rob::lang {
 Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
     : chunk_(chunk),
       machine_(machine),
-      number_stack_(chunk.routines.empty() ? kMostRegisters : kNumberStack),
-      text_stack_(chunk.routines.empty() ? kMostRegisters : kTextStack),
+      own_numbers_(chunk.routines.empty() ? kMostRegisters : kNumberStack),
+      own_texts_(chunk.routines.empty() ? kMostRegisters : kTextStack),
+      number_stack_(own_numbers_),
+      text_stack_(own_texts_),
       frames_(chunk.routines.empty() ? 0 : kMostCalls),
       numbers_(number_stack_.data()),
       texts_(text_stack_.data()),

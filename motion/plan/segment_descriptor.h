@@ -23,8 +23,9 @@ struct Effect {
     SimulateGo,
     SimulateAnswer,  ///< `id`
     Note,
-    Arm,    ///< `watched` is asked from here on
-    Disarm  ///< and no longer, whether it was armed or not
+    Report,  ///< `id`: the asker learns that its turn has come, or that it is dropped
+    Arm,     ///< `watched` is asked from here on
+    Disarm   ///< and no longer, whether it was armed or not
   };
 
   Tag tag = 0;

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "runtime/control/messages.h"
+#include "runtime/control/signal_access.h"
 #include "runtime/control/simulated_inputs.h"
 #include "runtime/control/units.h"
 
@@ -196,7 +197,20 @@ Reply RobotMachine::settle(int line) {
   on_the_way_.clear();
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
-  return settled() ? Reply::Done : Reply::Later;
+  if (!settled()) return Reply::Later;
+  forget_rests();
+  return Reply::Done;
+}
+
+/// An error that came from a TASK may have found a motion that was guarded or braked.
+void RobotMachine::forget_rests() {
+  motion::Rest rest;
+  while (take_rest(rest)) {
+    if (!rest.early()) continue;
+    planner_.retarget(rest.q);
+    exact_ = true;
+  }
+  braking_ = false;
 }
 
 bool RobotMachine::settled() const {
@@ -226,11 +240,7 @@ Reply RobotMachine::note(int line, Note note) {
 }
 
 motion::Effect RobotMachine::effect_on(int line, int signal) const {
-  motion::Effect effect;
-  effect.tag = static_cast<motion::Tag>(line);
-  effect.channel =
-      static_cast<std::uint8_t>(signals_.at(static_cast<std::size_t>(signal)).channel - 1);
-  return effect;
+  return runtime::effect_on(this->signal(signal), line);
 }
 
 Reply RobotMachine::write_signal(int line, int signal, bool value) {
@@ -283,12 +293,15 @@ Reply RobotMachine::queue_simulation(int line, motion::Effect effect) {
 }
 
 void RobotMachine::note_assumed(int line, int signal) {
+  if (!standing_) return note_assumed_value(line, signal);
+  // taken_as_met() or waited() says it.
+  if (!assumed_[static_cast<std::size_t>(signal)].empty()) assumed_read_ = signal;
+}
+
+void RobotMachine::note_assumed_value(int line, int signal) {
+  if (assumed_.empty()) return;
   const std::string& name = assumed_[static_cast<std::size_t>(signal)];
   if (name.empty()) return;
-  if (standing_) {
-    assumed_read_ = signal;  // taken_as_met() or waited() says it
-    return;
-  }
   const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
   log_.found({lang::Severity::Note,
               code::kAssumed,
@@ -318,10 +331,7 @@ bool RobotMachine::observable() const {
 
 Reply RobotMachine::read_signal(int line, int signal, bool& value) {
   if (!observable()) return Reply::Later;
-  const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
-  const std::uint64_t bits = asked.output ? channels_.outputs.load(std::memory_order_relaxed)
-                                          : channels_.inputs.load(std::memory_order_relaxed);
-  value = (bits >> (asked.channel - 1) & 1U) != 0;
+  value = digital_value(channels_, this->signal(signal));
   if (!assumed_.empty()) note_assumed(line, signal);
   return Reply::Done;
 }
@@ -335,9 +345,7 @@ bool RobotMachine::decided() const {
 
 Reply RobotMachine::read_analog(int line, int signal, double& volts) {
   if (!observable()) return Reply::Later;
-  const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
-  const AnalogCells& cells = asked.output ? channels_.analog_outputs : channels_.analog_inputs;
-  volts = cells.at(asked.channel - 1);
+  volts = analog_value(channels_, this->signal(signal));
   if (!assumed_.empty()) note_assumed(line, signal);
   return Reply::Done;
 }

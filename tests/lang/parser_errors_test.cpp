@@ -202,8 +202,8 @@ TEST_CASE("what a later version will have is named once, and skipped with all th
         Errors{"1:1 E121 MOVEC is not in this version of Rob yet",
                "2:1 E121 SPIRAL is not in this version of Rob yet",
                "3:1 E121 USE is not in this version of Rob yet"});
-  CHECK(errors("TASK a\n IF a THEN EXIT\n TASK\n nonsense here\n ENDTASK\nENDTASK\nSTOP").size() ==
-        1);
+  CHECK(errors("WHEN a DO\n IF a THEN EXIT\n WHEN b DO\n nonsense here\n ENDWHEN\nENDWHEN\nSTOP")
+            .size() == 1);
   CHECK(errors("TEST \"a\"\n MOVEL 5\nENDTEST\nSTOP").size() == 1);
   CHECK(errors("PATH AT 8mm/s DO\n AFTER 2mm : torch = ON\nENDPATH\nSTOP").size() == 1);
   CHECK(errors("SPIRAL FROM 4mm TURNS 5\nSTOP").size() == 1);
