@@ -9,7 +9,6 @@
 
 #include "runtime/control/messages.h"
 #include "runtime/control/signal_access.h"
-#include "runtime/control/simulated_inputs.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {
@@ -262,63 +261,6 @@ Reply RobotMachine::pulse(int line, int signal, double seconds) {
   effect.kind = motion::Effect::Kind::Pulse;
   effect.seconds = seconds;
   return queue(effect);
-}
-
-Reply RobotMachine::expectation_failed(int line, std::string_view text) {
-  log_.expect_failed({line, std::string(text)});
-  return Reply::Done;
-}
-
-Reply RobotMachine::simulate(int line, int signal, double value, double after) {
-  motion::Effect effect = effect_on(line, signal);
-  const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
-  effect.kind = analog ? motion::Effect::Kind::SimulateAnalog : motion::Effect::Kind::Simulate;
-  effect.value = value != 0;
-  effect.volts = value;
-  effect.seconds = after;
-  return queue_simulation(line, effect);
-}
-
-Reply RobotMachine::queue_simulation(int line, motion::Effect effect) {
-  const std::int64_t waiting =
-      simulations_ - channels_.simulations_done.load(std::memory_order_acquire);
-  if (waiting >= static_cast<std::int64_t>(SimulatedInputs::kMostWaiting)) {
-    refusal_ = words_for_many_simulations();
-    return Reply::Refused;
-  }
-  effect.tag = static_cast<motion::Tag>(line);
-  const Reply reply = queue(effect);
-  if (reply == Reply::Done) ++simulations_;
-  return reply;
-}
-
-void RobotMachine::note_assumed(int line, int signal) {
-  if (!standing_) return note_assumed_value(line, signal);
-  // taken_as_met() or waited() says it.
-  if (!assumed_[static_cast<std::size_t>(signal)].empty()) assumed_read_ = signal;
-}
-
-void RobotMachine::note_assumed_value(int line, int signal) {
-  if (assumed_.empty()) return;
-  const std::string& name = assumed_[static_cast<std::size_t>(signal)];
-  if (name.empty()) return;
-  const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
-  log_.found({lang::Severity::Note,
-              code::kAssumed,
-              {static_cast<std::uint32_t>(line), 0, 0},
-              fmt::format("assumed: {} is {} here", name, analog ? "at 0 V" : "OFF"),
-              "a signal script (--signals) says what it does"});
-}
-
-bool RobotMachine::taken_as_met(int line) {
-  if (assumed_read_ < 0) return false;
-  log_.found({lang::Severity::Note,
-              code::kAssumed,
-              {static_cast<std::uint32_t>(line), 0, 0},
-              fmt::format("assumed: this WAIT for {} is met after 0 s",
-                          assumed_[static_cast<std::size_t>(assumed_read_)]),
-              "a signal script (--signals) says when it is"});
-  return true;
 }
 
 bool RobotMachine::observable() const {
