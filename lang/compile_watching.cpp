@@ -3,6 +3,7 @@
 
 #include "lang/expression_compiler.h"
 #include "lang/fold.h"
+#include "lang/observations.h"
 #include "lang/statement_compiler.h"
 #include "lang/target.h"
 
@@ -53,6 +54,8 @@ ExpressionCompiler::WatchCode ExpressionCompiler::watch(const Expr& condition) {
   Fixed fixed;
   fixed.gather(condition);
   const Place place = condition.place;
+  latched_ = false;
+  refresh(observed_globals(condition), place);
   int count = 0;
   for (const Expr* const name : fixed.names()) count += slots_of(name->type).numbers;
   const Register values = code_.number_registers(std::max(count, 1));
@@ -129,6 +132,7 @@ void StatementCompiler::compile(const WatchedMotion& watched) {
   const auto& move = std::get<Move>(watched.motion.front().node);
   enter(move.clauses.surroundings);
   for (const WayPoint& event : watched.events) compile(event);
+  place_ = place;  // the actions of the events have theirs
   if (watched.until == nullptr) {
     compile_motion(move);
     return leave(move.clauses.surroundings, place);

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "runtime/control/messages.h"
-#include "runtime/control/simulated_inputs.h"
+#include "runtime/control/signal_access.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {
@@ -213,7 +213,20 @@ Reply RobotMachine::settle(int line) {
   on_the_way_.clear();
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
-  return settled() ? Reply::Done : Reply::Later;
+  if (!settled()) return Reply::Later;
+  forget_rests();
+  return Reply::Done;
+}
+
+/// An error that came from a TASK may have found a motion that was guarded or braked.
+void RobotMachine::forget_rests() {
+  motion::Rest rest;
+  while (take_rest(rest)) {
+    if (!rest.early()) continue;
+    planner_.retarget(rest.q);
+    exact_ = true;
+  }
+  braking_ = false;
 }
 
 bool RobotMachine::settled() const {
@@ -243,11 +256,7 @@ Reply RobotMachine::note(int line, Note note) {
 }
 
 motion::Effect RobotMachine::effect_on(int line, int signal) const {
-  motion::Effect effect;
-  effect.tag = static_cast<motion::Tag>(line);
-  effect.channel =
-      static_cast<std::uint8_t>(signals_.at(static_cast<std::size_t>(signal)).channel - 1);
-  return effect;
+  return runtime::effect_on(this->signal(signal), line);
 }
 
 Reply RobotMachine::write_signal(int line, int signal, bool value) {
@@ -271,56 +280,6 @@ Reply RobotMachine::pulse(int line, int signal, double seconds) {
   return queue(effect);
 }
 
-Reply RobotMachine::expectation_failed(int line, std::string_view text) {
-  log_.expect_failed({line, std::string(text)});
-  return Reply::Done;
-}
-
-Reply RobotMachine::simulate(int line, int signal, double value, double after) {
-  motion::Effect effect = effect_on(line, signal);
-  const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
-  effect.kind = analog ? motion::Effect::Kind::SimulateAnalog : motion::Effect::Kind::Simulate;
-  effect.value = value != 0;
-  effect.volts = value;
-  effect.seconds = after;
-  return queue_simulation(line, effect);
-}
-
-Reply RobotMachine::queue_simulation(int line, motion::Effect effect) {
-  const std::int64_t waiting =
-      simulations_ - channels_.simulations_done.load(std::memory_order_acquire);
-  if (waiting >= static_cast<std::int64_t>(SimulatedInputs::kMostWaiting)) {
-    refusal_ = words_for_many_simulations();
-    return Reply::Refused;
-  }
-  effect.tag = static_cast<motion::Tag>(line);
-  const Reply reply = queue(effect);
-  if (reply == Reply::Done) ++simulations_;
-  return reply;
-}
-
-void RobotMachine::note_assumed(int line, int signal) {
-  const std::string& name = assumed_[static_cast<std::size_t>(signal)];
-  if (name.empty()) return;
-  if (standing_) {
-    assumed_read_ = signal;  // taken_as_met() or waited() says it
-    return;
-  }
-  const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
-  log_.found({lang::Severity::Note, code::kAssumed, lang::tagged_place(line),
-              fmt::format("assumed: {} is {} here", name, analog ? "at 0 V" : "OFF"),
-              "a signal script (--signals) says what it does"});
-}
-
-bool RobotMachine::taken_as_met(int line) {
-  if (assumed_read_ < 0) return false;
-  log_.found({lang::Severity::Note, code::kAssumed, lang::tagged_place(line),
-              fmt::format("assumed: this WAIT for {} is met after 0 s",
-                          assumed_[static_cast<std::size_t>(assumed_read_)]),
-              "a signal script (--signals) says when it is"});
-  return true;
-}
-
 bool RobotMachine::observable() const {
   if (!decided()) return false;
   // At standstill what was written before acts first; in a corner it acts behind the decision
@@ -331,10 +290,7 @@ bool RobotMachine::observable() const {
 
 Reply RobotMachine::read_signal(int line, int signal, bool& value) {
   if (!observable()) return Reply::Later;
-  const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
-  const std::uint64_t bits = asked.output ? channels_.outputs.load(std::memory_order_relaxed)
-                                          : channels_.inputs.load(std::memory_order_relaxed);
-  value = (bits >> (asked.channel - 1) & 1U) != 0;
+  value = digital_value(channels_, this->signal(signal));
   if (!assumed_.empty()) note_assumed(line, signal);
   return Reply::Done;
 }
@@ -348,9 +304,7 @@ bool RobotMachine::decided() const {
 
 Reply RobotMachine::read_analog(int line, int signal, double& volts) {
   if (!observable()) return Reply::Later;
-  const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
-  const AnalogCells& cells = asked.output ? channels_.analog_outputs : channels_.analog_inputs;
-  volts = cells.at(asked.channel - 1);
+  volts = analog_value(channels_, this->signal(signal));
   if (!assumed_.empty()) note_assumed(line, signal);
   return Reply::Done;
 }

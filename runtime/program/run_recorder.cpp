@@ -123,7 +123,7 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   end_segment(event.time, &*planned);
   const motion::JointVector from = std::exchange(reached_, planned->target);
   meter_.watch(planned->number, planned->target);
-  path_.programmed(running_->from, planned->target);
+  path_.programmed(from, planned->target);
 
   LineResult& line = line_of(*planned);
   const double duration = planned->span() / (planned->dwell ? 1 : override_share_);
@@ -213,7 +213,7 @@ double RunRecorder::planned_miss(const Running& segment, const LoggedSegment* ne
 void RunRecorder::take_effect(const MotionEvent& event) {
   using Kind = Effect::Kind;
   const Kind kind = event.effect.kind;
-  if (kind == Kind::Arm || kind == Kind::Disarm) return;
+  if (kind == Kind::Arm || kind == Kind::Disarm || kind == Kind::Report) return;
   --result_.dropped_effects;
   // Inputs are the machine's, simulated or not.
   if (kind == Kind::Override) return take_override(event);

@@ -66,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view source(reinterpret_cast<const char*>(data), size);
   const InputFiles files(source);
   const Compilation compilation =
-      compile(source.substr(0, source.find("\n//@")), robot, {}, &files);
+      compile(source.substr(0, source.find("\n//@")), robot, {}, {}, &files);
   check_messages(compilation, source.substr(0, source.find("\n//@")));
   if (!compilation.chunk) return 0;
   run(*compilation.chunk, robot, std::nullopt);

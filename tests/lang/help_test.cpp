@@ -75,7 +75,7 @@ TEST_CASE("the example of a word is a program, or one of a later version") {
     if (!entry.title.empty()) continue;
     CAPTURE(entry.topic);
     CHECK_FALSE(entry.example.empty());
-    const Compilation compilation = compile(entry.example, robot, {}, &sources);
+    const Compilation compilation = compile(entry.example, robot, {}, {}, &sources);
     const bool later = help_text(entry).find("not in this version of Rob yet") != std::string::npos;
     CHECK(compilation.chunk.has_value() != later);
   }

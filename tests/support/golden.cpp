@@ -170,7 +170,7 @@ GoldenResult check_golden(std::string_view source, const lang::RobotSignature& r
   const GoldenScript script = read_golden(source);
   Comparison comparison(script);
   const GivenFiles files(script);
-  const lang::Compilation compilation = lang::compile(source, robot, script.points, &files);
+  const lang::Compilation compilation = lang::compile(source, robot, script.points, {}, &files);
   for (const lang::Diagnostic& diagnostic : compilation.diagnostics.all()) {
     comparison.message(
         diagnostic.severity == lang::Severity::Error ? Kind::Error : Kind::Warning,
