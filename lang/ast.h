@@ -173,6 +173,11 @@ struct Expect {
   ExprPtr condition;
   std::string text;  ///< the condition as it was written, on one line
 };
+/// START blink
+struct Start {
+  Name task;
+  Place task_place;
+};
 /// SIMULATE part_here = ON AFTER 2s
 /// SIMULATE GO = ON AFTER 2s · SIMULATE ANSWER = "7"
 struct Simulate {
@@ -219,11 +224,11 @@ struct Statement {
   std::variant<Move, PlainMotions, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration,
                Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
                Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use,
-               PathBlock, WayPoint, Press, With, SetOverride, RecordDeclaration, Halt, Ask>
+               PathBlock, WayPoint, Press, With, SetOverride, RecordDeclaration, Halt, Ask, Start>
       node;
 };
 
-/// PROC, FUNC and TEST.
+/// PROC, FUNC, TASK and TEST.
 struct Routine {
   /// `REF a, b: LENGTH` or `n: INT = 1`.
   struct Parameters {
@@ -234,7 +239,8 @@ struct Routine {
   };
   Place place;
   bool function = false;
-  bool test = false;      ///< its name is a text
+  bool test = false;  ///< its name is a text
+  bool task = false;
   bool sound = true;      ///< its header could be read
   std::size_t index = 0;  ///< in Program::routines
   std::string name;
@@ -242,7 +248,7 @@ struct Routine {
   std::vector<Parameters> parameters;
   Type result;  ///< of a FUNC
   Block body;
-  Place end;            ///< of ENDPROC or ENDFUNC
+  Place end;            ///< of ENDPROC and the like
   bool memory = false;  ///< set by the checker: not all it computes with fits into registers
 };
 

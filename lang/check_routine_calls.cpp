@@ -25,6 +25,13 @@ Type ExpressionChecker::check_routine_call(Call& call, const Expr& expression,
   const bool statement = &expression == statement_;
   call.routine = &routine;
   uses_.called(routine, expression.place);
+  if (routine.task) {
+    diagnostics_.error(
+        code::kRoutineMisused, expression.place,
+        fmt::format("{} is a TASK and is not called", shortened(routine.name)),
+        fmt::format("START {} lets it run beside the program", shortened(routine.name)));
+    return {};
+  }
   complete_header(routine);
   if (statement && routine.function) {
     diagnostics_.error(
@@ -114,7 +121,10 @@ bool ExpressionChecker::check_argument(const Expr& argument, const Routine& rout
   const Name* const variable = root_of(argument);
   const bool fits = variable != nullptr && variable->symbol != nullptr &&
                     variable->symbol->kind == Symbol::Kind::Variable && argument.type == group.type;
-  if (fits) return true;
+  if (fits) {
+    uses_.referred(*variable->symbol, argument.place);
+    return true;
+  }
   diagnostics_.error(
       code::kReferenceArgument, argument.place,
       fmt::format("{} a variable here, {}, since it is REF", needs, in_words(group.type)),

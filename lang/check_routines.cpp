@@ -30,6 +30,7 @@ void StatementChecker::check(Program& program) {
   moves_.in_routine(true);
   for (Routine& routine : program.routines) check(routine);
   check_frame_uses(program);
+  settle_tasks(program);
   warn_of_missing_points();
   scopes_.leave();
   uses_.report(diagnostics_);

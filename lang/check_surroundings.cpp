@@ -130,11 +130,18 @@ void StatementChecker::check_motion_in_path(const Move& move, Place place) {
 }
 
 void StatementChecker::check_not_read(const ExprPtr& value) {
-  if (value == nullptr || observations(*value) == 0) return;
-  diagnostics_.error(code::kReadInPath, value->place,
-                     "a PATH is planned before it starts: what is read from the robot here would "
-                     "come too early",
-                     "give it a variable before PATH");
+  if (value != nullptr) path_values_.push_back(value.get());
+}
+
+/// A global that a TASK changes counts as read from the robot.
+void StatementChecker::report_reads_in_paths() {
+  for (const Expr* const value : path_values_) {
+    if (observations(*value) == 0) continue;
+    diagnostics_.error(code::kReadInPath, value->place,
+                       "a PATH is planned before it starts: what is read from the robot here would "
+                       "come too early",
+                       "give it a variable before PATH");
+  }
 }
 
 void StatementChecker::check(Press& press) {

@@ -73,7 +73,12 @@ void WatchChecker::check_action(const Statement& action, std::string_view word) 
     sound = word == "WHEN" && raise->value != nullptr;
     value = raise->value.get();
   }
-  if (!sound) {
+  const bool brake = std::holds_alternative<Brake>(action.node);
+  if (word == "WHEN" && (brake || std::holds_alternative<Halt>(action.node))) {
+    diagnostics_.error(
+        code::kNotYet, action.place,
+        fmt::format("{} behind WHEN is not in this version of Rob yet", brake ? "BRAKE" : "HALT"));
+  } else if (!sound) {
     diagnostics_.error(
         code::kActionMisplaced, action.place,
         fmt::format("this cannot be done in the control cycle itself, as {} does it", word),

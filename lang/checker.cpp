@@ -129,6 +129,7 @@ void StatementChecker::check(Assign& assign) {
     return;
   }
   if (root->symbol == nullptr || !assignable(*root->symbol, assign.target->place)) return;
+  uses_.written(*root->symbol);
   if (assign.value == nullptr) return;
   expressions_.accept(*assign.value, assign.target->type,
                       fmt::format("{} needs", shortened(root->symbol->name)));

@@ -10,6 +10,11 @@ const Place& PlaceTable::operator[](std::size_t word) const {
   return std::prev(behind)->place;
 }
 
+bool takes_memory(const Chunk& chunk) {
+  return std::ranges::any_of(chunk.routines,
+                             [](const RoutineCode& routine) { return routine.memory != Slots{}; });
+}
+
 const OpcodeInfo& info(Opcode opcode) {
   static constexpr std::array kInfos = std::to_array<OpcodeInfo>({
 #define ROB_OPCODE(name, operands) {#name, operands},

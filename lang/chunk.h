@@ -169,6 +169,12 @@ struct TestCode {
   std::uint32_t routine = 0;
 };
 
+/// A TASK: what it is called, and its routine.
+struct TaskCode {
+  std::string name;
+  std::uint32_t routine = 0;
+};
+
 struct Chunk {
   std::vector<Instruction> code;
   PlaceTable places;  ///< of every word of code: where it comes from
@@ -187,11 +193,16 @@ struct Chunk {
   std::vector<RoutineCode> routines;
   std::vector<TestCode> tests;
   std::uint32_t test_entry = 0;  ///< where every TEST begins: with the program's declarations
+  std::vector<TaskCode> tasks;
+  std::uint32_t task_entry = 0;  ///< where every TASK begins
   int registers = 0;             ///< of the top level
   int text_registers = 0;
   Slots memory;                                 ///< of the top level, behind its registers
   std::shared_ptr<const TypeTable> type_table;  ///< where `types` point to
 };
+
+/// Whether a routine takes memory behind its registers.
+bool takes_memory(const Chunk& chunk);
 
 /// "add_int", and what its operands are: the letters of opcodes.def.
 struct OpcodeInfo {

@@ -135,6 +135,30 @@ void CodeBuilder::ask(Register text, Register answer, const Type& type, Place pl
   emit(operand_word(index_in(chunk_.types, type)), place);
 }
 
+void CodeBuilder::task_entry(Place place) {
+  chunk_.task_entry = static_cast<std::uint32_t>(chunk_.code.size());
+  emit(Opcode::call_test, place);
+  emit(Opcode::end, place);
+}
+
+void CodeBuilder::start(std::size_t task, Place place) {
+  emit(Opcode::start, place);
+  emit(operand_word(task), place);
+}
+
+void CodeBuilder::publish(Register first, bool texts, int count, Place place) {
+  if (count == 0) return;
+  emit(Opcode::publish, place, first, texts ? 1 : 0);
+  emit(operand_word(static_cast<std::size_t>(count)), place);
+}
+
+void CodeBuilder::refresh(std::size_t first, bool texts, int count, bool latched, Place place) {
+  if (count == 0) return;
+  emit(Opcode::refresh, place, texts ? 1 : 0, 0, latched ? 1 : 0);
+  emit(operand_word(first), place);
+  emit(operand_word(static_cast<std::size_t>(count)), place);
+}
+
 std::uint16_t CodeBuilder::form_index(const MoveForm& form, Place place) {
   const std::size_t index = index_in(chunk_.moves, form);
   if (index > std::numeric_limits<std::uint16_t>::max()) fail(Limit::Motions, place);

@@ -109,6 +109,17 @@ class CodeBuilder {
          static_cast<unsigned>(texts_.used));
   }
 
+  /// Where every TASK begins: it calls the routine that the Vm was told.
+  void task_entry(Place place);
+  void add_task(TaskCode task) { chunk_.tasks.push_back(std::move(task)); }
+  std::size_t tasks() const { return chunk_.tasks.size(); }
+  /// START of a TASK, by its number.
+  void start(std::size_t task, Place place);
+  /// TASKs see the slots from the place in register `first` on as they are now.
+  void publish(Register first, bool texts, int count, Place place);
+  /// The slots of the top level from `first` on become what TASKs see.
+  void refresh(std::size_t first, bool texts, int count, bool latched, Place place);
+
   /// What follows is the code of a routine, with registers of its own.
   void begin_routine(const std::string& name);
   /// Calls a routine, by its number, whose parameters lie in the registers from these two on.

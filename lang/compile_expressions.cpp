@@ -89,6 +89,7 @@ bool ExpressionCompiler::lives_in_register(const Symbol& symbol) const {
 void ExpressionCompiler::begin(const Expr& expression) {
   latched_ = observations(expression) > 1;
   if (latched_) code_.emit(Opcode::latch, expression.place);
+  refresh(observed_globals(expression), expression.place);
 }
 
 void ExpressionCompiler::value_into(const Expr& expression, Register target, bool as_real) {

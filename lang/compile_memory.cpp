@@ -146,8 +146,10 @@ void ExpressionCompiler::assign_memory(const Expr& target, const Expr& value) {
     from = memory(slots, value.place);
     put(value, from, target.type);
   }
-  begin(target);
-  copy_memory(locate(target), from, slots, target.place);
+  begin_place(target);
+  const Location to = locate(target);
+  copy_memory(to, from, slots, target.place);
+  if (root_of(target)->symbol->shared) publish(to, target.type, target.place);
 }
 
 bool ExpressionCompiler::is_number_element(const Expr& expression) {

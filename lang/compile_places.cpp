@@ -220,7 +220,10 @@ void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
   if (const auto* const name = std::get_if<Name>(&target.node)) {
     const Location at = home(*name->symbol);
     const SlotsAt& part = is_text(type) ? at.texts : at.numbers;
-    if (type.in_registers() && part.in_register()) return value_into(value, part.reg(), as_real);
+    if (type.in_registers() && part.in_register()) {
+      value_into(value, part.reg(), as_real);
+      return publish(*name->symbol, target.place);
+    }
   }
   if (!type.in_registers()) {
     assign_memory(target, value);
@@ -233,11 +236,14 @@ void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
 
 void ExpressionCompiler::assign_register(const Expr& target, Register value) {
   const auto mark = code_.mark();
-  begin(target);
-  if (is_number_element(target)) {
+  begin_place(target);
+  const bool shared = root_of(target)->symbol->shared;
+  if (is_number_element(target) && !shared) {
     store_element(std::get<Index>(target.node), value, target.place);
   } else {
-    store(locate(target), target.type, value, target.place);
+    const Location at = locate(target);
+    store(at, target.type, value, target.place);
+    if (shared) publish(at, target.type, target.place);
   }
   code_.release(mark);
 }

@@ -26,6 +26,7 @@ void StatementCompiler::compile(const PointDeclaration& declaration) {
       code_.release(mark);
     } else {
       expressions_.initialise(*declaration.value, home, symbol.type);
+      publish(symbol, place_);
     }
     if (symbol.moved_to && symbol.taught != nullptr) keep_joints(symbol);
   }

@@ -44,6 +44,7 @@ void StatementCompiler::compile(const Routine& routine) {
   if (routine.test) {
     code_.add_test({routine.name, routine.place, static_cast<std::uint32_t>(routine.index)});
   }
+  if (routine.task) code_.add_task({routine.name, static_cast<std::uint32_t>(routine.index)});
   whens_ = 0;
   code_.begin_routine(routine.name);
   const auto mark = code_.mark();
@@ -86,6 +87,7 @@ void StatementCompiler::compile(const Return& statement) {
     expressions_.initialise(*statement.value, layout_of(*routine_).result, routine_->result);
     leave_whens(0);
     leave_guards(0, place);
+    leave_scopes(0, place);
     code_.emit(Opcode::leave, place);
   } else {
     const auto mark = code_.mark();

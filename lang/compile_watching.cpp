@@ -3,6 +3,7 @@
 
 #include "lang/expression_compiler.h"
 #include "lang/fold.h"
+#include "lang/observations.h"
 #include "lang/statement_compiler.h"
 #include "lang/target.h"
 
@@ -53,6 +54,8 @@ ExpressionCompiler::WatchCode ExpressionCompiler::watch(const Expr& condition) {
   Fixed fixed;
   fixed.gather(condition);
   const Place place = condition.place;
+  latched_ = false;
+  refresh(observed_globals(condition), place);
   int count = 0;
   for (const Expr* const name : fixed.names()) count += slots_of(name->type).numbers;
   const Register values = code_.number_registers(std::max(count, 1));

@@ -34,12 +34,16 @@ StatementCompiler::StatementCompiler(const CheckedProgram& checked, const RobotS
 std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnostics& diagnostics) {
   const auto mark = code_.mark();
   if (program.memory) code_.open_memory(program.end);
+  for (const Routine& routine : program.routines) {
+    if (routine.task) task_numbers_.emplace(routine.index, task_numbers_.size());
+  }
   // A WHEN outside of all blocks is armed until the program has ended.
   for (const Statement& statement : program.statements) compile(statement);
   code_.release(mark);
   code_.land(returns_);
   code_.emit(Opcode::end, program.end);
   if (std::ranges::any_of(program.routines, &Routine::test)) compile_test_entry(program);
+  if (!task_numbers_.empty()) code_.task_entry(program.end);
   expressions_.enter_routine();
   for (const Routine& routine : program.routines) compile(routine);
   if (code_.failed() == CodeBuilder::Limit::None) return code_.finish();
@@ -84,9 +88,11 @@ void StatementCompiler::compile(const Declaration& declaration) {
   } else {
     expressions_.clear(home, first.type, place_);
   }
+  publish(first, place_);
   for (std::size_t i = 1; i < declaration.names.size(); ++i) {
     const Location other = declare(*declaration.names[i].symbol);
     expressions_.copy(home, other, first.type, place_);
+    publish(*declaration.names[i].symbol, place_);
   }
 }
 

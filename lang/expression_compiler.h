@@ -81,9 +81,13 @@ class ExpressionCompiler {
   };
   WatchCode watch(const Expr& condition);
 
+  /// TASKs see the present value of a variable that they use.
+  void publish(const Symbol& symbol, Place place);
+
   /// What lies in registers becomes the value of a point or of another variable.
   void store_variable(const Symbol& variable, Register value, Place place) {
     store(home(variable), variable.type, value, place);
+    publish(variable, place);
   }
   /// The value of a variable of numbers, into registers.
   void load_variable(const Symbol& variable, Register target, Place place) {
@@ -189,6 +193,10 @@ class ExpressionCompiler {
   CodeBuilder::Jump jump_if(Register truth, bool when, Place place);
 
   void begin(const Expr& expression);
+  void begin_place(const Expr& target);
+  // Globals that TASKs use (compile_tasks.cpp)
+  void refresh(const std::vector<const Symbol*>& globals, Place place);
+  void publish(const Location& at, const Type& type, Place place);
   bool lives_in_register(const Symbol& symbol) const;
 
   CodeBuilder& code_;

@@ -17,12 +17,10 @@ enum class Keyword : std::uint8_t {
 
 /// Where a reserved word may stand.
 enum class KeywordRole : std::uint8_t {
-  Value,       ///< operators and literals: the only ones that may go on a line inside brackets
-  Statement,   ///< begins a statement
-  Later,       ///< begins a statement that this version does not have
-  LaterBlock,  ///< the same; always opens a block, closed by END… of it
-  Closer,      ///< ends a block, or begins its next branch
-  Part         ///< stands inside a statement
+  Value,      ///< operators and literals: the only ones that may go on a line inside brackets
+  Statement,  ///< begins a statement
+  Closer,     ///< ends a block, or begins its next branch
+  Part        ///< stands inside a statement
 };
 
 /// Case-insensitive.

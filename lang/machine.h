@@ -144,6 +144,14 @@ class Machine {
   /// In the same way the operator lets a HALT go on (if `go`), or answers an ASK.
   virtual Reply simulate_go(int line, bool go, double after) = 0;
   virtual Reply simulate_answer(int line, std::string_view text, double after) = 0;
+  /// START: the TASK of that number runs beside the program, from this point of motion order on.
+  virtual Reply start(int line, std::uint32_t task) = 0;
+  /// What TASKs see of the program's globals: from this point of motion order on the slots from
+  /// `first` on have these values; or, an observation, what they are.
+  virtual Reply publish(int line, std::size_t first, std::span<const Slot> values) = 0;
+  virtual Reply publish(int line, std::size_t first, std::span<const std::string> texts) = 0;
+  virtual Reply refresh(int line, std::size_t first, std::span<Slot> values) = 0;
+  virtual Reply refresh(int line, std::size_t first, std::span<std::string> texts) = 0;
   /// Reads a signal at the decision point of the motion commanded before. An observation:
   /// `Later` until that instant has come.
   virtual Reply read_signal(int line, int signal, bool& value) = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "lang/ast.h"
 #include "lang/reading.h"
@@ -11,6 +12,12 @@ namespace rob::lang {
 std::optional<Reading> reading_of(const Call& call);
 
 /// How many observations of the world a checked expression can make; what is constant makes none.
+/// Where it is known already that a TASK changes a global, reading it is one.
 int observations(const Expr& expression);
+
+/// The globals in an expression that TASKs change, each once.
+std::vector<const Symbol*> observed_globals(const Expr& expression);
+/// Whether it reads a variable of the top level.
+bool reads_global(const Expr& expression);
 
 }  // namespace rob::lang

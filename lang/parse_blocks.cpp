@@ -25,6 +25,7 @@ bool takes_lines(Keyword keyword) {
     case Keyword::Try:
     case Keyword::Proc:
     case Keyword::Func:
+    case Keyword::Task:
     case Keyword::Var:
     case Keyword::Const:
     case Keyword::Signal:
@@ -97,6 +98,7 @@ bool Parser::at_block_end() const {
     case Keyword::Endtry:
     case Keyword::Endproc:
     case Keyword::Endfunc:
+    case Keyword::Endtask:
     case Keyword::Endtest:
     case Keyword::Endwith:
       return true;

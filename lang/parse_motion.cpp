@@ -77,7 +77,7 @@ void Parser::move(Block& block) {
     clauses(move.clauses);
     add(block, place, std::move(move));
   } catch (const SyntaxError&) {
-    if (line_ends_with(Keyword::Do)) skip_later_block("MOVE", "ENDMOVE", false);
+    if (line_ends_with(Keyword::Do)) skip_later_block("MOVE", "ENDMOVE");
     throw;
   }
 }

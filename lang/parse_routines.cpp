@@ -107,7 +107,7 @@ void Parser::return_statement(Block& block) {
   add(block, place, std::move(node));
 }
 
-/// The names behind PROC, FUNC and RECORD anywhere in the text.
+/// The names behind PROC, FUNC, TASK and RECORD anywhere in the text.
 const Parser::DefinedNames& Parser::defined_names() {
   if (defined_names_) return *defined_names_;
   defined_names_.emplace();
@@ -117,14 +117,16 @@ const Parser::DefinedNames& Parser::defined_names() {
     if (names != nullptr && token.kind == TokenKind::Word) names->insert(to_upper(token.text));
     names = nullptr;
     if (token.kind != TokenKind::Reserved) continue;
-    const bool routine = token.keyword == Keyword::Proc || token.keyword == Keyword::Func;
+    const bool routine = token.keyword == Keyword::Proc || token.keyword == Keyword::Func ||
+                         token.keyword == Keyword::Task;
     if (routine) names = &defined_names_->routines;
     if (token.keyword == Keyword::Record) names = &defined_names_->records;
   }
   return *defined_names_;
 }
 
-/// Whether a PROC or FUNC of this name stands anywhere in the text, or in a file that it USEs.
+/// Whether a PROC, FUNC or TASK of this name stands anywhere in the text, or in a file that it
+/// USEs.
 bool Parser::names_routine(std::string_view name) {
   const auto named = [&](const Routine& routine) { return same_word(routine.name, name); };
   return defined_names().routines.contains(to_upper(name)) ||

@@ -77,6 +77,9 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Func:
       routine();
       return true;
+    case Keyword::Task:
+      task();
+      return true;
     case Keyword::Test:
       test();
       return true;
@@ -132,9 +135,6 @@ void Parser::simple(Block& block) {
               remedy());
   }
   switch (role(current_.keyword)) {
-    case KeywordRole::Later:
-    case KeywordRole::LaterBlock:
-      later_statement();
     case KeywordRole::Closer:
       stray_closer();
     default:
@@ -155,8 +155,8 @@ void Parser::word_statement(Block& block) {
     const Place place = current_.place;
     return add(block, place, path_event());
   }
-  if (at_later_word()) later_statement();
   if (at_zero()) return zero_statement(block);
+  if (at_placed_word("START")) return start_statement(block);
   if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
   if (next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket) {
     return assignment(block);
@@ -196,8 +196,8 @@ void Parser::unknown_word(Block& block) {
   const bool needs_do =
       keyword == Keyword::While || keyword == Keyword::For || keyword == Keyword::With;
   const bool stands_alone = next_.kind == TokenKind::EndOfLine;
-  const bool routine =
-      keyword == Keyword::Proc || keyword == Keyword::Func || keyword == Keyword::Record;
+  const bool routine = keyword == Keyword::Proc || keyword == Keyword::Func ||
+                       keyword == Keyword::Record || keyword == Keyword::Task;
   if (keyword == Keyword::End || (routine && next_.kind != TokenKind::Word) ||
       ((keyword == Keyword::Loop || keyword == Keyword::Try) && !stands_alone) ||
       (needs_do && !line_ends_with(Keyword::Do)) ||

@@ -250,11 +250,13 @@ class Parser {
   void raise_statement(Block& block);
 
   // What later versions have (parse_later.cpp)
-  bool at_later_word() const;
-  [[noreturn]] void later_statement();
   void declare_unknown(Block& block);
-  void skip_later_block(std::string_view opener, std::string_view closer, bool always);
+  void skip_later_block(std::string_view opener, std::string_view closer);
   bool skip_line();
+
+  // TASK and START (parse_tasks.cpp)
+  void task();
+  void start_statement(Block& block);
 
   // TEST (parse_tests.cpp)
   void test();

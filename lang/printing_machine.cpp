@@ -164,6 +164,10 @@ Reply PrintingMachine::simulate_answer(int line, std::string_view text, double a
   return note(line, fmt::format("simulate answer {} after {}", text, number_text(after, kTime)));
 }
 
+Reply PrintingMachine::start(int line, std::uint32_t task) {
+  return note(line, fmt::format("start {}", task + 1));
+}
+
 Reply PrintingMachine::wait(int line, double seconds) {
   return note(line, "wait " + number_text(seconds, kTime));
 }

@@ -19,6 +19,7 @@ namespace rob::lang {
 ///     movel by 20 0 0 · move joints - - 90 · … zone 5mm · … fine
 ///     stop · brake · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
 ///     teach pick 40 20 0 · teach pick 40 20 0 in pallet     the place, in mm
+///     start 1                           a TASK, counted in the order of the text
 ///     halt TEXT · ask TEXT · simulate go after 2s · simulate answer TEXT after 0s
 ///     guard · ended hit · ended reached
 ///                                       UNTIL; the condition is looked at behind its motion, until
@@ -91,6 +92,12 @@ class PrintingMachine : public Machine {
   Reply ask(int line, std::string_view text, std::optional<std::string>& answer) override;
   Reply simulate_go(int line, bool go, double after) override;
   Reply simulate_answer(int line, std::string_view text, double after) override;
+  /// TASKs do not run here: the program alone changes its globals.
+  Reply start(int line, std::uint32_t task) override;
+  Reply publish(int, std::size_t, std::span<const Slot>) override { return ready(); }
+  Reply publish(int, std::size_t, std::span<const std::string>) override { return ready(); }
+  Reply refresh(int, std::size_t, std::span<Slot>) override { return ready(); }
+  Reply refresh(int, std::size_t, std::span<std::string>) override { return ready(); }
   Reply teach(int line, std::string_view point, std::string_view frame,
               const PoseValue& pose) override;
   Reply wait(int line, double seconds) override;

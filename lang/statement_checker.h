@@ -51,6 +51,7 @@ class StatementChecker {
   }
   void check(Statement& statement) {
     place_ = statement.place;
+    uses_.statement(statement);
     std::visit([&](auto& node) { check(node); }, statement.node);
     if (in_path_) check_in_path(statement);
   }
@@ -90,6 +91,7 @@ class StatementChecker {
   void check_in_path(const Statement& statement);
   void check_motion_in_path(const Move& move, Place place);
   void check_not_read(const ExprPtr& value);
+  void report_reads_in_paths();
   void check_path_clauses(const Clauses& clauses, Place place);
 
   // TEST (check_tests.cpp)
@@ -120,7 +122,7 @@ class StatementChecker {
     for (const ExprPtr& value : print.values) expressions_.check(value);
   }
   void check(Wait& wait) {
-    waits_.check(wait);
+    waits_.check(wait, routine_);
     check(wait.otherwise);
   }
   void check(If& conditional);
@@ -155,6 +157,10 @@ class StatementChecker {
   void check(ZeroForce&) { expressions_.has_sensor(Reading::Force, place_); }
   Type type_of(const PointTable::Point& kept, Place place);
   void warn_of_missing_points();
+
+  // TASK and START (check_tasks.cpp)
+  void check(Start& start);
+  void settle_tasks(const Program& program);
 
   // Routines (check_routines.cpp)
   void declare(const Routine& routine);
@@ -199,7 +205,8 @@ class StatementChecker {
   int rescues_ = 0;        ///< RESCUE blocks open around it
   bool in_path_ = false;   ///< inside of PATH
   bool pressing_ = false;  ///< inside of PRESS
-  const Routine* routine_ = nullptr;  ///< that it belongs to; null at the top level
+  std::vector<const Expr*> path_values_;  ///< what PATHs are computed from
+  const Routine* routine_ = nullptr;      ///< that it belongs to; null at the top level
 };
 
 }  // namespace rob::lang

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -101,6 +102,11 @@ class StatementCompiler {
   void compile(const Return& statement);
   void compile(const Routine& routine);
 
+  // TASK (compile_tasks.cpp)
+  void compile(const Start& start);
+  /// A variable has a new value, which TASKs see if they use it.
+  void publish(const Symbol& symbol, Place place);
+
   // TEST (compile_tests.cpp)
   void compile_test_entry(const Program& program);
   void compile_variables(const Block& statements);
@@ -149,6 +155,7 @@ class StatementCompiler {
   std::array<Register, kClauses> path_values_{};  ///< of its clauses
   std::vector<Guard> guards_;                     ///< blocks that are open, of the present routine
   const Routine* routine_ = nullptr;              ///< that is being compiled; null at the top level
+  std::map<std::size_t, std::size_t> task_numbers_;  ///< of TASKs, by their Routine::index
   CodeBuilder::Jumps returns_;  ///< RETURN at the top level: the end of the program
 };
 

@@ -51,6 +51,8 @@ struct Symbol {
   bool global = false;                 ///< declared at the top level: routines see it
   bool by_reference = false;           ///< a REF parameter: stands for a variable of the caller
   const Routine* routine = nullptr;    ///< of Kind::Routine
+  bool shared = false;                 ///< a global that a TASK uses
+  bool observed = false;               ///< and gives a value
 };
 
 /// The names that may be used at one place of the program. Scopes nest; the outermost holds what
@@ -102,6 +104,10 @@ class Scopes {
   void frame(const Symbol& symbol, const TypeDetail* detail) {
     symbols_[symbol.id].frame = detail;
     frames_[detail] = &symbol;
+  }
+  void share(const Symbol& symbol, bool observed) {
+    symbols_[symbol.id].shared = true;
+    symbols_[symbol.id].observed = observed;
   }
   /// The FRAME, of any file, that poses of this detail are in; null if it is not declared yet.
   const Symbol* frame_of(const TypeDetail* detail) const;

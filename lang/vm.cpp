@@ -352,6 +352,7 @@ expect_failed:
   ROB_ASK(machine_.expectation_failed(line(pc), texts_[pc->a()]), pc);
   ROB_NEXT(1);
 #include "lang/vm_simulate.inc"
+#include "lang/vm_tasks.inc"
 open_try:
   if (!open_try(pc)) return fail_tries_too_deep(pc);
   ROB_NEXT(2);

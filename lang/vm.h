@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "lang/diagnostic.h"
 #include "lang/machine.h"
 #include "lang/random.h"
+#include "lang/task_memory.h"
 
 namespace rob::lang {
 
@@ -75,6 +77,13 @@ class Vm {
 
   /// `seed` is where RANDOM begins.
   Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed = Random::kDefaultSeed);
+
+  /// A TASK, by its number, in the memory that they share; run(), state(), error() and executed()
+  /// are for it as for a program.
+  Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memory,
+     std::uint64_t seed);
+  Vm(const Vm&) = delete;
+  Vm& operator=(const Vm&) = delete;
 
   /// Instead of the program: its declarations, then one of Chunk::tests. Before the first run().
   void choose_test(std::size_t test);
@@ -158,6 +167,8 @@ class Vm {
   Reply simulate(Code pc, double value);
   Reply teach(Code pc);
   Reply ask(Code pc);
+  Reply publish(Code pc);
+  Reply refresh(Code pc);
   Reply when(Code pc);
   /// Disarms the WHENs beyond the first `kept`.
   Reply disarm(int line, std::size_t kept);
@@ -237,11 +248,15 @@ class Vm {
   std::vector<Guard> guards_;
   bool rescuing_ = false;  ///< error_ is on its way to a RESCUE
 
-  Slots registers_;  ///< how much of the stacks are registers
-  Slots memory_;     ///< how much of the rest is taken
-  /// Registers, the frame of the top level first; then memory, in the same order.
-  std::vector<Slot> number_stack_;
-  std::vector<std::string> text_stack_;
+  std::vector<Slot> own_numbers_;  ///< of a TASK: none
+  std::vector<std::string> own_texts_;
+  /// The stacks: registers, the frame of the top level first; then memory, in the same order. What
+  /// a TASK sees of them ends with a part of its own.
+  std::span<Slot> number_stack_;
+  std::span<std::string> text_stack_;
+  Slots registers_;          ///< where registers end
+  Slots memory_;             ///< how much of what lies behind them is taken
+  bool background_ = false;  ///< a TASK
   std::vector<Frame> frames_;
   std::size_t depth_ = 0;  ///< calls that are open
   Slot* numbers_;          ///< the registers of the present frame

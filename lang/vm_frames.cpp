@@ -18,20 +18,18 @@ Slots registers_of(const Chunk& chunk) {
 }
 
 /// Without memory in routines, what the top level takes is all.
-Slots memory_of(const Chunk& chunk) {
-  const bool nested = std::ranges::any_of(
-      chunk.routines, [](const RoutineCode& routine) { return routine.memory != Slots{}; });
-  return nested ? kMemory : chunk.memory;
-}
+Slots memory_of(const Chunk& chunk) { return takes_memory(chunk) ? kMemory : chunk.memory; }
 
 }  // namespace
 
 Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
     : chunk_(chunk),
       machine_(machine),
+      own_numbers_(static_cast<std::size_t>((registers_of(chunk) + memory_of(chunk)).numbers)),
+      own_texts_(static_cast<std::size_t>((registers_of(chunk) + memory_of(chunk)).texts)),
+      number_stack_(own_numbers_),
+      text_stack_(own_texts_),
       registers_(registers_of(chunk)),
-      number_stack_(static_cast<std::size_t>((registers_ + memory_of(chunk)).numbers)),
-      text_stack_(static_cast<std::size_t>((registers_ + memory_of(chunk)).texts)),
       frames_(chunk.routines.empty() ? 0 : kMostCalls),
       numbers_(number_stack_.data()),
       texts_(text_stack_.data()),
@@ -146,12 +144,14 @@ Vm::State Vm::fail_calls_too_deep(Code pc) {
 }
 
 Vm::State Vm::fail_memory(Code pc) {
-  return fail(pc, {.code = std::string(code::kCallsTooDeep),
-                   .place = place(pc),
-                   .message = fmt::format("the calls need more memory for arrays and records than "
-                                          "there is: {} numbers and {} texts",
-                                          kMemory.numbers, kMemory.texts),
-                   .help = "REF passes an array without copying it"});
+  return fail(pc,
+              {.code = std::string(code::kCallsTooDeep),
+               .place = place(pc),
+               .message = fmt::format("the calls need more memory for arrays and records than "
+                                      "there is: {} numbers and {} texts",
+                                      static_cast<int>(number_stack_.size()) - registers_.numbers,
+                                      static_cast<int>(text_stack_.size()) - registers_.texts),
+               .help = "REF passes an array without copying it"});
 }
 
 Vm::State Vm::fail_no_value(Code pc) {

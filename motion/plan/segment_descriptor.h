@@ -24,6 +24,7 @@ struct Effect {
     SimulateAnswer,  ///< `id`
     Note,
     Override,  ///< from here on the path's time runs at `share`
+    Report,    ///< `id`: the asker learns that its turn has come, or that it is dropped
     Arm,       ///< `watched` is asked from here on
     Disarm     ///< and no longer, whether it was armed or not
   };

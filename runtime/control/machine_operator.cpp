@@ -1,16 +1,13 @@
 #include <string>
 #include <utility>
 
-#include "runtime/control/codes.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
-#include "runtime/control/simulated_inputs.h"
 
-/// The part of RobotMachine that knows HALT and ASK, and the operator whom SIMULATE plays.
+/// The part of RobotMachine that knows HALT and ASK.
 namespace rob::runtime {
 
 using lang::Reply;
-using motion::Effect;
 
 /// Stands, with all that was commanded done, and shows the text once.
 Reply RobotMachine::consult(int line, Note::Kind kind, std::string_view text) {
@@ -67,30 +64,6 @@ Reply RobotMachine::ask(int line, std::string_view text, std::optional<std::stri
   if (!foretelling_) return refuse_unattended("ASK");
   note_answer_assumed(line, "ASK");
   return answered(line, "");
-}
-
-void RobotMachine::note_answer_assumed(int line, const char* what) {
-  const bool halt = std::string_view(what) == "HALT";
-  log_.found({lang::Severity::Note,
-              code::kAssumed,
-              {static_cast<std::uint32_t>(line), 0, 0},
-              halt ? "assumed: this HALT goes on at once"
-                   : "assumed: this ASK is answered at once, and its variable keeps its value",
-              "a signal script (--signals) says what the operator does"});
-}
-
-Reply RobotMachine::simulate_go(int line, bool go, double after) {
-  if (!go) return Reply::Done;
-  const Reply reply = queue_simulation(line, {.kind = Effect::Kind::SimulateGo, .seconds = after});
-  if (reply == Reply::Done) channels_.panel.promise_go();
-  return reply;
-}
-
-Reply RobotMachine::simulate_answer(int line, std::string_view text, double after) {
-  if (buffer_.effects_full()) return Reply::Later;
-  Effect effect{.kind = Effect::Kind::SimulateAnswer, .seconds = after};
-  effect.id = channels_.panel.promise_answer(std::string(text));
-  return queue_simulation(line, effect);
 }
 
 }  // namespace rob::runtime

@@ -52,9 +52,7 @@ bool RobotMachine::stop_for_tool(int line) {
   const bool jumps = tip_jumps();
   if (jumps) {
     const double jump = lang::pose_math::length(setting_.tool.tip.position - moved_tip_);
-    log_.found({lang::Severity::Warning,
-                code::kToolJumps,
-                {static_cast<std::uint32_t>(line), 0, 0},
+    log_.found({lang::Severity::Warning, code::kToolJumps, lang::tagged_place(line),
                 fmt::format("another tool begins here, whose tip is {} away: the corner before it"
                             " is exact",
                             shown(jump, motion::AxisKind::Linear)),

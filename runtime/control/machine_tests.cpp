@@ -8,6 +8,7 @@
 namespace rob::runtime {
 
 using lang::Reply;
+using motion::Effect;
 
 Reply RobotMachine::expectation_failed(int line, std::string_view text) {
   log_.expect_failed({line, std::string(text)});
@@ -15,16 +16,16 @@ Reply RobotMachine::expectation_failed(int line, std::string_view text) {
 }
 
 Reply RobotMachine::simulate(int line, int signal, double value, double after) {
-  motion::Effect effect = effect_on(line, signal);
+  Effect effect = effect_on(line, signal);
   const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
-  effect.kind = analog ? motion::Effect::Kind::SimulateAnalog : motion::Effect::Kind::Simulate;
+  effect.kind = analog ? Effect::Kind::SimulateAnalog : Effect::Kind::Simulate;
   effect.value = value != 0;
   effect.volts = value;
   effect.seconds = after;
   return queue_simulation(line, effect);
 }
 
-Reply RobotMachine::queue_simulation(int line, motion::Effect effect) {
+Reply RobotMachine::queue_simulation(int line, Effect effect) {
   const std::int64_t waiting =
       simulations_ - channels_.simulations_done.load(std::memory_order_acquire);
   if (waiting >= static_cast<std::int64_t>(SimulatedInputs::kMostWaiting)) {
@@ -35,6 +36,20 @@ Reply RobotMachine::queue_simulation(int line, motion::Effect effect) {
   const Reply reply = queue(effect);
   if (reply == Reply::Done) ++simulations_;
   return reply;
+}
+
+Reply RobotMachine::simulate_go(int line, bool go, double after) {
+  if (!go) return Reply::Done;
+  const Reply reply = queue_simulation(line, {.kind = Effect::Kind::SimulateGo, .seconds = after});
+  if (reply == Reply::Done) channels_.panel.promise_go();
+  return reply;
+}
+
+Reply RobotMachine::simulate_answer(int line, std::string_view text, double after) {
+  if (buffer_.effects_full()) return Reply::Later;
+  Effect effect{.kind = Effect::Kind::SimulateAnswer, .seconds = after};
+  effect.id = channels_.panel.promise_answer(std::string(text));
+  return queue_simulation(line, effect);
 }
 
 }  // namespace rob::runtime

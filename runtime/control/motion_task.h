@@ -45,6 +45,7 @@ class MotionTask {
   void collect_events() noexcept;
   void release_events(double until) noexcept;
   void release(motion::MotionEvent event, double cycle_time) noexcept;
+  void take_immediate() noexcept;
   void act(const motion::Effect& effect, double now) noexcept;
   /// Whether the effect is on an output that has taken its SAFE value for good.
   bool locked(const motion::Effect& effect) const noexcept;

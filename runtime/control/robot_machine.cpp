@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "runtime/control/messages.h"
-#include "runtime/control/simulated_inputs.h"
+#include "runtime/control/signal_access.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {
@@ -213,7 +213,20 @@ Reply RobotMachine::settle(int line) {
   on_the_way_.clear();
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
-  return settled() ? Reply::Done : Reply::Later;
+  if (!settled()) return Reply::Later;
+  forget_rests();
+  return Reply::Done;
+}
+
+/// An error that came from a TASK may have found a motion that was guarded or braked.
+void RobotMachine::forget_rests() {
+  motion::Rest rest;
+  while (take_rest(rest)) {
+    if (!rest.early()) continue;
+    planner_.retarget(rest.q);
+    exact_ = true;
+  }
+  braking_ = false;
 }
 
 bool RobotMachine::settled() const {
@@ -243,11 +256,7 @@ Reply RobotMachine::note(int line, Note note) {
 }
 
 motion::Effect RobotMachine::effect_on(int line, int signal) const {
-  motion::Effect effect;
-  effect.tag = static_cast<motion::Tag>(line);
-  effect.channel =
-      static_cast<std::uint8_t>(signals_.at(static_cast<std::size_t>(signal)).channel - 1);
-  return effect;
+  return runtime::effect_on(this->signal(signal), line);
 }
 
 Reply RobotMachine::write_signal(int line, int signal, bool value) {
@@ -281,10 +290,7 @@ bool RobotMachine::observable() const {
 
 Reply RobotMachine::read_signal(int line, int signal, bool& value) {
   if (!observable()) return Reply::Later;
-  const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
-  const std::uint64_t bits = asked.output ? channels_.outputs.load(std::memory_order_relaxed)
-                                          : channels_.inputs.load(std::memory_order_relaxed);
-  value = (bits >> (asked.channel - 1) & 1U) != 0;
+  value = digital_value(channels_, this->signal(signal));
   if (!assumed_.empty()) note_assumed(line, signal);
   return Reply::Done;
 }
@@ -298,9 +304,7 @@ bool RobotMachine::decided() const {
 
 Reply RobotMachine::read_analog(int line, int signal, double& volts) {
   if (!observable()) return Reply::Later;
-  const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
-  const AnalogCells& cells = asked.output ? channels_.analog_outputs : channels_.analog_inputs;
-  volts = cells.at(asked.channel - 1);
+  volts = analog_value(channels_, this->signal(signal));
   if (!assumed_.empty()) note_assumed(line, signal);
   return Reply::Done;
 }

@@ -21,6 +21,8 @@
 
 namespace rob::runtime {
 
+class BackgroundTasks;
+
 /// What the language knows of a robot, taken from its model.
 lang::RobotSignature signature_of(const motion::RobotModel& robot);
 
@@ -58,6 +60,27 @@ class RobotMachine final : public lang::Machine {
   /// Where TEACH keeps points; without it (null), as while a program is foretold or tested, they
   /// live for the run only. It must outlive the run.
   void keep_points(PointKeeper* keeper) { keeper_ = keeper; }
+  /// The program's TASKs; they must outlive the run.
+  void run_beside(BackgroundTasks& tasks) { tasks_ = &tasks; }
+  // What TASKs share with the program.
+  const motion::RobotModel& robot() const { return robot_; }
+  Channels& channels() { return channels_; }
+  ProgramLog& log() { return log_; }
+  const lang::RobotSignature::Signal& signal(int number) const {
+    return signals_.at(static_cast<std::size_t>(number));
+  }
+  /// As read(), of the present cycle.
+  lang::Reply present(lang::Reading what, lang::Slot* value);
+  /// What `ask` asks is answered as outside of all WITH and IN.
+  template <typename Ask>
+  lang::Reply asked_plainly(const Ask& ask) {
+    const lang::Setting kept = std::exchange(setting_, lang::Setting{});
+    const lang::Reply reply = ask();
+    setting_ = kept;
+    return reply;
+  }
+  /// While a program is foretold: a signal was read that nobody drives.
+  void note_assumed_value(int line, int signal);
 
   /// Before the run: the speed that the program's OVERRIDE is a share of, 1 = as programmed.
   void set_override(double share);
@@ -86,6 +109,11 @@ class RobotMachine final : public lang::Machine {
   lang::Reply ask(int line, std::string_view text, std::optional<std::string>& answer) override;
   lang::Reply simulate_go(int line, bool go, double after) override;
   lang::Reply simulate_answer(int line, std::string_view text, double after) override;
+  lang::Reply start(int line, std::uint32_t task) override;
+  lang::Reply publish(int line, std::size_t first, std::span<const lang::Slot> values) override;
+  lang::Reply publish(int line, std::size_t first, std::span<const std::string> texts) override;
+  lang::Reply refresh(int line, std::size_t first, std::span<lang::Slot> values) override;
+  lang::Reply refresh(int line, std::size_t first, std::span<std::string> texts) override;
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
   bool taken_as_met(int line) override;
@@ -132,6 +160,11 @@ class RobotMachine final : public lang::Machine {
   motion::Effect effect_on(int line, int signal) const;
   lang::Reply note(int line, Note note);
   lang::Reply queue_simulation(int line, motion::Effect effect);
+  // TASKs (machine_tasks.cpp)
+  template <typename Due>
+  lang::Reply report(int line, Due due);
+  template <typename Value>
+  lang::Reply fetch(std::size_t first, std::span<Value> values);
   // HALT and ASK (machine_operator.cpp)
   lang::Reply consult(int line, Note::Kind kind, std::string_view text);
   lang::Reply answered(int line, std::string answer, bool typed = false);
@@ -146,6 +179,7 @@ class RobotMachine final : public lang::Machine {
   bool settled() const;
   /// A WHEN has ended all that was commanded, and the program has still to learn of it.
   bool interrupted() const;
+  void forget_rests();
   /// How what was guarded or braked has ended, once it has.
   bool take_rest(motion::Rest& rest);
   /// Whether the decision point of the last motion has come.
@@ -164,6 +198,7 @@ class RobotMachine final : public lang::Machine {
   lang::Vector3 moved_tip_;  ///< of the tool that the last motion was for
   double operators_override_ = 1;
   PointKeeper* keeper_ = nullptr;
+  BackgroundTasks* tasks_ = nullptr;
   std::int64_t effects_ = 0;  ///< queued so far
   std::int64_t simulations_ = 0;
   std::vector<std::string> assumed_;

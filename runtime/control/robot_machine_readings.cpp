@@ -55,6 +55,10 @@ bool RobotMachine::place_can_be_read() const {
 
 Reply RobotMachine::read(int /*line*/, Reading what, lang::Slot* value) {
   if (is_observation(what) && !place_can_be_read()) return Reply::Later;
+  return present(what, value);
+}
+
+Reply RobotMachine::present(Reading what, lang::Slot* value) {
   if (needs_sensor(what)) return refuse_sensor();
   const motion::JointVector q = is_observation(what)       ? channels_.joints.load()
                                 : what == Reading::HitPose ? hit_

@@ -213,7 +213,7 @@ double RunRecorder::planned_miss(const Running& segment, const LoggedSegment* ne
 void RunRecorder::take_effect(const MotionEvent& event) {
   using Kind = Effect::Kind;
   const Kind kind = event.effect.kind;
-  if (kind == Kind::Arm || kind == Kind::Disarm) return;
+  if (kind == Kind::Arm || kind == Kind::Disarm || kind == Kind::Report) return;
   --result_.dropped_effects;
   // Inputs are the machine's, simulated or not.
   if (kind == Kind::Override) return take_override(event);

@@ -54,7 +54,7 @@ bool is_side_condition(std::string_view code) {
   constexpr std::array kCodes{
       code::kDuplicateClause,  // each clause at most once
       code::kOnlyTopLevel,     // SIGNAL, POINT, … outside all blocks
-      code::kMisplaced,        // PROC, FUNC and TEST too
+      code::kMisplaced,        // PROC, FUNC, TASK and TEST too
       code::kHeaderTooLate,    // ROBOT, UNITS, LAW before the first statement
       code::kUnitOfNoTarget,   // UNITS of a length and of an angle
       code::kUnknownType,      // VEC OF a REAL

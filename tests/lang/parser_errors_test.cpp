@@ -95,7 +95,7 @@ TEST_CASE("the end of a block that was not opened is an error of one line") {
   CHECK(errors("ENDIF\nSTOP") == Errors{"1:1 E139 ENDIF without IF"});
   CHECK(errors("ELSE\nSTOP") == Errors{"1:1 E139 ELSE without IF"});
   CHECK(errors("WHILE a DO\nELSE\nENDWHILE") == Errors{"2:1 E139 ELSE without IF"});
-  CHECK(errors("IF a THEN\nENDTASK\nENDIF") == Errors{"2:1 E139 ENDTASK without TASK"});
+  CHECK(errors("IF a THEN\nENDPRESS\nENDIF") == Errors{"2:1 E139 ENDPRESS without PRESS"});
   CHECK(errors("IF a THEN\nELSE\nELSE\nENDIF") ==
         Errors{"3:1 E139 ELSE behind the ELSE of the IF of line 1"});
 }
@@ -198,11 +198,8 @@ TEST_CASE("a declaration says what it lacks, and its names are known all the sam
 }
 
 TEST_CASE("what a later version will have is named once, and skipped with all that it holds") {
-  CHECK(errors("TASK a\nENDTASK\nSTART a") ==
-        Errors{"1:1 E121 TASK is not in this version of Rob yet",
-               "3:1 E121 START is not in this version of Rob yet"});
-  CHECK(errors("TASK a\n IF a THEN EXIT\n TASK\n nonsense here\n ENDTASK\nENDTASK\nSTOP").size() ==
-        1);
+  CHECK(errors("WHEN a DO\n IF a THEN EXIT\n WHEN b DO\n nonsense here\n ENDWHEN\nENDWHEN\nSTOP")
+            .size() == 1);
   CHECK(errors("TEST \"a\"\n MOVEL\nENDTEST\nSTOP").size() == 1);
   CHECK(errors("WHEN door DO\n BRAKE\nENDWHEN\nSTOP").size() == 1);
 }
