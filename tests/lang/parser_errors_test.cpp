@@ -95,7 +95,7 @@ TEST_CASE("the end of a block that was not opened is an error of one line") {
   CHECK(errors("ENDIF\nSTOP") == Errors{"1:1 E139 ENDIF without IF"});
   CHECK(errors("ELSE\nSTOP") == Errors{"1:1 E139 ELSE without IF"});
   CHECK(errors("WHILE a DO\nELSE\nENDWHILE") == Errors{"2:1 E139 ELSE without IF"});
-  CHECK(errors("IF a THEN\nENDPRESS\nENDIF") == Errors{"2:1 E139 ENDPRESS without PRESS"});
+  CHECK(errors("IF a THEN\nENDWHEN\nENDIF") == Errors{"2:1 E139 ENDWHEN without WHEN"});
   CHECK(errors("IF a THEN\nELSE\nELSE\nENDIF") ==
         Errors{"3:1 E139 ELSE behind the ELSE of the IF of line 1"});
 }
