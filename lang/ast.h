@@ -8,10 +8,13 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "lang/ast_motion.h"
 #include "lang/diagnostic.h"
+#include "lang/expression_tree.h"
 #include "lang/motion_words.h"
 #include "lang/pose_math.h"
 #include "lang/types.h"
@@ -22,156 +25,11 @@
 /// reads it. The depth of a tree is bounded by the parser, so recursion over it is safe.
 namespace rob::lang {
 
-struct Expr;
 struct Statement;
-struct Symbol;
-struct Routine;
-using ExprPtr = std::unique_ptr<Expr>;
 using Block = std::vector<Statement>;
-
-// ---------------------------------------------------------------- expressions
-
-/// `10`, `0.5`, `20mm`: the value in SI. For a quantity the dimension is its unit's.
-struct NumberLiteral {
-  double value = 0;
-  std::int64_t integer = 0;  ///< the value where is_integer
-  bool is_integer = false;   ///< written without point, exponent or unit
-  Dimension dimension;
-  bool has_unit = false;  ///< written with a unit: tells 50% from 0.5, both dimensionless
-};
-struct BoolLiteral {
-  bool value = false;
-};
-struct StringLiteral {
-  std::string value;
-};
-/// A variable, constant, signal or built-in value; DIN[n], DOUT[n], AIN[n], AOUT[n] have an index.
-struct Name {
-  std::string text;
-  const Symbol* symbol = nullptr;  ///< set by the checker; owned by the CheckedProgram
-  ExprPtr index = nullptr;
-};
-
-enum class UnaryOp : std::uint8_t { Negate, Plus, Not };
-struct Unary {
-  UnaryOp op;
-  ExprPtr operand;
-};
-
-enum class BinaryOp : std::uint8_t {
-  Or,
-  Xor,
-  And,
-  Equal,
-  NotEqual,
-  Less,
-  LessEqual,
-  Greater,
-  GreaterEqual,
-  Add,
-  Subtract,
-  Multiply,
-  Divide,
-  Div,
-  Mod,
-  Power
-};
-struct Binary {
-  BinaryOp op;
-  ExprPtr left;
-  ExprPtr right;
-};
-
-/// `MAX(a, b)`, `place(part, above: 20mm)`: a built-in function or a routine of the program.
-struct Call {
-  std::string callee;
-  std::vector<ExprPtr> arguments;
-  std::vector<std::string> names;    ///< of the arguments; empty where one was not named
-  const Routine* routine = nullptr;  ///< set by the checker; null for a built-in function
-  std::vector<const Expr*> bound{};  ///< of a routine, set by the checker: one a parameter
-};
-
-/// `(140, , )` or `(x: 140mm)`. One unnamed element in parentheses is a group, not a tuple.
-struct Tuple {
-  struct Element {
-    std::string name;  ///< empty where it was not named
-    ExprPtr value;     ///< null where it was left out
-    Place place;
-  };
-  std::vector<Element> elements;
-};
-
-/// `v.x`, `part.size`.
-struct Member {
-  ExprPtr object;
-  std::string field;
-  Place field_place;
-};
-
-/// `a[i]`, `v[2]`.
-struct Index {
-  ExprPtr object;
-  ExprPtr index;
-};
-
-/// Any constant expression's value; settled by the checker. The last is the slots of a compound
-/// value of nothing but REALs.
-using Constant =
-    std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>>;
-
-struct Expr {
-  Place place;  ///< of the token a message should point at
-  std::variant<NumberLiteral, BoolLiteral, StringLiteral, Name, Unary, Binary, Call, Tuple, Member,
-               Index>
-      node;
-  Type type;  ///< set by the checker
-  /// Set by the checker: a pose in this FRAME that stands where one in the world is wanted.
-  mutable const Symbol* moved_from = nullptr;
-  Constant constant;  ///< set by the checker where the value is known before the program runs
-  int height = 1;     ///< levels of this tree; the parser keeps it at kMaxDepth (parser.h) at most
-};
 
 // ----------------------------------------------------------------- statements
 
-/// Clauses of a motion that have a value, in the order of its registers (MoveForm).
-enum class Clause : std::uint8_t { At, Over, Accel, Jerk, Zone };
-inline constexpr std::size_t kClauses = 5;
-
-struct Clauses {
-  std::array<ExprPtr, kClauses> values;  ///< by Clause; null where left out
-  Profile profile = Profile::Unspecified;
-  bool fine = false;
-
-  const ExprPtr& operator[](Clause clause) const {
-    return values[static_cast<std::size_t>(clause)];
-  }
-  ExprPtr& operator[](Clause clause) { return values[static_cast<std::size_t>(clause)]; }
-};
-/// MOVE(40, 40, 0) · MOVEL BY (20mm, 0mm, 0deg) · MOVE JOINT 3 TO 90deg
-struct Move {
-  MotionKind kind = MotionKind::Joint;
-  bool by = false;  ///< BY: from the last commanded target
-  ExprPtr axis;     ///< of MOVE JOINT; null else
-  ExprPtr target;   ///< a Tuple; of MOVE JOINT the axis' value
-  Clauses clauses;
-};
-/// AFTER 2mm LEAD 20ms : lift = ON
-struct WayPoint {
-  Place place;
-  bool before = false;
-  ExprPtr distance;
-  bool lag = false;
-  ExprPtr shift;  ///< of LEAD or LAG; null where left out
-  Block action;   ///< one statement
-};
-/// MOVE(140, 40, 0) UNTIL touched ELSE PRINT "missed": a motion, and what is looked at on its way.
-struct WatchedMotion {
-  Block motion;   ///< one statement
-  ExprPtr until;  ///< null where left out
-  bool has_else = false;
-  Block otherwise;  ///< of ELSE: one statement
-  std::vector<WayPoint> events;
-};
 /// WHEN door : lift = OFF
 struct When {
   ExprPtr condition;
@@ -179,6 +37,17 @@ struct When {
 };
 struct Stop {};
 struct Brake {};
+/// ZERO force
+struct ZeroForce {};
+/// HALT "change the tool"
+struct Halt {
+  ExprPtr text;  ///< null where left out
+};
+/// ASK "how many? " INTO count
+struct Ask {
+  ExprPtr text;
+  ExprPtr target;  ///< a Name, or a Member or Index of one
+};
 /// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm · FRAME f = POSE(…) · TOOL t = POSE(…) MASS 1kg
 struct Declaration {
   struct Declared {
@@ -193,6 +62,17 @@ struct Declaration {
   ExprPtr mass{};            ///< of TOOL; null where left out
   ExprPtr cog{};             ///< of TOOL: its centre of gravity; null where left out
   const TypeDetail* frame = nullptr;  ///< of FRAME: what poses in it have as their detail
+};
+/// RECORD part … ENDRECORD
+struct RecordDeclaration {
+  struct Fields {
+    std::vector<Declaration::Declared> names;
+    Type type;
+  };
+  Declaration::Declared declared;
+  std::vector<Fields> groups;
+  TypeDetail* detail = nullptr;  ///< what values of it have as their detail
+  bool sound = true;             ///< could be read
 };
 /// SIGNAL part_here = DIN[1] · SIGNAL wire: SPEED = AOUT[1] SCALE 0mm/s TO 300mm/s
 struct SignalDeclaration {
@@ -293,10 +173,22 @@ struct Expect {
   ExprPtr condition;
   std::string text;  ///< the condition as it was written, on one line
 };
+/// START blink
+struct Start {
+  Name task;
+  Place task_place;
+};
 /// SIMULATE part_here = ON AFTER 2s
+/// SIMULATE GO = ON AFTER 2s · SIMULATE ANSWER = "7"
 struct Simulate {
-  Name target;
+  enum class What : std::uint8_t { Input, Go, Answer };
+
+  What what = What::Input;
+  Name target;  ///< of Input
   Place target_place;
+  std::string part{};  ///< "z" of force.z; empty for an input
+  Place part_place{};
+  int component = 0;  ///< of a part, set by the checker: force x y z, torque x y z
   ExprPtr value;
   ExprPtr after;  ///< null: at once
 };
@@ -319,15 +211,24 @@ struct Raise {
   ExprPtr value;  ///< null: the error that is being handled, again
 };
 
+/// USE tools
+struct Use {
+  std::string name;
+  std::uint32_t file = 0;  ///< its number; 0 where it could not be read
+  /// What the file declares, if this is the first USE of it in the whole program.
+  Block declarations{};
+};
+
 struct Statement {
   Place place;  ///< of its first word
-  std::variant<Move, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration, Assign,
-               Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
-               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach>
+  std::variant<Move, PlainMotions, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration,
+               Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
+               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use,
+               PathBlock, WayPoint, Press, With, SetOverride, RecordDeclaration, Halt, Ask, Start>
       node;
 };
 
-/// PROC, FUNC and TEST.
+/// PROC, FUNC, TASK and TEST.
 struct Routine {
   /// `REF a, b: LENGTH` or `n: INT = 1`.
   struct Parameters {
@@ -338,7 +239,8 @@ struct Routine {
   };
   Place place;
   bool function = false;
-  bool test = false;      ///< its name is a text
+  bool test = false;  ///< its name is a text
+  bool task = false;
   bool sound = true;      ///< its header could be read
   std::size_t index = 0;  ///< in Program::routines
   std::string name;
@@ -346,7 +248,8 @@ struct Routine {
   std::vector<Parameters> parameters;
   Type result;  ///< of a FUNC
   Block body;
-  Place end;  ///< of ENDPROC or ENDFUNC
+  Place end;            ///< of ENDPROC and the like
+  bool memory = false;  ///< set by the checker: not all it computes with fits into registers
 };
 
 /// ROBOT, UNITS and LAW: what holds for the whole program.
@@ -366,11 +269,28 @@ struct Program {
     const TypeDetail* frame = nullptr;
     Place place;
   };
-  std::map<std::string, TypeDetail> frames{};  ///< by name in capitals; details keep their address
+  /// The length in a type ARRAY[n] OF t, which the checker computes.
+  struct ArrayLength {
+    TypeDetail* array = nullptr;
+    ExprPtr length;
+    Place place;
+    bool settled = false;
+  };
+  /// Shared with the Chunk, whose types go on pointing into it.
+  std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>();
+  std::vector<ArrayLength> array_lengths{};
+  bool memory = false;  ///< as of Routine, of the top level
   std::vector<FrameUse> frame_uses{};
+  /// Of the type JOINTS: all of a program are of the same robot, which the checker puts in.
+  std::shared_ptr<TypeDetail> joints = std::make_shared<TypeDetail>();
   std::set<std::string> taught{};  ///< names behind TEACH, in capitals
+  bool surroundings = false;       ///< WITH or IN stand somewhere: routines may run in them
   /// Where END stands, or the end of the file if there is none.
   Place end;
+  std::size_t nodes = 0;                        ///< statements and expressions read so far
+  bool whole = true;                            ///< all that it USEs could be read
+  std::vector<Program> used{};                  ///< what is left of the files that it USEs
+  std::vector<std::vector<Unit>> used_units{};  ///< UNITS of each file, its own first
 };
 
 }  // namespace rob::lang

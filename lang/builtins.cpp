@@ -196,9 +196,6 @@ constexpr std::array kBuiltins = std::to_array<Builtin>({
 #include "lang/builtins.def"
 });
 
-constexpr std::array kLater =
-    std::to_array<std::string_view>({"FORCE", "FORWARD", "HITPOSE", "JOINTS", "TORQUE", "WRENCH"});
-
 }  // namespace
 
 std::span<const Builtin> builtins() { return kBuiltins; }
@@ -216,11 +213,13 @@ const Builtin* find_builtin(std::string_view name, std::size_t arguments) {
 
 const Builtin* find_builtin(const Call& call) {
   const Builtin* const plain = find_builtin(call.callee, call.arguments.size());
-  if (plain == nullptr || call.arguments.empty() || !call.arguments.front()->type.is_place()) {
-    return plain;
-  }
+  if (plain == nullptr || call.arguments.empty()) return plain;
+  const Type& first = call.arguments.front()->type;
+  const bool array = first.is(Type::Kind::Array);
+  if (!array && !first.is_place()) return plain;
+  const BuiltinRule rule = array ? BuiltinRule::ArrayLength : BuiltinRule::Places;
   for (const Builtin& builtin : kBuiltins) {
-    if (builtin.name == plain->name && builtin.rule == BuiltinRule::Places &&
+    if (builtin.name == plain->name && builtin.rule == rule &&
         builtin.least == call.arguments.size()) {
       return &builtin;
     }
@@ -241,11 +240,6 @@ std::vector<std::string_view> builtin_names() {
     if (names.empty() || names.back() != builtin.name) names.push_back(builtin.name);
   }
   return names;
-}
-
-bool is_later_builtin(std::string_view name) {
-  const std::string key = to_upper(name);
-  return std::ranges::find(kLater, key) != kLater.end();
 }
 
 }  // namespace rob::lang

@@ -33,8 +33,12 @@ enum class BuiltinRule : std::uint8_t {
   AnyToText,       ///< any → STRING; compiled in line, so it has no function
   Random,          ///< none → REAL, two of one D → D; the Vm's own, so it has no function
   ToFrame,         ///< pose, FRAME → pose in it
-  Places,          ///< of poses, as its signature says
-  Texts            ///< as its signature says
+  ArrayLength,     ///< ARRAY → INT; known from its type, so it has no function
+  Joints,   ///< none, one value an axis, or pose [, JOINTS] → JOINTS; the robot computes it
+  Forward,  ///< JOINTS → pose in the world; the same
+  Wrench,   ///< none → WRENCH; read from the robot
+  Places,   ///< of poses, as its signature says
+  Texts     ///< as its signature says
 };
 
 /// Pure; takes no memory. The slots of all arguments in a row; all are INT, or all are REAL, as the
@@ -70,15 +74,13 @@ struct Builtin {
 std::span<const Builtin> builtins();
 /// The one that takes so many arguments, or the first of that name, or null. `name` in any case.
 const Builtin* find_builtin(std::string_view name, std::size_t arguments);
-/// The one that a call with checked arguments means: of those that take so many, one for poses if
-/// the first argument is one.
+/// The one that a call with checked arguments means: of those that take so many, one for poses or
+/// arrays if the first argument is one.
 const Builtin* find_builtin(const Call& call);
 /// Whether a checked call computes with INT slots: all its arguments are INT, and the function has
 /// such a case. Otherwise its arguments are converted to REAL.
 bool computes_whole(const Builtin& builtin, const Call& call);
 /// Each name once, for "did you mean".
 std::vector<std::string_view> builtin_names();
-/// A function or value of the language that this version does not have yet.
-bool is_later_builtin(std::string_view name);
 
 }  // namespace rob::lang

@@ -31,6 +31,19 @@ PoseValue tool_of(const std::vector<RobotSignature::Coordinate>& coordinates,
   return {parts.place, pose_math::from_fixed(parts.angles)};
 }
 
+PoseValue with_coordinates(const std::vector<RobotSignature::Coordinate>& coordinates,
+                           const PoseValue& pose, const MoveCommand& command) {
+  Parts parts{pose.position, pose_math::to_fixed(pose.rotation)};
+  bool turned = false;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    double* const part = parts.named(coordinates[i].name);
+    if (part == nullptr || !command.has(static_cast<int>(i))) continue;
+    *part = command.target[i] + (command.relative ? *part : 0);
+    turned = turned || coordinates[i].dimension == kAngle;
+  }
+  return {parts.place, turned ? pose_math::from_fixed(parts.angles) : pose.rotation};
+}
+
 bool coordinates_of(const std::vector<RobotSignature::Coordinate>& coordinates,
                     const PoseValue& pose, std::span<double> values) {
   constexpr double kThere = 1e-9;  // m, rad; [choice] far above rounding

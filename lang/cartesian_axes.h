@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "lang/move_command.h"
 #include "lang/pose_math.h"
 #include "lang/robot_signature.h"
 
@@ -17,5 +18,9 @@ PoseValue tool_of(const std::vector<RobotSignature::Coordinate>& coordinates,
 /// The values that bring the tool to `pose`; false if there are none: the robot lacks a coordinate.
 bool coordinates_of(const std::vector<RobotSignature::Coordinate>& coordinates,
                     const PoseValue& pose, std::span<double> values);
+
+/// A pose with those of its parts replaced that a tuple gives or, with BY, with the tuple added.
+PoseValue with_coordinates(const std::vector<RobotSignature::Coordinate>& coordinates,
+                           const PoseValue& pose, const MoveCommand& command);
 
 }  // namespace rob::lang

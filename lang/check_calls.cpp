@@ -48,9 +48,12 @@ Type ExpressionChecker::check(Call& call, Expr& expression) {
   for (const ExprPtr& argument : call.arguments) {
     sound = check(argument).kind != Type::Kind::Unknown && sound;
   }
+  if (report_ambiguous(call.callee, expression.place)) return {};
   if (const Symbol* const symbol = scopes_.find(call.callee);
       symbol != nullptr && symbol->kind == Symbol::Kind::Routine) {
     return check_routine_call(call, expression, *symbol->routine);
+  } else if (symbol != nullptr && symbol->kind == Symbol::Kind::Record) {
+    return check_record(call, expression, symbol->type);
   }
   const Builtin* const builtin = resolve_function(call, expression.place);
   if (builtin == nullptr) return {};
@@ -59,6 +62,9 @@ Type ExpressionChecker::check(Call& call, Expr& expression) {
                        fmt::format("{} gives a value, which is not used here", builtin->name),
                        "a statement calls a PROC");
     return {};
+  }
+  if (builtin->rule == BuiltinRule::Joints) {
+    return expression.type = sound ? check_joints(call, expression) : Type{};
   }
   for (const std::string& name : call.names) {
     if (name.empty()) continue;
@@ -73,7 +79,7 @@ Type ExpressionChecker::check(Call& call, Expr& expression) {
     return {};
   }
   if (!sound) return {};
-  expression.type = check_arguments(*builtin, call);
+  expression.type = check_arguments(*builtin, call, expression.place);
   if (expression.type.kind != Type::Kind::Unknown) fold_call(*builtin, call, expression);
   return expression.type;
 }
@@ -89,16 +95,11 @@ const Builtin* ExpressionChecker::resolve_function(const Call& call, Place place
   }
   const Builtin* const builtin = find_builtin(call);
   if (builtin != nullptr) return builtin;
-  if (is_later_builtin(call.callee)) {
-    diagnostics_.error(code::kNotYet, place,
-                       fmt::format("{} is not in this version of Rob yet", to_upper(call.callee)));
-    return nullptr;
-  }
   report_unknown_function(call.callee, place);
   return nullptr;
 }
 
-Type ExpressionChecker::check_arguments(const Builtin& builtin, const Call& call) {
+Type ExpressionChecker::check_arguments(const Builtin& builtin, const Call& call, Place place) {
   const std::string needs = fmt::format("{} needs", builtin.name);
   const auto first = [&]() -> const Expr& { return *call.arguments.front(); };
   const auto only = [&](const Type& wanted, const Type& result) {
@@ -136,10 +137,18 @@ Type ExpressionChecker::check_arguments(const Builtin& builtin, const Call& call
       return only(Type::real(), Type::integer());
     case BuiltinRule::AnyToText:
       return Type::string();
+    case BuiltinRule::ArrayLength:
+      return Type::integer();
     case BuiltinRule::Random:
       return call.arguments.empty() ? Type::real() : common_dimension(call);
     case BuiltinRule::ToFrame:
       return check_to_frame(call);
+    case BuiltinRule::Forward:
+      return accept(first(), joints(), needs) ? Type::pose() : Type{};
+    case BuiltinRule::Wrench:
+      return has_sensor(Reading::Wrench, place) ? Type{Type::Kind::Wrench} : Type{};
+    case BuiltinRule::Joints:  // has been checked as a whole
+      return {};
     case BuiltinRule::Places:
       return check_places(builtin, call);
     case BuiltinRule::Texts:
@@ -254,7 +263,9 @@ Type ExpressionChecker::common_dimension(const Call& call) {
 }
 
 void ExpressionChecker::fold_call(const Builtin& builtin, const Call& call, Expr& expression) {
-  if (builtin.rule == BuiltinRule::Random || builtin.rule == BuiltinRule::Texts) return;
+  if (builtin.rule == BuiltinRule::ArrayLength) return fold_length(call, expression);
+  const bool computes = builtin.real != nullptr || builtin.rule == BuiltinRule::AnyToText;
+  if (!computes) return;
   if (builtin.rule == BuiltinRule::AnyToText) {
     const Expr& value = *call.arguments.front();
     if (known(value.constant) && value.type != Type::string()) {

@@ -6,6 +6,7 @@
 #include "lang/clause_checker.h"
 #include "lang/codes.h"
 #include "lang/number_text.h"
+#include "lang/setting.h"
 #include "lang/target.h"
 
 namespace rob::lang {
@@ -29,6 +30,7 @@ bool only_bare_literals(const Expr& expression) {
     bool operator()(const StringLiteral&) const { return false; }
     bool operator()(const Name&) const { return false; }
     bool operator()(const Tuple&) const { return false; }
+    bool operator()(const List&) const { return false; }
     bool operator()(const Member&) const { return false; }
     bool operator()(const Index&) const { return false; }
   };
@@ -42,7 +44,7 @@ bool needs_unit(const Expr& value) {
 }  // namespace
 
 bool ClauseChecker::check(const Clauses& clauses, Place place) {
-  bool sound = true;
+  bool sound = check(clauses.surroundings);
   for (std::size_t i = 0; i < kClauses; ++i) {
     if (clauses.values[i] == nullptr) continue;
     expressions_.check(clauses.values[i]);
@@ -71,8 +73,46 @@ bool ClauseChecker::check(Clause clause, const Expr& value) {
       return check_bound(value, "JERK", "a jerk", "1000mm/s^3", jerk_of(value.type).has_value());
     case Clause::Zone:
       return check_zone(value);
+    case Clause::For:
+      return expressions_.accept(value, Type::real(kTime), "FOR needs") &&
+             check_positive(value, "FOR");
   }
   return false;
+}
+
+bool ClauseChecker::check(const Surroundings& surroundings) {
+  bool sound = true;
+  const auto require = [&](const ExprPtr& name, Type::Kind kind, std::string_view code,
+                           std::string_view message, const char* help) {
+    if (name == nullptr) return;
+    const Type type = expressions_.check(name);
+    sound = sound && type.is(kind);
+    if (!type.known() || type.is(kind)) return;
+    diagnostics_.error(code, name->place, fmt::format("{}; this is {}", message, described(*name)),
+                       help);
+  };
+  require(surroundings.tool, Type::Kind::Tool, code::kNoTool, "WITH needs the name of a TOOL",
+          "TOOL cup = POSE(…) declares one");
+  require(surroundings.frame, Type::Kind::Frame, code::kNoFrame, "IN needs the name of a FRAME",
+          "FRAME pallet = POSE(…) declares one");
+  return sound;
+}
+
+void ClauseChecker::check_override(const ExprPtr& share) {
+  if (!expressions_.check(share).known()) return;
+  const auto number = constant_number(*share);
+  if (needs_unit(*share)) {
+    diagnostics_.error(code::kShareWithoutPercent, share->place,
+                       fmt::format("OVERRIDE needs a share; this is {}", described(*share)),
+                       number ? fmt::format("write OVERRIDE {}%", number_text(*number, kNone))
+                              : "as in OVERRIDE 30%");
+  } else if (expressions_.accept(*share, Type::real(), "OVERRIDE needs") && number &&
+             !(*number > 0 && *number <= kMostOverride)) {
+    diagnostics_.error(code::kOverrideBeyond, share->place,
+                       fmt::format("OVERRIDE is above 0% and at most 200%; this is {}%",
+                                   number_text(*number * 100, kNone)),
+                       "HALT waits for the operator");
+  }
 }
 
 bool ClauseChecker::check_bound(const Expr& value, std::string_view word, std::string_view needed,

@@ -60,6 +60,7 @@ Type ExpressionChecker::check(Member& member, Expr& expression) {
   }
   const auto field = field_of(whole, member.field);
   if (!field) {
+    if (whole.is(Type::Kind::Record) && whole.detail->faulty) return {};
     const auto names = field_names(whole);
     std::string help = did_you_mean(suggest(member.field, names));
     if (help.empty() && !names.empty()) help = fmt::format("it has {}", fmt::join(names, ", "));
@@ -84,20 +85,21 @@ Type ExpressionChecker::check(Index& index, Expr& expression) {
     return {};
   }
   if (!place.known() || !accept(*index.index, Type::integer(), "an index needs")) {
-    return elements->type;
+    return whole.is(Type::Kind::Joints) ? Type{} : elements->type;
   }
+  const Type element = whole.is(Type::Kind::Joints) ? axis_type(index, whole) : elements->type;
   const auto* const number = std::get_if<std::int64_t>(&index.index->constant);
-  if (number == nullptr) return elements->type;
+  if (number == nullptr || elements->count == 0) return element;
   if (*number >= 1 && *number <= elements->count) {
     const int size = slots_of(elements->type).numbers;
     expression.constant =
-        part_of(index.object->constant, elements->type, static_cast<int>(*number - 1) * size);
+        part_of(index.object->constant, element, static_cast<int>(*number - 1) * size);
   } else if (reached()) {
     diagnostics_.error(code::kIndexBeyond, index.index->place,
                        fmt::format("there is no element {}: this is {}", *number, in_words(whole)),
                        fmt::format("elements count from 1 to {}", elements->count));
   }
-  return elements->type;
+  return element;
 }
 
 }  // namespace rob::lang

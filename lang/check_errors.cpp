@@ -6,6 +6,7 @@ namespace rob::lang {
 
 void StatementChecker::check(Try& statement) {
   check(statement.body);
+  const Slots declared = declared_;
   scopes_.enter();
   Declaration::Declared& why = statement.why;
   if (!why.name.empty()) {
@@ -15,6 +16,7 @@ void StatementChecker::check(Try& statement) {
   check(statement.rescue);
   --rescues_;
   scopes_.leave();
+  declared_ = declared;
 }
 
 void StatementChecker::check(Raise& statement) {

@@ -29,6 +29,7 @@ std::string described(const Expr& expression) {
 Type ExpressionChecker::check(const ExprPtr& expression) {
   if (expression == nullptr) return {};
   expression->type = check_node(*expression);
+  memory_use_ = memory_use_ || !expression->type.in_registers();
   return expression->type;
 }
 
@@ -59,8 +60,14 @@ Type ExpressionChecker::check(Name& name, Expr& expression) {
   name.symbol = name.index != nullptr ? resolve_channel(name, expression.place)
                                       : resolve(name.text, expression.place);
   if (name.symbol == nullptr) return {};
+  if (name.symbol->kind == Symbol::Kind::Reading &&
+      !has_sensor(name.symbol->reading, expression.place)) {
+    return {};
+  }
   if (name.symbol->kind == Symbol::Kind::Point) missing_.use(*name.symbol);
-  expression.constant = name.symbol->value;
+  const bool frozen = fixed_ && name.symbol->kind == Symbol::Kind::Point;
+  expression.constant = frozen ? name.symbol->kept : name.symbol->value;
+  missed_ = missed_ || (frozen && !known(expression.constant));
   return name.symbol->type;
 }
 
@@ -99,6 +106,10 @@ bool ExpressionChecker::accept(const Expr& expression, const Type& wanted,
             : "");
     return false;
   }
+  if (const auto* const list = std::get_if<List>(&expression.node);
+      list != nullptr && wanted.is(Type::Kind::Array)) {
+    return accept_list(expression, *list, wanted, needed);
+  }
   std::string help;
   if (wanted == Type::integer() && type == Type::real()) {
     help = "ROUND, TRUNC, FLOOR and CEIL make a whole number of it";
@@ -129,12 +140,18 @@ void ExpressionChecker::check_condition(const ExprPtr& condition, std::string_vi
 
 const Symbol* ExpressionChecker::resolve(std::string_view name, Place place) {
   const Symbol* const symbol = scopes_.find(name);
+  if (symbol != nullptr && report_ambiguous(name, place)) return nullptr;
   if (symbol == nullptr) {
     report_unknown(name, place);
   } else if (symbol->kind == Symbol::Kind::Routine) {
     diagnostics_.error(code::kNotAFunction, place,
                        fmt::format("{} is a routine, not a value", shortened(name)),
                        fmt::format("call it: {}(…)", shortened(name)));
+    return nullptr;
+  } else if (symbol->kind == Symbol::Kind::Record) {
+    diagnostics_.error(code::kNotAFunction, place,
+                       fmt::format("{} is a record, not a value", shortened(name)),
+                       fmt::format("build one: {}(…)", shortened(name)));
     return nullptr;
   } else {
     uses_.used(*symbol);
@@ -172,12 +189,10 @@ void ExpressionChecker::report_unknown(std::string_view name, Place place) {
                        fmt::format("give it its arguments: {}(…)", to_upper(name)));
     return;
   }
-  if (is_later_builtin(name)) {
-    diagnostics_.error(code::kNotYet, place,
-                       fmt::format("{} is not in this version of Rob yet", to_upper(name)));
-    return;
+  if (scopes_.is_file(name.substr(0, name.find('.')))) {
+    return report_no_such_name(name, place);
   }
-  if (const auto declared = find_declaration(program_, name)) {
+  if (const auto declared = find_declaration(program_, name, place.file)) {
     const bool later = declared->line > place.line ||
                        (declared->line == place.line && declared->column >= place.column);
     diagnostics_.error(

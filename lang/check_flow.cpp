@@ -22,7 +22,13 @@ void StatementChecker::require_loop(std::string_view word) {
 }
 
 void StatementChecker::check(Select& select) {
-  expressions_.check(select.selector);
+  const Type type = expressions_.check(select.selector);
+  if (!type.scalar()) {
+    diagnostics_.error(code::kTypeMismatch, select.selector->place,
+                       fmt::format("SELECT compares single values; this is {}", in_words(type)),
+                       "select by one of its parts");
+    select.selector->type = Type{};
+  }
   CaseLines lines;
   for (Select::Case& one : select.cases) {
     for (const ExprPtr& value : one.values) {

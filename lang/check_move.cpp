@@ -6,6 +6,7 @@
 #include "lang/codes.h"
 #include "lang/move_checker.h"
 #include "lang/target.h"
+#include "lang/watch_checker.h"
 
 namespace rob::lang {
 
@@ -14,19 +15,42 @@ void MoveChecker::check(const Header& header) {
     checked_.features.push_back({*header.law, MotionFeature::LookAhead});
 }
 
-void MoveChecker::check(const Move& move, Place place) {
-  bool sound =
-      move.axis != nullptr ? check_joint(move) : move.target != nullptr && check_target(move);
-  sound = clauses_.check(move.clauses, place) && sound;
-  remember_features(move.clauses, place);
-  if (sound) remember_constants(move);
+void MoveChecker::check(const Move& move, Place place, bool guarded) {
+  bool sound = check_way(move, place, guarded);
+  sound = clauses_.check(move.clauses, place) && check_clauses_of(move) && sound;
+  remember_features(move, place);
+  if (sound && move.clauses.live) {
+    WatchChecker(expressions_, diagnostics_).check_live(*move.clauses[Clause::At]);
+  }
+  if (sound) judge_constants(move);
 }
 
-void MoveChecker::remember_features(const Clauses& clauses, Place place) {
+/// What lies between where the motion begins and where it ends.
+bool MoveChecker::check_way(const Move& move, Place place, bool guarded) {
+  switch (move.kind) {
+    case MotionKind::Arc:
+    case MotionKind::Spline:
+      return check_curve(move);
+    case MotionKind::Spiral:
+      return check_spiral(move);
+    case MotionKind::Jog:
+      return check_jog(move, place, guarded);
+    case MotionKind::Joint:
+    case MotionKind::Line:
+      break;
+  }
+  if (move.axis != nullptr) return check_joint(move);
+  return move.target != nullptr && check_target(move, move.target);
+}
+
+void MoveChecker::remember_features(const Move& move, Place place) {
+  const Clauses& clauses = move.clauses;
+  if (const auto feature = feature_of(move.kind)) checked_.features.push_back({place, *feature});
   const ExprPtr& accel = clauses[Clause::Accel];
   const ExprPtr& jerk = clauses[Clause::Jerk];
   if (accel) checked_.features.push_back({accel->place, MotionFeature::Accel});
   if (jerk) checked_.features.push_back({jerk->place, MotionFeature::Jerk});
+  if (clauses.live) checked_.features.push_back({clauses.live_place, MotionFeature::LivePace});
   if (clauses.profile != Profile::Unspecified)
     checked_.features.push_back({place, MotionFeature::Profile});
 }
@@ -90,32 +114,54 @@ void MoveChecker::warn_of_zone(const Expr& zone, std::string_view word, Place pl
       "leave ZONE out, or write FINE");
 }
 
-void MoveChecker::remember_constants(const Move& move) {
-  if (!move.by && move.axis == nullptr && !std::holds_alternative<Tuple>(move.target->node)) {
-    return remember_value(*move.target);
+/// With another tool or frame a constant target is not a place that is known here, and a routine
+/// may be called with any.
+bool MoveChecker::places_are_known() const {
+  return surroundings_ == 0 && !(in_routine_ && checked_.program.surroundings);
+}
+
+void MoveChecker::judge_constants(const Move& move) {
+  if (!places_are_known() || !move.clauses.surroundings.none()) return;
+  if (move.by || move.target == nullptr || move.kind == MotionKind::Jog) return;
+  if (move.axis == nullptr) {
+    for (const ExprPtr& point : move.via) judge_target(*point, nullptr);
+    return judge_target(*move.target, bare_point(move, checked_.program));
   }
-  if (move.by || (move.axis != nullptr && constant_number(*move.axis) == std::nullopt)) return;
-  ConstantTarget constant{.place = move.target->place, .command = {}};
-  MoveCommand& command = constant.command;
-  const auto keep = [&](std::size_t i, const Expr& value, Dimension dimension) {
-    const auto known = constant_component(value, dimension, robot_);
-    if (!known) return;
-    command.target[i] = *known;
-    command.given = static_cast<std::uint8_t>(command.given | 1U << i);
-  };
-  if (move.axis != nullptr) {
-    command.means = MoveCommand::Target::Axes;
-    command.count = static_cast<int>(robot_.axes.size());
-    const auto axis = static_cast<std::size_t>(*constant_number(*move.axis) - 1);
-    keep(axis, *move.target, robot_.axes[axis].dimension);
-  } else {
-    const auto elements = by_coordinate(std::get<Tuple>(move.target->node), robot_);
-    command.count = static_cast<int>(elements.size());
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      if (elements[i] != nullptr) keep(i, *elements[i]->value, robot_.coordinates[i].dimension);
-    }
+  const auto number = constant_number(*move.axis);
+  if (!number) return;
+  const auto axis = static_cast<std::size_t>(*number - 1);
+  MoveCommand command;
+  command.means = MoveCommand::Target::Axes;
+  command.count = static_cast<int>(robot_.axes.size());
+  keep_component(command, axis, *move.target, robot_.axes[axis].dimension);
+  if (command.given != 0) judge(command, move.target->place);
+}
+
+void MoveChecker::judge_target(const Expr& target, const Symbol* point) {
+  const auto* const tuple = std::get_if<Tuple>(&target.node);
+  if (tuple == nullptr) return judge_value(target, point);
+  MoveCommand command;
+  const auto elements = by_coordinate(*tuple, robot_.coordinates);
+  command.count = static_cast<int>(elements.size());
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (elements[i] == nullptr) continue;
+    keep_component(command, i, *elements[i]->value, robot_.coordinates[i].dimension);
   }
-  if (command.given != 0) checked_.constant_targets.push_back(constant);
+  if (command.given != 0) judge(command, target.place);
+}
+
+void MoveChecker::keep_component(MoveCommand& command, std::size_t i, const Expr& value,
+                                 Dimension dimension) const {
+  const auto known = constant_component(value, dimension, robot_);
+  if (!known) return;
+  command.target[i] = *known;
+  command.given = static_cast<std::uint8_t>(command.given | 1U << i);
+}
+
+/// A target that is known beforehand is looked at before anything moves.
+void MoveChecker::judge(const MoveCommand& command, Place place) {
+  const auto refusal = judge_ ? judge_(command) : std::nullopt;
+  if (refusal) diagnostics_.error(refusal->code, place, refusal->message, refusal->help);
 }
 
 }  // namespace rob::lang

@@ -132,7 +132,7 @@ Type ExpressionChecker::check_logical(Binary& binary, Expr& expression) {
 }
 
 Type ExpressionChecker::check_comparison(const Binary& binary, const Expr& expression) {
-  if (binary.left->type.is_place() || binary.right->type.is_place()) {
+  if (holds_place(binary.left->type) || holds_place(binary.right->type)) {
     diagnostics_.error(
         code::kPoseOperands, expression.place,
         fmt::format("'{}' does not compare poses, which are hardly ever equal to the "
@@ -142,7 +142,13 @@ Type ExpressionChecker::check_comparison(const Binary& binary, const Expr& expre
     return Type::boolean();
   }
   const Type common = common_type(binary.left->type, binary.right->type);
-  if (unknown(common)) {
+  const bool left_list = std::holds_alternative<List>(binary.left->node);
+  if (unknown(common) && left_list != std::holds_alternative<List>(binary.right->node) &&
+      binary.op <= BinaryOp::NotEqual) {
+    const Expr& list = left_list ? *binary.left : *binary.right;
+    const Expr& other = left_list ? *binary.right : *binary.left;
+    accept(list, other.type, fmt::format("'{}' needs", symbol_of(binary.op)));
+  } else if (unknown(common)) {
     unlike(binary, expression);
   } else if (common == Type::boolean() && binary.op > BinaryOp::NotEqual) {
     diagnostics_.error(code::kTypeMismatch, expression.place,
@@ -163,7 +169,8 @@ Type ExpressionChecker::check_sum(const Binary& binary, const Expr& expression) 
   }
   const Type common = common_type(binary.left->type, binary.right->type);
   if (unknown(common)) return unlike(binary, expression);
-  if (common.numeric() || common.is(Type::Kind::Vec)) return common;
+  if (common.numeric() || common.is(Type::Kind::Vec) || common.is(Type::Kind::Joints))
+    return common;
   if (is_text(common) && binary.op == BinaryOp::Add) return common;
   std::string these = in_words(common);
   if (is_text(common)) these = "texts";
@@ -180,6 +187,16 @@ bool ExpressionChecker::scales_vector(const Binary& binary) const {
          (vec(*binary.right) && binary.left->type.numeric());
 }
 
+/// Whether one side is JOINTS and the other a plain number.
+bool ExpressionChecker::scales_joints(const Binary& binary) {
+  const auto joints = [](const Expr& side) { return side.type.is(Type::Kind::Joints); };
+  const auto plain = [](const Expr& side) {
+    return side.type.numeric() && side.type.dimension.none();
+  };
+  return (joints(*binary.left) && plain(*binary.right)) ||
+         (joints(*binary.right) && plain(*binary.left));
+}
+
 Type ExpressionChecker::check_product(const Binary& binary, const Expr& expression) {
   if (binary.left->type.is_place() || binary.right->type.is_place()) {
     return check_place_product(binary, expression);
@@ -187,6 +204,10 @@ Type ExpressionChecker::check_product(const Binary& binary, const Expr& expressi
   if (scales_vector(binary)) {
     const Dimension product = binary.left->type.dimension * binary.right->type.dimension;
     return bounded(product, expression).known() ? Type::vec(product) : Type{};
+  }
+  if (scales_joints(binary)) {
+    const bool first = binary.left->type.is(Type::Kind::Joints);
+    return (first ? binary.left : binary.right)->type;
   }
   if (!both_numbers(binary)) return {};
   const Type& left = binary.left->type;

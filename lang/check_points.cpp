@@ -26,6 +26,7 @@ void StatementChecker::check(PointDeclaration& declaration) {
         fmt::format("{} needs", shortened(declaration.points.front().declared.name)));
   }
   for (PointDeclaration::Point& point : declaration.points) {
+    if (is_of_other_file(point.declared)) continue;
     Type type = given.is(Type::Kind::Pose) ? given : Type::pose();
     Constant value;
     const PointTable::Point* const kept = points_.find(point.declared.name);
@@ -40,10 +41,29 @@ void StatementChecker::check(PointDeclaration& declaration) {
     const bool taught = taught_.contains(to_upper(point.declared.name));
     point.declared.symbol = declare(Symbol::Kind::Point, point.declared.name, point.declared.place,
                                     type, taught ? Constant{} : value);
+    scopes_.keep(*point.declared.symbol, std::move(value));
+    if (kept != nullptr) scopes_.keep_joints(*point.declared.symbol, kept->joints);
+    if (taught) {
+      scopes_.teach(*point.declared.symbol, *scopes_.hide(expressions_.joints()),
+                    *scopes_.hide(Type::boolean()));
+    }
     if (kept == nullptr && !has_value && declaration.sound) {
       missing_.declare(*point.declared.symbol);
     }
   }
+}
+
+/// All points of a program are kept in one points file, by their names.
+bool StatementChecker::is_of_other_file(const Declaration::Declared& point) {
+  const auto [earlier, is_new] = points_declared_.try_emplace(to_upper(point.name), point.place);
+  if (is_new || earlier->second.file == point.place.file) return false;
+  diagnostics_.error(
+      code::kPointOfTwoFiles, point.place,
+      fmt::format("{} is a POINT of another file already, in {}", shortened(point.name),
+                  diagnostics_.line_of(earlier->second, point.place)),
+      "all points of a program are kept together: give one another name, or"
+      " declare it in one file that both USE");
+  return true;
 }
 
 /// A pose in the frame that its entry names.

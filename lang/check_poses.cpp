@@ -149,6 +149,7 @@ Type ExpressionChecker::check_places(const Builtin& builtin, const Call& call) {
                              "for example POSE(10mm, 20mm, 0mm)");
           return {};
         }
+        if (argument.type.is(Type::Kind::Tool)) argument.place_slots = kPoseSlots;
         if (first_pose == nullptr) first_pose = &argument;
         if (const Type common = common_frame(*first_pose, argument, builtin.name); common.known()) {
           if (is_free(frame)) frame = common;

@@ -25,6 +25,14 @@ Type ExpressionChecker::check_routine_call(Call& call, const Expr& expression,
   const bool statement = &expression == statement_;
   call.routine = &routine;
   uses_.called(routine, expression.place);
+  if (routine.task) {
+    diagnostics_.error(
+        code::kRoutineMisused, expression.place,
+        fmt::format("{} is a TASK and is not called", shortened(routine.name)),
+        fmt::format("START {} lets it run beside the program", shortened(routine.name)));
+    return {};
+  }
+  complete_header(routine);
   if (statement && routine.function) {
     diagnostics_.error(
         code::kRoutineMisused, expression.place,
@@ -113,7 +121,10 @@ bool ExpressionChecker::check_argument(const Expr& argument, const Routine& rout
   const Name* const variable = root_of(argument);
   const bool fits = variable != nullptr && variable->symbol != nullptr &&
                     variable->symbol->kind == Symbol::Kind::Variable && argument.type == group.type;
-  if (fits) return true;
+  if (fits) {
+    uses_.referred(*variable->symbol, argument.place);
+    return true;
+  }
   diagnostics_.error(
       code::kReferenceArgument, argument.place,
       fmt::format("{} a variable here, {}, since it is REF", needs, in_words(group.type)),
@@ -122,6 +133,7 @@ bool ExpressionChecker::check_argument(const Expr& argument, const Routine& rout
 }
 
 void ExpressionChecker::report_unknown_function(std::string_view name, Place place) {
+  if (name.find('.') != std::string_view::npos) return report_no_such_name(name, place);
   std::vector<std::string_view> names = builtin_names();
   for (const Routine& routine : program_.routines) names.emplace_back(routine.name);
   diagnostics_.error(code::kUnknownFunction, place,

@@ -16,16 +16,21 @@ void StatementChecker::check(Program& program) {
   moves_.check(program.header);
   scopes_.enter();
   for (const Routine& routine : program.routines) {
+    scopes_.enter_file(routine.place.file);
     if (!routine.test) declare(routine);
   }
+  scopes_.enter_file(0);
   for (Statement& statement : program.statements) {
     uses_.next_statement();
     check(statement);
   }
+  program.memory = take_memory_use();
   moves_.warn_of_zones(program.statements);
   missing_.enter_routines();
+  moves_.in_routine(true);
   for (Routine& routine : program.routines) check(routine);
   check_frame_uses(program);
+  settle_tasks(program);
   warn_of_missing_points();
   scopes_.leave();
   uses_.report(diagnostics_);
@@ -46,12 +51,15 @@ void StatementChecker::declare(const Routine& routine) {
 }
 
 void StatementChecker::check(Routine& routine) {
+  scopes_.enter_file(routine.place.file);
   routine_ = &routine;
   uses_.enter(&routine);
+  expressions_.complete_header(routine);
   scopes_.enter();
   check_parameters(routine);
   for (Statement& statement : routine.body) check(statement);
   scopes_.leave();
+  routine.memory = take_memory_use();
   uses_.enter(nullptr);
   routine_ = nullptr;
   if (!routine.function || ending_of(routine.body) != Ending::Surely) return;

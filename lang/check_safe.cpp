@@ -24,12 +24,13 @@ void StatementChecker::check_safe(SignalDeclaration& signal, const Symbol& symbo
   if (symbol.type.kind == Type::Kind::Unknown) return;
   if (!expressions_.accept(safe, symbol.type, "SAFE needs")) return;
   if (safe.type.kind == Type::Kind::Unknown) return;
-  const auto [known, is_new] = safe_lines_.try_emplace(symbol.signal, signal.name_place.line);
+  const auto [known, is_new] = safe_lines_.try_emplace(symbol.signal, signal.name_place);
   if (!is_new) {
-    return diagnostics_.error(code::kSafeTwice, safe.place,
-                              fmt::format("the channel of {} has a SAFE value already, in line {}",
-                                          shortened(symbol.name), known->second),
-                              "an output has one SAFE value, whatever it is called");
+    return diagnostics_.error(
+        code::kSafeTwice, safe.place,
+        fmt::format("the channel of {} has a SAFE value already, in {}", shortened(symbol.name),
+                    diagnostics_.line_of(known->second, safe.place)),
+        "an output has one SAFE value, whatever it is called");
   }
   if (const std::optional<double> value = safe_value(safe, symbol)) signal.safe_value = *value;
 }

@@ -23,6 +23,7 @@ constexpr const char* kScaleExample = "SIGNAL wire: SPEED = AOUT[1] SCALE 0mm/s 
 
 /// Another name for a channel: what it does is the channel's.
 void StatementChecker::check(SignalDeclaration& signal) {
+  if (signal.type && !expressions_.complete(*signal.type, signal.type_place)) signal.type = Type{};
   const Symbol* const channel = expressions_.resolve_channel(signal.channel, signal.channel_place);
   expressions_.check(signal.low);
   expressions_.check(signal.high);

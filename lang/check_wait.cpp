@@ -8,7 +8,7 @@
 
 namespace rob::lang {
 
-void WaitChecker::check(Wait& wait) {
+void WaitChecker::check(Wait& wait, const Routine* routine) {
   const Type type = expressions_.check(wait.value);
   if (wait.timeout != nullptr) {
     expressions_.check(wait.timeout);
@@ -18,7 +18,7 @@ void WaitChecker::check(Wait& wait) {
   if (type == Type::real(kTime)) {
     check_time(wait);
   } else if (type == Type::boolean()) {
-    check_condition(wait);
+    if (observations(*wait.value) == 0) hopeless_.push_back({wait.value.get(), routine});
   } else if (type.kind != Type::Kind::Unknown) {
     diagnostics_.error(
         is_bare(type) || !type.numeric() ? code::kTypeMismatch : code::kDimensionMismatch,
@@ -38,11 +38,16 @@ void WaitChecker::check_time(const Wait& wait) {
   check_not_negative(*wait.value, "WAIT");
 }
 
-void WaitChecker::check_condition(const Wait& wait) {
-  if (observations(*wait.value) > 0) return;
-  diagnostics_.error(code::kNothingToWaitFor, wait.value->place,
-                     "nothing in this condition can change while the program waits",
-                     "name a signal, as in WAIT part_here; WAIT 0s only comes to rest");
+/// A global that a TASK changes counts as read from the world; for a TASK itself every global does.
+void WaitChecker::report_hopeless(const RoutineUses& uses) {
+  for (const Condition& condition : hopeless_) {
+    const Expr& expression = *condition.expression;
+    if (observations(expression) > 0) continue;
+    if (uses.in_task(condition.routine) && reads_global(expression)) continue;
+    diagnostics_.error(code::kNothingToWaitFor, expression.place,
+                       "nothing in this condition can change while the program waits",
+                       "name a signal, as in WAIT part_here; WAIT 0s only comes to rest");
+  }
 }
 
 void WaitChecker::check_not_negative(const Expr& time, const char* word) {

@@ -30,6 +30,12 @@ void WatchChecker::check_when(const When& when) {
   if (!when.action.empty()) check_action(when.action.front(), "WHEN");
 }
 
+void WatchChecker::check_live(const Expr& pace) {
+  if (!check_watchable(pace, "the speed of AT LIVE") || observations(pace) > 0) return;
+  diagnostics_.warning(code::kNothingLive, pace.place,
+                       "nothing in this speed can change while the robot moves", "leave LIVE out");
+}
+
 void WatchChecker::check_event(const WayPoint& event) {
   const auto check = [&](const ExprPtr& value, Type wanted, const char* word) {
     if (value == nullptr) return;
@@ -67,7 +73,12 @@ void WatchChecker::check_action(const Statement& action, std::string_view word) 
     sound = word == "WHEN" && raise->value != nullptr;
     value = raise->value.get();
   }
-  if (!sound) {
+  const bool brake = std::holds_alternative<Brake>(action.node);
+  if (word == "WHEN" && (brake || std::holds_alternative<Halt>(action.node))) {
+    diagnostics_.error(
+        code::kNotYet, action.place,
+        fmt::format("{} behind WHEN is not in this version of Rob yet", brake ? "BRAKE" : "HALT"));
+  } else if (!sound) {
     diagnostics_.error(
         code::kActionMisplaced, action.place,
         fmt::format("this cannot be done in the control cycle itself, as {} does it", word),
@@ -87,51 +98,73 @@ void WatchChecker::check_action(const Statement& action, std::string_view word) 
 bool WatchChecker::check_condition(const ExprPtr& condition, std::string_view word) {
   expressions_.check_condition(condition, word);
   if (condition == nullptr || condition->type != Type::boolean()) return false;
-  return check_watchable(*condition, word);
+  return check_watchable(*condition, fmt::format("the condition of {}", word));
+}
+
+bool WatchChecker::refuse(std::string_view code, Place place, std::string_view word,
+                          std::string_view what, const char* help) {
+  diagnostics_.error(code, place,
+                     fmt::format("{} is computed in every control cycle: {}", word, what), help);
+  return false;
 }
 
 bool WatchChecker::check_watchable(const Expr& expression, std::string_view word) {
   if (known(expression.constant)) return true;
-  const auto refuse = [&](std::string_view code, std::string_view what, const char* help) {
-    diagnostics_.error(
-        code, expression.place,
-        fmt::format("the condition of {} is looked at in every control cycle: {}", word, what),
-        help);
-    return false;
-  };
   if (expression.type.kind == Type::Kind::String) {
-    return refuse(code::kNotWatchable, "it cannot work with texts",
+    return refuse(code::kNotWatchable, expression.place, word, "it cannot work with texts",
                   "give the answer a variable before, and watch that");
   }
-  if (!expression.type.scalar() || std::holds_alternative<Member>(expression.node) ||
-      std::holds_alternative<Index>(expression.node)) {
-    return refuse(code::kNotWatchable, "it works with single values",
-                  "give the part a variable before, and watch that");
-  }
-  if (const auto* const name = std::get_if<Name>(&expression.node);
-      name != nullptr && name->symbol != nullptr && name->symbol->kind == Symbol::Kind::Reading) {
-    diagnostics_.error(code::kNotYet, expression.place,
-                       fmt::format("{} in the condition of {} is not in this version of Rob yet",
-                                   name->symbol->name, word));
-    return false;
-  }
   if (const auto* const call = std::get_if<Call>(&expression.node)) {
-    if (same_word(call->callee, "RANDOM") && call->routine == nullptr) {
-      return refuse(code::kNotWatchable, "it cannot draw random numbers",
-                    "give the answer a variable before, and watch that");
-    }
-    if (call->routine != nullptr) {
-      return refuse(code::kWatchCallsRoutine, "it cannot call a routine of the program",
-                    "write the condition itself here");
-    }
-    return std::ranges::all_of(
-        call->arguments, [&](const ExprPtr& argument) { return check_watchable(*argument, word); });
+    return check_call(*call, expression.place, word);
   }
+  return check_parts(expression, word);
+}
+
+bool WatchChecker::check_call(const Call& call, Place place, std::string_view word) {
+  if (call.routine != nullptr) {
+    return refuse(code::kWatchCallsRoutine, place, word, "it cannot call a routine of the program",
+                  "write the condition itself here");
+  }
+  if (call.record != nullptr) {
+    return refuse(code::kNotWatchable, place, word, "it cannot build a record",
+                  "give the answer a variable before, and watch that");
+  }
+  const Builtin* const builtin = find_builtin(call);
+  if (builtin == nullptr) return false;  // has been told
+  const BuiltinRule rule = builtin->rule;
+  const bool axes =
+      rule == BuiltinRule::Forward || (rule == BuiltinRule::Joints && !call.arguments.empty() &&
+                                       call.arguments.front()->type.is_place());
+  if (rule == BuiltinRule::Random || axes) {
+    return refuse(code::kNotWatchable, place, word,
+                  axes ? "it cannot compute axes from a pose, or a pose from axes"
+                       : "it cannot draw random numbers",
+                  "give the answer a variable before, and watch that");
+  }
+  return std::ranges::all_of(
+      call.arguments, [&](const ExprPtr& argument) { return check_watchable(*argument, word); });
+}
+
+bool WatchChecker::check_parts(const Expr& expression, std::string_view word) {
   if (const auto* const unary = std::get_if<Unary>(&expression.node)) {
     return check_watchable(*unary->operand, word);
   }
   if (const auto* const binary = std::get_if<Binary>(&expression.node)) {
     return check_watchable(*binary->left, word) && check_watchable(*binary->right, word);
+  }
+  if (const auto* const tuple = std::get_if<Tuple>(&expression.node)) {
+    return std::ranges::all_of(tuple->elements, [&](const Tuple::Element& element) {
+      return check_watchable(*element.value, word);
+    });
+  }
+  if (const auto* const member = std::get_if<Member>(&expression.node)) {
+    return check_watchable(*member->object, word);
+  }
+  if (const auto* const index = std::get_if<Index>(&expression.node)) {
+    if (known(index->index->constant)) return check_watchable(*index->object, word);
+    return refuse(code::kNotWatchable, index->index->place, word,
+                  "which element is meant has to be a constant",
+                  "give the element a variable before, and watch that");
   }
   return true;
 }

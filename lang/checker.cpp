@@ -1,11 +1,13 @@
 #include "lang/checker.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "lang/ascii.h"
+#include "lang/chunk.h"
 #include "lang/codes.h"
 #include "lang/location.h"
 #include "lang/statement_checker.h"
@@ -19,17 +21,32 @@ bool is_constant(const ExprPtr& condition, bool value) {
   return constant != nullptr && *constant == value;
 }
 
+bool is_definition(Symbol::Kind kind) {
+  return kind == Symbol::Kind::Routine || kind == Symbol::Kind::Record;
+}
+
 }  // namespace
+
+/// Variables of more slots than that may not all find registers beside what is computed.
+bool StatementChecker::take_memory_use() {
+  const auto [numbers, texts] = std::exchange(most_declared_, Slots{});
+  declared_ = {};
+  const bool many = std::max(numbers, texts) > kVariableRegisters / 2;
+  return expressions_.take_memory_use() || many;
+}
 
 void StatementChecker::warn_of_name(Symbol::Kind kind, const std::string& name, Place place) {
   if (const Symbol* const earlier = scopes_.find_innermost(name)) {
     diagnostics_.error(
         code::kDeclaredTwice, place,
         fmt::format("{} is already declared, in line {}", shortened(name), earlier->place.line),
-        kind == Symbol::Kind::Routine || earlier->kind == Symbol::Kind::Routine
+        is_definition(kind) || is_definition(earlier->kind)
             ? "give one of them another name"
             : "to give it another value, write it without VAR");
-  } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr || is_later_builtin(name)) {
+  } else if (const auto files = scopes_.files_with(name);
+             scopes_.at_top_level() && !files.empty()) {
+    warn_of_hiding(name, place, files.front());
+  } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr) {
     diagnostics_.warning(
         code::kHidesBuiltIn, place,
         fmt::format("{} hides what the language or the robot calls so", shortened(name)),
@@ -45,8 +62,13 @@ const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& na
   symbol.name = name;
   symbol.type = type;
   symbol.place = place;
+  symbol.global = scopes_.at_top_level() && !is_definition(kind);
+  // What is known lives in the code.
+  const bool takes_slots = !is_definition(kind) && !known(value);
+  if (takes_slots) declared_ = declared_ + slots_of(type);
+  most_declared_ = {std::max(most_declared_.numbers, declared_.numbers),
+                    std::max(most_declared_.texts, declared_.texts)};
   symbol.value = std::move(value);
-  symbol.global = scopes_.at_top_level() && kind != Symbol::Kind::Routine;
   const Symbol* const declared = scopes_.declare(std::move(symbol));
   if (declared->global) uses_.declared(*declared);
   return declared;
@@ -54,9 +76,17 @@ const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& na
 
 /// The value is checked before the names are known: VAR x = x + 1 means an earlier x.
 void StatementChecker::check(Declaration& declaration) {
-  Type type = expressions_.check(declaration.value);
+  const bool fixed =
+      declaration.constant && declaration.type &&
+      (declaration.type->is(Type::Kind::Frame) || declaration.type->is(Type::Kind::Tool));
+  bool missed = false;
+  Type type = fixed ? expressions_.check_fixed(declaration.value, missed)
+                    : expressions_.check(declaration.value);
   Constant value;
   if (declaration.type) {
+    if (!expressions_.complete(*declaration.type, declaration.names.front().place)) {
+      declaration.type = Type{};
+    }
     type = *declaration.type;
     if (declaration.value != nullptr) {
       expressions_.accept(*declaration.value, type,
@@ -72,9 +102,8 @@ void StatementChecker::check(Declaration& declaration) {
   if (declaration.constant && declaration.value != nullptr && type != Type::string()) {
     value = converted(known_value(*declaration.value), type);
   }
-  if (declaration.constant && (type.is(Type::Kind::Frame) || type.is(Type::Kind::Tool)) &&
-      declaration.value != nullptr) {
-    check_frame(declaration, value);
+  if (fixed && type.known() && declaration.value != nullptr) {
+    check_frame(declaration, value, missed);
   }
   const auto kind = declaration.constant ? Symbol::Kind::NamedConstant : Symbol::Kind::Variable;
   for (Declaration::Declared& declared : declaration.names) {
@@ -100,6 +129,7 @@ void StatementChecker::check(Assign& assign) {
     return;
   }
   if (root->symbol == nullptr || !assignable(*root->symbol, assign.target->place)) return;
+  uses_.written(*root->symbol);
   if (assign.value == nullptr) return;
   expressions_.accept(*assign.value, assign.target->type,
                       fmt::format("{} needs", shortened(root->symbol->name)));
@@ -115,8 +145,8 @@ bool StatementChecker::assignable(const Symbol& symbol, Place place) {
     case Symbol::Kind::Variable:
       return true;
     case Symbol::Kind::NamedConstant:
-      return refuse("is a constant",
-                    fmt::format("declare it with VAR in line {} to change it", symbol.place.line));
+      return refuse("is a constant", fmt::format("declare it with VAR in {} to change it",
+                                                 diagnostics_.line_of(symbol.place, place)));
     case Symbol::Kind::LoopVariable:
       return refuse("is the variable of a FOR, which alone changes it",
                     "use a variable of its own, or WHILE");
@@ -127,6 +157,8 @@ bool StatementChecker::assignable(const Symbol& symbol, Place place) {
                     "give the value to a variable, or TEACH it where the robot stands");
     case Symbol::Kind::Routine:
       return refuse("is a routine, not a variable", "");
+    case Symbol::Kind::Record:
+      return refuse("is a record, not a variable", "");
     case Symbol::Kind::BuiltIn:
     case Symbol::Kind::Reading:
       return refuse("belongs to the language and cannot be changed", "");
@@ -161,10 +193,12 @@ void StatementChecker::check(While& loop) {
 
 void StatementChecker::check(For& loop) {
   const Type type = check_range(loop);
+  const Slots declared = declared_;
   scopes_.enter();
   loop.symbol = declare(Symbol::Kind::LoopVariable, loop.variable, loop.variable_place, type, {});
   check_body(loop.body);
   scopes_.leave();
+  declared_ = declared;
 }
 
 /// The type of the loop variable: what first value, last value and step have in common.
@@ -220,13 +254,13 @@ void StatementChecker::check_constant_range(const For& loop, const Type& type) {
 }
 
 CheckedProgram check(Program program, const RobotSignature& robot, const PointTable& points,
-                     Diagnostics& diagnostics) {
-  CheckedProgram checked{.program = std::move(program),
-                         .symbols = {},
-                         .constant_targets = {},
-                         .features = {},
-                         .missing_points = {}};
-  StatementChecker(checked, robot, points, diagnostics).check(checked.program);
+                     const TargetJudge& judge, Diagnostics& diagnostics) {
+  CheckedProgram checked{
+      .program = std::move(program), .symbols = {}, .features = {}, .missing_points = {}};
+  TypeDetail& joints = *checked.program.joints;
+  for (const RobotSignature::Coordinate& axis : robot.axes) joints.axes.push_back(axis.dimension);
+  joints.slots.numbers = static_cast<int>(joints.axes.size());
+  StatementChecker(checked, robot, points, judge, diagnostics).check(checked.program);
   return checked;
 }
 

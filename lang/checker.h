@@ -17,7 +17,6 @@ namespace rob::lang {
 struct CheckedProgram {
   Program program;
   std::deque<Symbol> symbols;  ///< all that Name::symbol and the like point to
-  std::vector<ConstantTarget> constant_targets;
   std::vector<FeatureUse> features;
   std::vector<MissingPoint> missing_points;
 };
@@ -25,6 +24,6 @@ struct CheckedProgram {
 /// Settles names, types, dimensions and constants of the whole program, and reports all that is
 /// wrong with them. Where there were errors the result must not be compiled.
 CheckedProgram check(Program program, const RobotSignature& robot, const PointTable& points,
-                     Diagnostics& diagnostics);
+                     const TargetJudge& judge, Diagnostics& diagnostics);
 
 }  // namespace rob::lang

@@ -21,6 +21,9 @@ class ClauseChecker {
 
   /// `place`: of the motion.
   bool check(const Clauses& clauses, Place place);
+  /// WITH names a TOOL, IN a FRAME.
+  bool check(const Surroundings& surroundings);
+  void check_override(const ExprPtr& share);
 
  private:
   bool check(Clause clause, const Expr& value);

@@ -125,10 +125,59 @@ void CodeBuilder::append_value(Register text, Register first, const Type& type, 
   emit(operand_word(index_in(chunk_.types, type)), place);
 }
 
-void CodeBuilder::move(Register first, const MoveForm& form, Place place) {
+void CodeBuilder::append_memory(Register text, Register places, const Type& type, Place place) {
+  emit(Opcode::append_memory, place, text, places, static_cast<unsigned>(places + 1));
+  emit(operand_word(index_in(chunk_.types, type)), place);
+}
+
+void CodeBuilder::ask(Register text, Register answer, const Type& type, Place place) {
+  emit(Opcode::ask, place, text, answer);
+  emit(operand_word(index_in(chunk_.types, type)), place);
+}
+
+void CodeBuilder::task_entry(Place place) {
+  chunk_.task_entry = static_cast<std::uint32_t>(chunk_.code.size());
+  emit(Opcode::call_test, place);
+  emit(Opcode::end, place);
+}
+
+void CodeBuilder::start(std::size_t task, Place place) {
+  emit(Opcode::start, place);
+  emit(operand_word(task), place);
+}
+
+void CodeBuilder::publish(Register first, bool texts, int count, Place place) {
+  if (count == 0) return;
+  emit(Opcode::publish, place, first, texts ? 1 : 0);
+  emit(operand_word(static_cast<std::size_t>(count)), place);
+}
+
+void CodeBuilder::refresh(std::size_t first, bool texts, int count, bool latched, Place place) {
+  if (count == 0) return;
+  emit(Opcode::refresh, place, texts ? 1 : 0, 0, latched ? 1 : 0);
+  emit(operand_word(first), place);
+  emit(operand_word(static_cast<std::size_t>(count)), place);
+}
+
+std::uint16_t CodeBuilder::form_index(const MoveForm& form, Place place) {
   const std::size_t index = index_in(chunk_.moves, form);
   if (index > std::numeric_limits<std::uint16_t>::max()) fail(Limit::Motions, place);
-  emit(Instruction::ax(Opcode::move, first, static_cast<std::uint16_t>(index)), place);
+  return static_cast<std::uint16_t>(index);
+}
+
+void CodeBuilder::move(Register first, const MoveForm& form, Place place) {
+  emit(Instruction::ax(Opcode::move, first, form_index(form, place)), place);
+}
+
+void CodeBuilder::via(Register first, const MoveForm& form, Place place) {
+  emit(Instruction::ax(Opcode::via, first, form_index(form, place)), place);
+}
+
+void CodeBuilder::move_to(const MoveForm& form, std::span<const double> components, Place place) {
+  emit(Instruction::ax(Opcode::move_to, 0, form_index(form, place)), place);
+  for (const double component : components) {
+    for (const Instruction half : words_of(component)) emit(half, place);
+  }
 }
 
 CodeBuilder::Jump CodeBuilder::jump(Place place) {
@@ -162,7 +211,29 @@ void CodeBuilder::name_register(const std::string& name, Register index, bool te
   chunk_.names.push_back({.name = name, .index = index, .text = text, .from = now, .to = now});
 }
 
+void CodeBuilder::open_memory(Place place) {
+  memory_register_ = number_registers(2);
+  reserves_.push_back(here());
+  emit(Opcode::reserve, place, *memory_register_);
+  emit(operand_word(0), place);
+  emit(operand_word(0), place);
+}
+
+Slots CodeBuilder::take_memory(Slots slots, Place place) {
+  const Slots first = memory_;
+  // Each part is within kMemory, so this many of them cannot overflow before the code is given up.
+  memory_ = memory_ + slots;
+  if (memory_.numbers > kMemory.numbers || memory_.texts > kMemory.texts) {
+    fail(Limit::Memory, place);
+    memory_ = first;
+  }
+  most_memory_ = {std::max(most_memory_.numbers, memory_.numbers),
+                  std::max(most_memory_.texts, memory_.texts)};
+  return first;
+}
+
 void CodeBuilder::release(const Mark& mark) {
+  memory_ = mark.memory;
   numbers_.used = mark.numbers;
   texts_.used = mark.texts;
   while (live_names_.size() > mark.names) {
@@ -175,13 +246,22 @@ void CodeBuilder::begin_routine(const std::string& name) {
   close_frame();
   numbers_ = {};
   texts_ = {};
-  chunk_.routines.push_back({.name = name, .entry = static_cast<std::uint32_t>(here())});
+  memory_ = most_memory_ = {};
+  memory_register_.reset();
+  reserves_.clear();
+  chunk_.routines.push_back(
+      {.name = name, .entry = static_cast<std::uint32_t>(here()), .memory = {}});
 }
 
 void CodeBuilder::close_frame() {
   const bool top = chunk_.routines.empty();
   (top ? chunk_.registers : chunk_.routines.back().registers) = numbers_.most;
   (top ? chunk_.text_registers : chunk_.routines.back().text_registers) = texts_.most;
+  (top ? chunk_.memory : chunk_.routines.back().memory) = most_memory_;
+  for (const std::size_t reserve : reserves_) {
+    chunk_.code[reserve + 1] = operand_word(static_cast<std::size_t>(most_memory_.numbers));
+    chunk_.code[reserve + 2] = operand_word(static_cast<std::size_t>(most_memory_.texts));
+  }
 }
 
 void CodeBuilder::call(std::size_t routine, Register numbers, Register texts, Place place) {
@@ -206,7 +286,8 @@ std::uint16_t CodeBuilder::end_watch(Register answer, int values, Place place) {
   for (std::size_t at = watch_.entry; at < here(); ++at) {
     const Opcode opcode = chunk_.code[at].opcode();
     if (!is_watchable(opcode)) fail(Limit::Watch, chunk_.places[at]);
-    if (opcode == Opcode::load_constant_wide) ++at;  // its operand
+    const bool operand = opcode == Opcode::load_constant_wide || opcode == Opcode::equal_block;
+    if (operand) ++at;
   }
   const std::size_t index = chunk_.watches.size();
   if (here() - watch_.entry > kLongestWatch || values > kMostWatched ||

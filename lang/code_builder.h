@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -43,9 +44,16 @@ class CodeBuilder {
   void teach(Register pose, const std::string& point, const std::string& frame, Place place);
   void load_text(Register target, const std::string& text, Place place);
   void append_real(Register text, Register value, Dimension dimension, Place place);
+  /// ASK for a value of a type.
+  void ask(Register text, Register answer, const Type& type, Place place);
   /// A compound value whose slots begin at a register.
   void append_value(Register text, Register first, const Type& type, Place place);
+  /// A value whose numbers and texts begin at the places in two registers.
+  void append_memory(Register text, Register places, const Type& type, Place place);
   void move(Register first, const MoveForm& form, Place place);
+  void via(Register first, const MoveForm& form, Place place);
+  /// A move with its components in the code, SI.
+  void move_to(const MoveForm& form, std::span<const double> components, Place place);
 
   /// A jump forward, aimed later with land().
   [[nodiscard]] Jump jump(Place place);
@@ -65,13 +73,29 @@ class CodeBuilder {
     int numbers;
     int texts;
     std::size_t names;
+    Slots memory;
   };
-  Mark mark() const { return {numbers_.used, texts_.used, live_names_.size()}; }
+  Mark mark() const { return {numbers_.used, texts_.used, live_names_.size(), memory_}; }
+  /// Whether so many registers are left for a variable.
+  bool has_room(Slots slots) const {
+    return numbers_.used + slots.numbers <= kVariableRegisters &&
+           texts_.used + slots.texts <= kVariableRegisters;
+  }
+
+  /// The present frame has memory behind its registers; how much turns out at its end.
+  void open_memory(Place place);
+  bool has_memory() const { return memory_register_.has_value(); }
+  /// Holds the place of that memory's numbers; the one behind it that of its texts.
+  Register memory_register() const { return *memory_register_; }
+  /// Takes slots of the memory; where they begin in it.
+  Slots take_memory(Slots slots, Place place);
   /// Gives back all registers taken, and forgets all names given, since `mark`.
   void release(const Mark& mark);
   /// Tells listings that a variable lives in a register from here on.
   void name_register(const std::string& name, Register index, bool text);
 
+  /// What types of the chunk refer to.
+  void keep(std::shared_ptr<const TypeDetail> joints) { chunk_.joints = std::move(joints); }
   /// Tells reports what the program calls a signal.
   void declare_safe(const SafeValue& value) { chunk_.safe_values.push_back(value); }
   void name_signal(NamedSignal signal) { chunk_.named_signals.push_back(std::move(signal)); }
@@ -84,6 +108,17 @@ class CodeBuilder {
     emit(Opcode::call_test, place, static_cast<unsigned>(numbers_.used),
          static_cast<unsigned>(texts_.used));
   }
+
+  /// Where every TASK begins: it calls the routine that the Vm was told.
+  void task_entry(Place place);
+  void add_task(TaskCode task) { chunk_.tasks.push_back(std::move(task)); }
+  std::size_t tasks() const { return chunk_.tasks.size(); }
+  /// START of a TASK, by its number.
+  void start(std::size_t task, Place place);
+  /// TASKs see the slots from the place in register `first` on as they are now.
+  void publish(Register first, bool texts, int count, Place place);
+  /// The slots of the top level from `first` on become what TASKs see.
+  void refresh(std::size_t first, bool texts, int count, bool latched, Place place);
 
   /// What follows is the code of a routine, with registers of its own.
   void begin_routine(const std::string& name);
@@ -99,7 +134,7 @@ class CodeBuilder {
   /// Arms a watch; `level`: how many stand before it in its frame.
   void when(Register values, std::uint16_t watch, std::size_t level, Place place);
 
-  enum class Limit { None, Registers, Jump, Dimensions, Motions, Watch, WatchLength };
+  enum class Limit { None, Registers, Memory, Jump, Dimensions, Motions, Watch, WatchLength };
   /// The limit that was exceeded, and where first.
   Limit failed() const { return failed_; }
   Place failed_at() const { return failed_at_; }
@@ -114,6 +149,7 @@ class CodeBuilder {
   };
 
   std::size_t text_index(const std::string& text);
+  std::uint16_t form_index(const MoveForm& form, Place place);
   void close_frame();
   void fail(Limit limit, Place place);
   std::uint32_t constant_index(Slot value, std::uint64_t bits, Type type);
@@ -133,6 +169,10 @@ class CodeBuilder {
   bool watching_ = false;  ///< watch_ is open
   Registers numbers_;
   Registers texts_;
+  Slots memory_;  ///< in use
+  Slots most_memory_;
+  std::optional<Register> memory_register_;
+  std::vector<std::size_t> reserves_;    ///< `reserve` instructions of the present frame
   std::vector<std::size_t> live_names_;  ///< indices into chunk_.names
   /// Constants are kept once: by bits, kind and dimension (which only listings look at).
   std::map<std::tuple<std::uint64_t, Type::Kind, Dimension>, std::uint32_t> constant_indices_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -10,15 +11,14 @@
 #include "lang/missing_points.h"
 #include "lang/point_table.h"
 #include "lang/robot_signature.h"
+#include "lang/used_files.h"
 
 namespace rob::lang {
 
-/// A motion whose written coordinates are known before the program runs, so that it can be
-/// checked against the robot while nothing moves yet. `command` holds the constant components only.
-struct ConstantTarget {
-  Place place;
-  MoveCommand command;
-};
+/// Asked for every motion whose written coordinates are known before the program runs, while
+/// nothing moves yet: why the robot cannot go there, or nothing. The command holds the constant
+/// components only.
+using TargetJudge = std::function<std::optional<Refusal>(const MoveCommand& command)>;
 
 /// Where a program asks for something that not every robot can do.
 struct FeatureUse {
@@ -30,14 +30,17 @@ struct FeatureUse {
 struct Compilation {
   Diagnostics diagnostics;
   std::optional<Chunk> chunk;  ///< empty if the program has errors
-  std::vector<ConstantTarget> constant_targets;
   std::vector<FeatureUse> features;
   std::vector<MissingPoint> missing_points;  ///< each has had a warning
+  std::vector<SourceFile> used;              ///< the files that it USEs, by Place::file from 1
 };
 
 /// Lexer, parser, checker and compiler in a row; finds all errors of the text. Never throws for
-/// what a text may contain. `points`: what the program's POINTs are worth.
+/// what a text may contain. `points`: what the program's POINTs are worth. A target that `judge`
+/// refuses is an error of the program. `sources`: where the files are that it USEs; null: there
+/// are none.
 Compilation compile(std::string_view source, const RobotSignature& robot,
-                    const PointTable& points = {});
+                    const PointTable& points = {}, const TargetJudge& judge = {},
+                    const Sources* sources = nullptr);
 
 }  // namespace rob::lang

@@ -20,8 +20,8 @@ void ExpressionCompiler::compile(const Tuple& tuple, Register target) {
   copy_registers(target, first, kParts, tuple.elements.front().place);
 }
 
-/// VEC + VEC, VEC - VEC, number * VEC, VEC * number, VEC / number. The number is not read in place:
-/// it may be a part of the target.
+/// VEC + VEC, VEC - VEC, number * VEC, VEC * number, VEC / number; the same of JOINTS. The number
+/// is not read in place: it may be a part of the target.
 void ExpressionCompiler::compile_vector(const Binary& binary, const Expr& expression,
                                         Register target) {
   const auto side = [&](const Expr& operand_expression) {
@@ -40,7 +40,8 @@ void ExpressionCompiler::compile_vector(const Binary& binary, const Expr& expres
   const Register right = side(*binary.right);
   const int left_step = binary.left->type.numeric() ? 0 : 1;
   const int right_step = binary.right->type.numeric() ? 0 : 1;
-  for (int i = 0; i < kParts; ++i) {
+  const int parts = slots_of(expression.type).numbers;
+  for (int i = 0; i < parts; ++i) {
     code_.emit(real_opcode(binary.op), expression.place, part(target, i), part(left, i * left_step),
                part(right, i * right_step));
   }
@@ -57,6 +58,7 @@ void ExpressionCompiler::negate_vector(const Unary& unary, const Expr& expressio
 /// There is no -0 and nothing that is not a number, so values are equal where their slots are.
 CodeBuilder::Jumps ExpressionCompiler::jumps_of_compounds(const Binary& binary, bool when,
                                                           Place place) {
+  if (!binary.left->type.in_registers()) return jumps_of_memory(binary, when, place);
   const int count = slots_of(binary.left->type).numbers;
   Register left = 0;
   if (calls_routine(*binary.right)) {
@@ -74,6 +76,10 @@ CodeBuilder::Jumps ExpressionCompiler::jumps_of_compounds(const Binary& binary, 
 
 void ExpressionCompiler::append_compound(const Expr& expression, Register text) {
   const auto mark = code_.mark();
+  if (!expression.type.in_registers()) {
+    code_.append_memory(text, refer_whole(expression), expression.type, expression.place);
+    return code_.release(mark);
+  }
   code_.append_value(text, operand(expression, false), expression.type, expression.place);
   code_.release(mark);
 }

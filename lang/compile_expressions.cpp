@@ -82,12 +82,14 @@ Opcode real_opcode(BinaryOp op) {
 /// What is no variable is read anew each time; in a watch its value was fixed before.
 bool ExpressionCompiler::lives_in_register(const Symbol& symbol) const {
   if (symbol.kind == Symbol::Kind::BuiltIn) return watching_;
-  return symbol.kind != Symbol::Kind::Signal && symbol.kind != Symbol::Kind::Reading;
+  if (symbol.kind == Symbol::Kind::Reading) return watching_ && !is_observation(symbol.reading);
+  return symbol.kind != Symbol::Kind::Signal;
 }
 
 void ExpressionCompiler::begin(const Expr& expression) {
   latched_ = observations(expression) > 1;
   if (latched_) code_.emit(Opcode::latch, expression.place);
+  refresh(observed_globals(expression), expression.place);
 }
 
 void ExpressionCompiler::value_into(const Expr& expression, Register target, bool as_real) {
@@ -106,12 +108,18 @@ void ExpressionCompiler::append_value(const Expr& expression, Register text) {
 }
 
 Register ExpressionCompiler::result_register(const Type& type) {
-  const Location fresh = temporary(type);
+  const Location fresh = temporary(type, {});
   return type.kind == Type::Kind::String ? fresh.texts.reg() : fresh.numbers.reg();
 }
 
 Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
-  const bool convert = as_real && expression.type == Type::integer();
+  const bool convert = (as_real && expression.type == Type::integer()) ||
+                       numbers_of(expression) > slots_of(expression.type).numbers;
+  if (!convert && expression.moved_from == nullptr && is_number_element(expression)) {
+    const Register target = code_.number_registers();
+    load_element(std::get<Index>(expression.node), target, expression.place);
+    return target;
+  }
   if (!convert && expression.moved_from == nullptr && is_variable(expression)) {
     const Location at = locate(expression);
     const SlotsAt& part = is_text(expression) ? at.texts : at.numbers;
@@ -123,9 +131,12 @@ Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
   // What a routine returns stays where the call has left it.
   if (const auto* const call = std::get_if<Call>(&expression.node);
       call != nullptr && call->routine != nullptr && !convert && expression.moved_from == nullptr) {
-    return call_routine(*call, expression);
+    const Location result = call_routine(*call, expression);
+    return is_text(expression) ? result.texts.reg() : result.numbers.reg();
   }
-  const Register target = result_register(expression.type);
+  const Register target = expression.place_slots != 0
+                              ? code_.number_registers(expression.place_slots)
+                              : result_register(expression.type);
   into(expression, target, as_real);
   return target;
 }
@@ -140,7 +151,9 @@ Register ExpressionCompiler::operand_before(const Expr& then, const Expr& expres
 
 void ExpressionCompiler::into(const Expr& expression, Register target, bool as_real) {
   const auto mark = code_.mark();
-  if (expression.moved_from != nullptr) {
+  if (expression.place_slots != 0) {
+    into_other_place(expression, target);
+  } else if (expression.moved_from != nullptr) {
     into_world(expression, target);
   } else {
     into_as_it_is(expression, target, as_real);
@@ -158,6 +171,8 @@ void ExpressionCompiler::into_as_it_is(const Expr& expression, Register target, 
   } else if (const auto* const member = std::get_if<Member>(&expression.node);
              member != nullptr && angle_of(member->object->type, member->field)) {
     compile_angle(*member, target, expression.place);
+  } else if (is_number_element(expression)) {
+    load_element(std::get<Index>(expression.node), target, expression.place);
   } else if (std::holds_alternative<Member>(expression.node) ||
              std::holds_alternative<Index>(expression.node)) {
     load(locate(expression), expression.type, target, expression.place);
@@ -195,8 +210,7 @@ void ExpressionCompiler::compile(const Name& name, const Expr& expression, Regis
   if (symbol.kind == Symbol::Kind::Signal) {
     read_signal(symbol, target, expression.place);
   } else if (symbol.kind == Symbol::Kind::Reading) {
-    code_.emit(Opcode::read, expression.place, target, static_cast<unsigned>(symbol.reading),
-               latched_ ? 1 : 0);
+    read(symbol.reading, target, expression.place);
   } else if (!lives_in_register(symbol)) {
     code_.emit(Opcode::read_hit, expression.place, target);
   } else {
@@ -222,7 +236,9 @@ void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, R
     return;
   }
   if (binary.left->type.is_place()) return compile_on_places(binary, expression, target);
-  if (expression.type.is(Type::Kind::Vec)) return compile_vector(binary, expression, target);
+  if (expression.type.is(Type::Kind::Vec) || expression.type.is(Type::Kind::Joints)) {
+    return compile_vector(binary, expression, target);
+  }
   if (compile_by_constant(binary, expression, target)) return;
   // DIV of reals yields an INT from REAL operands.
   const bool whole = on_whole_numbers(binary, expression.type);
@@ -264,9 +280,8 @@ bool ExpressionCompiler::compile_by_constant(const Binary& binary, const Expr& e
 
 void ExpressionCompiler::compile(const Call& call, const Expr& expression, Register target) {
   if (call.routine != nullptr) {
-    const Register result = call_routine(call, expression);
-    if (is_text(expression)) return code_.emit(Opcode::copy_text, expression.place, target, result);
-    return copy_registers(target, result, slots_of(expression.type).numbers, expression.place);
+    const Location result = call_routine(call, expression);
+    return load(result, expression.type, target, expression.place);
   }
   const Builtin& builtin = *find_builtin(call);
   if (builtin.rule == BuiltinRule::AnyToText) {
@@ -276,17 +291,25 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
     code_.emit(Opcode::copy_text, expression.place, target, text);
     return;
   }
+  if (const auto reading = reading_of(call)) return read(*reading, target, expression.place);
+  if (builtin.rule == BuiltinRule::Joints) return compile_joints(call, expression, target);
+  if (builtin.rule == BuiltinRule::Forward) return compile_forward(call, expression, target);
+  if (builtin.rule == BuiltinRule::ArrayLength) {
+    const Expr& array = *call.arguments.front();
+    locate(array);
+    return code_.load_integer(target, array.type.detail->length, expression.place);
+  }
   if (builtin.rule == BuiltinRule::Random) return draw(call, expression, target);
   if (builtin.rule == BuiltinRule::Texts) return call_on_texts(builtin, call, expression, target);
   const bool whole = computes_whole(builtin, call);
   int given = 0;
-  for (const ExprPtr& argument : call.arguments) given += slots_of(argument->type).numbers;
+  for (const ExprPtr& argument : call.arguments) given += numbers_of(*argument);
   const int results = slots_of(expression.type).numbers;
   const Register first = code_.number_registers(std::max(given, results));
   Register next = first;
   for (const ExprPtr& argument : call.arguments) {
     into(*argument, next, !whole);
-    next = static_cast<Register>(next + slots_of(argument->type).numbers);
+    next = static_cast<Register>(next + numbers_of(*argument));
   }
   const auto index = static_cast<unsigned>(&builtin - builtins().data());
   code_.emit(whole ? Opcode::call_int : Opcode::call_real, expression.place, first, index,

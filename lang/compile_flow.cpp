@@ -7,7 +7,11 @@
 namespace rob::lang {
 
 void StatementCompiler::compile_body(const Block& body) {
-  loops_.push_back({.exits = {}, .nexts = {}, .whens = whens_, .guards = guards_.size()});
+  loops_.push_back({.exits = {},
+                    .nexts = {},
+                    .whens = whens_,
+                    .guards = guards_.size(),
+                    .scopes = scopes_.size()});
   compile(body);
   code_.land(loops_.back().nexts);
 }
@@ -20,12 +24,14 @@ void StatementCompiler::leave_loop() {
 void StatementCompiler::compile(const Exit&) {
   leave_whens(loops_.back().whens);
   leave_guards(loops_.back().guards, place_);
+  leave_scopes(loops_.back().scopes, place_);
   loops_.back().exits.push_back(code_.jump(place_));
 }
 
 void StatementCompiler::compile(const Next&) {
   leave_whens(loops_.back().whens);
   leave_guards(loops_.back().guards, place_);
+  leave_scopes(loops_.back().scopes, place_);
   loops_.back().nexts.push_back(code_.jump(place_));
 }
 
@@ -44,7 +50,7 @@ void StatementCompiler::compile(const For& loop) {
   const Place place = place_;
   const auto mark = code_.mark();
   const bool real = loop.symbol->type.kind == Type::Kind::Real;
-  const Register value = declare(*loop.symbol).numbers.reg();
+  const Register value = declare_in_registers(*loop.symbol).numbers.reg();
   code_.number_registers(real ? 4 : 2);
   expressions_.value_into(*loop.from, value, real);
   expressions_.value_into(*loop.to, static_cast<Register>(value + 1), real);

@@ -1,5 +1,6 @@
 #include "lang/expression_compiler.h"
 #include "lang/fold.h"
+#include "lang/routine.h"
 
 /// The part of ExpressionCompiler that knows where values lie: in registers, in the memory of a
 /// frame, or where a reference says; and how they get from one to the other.
@@ -19,7 +20,11 @@ Location ExpressionCompiler::home(const Symbol& symbol) const {
   Location home = homes_[symbol.id];
   if (watching_ || !in_routine_ || !symbol.global) return home;
   for (SlotsAt* const at : {&home.numbers, &home.texts}) {
-    if (at->base == Base::Own) at->base = Base::GlobalRegister;
+    if (at->base == Base::Own) {
+      at->base = Base::GlobalRegister;
+    } else {
+      at->base = Base::GlobalMemory;
+    }
   }
   return home;
 }
@@ -36,7 +41,9 @@ bool ExpressionCompiler::is_variable(const Expr& expression) const {
 Location ExpressionCompiler::locate(const Expr& expression) {
   if (!known(expression.constant)) {
     if (const auto* const name = std::get_if<Name>(&expression.node)) {
-      if (lives_in_register(*name->symbol)) return home(*name->symbol);
+      if (lives_in_register(*name->symbol)) {
+        return reached(home(*name->symbol), expression.type, expression.place);
+      }
     }
     if (const auto* const member = std::get_if<Member>(&expression.node)) {
       const auto field = field_of(member->object->type, member->field);
@@ -44,13 +51,22 @@ Location ExpressionCompiler::locate(const Expr& expression) {
     }
     if (const auto* const index = std::get_if<Index>(&expression.node)) return element(*index);
   }
-  const Location fresh = temporary(expression.type);
+  if (const auto* const call = std::get_if<Call>(&expression.node);
+      call != nullptr && call->routine != nullptr && !expression.type.in_registers()) {
+    return call_routine(*call, expression);
+  }
+  const Location fresh = temporary(expression.type, expression.place);
+  if (!expression.type.in_registers()) {
+    put(expression, fresh, expression.type);
+    return fresh;
+  }
   into(expression, is_text(expression.type) ? fresh.texts.reg() : fresh.numbers.reg(), false);
   return fresh;
 }
 
-Location ExpressionCompiler::temporary(const Type& type) {
+Location ExpressionCompiler::temporary(const Type& type, Place place) {
   const Slots slots = slots_of(type);
+  if (!type.in_registers()) return memory(slots, place);
   Location fresh;
   if (slots.numbers > 0) fresh.numbers.offset = code_.number_registers(slots.numbers);
   if (slots.texts > 0) fresh.texts.offset = code_.text_registers(slots.texts);
@@ -80,8 +96,12 @@ Location ExpressionCompiler::element(const Index& index) {
 SlotsAt ExpressionCompiler::element_at(SlotsAt whole, bool text, Register which, std::int64_t count,
                                        int size, Place place) {
   const Register at = code_.number_registers();
-  refer(whole, text, at, place);
-  code_.emit(Opcode::index, place, at, which);
+  if (whole.base != Base::Place) {
+    refer(whole, text, at, place);
+    whole = {Base::Place, 0, at};
+  }
+  code_.emit(Opcode::element, place, at, which, whole.place);
+  code_.emit(word(whole.offset), place);
   code_.emit(word(static_cast<std::uint32_t>(count)), place);
   code_.emit(word(static_cast<std::uint32_t>(size)), place);
   return {Base::Place, 0, at};
@@ -95,14 +115,12 @@ void ExpressionCompiler::refer(SlotsAt at, bool text, Register target, Place pla
       return code_.emit(text ? Opcode::refer_text : Opcode::refer, place, target, at.reg());
     case Base::GlobalRegister:
       return code_.load_integer(target, at.offset, place);
+    case Base::GlobalMemory:
+      return refer(reached(at, text, place), text, target, place);
     case Base::Place:
-      code_.emit(Opcode::copy, place, target, at.place);
-      if (at.offset == 0) return;
-      const auto mark = code_.mark();
-      const Register offset = code_.number_registers();
-      code_.load_integer(offset, at.offset, place);
-      code_.emit(Opcode::add_int, place, target, target, offset);
-      code_.release(mark);
+      if (at.offset == 0) return code_.emit(Opcode::copy, place, target, at.place);
+      code_.emit(Opcode::place_behind, place, target, at.place);
+      code_.emit(word(at.offset), place);
       return;
   }
 }
@@ -118,6 +136,8 @@ void ExpressionCompiler::load_numbers(SlotsAt from, Register target, int count, 
                    place);
       }
       return;
+    case Base::GlobalMemory:
+      return load_numbers(reached(from, false, place), target, count, place);
     case Base::Place:
       code_.emit(Opcode::load_reference, place, target, from.place, static_cast<unsigned>(count));
       code_.emit(word(from.offset), place);
@@ -136,6 +156,8 @@ void ExpressionCompiler::store_numbers(SlotsAt to, Register value, int count, Pl
                    place);
       }
       return;
+    case Base::GlobalMemory:
+      return store_numbers(reached(to, false, place), value, count, place);
     case Base::Place:
       code_.emit(Opcode::store_reference, place, value, to.place, static_cast<unsigned>(count));
       code_.emit(word(to.offset), place);
@@ -155,6 +177,8 @@ void ExpressionCompiler::load_text(SlotsAt from, Register target, Place place) {
       return code_.emit(Opcode::copy_text, place, target, from.reg());
     case Base::GlobalRegister:
       return code_.emit(Instruction::ax(Opcode::load_global_text, target, from.offset), place);
+    case Base::GlobalMemory:
+      return load_text(reached(from, true, place), target, place);
     case Base::Place:
       code_.emit(Opcode::load_reference_text, place, target, from.place);
       code_.emit(word(from.offset), place);
@@ -168,6 +192,8 @@ void ExpressionCompiler::store_text(SlotsAt to, Register value, Place place) {
       return code_.emit(Opcode::copy_text, place, to.reg(), value);
     case Base::GlobalRegister:
       return code_.emit(Instruction::ax(Opcode::store_global_text, value, to.offset), place);
+    case Base::GlobalMemory:
+      return store_text(reached(to, true, place), value, place);
     case Base::Place:
       code_.emit(Opcode::store_reference_text, place, value, to.place);
       code_.emit(word(to.offset), place);
@@ -194,13 +220,31 @@ void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
   if (const auto* const name = std::get_if<Name>(&target.node)) {
     const Location at = home(*name->symbol);
     const SlotsAt& part = is_text(type) ? at.texts : at.numbers;
-    if (part.in_register()) return value_into(value, part.reg(), as_real);
+    if (type.in_registers() && part.in_register()) {
+      value_into(value, part.reg(), as_real);
+      return publish(*name->symbol, target.place);
+    }
   }
-  const Location result = temporary(type);
-  const Register at = is_text(type) ? result.texts.reg() : result.numbers.reg();
-  value_into(value, at, as_real);
-  begin(target);
-  store(locate(target), type, at, target.place);
+  if (!type.in_registers()) {
+    assign_memory(target, value);
+    return code_.release(mark);
+  }
+  begin(value);
+  assign_register(target, operand_before(target, value, as_real));
+  code_.release(mark);
+}
+
+void ExpressionCompiler::assign_register(const Expr& target, Register value) {
+  const auto mark = code_.mark();
+  begin_place(target);
+  const bool shared = root_of(target)->symbol->shared;
+  if (is_number_element(target) && !shared) {
+    store_element(std::get<Index>(target.node), value, target.place);
+  } else {
+    const Location at = locate(target);
+    store(at, target.type, value, target.place);
+    if (shared) publish(at, target.type, target.place);
+  }
   code_.release(mark);
 }
 

@@ -19,10 +19,16 @@ void StatementCompiler::compile(const PointDeclaration& declaration) {
     if (known(symbol.value)) continue;
     const Location home = declare(symbol);
     if (point.kept || declaration.value == nullptr) {
-      load_pose(point.kept.value_or(PoseValue{}), home.numbers.reg(), place_);
+      const auto mark = code_.mark();
+      const Register pose = code_.number_registers(kPoseSlots);
+      load_pose(point.kept.value_or(PoseValue{}), pose, place_);
+      expressions_.store_variable(symbol, pose, place_);
+      code_.release(mark);
     } else {
-      expressions_.value_into(*declaration.value, home.numbers.reg());
+      expressions_.initialise(*declaration.value, home, symbol.type);
+      publish(symbol, place_);
     }
+    if (symbol.moved_to && symbol.taught != nullptr) keep_joints(symbol);
   }
 }
 
@@ -42,8 +48,36 @@ void StatementCompiler::compile(const Teach& teach) {
     code_.emit(Opcode::pose_product, place_, pose, inverse, pose);
   }
   code_.teach(pose, symbol.name, frame, place_);
-  expressions_.store_point(symbol, pose, place_);
+  expressions_.store_variable(symbol, pose, place_);
+  if (symbol.moved_to) teach_joints(symbol);
   code_.release(mark);
+}
+
+/// The joints of a point that TEACH may change: at first those of the points file, if it has them.
+void StatementCompiler::keep_joints(const Symbol& point) {
+  declare(*point.taught);
+  declare(*point.has_taught);
+  const auto mark = code_.mark();
+  const Register known = code_.number_registers();
+  code_.load_integer(known, point.joints.empty() ? 0 : 1, place_);
+  expressions_.store_variable(*point.has_taught, known, place_);
+  const Register joints = code_.number_registers(static_cast<int>(robot_.axes.size()));
+  for (std::size_t i = 0; i < point.joints.size(); ++i) {
+    code_.load_real(static_cast<Register>(joints + i), point.joints[i], robot_.axes[i].dimension,
+                    place_);
+  }
+  if (!point.joints.empty()) expressions_.store_variable(*point.taught, joints, place_);
+  code_.release(mark);
+}
+
+/// At the standstill of TEACH the axes are where HERE was read.
+void StatementCompiler::teach_joints(const Symbol& point) {
+  const Register joints = code_.number_registers(static_cast<int>(robot_.axes.size()));
+  code_.emit(Opcode::read, place_, joints, static_cast<unsigned>(Reading::Joints));
+  expressions_.store_variable(*point.taught, joints, place_);
+  const Register known = code_.number_registers();
+  code_.load_integer(known, 1, place_);
+  expressions_.store_variable(*point.has_taught, known, place_);
 }
 
 }  // namespace rob::lang

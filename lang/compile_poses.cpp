@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "lang/expression_compiler.h"
 
 /// The part of ExpressionCompiler that computes with poses.
@@ -21,6 +23,26 @@ void ExpressionCompiler::into_world(const Expr& expression, Register target) {
   }
   into_as_it_is(expression, pose, false);
   code_.emit(Opcode::pose_product, expression.place, target, frame, pose);
+}
+
+int numbers_of(const Expr& expression) {
+  return expression.place_slots != 0 ? expression.place_slots : slots_of(expression.type).numbers;
+}
+
+/// A TOOL where a pose is wanted; or a pose as a TOOL, which weighs nothing.
+void ExpressionCompiler::into_other_place(const Expr& expression, Register target) {
+  const int own = slots_of(expression.type).numbers;
+  const int wanted = expression.place_slots;
+  const Register value = code_.number_registers(own);
+  if (expression.moved_from != nullptr) {
+    into_world(expression, value);
+  } else {
+    into_as_it_is(expression, value, false);
+  }
+  copy_registers(target, value, std::min(own, wanted), expression.place);
+  for (int i = own; i < wanted; ++i) {
+    code_.load_real(behind(target, i), 0, kNone, expression.place);
+  }
 }
 
 /// p + v, p - v, p - q, p * q, p * v.

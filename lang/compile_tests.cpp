@@ -11,15 +11,23 @@ namespace rob::lang {
 void StatementCompiler::compile_test_entry(const Program& program) {
   code_.begin_tests();
   const auto mark = code_.mark();
-  for (const Statement& statement : program.statements) {
-    if (std::holds_alternative<Declaration>(statement.node) ||
-        std::holds_alternative<PointDeclaration>(statement.node)) {
-      compile(statement);
-    }
-  }
+  if (program.memory) code_.open_memory(program.end);
+  compile_variables(program.statements);
   code_.call_test(program.end);
   code_.emit(Opcode::end, program.end);
   code_.release(mark);
+}
+
+/// What a SIGNAL declares stands in the Chunk already.
+void StatementCompiler::compile_variables(const Block& statements) {
+  for (const Statement& statement : statements) {
+    if (const Use* const use = std::get_if<Use>(&statement.node)) {
+      compile_variables(use->declarations);
+    } else if (std::holds_alternative<Declaration>(statement.node) ||
+               std::holds_alternative<PointDeclaration>(statement.node)) {
+      compile(statement);
+    }
+  }
 }
 
 void StatementCompiler::compile(const Expect& expectation) {
@@ -46,17 +54,26 @@ void StatementCompiler::compile(const Expect& expectation) {
 }
 
 void StatementCompiler::compile(const Simulate& simulation) {
-  const Symbol& symbol = *simulation.target.symbol;
   const auto mark = code_.mark();
   const Register value = code_.number_registers(2);
   const auto after = static_cast<Register>(value + 1);
-  expressions_.value_into(*simulation.value, value, symbol.analog);
   if (simulation.after != nullptr) {
     expressions_.value_into(*simulation.after, after);
   } else {
     code_.load_real(after, 0, kTime, place_);
   }
-  expressions_.simulate(symbol, value, place_);
+  if (simulation.what != Simulate::What::Input) {
+    simulate_operator(simulation, value);
+    return code_.release(mark);
+  }
+  const Symbol& symbol = *simulation.target.symbol;
+  const bool force = symbol.kind == Symbol::Kind::Reading;
+  expressions_.value_into(*simulation.value, value, symbol.analog || force);
+  if (force) {
+    expressions_.simulate_force(simulation.component, value, place_);
+  } else {
+    expressions_.simulate(symbol, value, place_);
+  }
   code_.release(mark);
 }
 

@@ -14,7 +14,6 @@ namespace rob::lang {
 namespace {
 
 bool is_text(const Type& type) { return type.kind == Type::Kind::String; }
-bool is_real(const Type& type) { return type.kind == Type::Kind::Real; }
 
 std::vector<std::string> signal_names(const RobotSignature& robot) {
   std::vector<std::string> names;
@@ -25,16 +24,26 @@ std::vector<std::string> signal_names(const RobotSignature& robot) {
 }  // namespace
 
 StatementCompiler::StatementCompiler(const CheckedProgram& checked, const RobotSignature& robot)
-    : robot_(robot), code_(signal_names(robot)), expressions_(code_, checked.symbols.size()) {}
+    : program_(checked.program),
+      robot_(robot),
+      code_(signal_names(robot)),
+      expressions_(code_, checked.symbols.size()) {
+  code_.keep(checked.program.joints);
+}
 
 std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnostics& diagnostics) {
   const auto mark = code_.mark();
+  if (program.memory) code_.open_memory(program.end);
+  for (const Routine& routine : program.routines) {
+    if (routine.task) task_numbers_.emplace(routine.index, task_numbers_.size());
+  }
   // A WHEN outside of all blocks is armed until the program has ended.
   for (const Statement& statement : program.statements) compile(statement);
   code_.release(mark);
   code_.land(returns_);
   code_.emit(Opcode::end, program.end);
   if (std::ranges::any_of(program.routines, &Routine::test)) compile_test_entry(program);
+  if (!task_numbers_.empty()) code_.task_entry(program.end);
   expressions_.enter_routine();
   for (const Routine& routine : program.routines) compile(routine);
   if (code_.failed() == CodeBuilder::Limit::None) return code_.finish();
@@ -43,6 +52,16 @@ std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnost
 }
 
 Location StatementCompiler::declare(const Symbol& symbol) {
+  const Slots slots = slots_of(symbol.type);
+  if (!symbol.type.in_registers() || (code_.has_memory() && !code_.has_room(slots))) {
+    const Location home = expressions_.memory(slots, symbol.place);
+    expressions_.settle(symbol, home);
+    return home;
+  }
+  return declare_in_registers(symbol);
+}
+
+Location StatementCompiler::declare_in_registers(const Symbol& symbol) {
   const Slots slots = slots_of(symbol.type);
   Location home;
   if (slots.numbers > 0) home.numbers.offset = code_.number_registers(slots.numbers);
@@ -54,16 +73,9 @@ Location StatementCompiler::declare(const Symbol& symbol) {
 
 /// Tells listings what the registers are called.
 void StatementCompiler::name_home(const Symbol& symbol, const Location& home) {
+  if (symbol.name.empty()) return;
   const bool text = is_text(symbol.type);
   code_.name_register(symbol.name, text ? home.texts.reg() : home.numbers.reg(), text);
-}
-
-void StatementCompiler::default_value(const Type& type, const Location& home, Place place) {
-  if (is_text(type)) return code_.load_text(home.texts.reg(), "", place);
-  for (int i = 0; i < slots_of(type).numbers; ++i) {
-    // The bits of 0, FALSE and 0.0 are the same.
-    code_.load_integer(home.numbers.behind(i).reg(), 0, place);
-  }
 }
 
 void StatementCompiler::compile(const Declaration& declaration) {
@@ -72,14 +84,15 @@ void StatementCompiler::compile(const Declaration& declaration) {
   if (declaration.constant && known(first.value)) return;
   const Location home = declare(first);
   if (declaration.value != nullptr) {
-    const Register target = is_text(first.type) ? home.texts.reg() : home.numbers.reg();
-    expressions_.value_into(*declaration.value, target, is_real(first.type));
+    expressions_.initialise(*declaration.value, home, first.type);
   } else {
-    default_value(first.type, home, place_);
+    expressions_.clear(home, first.type, place_);
   }
+  publish(first, place_);
   for (std::size_t i = 1; i < declaration.names.size(); ++i) {
     const Location other = declare(*declaration.names[i].symbol);
     expressions_.copy(home, other, first.type, place_);
+    publish(*declaration.names[i].symbol, place_);
   }
 }
 
@@ -112,7 +125,7 @@ void StatementCompiler::compile(const SignalDeclaration& signal) {
                      .low = symbol.low,
                      .high = symbol.high});
   if (signal.safe == nullptr) return;
-  code_.declare_safe({symbol.signal, signal.safe_value, signal.name_place.line});
+  code_.declare_safe({symbol.signal, signal.safe_value, line_tag(signal.name_place)});
 }
 
 /// What is constant between two computed values is one text.
@@ -211,10 +224,18 @@ void StatementCompiler::report_limit(Diagnostics& diagnostics) const {
     case CodeBuilder::Limit::None:
       return;
     case CodeBuilder::Limit::Registers:
+      diagnostics.error(code::kTooManyVariables, place,
+                        fmt::format("more than {} intermediate values and values of loops at once",
+                                    kMostRegisters),
+                        "compute parts of it before, in variables of their own");
+      return;
+    case CodeBuilder::Limit::Memory:
       diagnostics.error(
-          code::kTooManyVariables, place,
-          fmt::format("more than {} variables and intermediate values at once", kMostRegisters),
-          "declare variables in the block that needs them, and what does not change with CONST");
+          code::kArrayTooLarge, place,
+          fmt::format("with this, the arrays and records are too large: a program has room for {} "
+                      "numbers and {} texts in them",
+                      kMemory.numbers, kMemory.texts),
+          "keep less at once");
       return;
     case CodeBuilder::Limit::Jump:
       diagnostics.error(code::kBlockTooLong, place, "the block that begins here is too long",

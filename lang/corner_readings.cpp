@@ -6,6 +6,7 @@
 
 #include "lang/codes.h"
 #include "lang/fold.h"
+#include "lang/observations.h"
 #include "lang/routine.h"
 #include "lang/symbols.h"
 #include "lang/target.h"
@@ -13,7 +14,12 @@
 namespace rob::lang {
 namespace {
 
-/// The first HERE or CLOCK in an expression; null if there is none.
+/// Whether it tells how far a motion has come.
+bool tells_progress(Reading reading) {
+  return reading == Reading::Here || reading == Reading::Clock || reading == Reading::Joints;
+}
+
+/// The first HERE, CLOCK or JOINTS() in an expression; null if there is none.
 const Expr* reading_in(const ExprPtr& expression);
 
 struct ReadingFinder {
@@ -22,7 +28,7 @@ struct ReadingFinder {
   const Expr* operator()(const Name& name) const {
     const Symbol* const symbol = name.symbol;
     const bool reading = symbol != nullptr && symbol->kind == Symbol::Kind::Reading &&
-                         is_observation(symbol->reading);
+                         tells_progress(symbol->reading);
     return reading ? &whole : nullptr;
   }
   const Expr* operator()(const Unary& unary) const { return reading_in(unary.operand); }
@@ -31,6 +37,8 @@ struct ReadingFinder {
     return left != nullptr ? left : reading_in(binary.right);
   }
   const Expr* operator()(const Call& call) const {
+    const auto reading = reading_of(call);
+    if (reading && tells_progress(*reading) && whole.type.known()) return &whole;
     for (const ExprPtr& argument : call.arguments) {
       if (const Expr* const found = reading_in(argument)) return found;
     }
@@ -39,6 +47,12 @@ struct ReadingFinder {
   const Expr* operator()(const Tuple& tuple) const {
     for (const Tuple::Element& element : tuple.elements) {
       if (const Expr* const found = reading_in(element.value)) return found;
+    }
+    return nullptr;
+  }
+  const Expr* operator()(const List& list) const {
+    for (const ExprPtr& element : list.elements) {
+      if (const Expr* const found = reading_in(element)) return found;
     }
     return nullptr;
   }
@@ -69,20 +83,32 @@ class Walk {
 
  private:
   void visit(const Move& move) {
+    for (const ExprPtr& point : move.via) look(point);
     look(move.target);
     for (const ExprPtr& value : move.clauses.values) look(value);
     const ExprPtr& zone = move.clauses[Clause::Zone];
     const bool exact = move.clauses.fine || (zone != nullptr && constant_number(*zone) == 0.0);
     settle(exact ? 0 : place_.line);
   }
+  void visit(const PlainMotions& motions) { settle(motions.motions.back().line); }
   void visit(const WatchedMotion& watched) {
     block(watched.motion);
     if (watched.until != nullptr) settle(0);
     block(watched.otherwise);
   }
+  void visit(const With& with) { block(with.body); }
+  void visit(const PathBlock& path) { block(path.body); }
+  void visit(const Press& press) {
+    look(press.force);
+    settle(0);  // it begins at standstill, and ends there
+    block(press.body);
+    settle(0);
+  }
   void visit(const Stop&) { settle(0); }
   void visit(const Brake&) { settle(0); }
   void visit(const Teach&) { settle(0); }
+  void visit(const Halt&) { settle(0); }
+  void visit(const Ask&) { settle(0); }
   void visit(const Wait& wait) {
     settle(0);
     block(wait.otherwise);
@@ -152,7 +178,8 @@ class Walk {
   void look(const ExprPtr& expression) {
     const Expr* const reading = loose_ == 0 ? nullptr : reading_in(expression);
     if (reading != nullptr) {
-      const std::string& name = std::get<Name>(reading->node).symbol->name;
+      const auto* const symbol = std::get_if<Name>(&reading->node);
+      const std::string name = symbol != nullptr ? symbol->symbol->name : "JOINTS()";
       diagnostics_.warning(
           code::kReadInCorner, reading->place,
           fmt::format("{} is read where the corner of line {} begins, before its target is reached",

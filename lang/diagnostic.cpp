@@ -15,9 +15,7 @@ namespace {
 /// How much of a source line is shown: three lines of a usual terminal.
 constexpr std::size_t kMostShown = 200;
 
-bool before(const Diagnostic& a, const Diagnostic& b) {
-  return std::tuple(a.place.line, a.place.column) < std::tuple(b.place.line, b.place.column);
-}
+bool before(const Diagnostic& a, const Diagnostic& b) { return comes_before(a.place, b.place); }
 
 std::string_view word_of(Severity severity) {
   switch (severity) {
@@ -107,6 +105,17 @@ std::string excerpt(const Place& place, std::string_view source) {
 
 }  // namespace
 
+bool comes_before(const Place& a, const Place& b) {
+  return std::tuple(a.file, a.line, a.column) < std::tuple(b.file, b.line, b.column);
+}
+
+std::string Diagnostics::line_of(const Place& place, const Place& from) const {
+  std::string text = fmt::format("line {}", place.line);
+  if (place.file == from.file) return text;
+  const bool named = place.file > 0 && place.file <= file_names_.size();
+  return fmt::format("{} of {}", text, named ? file_names_[place.file - 1] : "the program");
+}
+
 void Diagnostics::add(Diagnostic diagnostic) {
   const bool is_error = diagnostic.severity == Severity::Error;
   if (is_error) ++errors_;
@@ -142,6 +151,13 @@ std::string render(const Diagnostic& diagnostic, std::string_view file_name,
   if (place.line > 0) text += excerpt(place, source);
   if (!diagnostic.help.empty()) text += fmt::format("help: {}\n", printable(diagnostic.help));
   return text;
+}
+
+std::string render(const Diagnostic& diagnostic, std::string_view file_name,
+                   std::string_view source, std::span<const SourceFile> used) {
+  const std::uint32_t file = diagnostic.place.file;
+  if (file == 0 || file > used.size()) return render(diagnostic, file_name, source);
+  return render(diagnostic, used[file - 1].name, used[file - 1].text);
 }
 
 }  // namespace rob::lang

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rob::lang {
@@ -15,8 +17,34 @@ struct Place {
   std::uint32_t line = 0;
   std::uint32_t column = 0;
   std::uint32_t length = 1;
+  std::uint32_t file = 0;  ///< 0: the program's own; n: the n-th of those that it USEs
 
   bool operator==(const Place&) const = default;
+};
+
+/// The most files that a program may USE, with those that they USE in turn. [choice] what the sign
+/// bit and the lines leave of a tag.
+inline constexpr std::uint32_t kMostUsedFiles = 31;
+
+/// File and line of a place in one number, for the Machine and its reports; of the program's own
+/// file it is the line. A file has less than 2^26 lines (source_text.h).
+constexpr int line_tag(const Place& place) {
+  return static_cast<int>((place.file << 26U) | place.line);
+}
+/// The place of a tag: a line as a whole.
+constexpr Place tagged_place(int tag) {
+  const auto bits = static_cast<std::uint32_t>(tag);
+  return {bits & ((1U << 26U) - 1), 0, 0, bits >> 26U};
+}
+
+/// The order of the files, and in each of its text.
+bool comes_before(const Place& a, const Place& b);
+
+/// A text that a program USEs.
+struct SourceFile {
+  std::string name;      ///< for messages
+  std::string identity;  ///< the same for the same file, whatever it is called
+  std::string text;
 };
 
 enum class Severity { Error, Warning, Note };
@@ -30,7 +58,7 @@ struct Diagnostic {
   std::string help;     ///< the remedy, or empty
 };
 
-/// Collects all that is found in one file, in the order of places.
+/// Collects all that is found in a program, in the order of places.
 class Diagnostics {
  public:
   /// A file with thousands of errors is one mistake: after this many the rest is only counted.
@@ -42,12 +70,18 @@ class Diagnostics {
 
   bool has_errors() const { return errors_ > 0; }
   std::size_t error_count() const { return errors_; }
+  /// What the next file is called that the program USEs.
+  void name_file(std::string name) { file_names_.push_back(std::move(name)); }
+  /// "line 5" for a message about `from`; "line 5 of tools.rob" where that is another file.
+  std::string line_of(const Place& place, const Place& from) const;
+
   /// Sorted by place; equal places keep the order in which they were found.
   const std::vector<Diagnostic>& all() const { return all_; }
   std::size_t left_out() const { return left_out_; }
 
  private:
   std::vector<Diagnostic> all_;
+  std::vector<std::string> file_names_;
   std::size_t errors_ = 0;
   std::size_t left_out_ = 0;
 };
@@ -56,5 +90,9 @@ class Diagnostics {
 /// it) with a caret under the place, and the help. `source` may be empty.
 std::string render(const Diagnostic& diagnostic, std::string_view file_name,
                    std::string_view source);
+
+/// The same for a program that USEs files.
+std::string render(const Diagnostic& diagnostic, std::string_view file_name,
+                   std::string_view source, std::span<const SourceFile> used);
 
 }  // namespace rob::lang

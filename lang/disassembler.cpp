@@ -1,6 +1,7 @@
 #include "lang/disassembler.h"
 
 #include <algorithm>
+#include <bit>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -48,6 +49,7 @@ class Line {
   void add_register(bool text, unsigned index);
   void add_constant(std::size_t index);
   void add_move(std::size_t index);
+  void add_components(const MoveForm& form);
   void add_watch(std::size_t index);
   bool in_watch() const;
 
@@ -119,6 +121,8 @@ void Line::operand(char kind, unsigned field) {
       return add(kind == 'L' ? "of " : "+", next_word());
     case 'N':
       return add("", next_word());
+    case 'D':
+      return add_components(chunk_.moves[instruction().x()]);
     case 'V':
       return remark(in_words(chunk_.types[next_word()]));
     default:  // 'J': the jump that follows is listed on a line of its own
@@ -164,6 +168,10 @@ void Line::add_move(std::size_t index) {
   if (form.kind != MotionKind::Joint) remark(std::string(word_of(form.kind)));
   if (form.means == MoveCommand::Target::Axes) remark("JOINT");
   if (form.means == MoveCommand::Target::Pose) remark("POSE");
+  if (form.in_frame) remark("IN the frame");
+  if (form.kind == MotionKind::Jog) {
+    remark(std::string(kJogWords[static_cast<std::size_t>(form.jog)]));
+  }
   if (form.relative) remark("BY");
   std::string target = "(";
   for (int i = 0; i < form.count && !form.computed_axis; ++i) {
@@ -176,15 +184,31 @@ void Line::add_move(std::size_t index) {
   if (form.accel != MoveCommand::Bound::Unspecified) remark("ACCEL");
   if (form.jerk != MoveCommand::Bound::Unspecified) remark("JERK");
   if (form.zone != MoveCommand::Zone::Unspecified) remark("ZONE");
+  if (form.lasts) remark("FOR");
   if (form.fine) remark("FINE");
   if (form.profile != Profile::Unspecified) remark("PROFILE");
+}
+
+void Line::add_components(const MoveForm& form) {
+  std::string values;
+  for (int i = std::popcount(form.given); i > 0; --i, words_ += 2) {
+    values += fmt::format("{}{}", values.empty() ? "" : " ",
+                          number_text(real_at(&chunk_.code[offset_ + words_]), kNone));
+  }
+  remark(fmt::format("SI: {}", values));
+}
+
+/// "5", or "2:5" of the second file that is USEd.
+std::string line_text(const Place& place) {
+  return place.file == 0 ? std::to_string(place.line)
+                         : fmt::format("{}:{}", place.file, place.line);
 }
 
 }  // namespace
 
 std::string disassemble(const Chunk& chunk) {
   std::string listing;
-  std::uint32_t last_line = 0;
+  int last_line = 0;
   for (std::size_t offset = 0; offset < chunk.code.size();) {
     const auto begins = [&](const RoutineCode& routine) { return routine.entry == offset; };
     if (const auto routine = std::ranges::find_if(chunk.routines, begins);
@@ -192,9 +216,9 @@ std::string disassemble(const Chunk& chunk) {
       listing += fmt::format("{}\n", routine->name);
     }
     const Line line(chunk, offset);
-    const std::uint32_t source = chunk.places[offset].line;
+    const int source = line_tag(chunk.places[offset]);
     listing += fmt::format("{:>6} {:>5}  ", offset,
-                           source == last_line ? std::string() : std::to_string(source));
+                           source == last_line ? std::string() : line_text(chunk.places[offset]));
     listing += line.text();
     last_line = source;
     offset += line.words();

@@ -2,12 +2,14 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "lang/ast.h"
 #include "lang/builtins.h"
 #include "lang/diagnostic.h"
 #include "lang/fold.h"
 #include "lang/missing_points.h"
+#include "lang/robot_signature.h"
 #include "lang/routine_uses.h"
 #include "lang/symbols.h"
 
@@ -17,10 +19,11 @@ namespace rob::lang {
 /// reports what does not fit together. What is wrong becomes Unknown, which fits everywhere.
 class ExpressionChecker {
  public:
-  /// `program` is only searched, for names that are declared elsewhere.
-  ExpressionChecker(const Scopes& scopes, const Program& program, RoutineUses& uses,
-                    MissingPoints& missing, Diagnostics& diagnostics)
+  /// `program` is searched for names that are declared elsewhere; types are completed in it.
+  ExpressionChecker(Scopes& scopes, Program& program, const RobotSignature& robot,
+                    RoutineUses& uses, MissingPoints& missing, Diagnostics& diagnostics)
       : scopes_(scopes),
+        robot_(robot),
         program_(program),
         uses_(uses),
         missing_(missing),
@@ -39,12 +42,34 @@ class ExpressionChecker {
   /// Checks a condition; `word` is the statement it belongs to.
   void check_condition(const ExprPtr& condition, std::string_view word);
 
+  /// What a name means here; null if nothing. No message.
+  const Symbol* find(std::string_view name) const { return scopes_.find(name); }
+
   /// A symbol that may be used here; null, and a message, if there is none.
   const Symbol* resolve(std::string_view name, Place place);
 
   /// DIN[n], DOUT[n], AIN[n] or AOUT[n]; null, and a message, if n is no constant or the robot has
   /// no such channel.
   const Symbol* resolve_channel(Name& name, Place place);
+
+  /// The type JOINTS.
+  Type joints() const { return Type::joints(program_.joints.get()); }
+
+  /// False, and a message, if it needs a force sensor that the robot does not have.
+  bool has_sensor(Reading reading, Place place);
+
+  // Arrays and records (check_arrays.cpp)
+  /// Computes the length of an ARRAY in a written type; false, and a message at `place`, where that
+  /// is faulty, or a record in it is not known yet.
+  bool complete(const Type& type, Place place);
+  /// The same for all types in the head of a routine.
+  void complete_header(const Routine& routine);
+  /// Whether a value was met that does not lie in registers, since it was last asked.
+  bool take_memory_use() { return std::exchange(memory_use_, false); }
+
+  /// The value of a FRAME or a TOOL, which is fixed before the program runs: points are worth there
+  /// what they are worth at the start. `missed`: one of them has no value, which has been noted.
+  Type check_fixed(const ExprPtr& expression, bool& missed);
 
   /// The FRAME that a pose is in; null for the world, and where none was found.
   const Symbol* frame_of(const Type& pose) const;
@@ -67,6 +92,7 @@ class ExpressionChecker {
   Type check(Call& call, Expr& expression);
   Type check(Member& member, Expr& expression);
   Type check(Index& index, Expr& expression);
+  Type check(List& list, Expr& expression);
 
   Type check_logical(Binary& binary, Expr& expression);
   Type check_comparison(const Binary& binary, const Expr& expression);
@@ -74,7 +100,7 @@ class ExpressionChecker {
   Type check_product(const Binary& binary, const Expr& expression);
   Type check_division(const Binary& binary, const Expr& expression);
   Type check_power(const Binary& binary, const Expr& expression);
-  Type check_arguments(const Builtin& builtin, const Call& call);
+  Type check_arguments(const Builtin& builtin, const Call& call, Place place);
   Type check_texts(const Builtin& builtin, const Call& call);
   bool check_unit(const Expr& value, const Expr& unit_text);
   Type common_dimension(const Call& call);
@@ -90,6 +116,23 @@ class ExpressionChecker {
 
   Type check_vectors(const Builtin& builtin, const Call& call);
 
+  // JOINTS, and what is read of a force sensor (check_joints.cpp)
+  Type check_joints(const Call& call, Expr& expression);
+  Type check_inverse(const Call& call);
+  Type axis_type(const Index& index, const Type& joints);
+
+  // Arrays (check_arrays.cpp)
+  bool fits_memory(const Type& element, std::int64_t count, Place place);
+  void settle_length(Program::ArrayLength& written);
+  Type element_type(const Type& a, const Type& b);
+  bool accept_list(const Expr& expression, const List& list, const Type& wanted,
+                   std::string_view needed);
+  static void fold_length(const Call& call, Expr& expression);
+
+  // Records (check_records.cpp)
+  Type check_record(Call& call, const Expr& expression, const Type& record);
+  bool bind_field(Call& call, const Expr& value, const std::string& name);
+
   // Routines (check_routine_calls.cpp)
   Type check_routine_call(Call& call, const Expr& expression, const Routine& routine);
   bool bind(Call& call, Place place, const Routine& routine);
@@ -99,21 +142,29 @@ class ExpressionChecker {
 
   bool both_numbers(const Binary& binary);
   bool scales_vector(const Binary& binary) const;
+  static bool scales_joints(const Binary& binary);
   Type unlike(const Binary& binary, const Expr& expression);
   Type bounded(Dimension dimension, const Expr& expression);
   void keep(const Folded& folded, Expr& expression);
   void fold_binary(const Binary& binary, Expr& expression);
   void fold_call(const Builtin& builtin, const Call& call, Expr& expression);
   void report_unknown(std::string_view name, Place place);
+  // Names of other files (check_use.cpp)
+  bool report_ambiguous(std::string_view name, Place place);
+  void report_no_such_name(std::string_view name, Place place);
   const Builtin* resolve_function(const Call& call, Place place);
 
-  const Scopes& scopes_;
-  const Program& program_;
+  Scopes& scopes_;
+  const RobotSignature& robot_;
+  Program& program_;
   RoutineUses& uses_;
   MissingPoints& missing_;
   Diagnostics& diagnostics_;
   int unreached_ = 0;
+  bool memory_use_ = false;
   const Expr* statement_ = nullptr;  ///< the call that is a statement of its own
+  bool fixed_ = false;               ///< inside of check_fixed()
+  bool missed_ = false;              ///< there a point without a value was met
 };
 
 /// The value of a constant as its place wants it: of a pose that was moved, in the world.

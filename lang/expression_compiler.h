@@ -27,10 +27,18 @@ class ExpressionCompiler {
   void enter_routine() { in_routine_ = true; }
   /// Gives a variable or a part of one, wherever it lives, the value of an expression.
   void assign(const Expr& target, const Expr& value);
-  /// Gives a variable whose slots lie in registers the value of another one.
-  void copy(const Location& from, const Location& to, const Type& type, Place place) {
-    store(to, type, type.is(Type::Kind::String) ? from.texts.reg() : from.numbers.reg(), place);
-  }
+  /// Gives a variable, or a part of one, the value of a register.
+  void assign_register(const Expr& target, Register value);
+  /// Gives a variable the value of another one of its type.
+  void copy(const Location& from, const Location& to, const Type& type, Place place);
+  /// Gives a new variable the value of an expression, which cannot use it.
+  void initialise(const Expr& value, const Location& home, const Type& type);
+  /// 0, FALSE, "".
+  void clear(const Location& home, const Type& type, Place place);
+  /// Slots of the memory of the present frame.
+  Location memory(Slots slots, Place place);
+  /// Brings a whole array or record from one place to another.
+  void copy_memory(const Location& to, const Location& from, Slots slots, Place place);
   /// A comparison whose sides stay at hand; `holds`: the jumps that are taken if it is TRUE.
   struct Compared {
     CodeBuilder::Jumps holds;
@@ -44,6 +52,10 @@ class ExpressionCompiler {
   void append_register(Register value, const Type& type, bool real, Register text, Place place);
   /// SIMULATE of an input: its value in `value`, which is overwritten, the delay behind it.
   void simulate(const Symbol& symbol, Register value, Place place);
+  /// SIMULATE of a part of the force or the torque.
+  void simulate_force(int component, Register value, Place place) {
+    code_.emit(Opcode::simulate_force, place, value, static_cast<unsigned>(component));
+  }
   /// Gives an output the value of a register, in motion order.
   void write_signal(const Symbol& symbol, Register value, Place place);
   /// A call that is a statement of its own.
@@ -69,9 +81,23 @@ class ExpressionCompiler {
   };
   WatchCode watch(const Expr& condition);
 
-  /// A pose in registers becomes the value of a point.
-  void store_point(const Symbol& point, Register pose, Place place) {
-    store(home(point), point.type, pose, place);
+  /// TASKs see the present value of a variable that they use.
+  void publish(const Symbol& symbol, Place place);
+
+  /// What lies in registers becomes the value of a point or of another variable.
+  void store_variable(const Symbol& variable, Register value, Place place) {
+    store(home(variable), variable.type, value, place);
+    publish(variable, place);
+  }
+  /// The value of a variable of numbers, into registers.
+  void load_variable(const Symbol& variable, Register target, Place place) {
+    load(home(variable), variable.type, target, place);
+  }
+  /// The same into new ones.
+  Register variable(const Symbol& variable, Place place) {
+    const Register target = result_register(variable.type);
+    load_variable(variable, target, place);
+    return target;
   }
 
  private:
@@ -85,8 +111,10 @@ class ExpressionCompiler {
   Register operand_before(const Expr& then, const Expr& expression, bool as_real);
 
   // Routines (compile_calls.cpp)
-  Register call_routine(const Call& call, const Expr& expression);
-  void pass_reference(const Expr& argument, const Location& home, Register first);
+  Location call_routine(const Call& call, const Expr& expression);
+  /// Registers for the places of a value.
+  void pass_places(const Location& at, const Type& type, const Location& home, Register first,
+                   Place place);
   void load(const Expr& expression, Register target, bool as_real);
   void append(const Expr& expression, Register text);
 
@@ -96,7 +124,7 @@ class ExpressionCompiler {
   bool is_variable(const Expr& expression) const;
   /// Where a value lies; what is no variable is computed into registers of its own.
   Location locate(const Expr& expression);
-  Location temporary(const Type& type);
+  Location temporary(const Type& type, Place place);
   Location element(const Index& index);
   SlotsAt element_at(SlotsAt whole, bool text, Register which, std::int64_t count, int size,
                      Place place);
@@ -110,10 +138,31 @@ class ExpressionCompiler {
   void store_text(SlotsAt to, Register value, Place place);
   Register result_register(const Type& type);
 
+  // Arrays and records (compile_memory.cpp)
+  SlotsAt reached(SlotsAt at, bool text, Place place);
+  Location reached(const Location& home, const Type& type, Place place);
+  /// A value into slots, wherever they lie, that hold nothing which it needs.
+  void put(const Expr& value, const Location& to, const Type& type);
+  void put_record(const Call& call, const Location& to, Place place);
+  void assign_memory(const Expr& target, const Expr& value);
+  static bool is_number_element(const Expr& expression);
+  void load_element(const Index& index, Register target, Place place);
+  void store_element(const Index& index, Register value, Place place);
+  Register refer_whole(const Expr& expression);
+  /// `keep`: what is computed later may change the variable that it is.
+  Location located_as(const Expr& expression, const Type& type, bool keep);
+  CodeBuilder::Jumps jumps_of_memory(const Binary& binary, bool when, Place place);
+
   // Poses (compile_poses.cpp)
   void into_world(const Expr& expression, Register target);
+  void into_other_place(const Expr& expression, Register target);
   void compile_on_places(const Binary& binary, const Expr& expression, Register target);
   void compile_angle(const Member& member, Register target, Place place);
+
+  // JOINTS (compile_joints.cpp)
+  void read(Reading reading, Register target, Place place);
+  void compile_joints(const Call& call, const Expr& expression, Register target);
+  void compile_forward(const Call& call, const Expr& expression, Register target);
 
   // Compound values (compile_compounds.cpp)
   void compile(const Tuple& tuple, Register target);
@@ -144,6 +193,10 @@ class ExpressionCompiler {
   CodeBuilder::Jump jump_if(Register truth, bool when, Place place);
 
   void begin(const Expr& expression);
+  void begin_place(const Expr& target);
+  // Globals that TASKs use (compile_tasks.cpp)
+  void refresh(const std::vector<const Symbol*>& globals, Place place);
+  void publish(const Location& at, const Type& type, Place place);
   bool lives_in_register(const Symbol& symbol) const;
 
   CodeBuilder& code_;
@@ -153,6 +206,8 @@ class ExpressionCompiler {
   bool latched_ = false;   ///< the present expression reads more than one signal
 };
 
+/// Number slots that the value of an expression takes where it stands.
+int numbers_of(const Expr& expression);
 /// The operation on two REALs.
 Opcode real_opcode(BinaryOp op);
 

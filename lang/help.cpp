@@ -58,21 +58,12 @@ std::string indented(std::string_view program) {
   return lines;
 }
 
-/// Whether a program says something that this version cannot read, or takes a value from a name
-/// that it does not know yet.
+/// Whether a program says something that this version cannot read.
 bool is_for_later(std::string_view program) {
   Diagnostics diagnostics;
   parse(program, diagnostics);
   const auto refused = [](const Diagnostic& found) { return found.code == code::kNotYet; };
-  if (std::ranges::any_of(diagnostics.all(), refused)) return true;
-  Lexer lexer(program, diagnostics);
-  TokenKind before = TokenKind::EndOfLine;
-  for (Token token = lexer.next(); token.kind != TokenKind::EndOfFile; token = lexer.next()) {
-    const bool value = token.kind == TokenKind::Word && before != TokenKind::Colon;
-    if (value && is_later_builtin(token.text)) return true;
-    before = token.kind;
-  }
-  return false;
+  return std::ranges::any_of(diagnostics.all(), refused);
 }
 
 }  // namespace

@@ -17,13 +17,10 @@ enum class Keyword : std::uint8_t {
 
 /// Where a reserved word may stand.
 enum class KeywordRole : std::uint8_t {
-  Value,        ///< operators and literals: the only ones that may go on a line inside brackets
-  Statement,    ///< begins a statement
-  Later,        ///< begins a statement that this version does not have
-  LaterMotion,  ///< the same; a DO at the end of its line opens a block, closed by END… of it
-  LaterBlock,   ///< the same; always opens such a block
-  Closer,       ///< ends a block, or begins its next branch
-  Part          ///< stands inside a statement
+  Value,      ///< operators and literals: the only ones that may go on a line inside brackets
+  Statement,  ///< begins a statement
+  Closer,     ///< ends a block, or begins its next branch
+  Part        ///< stands inside a statement
 };
 
 /// Case-insensitive.

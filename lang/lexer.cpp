@@ -63,9 +63,20 @@ constexpr auto kRemedies = std::to_array<std::pair<std::string_view, std::string
 
 }  // namespace
 
-Lexer::Lexer(std::string_view source, Diagnostics& diagnostics)
-    : source_(source), diagnostics_(&diagnostics) {
+Lexer::Lexer(std::string_view source, Diagnostics& diagnostics, std::uint32_t file)
+    : source_(source), diagnostics_(&diagnostics), file_(file) {
   if (source.starts_with(kByteOrderMark)) offset_ = begin_ = kByteOrderMark.size();
+}
+
+void Lexer::begin_at(std::size_t offset, const Place& place) {
+  offset_ = begin_ = offset;
+  line_ = place.line;
+  begin_column_ = place.column;
+}
+
+void Lexer::skip_to(std::size_t offset) {
+  offset_ = offset;
+  at_line_begin_ = false;
 }
 
 Lexer Lexer::quiet_copy() const {
@@ -195,7 +206,8 @@ void Lexer::begin_token() {
 /// The place of bytes from the token's beginning on, in characters.
 Place Lexer::place(std::size_t begin, std::size_t end) const {
   const std::uint32_t before = count_code_points(source_.substr(begin_, begin - begin_));
-  return {line_, begin_column_ + before, count_code_points(source_.substr(begin, end - begin))};
+  const std::uint32_t length = count_code_points(source_.substr(begin, end - begin));
+  return {line_, begin_column_ + before, length, file_};
 }
 
 Token Lexer::finish(TokenKind kind) {

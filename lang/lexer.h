@@ -17,11 +17,17 @@ namespace rob::lang {
 /// passed check_source() and outlive the lexer. A lexer may be copied to look ahead.
 class Lexer {
  public:
-  Lexer(std::string_view source, Diagnostics& diagnostics);
+  /// `file`: for places, the number of the file that the text is of.
+  Lexer(std::string_view source, Diagnostics& diagnostics, std::uint32_t file = 0);
 
   /// EndOfFile again and again when all is read; an EndOfLine comes before it
   /// unless there is nothing at all.
   Token next();
+
+  /// Goes on at a place of the text where a token begins.
+  void begin_at(std::size_t offset, const Place& place);
+  /// Goes on behind what has been read otherwise, on the line of the last token.
+  void skip_to(std::size_t offset);
 
   /// A copy that goes on from here and reports nothing.
   Lexer quiet_copy() const;
@@ -62,6 +68,7 @@ class Lexer {
   std::size_t offset_ = 0;
   std::size_t begin_ = 0;  ///< of the token that is being read
   std::uint32_t line_ = 1;
+  std::uint32_t file_ = 0;
   std::uint32_t begin_column_ = 1;  ///< column of begin_, counted on from token to token
   bool at_line_begin_ = true;
 };

@@ -12,6 +12,7 @@ struct SlotsAt {
   enum class Base : std::uint8_t {
     Own,             ///< registers of the present frame
     GlobalRegister,  ///< of the top level, seen from a routine
+    GlobalMemory,    ///< `offset` slots behind where the memory of the top level begins, likewise
     Place            ///< `offset` slots behind the place on the stack that register `place` holds
   };
 

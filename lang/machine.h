@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "lang/move_command.h"
 #include "lang/pose_math.h"
 #include "lang/reading.h"
+#include "lang/setting.h"
 
 namespace rob::lang {
 
@@ -50,6 +52,21 @@ class Machine {
   virtual ~Machine() = default;
 
   virtual Reply move(int line, const MoveCommand& command) = 0;
+  /// MOVEC, MOVES: a point through which the motion commanded next goes; of `point` what says where
+  /// counts. Called for each point, in their order.
+  virtual Reply via(int line, const MoveCommand& point) = 0;
+  /// WITH, IN: what motions, HERE, TARGET, forward() and inverse() mean from here on.
+  virtual void work_in(int line, const Setting& setting) = 0;
+  /// PATH: the motions up to end_path() are planned as one before it starts. What is set or pulsed
+  /// on_the_way() there counts along the whole path. settle() drops a path that is still open.
+  virtual Reply begin_path(int line) = 0;
+  virtual Reply end_path(int line) = 0;
+  /// PRESS: from standstill on the reaction along the axis is kept at its force, in the frame that
+  /// work_in() has named last, until end_press(). settle() does not end it.
+  virtual Reply press(int line, const PressCommand& command) = 0;
+  virtual Reply end_press(int line) = 0;
+  /// OVERRIDE: in motion order, a share of the programmed speed, above 0 up to kMostOverride.
+  virtual Reply override_speed(int line, double share) = 0;
   /// UNTIL: the motion that is commanded next ends early, in the first control cycle in which the
   /// condition holds; else it is exact. ended() has to follow it.
   virtual Reply guard(int line, const Watch& condition) = 0;
@@ -66,12 +83,22 @@ class Machine {
   /// The block of a WHEN is left. An observation: `Later` until the decision point of the last
   /// motion.
   virtual Reply disarm(int line, int id) = 0;
+  /// AT LIVE: the pace of the motion that is commanded next, computed anew in every control cycle.
+  virtual Reply live_pace(int line, const Watch& pace, MoveCommand::Pace means) = 0;
+  /// ZERO force: the last target is reached exactly, and what the force sensor tells then is 0.
+  virtual Reply zero_force(int line) = 0;
   /// STOP: the last target is reached exactly.
   virtual Reply stop(int line) = 0;
   /// BRAKE: as soon as the last motion is the running one, it is braked on its path; its rest is
   /// dropped, with what is bound to it, and the axes stand there. Done at standstill, or at once
   /// where nothing moves any more.
   virtual Reply brake(int line) = 0;
+  /// HALT: the last target is reached exactly, all that was commanded has acted, `text` (empty:
+  /// none) is shown; Done when the operator says so. Refused where nobody is there to say it.
+  virtual Reply halt(int line, std::string_view text) = 0;
+  /// ASK: as halt(), and Done with a line that the operator has typed; with none where the program
+  /// is only foretold.
+  virtual Reply ask(int line, std::string_view text, std::optional<std::string>& answer) = 0;
   /// WAIT 0.5s: the last target is reached exactly, then the axes stand for `seconds`, 0 or more.
   virtual Reply wait(int line, double seconds) = 0;
   /// The condition of a WAIT is due: the last target is reached exactly, and all that was commanded
@@ -111,6 +138,20 @@ class Machine {
   /// From `after` seconds behind this point of motion order on, an input has this value (1 for ON,
   /// V), whatever the machine says.
   virtual Reply simulate(int line, int signal, double value, double after) = 0;
+  /// The same of one part of what the force sensor tells: N of force x, y, z, then Nm of torque x,
+  /// y, z.
+  virtual Reply simulate_force(int line, int component, double value, double after) = 0;
+  /// In the same way the operator lets a HALT go on (if `go`), or answers an ASK.
+  virtual Reply simulate_go(int line, bool go, double after) = 0;
+  virtual Reply simulate_answer(int line, std::string_view text, double after) = 0;
+  /// START: the TASK of that number runs beside the program, from this point of motion order on.
+  virtual Reply start(int line, std::uint32_t task) = 0;
+  /// What TASKs see of the program's globals: from this point of motion order on the slots from
+  /// `first` on have these values; or, an observation, what they are.
+  virtual Reply publish(int line, std::size_t first, std::span<const Slot> values) = 0;
+  virtual Reply publish(int line, std::size_t first, std::span<const std::string> texts) = 0;
+  virtual Reply refresh(int line, std::size_t first, std::span<Slot> values) = 0;
+  virtual Reply refresh(int line, std::size_t first, std::span<std::string> texts) = 0;
   /// Reads a signal at the decision point of the motion commanded before. An observation:
   /// `Later` until that instant has come.
   virtual Reply read_signal(int line, int signal, bool& value) = 0;

@@ -24,8 +24,7 @@ std::vector<MissingPoint> MissingPoints::found() const {
     if (state.needed || !state.taught) missing.push_back({point->name, point->place});
   }
   std::ranges::sort(missing, [](const MissingPoint& a, const MissingPoint& b) {
-    return a.place.line != b.place.line ? a.place.line < b.place.line
-                                        : a.place.column < b.place.column;
+    return comes_before(a.place, b.place);
   });
   return missing;
 }

@@ -33,11 +33,17 @@ struct MoveCommand {
   enum class Bound : std::uint8_t { Unspecified, Tool, Rotary };
 
   MotionKind kind = MotionKind::Joint;
+  JogFrame jog{};  ///< of Jog
   Target means = Target::Coordinates;
-  bool relative = false;                         ///< BY: from the last commanded target
-  int count = 0;                                 ///< components that there are
-  std::uint8_t given = 0;                        ///< bit i: component i was written
-  std::array<double, kMaxCoordinates> target{};  ///< what is not given is 0
+  bool relative = false;   ///< BY: from the last commanded target
+  int count = 0;           ///< components that there are
+  std::uint8_t given = 0;  ///< bit i: component i was written
+  /// What is not given is 0. Of Jog: rates, m/s or rad/s, of the coordinates or the axes.
+  std::array<double, kMaxCoordinates> target{};
+  bool in_frame = false;  ///< a Pose without a frame of its own: it is seen from the Setting's
+  double radius = 0;      ///< of Spiral: where it begins, m from its centre
+  double turns = 0;       ///< of Spiral: until the centre is reached
+  double lasts = 0;       ///< of Jog: FOR, s of the motion; 0 where left out
   Pace pace = Pace::Unspecified;
   double pace_value = 0;
   double over = 0;  ///< OVER: lower bound on the duration, s; 0 where it was left out

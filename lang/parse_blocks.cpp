@@ -25,15 +25,29 @@ bool takes_lines(Keyword keyword) {
     case Keyword::Try:
     case Keyword::Proc:
     case Keyword::Func:
+    case Keyword::Task:
     case Keyword::Var:
     case Keyword::Const:
     case Keyword::Signal:
+    case Keyword::With:
+    case Keyword::Record:
     case Keyword::End:
       return true;
     default:
       return false;
   }
 }
+
+/// Stands in for a value that could not be read and has been reported.
+template <typename Literal>
+ExprPtr stand_in(const Place& place, Literal literal) {
+  auto expr = std::make_unique<Expr>();
+  expr->place = place;
+  expr->node = literal;
+  return expr;
+}
+
+}  // namespace
 
 /// What opens the block that a word closes, or whose branch it begins.
 std::string_view opener_of(Keyword closer) {
@@ -49,17 +63,6 @@ std::string_view opener_of(Keyword closer) {
       return spelling(closer).substr(std::string_view("END").size());
   }
 }
-
-/// Stands in for a value that could not be read and has been reported.
-template <typename Literal>
-ExprPtr stand_in(const Place& place, Literal literal) {
-  auto expr = std::make_unique<Expr>();
-  expr->place = place;
-  expr->node = literal;
-  return expr;
-}
-
-}  // namespace
 
 Block Parser::block_of(const OpenBlock& open) {
   if (open_blocks_.size() >= static_cast<std::size_t>(kMaxDepth)) {
@@ -89,11 +92,15 @@ bool Parser::at_block_end() const {
     case Keyword::Endfor:
     case Keyword::Endloop:
     case Keyword::Endmove:
+    case Keyword::Endpath:
+    case Keyword::Endpress:
     case Keyword::Endselect:
     case Keyword::Endtry:
     case Keyword::Endproc:
     case Keyword::Endfunc:
+    case Keyword::Endtask:
     case Keyword::Endtest:
+    case Keyword::Endwith:
       return true;
     case Keyword::Else:
     case Keyword::Elsif:
@@ -110,7 +117,7 @@ bool Parser::closes_outer() const {
   const std::string_view opener = opener_of(current_.keyword);
   return std::ranges::any_of(open_blocks_, [&](const OpenBlock& open) {
     const bool select = open.opener == Keyword::Select && at(Keyword::Else);
-    return select || spelling(open.opener) == opener;
+    return select || opener_of(open.closer) == opener;
   });
 }
 
@@ -122,7 +129,7 @@ void Parser::close(const OpenBlock& open) {
   report(
       code::kUnclosedBlock, current_.place,
       fmt::format("{} expected before {}: the {} of line {} is still open", spelling(open.closer),
-                  spelling(current_.keyword), spelling(open.opener), open.place.line));
+                  spelling(current_.keyword), opener_of(open.closer), open.place.line));
   if (!closes_outer()) advance();
 }
 
@@ -132,7 +139,7 @@ void Parser::close_with_end(const OpenBlock& open) {
   const bool two_words = next_.kind == TokenKind::Reserved;
   if (!two_words && lexer_.only_blanks_left()) return report_unclosed(open);
   report(code::kUnclosedBlock, current_.place,
-         fmt::format("the {} of line {} is closed by {}", spelling(open.opener), open.place.line,
+         fmt::format("the {} of line {} is closed by {}", opener_of(open.closer), open.place.line,
                      spelling(open.closer)),
          two_words ? "write it as one word" : "END ends the whole program");
   advance();
@@ -141,7 +148,7 @@ void Parser::close_with_end(const OpenBlock& open) {
 
 void Parser::report_unclosed(const OpenBlock& open) {
   report(code::kUnclosedBlock, open.place,
-         fmt::format("the {} of line {} is not closed", spelling(open.opener), open.place.line),
+         fmt::format("the {} of line {} is not closed", opener_of(open.closer), open.place.line),
          fmt::format("write {} behind its last statement", spelling(open.closer)));
 }
 

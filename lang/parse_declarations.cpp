@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -41,16 +42,15 @@ constexpr auto kTypes = std::to_array<NamedType>({
     {"VOLTAGE", real(kVoltage)},
     {"VEC", {Type::Kind::Vec, kLength}},
     {"POSE", {Type::Kind::Pose}},
+    {"JOINTS", {Type::Kind::Joints}},
     {"WRENCH", {Type::Kind::Wrench}},
     {"FRAME", {Type::Kind::Frame}},
     {"TOOL", {Type::Kind::Tool}},
 });
 
-constexpr std::array<std::string_view, 2> kLaterTypes{"JOINTS", "ARRAY"};
-
-std::string type_help(std::string_view word) {
-  std::array<std::string_view, kTypes.size()> names;
-  std::ranges::transform(kTypes, names.begin(), &NamedType::name);
+std::string type_help(std::string_view word, const std::set<std::string>& records) {
+  std::vector<std::string_view> names(records.begin(), records.end());
+  std::ranges::transform(kTypes, std::back_inserter(names), &NamedType::name);
   const std::string help = did_you_mean(suggest(word, names));
   if (!help.empty() || !find_unit(word)) return help;
   return fmt::format("a unit as a type stands in brackets: [{}]", word);
@@ -127,6 +127,11 @@ Declaration::Declared Parser::declared_name(std::string_view kind) {
     fail_here(code::kNameExpected,
               fmt::format("a name expected after {}, not {}", kind, described(current_)));
   }
+  if (outline_.names_file(current_.text)) {
+    report(code::kNameOfUsedFile, current_.place,
+           fmt::format("{} is the name of a file that is USEd here", described(current_)),
+           "choose another name");
+  }
   Declaration::Declared declared{std::string(current_.text), current_.place};
   advance();
   return declared;
@@ -137,20 +142,25 @@ Declaration::Declared Parser::declared_name(std::string_view kind) {
 Type Parser::type() {
   if (at(TokenKind::LeftBracket)) return unit_type();
   const Token word = current_;
-  if (!at(TokenKind::Word) && !at(Keyword::Array)) {
+  if (at(Keyword::Array)) return array_type();
+  if (!at(TokenKind::Word)) {
     fail_here(code::kUnknownType, fmt::format("a type expected, not {}", described(word)),
-              type_help(word.text));
+              type_help(word.text, defined_names().records));
   }
   if (const auto known = named_type(word.text)) {
     advance();
     if (known->is(Type::Kind::Pose)) return pose_type();
+    if (known->is(Type::Kind::Joints)) return Type::joints(joints_.get());
     return known->is(Type::Kind::Vec) && at_word("OF") ? vec_type() : *known;
   }
-  for (const std::string_view later : kLaterTypes) {
-    if (same_word(later, word.text)) fail_not_yet(word.place, fmt::format("the type {}", later));
+  const TypeDetail* record = imported_type(word.text, word.place, types_->records);
+  if (record == nullptr && names_record(word.text)) record = record_named(word.text);
+  if (record != nullptr) {
+    advance();
+    return {Type::Kind::Record, {}, record};
   }
   fail_here(code::kUnknownType, fmt::format("{} is no type", described(word)),
-            type_help(word.text));
+            type_help(word.text, defined_names().records));
 }
 
 /// "OF" type behind VEC, which alone is one of LENGTH.

@@ -151,7 +151,8 @@ ExprPtr Parser::power() {
   return binary(BinaryOp::Power, place, std::move(base), std::move(exponent));
 }
 
-// postfix = primary { "." IDENT | "[" expr "]" | "(" [ args ] ")" } .
+// postfix = ( primary | foreign "(" [ args ] ")" ) { "." IDENT | "[" expr "]" } | channel .
+// foreign = IDENT [ "." IDENT ] .
 ExprPtr Parser::postfix() {
   if (at_channel()) {
     const Place place = current_.place;
@@ -159,14 +160,27 @@ ExprPtr Parser::postfix() {
     const int height = name.index->height + 1;
     return make(place, std::move(name), height);
   }
-  ExprPtr expr = primary();
+  const Place begin = current_.place;
+  ExprPtr expr = at_foreign_name() ? make(begin, Name{foreign_name()}) : primary();
   if (at(TokenKind::LeftParen) && std::holds_alternative<Name>(expr->node)) {
     expr = call(expr->place, std::move(std::get<Name>(expr->node).text));
   }
   while (at(TokenKind::Dot) || at(TokenKind::LeftBracket)) {
     expr = at(TokenKind::Dot) ? member(std::move(expr)) : index(std::move(expr));
+    const Place place = expr->place;
+    const std::string callee = at(TokenKind::LeftParen) ? callee_of(*expr) : "";
+    if (!callee.empty()) expr = call(place, callee);
   }
   return expr;
+}
+
+/// `tools.grip` before its arguments, whatever `tools` is; empty where nothing is called.
+std::string Parser::callee_of(const Expr& expr) {
+  const auto* const member = std::get_if<Member>(&expr.node);
+  const auto* const name = member == nullptr ? nullptr : std::get_if<Name>(&member->object->node);
+  if (name == nullptr || name->index != nullptr) return "";
+  if (name->text.find('.') != std::string::npos) return "";
+  return fmt::format("{}.{}", name->text, member->field);
 }
 
 /// "." IDENT
@@ -206,7 +220,7 @@ ExprPtr Parser::primary() {
   if (at(Keyword::True) || at(Keyword::On)) return literal(BoolLiteral{true});
   if (at(Keyword::False) || at(Keyword::Off)) return literal(BoolLiteral{false});
   if (at(TokenKind::LeftParen)) return parenthesized();
-  if (at(TokenKind::LeftBracket)) fail_not_yet(current_.place, "a list in brackets");
+  if (at(TokenKind::LeftBracket)) return list();
   fail_value();
 }
 

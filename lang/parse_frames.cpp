@@ -31,7 +31,7 @@ void Parser::frame_declaration(Block& block) {
   const std::string_view word = tool ? "TOOL" : "FRAME";
   if (!open_blocks_.empty()) {
     report(code::kOnlyTopLevel, place, fmt::format("{} can stand only outside all blocks", word),
-           fmt::format("write it before the {} of line {}", spelling(open_blocks_.front().opener),
+           fmt::format("write it before the {} of line {}", opener_of(open_blocks_.front().closer),
                        open_blocks_.front().place.line));
   }
   advance();
@@ -75,14 +75,15 @@ Type Parser::pose_type() {
   const Token name = current_;
   advance();
   if (same_word(name.text, "world")) return Type::pose();
-  const TypeDetail* const frame = frame_named(name.text);
+  const TypeDetail* frame = imported_type(name.text, name.place, types_->frames);
+  if (frame == nullptr) frame = frame_named(name.text);
   frame_uses_.push_back({frame, name.place});
   return Type::pose(frame);
 }
 
 /// One detail for each name, so that types are equal where their frames are.
 const TypeDetail* Parser::frame_named(std::string_view name) {
-  TypeDetail& detail = frames_[to_upper(name)];
+  TypeDetail& detail = types_->frames[{file_, to_upper(name)}];
   if (detail.name.empty()) detail.name = name;
   return &detail;
 }

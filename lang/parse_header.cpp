@@ -5,6 +5,7 @@
 
 #include "lang/ascii.h"
 #include "lang/codes.h"
+#include "lang/declarations.h"
 #include "lang/parser_impl.h"
 #include "lang/suggest.h"
 #include "lang/units.h"
@@ -15,11 +16,6 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kHeaderWords{"ROBOT", "UNITS", "LAW"};
 constexpr std::array<std::string_view, 2> kLaws{"PAUL", "LOOKAHEAD"};
-
-bool declares(const Statement& statement) {
-  return std::holds_alternative<Declaration>(statement.node) ||
-         std::holds_alternative<SignalDeclaration>(statement.node);
-}
 
 }  // namespace
 
@@ -37,7 +33,7 @@ bool Parser::at_header() const {
 void Parser::header(const Block& block) {
   const Place place = current_.place;
   const std::string word = to_upper(current_.text);
-  if (!open_blocks_.empty() || !std::ranges::all_of(block, declares)) {
+  if (!open_blocks_.empty() || !std::ranges::all_of(block, is_declaration)) {
     fail(code::kHeaderTooLate, place,
          fmt::format("{} holds for the whole program and has to stand before its first statement",
                      word),

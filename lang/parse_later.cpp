@@ -1,56 +1,9 @@
-#include <algorithm>
-#include <array>
-#include <utility>
-
-#include <fmt/format.h>
-
 #include "lang/ascii.h"
-#include "lang/codes.h"
 #include "lang/parser_impl.h"
 
-/// Statements that belong to the language but not to this version: one clear message each, then
-/// they are skipped, a block with all that it holds.
+/// How the parser skips statements that belong to the language but not to this version, a block
+/// with all that it holds.
 namespace rob::lang {
-
-namespace {
-
-/// Statements known by their place only: the first word of a line.
-constexpr std::array<std::string_view, 5> kLaterWords{"PRESS", "PATH", "START", "ZERO", "OVERRIDE"};
-
-/// A DO at the end of its line opens a block for every motion, closed by ENDMOVE.
-std::string closer_of(const Token& opener) {
-  const bool motion = opener.kind == TokenKind::Reserved &&
-                      role(opener.keyword) == KeywordRole::LaterMotion &&
-                      opener.keyword != Keyword::When;
-  return motion ? "ENDMOVE" : "END" + to_upper(opener.text);
-}
-
-bool always_opens_block(const Token& word) {
-  if (word.kind == TokenKind::Reserved) return role(word.keyword) == KeywordRole::LaterBlock;
-  return same_word(word.text, "PRESS") || same_word(word.text, "PATH");
-}
-
-}  // namespace
-
-bool Parser::at_later_word() const {
-  const bool listed = std::ranges::any_of(
-      kLaterWords, [&](std::string_view word) { return same_word(word, current_.text); });
-  if (!listed) return false;
-  if (next_.kind == TokenKind::LeftParen) return same_word(current_.text, "PATH");
-  return next_.kind != TokenKind::Assign && next_.kind != TokenKind::Dot &&
-         next_.kind != TokenKind::LeftBracket;
-}
-
-void Parser::later_statement() {
-  const Token word = current_;
-  report(code::kNotYet, word.place,
-         fmt::format("{} is not in this version of Rob yet", to_upper(word.text)));
-  const bool always = always_opens_block(word);
-  if (always || line_ends_with(Keyword::Do)) {
-    skip_later_block(to_upper(word.text), closer_of(word), always);
-  }
-  throw SyntaxError{};
-}
 
 /// The names that a skipped statement declares, so that their uses are no further mistakes.
 void Parser::declare_unknown(Block& block) {
@@ -65,9 +18,8 @@ void Parser::declare_unknown(Block& block) {
 }
 
 /// Skips the rest of the line, which opens a block, and all lines to the one that closes it.
-/// Blocks of the same kind inside it are counted; without `always` only a line that ends in DO
-/// opens one.
-void Parser::skip_later_block(std::string_view opener, std::string_view closer, bool always) {
+/// Blocks of the same kind inside it, which a line that ends in DO opens, are counted.
+void Parser::skip_later_block(std::string_view opener, std::string_view closer) {
   brackets_ = 0;
   int open = 1;
   skip_line();
@@ -77,7 +29,7 @@ void Parser::skip_later_block(std::string_view opener, std::string_view closer, 
     const bool opens = same_word(current_.text, opener);
     const bool closes = same_word(current_.text, closer);
     const bool ends_in_do = skip_line();
-    if (opens && (always || ends_in_do)) ++open;
+    if (opens && ends_in_do) ++open;
     if (closes) --open;
   }
 }

@@ -14,7 +14,7 @@ void Parser::point_declaration(Block& block) {
   const Place place = current_.place;
   if (!open_blocks_.empty()) {
     report(code::kOnlyTopLevel, place, "POINT can stand only outside all blocks",
-           fmt::format("write it before the {} of line {}", spelling(open_blocks_.front().opener),
+           fmt::format("write it before the {} of line {}", opener_of(open_blocks_.front().closer),
                        open_blocks_.front().place.line));
   }
   advance();

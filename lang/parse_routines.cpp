@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,9 +19,9 @@ void Parser::routine() {
   if (!open_blocks_.empty()) {
     report(code::kMisplaced, current_.place,
            fmt::format("{} can only stand at the top level, outside of all blocks",
-                       spelling(open.opener)),
+                       opener_of(open.closer)),
            fmt::format("move it behind the end of the {} of line {}",
-                       spelling(open_blocks_.front().opener), open_blocks_.front().place.line));
+                       opener_of(open_blocks_.front().closer), open_blocks_.front().place.line));
   }
   Routine routine;
   routine.place = open.place;
@@ -28,7 +29,7 @@ void Parser::routine() {
   advance();
   try {
     routine_header(routine);
-    header_end(spelling(open.opener));
+    header_end(opener_of(open.closer));
   } catch (const SyntaxError&) {
     routine.sound = false;
     skip_header();
@@ -106,19 +107,36 @@ void Parser::return_statement(Block& block) {
   add(block, place, std::move(node));
 }
 
-/// Whether a PROC or FUNC of this name stands anywhere in the text.
-bool Parser::names_routine(std::string_view name) {
-  if (!routine_names_) {
-    routine_names_.emplace();
-    Lexer lexer = Lexer(source_, diagnostics_).quiet_copy();
-    bool defines = false;
-    for (Token token = lexer.next(); token.kind != TokenKind::EndOfFile; token = lexer.next()) {
-      if (defines && token.kind == TokenKind::Word) routine_names_->insert(to_upper(token.text));
-      defines = token.kind == TokenKind::Reserved &&
-                (token.keyword == Keyword::Proc || token.keyword == Keyword::Func);
-    }
+/// The names behind PROC, FUNC, TASK and RECORD anywhere in the text.
+const Parser::DefinedNames& Parser::defined_names() {
+  if (defined_names_) return *defined_names_;
+  defined_names_.emplace();
+  Lexer lexer = Lexer(source_, diagnostics_).quiet_copy();
+  std::set<std::string>* names = nullptr;
+  for (Token token = lexer.next(); token.kind != TokenKind::EndOfFile; token = lexer.next()) {
+    if (names != nullptr && token.kind == TokenKind::Word) names->insert(to_upper(token.text));
+    names = nullptr;
+    if (token.kind != TokenKind::Reserved) continue;
+    const bool routine = token.keyword == Keyword::Proc || token.keyword == Keyword::Func ||
+                         token.keyword == Keyword::Task;
+    if (routine) names = &defined_names_->routines;
+    if (token.keyword == Keyword::Record) names = &defined_names_->records;
   }
-  return routine_names_->contains(to_upper(name));
+  return *defined_names_;
+}
+
+/// Whether a PROC, FUNC or TASK of this name stands anywhere in the text, or in a file that it
+/// USEs.
+bool Parser::names_routine(std::string_view name) {
+  const auto named = [&](const Routine& routine) { return same_word(routine.name, name); };
+  return defined_names().routines.contains(to_upper(name)) ||
+         std::ranges::any_of(imports_, [&](const Import& import) {
+           return std::ranges::any_of(import.program->routines, named);
+         });
+}
+
+bool Parser::names_record(std::string_view name) {
+  return defined_names().records.contains(to_upper(name));
 }
 
 }  // namespace rob::lang

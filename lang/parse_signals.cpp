@@ -20,7 +20,7 @@ void Parser::signal_declaration(Block& block) {
   const Place place = current_.place;
   if (!open_blocks_.empty()) {
     report(code::kOnlyTopLevel, place, "SIGNAL can stand only outside all blocks",
-           fmt::format("write it before the {} of line {}", spelling(open_blocks_.front().opener),
+           fmt::format("write it before the {} of line {}", opener_of(open_blocks_.front().closer),
                        open_blocks_.front().place.line));
   }
   advance();
@@ -66,7 +66,7 @@ void Parser::scale(SignalDeclaration& signal) {
   signal.high = expression();
 }
 
-// panel = "PULSE" ( IDENT | channel ) expr .
+// panel = "PULSE" ( foreign | channel ) expr .
 void Parser::pulse(Block& block) {
   const Place place = current_.place;
   advance();
@@ -74,6 +74,8 @@ void Parser::pulse(Block& block) {
   pulse.target_place = current_.place;
   if (at_channel()) {
     pulse.target = channel("PULSE");
+  } else if (at(TokenKind::Word) && next_.kind == TokenKind::Dot) {
+    pulse.target.text = foreign_name();
   } else if (at(TokenKind::Word)) {
     pulse.target.text = current_.text;
     advance();

@@ -52,8 +52,14 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Signal:
       signal_declaration(block);
       return true;
+    case Keyword::Use:
+      use_statement(block);
+      return true;
     case Keyword::Point:
       point_declaration(block);
+      return true;
+    case Keyword::Record:
+      record_declaration(block);
       return true;
     case Keyword::Loop:
       loop_statement(block);
@@ -64,9 +70,15 @@ bool Parser::block_statement(Block& block) {
     case Keyword::Try:
       try_statement(block);
       return true;
+    case Keyword::With:
+      with_statement(block);
+      return true;
     case Keyword::Proc:
     case Keyword::Func:
       routine();
+      return true;
+    case Keyword::Task:
+      task();
       return true;
     case Keyword::Test:
       test();
@@ -83,8 +95,9 @@ bool Parser::block_statement(Block& block) {
 // simple = action | motion [ until ] | wait .
 void Parser::simple(Block& block) {
   const Place place = current_.place;
-  if (at(Keyword::Move) || at(Keyword::Movel)) {
+  if (at_motion()) {
     const bool first = current_.first_on_line;
+    if (first && !rereading_ && plain_motion(block)) return;
     move(block);
     return behind_motion(block, first);
   }
@@ -101,6 +114,8 @@ void Parser::simple(Block& block) {
     advance();
     return add(block, place, Brake{});
   }
+  if (at(Keyword::Halt)) return halt_statement(block);
+  if (at(Keyword::Ask)) return ask_statement(block);
   if (at(Keyword::Teach)) return teach_statement(block);
   if (at(Keyword::Exit)) {
     advance();
@@ -120,10 +135,6 @@ void Parser::simple(Block& block) {
               remedy());
   }
   switch (role(current_.keyword)) {
-    case KeywordRole::Later:
-    case KeywordRole::LaterMotion:
-    case KeywordRole::LaterBlock:
-      later_statement();
     case KeywordRole::Closer:
       stray_closer();
     default:
@@ -137,7 +148,15 @@ void Parser::simple(Block& block) {
 void Parser::word_statement(Block& block) {
   if (at_header()) return header(block);
   if (at_frame_declaration()) return frame_declaration(block);
-  if (at_later_word()) later_statement();
+  if (at_placed_word("PATH")) return path_statement(block);
+  if (at_placed_word("PRESS")) return press_statement(block);
+  if (at_placed_word("OVERRIDE")) return override_statement(block);
+  if (in_path() && (at_placed_word("AFTER") || at_placed_word("BEFORE"))) {
+    const Place place = current_.place;
+    return add(block, place, path_event());
+  }
+  if (at_zero()) return zero_statement(block);
+  if (at_placed_word("START")) return start_statement(block);
   if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
   if (next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket) {
     return assignment(block);
@@ -174,9 +193,11 @@ void Parser::unknown_word(Block& block) {
   report(code::kUnknownStatement, current_.place, message, did_you_mean(meant));
   muted_line_ = current_.place.line;
   const Keyword keyword = find_keyword(meant).value();
-  const bool needs_do = keyword == Keyword::While || keyword == Keyword::For;
+  const bool needs_do =
+      keyword == Keyword::While || keyword == Keyword::For || keyword == Keyword::With;
   const bool stands_alone = next_.kind == TokenKind::EndOfLine;
-  const bool routine = keyword == Keyword::Proc || keyword == Keyword::Func;
+  const bool routine = keyword == Keyword::Proc || keyword == Keyword::Func ||
+                       keyword == Keyword::Record || keyword == Keyword::Task;
   if (keyword == Keyword::End || (routine && next_.kind != TokenKind::Word) ||
       ((keyword == Keyword::Loop || keyword == Keyword::Try) && !stands_alone) ||
       (needs_do && !line_ends_with(Keyword::Do)) ||
@@ -197,11 +218,16 @@ std::string_view Parser::statement_meant() const {
   return closes ? closer : nearest;
 }
 
+/// Also a call of another file's routine, which begins like an assignment to a part.
 // assign = place "=" expr .
 void Parser::assignment(Block& block) {
   const Place place = current_.place;
   Assign assign;
   assign.target = postfix();
+  const bool call = std::holds_alternative<Call>(assign.target->node);
+  if (call && !at(TokenKind::Assign) && !at(TokenKind::Equal)) {
+    return add(block, place, CallStatement{std::move(assign.target)});  // of a USEd file
+  }
   if (!at(TokenKind::Assign) && !at(TokenKind::Equal)) {
     fail_here(code::kAssignExpected, fmt::format("'=' expected, not {}", described(current_)));
   }

@@ -22,7 +22,7 @@ void Parser::test() {
     report(code::kMisplaced, current_.place,
            "TEST can only stand at the top level, outside of all blocks",
            fmt::format("move it behind the end of the {} of line {}",
-                       spelling(open_blocks_.front().opener), open_blocks_.front().place.line));
+                       opener_of(open_blocks_.front().closer), open_blocks_.front().place.line));
   }
   Routine test;
   test.place = open.place;
@@ -61,13 +61,16 @@ void Parser::expect_statement(Block& block) {
   add(block, place, std::move(node));
 }
 
-// control = "SIMULATE" ( IDENT | channel ) "=" expr [ "AFTER" expr ] .
+// control = "SIMULATE" ( IDENT [ "." IDENT ] | channel | "GO" | "ANSWER" ) "=" expr
+//           [ "AFTER" expr ] .
 void Parser::simulate_statement(Block& block) {
   const Place place = current_.place;
   Simulate node;
   advance();
   node.target_place = current_.place;
-  if (at_channel()) {
+  if (operators_simulation(node)) {
+    advance();
+  } else if (at_channel()) {
     node.target = channel("SIMULATE");
   } else if (at(TokenKind::Word)) {
     node.target.text = current_.text;
@@ -78,7 +81,16 @@ void Parser::simulate_statement(Block& block) {
         fmt::format("the name of an input expected after SIMULATE, not {}", described(current_)),
         kSimulateExample);
   }
-  if (at(TokenKind::Dot)) fail_not_yet(node.target_place, "SIMULATE of a force");
+  if (node.target.index == nullptr && accept(TokenKind::Dot)) {
+    node.part = current_.text;
+    node.part_place = current_.place;
+    if (!at(TokenKind::Word)) {
+      fail_here(code::kNameExpected,
+                fmt::format("x, y or z expected behind the '.', not {}", described(current_)),
+                "SIMULATE force.z = 5N AFTER 2s");
+    }
+    advance();
+  }
   if (!accept(TokenKind::Assign)) {
     fail_here(code::kAssignExpected, fmt::format("'=' expected, not {}", described(current_)),
               kSimulateExample);

@@ -87,7 +87,7 @@ void Parser::when_statement(Block& block) {
   const Place place = current_.place;
   if (line_ends_with(Keyword::Do)) {
     report(code::kNotYet, place, "WHEN … DO is not in this version of Rob yet");
-    skip_later_block("WHEN", "ENDWHEN", false);
+    skip_later_block("WHEN", "ENDWHEN");
     throw SyntaxError{};
   }
   When when;

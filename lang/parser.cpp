@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, 5> kOperatorWords{"AND", "OR", "XOR", "DI
 
 Program parse(std::string_view source, Diagnostics& diagnostics) {
   if (!check_source(source, diagnostics)) return {};
-  return Parser(source, diagnostics).program();
+  const Outline outline = outline_of(source);
+  return Parser(source, diagnostics, {.outline = &outline}).program();
 }
 
 bool begins_statement(const Token& token) {
@@ -38,8 +39,17 @@ std::string described(const Token& token) {
   return fmt::format("'{}'", shortened(token.text));
 }
 
-Parser::Parser(std::string_view source, Diagnostics& diagnostics)
-    : source_(source), diagnostics_(diagnostics), lexer_(source, diagnostics) {}
+Parser::Parser(std::string_view source, Diagnostics& diagnostics, SourceContext context)
+    : source_(source),
+      diagnostics_(diagnostics),
+      lexer_(source, diagnostics, context.file),
+      outline_(*context.outline),
+      imports_(std::move(context.imports)),
+      nodes_(context.nodes),
+      file_(context.file),
+      first_array_length_(context.array_lengths),
+      types_(std::move(context.types)),
+      joints_(std::move(context.joints)) {}
 
 // program = { NL } { item } [ "END" { NL } ] .
 Program Parser::program() {
@@ -57,7 +67,7 @@ Program Parser::program() {
     program.end = current_.place;
     // A file without END ends as if END stood on the line behind its last one.
     if (at(TokenKind::EndOfFile) && current_.place.column > 1) {
-      program.end = Place{current_.place.line + 1, 1};
+      program.end = Place{current_.place.line + 1, 1, 1, current_.place.file};
     }
     if (at(Keyword::End)) advance();
     while (accept(TokenKind::EndOfLine)) {
@@ -72,14 +82,36 @@ Program Parser::program() {
     program.end = current_.place;
   }
   program.header = std::move(header_);
-  program.frames = std::move(frames_);
+  program.types = types_;
+  program.array_lengths = std::move(array_lengths_);
   program.frame_uses = std::move(frame_uses_);
   program.taught = std::move(taught_);
+  program.joints = joints_;
+  program.surroundings = surroundings_;
   program.routines = std::move(routines_);
-  if (program.statements.empty() && program.routines.empty() && !diagnostics_.has_errors()) {
+  program.nodes = nodes_;
+  if (program.end.file == 0 && program.statements.empty() && program.routines.empty() &&
+      !diagnostics_.has_errors()) {
     diagnostics_.warning(code::kEmptyProgram, Place{0, 0, 1}, "the program has no statement");
   }
   return program;
+}
+
+Block parse_line(std::string_view source, std::size_t offset, const Place& place,
+                 Diagnostics& diagnostics) {
+  const Outline nothing;
+  return Parser(source, diagnostics, {.file = place.file, .outline = &nothing})
+      .line_at(offset, place);
+}
+
+Block Parser::line_at(std::size_t offset, const Place& place) {
+  Block block;
+  rereading_ = true;
+  lexer_.begin_at(offset, place);
+  shift();
+  shift();
+  statement(block);
+  return block;
 }
 
 // --------------------------------------------------------------------- tokens
@@ -138,7 +170,7 @@ bool Parser::line_ends_with(Keyword keyword) const {
 Place Parser::behind_previous() const {
   const Place& place = previous_.place;
   if (place.line == 0) return current_.place;
-  return {place.line, place.column + place.length, 1};
+  return {place.line, place.column + place.length, 1, place.file};
 }
 
 // --------------------------------------------------------------------- errors

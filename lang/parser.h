@@ -16,12 +16,16 @@ namespace rob::lang {
 /// destructors over a tree of this height fits any stack, sanitizers included.
 inline constexpr int kMaxDepth = 200;
 
-/// The most statements and expressions of one program. [choice] a tree node takes some 200 bytes,
-/// so the greatest tree takes about 200 MB.
+/// The most statements and expressions of one program; PlainMotions do not count. [choice] a tree
+/// node takes some 200 bytes, so the greatest tree takes about 200 MB.
 inline constexpr std::size_t kMaxNodes = 1'000'000;
 
 /// After this many errors the rest of a text is not read: they are one mistake.
 inline constexpr std::size_t kMaxSyntaxErrors = 1000;
+
+/// Reads the statement of one line that begins at `offset`, at `place`, once more.
+Block parse_line(std::string_view source, std::size_t offset, const Place& place,
+                 Diagnostics& diagnostics);
 
 /// Reads a program. Where a declaration could not be read in full its names are still declared,
 /// with the type Unknown, so that their uses draw no further messages.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,6 +13,7 @@
 #include "lang/ast.h"
 #include "lang/diagnostic.h"
 #include "lang/lexer.h"
+#include "lang/outline.h"
 #include "lang/parser.h"
 #include "lang/token.h"
 
@@ -32,13 +34,41 @@ std::string described(const Token& token);
 /// BOOL, LENGTH, …, in any case; empty if this version has no such type.
 std::optional<Type> named_type(std::string_view word);
 
+/// "IF": what is closed by ENDIF.
+std::string_view opener_of(Keyword closer);
+
+/// Whether a value goes on with this sign.
+bool goes_on(const Token& token);
+
 /// A clause of the language, whether this version has it or not; empty if it is none.
 std::string_view clause_word(const Token& token);
 
+/// A file that a text USEs, read already.
+struct Import {
+  std::string name;        ///< as USE writes it
+  std::uint32_t line = 0;  ///< of the USE
+  std::uint32_t file = 0;
+  Program* program = nullptr;
+};
+
+/// What a text is part of.
+struct SourceContext {
+  std::uint32_t file = 0;
+  const Outline* outline = nullptr;  ///< of the text
+  std::vector<Import> imports{};
+  std::size_t nodes = 0;          ///< of the files that were read before
+  std::size_t array_lengths = 0;  ///< the same
+  /// Of all of them.
+  std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>();
+  /// What JOINTS is in all of them.
+  std::shared_ptr<TypeDetail> joints = std::make_shared<TypeDetail>();
+};
+
 class Parser {
  public:
-  Parser(std::string_view source, Diagnostics& diagnostics);
+  Parser(std::string_view source, Diagnostics& diagnostics, SourceContext context);
   Program program();
+  Block line_at(std::size_t offset, const Place& place);
 
  private:
   struct SyntaxError {};
@@ -102,9 +132,24 @@ class Parser {
   bool at_frame_declaration() const;
   void frame_declaration(Block& block);
 
+  // HALT and ASK (parse_operator.cpp)
+  void halt_statement(Block& block);
+  void ask_statement(Block& block);
+  bool operators_simulation(Simulate& node);
+
+  // USE (parse_use.cpp)
+  void use_statement(Block& block);
+  const Import* import_named(std::string_view name) const;
+  bool at_foreign_name() const;
+  std::string foreign_name();
+  const TypeDetail* imported_type(std::string_view name, const Place& place,
+                                  const TypeTable::Named& types);
+
   // Points (parse_points.cpp)
   void point_declaration(Block& block);
   void teach_statement(Block& block);
+  bool at_zero() const;
+  void zero_statement(Block& block);
 
   Type pose_type();
   const TypeDetail* frame_named(std::string_view name);
@@ -113,18 +158,50 @@ class Parser {
   Type vec_type();
   Type unit_type();
 
+  // ARRAY, RECORD and lists (parse_compounds.cpp)
+  ExprPtr list();
+  Type array_type();
+  TypeDetail* record_named(std::string_view name);
+  void record_declaration(Block& block);
+  void record_fields(RecordDeclaration& record);
+  RecordDeclaration::Fields record_group();
+
   // Motions (parse_motion.cpp)
+  bool at_motion() const;
   void move(Block& block);
+  bool plain_motion(Block& block);
+  void target_of(Move& move);
   bool at_clause_word(std::string_view word) const;
   void joint_target(Move& move);
-  ExprPtr target(std::string_view motion);
+  void curve(Move& move);
+  void spiral(Move& move);
+  void jog(Move& move);
+  void expect_word(std::string_view word, std::string_view behind, std::string_view example);
+  ExprPtr target(std::string_view motion, bool in_list = false);
   bool group_goes_on() const;
+  bool at_value() const;
+  bool at_list() const;
   [[noreturn]] void fail_target(std::string_view motion);
   void clauses(Clauses& clauses);
   void report_twice(std::string_view word);
   void profile(Clauses& clauses);
-  void clause(ExprPtr& slot, std::string_view word);
+  void clause(Clauses& clauses, Clause which, std::string_view word);
+  bool at_live() const;
   [[noreturn]] void fail_clause();
+
+  // WITH, IN, PATH, PRESS, OVERRIDE (parse_surroundings.cpp)
+  bool at_placed_word(std::string_view word) const;
+  bool in_path() const;
+  void with_tool(Surroundings& surroundings);
+  void in_frame(Surroundings& surroundings);
+  ExprPtr name_behind(std::string_view word, std::string_view example);
+  void with_statement(Block& block);
+  void path_statement(Block& block);
+  void press_statement(Block& block);
+  void press_header(Press& press);
+  void override_statement(Block& block);
+  template <typename Header>
+  void header_up_to_do(Header header);
 
   // What is looked at in every control cycle (parse_watching.cpp)
   void behind_motion(Block& block, bool may_open_block);
@@ -173,11 +250,13 @@ class Parser {
   void raise_statement(Block& block);
 
   // What later versions have (parse_later.cpp)
-  bool at_later_word() const;
-  [[noreturn]] void later_statement();
   void declare_unknown(Block& block);
-  void skip_later_block(std::string_view opener, std::string_view closer, bool always);
+  void skip_later_block(std::string_view opener, std::string_view closer);
   bool skip_line();
+
+  // TASK and START (parse_tasks.cpp)
+  void task();
+  void start_statement(Block& block);
 
   // TEST (parse_tests.cpp)
   void test();
@@ -188,7 +267,14 @@ class Parser {
   void routine();
   void routine_header(Routine& routine);
   Routine::Parameters parameters();
+  /// What is defined anywhere in the text.
+  struct DefinedNames {
+    std::set<std::string> routines;
+    std::set<std::string> records;
+  };
+  const DefinedNames& defined_names();
   bool names_routine(std::string_view name);
+  bool names_record(std::string_view name);
   void call_statement(Block& block);
   void return_statement(Block& block);
 
@@ -202,6 +288,7 @@ class Parser {
   ExprPtr unary();
   ExprPtr power();
   ExprPtr postfix();
+  static std::string callee_of(const Expr& expr);
   ExprPtr member(ExprPtr object);
   ExprPtr index(ExprPtr object);
   ExprPtr primary();
@@ -233,20 +320,28 @@ class Parser {
   std::string_view source_;
   Diagnostics& diagnostics_;
   Lexer lexer_;
+  const Outline& outline_;
+  std::vector<Import> imports_;
   Token previous_;
   Token current_;
   Token next_;
   int brackets_ = 0;  ///< open ones; inside them line ends do not count
   int level_ = 0;
-  std::size_t nodes_ = 0;
+  bool rereading_ = false;  ///< what the checker has refused: as a tree
+  std::size_t nodes_;
   std::uint32_t muted_line_ = 0;  ///< has had its message
   std::vector<OpenBlock> open_blocks_;
   Header header_;
-  std::map<std::string, TypeDetail> frames_;
+  std::uint32_t file_;
+  std::size_t first_array_length_;
+  std::shared_ptr<TypeTable> types_;
+  std::vector<Program::ArrayLength> array_lengths_;
   std::vector<Program::FrameUse> frame_uses_;
   std::set<std::string> taught_;
+  std::shared_ptr<TypeDetail> joints_;
+  bool surroundings_ = false;
   std::vector<Routine> routines_;
-  std::optional<std::set<std::string>> routine_names_;  ///< of the whole text, once asked for
+  std::optional<DefinedNames> defined_names_;  ///< once asked for
 };
 
 }  // namespace rob::lang

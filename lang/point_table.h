@@ -16,6 +16,7 @@ struct PointTable {
     std::string name;
     std::string frame;  ///< of the program, that `pose` is in; empty for the world
     PoseValue pose;
+    std::vector<double> joints{};  ///< of the bare flange; empty where they are not known
   };
   std::vector<Point> points;
 

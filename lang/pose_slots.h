@@ -2,11 +2,13 @@
 
 #include "lang/arithmetic.h"
 #include "lang/pose_math.h"
+#include "lang/setting.h"
 
 /// How a pose lies in the slots of the Vm: x y z in m, then w i j k.
 namespace rob::lang {
 
 inline constexpr int kPoseSlots = 7;
+inline constexpr int kToolSlots = 11;  ///< a TOOL: its pose, mass in kg, centre of gravity in m
 
 inline Vector3 load_vector(const Slot* slots) {
   return {slots[0].real, slots[1].real, slots[2].real};
@@ -14,6 +16,10 @@ inline Vector3 load_vector(const Slot* slots) {
 
 inline PoseValue load_pose(const Slot* slots) {
   return {load_vector(slots), {slots[3].real, slots[4].real, slots[5].real, slots[6].real}};
+}
+
+inline ToolValue load_tool(const Slot* slots) {
+  return {load_pose(slots), slots[kPoseSlots].real, load_vector(slots + kPoseSlots + 1)};
 }
 
 inline void store(const Vector3& vector, Slot* slots) {

@@ -46,19 +46,44 @@ Reply PrintingMachine::note(int line, std::string text) {
 
 Reply PrintingMachine::move(int line, const MoveCommand& command) {
   std::array<double, kMaxCoordinates> reached = commanded_;
-  if (command.means == MoveCommand::Target::Pose) {
-    const PoseValue pose = target_pose(command, tool_of(robot_.coordinates, commanded_));
-    const Reply reply = inverse(line, pose, commanded_, reached);
-    if (reply != Reply::Done) return reply;
-  } else {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(command.count); ++i) {
-      if (!command.has(static_cast<int>(i))) continue;
-      reached[i] = command.target[i] + (command.relative ? commanded_[i] : 0);
-    }
-  }
+  if (const Reply reply = reach(line, command, reached); reply != Reply::Done) return reply;
   const Reply reply = note(line, move_text(robot_, command));
   if (reply == Reply::Done) commanded_ = reached;
   return reply;
+}
+
+/// A spiral ends at its centre and a JOG somewhere: neither is followed.
+Reply PrintingMachine::reach(int line, const MoveCommand& command,
+                             std::array<double, kMaxCoordinates>& reached) {
+  if (command.kind == MotionKind::Spiral || command.kind == MotionKind::Jog) return Reply::Done;
+  const bool tuple = command.means == MoveCommand::Target::Coordinates;
+  if (command.means == MoveCommand::Target::Pose || (tuple && !is_plain(setting_))) {
+    const PoseValue last = tip_of(tool_of(robot_.coordinates, commanded_), setting_);
+    const PoseValue pose = target_pose(command, last, setting_, robot_.coordinates);
+    return inverse(line, pose, commanded_, reached);
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(command.count); ++i) {
+    if (!command.has(static_cast<int>(i))) continue;
+    reached[i] = command.target[i] + (command.relative ? commanded_[i] : 0);
+  }
+  return Reply::Done;
+}
+
+Reply PrintingMachine::via(int line, const MoveCommand& point) {
+  return note(line, via_text(robot_, point));
+}
+
+void PrintingMachine::work_in(int line, const Setting& setting) {
+  setting_ = setting;
+  calls_.push_back({.line = line, .text = setting_text(setting)});
+}
+
+Reply PrintingMachine::press(int line, const PressCommand& command) {
+  return note(line, press_text(command));
+}
+
+Reply PrintingMachine::override_speed(int line, double share) {
+  return note(line, fmt::format("override {}%", number_text(share * 100, kNone)));
 }
 
 Reply PrintingMachine::guard(int line, const Watch& condition) {
@@ -72,6 +97,7 @@ Reply PrintingMachine::ended(int line, bool& hit) {
     explicit World(PrintingMachine& m) : machine(m) {}
     bool signal(int signal) const noexcept override { return machine.value_of(signal) != 0; }
     double analog(int signal) const noexcept override { return machine.value_of(signal); }
+    void read(Reading what, Slot* value) const noexcept override { machine.answer(what, value); }
   };
   std::size_t looks = 1;
   for (const auto& [signal, script] : scripts_) looks = std::max(looks, script.values.size());
@@ -84,7 +110,19 @@ Reply PrintingMachine::ended(int line, bool& hit) {
     }
     hit = result.value.integer != 0;
   }
+  hit_ = commanded_;
   return note(line, hit ? "ended hit" : "ended reached");
+}
+
+Reply PrintingMachine::live_pace(int line, const Watch&, MoveCommand::Pace) {
+  return note(line, "live pace");
+}
+
+Reply PrintingMachine::simulate_force(int line, int component, double value, double after) {
+  const bool force = component < 3;
+  return note(line, fmt::format("simulate {}.{} {} after {}", force ? "force" : "torque",
+                                "xyz"[component % 3], number_text(value, force ? kForce : kTorque),
+                                number_text(after, kTime)));
 }
 
 Reply PrintingMachine::when(int line, const Watch&, int& id) {
@@ -106,6 +144,29 @@ Reply PrintingMachine::on_the_way(int line, const PathPlace& place) {
 }
 
 Reply PrintingMachine::disarm(int line, int id) { return note(line, fmt::format("disarm {}", id)); }
+
+Reply PrintingMachine::halt(int line, std::string_view text) {
+  return note(line, fmt::format("halt{}{}", text.empty() ? "" : " ", text));
+}
+
+Reply PrintingMachine::ask(int line, std::string_view text, std::optional<std::string>& answer) {
+  const Reply reply = note(line, fmt::format("ask {}", text));
+  if (reply == Reply::Done && next_answer_ < answers_.size()) answer = answers_[next_answer_++];
+  return reply;
+}
+
+Reply PrintingMachine::simulate_go(int line, bool go, double after) {
+  return note(line,
+              fmt::format("simulate {}go after {}", go ? "" : "no ", number_text(after, kTime)));
+}
+
+Reply PrintingMachine::simulate_answer(int line, std::string_view text, double after) {
+  return note(line, fmt::format("simulate answer {} after {}", text, number_text(after, kTime)));
+}
+
+Reply PrintingMachine::start(int line, std::uint32_t task) {
+  return note(line, fmt::format("start {}", task + 1));
+}
 
 Reply PrintingMachine::wait(int line, double seconds) {
   return note(line, "wait " + number_text(seconds, kTime));
@@ -146,24 +207,34 @@ Reply PrintingMachine::write_signal(int line, int signal, bool value) {
 Reply PrintingMachine::read(int, Reading what, Slot* value) {
   const Reply reply = is_observation(what) ? ready() : Reply::Done;
   if (reply != Reply::Done) return reply;
-  if (what == Reading::Clock) {
-    value->real = 0.01 * cycle_;
-  } else if (what == Reading::Joints) {
-    for (std::size_t i = 0; i < robot_.coordinates.size(); ++i) value[i].real = commanded_[i];
-  } else {
-    store(tool_of(robot_.coordinates, commanded_), value);
-  }
+  answer(what, value);
   return reply;
 }
 
+void PrintingMachine::answer(Reading what, Slot* value) {
+  if (what == Reading::Clock) {
+    value->real = 0.01 * cycle_;
+  } else if (what == Reading::Joints) {
+    for (std::size_t i = 0; i < robot_.axes.size(); ++i) value[i].real = commanded_[i];
+  } else if (needs_sensor(what)) {
+    const int first = what == Reading::Torque ? 3 : 0;
+    const int count = slots_of(what, 0);
+    for (int i = 0; i < count; ++i) (value++)->real = value_of(force_part(first + i));
+  } else {
+    const PoseValue tool =
+        tool_of(robot_.coordinates, what == Reading::HitPose ? hit_ : commanded_);
+    store(tip_of(tool, setting_), value);
+  }
+}
+
 Reply PrintingMachine::forward(int, std::span<const double> joints, PoseValue& pose) {
-  pose = tool_of(robot_.coordinates, joints);
+  pose = tip_of(tool_of(robot_.coordinates, joints), setting_);
   return Reply::Done;
 }
 
 Reply PrintingMachine::inverse(int, const PoseValue& pose, std::span<const double>,
                                std::span<double> joints) {
-  if (coordinates_of(robot_.coordinates, pose, joints)) return Reply::Done;
+  if (coordinates_of(robot_.coordinates, flange_for(pose, setting_), joints)) return Reply::Done;
   refusal_ = {.code = std::string(code::kUnreachable), .message = "out of reach", .help = ""};
   return Reply::Refused;
 }

@@ -11,16 +11,45 @@ enum class Reading : std::uint8_t {
   Clock,   ///< CLOCK: s since the start of the program
   Here,    ///< HERE: the tool in the world, x y z (m) and w i j k; what the axes are told to be
   Joints,  ///< JOINTS(): the same as one value an axis, m or rad
-  Target   ///< TARGET: the tool at the last target commanded; known without looking
+  Target,  ///< TARGET: the tool at the last target commanded; known without looking
+  /// HITPOSE: the tool in the world where the condition of the last guarded motion came true, or
+  /// where that motion ended; known without looking
+  HitPose,
+  Force,   ///< force: N along x y z of the world, the reaction on the tool
+  Torque,  ///< torque: Nm about x y z of the world
+  Wrench   ///< WRENCH(): force, then torque
 };
 
-inline constexpr std::array<std::string_view, 4> kReadingNames{"CLOCK", "HERE", "JOINTS", "TARGET"};
+inline constexpr std::array<std::string_view, 8> kReadingNames{
+    "CLOCK", "HERE", "JOINTS", "TARGET", "HITPOSE", "force", "torque", "WRENCH"};
 
 constexpr std::string_view name_of(Reading reading) {
   return kReadingNames[static_cast<std::size_t>(reading)];
 }
 
 /// Whether it is read from the world, at the decision point of what was commanded before.
-constexpr bool is_observation(Reading reading) { return reading != Reading::Target; }
+constexpr bool is_observation(Reading reading) {
+  return reading != Reading::Target && reading != Reading::HitPose;
+}
+
+/// Whether only a robot with a force sensor has it.
+constexpr bool needs_sensor(Reading reading) { return reading >= Reading::Force; }
+
+/// How many slots it takes on a robot of so many axes.
+constexpr int slots_of(Reading reading, int axes) {
+  switch (reading) {
+    case Reading::Clock:
+      return 1;
+    case Reading::Joints:
+      return axes;
+    case Reading::Force:
+    case Reading::Torque:
+      return 3;
+    case Reading::Wrench:
+      return 6;
+    default:
+      return 7;
+  }
+}
 
 }  // namespace rob::lang

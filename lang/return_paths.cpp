@@ -24,6 +24,10 @@ struct Search {
            std::ranges::any_of(select.cases, [&](auto& one) { return in(one.body); });
   }
   bool operator()(const Try& guarded) const { return in(guarded.body) || in(guarded.rescue); }
+  bool operator()(const Wait& wait) const { return in(wait.otherwise); }
+  bool operator()(const WatchedMotion& watched) const { return in(watched.otherwise); }
+  bool operator()(const With& with) const { return in(with.body); }
+  bool operator()(const Press& press) const { return in(press.body); }
   bool operator()(const While& loop) const { return !exits && in(loop.body); }
   bool operator()(const For& loop) const { return !exits && in(loop.body); }
   bool operator()(const Loop& loop) const { return !exits && in(loop.body); }
@@ -54,6 +58,13 @@ class Branches {
   Ending most_ = Ending::Never;
 };
 
+/// An ELSE that is taken where something did not happen in time.
+Ending behind_else(const Block& otherwise) {
+  Branches branches;
+  branches.add(otherwise);
+  return branches.result(false);
+}
+
 struct EndingOf {
   Ending operator()(const Return&) const { return Ending::Never; }
   Ending operator()(const Exit&) const { return Ending::Never; }
@@ -79,12 +90,16 @@ struct EndingOf {
     if (complete) branches.add(conditional.otherwise);
     return branches.result(complete);
   }
+  Ending operator()(const With& with) const { return ending_of(with.body); }
+  Ending operator()(const Press& press) const { return ending_of(press.body); }
   Ending operator()(const Select& select) const {
     Branches branches;
     for (const Select::Case& one : select.cases) branches.add(one.body);
     if (select.has_else) branches.add(select.otherwise);
     return branches.result(select.has_else);
   }
+  Ending operator()(const Wait& wait) const { return behind_else(wait.otherwise); }
+  Ending operator()(const WatchedMotion& watched) const { return behind_else(watched.otherwise); }
   Ending operator()(const Loop& loop) const {
     if (!has_exit(loop.body)) return Ending::Never;
     return has_return(loop.body) ? Ending::Maybe : Ending::Surely;

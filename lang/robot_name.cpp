@@ -17,6 +17,9 @@ std::optional<RobotName> declared_robot(std::string_view source) {
     if (named && before.first_on_line && same_word(before.text, "ROBOT")) {
       return RobotName{token.string, token.place};
     }
+    const bool motion = token.kind == TokenKind::Reserved &&
+                        (token.keyword == Keyword::Move || token.keyword == Keyword::Movel);
+    if (motion && token.first_on_line) break;  // behind a statement ROBOT cannot stand
     before = std::move(token);
   }
   return std::nullopt;

@@ -25,8 +25,10 @@ struct RobotSignature {
   std::string name;
   std::vector<Coordinate> coordinates;  ///< at most kMaxCoordinates, in the order of a tuple
   std::vector<Coordinate> axes;         ///< at most kMaxCoordinates, in the order of JOINTS
-  std::vector<Unit> units{};    ///< of bare numbers in a tuple, where they are not mm or deg
+  /// Of bare numbers in a tuple, where they are not mm or deg; by the number of the file.
+  std::vector<std::vector<Unit>> units{};
   std::vector<Signal> signals;  ///< the index is the number that Machine is given
+  bool force_sensor = false;    ///< `force`, `torque` and WRENCH() can be read
 };
 
 /// "DOUT": what the channels of a kind are called.

@@ -26,7 +26,9 @@ inline std::vector<Parameter> parameters_of(const Routine& routine) {
 /// Where the parameters of a routine lie in its frame, and what its caller has to keep free for
 /// them and for the value, which is left where they begin.
 struct CallLayout {
-  std::vector<Location> homes;  ///< of each parameter
+  /// Of each parameter. Arrays and records are given by their places, which the routine copies.
+  std::vector<Location> homes;
+  Location result;  ///< where the routine puts an array or record that it returns
   int registers = 0;
   int text_registers = 0;
 };

@@ -60,8 +60,9 @@ void RoutineUses::report(Diagnostics& diagnostics) const {
     if (global == nullptr || declared_in_.at(global) < call.statement) continue;
     diagnostics.error(
         code::kGlobalTooEarly, call.place,
-        fmt::format("{} uses {}, which is declared in line {}: it has no value yet here",
-                    shortened(call.routine->name), shortened(global->name), global->place.line),
+        fmt::format("{} uses {}, which is declared in {}: it has no value yet here",
+                    shortened(call.routine->name), shortened(global->name),
+                    diagnostics.line_of(global->place, call.place)),
         fmt::format("move the declaration of {} above this line", shortened(global->name)));
   }
 }

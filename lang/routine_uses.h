@@ -29,6 +29,22 @@ class RoutineUses {
 
   void report(Diagnostics& diagnostics) const;
 
+  // TASKs
+  void statement(const Statement& statement);
+  void written(const Symbol& symbol);
+  /// Given to a REF parameter.
+  void referred(const Symbol& symbol, Place place);
+  /// To be called when all is checked: what TASKs, and what they call, must not do is an error.
+  void report_tasks(const std::vector<Routine>& routines, Diagnostics& diagnostics);
+  /// Whether a routine is a TASK or is called by one; null: the top level. After report_tasks().
+  bool in_task(const Routine* routine) const;
+  struct Shared {
+    const Symbol* symbol;
+    bool observed;  ///< a TASK gives it a value
+  };
+  /// The globals that TASKs use, in the order of their declaration. After report_tasks().
+  std::vector<Shared> shared() const;
+
  private:
   struct TopLevelCall {
     const Routine* routine;
@@ -43,6 +59,18 @@ class RoutineUses {
   std::map<const Symbol*, std::set<std::size_t>> users_;  ///< routines by index
   std::vector<std::set<std::size_t>> callers_;            ///< of each routine
   std::vector<TopLevelCall> calls_;
+
+  void gather_tasks(const std::vector<Routine>& routines);
+  void report_references(Diagnostics& diagnostics) const;
+  bool any_in_task(const std::set<std::size_t>& routines) const;
+  struct Reference {
+    const Symbol* symbol;
+    Place place;
+  };
+  std::map<std::size_t, Place> barred_;  ///< by routine: the first statement that no TASK can have
+  std::map<const Symbol*, std::set<std::size_t>> writers_;
+  std::vector<Reference> references_;
+  std::vector<const Routine*> task_of_;  ///< of each routine: a TASK that it is or that calls it
 };
 
 }  // namespace rob::lang

@@ -30,7 +30,7 @@ struct Finding {
 /// Walks over a text character by character and remembers what cannot be read.
 class Scan {
  public:
-  explicit Scan(std::string_view source) : source_(source) {
+  Scan(std::string_view source, std::uint32_t file) : source_(source), place_{1, 0, 1, file} {
     if (source.starts_with(kByteOrderMark)) offset_ = line_begin_ = kByteOrderMark.size();
   }
 
@@ -73,7 +73,7 @@ class Scan {
       end_line();
       ++offset_;
       line_begin_ = offset_;
-      place_ = {place_.line + 1, 0, 1};
+      place_ = {place_.line + 1, 0, 1, place_.file};
       return;
     }
     if (byte == '\0') nul_.note(offset_, place_);
@@ -87,14 +87,14 @@ class Scan {
 
   void end_line() {
     if (offset_ - line_begin_ > kMaxLineBytes) {
-      long_line_.note(line_begin_, {place_.line, 1, 1});
+      long_line_.note(line_begin_, {place_.line, 1, 1, place_.file});
     }
   }
 
   std::string_view source_;
   std::size_t offset_ = 0;
   std::size_t line_begin_ = 0;
-  Place place_{1, 0, 1};
+  Place place_;
   Finding nul_;
   Finding invalid_;
   Finding lone_return_;
@@ -103,14 +103,14 @@ class Scan {
 
 }  // namespace
 
-bool check_source(std::string_view source, Diagnostics& diagnostics) {
+bool check_source(std::string_view source, Diagnostics& diagnostics, std::uint32_t file) {
   if (source.size() > kMaxSourceBytes) {
-    diagnostics.error(code::kFileTooLarge, Place{0, 0, 1},
+    diagnostics.error(code::kFileTooLarge, Place{0, 0, 1, file},
                       fmt::format("the file is too large: {} bytes, at most {} are read",
                                   source.size(), kMaxSourceBytes));
     return false;
   }
-  Scan scan(source);
+  Scan scan(source, file);
   scan.run();
   return scan.report(diagnostics);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 #include "lang/diagnostic.h"
@@ -18,6 +19,7 @@ inline constexpr std::size_t kMaxLineBytes = std::size_t{64} << 10U;
 /// True if `source` can be read: valid UTF-8 within the limits, without NUL, its lines ended by LF
 /// or CR LF. Otherwise reports what is wrong, each kind once, with the byte offset of the first
 /// place. A byte order mark at the beginning and a missing last line end are accepted.
-bool check_source(std::string_view source, Diagnostics& diagnostics);
+/// `file`: its number, for places.
+bool check_source(std::string_view source, Diagnostics& diagnostics, std::uint32_t file = 0);
 
 }  // namespace rob::lang

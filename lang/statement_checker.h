@@ -22,11 +22,13 @@ namespace rob::lang {
 class StatementChecker {
  public:
   StatementChecker(CheckedProgram& checked, const RobotSignature& robot, const PointTable& points,
-                   Diagnostics& diagnostics)
+                   const TargetJudge& judge, Diagnostics& diagnostics)
       : scopes_(checked.symbols, robot),
         uses_(checked.program.routines.size()),
-        expressions_(scopes_, checked.program, uses_, missing_, diagnostics),
-        moves_(robot, expressions_, diagnostics, checked),
+        expressions_(scopes_, checked.program, robot, uses_, missing_, diagnostics),
+        moves_(robot, expressions_, judge, diagnostics, checked),
+        clauses_(expressions_, diagnostics),
+        features_(checked.features),
         waits_(expressions_, diagnostics),
         watches_(expressions_, diagnostics),
         points_(points),
@@ -40,18 +42,23 @@ class StatementChecker {
  private:
   /// A block is a scope: what it declares lives to its end.
   void check(Block& block) {
+    const Slots declared = declared_;
     scopes_.enter();
     for (Statement& statement : block) check(statement);
     moves_.warn_of_zones(block);
     scopes_.leave();
+    declared_ = declared;
   }
   void check(Statement& statement) {
     place_ = statement.place;
+    uses_.statement(statement);
     std::visit([&](auto& node) { check(node); }, statement.node);
+    if (in_path_) check_in_path(statement);
   }
-  void check(Move& move) { moves_.check(move, place_); }
+  void check(Move& move) { moves_.check(move, place_, false); }
+  void check(PlainMotions& motions) { moves_.check(motions); }
   void check(WatchedMotion& watched) {
-    check(watched.motion);
+    check_watched(watched);
     if (watched.until != nullptr) watches_.check_until(watched.until);
     check(watched.otherwise);
     for (WayPoint& event : watched.events) {
@@ -69,16 +76,40 @@ class StatementChecker {
   }
   void check(Stop&) {}
   void check(Brake&) {}
+  // HALT and ASK (check_operator.cpp)
+  void check(Halt& halt);
+  void check(Ask& ask);
+  void check_operators_simulation(const Simulate& simulation);
   void check(Declaration& declaration);
+  // WITH, PATH, PRESS, OVERRIDE (check_surroundings.cpp)
+  void check(With& with);
+  void check(PathBlock& path);
+  void check(WayPoint& event);
+  void check(Press& press);
+  void check(SetOverride& statement) { clauses_.check_override(statement.share); }
+  void check_watched(WatchedMotion& watched);
+  void check_in_path(const Statement& statement);
+  void check_motion_in_path(const Move& move, Place place);
+  void check_not_read(const ExprPtr& value);
+  void report_reads_in_paths();
+  void check_path_clauses(const Clauses& clauses, Place place);
+
   // TEST (check_tests.cpp)
   void check(Expect& expectation);
   void check(Simulate& simulation);
+  void check_simulated_force(Simulate& simulation, const Symbol& symbol);
   void require_test(std::string_view word);
 
   // Signals (check_signals.cpp)
   const Symbol* resolve_signal(Name& name, Place place);
   void check(SignalDeclaration& signal);
   void check(Pulse& pulse);
+  // RECORD (check_records.cpp)
+  void check(RecordDeclaration& record);
+  void add_field(TypeDetail& detail, const Declaration::Declared& field, const Type& type);
+  /// Whether the routine, or the top level, that has been checked needs memory behind its
+  /// registers.
+  bool take_memory_use();
   void check_digital(const SignalDeclaration& signal, const Symbol& channel);
   void check_analog(const SignalDeclaration& signal, Symbol& symbol);
   void check_scale(const SignalDeclaration& signal, Symbol& symbol);
@@ -91,7 +122,7 @@ class StatementChecker {
     for (const ExprPtr& value : print.values) expressions_.check(value);
   }
   void check(Wait& wait) {
-    waits_.check(wait);
+    waits_.check(wait, routine_);
     check(wait.otherwise);
   }
   void check(If& conditional);
@@ -110,15 +141,26 @@ class StatementChecker {
   void check(Return& statement);
 
   // Frames (check_frames.cpp)
-  void check_frame(const Declaration& declaration, const Constant& value);
+  void check_frame(const Declaration& declaration, Constant& value, bool missed);
+  static void add_load(const Declaration& declaration, Constant& value);
   void check_tool_number(const Expr& value, const Type& wanted, std::string_view needed);
   void check_frame_uses(const Program& program);
+
+  // USE (check_use.cpp)
+  void check(Use& use);
+  void warn_of_hiding(const std::string& name, const Place& place, const std::string& file);
 
   // POINT and TEACH (check_points.cpp)
   void check(PointDeclaration& declaration);
   void check(Teach& teach);
+  bool is_of_other_file(const Declaration::Declared& point);
+  void check(ZeroForce&) { expressions_.has_sensor(Reading::Force, place_); }
   Type type_of(const PointTable::Point& kept, Place place);
   void warn_of_missing_points();
+
+  // TASK and START (check_tasks.cpp)
+  void check(Start& start);
+  void settle_tasks(const Program& program);
 
   // Routines (check_routines.cpp)
   void declare(const Routine& routine);
@@ -146,17 +188,25 @@ class StatementChecker {
   MissingPoints missing_;
   ExpressionChecker expressions_;
   MoveChecker moves_;
+  ClauseChecker clauses_;
+  std::vector<FeatureUse>& features_;
   WaitChecker waits_;
   WatchChecker watches_;
   const PointTable& points_;
   const std::set<std::string>& taught_;
   std::vector<MissingPoint>& missing_points_;
   Diagnostics& diagnostics_;
-  std::map<int, std::uint32_t> safe_lines_;  ///< where a signal's SAFE value stands, by its number
-  Place place_;                              ///< of the present statement
-  int loops_ = 0;                            ///< open around it
-  int rescues_ = 0;                          ///< RESCUE blocks open around it
-  const Routine* routine_ = nullptr;         ///< that it belongs to; null at the top level
+  std::map<int, Place> safe_lines_;  ///< where a signal's SAFE value stands, by its number
+  std::map<std::string, Place> points_declared_;  ///< of all files, by their names in capitals
+  Place place_;                                   ///< of the present statement
+  Slots declared_;         ///< by the variables of the present routine that are known here
+  Slots most_declared_;    ///< of the present routine
+  int loops_ = 0;          ///< open around it
+  int rescues_ = 0;        ///< RESCUE blocks open around it
+  bool in_path_ = false;   ///< inside of PATH
+  bool pressing_ = false;  ///< inside of PRESS
+  std::vector<const Expr*> path_values_;  ///< what PATHs are computed from
+  const Routine* routine_ = nullptr;      ///< that it belongs to; null at the top level
 };
 
 }  // namespace rob::lang

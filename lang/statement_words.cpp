@@ -118,6 +118,7 @@ bool StatementWords::is_clause(const Token& word, TokenKind behind) const {
   }
   if (follows(Keyword::Movec) || follows(Keyword::Moves)) return is("VIA");
   if (follows(Keyword::Spiral)) return is("FROM");
+  if (follows_clause("PRESS")) return is("X") || is("Y") || is("Z");
   if (follows(Keyword::In)) return is("TOOL");
   if (follows_clause("AT")) {
     return is("LIVE") && !goes_on(behind) && behind != TokenKind::EndOfLine;

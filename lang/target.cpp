@@ -13,14 +13,6 @@
 namespace rob::lang {
 namespace {
 
-/// That of UNITS, else mm or deg.
-Unit default_unit(Dimension dimension, const RobotSignature& robot) {
-  for (const Unit& unit : robot.units) {
-    if (unit.dimension == dimension) return unit;
-  }
-  return find_unit(unit_text(dimension)).value_or(Unit{.dimension = dimension});
-}
-
 /// The value of `0.3` or `-0.3` with the default unit behind its digits.
 std::optional<double> bare_literal(const Expr& component, Dimension dimension,
                                    const RobotSignature& robot) {
@@ -33,32 +25,42 @@ std::optional<double> bare_literal(const Expr& component, Dimension dimension,
   if (literal == nullptr || literal->has_unit) return std::nullopt;
   const std::string digits =
       literal->is_integer ? std::to_string(literal->integer) : number_text(literal->value, kNone);
-  return to_si(digits, default_unit(dimension, robot));
+  return to_si(digits, default_unit(dimension, robot, component.place.file));
 }
 
 }  // namespace
 
-std::optional<std::size_t> coordinate_named(const RobotSignature& robot, std::string_view name) {
-  for (std::size_t i = 0; i < robot.coordinates.size(); ++i) {
-    if (same_word(robot.coordinates[i].name, name)) return i;
+Unit default_unit(Dimension dimension, const RobotSignature& robot, std::uint32_t file) {
+  if (file < robot.units.size()) {
+    for (const Unit& unit : robot.units[file]) {
+      if (unit.dimension == dimension) return unit;
+    }
+  }
+  return find_unit(unit_text(dimension)).value_or(Unit{.dimension = dimension});
+}
+
+std::optional<std::size_t> coordinate_named(const Coordinates& coordinates, std::string_view name) {
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (same_word(coordinates[i].name, name)) return i;
   }
   return std::nullopt;
 }
 
-std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple, const RobotSignature& robot) {
-  std::vector<const Tuple::Element*> elements(robot.coordinates.size(), nullptr);
+std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple,
+                                                 const Coordinates& coordinates) {
+  std::vector<const Tuple::Element*> elements(coordinates.size(), nullptr);
   for (std::size_t i = 0; i < tuple.elements.size(); ++i) {
     const Tuple::Element& element = tuple.elements[i];
     if (element.value == nullptr) continue;
     const std::size_t place =
-        element.name.empty() ? i : coordinate_named(robot, element.name).value_or(i);
+        element.name.empty() ? i : coordinate_named(coordinates, element.name).value_or(i);
     if (place < elements.size()) elements[place] = &element;
   }
   return elements;
 }
 
-BareUnit bare_unit(Dimension dimension, const RobotSignature& robot) {
-  const Unit unit = default_unit(dimension, robot);
+BareUnit bare_unit(Dimension dimension, const RobotSignature& robot, const Place& place) {
+  const Unit unit = default_unit(dimension, robot, place.file);
   return {.divisor = std::pow(10.0, -unit.exponent10), .factor = unit.factor};
 }
 
@@ -69,7 +71,7 @@ std::optional<double> constant_component(const Expr& component, Dimension dimens
   const auto number = constant_number(component);
   if (!number || !is_bare(component.type)) return number;
   if (const auto literal = bare_literal(component, dimension, robot)) return literal;
-  const BareUnit unit = bare_unit(dimension, robot);
+  const BareUnit unit = bare_unit(dimension, robot, component.place);
   double si = 0;
   if (arithmetic::divide(*number, unit.divisor, si) != ArithmeticError::None ||
       arithmetic::multiply(si, unit.factor, si) != ArithmeticError::None) {
@@ -103,6 +105,15 @@ std::optional<MoveCommand::Zone> zone_of(const Type& type) {
   if (type == Type::real(kTime)) return MoveCommand::Zone::Time;
   if (is_bare(type)) return MoveCommand::Zone::Share;
   return std::nullopt;
+}
+
+const Symbol* bare_point(const Move& move, const Program& program) {
+  if (program.surroundings) return nullptr;
+  if (move.kind != MotionKind::Joint || move.by || move.axis != nullptr) return nullptr;
+  const auto* const name = std::get_if<Name>(&move.target->node);
+  const bool point =
+      name != nullptr && name->symbol != nullptr && name->symbol->kind == Symbol::Kind::Point;
+  return point ? name->symbol : nullptr;
 }
 
 bool alike(const std::vector<RobotSignature::Coordinate>& axes) {

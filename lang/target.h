@@ -6,16 +6,29 @@
 #include "lang/ast.h"
 #include "lang/move_command.h"
 #include "lang/robot_signature.h"
+#include "lang/symbols.h"
 
 /// What checker and compiler both have to know of target tuples and of clauses.
 namespace rob::lang {
 
-/// The element of a well-formed tuple for each coordinate of the robot, in the robot's order; null
-/// where the coordinate was left out.
-std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple, const RobotSignature& robot);
+/// Coordinates or axes of a robot.
+using Coordinates = std::vector<RobotSignature::Coordinate>;
+
+/// The element of a well-formed tuple for each coordinate, in the robot's order; null where the
+/// coordinate was left out.
+std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple,
+                                                 const Coordinates& coordinates);
 
 /// The index of a coordinate by its name in any case, or nothing.
-std::optional<std::size_t> coordinate_named(const RobotSignature& robot, std::string_view name);
+std::optional<std::size_t> coordinate_named(const Coordinates& coordinates, std::string_view name);
+
+/// What the rates of a JOG are of.
+inline const Coordinates& jogged(JogFrame frame, const RobotSignature& robot) {
+  return frame == JogFrame::Joint ? robot.axes : robot.coordinates;
+}
+
+/// The unit of bare numbers of a dimension in targets: that of UNITS in the file, else mm or deg.
+Unit default_unit(Dimension dimension, const RobotSignature& robot, std::uint32_t file);
 
 /// A bare number in a target takes the UNITS of its place: si = number / divisor * factor, in two
 /// steps since 40 / 1000 is the double nearest to 0.04, which 40 * 0.001 need not be.
@@ -23,7 +36,7 @@ struct BareUnit {
   double divisor = 1;
   double factor = 1;
 };
-BareUnit bare_unit(Dimension dimension, const RobotSignature& robot);
+BareUnit bare_unit(Dimension dimension, const RobotSignature& robot, const Place& place);
 
 /// Whether a component is a bare number, to be taken in UNITS.
 bool is_bare(const Type& type);
@@ -41,6 +54,11 @@ std::optional<MoveCommand::Pace> pace_of(const Type& type);
 std::optional<MoveCommand::Bound> accel_of(const Type& type);
 std::optional<MoveCommand::Bound> jerk_of(const Type& type);
 std::optional<MoveCommand::Zone> zone_of(const Type& type);
+
+/// The POINT that is by itself the target of a MOVE, which goes to where the joints stood when it
+/// was taught; null for all other motions, and where WITH stands somewhere in the program: another
+/// tool's tip would be elsewhere then.
+const Symbol* bare_point(const Move& move, const Program& program);
 
 /// Whether axes all have one dimension.
 bool alike(const std::vector<RobotSignature::Coordinate>& axes);

@@ -112,6 +112,27 @@ std::string in_words(const Type& type) {
   return {};
 }
 
+bool Type::operator==(const Type& other) const {
+  if (kind != other.kind || dimension != other.dimension) return false;
+  if (detail == other.detail) return true;
+  if (kind != Kind::Array) return false;
+  // What is faulty fits everywhere.
+  const bool faulty = detail->length == 0 || other.detail->length == 0;
+  return faulty ||
+         (detail->length == other.detail->length && detail->element == other.detail->element);
+}
+
+Type TypeTable::array(const Type& element, std::int64_t length) {
+  TypeDetail& detail = arrays.emplace_back();
+  detail.element = element;
+  detail.length = length;
+  detail.height = height_of(element) + 1;
+  const Slots slots = slots_of(element);
+  const auto count = static_cast<int>(length);
+  detail.slots = {.numbers = slots.numbers * count, .texts = slots.texts * count};
+  return {Type::Kind::Array, {}, &detail};
+}
+
 Type free_pose() {
   static const TypeDetail kFree;
   return Type::pose(&kFree);
@@ -155,8 +176,9 @@ Slots slots_of(const Type& type) {
       return {.numbers = 6};
     case Type::Kind::Pose:
     case Type::Kind::Frame:
-    case Type::Kind::Tool:
       return {.numbers = 7};
+    case Type::Kind::Tool:
+      return {.numbers = 11};
     case Type::Kind::Joints:
     case Type::Kind::Array:
     case Type::Kind::Record:
@@ -181,6 +203,15 @@ bool has_default(const Type& type) {
     default:
       return true;
   }
+}
+
+int height_of(const Type& type) { return type.in_registers() ? 0 : type.detail->height; }
+
+bool holds_place(const Type& type) {
+  if (type.is(Type::Kind::Array)) return holds_place(type.detail->element);
+  if (!type.is(Type::Kind::Record)) return type.is_place();
+  return std::ranges::any_of(
+      type.detail->fields, [](const TypeDetail::Field& field) { return holds_place(field.type); });
 }
 
 std::optional<Field> field_of(const Type& type, std::string_view name) {
@@ -221,6 +252,10 @@ std::vector<std::string_view> field_names(const Type& type) {
 std::optional<Elements> elements_of(const Type& type) {
   if (type.is(Type::Kind::Vec)) return Elements{Type::real(type.dimension), 3};
   if (type.is(Type::Kind::Array)) return Elements{type.detail->element, type.detail->length};
+  if (type.is(Type::Kind::Joints)) {
+    const std::vector<Dimension>& axes = type.detail->axes;
+    return Elements{Type::real(axes.front()), static_cast<std::int64_t>(axes.size())};
+  }
   return std::nullopt;
 }
 

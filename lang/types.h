@@ -2,6 +2,8 @@
 
 #include <compare>
 #include <cstdint>
+#include <deque>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,11 +60,16 @@ struct Slots {
   }
 };
 
+/// The memory behind the registers, for arrays, records and what registers have no room for, of
+/// all frames together. [choice] 262144 numbers are 2 MiB and more than a program of a robot has
+/// points; 4096 texts of 64 KiB each are 256 MiB at most.
+inline constexpr Slots kMemory{.numbers = 262144, .texts = 4096};
+
 /// The static type of an expression or a variable. `Unknown` is the type of what is already
 /// reported as wrong: it fits everywhere, so that one mistake makes one message.
 ///
-/// Small and comparable: what more there is to know of a type is kept once (TypeTable), so that
-/// equal types have the same detail.
+/// Small and comparable: what more there is to know of a type is kept apart (TypeTable). Two ARRAY
+/// types are equal where their elements and lengths are, others where their details are the same.
 struct Type {
   enum class Kind : std::uint8_t {
     Unknown,
@@ -75,7 +82,7 @@ struct Type {
     Joints,  ///< one REAL an axis, each of its axis's dimension
     Wrench,  ///< a force, then a torque
     Frame,   ///< as Pose
-    Tool,    ///< as Pose
+    Tool,    ///< as Pose, then the mass, and x y z of its centre of gravity
     Array,
     Record
   };
@@ -84,7 +91,7 @@ struct Type {
   Dimension dimension{};               ///< of Real and Vec only
   const TypeDetail* detail = nullptr;  ///< of Joints, Array, Record, and Pose
 
-  bool operator==(const Type&) const = default;
+  bool operator==(const Type& other) const;
   bool known() const { return kind != Kind::Unknown; }
   bool numeric() const { return kind == Kind::Int || kind == Kind::Real; }
   bool is(Kind other) const { return kind == other; }
@@ -98,6 +105,8 @@ struct Type {
   static Type real(Dimension d = {}) { return {Kind::Real, d}; }
   static Type string() { return {Kind::String}; }
   static Type vec(Dimension d) { return {Kind::Vec, d}; }
+  /// `axes`: those of the robot that the program is for.
+  static Type joints(const TypeDetail* axes) { return {Kind::Joints, {}, axes}; }
   /// In the frame of `detail`; without one in the world.
   static Type pose(const TypeDetail* frame = nullptr) { return {Kind::Pose, {}, frame}; }
   /// POSE, FRAME and TOOL: a place and an orientation.
@@ -112,10 +121,26 @@ struct TypeDetail {
   };
   Slots slots;                  ///< of a whole value
   Type element;                 ///< of Array
-  std::int64_t length = 0;      ///< of Array
+  std::int64_t length = 0;      ///< of Array; 0 while it is not known, or where it is faulty
+  int written = -1;             ///< of an Array with a length in the text: its TypeTable index
+  int height = 1;               ///< of Array and Record: levels of them inside each other
+  bool complete = false;        ///< of Record: all its fields are known
+  bool faulty = false;          ///< of Record: it could not be read, and may have further fields
   std::string name;             ///< of Record; of Pose: the frame
   std::vector<Field> fields;    ///< of Record, in the order of their slots
   std::vector<Dimension> axes;  ///< of Joints
+};
+
+/// The details of all types of one program. They keep their addresses.
+struct TypeTable {
+  /// By the number of the file that declares them, and name in capitals.
+  using Named = std::map<std::pair<std::uint32_t, std::string>, TypeDetail>;
+  std::deque<TypeDetail> arrays;
+  Named frames;
+  Named records;
+
+  /// The type of a list of `length` such elements.
+  Type array(const Type& element, std::int64_t length);
 };
 
 /// A pose that has no frame yet and takes the one that its place in the program wants.
@@ -136,6 +161,12 @@ Slots slots_of(const Type& type);
 /// A pose or a place of the joints that nobody has given would be a place to crash into.
 bool has_default(const Type& type);
 
+/// Levels of arrays and records inside each other; 0 of what is neither.
+int height_of(const Type& type);
+
+/// Whether a value holds a pose or the like somewhere: then == does not compare it.
+bool holds_place(const Type& type);
+
 /// One part of a value: `v.x`, `part.size`.
 struct Field {
   Type type;
@@ -148,7 +179,7 @@ std::vector<std::string_view> field_names(const Type& type);
 
 /// What an index chooses from: elements of one type in a row.
 struct Elements {
-  Type type;
+  Type type;  ///< of JOINTS that of the first axis; the others may be of another dimension
   std::int64_t count = 0;
 };
 /// Nothing if values of this type have no elements.

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -166,7 +167,8 @@ std::optional<double> to_si(std::string_view number, const Unit& unit) {
   if (unit.exponent10 == 0) {
     result = std::from_chars(number.data(), number.data() + number.size(), value);
   } else {
-    const std::string shifted = fmt::format("{}e{}", mantissa, exponent);
+    fmt::memory_buffer shifted;
+    fmt::format_to(std::back_inserter(shifted), "{}e{}", mantissa, exponent);
     result = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
   }
   if (result.ec == std::errc::result_out_of_range) {

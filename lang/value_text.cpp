@@ -28,11 +28,21 @@ class Writer {
         return put("(") && row(Type::real(type.dimension), 3) && put(")");
       case Type::Kind::Pose:
       case Type::Kind::Frame:
-      case Type::Kind::Tool:
         return pose();
+      case Type::Kind::Tool: {
+        const bool fits = pose();
+        numbers_ += kToolSlots - kPoseSlots;
+        return fits;
+      }
       case Type::Kind::Wrench:
         return put("WRENCH(") && value(Type::vec(kForce)) && put(", ") &&
                value(Type::vec(kTorque)) && put(")");
+      case Type::Kind::Joints:
+        return put("JOINTS(") && joints(type.detail->axes) && put(")");
+      case Type::Kind::Array:
+        return put("[") && row(type.detail->element, type.detail->length) && put("]");
+      case Type::Kind::Record:
+        return record(*type.detail);
       default:
         return true;
     }
@@ -50,6 +60,23 @@ class Writer {
       if (!put(i == 0 ? "" : ", ") || !value(type)) return false;
     }
     return true;
+  }
+
+  bool joints(const std::vector<Dimension>& axes) {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (!put(i == 0 ? "" : ", ") || !value(Type::real(axes[i]))) return false;
+    }
+    return true;
+  }
+
+  bool record(const TypeDetail& detail) {
+    if (!put(detail.name) || !put("(")) return false;
+    std::string_view separator;
+    for (const TypeDetail::Field& field : detail.fields) {
+      if (!put(separator) || !put(field.name) || !put(": ") || !value(field.type)) return false;
+      separator = ", ";
+    }
+    return put(")");
   }
 
   bool pose() {

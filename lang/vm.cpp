@@ -1,6 +1,7 @@
 #include "lang/vm.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <span>
 #include <utility>
@@ -22,6 +23,14 @@ constexpr double kSameTime = 1e-9;  // s: sums of cycles that differ by less are
 
 bool equal_slots(const Slot* a, const Slot* b, std::size_t count) {
   return std::memcmp(a, b, count * sizeof(Slot)) == 0;
+}
+
+void copy_texts(std::string* to, const std::string* from, std::size_t count) {
+  if (to < from) {
+    std::copy(from, from + count, to);
+  } else if (to > from) {
+    std::copy_backward(from, from + count, to + count);
+  }
 }
 
 }  // namespace
@@ -126,6 +135,12 @@ pose_transform:
 pose_angle:
   pose_functions::angle(&n[pc->b()], pc->c(), n[pc->a()]);
   ROB_NEXT(1);
+forward:
+  ROB_ASK(forward(pc), pc);
+  ROB_NEXT(1);
+inverse:
+  ROB_ASK(inverse(pc), pc);
+  ROB_NEXT(2);
 random:
   n[pc->a()].real = random_.share();
   ROB_NEXT(1);
@@ -140,6 +155,7 @@ random_real : {
   ROB_NEXT(1);
 }
 
+#include "lang/vm_memory.inc"
 #include "lang/vm_places.inc"
 
 call : {
@@ -233,6 +249,7 @@ read_analog_latched:
   ROB_ASK(observe_analog(pc), latch_);
   ROB_NEXT(1);
 read : {
+  if (!check_hit_pose(pc)) return fail(pc, std::move(error_));
   const Code resume = pc->c() != 0 ? latch_ : pc;
   if (waits_for_cycle(pc)) return leave(pc, resume, State::NextCycle);
   ROB_ASK(read(pc), resume);
@@ -254,6 +271,15 @@ move : {
   ROB_ASK(machine_.move(line(pc), command), pc);
   ROB_NEXT(1);
 }
+move_to : {
+  const MoveCommand command = build_plain(pc);
+  ROB_ASK(machine_.move(line(pc), command), pc);
+  ROB_NEXT(1 + 2 * std::popcount(command.given));
+}
+live_pace:
+  ROB_ASK(live_pace(pc), pc);
+  ROB_NEXT(2);
+#include "lang/vm_surroundings.inc"
 guard:
   ROB_ASK(guard(pc), pc);
   ROB_NEXT(1);
@@ -282,12 +308,21 @@ answer:  // stands in code that is jumped over
 stop:
   ROB_ASK(machine_.stop(line(pc)), pc);
   ROB_NEXT(1);
+zero_force:
+  ROB_ASK(machine_.zero_force(line(pc)), pc);
+  ROB_NEXT(1);
 brake:
   ROB_ASK(machine_.brake(line(pc)), pc);
   ROB_NEXT(1);
 teach:
   ROB_ASK(teach(pc), pc);
   ROB_NEXT(3);
+halt:
+  ROB_ASK(machine_.halt(line(pc), texts_[pc->a()]), pc);
+  ROB_NEXT(1);
+ask:
+  ROB_ASK(ask(pc), pc);
+  ROB_NEXT(2);
 wait:
   if (!check_wait(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
   ROB_ASK(machine_.wait(line(pc), n[pc->a()].real), pc);
@@ -316,14 +351,8 @@ call_test : {
 expect_failed:
   ROB_ASK(machine_.expectation_failed(line(pc), texts_[pc->a()]), pc);
   ROB_NEXT(1);
-simulate:
-  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
-  ROB_ASK(simulate(pc, n[pc->a()].integer != 0 ? 1 : 0), pc);
-  ROB_NEXT(1);
-simulate_analog:
-  if (!check_after(pc, n[pc->a() + 1].real)) return fail(pc, std::move(error_));
-  ROB_ASK(simulate(pc, n[pc->a()].real), pc);
-  ROB_NEXT(1);
+#include "lang/vm_simulate.inc"
+#include "lang/vm_tasks.inc"
 open_try:
   if (!open_try(pc)) return fail_tries_too_deep(pc);
   ROB_NEXT(2);

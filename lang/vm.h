@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "lang/diagnostic.h"
 #include "lang/machine.h"
 #include "lang/random.h"
+#include "lang/task_memory.h"
 
 namespace rob::lang {
 
@@ -32,15 +34,15 @@ struct RuntimeError {
 };
 
 /// The longest text that a program can build, in bytes. [choice] far more than a line to be read,
-/// and with at most kTextStack text registers a program never holds more than 64 MiB of text,
-/// and those of kMostTries errors.
+/// and with at most kTextStack text registers and kMemory.texts in arrays and records a program
+/// never holds more than 320 MiB of text, and those of kMostTries errors.
 inline constexpr std::size_t kMostText = 65536;
 
-/// How deep calls may be nested, and the registers of all of them together. [choice] a recursion
-/// that goes deeper has most probably no end; the stack takes 512 KiB.
+/// How deep calls may be nested. [choice] a recursion that goes deeper has most probably no end.
 inline constexpr std::size_t kMostCalls = 1000;
-inline constexpr std::size_t kNumberStack = 65536;
-inline constexpr std::size_t kTextStack = 1024;
+/// What the budget gives for one instruction on long blocks. [choice] copying them takes about as
+/// long as an instruction does.
+inline constexpr std::uint32_t kSlotsAnInstruction = 16;
 /// WHENs that can be armed at once. [choice] more than a person keeps in mind; all are looked at in
 /// every control cycle.
 inline constexpr std::size_t kMostWhens = 16;
@@ -75,6 +77,13 @@ class Vm {
 
   /// `seed` is where RANDOM begins.
   Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed = Random::kDefaultSeed);
+
+  /// A TASK, by its number, in the memory that they share; run(), state(), error() and executed()
+  /// are for it as for a program.
+  Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memory,
+     std::uint64_t seed);
+  Vm(const Vm&) = delete;
+  Vm& operator=(const Vm&) = delete;
 
   /// Instead of the program: its declarations, then one of Chunk::tests. Before the first run().
   void choose_test(std::size_t test);
@@ -125,6 +134,11 @@ class Vm {
   bool enter(Code pc) { return enter(pc, (pc + 1)->word, pc + 2); }
   bool enter(Code pc, std::uint32_t routine, Code back);
   bool enter_test(Code pc) { return enter(pc, test_, pc + 1); }
+  /// Memory for the frame of a routine, or of the top level; false if there is not so much left.
+  bool reserve(Code pc);
+  State fail_memory(Code pc);
+  void charge(std::uint32_t slots) { budget_ -= slots / kSlotsAnInstruction; }
+  bool append_memory(Code pc);
   /// Back to the caller's frame; where its code goes on.
   Code leave_routine();
   /// A loop turns: pays for the instructions up to here; false if the budget is used up.
@@ -141,11 +155,20 @@ class Vm {
   Reply read(Code pc);
   /// Whether the `read` at `pc` is an observation that belongs to the next cycle.
   bool waits_for_cycle(Code pc) const;
+  Reply forward(Code pc);
+  Reply inverse(Code pc);
+  Reply live_pace(Code pc);
+  Reply simulate_force(Code pc);
+  /// False, with error_ set, if HITPOSE is read before the first guarded motion.
+  bool check_hit_pose(Code pc);
   Reply stand(Code pc);
   Reply guard(Code pc);
   Reply ended(Code pc);
   Reply simulate(Code pc, double value);
   Reply teach(Code pc);
+  Reply ask(Code pc);
+  Reply publish(Code pc);
+  Reply refresh(Code pc);
   Reply when(Code pc);
   /// Disarms the WHENs beyond the first `kept`.
   Reply disarm(int line, std::size_t kept);
@@ -156,8 +179,20 @@ class Vm {
   bool check_place(Code pc);
   State fail_timeout(Code pc);
 
+  // WITH, PRESS, OVERRIDE (vm_surroundings.cpp)
+  void enter_setting(Code pc);
+  void leave_settings(int line, std::size_t kept);
+  PressCommand press_of(Code pc) const;
+  /// Ends the PRESSes beyond the first `kept`.
+  Reply end_presses(int line, std::size_t kept);
+  /// False, with error_ set, if an OVERRIDE turned out to be none.
+  bool check_override(Code pc, double share);
+  /// The same if the force of a PRESS is no direction, or its LIMIT not above zero.
+  bool check_press(Code pc);
+
   // Motions (vm_motion.cpp): false, with error_ set, if a value turned out to be impossible.
   bool build(Code pc, MoveCommand& command);
+  MoveCommand build_plain(Code pc) const;
   bool choose_axis(Code pc, Slot axis, MoveCommand& command);
   bool build_clauses(Code pc, const MoveForm& form, const Slot* next, MoveCommand& command);
   bool check_zone(Code pc, double value, Dimension dimension);
@@ -185,7 +220,7 @@ class Vm {
   State fail_assertion_at(Code pc);
 
   Place place(Code pc) const { return chunk_.places[index(pc)]; }
-  int line(Code pc) const { return static_cast<int>(place(pc).line); }
+  int line(Code pc) const { return line_tag(place(pc)); }
   std::size_t index(Code pc) const { return static_cast<std::size_t>(pc - chunk_.code.data()); }
 
   const Chunk& chunk_;
@@ -196,22 +231,32 @@ class Vm {
     Slot* numbers;
     std::string* texts;
     std::uint32_t routine;
+    Slots memory;  ///< that was taken
   };
 
   /// A TRY block that is open, or whose RESCUE runs.
   struct Guard {
     Code rescue;
-    std::size_t depth;  ///< calls that were open
-    std::uint8_t why;   ///< text register
-    bool caught;        ///< the RESCUE runs: it catches nothing more
-    std::size_t armed;  ///< WHENs that were armed
+    std::size_t depth;     ///< calls that were open
+    std::uint8_t why;      ///< text register
+    bool caught;           ///< the RESCUE runs: it catches nothing more
+    std::size_t armed;     ///< WHENs that were armed
+    std::size_t settings;  ///< WITHs that were open
+    std::size_t presses;   ///< PRESSes that were open
     RuntimeError error{};
   };
   std::vector<Guard> guards_;
   bool rescuing_ = false;  ///< error_ is on its way to a RESCUE
 
-  std::vector<Slot> number_stack_;  ///< the frame of the top level is the first
-  std::vector<std::string> text_stack_;
+  std::vector<Slot> own_numbers_;  ///< of a TASK: none
+  std::vector<std::string> own_texts_;
+  /// The stacks: registers, the frame of the top level first; then memory, in the same order. What
+  /// a TASK sees of them ends with a part of its own.
+  std::span<Slot> number_stack_;
+  std::span<std::string> text_stack_;
+  Slots registers_;          ///< where registers end
+  Slots memory_;             ///< how much of what lies behind them is taken
+  bool background_ = false;  ///< a TASK
   std::vector<Frame> frames_;
   std::size_t depth_ = 0;  ///< calls that are open
   Slot* numbers_;          ///< the registers of the present frame
@@ -241,8 +286,12 @@ class Vm {
   };
   std::array<Armed, kMostWhens> armed_;
   std::size_t armed_count_ = 0;
-  bool hit_ = false;       ///< the last guarded motion was ended by its guard
-  bool observed_ = false;  ///< the world was observed in the present cycle
+  std::vector<Setting> settings_;  ///< of the WITHs that are open
+  std::size_t presses_ = 0;        ///< that are open
+  std::string misread_;            ///< why the last answer to the present ASK could not be taken
+  bool guarded_ = false;           ///< a guarded motion has ended
+  bool hit_ = false;               ///< the last guarded motion was ended by its guard
+  bool observed_ = false;          ///< the world was observed in the present cycle
 };
 
 // In every call: here, so that the dispatch loop has them in line.
@@ -251,12 +300,12 @@ inline bool Vm::enter(Code pc, std::uint32_t number, Code back) {
   const RoutineCode& routine = chunk_.routines[number];
   Slot* const numbers = numbers_ + pc->a();
   std::string* const texts = texts_ + pc->b();
-  const auto left = number_stack_.data() + number_stack_.size() - numbers;
-  const auto texts_left = text_stack_.data() + text_stack_.size() - texts;
+  const auto left = number_stack_.data() + registers_.numbers - numbers;
+  const auto texts_left = text_stack_.data() + registers_.texts - texts;
   if (depth_ == frames_.size() || left < routine.registers || texts_left < routine.text_registers) {
     return false;
   }
-  frames_[depth_++] = {back, numbers_, texts_, number};
+  frames_[depth_++] = {back, numbers_, texts_, number, memory_};
   numbers_ = numbers;
   texts_ = texts;
   if (called_in_[number] == cycle_) turned_ = true;
@@ -268,6 +317,7 @@ inline Vm::Code Vm::leave_routine() {
   const Frame& frame = frames_[--depth_];
   numbers_ = frame.numbers;
   texts_ = frame.texts;
+  memory_ = frame.memory;
   return frame.back;
 }
 

@@ -12,7 +12,13 @@ namespace rob::lang {
 bool Vm::open_try(Code pc) {
   if (guards_.size() == kMostTries) return false;
   const Code jump = pc + 1;
-  guards_.push_back({jump + 1 + jump->distance(), depth_, pc->a(), false, armed_count_});
+  guards_.push_back({.rescue = jump + 1 + jump->distance(),
+                     .depth = depth_,
+                     .why = pc->a(),
+                     .caught = false,
+                     .armed = armed_count_,
+                     .settings = settings_.size(),
+                     .presses = presses_});
   return true;
 }
 
@@ -30,10 +36,13 @@ Vm::State Vm::raise_again(Code pc) {
 }
 
 bool Vm::rescue() {
-  if (machine_.settle(static_cast<int>(error_.place.line)) != Reply::Done) return false;
+  if (machine_.settle(line_tag(error_.place)) != Reply::Done) return false;
   while (guards_.back().caught) guards_.pop_back();
   Guard& guard = guards_.back();
-  if (disarm(static_cast<int>(error_.place.line), guard.armed) != Reply::Done) return false;
+  const int line = line_tag(error_.place);
+  if (disarm(line, guard.armed) != Reply::Done) return false;
+  if (end_presses(line, guard.presses) != Reply::Done) return false;
+  leave_settings(line, guard.settings);
   rescuing_ = false;
   guard.caught = true;
   while (depth_ > guard.depth) leave_routine();

@@ -5,16 +5,31 @@
 #include <fmt/core.h>
 
 #include "lang/codes.h"
+#include "lang/value_text.h"
 #include "lang/vm.h"
 
 /// The part of Vm that knows frames, and what it says when something goes wrong.
 namespace rob::lang {
+namespace {
+
+Slots registers_of(const Chunk& chunk) {
+  if (chunk.routines.empty()) return {kMostRegisters, kMostRegisters};
+  return {static_cast<int>(kNumberStack), static_cast<int>(kTextStack)};
+}
+
+/// Without memory in routines, what the top level takes is all.
+Slots memory_of(const Chunk& chunk) { return takes_memory(chunk) ? kMemory : chunk.memory; }
+
+}  // namespace
 
 Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
     : chunk_(chunk),
       machine_(machine),
-      number_stack_(chunk.routines.empty() ? kMostRegisters : kNumberStack),
-      text_stack_(chunk.routines.empty() ? kMostRegisters : kTextStack),
+      own_numbers_(static_cast<std::size_t>((registers_of(chunk) + memory_of(chunk)).numbers)),
+      own_texts_(static_cast<std::size_t>((registers_of(chunk) + memory_of(chunk)).texts)),
+      number_stack_(own_numbers_),
+      text_stack_(own_texts_),
+      registers_(registers_of(chunk)),
       frames_(chunk.routines.empty() ? 0 : kMostCalls),
       numbers_(number_stack_.data()),
       texts_(text_stack_.data()),
@@ -24,6 +39,32 @@ Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
       paid_(next_),
       random_(seed),
       latched_random_(random_) {}
+
+bool Vm::reserve(Code pc) {
+  const Slots place = registers_ + memory_;
+  const Slots end =
+      place + Slots{static_cast<int>((pc + 1)->word), static_cast<int>((pc + 2)->word)};
+  if (end.numbers > static_cast<int>(number_stack_.size()) ||
+      end.texts > static_cast<int>(text_stack_.size())) {
+    return false;
+  }
+  numbers_[pc->a()].integer = place.numbers;
+  numbers_[pc->a() + 1].integer = place.texts;
+  memory_ = {end.numbers - registers_.numbers, end.texts - registers_.texts};
+  return true;
+}
+
+bool Vm::append_memory(Code pc) {
+  std::string& text = texts_[pc->a()];
+  const std::size_t before = text.size();
+  const Type& type = chunk_.types[(pc + 1)->word];
+  const Slots slots = slots_of(type);
+  const bool fits =
+      append_value_text(text, type, slots.numbers > 0 ? place_of(numbers_[pc->b()], 0) : nullptr,
+                        slots.texts > 0 ? text_place_of(numbers_[pc->c()], 0) : nullptr, kMostText);
+  charge(static_cast<std::uint32_t>(text.size() - before));
+  return fits;
+}
 
 Vm::State Vm::run(std::int64_t budget) {
   if (state_ == State::Done || state_ == State::Failed || circling_ != 0) return state_;
@@ -100,6 +141,17 @@ Vm::State Vm::fail_calls_too_deep(Code pc) {
                    .place = place(pc),
                    .message = fmt::format("the calls are nested too deep: at most {}", kMostCalls),
                    .help = "a routine that calls itself needs a way that does not"});
+}
+
+Vm::State Vm::fail_memory(Code pc) {
+  return fail(pc,
+              {.code = std::string(code::kCallsTooDeep),
+               .place = place(pc),
+               .message = fmt::format("the calls need more memory for arrays and records than "
+                                      "there is: {} numbers and {} texts",
+                                      static_cast<int>(number_stack_.size()) - registers_.numbers,
+                                      static_cast<int>(text_stack_.size()) - registers_.texts),
+               .help = "REF passes an array without copying it"});
 }
 
 Vm::State Vm::fail_no_value(Code pc) {

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "lang/answer.h"
 #include "lang/codes.h"
 #include "lang/number_text.h"
 #include "lang/pose_slots.h"
@@ -91,6 +92,23 @@ bool Vm::check_pulse(Code pc, double seconds) {
 Reply Vm::teach(Code pc) {
   return machine_.teach(line(pc), chunk_.texts[(pc + 1)->word], chunk_.texts[(pc + 2)->word],
                         load_pose(&numbers_[pc->a()]));
+}
+
+/// What cannot be read is asked again, and said why.
+Reply Vm::ask(Code pc) {
+  const Type& type = chunk_.types[(pc + 1)->word];
+  std::string text = texts_[pc->a()];
+  if (!misread_.empty()) text = fmt::format("{}; {}", misread_, text);
+  std::optional<std::string> answer;
+  const Reply reply = machine_.ask(line(pc), text, answer);
+  if (reply == Reply::Later) return reply;
+  misread_.clear();
+  if (reply == Reply::Refused || !answer) return reply;
+  const bool read = type.is(Type::Kind::String) ? read_answer(*answer, texts_[pc->b()])
+                                                : read_answer(*answer, type, numbers_[pc->b()]);
+  if (read) return Reply::Done;
+  misread_ = misread_answer(*answer, type);
+  return Reply::Later;
 }
 
 Reply Vm::simulate(Code pc, double value) {

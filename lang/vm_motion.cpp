@@ -39,7 +39,9 @@ bool Vm::build(Code pc, MoveCommand& command) {
   const MoveForm& form = chunk_.moves[pc->x()];
   const Slot* next = &numbers_[pc->a()];
   command.kind = form.kind;
+  command.jog = form.jog;
   command.means = form.means;
+  command.in_frame = form.in_frame;
   command.relative = form.relative;
   command.count = form.count;
   command.given = form.given;
@@ -47,7 +49,27 @@ bool Vm::build(Code pc, MoveCommand& command) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(form.count); ++i) {
     if ((command.given >> i & 1) != 0) command.target[i] = (next++)->real;
   }
+  if (form.kind == MotionKind::Spiral) {
+    command.radius = (next++)->real;
+    command.turns = (next++)->real;
+    if (!check_positive(pc, "FROM", command.radius, kLength) ||
+        !check_positive(pc, "TURNS", command.turns, kNone)) {
+      return false;
+    }
+  }
   return build_clauses(pc, form, next, command);
+}
+
+MoveCommand Vm::build_plain(Code pc) const {
+  const MoveForm& form = chunk_.moves[pc->x()];
+  MoveCommand command{.kind = form.kind, .count = form.count, .given = form.given};
+  Code next = pc + 1;
+  for (int i = 0; i < form.count; ++i) {
+    if (!command.has(i)) continue;
+    command.target[static_cast<std::size_t>(i)] = real_at(next);
+    next += 2;
+  }
+  return command;
 }
 
 bool Vm::choose_axis(Code pc, Slot axis, MoveCommand& command) {
@@ -91,9 +113,13 @@ bool Vm::build_clauses(Code pc, const MoveForm& form, const Slot* next, MoveComm
     if (!check_positive(pc, "JERK", command.jerk_value, tool ? kJerk : kAngularJerk)) return false;
   }
   command.zone = form.zone;
-  if (form.zone == MoveCommand::Zone::Unspecified) return true;
-  command.zone_value = next->real;
-  return check_zone(pc, command.zone_value, dimension_of(form.zone));
+  if (form.zone != MoveCommand::Zone::Unspecified) {
+    command.zone_value = (next++)->real;
+    if (!check_zone(pc, command.zone_value, dimension_of(form.zone))) return false;
+  }
+  if (!form.lasts) return true;
+  command.lasts = next->real;
+  return check_positive(pc, "FOR", command.lasts, kTime);
 }
 
 bool Vm::check_zone(Code pc, double value, Dimension dimension) {

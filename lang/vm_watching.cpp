@@ -19,10 +19,19 @@ Reply Vm::guard(Code pc) {
   return machine_.guard(line(pc), watch);
 }
 
+Reply Vm::live_pace(Code pc) {
+  Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
+  std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
+  return machine_.live_pace(line(pc), watch, static_cast<MoveCommand::Pace>((pc + 1)->word));
+}
+
 Reply Vm::ended(Code pc) {
   bool hit = false;
   const Reply reply = machine_.ended(line(pc), hit);
-  if (reply != Reply::Later) hit_ = hit;
+  if (reply != Reply::Later) {
+    hit_ = hit;
+    guarded_ = true;
+  }
   if (reply == Reply::Done) {
     numbers_[pc->a()].integer = hit ? 1 : 0;
     observed_ = true;
@@ -76,7 +85,10 @@ bool Vm::check_place(Code pc) {
   return false;
 }
 
-void Vm::interrupt(RuntimeError error) { state_ = fail(next_, std::move(error)); }
+void Vm::interrupt(RuntimeError error) {
+  misread_.clear();
+  state_ = fail(next_, std::move(error));
+}
 
 Vm::State Vm::fail_too_many_whens(Code pc) {
   return fail(pc,

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <vector>
+
 #include "lang/ast.h"
 #include "lang/diagnostic.h"
 #include "lang/expression_checker.h"
+#include "lang/routine_uses.h"
 
 namespace rob::lang {
 
@@ -13,15 +16,22 @@ class WaitChecker {
   WaitChecker(ExpressionChecker& expressions, Diagnostics& diagnostics)
       : expressions_(expressions), diagnostics_(diagnostics) {}
 
-  void check(Wait& wait);
+  /// `routine`: that it belongs to; null at the top level.
+  void check(Wait& wait, const Routine* routine);
+  /// Where all is checked, and it is known what TASKs change: a WAIT for what nothing can change.
+  void report_hopeless(const RoutineUses& uses);
 
  private:
   void check_time(const Wait& wait);
-  void check_condition(const Wait& wait);
+  struct Condition {
+    const Expr* expression;
+    const Routine* routine;
+  };
   void check_not_negative(const Expr& time, const char* word);
 
   ExpressionChecker& expressions_;
   Diagnostics& diagnostics_;
+  std::vector<Condition> hopeless_;  ///< read nothing from the world
 };
 
 }  // namespace rob::lang

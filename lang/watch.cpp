@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 
 #include "lang/builtins.h"
+#include "lang/pose_functions.h"
 
 namespace rob::lang {
 
@@ -77,6 +79,22 @@ Error Evaluation::step() noexcept {
     case Opcode::read_analog:
       a().real = world_.analog(pc_->x());
       return next(1);
+    case Opcode::read:
+      world_.read(static_cast<Reading>(pc_->b()), &a());
+      return next(1);
+    case Opcode::copy_block:
+      std::memmove(&a(), &b(), pc_->c() * sizeof(Slot));
+      return next(1);
+    case Opcode::equal_block:
+      a().integer = std::memcmp(&b(), &c(), (pc_ + 1)->word * sizeof(Slot)) == 0 ? 1 : 0;
+      return next(2);
+    case Opcode::pose_product:
+      return passed(pose_functions::product(&b(), &c(), &a()));
+    case Opcode::pose_transform:
+      return passed(pose_functions::transformed(&b(), &c(), &a()));
+    case Opcode::pose_angle:
+      pose_functions::angle(&b(), pc_->c(), a());
+      return next(1);
     case Opcode::jump:
       return next(1 + pc_->distance());
     case Opcode::if_bool:
@@ -138,6 +156,12 @@ bool is_watchable(Opcode opcode) {
     case Opcode::int_to_real:
     case Opcode::read_signal:
     case Opcode::read_analog:
+    case Opcode::read:
+    case Opcode::copy_block:
+    case Opcode::equal_block:
+    case Opcode::pose_product:
+    case Opcode::pose_transform:
+    case Opcode::pose_angle:
     case Opcode::jump:
     case Opcode::if_bool:
     case Opcode::if_equal_int:

@@ -28,6 +28,8 @@ class WatchedWorld {
   /// By its index in the RobotSignature.
   virtual bool signal(int signal) const noexcept = 0;
   virtual double analog(int signal) const noexcept = 0;  ///< V
+  /// As Machine::read() of an observation, in this cycle.
+  virtual void read(Reading what, Slot* value) const noexcept = 0;
 };
 
 struct WatchResult {

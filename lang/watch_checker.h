@@ -20,6 +20,8 @@ class WatchChecker {
   void check_until(const ExprPtr& condition);
   /// The condition of a WHEN, and what it does, which has been checked as a statement before.
   void check_when(const When& when);
+  /// The pace of an AT LIVE, which has been checked as that of an AT before.
+  void check_live(const Expr& pace);
   /// A path event; its action has been checked as a statement before.
   void check_event(const WayPoint& event);
 
@@ -27,6 +29,10 @@ class WatchChecker {
   bool check_condition(const ExprPtr& condition, std::string_view word);
   void check_action(const Statement& action, std::string_view word);
   bool check_watchable(const Expr& expression, std::string_view word);
+  bool check_parts(const Expr& expression, std::string_view word);
+  bool check_call(const Call& call, Place place, std::string_view word);
+  bool refuse(std::string_view code, Place place, std::string_view word, std::string_view what,
+              const char* help);
 
   ExpressionChecker& expressions_;
   Diagnostics& diagnostics_;

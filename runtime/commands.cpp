@@ -17,6 +17,7 @@
 #include "runtime/program/load.h"
 #include "runtime/program/progress.h"
 #include "runtime/program/run.h"
+#include "runtime/program/terminal.h"
 #include "runtime/program/text_report.h"
 #include "runtime/test_files.h"
 
@@ -42,6 +43,7 @@ RunListener listener_of(const Options& options, Progress& progress) {
     progress.clear();
     put_message("rob: " + message + "\n");
   };
+  listener.consult = [&](const Note& note, int line) { progress.consult(note, line); };
   if (options.json) return listener;
   listener.print = [&](const std::string& text) {
     progress.clear();
@@ -58,9 +60,10 @@ RunResult run_one(const LoadedProgram& program, const Options& options,
   if (script.diagnostics.has_errors()) return refused(script, robot);
   const double planned =
       isatty(STDERR_FILENO) != 0 ? foretell(program, robot, options.seed, &script).planned : 0;
-  Progress progress(planned / options.override_share, options.override_share);
-  const RunOptions run_options{options.fast, options.override_share, options.trace, options.seed,
-                               &script};
+  Progress progress(planned / options.override_share, options.override_share, used_names(program));
+  Terminal terminal(options.fast);
+  const RunOptions run_options{
+      options.fast, options.override_share, options.trace, options.seed, &script, &terminal};
   RunResult result = run(program, robot, run_options, listener_of(options, progress));
   progress.clear();
   return result;
@@ -88,14 +91,18 @@ std::vector<SignalScript> load_scripts(const Options& options,
 std::string problems_text(const RunResult& result, const LoadedProgram& program,
                           const SignalScript& script) {
   const bool in_script = program.runnable() && script.diagnostics.has_errors();
-  return problems_text(result, in_script ? script.source : program.source);
+  return in_script ? problems_text(result, script.source)
+                   : problems_text(result, program.source, program.compilation.used);
 }
 
 ExitCode run_files(const Options& options) {
   ExitCode worst = ExitCode::Done;
   std::vector<Json> documents;
   std::vector<LoadedProgram> programs = load_programs(options);
-  for (LoadedProgram& program : programs) refuse_missing_points(program);
+  for (LoadedProgram& program : programs) {
+    refuse_missing_points(program);
+    refuse_robot_without_kinematics(program);
+  }
   const std::vector<SignalScript> scripts = load_scripts(options, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
     const LoadedProgram& program = programs[i];
@@ -147,7 +154,7 @@ ExitCode compile_files(const Options& options) {
   ExitCode worst = ExitCode::Done;
   for (const LoadedProgram& program : load_programs(options)) {
     for (const lang::Diagnostic& found : program.compilation.diagnostics.all()) {
-      put_message(lang::render(found, program.file, program.source));
+      put_message(lang::render(found, program.file, program.source, program.compilation.used));
     }
     if (!program.runnable()) {
       worst = ExitCode::ProgramError;
@@ -169,6 +176,11 @@ std::string describe(const motion::RobotModel& robot) {
     signals += fmt::format(" {} ({})", signal.name, signal.output ? "output" : "input");
   }
   text += signals.empty() ? "" : "    signals:" + signals + "\n";
+  if (robot.force_sensor) text += "    measures forces and torques on its tool\n";
+  if (robot.kinematics == nullptr) {
+    return text +
+           "    cannot be run in this version yet; programs for it are compiled and checked\n";
+  }
   return text + "    MOVE under Paul's law; simulated\n";
 }
 

@@ -27,7 +27,7 @@ Outcome test_file(const LoadedProgram& program, const Options& options) {
   const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) {
     const RunResult result = refused(program, robot);
-    put_message(problems_text(result, program.source));
+    put_message(problems_text(result, program.source, program.compilation.used));
     return {{{"status", result.status},
              {"file", program.file},
              {"ok", 0},
@@ -49,7 +49,10 @@ ExitCode test_files(const Options& options) {
   std::vector<LoadedProgram> programs;
   for (const std::string& file : options.files)
     programs.push_back(load_program(file, options.robot));
-  for (LoadedProgram& program : programs) refuse_missing_points(program);
+  for (LoadedProgram& program : programs) {
+    refuse_missing_points(program);
+    refuse_robot_without_kinematics(program);
+  }
   ExitCode code = ExitCode::Done;
   Json documents = Json::array();
   for (const LoadedProgram& program : programs) {

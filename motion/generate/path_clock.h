@@ -25,6 +25,9 @@ class PathClock {
   /// 0 < share <= 1; what is above counts as 1, what is no positive number changes nothing.
   void set_override(double share) noexcept;
 
+  /// The axes stand: what set_override() asks for holds from this stamp on.
+  void jump() noexcept { ramp_.jump(holding_ || braking_ ? 0 : override_); }
+
   /// Whether the time scale does not change.
   bool steady() const noexcept { return ramp_.remaining() == 0; }
   /// Only while steady: how fast it may change from now on.

@@ -77,9 +77,17 @@ void PaulGenerator::resume() noexcept {
 void PaulGenerator::set_override(double share) noexcept {
   const double before = clock_.override_share();
   clock_.set_override(share);
+  if (stands()) clock_.jump();
   if (!dwelling()) return;
   const double rest = end_ - clock_.path_time();
   end_ = milestone_ = clock_.path_time() + rest * (clock_.override_share() / before);
+}
+
+bool PaulGenerator::stands() const noexcept {
+  const double now = clock_.path_time();
+  if (!running_ || segment_.dwell) return false;  // the clock knows
+  if (segment_.no_length && now >= end_ - kSameInstant) return true;
+  return from_rest_ && now <= end_ - segment_.span() + kSameInstant;
 }
 
 void PaulGenerator::adapt_clock() noexcept {
@@ -193,6 +201,7 @@ void PaulGenerator::fail(const SegmentDescriptor& segment, int axis, double inst
 void PaulGenerator::begin(const SegmentDescriptor& segment, double instant) noexcept {
   if (segment.dwell) return begin_dwell(segment, instant);
   const bool from_rest = !running_ || segment_.no_length;
+  from_rest_ = from_rest;
   const JointVector b = segment_.target;
   const JointVector a = running_ && !segment_.dwell ? path_.sample(exit()).q : b;
   path_ = PaulTransition(a, b, segment.target, segment.duration, t_acc_);

@@ -117,6 +117,8 @@ class PaulGenerator final : public TrajectoryGenerator {
   /// Braking for an error of the program.
   bool failing() const noexcept { return clock_.braking() && rest_.by != nullptr; }
   bool dwelling() const noexcept { return running_ && segment_.dwell; }
+  /// At the very beginning of a motion from rest, or at the end of a stop.
+  bool stands() const noexcept;
   double exit() const noexcept {
     return segment_.dwell ? end_ - zero_ : segment_.duration - segment_.t_acc;
   }
@@ -136,12 +138,13 @@ class PaulGenerator final : public TrajectoryGenerator {
   SegmentDescriptor segment_;
   PaulTransition path_;
   bool running_ = false;
-  bool inserted_ = false;  ///< a stop of its own, for want of a successor
-  double tightest_;        ///< the least t_acc that clock_ can hold in
-  double t_acc_;           ///< half the transition around segment_.target: t_B of the next
-  double zero_ = 0;        ///< path time at t = 0
-  double end_ = 0;         ///< path time of the decision instant
-  double milestone_ = 0;   ///< path time at which the effects up to number `passing_` are due
+  bool from_rest_ = false;  ///< segment_ began at standstill
+  bool inserted_ = false;   ///< a stop of its own, for want of a successor
+  double tightest_;         ///< the least t_acc that clock_ can hold in
+  double t_acc_;            ///< half the transition around segment_.target: t_B of the next
+  double zero_ = 0;         ///< path time at t = 0
+  double end_ = 0;          ///< path time of the decision instant
+  double milestone_ = 0;    ///< path time at which the effects up to number `passing_` are due
   std::uint32_t passing_ = 0;
   std::uint32_t passed_ = 0;  ///< effects up to this number are due
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "motion/robots/time_scaling.h"
 
@@ -39,7 +40,9 @@ double greatest_tool_speed(const RobotModel& robot) {
 MotionPlanner::MotionPlanner(const RobotModel& robot, const JointVector& start) noexcept
     : robot_(robot),
       least_t_acc_(least_t_acc(robot)),
-      tool_speed_(greatest_tool_speed(robot)),
+      linear_speed_(greatest_tool_speed(robot)),
+      tool_speed_(linear_speed_),
+      arms_(JointVector::Zero(start.size())),
       commanded_(start),
       t_acc_before_(robot.t_acc) {}
 
@@ -59,9 +62,31 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request) noexcept {
 double MotionPlanner::way(const MotionRequest& request) const noexcept {
   const std::array<double, kMaxJoints> wanted = absolute(request);
   if (check_target(robot_, request.given, wanted)) return 0;
-  const Eigen::Vector3d from = robot_.kinematics->forward(commanded_).position;
-  const Eigen::Vector3d to = robot_.kinematics->forward(complete(request.given, wanted)).position;
-  return (to - from).norm();
+  return tool_distance(complete(request.given, wanted));
+}
+
+double MotionPlanner::swing(const MotionRequest& request) const noexcept {
+  const std::array<double, kMaxJoints> wanted = absolute(request);
+  if (check_target(robot_, request.given, wanted)) return 0;
+  return swing_to(complete(request.given, wanted));
+}
+
+/// Half a turn of an axis moves the tip by twice its distance from it.
+void MotionPlanner::set_tool(const Pose& tool) noexcept {
+  tip_ = tool.position;
+  tool_speed_ = linear_speed_;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
+    if (axis.kind != AxisKind::Rotary || tip_.isZero(0)) {
+      arms_[i] = 0;
+      continue;
+    }
+    JointVector turned = commanded_;
+    turned[i] += std::numbers::pi;
+    const double arm = (tip(turned) - tip(commanded_)).norm() / 2;
+    arms_[i] = arm > kLimitTolerance ? arm : 0;
+    tool_speed_ += arms_[i] * axis.v_max;
+  }
 }
 
 std::optional<SegmentDescriptor> MotionPlanner::stop(Tag tag) noexcept {
@@ -121,7 +146,7 @@ MotionPlanner::Timing MotionPlanner::time(const JointVector& target,
   timing.duration = std::max(timing.duration, paced / boost_);
 
   const double asked = std::max(timing.duration, request.at_least / boost_);
-  timing.t_acc = corner_time(tool_distance(target), asked, request);
+  timing.t_acc = corner_time(greatest_way(target), asked, request);
   if (timing.t_acc < least_t_acc_) {
     timing.t_acc = least_t_acc_;
     timing.warnings |= PlannedSegment::kZoneRaised;
@@ -165,9 +190,24 @@ double MotionPlanner::zone_time(double distance, double duration, double zone) c
   return std::sqrt(half * half + k * t_acc_before_ / v) - half;
 }
 
+Eigen::Vector3d MotionPlanner::tip(const JointVector& q) const noexcept {
+  const Pose flange = robot_.kinematics->forward(q);
+  if (tip_.isZero(0)) return flange.position;
+  return flange.position + flange.orientation * tip_;
+}
+
 double MotionPlanner::tool_distance(const JointVector& target) const noexcept {
+  return (tip(target) - tip(commanded_)).norm();
+}
+
+double MotionPlanner::swing_to(const JointVector& target) const noexcept {
+  return arms_.dot((target - commanded_).cwiseAbs());
+}
+
+/// What the tip covers at most: the flange's way, and what it swings around it.
+double MotionPlanner::greatest_way(const JointVector& target) const noexcept {
   const Eigen::Vector3d from = robot_.kinematics->forward(commanded_).position;
-  return (robot_.kinematics->forward(target).position - from).norm();
+  return (robot_.kinematics->forward(target).position - from).norm() + swing_to(target);
 }
 
 double MotionPlanner::pace_time(const JointVector& delta, const JointVector& target,

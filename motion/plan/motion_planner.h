@@ -9,6 +9,7 @@
 #include "motion/plan/motion_request.h"
 #include "motion/plan/segment_descriptor.h"
 #include "motion/robots/robot_model.h"
+#include "motion/space/pose.h"
 
 namespace rob::motion {
 
@@ -33,6 +34,8 @@ using PlanOutcome = std::variant<PlannedSegment, Refusal>;
 /// transitions take 2·t_B and 2·t_C, is
 ///
 ///   T1 = max{ |ΔC_i|/v_i,max ; t_B + t_C ; T_user ; what AT asks for }
+///
+/// The tool is the tip that set_tool() names, at first the flange.
 ///
 /// t_C is the robot's t_acc or what ZONE asks for: a time, a share of the robot's, or for a length
 /// z the time after which the tool misses C by z at most, whatever follows, and at most the
@@ -61,6 +64,14 @@ class MotionPlanner {
   /// How long the leg of a request would be: the way of the tool, m; 0 where it does not move or
   /// the request would be refused.
   double way(const MotionRequest& request) const noexcept;
+
+  /// How far the tip can swing beside the straight line between the ends of the request, m: what
+  /// the rotary axes turn, times how far the tip is from them; 0 where the request would be
+  /// refused.
+  double swing(const MotionRequest& request) const noexcept;
+
+  /// From here on `tip`, seen from the flange, is the tool.
+  void set_tool(const Pose& tip) noexcept;
 
   /// The request as a segment; a refusal leaves everything as it was.
   PlanOutcome plan(const MotionRequest& request) noexcept;
@@ -99,7 +110,10 @@ class MotionPlanner {
   Timing time(const JointVector& target, const MotionRequest& request) const noexcept;
   double corner_time(double distance, double duration, const MotionRequest& request) const noexcept;
   double zone_time(double distance, double duration, double zone) const noexcept;
+  Eigen::Vector3d tip(const JointVector& q) const noexcept;
   double tool_distance(const JointVector& target) const noexcept;
+  double swing_to(const JointVector& target) const noexcept;
+  double greatest_way(const JointVector& target) const noexcept;
   double pace_time(const JointVector& delta, const JointVector& target,
                    const MotionRequest& request) const noexcept;
   double named_axes_time(const JointVector& delta, MotionRequest::Pace pace) const noexcept;
@@ -108,7 +122,10 @@ class MotionPlanner {
 
   const RobotModel& robot_;
   const double least_t_acc_;
-  const double tool_speed_;  ///< the greatest that the linear axes make together
+  const double linear_speed_;  ///< the greatest that the linear axes make together
+  double tool_speed_;          ///< the same with what the rotary axes make of the tool
+  Eigen::Vector3d tip_ = Eigen::Vector3d::Zero();  ///< of the tool, seen from the flange
+  JointVector arms_;  ///< how far the tip is from the rotary axes, m; 0 of linear ones
   JointVector commanded_;
   double t_acc_before_;  ///< t_B of the next segment
   bool exact_ = true;    ///< the last target is reached exactly

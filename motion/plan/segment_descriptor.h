@@ -20,9 +20,13 @@ struct Effect {
     Pulse,
     Simulate,
     SimulateAnalog,
+    SimulateGo,
+    SimulateAnswer,  ///< `id`
     Note,
-    Arm,    ///< `watched` is asked from here on
-    Disarm  ///< and no longer, whether it was armed or not
+    Override,  ///< from here on the path's time runs at `share`
+    Report,    ///< `id`: the asker learns that its turn has come, or that it is dropped
+    Arm,       ///< `watched` is asked from here on
+    Disarm     ///< and no longer, whether it was armed or not
   };
 
   Tag tag = 0;
@@ -31,6 +35,7 @@ struct Effect {
   bool safe = false;         ///< of an Output or Analog: nothing sets it any more behind this one
   std::uint8_t channel = 0;  ///< of the output or, for Simulate…, the input
   double volts = 0;          ///< of an …Analog: as asked for; the channel carries what it can
+  double share = 1;          ///< of an Override, above 0; above 1 is as 1
   double seconds = 0;        ///< of the run: how long a Pulse is on, in how long a Simulate… acts
   std::uint32_t id = 0;      ///< the asker's own
   std::uint32_t after = 0;   ///< number of the segment that carries it; 0: before any motion

@@ -202,8 +202,17 @@ void read_actuators(const TableReader& file, RobotModel& robot) {
   }
 }
 
+/// Of an arm the axes are known; how they move the tool is not in this version yet.
 void choose_kinematics(const TableReader& file, RobotModel& robot) {
-  file.choice("kinematics", {"gantry"});
+  constexpr int kArmAxes = 6;
+  if (file.choice("kinematics", {"gantry", "arm"}) == 1) {
+    const bool rotary = std::ranges::all_of(
+        robot.axes, [](const Axis& axis) { return axis.kind == AxisKind::Rotary; });
+    if (robot.axis_count() != kArmAxes || !rotary)
+      file.fail("kinematics", "an arm has six rotary axes");
+    robot.tool_coordinates = true;
+    return;
+  }
   const bool fits = robot.axis_count() == 3 && robot.axes[0].kind == AxisKind::Linear &&
                     robot.axes[1].kind == AxisKind::Linear &&
                     robot.axes[2].kind == AxisKind::Rotary;
@@ -249,7 +258,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   const TableReader file(table, file_name, "",
                          {"name", "description", "kinematics", "law", "t_acc", "reference_period",
                           "servo_period", "look_ahead", "inputs", "outputs", "analog_inputs",
-                          "analog_outputs", "axis", "signal", "actuator"});
+                          "analog_outputs", "force_sensor", "axis", "signal", "actuator"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
@@ -261,6 +270,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   robot.analog_inputs = file.integer_or("analog_inputs", 0, kMostAnalog, 0);
   robot.analog_outputs = file.integer_or("analog_outputs", 0, kMostAnalog, 0);
   read_actuators(file, robot);
+  robot.force_sensor = file.flag_or("force_sensor", false);
   choose_kinematics(file, robot);
   check_paul(file, axes, robot);
   return robot;

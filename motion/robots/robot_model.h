@@ -61,6 +61,10 @@ struct RobotModel {
   int analog_outputs = 0;
   std::vector<RobotSignal> signals;
   std::vector<TwoPositionActuator> actuators;
+  bool force_sensor = false;  ///< it measures forces and torques on the tool
+  /// Targets are written as the tool's x, y, z, a, b, c in the world; else as axis values.
+  bool tool_coordinates = false;
+  /// Null where this version does not know how the axes move the tool: such a robot cannot be run.
   std::shared_ptr<const Kinematics> kinematics;
 
   int axis_count() const { return static_cast<int>(axes.size()); }

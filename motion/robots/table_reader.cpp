@@ -109,6 +109,13 @@ int TableReader::integer_or(std::string_view key, int low, int high, int fallbac
   return table_->contains(key) ? integer(key, low, high) : fallback;
 }
 
+bool TableReader::flag_or(std::string_view key, bool fallback) const {
+  if (!table_->contains(key)) return fallback;
+  const auto* value = need(key).as_boolean();
+  if (value == nullptr) fail(key, "must be true or false, without quotation marks");
+  return value->get();
+}
+
 int TableReader::choice(std::string_view key, const std::vector<std::string_view>& words) const {
   const std::string value = text(key);
   const auto found = std::find(words.begin(), words.end(), value);

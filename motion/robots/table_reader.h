@@ -32,6 +32,8 @@ class TableReader {
   int integer(std::string_view key, int low, int high) const;
   /// `fallback` where the key is missing.
   int integer_or(std::string_view key, int low, int high, int fallback) const;
+  /// true or false; `fallback` where the key is missing.
+  bool flag_or(std::string_view key, bool fallback) const;
   /// Which of `words` it is.
   int choice(std::string_view key, const std::vector<std::string_view>& words) const;
   TableReader table(std::string_view key, std::vector<std::string_view> keys) const;

@@ -61,6 +61,17 @@ struct Channels {
   /// motion → program: how what was guarded or braked has ended, one for each that it waits for
   motion::SpscRing<motion::Rest> rests{16};
 
+  /// A Report whose turn has come.
+  struct Report {
+    std::uint32_t id = 0;
+    bool dropped = false;
+  };
+  /// [choice] as many as effects can be on their way, and what acts in the cycles that a thread
+  /// may be late
+  static constexpr std::size_t kReports = 2048;
+  motion::SpscRing<Report> reports{kReports};       ///< motion → program
+  motion::SpscRing<motion::Effect> immediate{256};  ///< program → motion: what TASKs do in a cycle
+
   motion::SpscRing<ServoNotice> notices{16};  ///< motion → main
 
   std::atomic<std::uint64_t> outputs{0};  ///< motion → servo: bit i is output channel i

@@ -15,7 +15,7 @@ Controller::Controller(const motion::RobotModel& robot,
       machine_(robot, planner_, buffer_, channels_, log_),
       motion_task_(robot, generator_, override_share, channels_, script),
       servo_task_(robot, *backend_, channels_) {
-  planner_.set_override(override_share);
+  machine_.set_override(override_share);
   channels_.joints.store(robot.start);
   backend_->open();
 }

@@ -20,6 +20,9 @@ struct Explained {
   const char* help;
 };
 
+constexpr const char* kStraight = "under Paul's law all motions are straight in the axes";
+constexpr const char* kThroughPoints = "MOVEL through points on the way, each with a ZONE";
+
 Explained explained(MotionFeature feature) {
   switch (feature) {
     case MotionFeature::Accel:
@@ -33,6 +36,25 @@ Explained explained(MotionFeature feature) {
     case MotionFeature::LookAhead:
       return {Capability::LookAhead, "LAW LOOKAHEAD", "in this version it knows Paul's law alone",
               "leave LAW out; ZONE bounds corners under Paul's law, too"};
+    case MotionFeature::LivePace:
+      return {Capability::LivePace, "AT LIVE",
+              "under Paul's law the speed of a motion is fixed when it is planned",
+              "leave LIVE out: the speed is then computed once, when the motion is commanded"};
+    case MotionFeature::Arc:
+      return {Capability::Curve, "MOVEC", kStraight, kThroughPoints};
+    case MotionFeature::Spline:
+      return {Capability::Curve, "MOVES", kStraight, kThroughPoints};
+    case MotionFeature::Spiral:
+      return {Capability::Curve, "SPIRAL", kStraight, kThroughPoints};
+    case MotionFeature::Jog:
+      return {Capability::Rates, "JOG", "under Paul's law every motion has a target",
+              "MOVE … AT 10mm/s UNTIL touched goes on until something is met"};
+    case MotionFeature::Path:
+      return {Capability::Path, "PATH", "under Paul's law each corner is planned by itself",
+              "leave PATH and ENDPATH out; AFTER and BEFORE stand behind MOVE … DO"};
+    case MotionFeature::Press:
+      return {Capability::Force, "PRESS", "under Paul's law motions keep their path, not a force",
+              "MOVE … UNTIL touched stops where something is met"};
     case MotionFeature::Profile:
       break;
   }
@@ -42,12 +64,16 @@ Explained explained(MotionFeature feature) {
 
 }  // namespace
 
-std::optional<Words> words_against(MotionFeature feature, const motion::RobotModel& robot) {
+Words words_for(MotionFeature feature, const motion::RobotModel& robot) {
   const Explained what = explained(feature);
-  if (motion::can(robot, what.capability)) return std::nullopt;
-  return Words{code::kNotPossible,
-               fmt::format("{} is not possible on {}: {}", what.word, robot.name, what.reason),
-               what.help};
+  return {code::kNotPossible,
+          fmt::format("{} is not possible on {}: {}", what.word, robot.name, what.reason),
+          what.help};
+}
+
+std::optional<Words> words_against(MotionFeature feature, const motion::RobotModel& robot) {
+  if (motion::can(robot, explained(feature).capability)) return std::nullopt;
+  return words_for(feature, robot);
 }
 
 }  // namespace rob::runtime

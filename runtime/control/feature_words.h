@@ -8,6 +8,9 @@
 
 namespace rob::runtime {
 
+/// That this robot cannot do what a program asks for, why, and what to do instead.
+Words words_for(lang::MotionFeature feature, const motion::RobotModel& robot);
+
 /// Why this robot cannot do what a program asks for; nothing if it can.
 std::optional<Words> words_against(lang::MotionFeature feature, const motion::RobotModel& robot);
 

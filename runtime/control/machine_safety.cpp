@@ -9,7 +9,7 @@ using motion::Effect;
 void RobotMachine::declare_safe(const std::vector<lang::SafeValue>& values) {
   channels_.safe.clear();
   for (const lang::SafeValue& declared : values) {
-    Effect effect = effect_on(static_cast<int>(declared.line), declared.signal);
+    Effect effect = effect_on(declared.line, declared.signal);
     const bool analog = signals_.at(static_cast<std::size_t>(declared.signal)).analog;
     effect.kind = analog ? Effect::Kind::Analog : Effect::Kind::Output;
     effect.value = declared.value != 0;

@@ -1,6 +1,7 @@
 #include <string>
 #include <utility>
 
+#include "runtime/control/feature_words.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
 
@@ -13,6 +14,13 @@ Reply RobotMachine::guard(int /*line*/, const lang::Watch& condition) {
   until_.set(condition);
   guarded_ = true;
   return Reply::Done;
+}
+
+/// `rob` refuses it by name when it loads a program (feature_words.h); nobody else should ask.
+Reply RobotMachine::live_pace(int /*line*/, const lang::Watch& /*pace*/,
+                              lang::MoveCommand::Pace /*means*/) {
+  refusal_ = *words_against(lang::MotionFeature::LivePace, robot_);
+  return Reply::Refused;
 }
 
 /// The motion is made exact; its Rest tells how it ended.
@@ -31,6 +39,7 @@ Reply RobotMachine::ended(int line, bool& hit) {
     planner_.retarget(rest.q);
     exact_ = true;
   }
+  hit_ = rest.early() ? rest.trip_q : rest.q;
   hit = rest.outcome == motion::Rest::Outcome::Hit;
   if (rest.outcome != motion::Rest::Outcome::Failed) return Reply::Done;
   refusal_ = words_for_condition(until_.error());
@@ -112,7 +121,7 @@ std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
   planner_.retarget(rest->q);
   buffer_.braked();
   exact_ = true;
-  begun_ = standing_ = guarded_ = braking_ = false;
+  begun_ = standing_ = guarded_ = braking_ = consulting_ = false;
   brakable_ = 0;
   recording_ = nullptr;
   place_.reset();

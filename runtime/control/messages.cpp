@@ -73,6 +73,16 @@ Words words_for_long_wait(double seconds) {
           "wait for a signal, or in a loop"};
 }
 
+Words words_for_nobody(const char* what) {
+  const bool halt = std::string_view(what) == "HALT";
+  return {
+      std::string(lang::code::kNobodyThere),
+      fmt::format("{} waits for the operator, and nobody is there", what),
+      fmt::format("run it on a terminal, or with a signal script (--signals) that has: at 2s {};"
+                  " a TEST has SIMULATE {}",
+                  halt ? "GO = ON" : "ANSWER = \"7\"", halt ? "GO = ON" : "ANSWER = \"7\"")};
+}
+
 Words words_for_place(double distance, double way) {
   const auto length = motion::AxisKind::Linear;
   return {code::kPlaceBeyond,
@@ -99,11 +109,33 @@ Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseVal
           fmt::format("{} {}", robot.name, robot.kinematics->reach())};
 }
 
+Words words_for_swing(double swing) {
+  return {code::kNotPossible,
+          fmt::format("MOVEL is not straight here: this tool is off the axis that turns, and its"
+                      " tip would swing by up to {}",
+                      shown(swing, motion::AxisKind::Linear)),
+          "turn before or behind it, or write MOVE"};
+}
+
 Words words_for_no_kinematics(const motion::RobotModel& robot) {
   return {
       std::string(lang::code::kNoKinematics),
       fmt::format("how the axes of {} move its tool is not in this version of Rob yet", robot.name),
       "use joint values: JOINTS() reads them"};
+}
+
+Words words_for_no_sensor(const motion::RobotModel& robot) {
+  return {code::kNotPossible,
+          fmt::format("{} has no force sensor that this version can read", robot.name),
+          "a signal can tell of a contact, as in UNTIL DIN[1]"};
+}
+
+Words words_for_not_run(const motion::RobotModel& robot) {
+  return {code::kNotRun,
+          fmt::format("{} cannot be run in this version of Rob yet: how its axes move its tool is "
+                      "not known to it",
+                      robot.name),
+          "`rob compile` and `rob check` read programs for it and find their mistakes"};
 }
 
 Words words_for_many_simulations() {

@@ -23,10 +23,18 @@ Words words_for_long_wait(double seconds);
 Words words_for_condition(lang::ArithmeticError error);
 /// A pose that the robot cannot bring its tool to.
 Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose);
+/// A MOVEL whose tip would swing beside its line, m at most.
+Words words_for_swing(double swing);
 /// A robot that has no kinematics here.
 Words words_for_no_kinematics(const motion::RobotModel& robot);
+/// A robot whose forces cannot be read here.
+Words words_for_no_sensor(const motion::RobotModel& robot);
+/// A robot whose kinematics is not known, where it was to run a program.
+Words words_for_not_run(const motion::RobotModel& robot);
 /// More SIMULATEs wait for their time than there is room for.
 Words words_for_many_simulations();
+/// HALT or ASK where nobody will ever answer.
+Words words_for_nobody(const char* what);
 /// A path event that lies beyond its motion, m.
 Words words_for_place(double distance, double way);
 /// "axis x follows 2.1 mm behind; 2 mm are permitted here".

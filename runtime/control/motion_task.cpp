@@ -32,6 +32,7 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   take_samples();
   latch_inputs(now_);
   take_requests();
+  take_immediate();
   generator_.look(view(now_));
   if (!started_) {
     current_ = generator_.advance(number);
@@ -97,6 +98,16 @@ void MotionTask::take_requests() noexcept {
   if (!channels_.hold_requested.load(std::memory_order_relaxed)) return;
   generator_.hold();
   take_safe_values();
+}
+
+/// What TASKs have done in the cycle before.
+void MotionTask::take_immediate() noexcept {
+  Effect effect;
+  while (channels_.immediate.take(effect)) {
+    if (faulted_ || locked(effect)) continue;
+    act(effect, now_);
+    tell({.kind = MotionEvent::Kind::EffectDue, .time = now_, .tag = effect.tag, .effect = effect});
+  }
 }
 
 motion::CycleView MotionTask::view(double now) const noexcept {
@@ -167,6 +178,9 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
       act(event.effect, cycle_time);
       break;
     case MotionEvent::Kind::EffectDropped:
+      if (event.effect.kind == Effect::Kind::Report) {
+        channels_.reports.push({event.effect.id, true});
+      }
       channels_.effects_done.fetch_add(1, std::memory_order_release);
       return;  // the report counts what has not acted
     case MotionEvent::Kind::Rest:
@@ -242,6 +256,15 @@ void MotionTask::act(const Effect& effect, double now) noexcept {
     case Effect::Kind::SimulateAnalog:
       return simulate({WorldSignal::Kind::AnalogInput, effect.channel}, effect.volts,
                       now + effect.seconds);
+    case Effect::Kind::Override:
+      return set_override(effect.share);
+    case Effect::Kind::SimulateGo:
+      return simulate({WorldSignal::Kind::Go, 0}, 1, now + effect.seconds);
+    case Effect::Kind::SimulateAnswer:
+      return simulate({WorldSignal::Kind::Answer, 0}, 0, now + effect.seconds, effect.id);
+    case Effect::Kind::Report:
+      channels_.reports.push({effect.id, false});  // there is room: RobotMachine has counted
+      return;
     case Effect::Kind::Note:
     case Effect::Kind::Arm:
     case Effect::Kind::Disarm:
@@ -250,8 +273,9 @@ void MotionTask::act(const Effect& effect, double now) noexcept {
 }
 
 /// What holds from now on is seen in this cycle already.
-void MotionTask::simulate(WorldSignal place, double value, double time) noexcept {
-  simulated_.schedule({place, value, 0}, time);  // RobotMachine has counted: there is room
+void MotionTask::simulate(WorldSignal place, double value, double time,
+                          std::uint32_t answer) noexcept {
+  simulated_.schedule({place, value, answer}, time);  // RobotMachine has counted: there is room
   latch_inputs(now_);
 }
 
@@ -259,6 +283,12 @@ void MotionTask::switch_output(int channel, bool on) noexcept {
   const std::uint64_t bit = std::uint64_t{1} << channel;
   outputs_ = on ? outputs_ | bit : outputs_ & ~bit;
   channels_.outputs.store(outputs_, std::memory_order_relaxed);
+}
+
+/// Above 1 it is the planner's affair, which has raised what comes from here on.
+void MotionTask::set_override(double share) noexcept {
+  override_share_ = std::min(share, 1.0);
+  generator_.set_override(override_share_);
 }
 
 void MotionTask::end_pulses(double now) noexcept {

@@ -45,13 +45,15 @@ class MotionTask {
   void collect_events() noexcept;
   void release_events(double until) noexcept;
   void release(motion::MotionEvent event, double cycle_time) noexcept;
+  void take_immediate() noexcept;
   void act(const motion::Effect& effect, double now) noexcept;
   /// Whether the effect is on an output that has taken its SAFE value for good.
   bool locked(const motion::Effect& effect) const noexcept;
   void lock(const motion::Effect& effect) noexcept;
   /// What has gone wrong cannot wait for standstill: all SAFE values at once.
   void take_safe_values() noexcept;
-  void simulate(WorldSignal place, double value, double time) noexcept;
+  void simulate(WorldSignal place, double value, double time, std::uint32_t answer = 0) noexcept;
+  void set_override(double share) noexcept;
   void switch_output(int channel, bool on) noexcept;
   /// Switches off what was on for a PULSE that is over at `now`.
   void end_pulses(double now) noexcept;
@@ -62,7 +64,7 @@ class MotionTask {
   motion::TrajectoryGenerator& generator_;
   Channels& channels_;
   double period_;
-  double override_share_;
+  double override_share_;  ///< with the program's OVERRIDE, at most 1
 
   motion::GeneratorSample current_;  ///< handed out last, measured when its stamp has come
   bool started_ = false;

@@ -15,10 +15,10 @@ void ProgramLog::queued_effect() {
   ++effects_;
 }
 
-std::uint32_t ProgramLog::keep_text(std::string text) {
+std::uint32_t ProgramLog::keep(Note note) {
   const std::scoped_lock lock(mutex_);
-  texts_.push_back(std::move(text));
-  return first_text_ + static_cast<std::uint32_t>(texts_.size()) - 1;
+  notes_.emplace(next_note_, std::move(note));
+  return next_note_++;
 }
 
 void ProgramLog::found(lang::Diagnostic finding) {
@@ -57,17 +57,13 @@ std::optional<LoggedSegment> ProgramLog::take_planned(std::uint32_t number) {
   return segment;
 }
 
-std::string ProgramLog::take_text(std::uint32_t id) {
+Note ProgramLog::take_note(std::uint32_t id) {
   const std::scoped_lock lock(mutex_);
-  while (first_text_ < id && !texts_.empty()) {
-    texts_.pop_front();
-    ++first_text_;
-  }
-  if (texts_.empty()) return "";
-  std::string text = std::move(texts_.front());
-  texts_.pop_front();
-  ++first_text_;
-  return text;
+  const auto found = notes_.find(id);
+  if (found == notes_.end()) return {};
+  Note note = std::move(found->second);
+  notes_.erase(found);
+  return note;
 }
 
 std::vector<lang::Diagnostic> ProgramLog::findings() const {

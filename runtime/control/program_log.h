@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -24,6 +25,20 @@ struct FailedExpect {
   std::string text;
 };
 
+/// A text of the program whose turn comes in motion order.
+struct Note {
+  enum class Kind : std::uint8_t {
+    Print,
+    Halt,   ///< shown to the operator, who lets the program go on
+    Ask,    ///< shown to the operator, who answers
+    Answer  ///< what the operator has answered; to a HALT nothing
+  };
+
+  Kind kind = Kind::Print;
+  std::string text;
+  bool typed = false;  ///< by a person, who has seen it
+};
+
 /// What the program's thread leaves for the thread that reports: motions as they were planned,
 /// texts to be printed when their turn comes, findings. Not for the tick: it locks and allocates.
 class ProgramLog {
@@ -32,13 +47,14 @@ class ProgramLog {
   /// An effect has been queued.
   void queued_effect();
   /// Keeps a text until its effect is due; the number goes with the effect.
-  std::uint32_t keep_text(std::string text);
+  std::uint32_t keep(Note note);
   void found(lang::Diagnostic finding);
   void expect_failed(FailedExpect failure);
 
   /// Segment `number`, once; those before it are forgotten.
   std::optional<LoggedSegment> take_planned(std::uint32_t number);
-  std::string take_text(std::uint32_t id);
+  /// Once.
+  Note take_note(std::uint32_t id);
   std::vector<lang::Diagnostic> findings() const;
   std::int64_t effects() const;
   /// The first of them; a loop could make any number.
@@ -48,8 +64,8 @@ class ProgramLog {
  private:
   mutable std::mutex mutex_;
   std::deque<LoggedSegment> planned_;
-  std::deque<std::string> texts_;
-  std::uint32_t first_text_ = 0;  ///< the number of texts_.front()
+  std::map<std::uint32_t, Note> notes_;  ///< by number
+  std::uint32_t next_note_ = 0;
   std::vector<lang::Diagnostic> findings_;
   std::int64_t effects_ = 0;
   static constexpr std::size_t kMostFailedExpects = 100;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "lang/vm.h"
+#include "runtime/control/background_tasks.h"
 #include "runtime/control/robot_machine.h"
 
 namespace rob::runtime {
@@ -32,6 +33,11 @@ class ProgramTask {
   /// At most `budget` instructions.
   State step(std::int64_t budget);
 
+  /// Behind step(), once in every cycle: one of the program's TASKs. `state`: what step() has said
+  /// last; what it is now, since an error of a TASK is one of the program.
+  State run_tasks(State state);
+  bool has_tasks() const { return tasks_.any(); }
+
   /// How the program failed; what it had commanded before is finished all the same. Valid once
   /// step() has returned Over.
   const std::optional<lang::RuntimeError>& failure() const { return failure_; }
@@ -42,6 +48,8 @@ class ProgramTask {
 
   lang::Vm vm_;
   RobotMachine& machine_;
+  BackgroundTasks tasks_;
+  std::int64_t tasks_cycle_ = -1;  ///< in which they ran last
   std::optional<lang::RuntimeError> failure_;
 };
 

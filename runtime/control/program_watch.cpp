@@ -1,5 +1,8 @@
 #include "runtime/control/program_watch.h"
 
+#include "lang/pose_slots.h"
+#include "runtime/control/pose_values.h"
+
 namespace rob::runtime {
 
 namespace {
@@ -8,8 +11,8 @@ namespace {
 class CycleWorld final : public lang::WatchedWorld {
  public:
   CycleWorld(const std::vector<lang::RobotSignature::Signal>& signals,
-             const motion::CycleView& view) noexcept
-      : signals_(signals), view_(view) {}
+             const motion::RobotModel& robot, const motion::CycleView& view) noexcept
+      : signals_(signals), robot_(robot), view_(view) {}
 
   bool signal(int signal) const noexcept override {
     const lang::RobotSignature::Signal& asked = signals_[static_cast<std::size_t>(signal)];
@@ -23,8 +26,26 @@ class CycleWorld final : public lang::WatchedWorld {
     return asked.output ? view_.analog_outputs[channel] : view_.analog_inputs[channel];
   }
 
+  /// HERE and JOINTS() are what the axes are told to be, as everywhere. The robots that can be run
+  /// have no force sensor.
+  void read(lang::Reading what, lang::Slot* value) const noexcept override {
+    switch (what) {
+      case lang::Reading::Clock:
+        value->real = view_.time;
+        return;
+      case lang::Reading::Joints:
+        for (const double axis : view_.reference) (value++)->real = axis + 0.0;
+        return;
+      case lang::Reading::Here:
+        return lang::store(to_lang(robot_.kinematics->forward(view_.reference)), value);
+      default:
+        for (int i = 0; i < lang::slots_of(what, 0); ++i) value[i].real = 0;
+    }
+  }
+
  private:
   const std::vector<lang::RobotSignature::Signal>& signals_;
+  const motion::RobotModel& robot_;
   const motion::CycleView& view_;
 };
 
@@ -32,7 +53,8 @@ class CycleWorld final : public lang::WatchedWorld {
 
 motion::WatchAnswer ProgramWatch::test(const void* self, const motion::CycleView& view) noexcept {
   const auto& watch = *static_cast<const ProgramWatch*>(self);
-  const lang::WatchResult result = lang::evaluate(watch.watch_, CycleWorld(watch.signals_, view));
+  const lang::WatchResult result =
+      lang::evaluate(watch.watch_, CycleWorld(watch.signals_, watch.robot_, view));
   if (result.error != lang::ArithmeticError::None) {
     watch.error_ = result.error;
     return motion::WatchAnswer::Failed;

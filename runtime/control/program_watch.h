@@ -5,6 +5,7 @@
 #include "lang/robot_signature.h"
 #include "lang/watch.h"
 #include "motion/plan/watch.h"
+#include "motion/robots/robot_model.h"
 
 namespace rob::runtime {
 
@@ -12,9 +13,10 @@ namespace rob::runtime {
 /// control cycle. The program's thread sets it before motion hears of it; the tick alone asks it.
 class ProgramWatch {
  public:
-  /// `signals`: by the number that the language names.
-  explicit ProgramWatch(const std::vector<lang::RobotSignature::Signal>& signals)
-      : signals_(signals) {}
+  /// `signals`: by the number that the language names. Both must outlive it.
+  ProgramWatch(const std::vector<lang::RobotSignature::Signal>& signals,
+               const motion::RobotModel& robot)
+      : signals_(signals), robot_(robot) {}
 
   void set(const lang::Watch& watch) { watch_ = watch; }
   /// Stays valid as long as this object.
@@ -26,6 +28,7 @@ class ProgramWatch {
   static motion::WatchAnswer test(const void* self, const motion::CycleView& view) noexcept;
 
   const std::vector<lang::RobotSignature::Signal>& signals_;
+  const motion::RobotModel& robot_;
   lang::Watch watch_;
   mutable lang::ArithmeticError error_ = lang::ArithmeticError::None;
 };

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "runtime/control/messages.h"
-#include "runtime/control/simulated_inputs.h"
+#include "runtime/control/signal_access.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {
@@ -16,6 +16,9 @@ namespace rob::runtime {
 using lang::Reply;
 
 namespace {
+
+/// m by which a MOVEL may leave its line. [choice] what a common linear scale resolves.
+constexpr double kStraight = 1e-6;
 
 /// The channels of one kind that the robot file gives no name.
 void add_unnamed(lang::RobotSignature& signature, bool output, bool analog, int count) {
@@ -27,6 +30,11 @@ void add_unnamed(lang::RobotSignature& signature, bool output, bool analog, int 
   }
 }
 
+std::vector<lang::RobotSignature::Coordinate> tool_coordinates() {
+  return {{"x", lang::kLength}, {"y", lang::kLength}, {"z", lang::kLength},
+          {"a", lang::kAngle},  {"b", lang::kAngle},  {"c", lang::kAngle}};
+}
+
 }  // namespace
 
 lang::RobotSignature signature_of(const motion::RobotModel& robot) {
@@ -36,7 +44,8 @@ lang::RobotSignature signature_of(const motion::RobotModel& robot) {
     const bool linear = axis.kind == motion::AxisKind::Linear;
     signature.axes.push_back({axis.name, linear ? lang::kLength : lang::kAngle});
   }
-  signature.coordinates = signature.axes;
+  signature.coordinates = robot.tool_coordinates ? tool_coordinates() : signature.axes;
+  signature.force_sensor = robot.force_sensor;
   for (const motion::RobotSignal& signal : robot.signals) {
     signature.signals.push_back({signal.name, signal.output, signal.channel + 1});
   }
@@ -75,22 +84,30 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
 RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanner& planner,
                            motion::LookAheadBuffer& buffer, Channels& channels, ProgramLog& log)
     : robot_(robot),
-      signals_(signature_of(robot).signals),
+      signature_(signature_of(robot)),
+      signals_(signature_.signals),
       planner_(planner),
       buffer_(buffer),
       channels_(channels),
       log_(log),
-      until_(signals_),
-      whens_(signals_) {}
+      until_(signals_, robot),
+      whens_(signals_, robot) {}
 
 /// What is to be exact takes two segments, which are queued together.
 Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
-  if (buffer_.room() < (asked.exact() ? 2U : 1U)) return Reply::Later;
+  if (const auto feature = lang::feature_of(asked.kind)) return refuse(*feature);
+  if (buffer_.room() < (asked.exact() ? 2U : 1U) + (tip_jumps() ? 1U : 0U)) return Reply::Later;
   lang::MoveCommand command = asked;
   if (const Reply reply = settle_target(command); reply != Reply::Done) return reply;
   const motion::MotionRequest request = request_of(line, command);
+  const double swing = asked.kind == lang::MotionKind::Line ? planner_.swing(request) : 0;
+  if (swing > kStraight) {
+    refusal_ = words_for_swing(swing);
+    return Reply::Refused;
+  }
   motion::SegmentDescriptor with_events;
   if (!attach(with_events, planner_.way(request))) return Reply::Refused;
+  const bool stopped = stop_for_tool(line);
   const motion::PlanOutcome outcome = planner_.plan(request);
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
     refusal_ = words_for(*refusal, robot_);
@@ -102,7 +119,7 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
   segment.events = with_events.events;
   segment.on_the_way = with_events.on_the_way;
   for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
-  queue(segment, false);
+  queue(segment, false, stopped);
   brakable_ = planned.segment.number;
   if (!command.exact()) return Reply::Done;
   if (const auto exact = planner_.stop(static_cast<motion::Tag>(line))) {
@@ -190,13 +207,26 @@ Reply RobotMachine::waited(int line) {
 Reply RobotMachine::leave_block(int /*line*/) { return decided() ? Reply::Done : Reply::Later; }
 
 Reply RobotMachine::settle(int line) {
-  begun_ = standing_ = guarded_ = false;
+  begun_ = standing_ = guarded_ = consulting_ = false;
   recording_ = nullptr;
   place_.reset();
   on_the_way_.clear();
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
-  return settled() ? Reply::Done : Reply::Later;
+  if (!settled()) return Reply::Later;
+  forget_rests();
+  return Reply::Done;
+}
+
+/// An error that came from a TASK may have found a motion that was guarded or braked.
+void RobotMachine::forget_rests() {
+  motion::Rest rest;
+  while (take_rest(rest)) {
+    if (!rest.early()) continue;
+    planner_.retarget(rest.q);
+    exact_ = true;
+  }
+  braking_ = false;
 }
 
 bool RobotMachine::settled() const {
@@ -213,20 +243,20 @@ Reply RobotMachine::end(int line) {
 }
 
 Reply RobotMachine::print(int line, std::string_view text) {
+  return note(line, {Note::Kind::Print, std::string(text)});
+}
+
+Reply RobotMachine::note(int line, Note note) {
   if (buffer_.effects_full()) return Reply::Later;
   motion::Effect effect;
   effect.tag = static_cast<motion::Tag>(line);
   effect.kind = motion::Effect::Kind::Note;
-  effect.id = log_.keep_text(std::string(text));
+  effect.id = log_.keep(std::move(note));
   return queue(effect);
 }
 
 motion::Effect RobotMachine::effect_on(int line, int signal) const {
-  motion::Effect effect;
-  effect.tag = static_cast<motion::Tag>(line);
-  effect.channel =
-      static_cast<std::uint8_t>(signals_.at(static_cast<std::size_t>(signal)).channel - 1);
-  return effect;
+  return runtime::effect_on(this->signal(signal), line);
 }
 
 Reply RobotMachine::write_signal(int line, int signal, bool value) {
@@ -250,55 +280,6 @@ Reply RobotMachine::pulse(int line, int signal, double seconds) {
   return queue(effect);
 }
 
-Reply RobotMachine::expectation_failed(int line, std::string_view text) {
-  log_.expect_failed({line, std::string(text)});
-  return Reply::Done;
-}
-
-Reply RobotMachine::simulate(int line, int signal, double value, double after) {
-  const std::int64_t waiting =
-      simulations_ - channels_.simulations_done.load(std::memory_order_acquire);
-  if (waiting >= static_cast<std::int64_t>(SimulatedInputs::kMostWaiting)) {
-    refusal_ = words_for_many_simulations();
-    return Reply::Refused;
-  }
-  motion::Effect effect = effect_on(line, signal);
-  const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
-  effect.kind = analog ? motion::Effect::Kind::SimulateAnalog : motion::Effect::Kind::Simulate;
-  effect.value = value != 0;
-  effect.volts = value;
-  effect.seconds = after;
-  const Reply reply = queue(effect);
-  if (reply == Reply::Done) ++simulations_;
-  return reply;
-}
-
-void RobotMachine::note_assumed(int line, int signal) {
-  const std::string& name = assumed_[static_cast<std::size_t>(signal)];
-  if (name.empty()) return;
-  if (standing_) {
-    assumed_read_ = signal;  // taken_as_met() or waited() says it
-    return;
-  }
-  const bool analog = signals_[static_cast<std::size_t>(signal)].analog;
-  log_.found({lang::Severity::Note,
-              code::kAssumed,
-              {static_cast<std::uint32_t>(line), 0, 0},
-              fmt::format("assumed: {} is {} here", name, analog ? "at 0 V" : "OFF"),
-              "a signal script (--signals) says what it does"});
-}
-
-bool RobotMachine::taken_as_met(int line) {
-  if (assumed_read_ < 0) return false;
-  log_.found({lang::Severity::Note,
-              code::kAssumed,
-              {static_cast<std::uint32_t>(line), 0, 0},
-              fmt::format("assumed: this WAIT for {} is met after 0 s",
-                          assumed_[static_cast<std::size_t>(assumed_read_)]),
-              "a signal script (--signals) says when it is"});
-  return true;
-}
-
 bool RobotMachine::observable() const {
   if (!decided()) return false;
   // At standstill what was written before acts first; in a corner it acts behind the decision
@@ -309,10 +290,7 @@ bool RobotMachine::observable() const {
 
 Reply RobotMachine::read_signal(int line, int signal, bool& value) {
   if (!observable()) return Reply::Later;
-  const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
-  const std::uint64_t bits = asked.output ? channels_.outputs.load(std::memory_order_relaxed)
-                                          : channels_.inputs.load(std::memory_order_relaxed);
-  value = (bits >> (asked.channel - 1) & 1U) != 0;
+  value = digital_value(channels_, this->signal(signal));
   if (!assumed_.empty()) note_assumed(line, signal);
   return Reply::Done;
 }
@@ -326,9 +304,7 @@ bool RobotMachine::decided() const {
 
 Reply RobotMachine::read_analog(int line, int signal, double& volts) {
   if (!observable()) return Reply::Later;
-  const lang::RobotSignature::Signal& asked = signals_.at(static_cast<std::size_t>(signal));
-  const AnalogCells& cells = asked.output ? channels_.analog_outputs : channels_.analog_inputs;
-  volts = cells.at(asked.channel - 1);
+  volts = analog_value(channels_, this->signal(signal));
   if (!assumed_.empty()) note_assumed(line, signal);
   return Reply::Done;
 }
@@ -364,7 +340,7 @@ Reply RobotMachine::push(motion::Effect effect) {
 }
 
 void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
-  const lang::Place place{static_cast<std::uint32_t>(line), 0, 0};
+  const lang::Place place = lang::tagged_place(line);
   if ((planned.warnings & motion::PlannedSegment::kPaceCut) != 0) {
     log_.found({lang::Severity::Warning, code::kAboveAxes, place,
                 "AT asks for more than the axes can do",

@@ -21,6 +21,8 @@
 
 namespace rob::runtime {
 
+class BackgroundTasks;
+
 /// What the language knows of a robot, taken from its model.
 lang::RobotSignature signature_of(const motion::RobotModel& robot);
 
@@ -30,7 +32,8 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command);
 /// A motion to a pose becomes one to the axis values that bring the tool there; or why there are
 /// none. `near`: where the axes come from.
 std::optional<Words> settle_on_axes(const motion::RobotModel& robot, const lang::PoseValue& pose,
-                                    const motion::JointVector& near, lang::MoveCommand& command);
+                                    const motion::JointVector& near, lang::MoveCommand& command,
+                                    const lang::Setting& setting = {});
 
 /// The program's side of a robot: completes and checks what is asked, puts it into the buffer,
 /// and answers Later while the buffer is full or a decision point has not come. All calls come
@@ -43,7 +46,11 @@ class RobotMachine final : public lang::Machine {
   /// While a program is foretold: the inputs that nobody drives, by signal number what they are
   /// called, empty for all others. They stay OFF or 0V, a WAIT that reads one is taken as met, and
   /// each place that reads one is a finding.
-  void assume(std::vector<std::string> inputs) { assumed_ = std::move(inputs); }
+  /// HALT and ASK are taken as answered where no script answers them.
+  void assume(std::vector<std::string> inputs) {
+    assumed_ = std::move(inputs);
+    foretelling_ = true;
+  }
 
   /// Before the run: what outputs become when it goes wrong.
   void declare_safe(const std::vector<lang::SafeValue>& values);
@@ -53,18 +60,60 @@ class RobotMachine final : public lang::Machine {
   /// Where TEACH keeps points; without it (null), as while a program is foretold or tested, they
   /// live for the run only. It must outlive the run.
   void keep_points(PointKeeper* keeper) { keeper_ = keeper; }
+  /// The program's TASKs; they must outlive the run.
+  void run_beside(BackgroundTasks& tasks) { tasks_ = &tasks; }
+  // What TASKs share with the program.
+  const motion::RobotModel& robot() const { return robot_; }
+  Channels& channels() { return channels_; }
+  ProgramLog& log() { return log_; }
+  const lang::RobotSignature::Signal& signal(int number) const {
+    return signals_.at(static_cast<std::size_t>(number));
+  }
+  /// As read(), of the present cycle.
+  lang::Reply present(lang::Reading what, lang::Slot* value);
+  /// What `ask` asks is answered as outside of all WITH and IN.
+  template <typename Ask>
+  lang::Reply asked_plainly(const Ask& ask) {
+    const lang::Setting kept = std::exchange(setting_, lang::Setting{});
+    const lang::Reply reply = ask();
+    setting_ = kept;
+    return reply;
+  }
+  /// While a program is foretold: a signal was read that nobody drives.
+  void note_assumed_value(int line, int signal);
+
+  /// Before the run: the speed that the program's OVERRIDE is a share of, 1 = as programmed.
+  void set_override(double share);
 
   lang::Reply move(int line, const lang::MoveCommand& command) override;
+  lang::Reply via(int line, const lang::MoveCommand& point) override;
+  void work_in(int line, const lang::Setting& setting) override;
+  lang::Reply begin_path(int line) override;
+  lang::Reply end_path(int line) override;
+  lang::Reply press(int line, const lang::PressCommand& command) override;
+  lang::Reply end_press(int line) override;
+  lang::Reply override_speed(int line, double share) override;
   lang::Reply guard(int line, const lang::Watch& condition) override;
   lang::Reply ended(int line, bool& hit) override;
   lang::Reply when(int line, const lang::Watch& condition, int& id) override;
   lang::Reply when_raise(int line, std::string_view text) override;
   lang::Reply disarm(int line, int id) override;
   lang::Reply on_the_way(int line, const lang::PathPlace& place) override;
+  lang::Reply live_pace(int line, const lang::Watch& pace, lang::MoveCommand::Pace means) override;
+  lang::Reply zero_force(int line) override;
   lang::Reply stop(int line) override;
   lang::Reply brake(int line) override;
   lang::Reply teach(int line, std::string_view point, std::string_view frame,
                     const lang::PoseValue& pose) override;
+  lang::Reply halt(int line, std::string_view text) override;
+  lang::Reply ask(int line, std::string_view text, std::optional<std::string>& answer) override;
+  lang::Reply simulate_go(int line, bool go, double after) override;
+  lang::Reply simulate_answer(int line, std::string_view text, double after) override;
+  lang::Reply start(int line, std::uint32_t task) override;
+  lang::Reply publish(int line, std::size_t first, std::span<const lang::Slot> values) override;
+  lang::Reply publish(int line, std::size_t first, std::span<const std::string> texts) override;
+  lang::Reply refresh(int line, std::size_t first, std::span<lang::Slot> values) override;
+  lang::Reply refresh(int line, std::size_t first, std::span<std::string> texts) override;
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
   bool taken_as_met(int line) override;
@@ -78,6 +127,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply pulse(int line, int signal, double seconds) override;
   lang::Reply expectation_failed(int line, std::string_view text) override;
   lang::Reply simulate(int line, int signal, double value, double after) override;
+  lang::Reply simulate_force(int line, int component, double value, double after) override;
   lang::Reply read_signal(int line, int signal, bool& value) override;
   lang::Reply read_analog(int line, int signal, double& volts) override;
   lang::Reply read(int line, lang::Reading what, lang::Slot* value) override;
@@ -91,6 +141,14 @@ class RobotMachine final : public lang::Machine {
  private:
   bool place_can_be_read() const;
   lang::Reply settle_target(lang::MoveCommand& command);
+  /// No robot that can be run has a force sensor yet, and none moves at a pace computed on its way.
+  lang::Reply refuse_sensor();
+  motion::JointVector near(const lang::MoveCommand& command) const;
+  lang::Reply refuse(lang::MotionFeature feature);
+  /// Whether the tool has been changed in a corner, so that its tip would jump there.
+  bool tip_jumps() const;
+  /// Then the target before is reached exactly; whether it had to be.
+  bool stop_for_tool(int line);
   lang::Reply tool_at(const motion::JointVector& q, lang::PoseValue& pose);
   void queue(motion::SegmentDescriptor segment, bool stop, bool further = false);
   /// The last target exactly, then a dwell, as one statement.
@@ -100,6 +158,19 @@ class RobotMachine final : public lang::Machine {
   lang::Reply arm();
   /// An effect on an output, still to be told what it does.
   motion::Effect effect_on(int line, int signal) const;
+  lang::Reply note(int line, Note note);
+  lang::Reply queue_simulation(int line, motion::Effect effect);
+  // TASKs (machine_tasks.cpp)
+  template <typename Due>
+  lang::Reply report(int line, Due due);
+  template <typename Value>
+  lang::Reply fetch(std::size_t first, std::span<Value> values);
+  // HALT and ASK (machine_operator.cpp)
+  lang::Reply consult(int line, Note::Kind kind, std::string_view text);
+  lang::Reply answered(int line, std::string answer, bool typed = false);
+  lang::Reply refuse_unattended(const char* what);
+  bool attended() const;
+  void note_answer_assumed(int line, const char* what);
   /// Notes that a signal was read which nobody drives.
   void note_assumed(int line, int signal);
   /// Whether the world may be read now.
@@ -108,6 +179,7 @@ class RobotMachine final : public lang::Machine {
   bool settled() const;
   /// A WHEN has ended all that was commanded, and the program has still to learn of it.
   bool interrupted() const;
+  void forget_rests();
   /// How what was guarded or braked has ended, once it has.
   bool take_rest(motion::Rest& rest);
   /// Whether the decision point of the last motion has come.
@@ -115,17 +187,25 @@ class RobotMachine final : public lang::Machine {
   void warn(int line, const motion::PlannedSegment& planned);
 
   const motion::RobotModel& robot_;
-  const std::vector<lang::RobotSignature::Signal> signals_;  ///< by the number that calls name
+  const lang::RobotSignature signature_;
+  const std::vector<lang::RobotSignature::Signal>& signals_;  ///< by the number that calls name
   motion::MotionPlanner& planner_;
   motion::LookAheadBuffer& buffer_;
   Channels& channels_;
   ProgramLog& log_;
   lang::Refusal refusal_;
+  lang::Setting setting_;    ///< of the program's present place
+  lang::Vector3 moved_tip_;  ///< of the tool that the last motion was for
+  double operators_override_ = 1;
   PointKeeper* keeper_ = nullptr;
+  BackgroundTasks* tasks_ = nullptr;
   std::int64_t effects_ = 0;  ///< queued so far
   std::int64_t simulations_ = 0;
   std::vector<std::string> assumed_;
+  bool foretelling_ = false;
+  bool consulting_ = false;     ///< the operator has been shown the text of the present HALT or ASK
   int assumed_read_ = -1;       ///< by the condition of the present WAIT
+  motion::JointVector hit_;     ///< where the last guarded motion was hit, or ended
   bool exact_ = true;           ///< the last motion queued ends at standstill
   std::uint32_t brakable_ = 0;  ///< number of the last motion; 0 where a barrier stands behind it
   bool braking_ = false;        ///< the generator has been asked to brake

@@ -5,6 +5,7 @@
 #include "lang/pose_slots.h"
 #include "motion/plan/reach.h"
 #include "runtime/control/messages.h"
+#include "runtime/control/pose_values.h"
 #include "runtime/control/robot_machine.h"
 
 /// The part of RobotMachine that tells where the robot is, and where it would be.
@@ -15,21 +16,7 @@ using lang::Reply;
 
 namespace {
 
-lang::PoseValue to_lang(const motion::Pose& pose) {
-  const Eigen::Vector3d& place = pose.position;
-  const Eigen::Quaterniond& turn = pose.orientation;
-  // + 0.0: the language knows no -0.
-  return {{place.x() + 0.0, place.y() + 0.0, place.z() + 0.0},
-          {turn.w() + 0.0, turn.x() + 0.0, turn.y() + 0.0, turn.z() + 0.0}};
-}
-
-motion::Pose to_motion(const lang::PoseValue& pose) {
-  const auto& [place, turn] = pose;
-  return {Eigen::Vector3d(place.x, place.y, place.z),
-          Eigen::Quaterniond(turn.w, turn.i, turn.j, turn.k)};
-}
-
-motion::JointVector to_motion(std::span<const double> joints) {
+motion::JointVector joints_of(std::span<const double> joints) {
   motion::JointVector q(static_cast<Eigen::Index>(joints.size()));
   std::ranges::copy(joints, q.begin());
   return q;
@@ -37,9 +24,10 @@ motion::JointVector to_motion(std::span<const double> joints) {
 
 /// Axis values for a pose, or why there are none.
 std::optional<Words> axes_for(const motion::RobotModel& robot, const lang::PoseValue& pose,
-                              const motion::JointVector& near, std::span<double> joints) {
+                              const lang::Setting& setting, const motion::JointVector& near,
+                              std::span<double> joints) {
   if (robot.kinematics == nullptr) return words_for_no_kinematics(robot);
-  const auto q = motion::reach(robot, to_motion(pose), near);
+  const auto q = motion::reach(robot, to_motion(lang::flange_for(pose, setting)), near);
   if (!q) return words_for_unreachable(robot, pose);
   std::ranges::transform(*q, joints.begin(), [](double axis) { return axis + 0.0; });
   return std::nullopt;
@@ -48,8 +36,9 @@ std::optional<Words> axes_for(const motion::RobotModel& robot, const lang::PoseV
 }  // namespace
 
 std::optional<Words> settle_on_axes(const motion::RobotModel& robot, const lang::PoseValue& pose,
-                                    const motion::JointVector& near, lang::MoveCommand& command) {
-  const auto words = axes_for(robot, pose, near, command.target);
+                                    const motion::JointVector& near, lang::MoveCommand& command,
+                                    const lang::Setting& setting) {
+  const auto words = axes_for(robot, pose, setting, near, command.target);
   command.means = lang::MoveCommand::Target::Axes;
   command.relative = false;
   command.count = robot.axis_count();
@@ -66,8 +55,14 @@ bool RobotMachine::place_can_be_read() const {
 
 Reply RobotMachine::read(int /*line*/, Reading what, lang::Slot* value) {
   if (is_observation(what) && !place_can_be_read()) return Reply::Later;
-  const motion::JointVector q =
-      is_observation(what) ? channels_.joints.load() : planner_.commanded();
+  return present(what, value);
+}
+
+Reply RobotMachine::present(Reading what, lang::Slot* value) {
+  if (needs_sensor(what)) return refuse_sensor();
+  const motion::JointVector q = is_observation(what)       ? channels_.joints.load()
+                                : what == Reading::HitPose ? hit_
+                                                           : planner_.commanded();
   switch (what) {
     case Reading::Clock: {
       const std::int64_t cycle = channels_.cycle.load(std::memory_order_relaxed);
@@ -77,8 +72,7 @@ Reply RobotMachine::read(int /*line*/, Reading what, lang::Slot* value) {
     case Reading::Joints:
       for (const double axis : q) (value++)->real = axis + 0.0;
       return Reply::Done;
-    case Reading::Here:
-    case Reading::Target:
+    default:
       break;
   }
   lang::PoseValue pose;
@@ -87,12 +81,24 @@ Reply RobotMachine::read(int /*line*/, Reading what, lang::Slot* value) {
   return reply;
 }
 
+Reply RobotMachine::refuse_sensor() {
+  refusal_ = words_for_no_sensor(robot_);
+  return Reply::Refused;
+}
+
+Reply RobotMachine::zero_force(int /*line*/) { return refuse_sensor(); }
+
+Reply RobotMachine::simulate_force(int /*line*/, int /*component*/, double /*value*/,
+                                   double /*after*/) {
+  return refuse_sensor();
+}
+
 Reply RobotMachine::tool_at(const motion::JointVector& q, lang::PoseValue& pose) {
   if (robot_.kinematics == nullptr) {
     refusal_ = words_for_no_kinematics(robot_);
     return Reply::Refused;
   }
-  pose = to_lang(robot_.kinematics->forward(q));
+  pose = lang::tip_of(to_lang(robot_.kinematics->forward(q)), setting_);
   return Reply::Done;
 }
 
@@ -109,32 +115,55 @@ Reply RobotMachine::teach(int /*line*/, std::string_view point, std::string_view
 }
 
 Reply RobotMachine::forward(int /*line*/, std::span<const double> joints, lang::PoseValue& pose) {
-  return tool_at(to_motion(joints), pose);
+  return tool_at(joints_of(joints), pose);
 }
 
 Reply RobotMachine::inverse(int /*line*/, const lang::PoseValue& pose, std::span<const double> near,
                             std::span<double> joints) {
-  const motion::JointVector from = near.empty() ? planner_.commanded() : to_motion(near);
-  if (const auto words = axes_for(robot_, pose, from, joints)) {
+  const motion::JointVector from = near.empty() ? planner_.commanded() : joints_of(near);
+  if (const auto words = axes_for(robot_, pose, setting_, from, joints)) {
     refusal_ = *words;
     return Reply::Refused;
   }
   return Reply::Done;
 }
 
-/// A pose becomes the axis values that bring the tool there.
+/// A pose becomes the axis values that bring the tip there; and so does a tuple where it is not
+/// the axis values themselves.
 Reply RobotMachine::settle_target(lang::MoveCommand& command) {
-  if (command.means != lang::MoveCommand::Target::Pose) return Reply::Done;
-  lang::PoseValue last{};
-  if (command.relative) {
-    if (const Reply reply = tool_at(planner_.commanded(), last); reply != Reply::Done) return reply;
+  using Target = lang::MoveCommand::Target;
+  if (command.means == Target::Axes) return Reply::Done;
+  if (robot_.kinematics == nullptr) {
+    refusal_ = words_for_no_kinematics(robot_);
+    return Reply::Refused;
   }
-  const lang::PoseValue pose = lang::target_pose(command, last);
-  if (const auto words = settle_on_axes(robot_, pose, planner_.commanded(), command)) {
+  if (command.means == Target::Coordinates && lang::is_plain(setting_)) return Reply::Done;
+  lang::PoseValue last{};
+  if (const Reply reply = tool_at(planner_.commanded(), last); reply != Reply::Done) return reply;
+  const lang::PoseValue pose = lang::target_pose(command, last, setting_, signature_.coordinates);
+  if (const auto words = settle_on_axes(robot_, pose, near(command), command, setting_)) {
     refusal_ = *words;
     return Reply::Refused;
   }
   return Reply::Done;
+}
+
+/// Of all axis values that bring the tip to a target, a tuple means those that turn as far as it
+/// says: MOVE BY (0, 0, 270) does not become 90 degrees the other way.
+motion::JointVector RobotMachine::near(const lang::MoveCommand& command) const {
+  motion::JointVector q = planner_.commanded();
+  if (command.means != lang::MoveCommand::Target::Coordinates) return q;
+  const double turned = lang::pose_math::to_fixed(setting_.frame.rotation).c -
+                        lang::pose_math::to_fixed(setting_.tool.tip.rotation).c;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const bool same = index < signature_.coordinates.size() &&
+                      signature_.coordinates[index].name == robot_.axes[index].name;
+    if (!same || !command.has(i) || robot_.axes[index].kind != motion::AxisKind::Rotary) continue;
+    const bool from_last = command.relative || setting_.in_tool;
+    q[i] = command.target[index] + (from_last ? q[i] : turned);
+  }
+  return q;
 }
 
 }  // namespace rob::runtime

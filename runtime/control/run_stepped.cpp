@@ -43,6 +43,7 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
     if (program_state != ProgramTask::State::Over) {
       program_state = program.step(kInstructionsPerCycle);
     }
+    program_state = program.run_tasks(program_state);
     if (clock.now() >= limits.virtual_time || program.executed() >= limits.instructions) {
       timing.gave_up = true;
       controller.channels().safe.clear();  // nothing has gone wrong

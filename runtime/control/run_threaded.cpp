@@ -23,11 +23,14 @@ constexpr auto kReportPause = 10ms;             // [choice] what an eye does not
 
 /// The program's thread: sleeps while the program has to wait. It works far ahead of the motion,
 /// so that its pauses shape nothing.
-void run_program(ProgramTask& program, const std::atomic<bool>& stopping) {
+/// TASKs run on until the motion is over.
+void run_program(ProgramTask& program, ProgramTask::State state,
+                 const std::atomic<bool>& stopping) {
   while (!stopping.load(std::memory_order_relaxed)) {
-    const auto state = program.step(kSlice);
-    if (state == ProgramTask::State::Over) return;
-    if (state == ProgramTask::State::Waiting) std::this_thread::sleep_for(kProgramPause);
+    if (state != ProgramTask::State::Over) state = program.step(kSlice);
+    state = program.run_tasks(state);
+    if (state == ProgramTask::State::Over && !program.has_tasks()) return;
+    if (state != ProgramTask::State::Busy) std::this_thread::sleep_for(kProgramPause);
   }
 }
 
@@ -82,9 +85,7 @@ Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& 
   line.wait_until_ready();
   clock = SystemClock(kLead);
   line.go();
-  std::thread program_thread([&] {
-    if (program_state != ProgramTask::State::Over) run_program(program, program_stops);
-  });
+  std::thread program_thread([&] { run_program(program, program_state, program_stops); });
 
   const std::exception_ptr trouble = watch_over(controller, program_stops, attend);
   program_stops = true;

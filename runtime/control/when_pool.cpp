@@ -25,7 +25,7 @@ motion::WatchedAction* WhenPool::set_up(int line, const lang::Watch& condition, 
   auto place = std::ranges::find_if(places_, [](const Place& one) { return free(one.action); });
   if (place == places_.end()) {
     if (places_.size() == kMostPlaces) return nullptr;
-    places_.emplace_back(signals_);
+    places_.emplace_back(signals_, robot_);
     place = std::prev(places_.end());
   }
   id = static_cast<int>(place - places_.begin());
@@ -46,7 +46,7 @@ lang::RuntimeError WhenPool::error_of(const motion::Rest& rest) {
   const Place& place = place_of(*rest.by);
   rest.by->fired.store(false, std::memory_order_relaxed);
   lang::RuntimeError error;
-  error.place.line = rest.by->tag;
+  error.place = lang::tagged_place(static_cast<int>(rest.by->tag));
   if (rest.outcome == motion::Rest::Outcome::Failed) {
     const Words words = words_for_condition(place.watch.error());
     error.code = words.code;

@@ -16,7 +16,10 @@ namespace rob::runtime {
 /// program's thread; only set_up() takes memory.
 class WhenPool {
  public:
-  explicit WhenPool(const std::vector<lang::RobotSignature::Signal>& signals) : signals_(signals) {}
+  /// Both must outlive it.
+  WhenPool(const std::vector<lang::RobotSignature::Signal>& signals,
+           const motion::RobotModel& robot)
+      : signals_(signals), robot_(robot) {}
 
   /// A place for a WHEN in this line, and its number; null while all are in use.
   motion::WatchedAction* set_up(int line, const lang::Watch& condition, int& id);
@@ -28,7 +31,8 @@ class WhenPool {
 
  private:
   struct Place {
-    explicit Place(const std::vector<lang::RobotSignature::Signal>& signals) : watch(signals) {}
+    Place(const std::vector<lang::RobotSignature::Signal>& signals, const motion::RobotModel& robot)
+        : watch(signals, robot) {}
 
     motion::WatchedAction action;
     ProgramWatch watch;
@@ -38,6 +42,7 @@ class WhenPool {
   Place& place_of(const motion::WatchedAction& action);
 
   const std::vector<lang::RobotSignature::Signal>& signals_;
+  const motion::RobotModel& robot_;
   std::deque<Place> places_;
 };
 

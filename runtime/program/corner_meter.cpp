@@ -3,19 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "runtime/program/path_meter.h"
+
 namespace rob::runtime {
-
-namespace {
-
-double distance_to_chord(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
-                         const Eigen::Vector3d& to) {
-  const Eigen::Vector3d chord = to - from;
-  const double length2 = chord.squaredNorm();
-  const double share = length2 > 0 ? std::clamp(chord.dot(point - from) / length2, 0.0, 1.0) : 0.0;
-  return (from + share * chord - point).norm();
-}
-
-}  // namespace
 
 void CornerMeter::watch(std::uint32_t number, const motion::JointVector& target) {
   auto free = std::find_if(vertices_.begin(), vertices_.end(),

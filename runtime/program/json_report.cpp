@@ -25,10 +25,20 @@ Json optional_millimetres(const std::optional<double>& value) {
   return value ? Json(millimetres(*value)) : Json(nullptr);
 }
 
-Json line_json(const LineResult& line, bool measured) {
-  Json json{{"line", line.line},
-            {"starts_s", seconds(line.starts)},
-            {"planned_s", seconds(line.planned)}};
+/// A line of the program's own file is its number; of another one, with the name of the file.
+void put_line(Json& json, const std::vector<std::string>& used, const lang::Place& place) {
+  json["line"] = place.line;
+  if (place.file > 0) json["file"] = used[place.file - 1];
+}
+void put_line(Json& json, const std::vector<std::string>& used, int tag) {
+  put_line(json, used, lang::tagged_place(tag));
+}
+
+Json line_json(const RunResult& result, const LineResult& line, bool measured) {
+  Json json;
+  put_line(json, result.used, line.line);
+  json["starts_s"] = seconds(line.starts);
+  json["planned_s"] = seconds(line.planned);
   if (measured) json["measured_s"] = seconds(line.measured);
   json["decides_s"] = optional_seconds(line.decides);
   if (!line.miss_planned) {
@@ -38,26 +48,33 @@ Json line_json(const LineResult& line, bool measured) {
     if (measured) json["corner_miss_mm"]["measured"] = optional_millimetres(line.miss_measured);
   }
   if (line.count > 1) json["count"] = line.count;
-  if (measured) json["ended"] = line.ended;
+  if (measured) {
+    json["ended"] = line.ended;
+    json["s_mm"] = millimetres(line.way);
+  }
   return json;
 }
 
 Json lines_json(const RunResult& result, bool measured) {
   Json lines = Json::array();
-  for (const LineResult& line : result.lines) lines.push_back(line_json(line, measured));
+  for (const LineResult& line : result.lines) lines.push_back(line_json(result, line, measured));
   return lines;
+}
+
+Json joints_json(const std::vector<double>& values) {
+  Json joints = Json::array();
+  for (const double q : values) joints.push_back(millimetres(q));
+  return joints;
 }
 
 Json final_json(const RunResult& result) {
   if (result.final_joints.empty()) return nullptr;
-  Json joints = Json::array();
-  for (const double q : result.final_joints) joints.push_back(millimetres(q));
   Json pose;
   const char* names[] = {"x", "y", "z", "a", "b", "c"};
   for (std::size_t i = 0; i < result.final_pose.size(); ++i) {
     pose[names[i]] = millimetres(result.final_pose[i]);
   }
-  return {{"joints", joints}, {"pose", pose}};
+  return {{"joints", joints_json(result.final_joints)}, {"pose", pose}};
 }
 
 Json signals_json(const RunResult& result) {
@@ -70,7 +87,7 @@ Json signals_json(const RunResult& result) {
     } else {
       json["value"] = change.value;
     }
-    json["line"] = change.line;
+    put_line(json, result.used, change.line);
     signals.push_back(std::move(json));
   }
   return signals;
@@ -79,10 +96,11 @@ Json signals_json(const RunResult& result) {
 Json events_json(const RunResult& result) {
   Json events = Json::array();
   for (const RunEvent& event : result.events) {
-    events.push_back({{"t", seconds(event.time)},
-                      {"kind", event.kind},
-                      {"line", event.line},
-                      {"text", event.text}});
+    Json json{{"t", seconds(event.time)}, {"kind", event.kind}};
+    put_line(json, result.used, event.line);
+    json["text"] = event.text;
+    json["q"] = joints_json(event.joints);
+    events.push_back(std::move(json));
   }
   return events;
 }
@@ -104,12 +122,12 @@ const char* name_of(lang::Severity severity) {
 Json findings_json(const RunResult& result) {
   Json findings = Json::array();
   for (const lang::Diagnostic& finding : result.findings) {
-    findings.push_back({{"severity", name_of(finding.severity)},
-                        {"code", finding.code},
-                        {"line", finding.place.line},
-                        {"column", finding.place.column},
-                        {"message", finding.message},
-                        {"help", finding.help}});
+    Json json{{"severity", name_of(finding.severity)}, {"code", finding.code}};
+    put_line(json, result.used, finding.place);
+    json["column"] = finding.place.column;
+    json["message"] = finding.message;
+    json["help"] = finding.help;
+    findings.push_back(std::move(json));
   }
   return findings;
 }
@@ -120,7 +138,9 @@ Json problem_json(const std::optional<Problem>& problem) {
   if (!problem) return nullptr;
   Json calls = Json::array();
   for (const lang::CallSite& call : problem->calls) {
-    calls.push_back({{"routine", call.routine}, {"line", call.line}});
+    Json json{{"routine", call.routine}};
+    put_line(json, problem->used, call.line);
+    calls.push_back(std::move(json));
   }
   return {{"code", problem->code},
           {"file", problem->file},
@@ -152,6 +172,7 @@ Json run_json(const RunResult& result) {
           {"lost_rows", result.lost_rows},
           {"worst_u_sat", result.worst_saturation},
           {"peak", peaks_json(result)},
+          {"deviation_mm", millimetres(result.deviation)},
           {"error", problem_json(result.error)}};
 }
 
@@ -159,7 +180,7 @@ Json check_json(const RunResult& result) {
   return {{"status", result.status},
           {"robot", result.robot},
           {"law", result.law},
-          {"planned_s", seconds(result.planned)},
+          {"planned_s", result.foretold ? Json(seconds(result.planned)) : Json(nullptr)},
           {"lines", lines_json(result, false)},
           {"findings", findings_json(result)},
           {"error", problem_json(result.error)}};

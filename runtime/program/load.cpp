@@ -17,6 +17,7 @@
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/files.h"
+#include "runtime/program/folder_sources.h"
 #include "runtime/program/points_file.h"
 
 namespace rob::runtime {
@@ -34,26 +35,34 @@ bool is_known_robot(const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-std::optional<Words> words_against_target(lang::MoveCommand command,
-                                          const motion::RobotModel& robot) {
-  if (command.means == lang::MoveCommand::Target::Pose) {
-    const lang::PoseValue pose = lang::target_pose(command, {});
-    if (auto words = settle_on_axes(robot, pose, motion::middle(robot), command)) return words;
-  }
+std::optional<Words> words_against_axes(const lang::MoveCommand& command,
+                                        const motion::RobotModel& robot) {
   const auto refusal = motion::check_target(robot, command.given, command.target);
   return refusal ? std::optional(words_for(*refusal, robot)) : std::nullopt;
 }
 
-void refuse_targets_out_of_reach(lang::Compilation& compilation, const motion::RobotModel& robot) {
-  for (const lang::ConstantTarget& target : compilation.constant_targets) {
-    const auto words = words_against_target(target.command, robot);
-    if (!words) continue;
-    compilation.diagnostics.error(words->code, target.place, words->message, words->help);
-    compilation.chunk.reset();
-  }
+std::optional<Words> words_against_pose(lang::MoveCommand command,
+                                        const motion::RobotModel& robot) {
+  const lang::PoseValue pose = lang::target_pose(command, {}, {}, {});
+  if (auto words = settle_on_axes(robot, pose, motion::middle(robot), command)) return words;
+  return words_against_axes(command, robot);
 }
 
+/// Why a target that is known beforehand is out of reach.
+std::optional<lang::Refusal> refusal_of(const lang::MoveCommand& command,
+                                        const motion::RobotModel& robot) {
+  const bool pose = command.means == lang::MoveCommand::Target::Pose;
+  const bool of_tool =
+      pose || (command.means == lang::MoveCommand::Target::Coordinates && robot.tool_coordinates);
+  if (of_tool && robot.kinematics == nullptr) return std::nullopt;  // nobody can tell
+  const auto words = pose ? words_against_pose(command, robot) : words_against_axes(command, robot);
+  if (!words) return std::nullopt;
+  return lang::Refusal{words->code, words->message, words->help};
+}
+
+/// A robot whose axes nobody knows how to move yet is refused as a whole, when it is to be run.
 void refuse_what_the_robot_cannot(lang::Compilation& compilation, const motion::RobotModel& robot) {
+  if (robot.kinematics == nullptr) return;
   for (const lang::FeatureUse& use : compilation.features) {
     const auto words = words_against(use.feature, robot);
     if (!words) continue;
@@ -63,6 +72,18 @@ void refuse_what_the_robot_cannot(lang::Compilation& compilation, const motion::
 }
 
 }  // namespace
+
+std::vector<std::string> used_names(const LoadedProgram& program) {
+  std::vector<std::string> names;
+  for (const lang::SourceFile& file : program.compilation.used) names.push_back(file.name);
+  return names;
+}
+
+void place_in(const LoadedProgram& program, Problem& problem) {
+  problem.used = used_names(program);
+  const std::uint32_t file = problem.place.file;
+  problem.file = file == 0 ? program.file : problem.used.at(file - 1);
+}
 
 motion::RobotModel load_robot(const std::string& name_or_file) {
   const bool is_file = std::string_view(name_or_file).ends_with(".toml");
@@ -116,10 +137,11 @@ SignalScript load_signal_script(const std::string& file, const LoadedProgram& pr
 LoadedProgram compile_program(std::string file, std::string source, const motion::RobotModel& robot,
                               const std::string& points_file) {
   LoadedProgram program{std::move(file), std::move(source), robot, {}};
+  const FolderSources sources(program.file);
   program.compilation = lang::compile(
       program.source, signature_of(robot),
-      points_file.empty() ? lang::PointTable{} : load_points(points_file, robot).table());
-  refuse_targets_out_of_reach(program.compilation, robot);
+      points_file.empty() ? lang::PointTable{} : load_points(points_file, robot).table(),
+      [&](const lang::MoveCommand& command) { return refusal_of(command, robot); }, &sources);
   refuse_what_the_robot_cannot(program.compilation, robot);
   return program;
 }
@@ -135,6 +157,15 @@ void refuse_missing_points(LoadedProgram& program) {
                     lang::shortened(point.name)));
     compilation.chunk.reset();
   }
+}
+
+void refuse_robot_without_kinematics(LoadedProgram& program) {
+  if (program.robot.kinematics != nullptr) return;
+  const auto declared = lang::declared_robot(program.source);
+  const Words words = words_for_not_run(program.robot);
+  program.compilation.diagnostics.error(words.code, declared ? declared->place : lang::Place{},
+                                        words.message, words.help);
+  program.compilation.chunk.reset();
 }
 
 }  // namespace rob::runtime

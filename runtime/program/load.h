@@ -2,9 +2,11 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lang/compile.h"
 #include "motion/robots/robot_model.h"
+#include "runtime/program/run_result.h"
 #include "runtime/program/signal_script.h"
 
 namespace rob::runtime {
@@ -19,6 +21,11 @@ struct LoadedProgram {
   bool runnable() const { return compilation.chunk.has_value(); }
 };
 
+/// What the files are called that it USEs, by lang::Place::file from 1.
+std::vector<std::string> used_names(const LoadedProgram& program);
+/// Tells a problem the names of the files that it speaks of.
+void place_in(const LoadedProgram& program, Problem& problem);
+
 /// A robot by its name, or by its file if that ends in ".toml". Throws motion::RobotFileError for
 /// an unknown name or a faulty file, FileError for one that cannot be read.
 motion::RobotModel load_robot(const std::string& name_or_file);
@@ -28,8 +35,8 @@ motion::RobotModel load_robot(const std::string& name_or_file);
 /// load_robot() does for what is asked for.
 LoadedProgram load_program(const std::string& file, const std::string& asked);
 
-/// The same from text: `file` is for messages only. `points_file`: where its points are; empty for
-/// a program without any.
+/// The same from text: `file` is for messages, and tells where the files are that it USEs.
+/// `points_file`: where its points are; empty for a program without any.
 LoadedProgram compile_program(std::string file, std::string source, const std::string& asked,
                               const std::string& points_file = "");
 
@@ -40,6 +47,9 @@ LoadedProgram compile_program(std::string file, std::string source, const motion
 
 /// Refuses a program that needs points which nobody has taught: for what moves or tests.
 void refuse_missing_points(LoadedProgram& program);
+
+/// Refuses a program for a robot that this version cannot run: for what moves or tests.
+void refuse_robot_without_kinematics(LoadedProgram& program);
 
 /// The signal script of a program; `file` empty: one without rules. Throws FileError.
 SignalScript load_signal_script(const std::string& file, const LoadedProgram& program);

@@ -54,7 +54,10 @@ std::string now() {
 
 lang::PointTable Points::table() const {
   lang::PointTable table;
-  for (const Point& point : points) table.points.push_back(point.value);
+  for (const Point& point : points) {
+    table.points.push_back(point.value);
+    if (point.tool.empty()) table.points.back().joints = point.joints;
+  }
   return table;
 }
 

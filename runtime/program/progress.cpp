@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "runtime/program/console.h"
 
@@ -31,18 +32,37 @@ const char* name_of(motion::MotionState state) {
 
 }  // namespace
 
-Progress::Progress(double planned, double override_share)
-    : planned_(planned), override_share_(override_share), terminal_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(double planned, double override_share, std::vector<std::string> used)
+    : planned_(planned),
+      override_share_(override_share),
+      used_(std::move(used)),
+      terminal_(isatty(STDERR_FILENO) != 0) {}
 
 void Progress::show(const Position& position) {
-  if (!terminal_ || position.line == 0 || position.time - last_ < kEvery) return;
+  if (!terminal_ || consulting_ || position.line == 0 || position.time - last_ < kEvery) return;
   last_ = position.time;
   shown_ = true;
-  std::string text = fmt::format("{}line {}  {:.1f} s", kClearLine, position.line, position.time);
+  const lang::Place place = lang::tagged_place(position.line);
+  std::string text = fmt::format("{}line {}", kClearLine, place.line);
+  if (place.file > 0) text += " of " + used_[place.file - 1];
+  text += fmt::format("  {:.1f} s", position.time);
   if (planned_ > 0) {
     text += fmt::format("  {:.1f} s left", std::max(0.0, planned_ - position.time));
   }
   put_message(text + fmt::format("  {:.0f}%  {}", 100 * override_share_, name_of(position.state)));
+}
+
+void Progress::consult(const Note& note, int line) {
+  clear();
+  if (note.kind == Note::Kind::Answer) {
+    if (consulting_ == Note::Kind::Ask && !note.typed) put_message(note.text + "\n");
+    consulting_.reset();
+    return;
+  }
+  consulting_ = note.kind;
+  if (note.kind == Note::Kind::Ask) return put_message(note.text);
+  put_message(fmt::format("halted in line {}{}{}; Enter goes on\n", line,
+                          note.text.empty() ? "" : ": ", note.text));
 }
 
 void Progress::clear() {

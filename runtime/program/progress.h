@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "runtime/program/run.h"
 
 namespace rob::runtime {
@@ -8,18 +12,23 @@ namespace rob::runtime {
 /// planned, override and state. Prints nothing where stderr is no terminal.
 class Progress {
  public:
-  /// `planned`: s, or 0 where it is not known. `override_share`: 1 is 100 %.
-  Progress(double planned, double override_share);
+  /// `planned`: s, or 0 where it is not known. `override_share`: 1 is 100 %. `used`: the names of
+  /// the files that the program USEs.
+  Progress(double planned, double override_share, std::vector<std::string> used);
 
   void show(const Position& position);
+  /// What HALT and ASK say to the operator. While they wait, nothing else is shown.
+  void consult(const Note& note, int line);
   /// Makes room for other output.
   void clear();
 
  private:
   double planned_;
   double override_share_;
+  std::vector<std::string> used_;
   bool terminal_;
   bool shown_ = false;
+  std::optional<Note::Kind> consulting_;
   double last_ = -1;
 };
 

@@ -42,11 +42,14 @@ bool same_file(const std::string& a, const std::string& b) {
 std::optional<TraceWriter> open_trace(const RunOptions& options, const LoadedProgram& program,
                                       const motion::RobotModel& robot) {
   if (options.trace.empty()) return std::nullopt;
-  if (same_file(options.trace, program.file)) {
+  std::vector<std::string> files = used_names(program);
+  files.push_back(program.file);
+  for (const std::string& file : files) {
+    if (!same_file(options.trace, file)) continue;
     throw FileError(
-        fmt::format("the trace would overwrite the program '{}'; name another file", program.file));
+        fmt::format("the trace would overwrite the program '{}'; name another file", file));
   }
-  return std::optional<TraceWriter>(std::in_place, options.trace, robot);
+  return std::optional<TraceWriter>(std::in_place, options.trace, robot, used_names(program));
 }
 
 SignalNames names_in(const LoadedProgram& program, const motion::RobotModel& robot) {
@@ -117,12 +120,22 @@ std::vector<std::string> undriven_inputs(const LoadedProgram& program,
   return names;
 }
 
+/// How often a script acts as the operator.
+OperatorPanel::Promise promise_of(const SignalScript& script, WorldSignal::Kind kind) {
+  OperatorPanel::Promise promise;
+  for (const SimulationRule& rule : script.rules) {
+    if (rule.setting.place.kind != kind) continue;
+    if (kind == WorldSignal::Kind::Go && rule.setting.value == 0) continue;
+    promise.whenever = promise.whenever || !rule.timed;
+    promise.times += rule.timed ? 1 : 0;
+  }
+  return promise;
+}
+
 void prepare_panel(Controller& controller, const SignalScript* script) {
   if (script == nullptr) return;
-  const bool gives_go = std::ranges::any_of(script->rules, [](const SimulationRule& rule) {
-    return rule.setting.place.kind == WorldSignal::Kind::Go;
-  });
-  controller.channels().panel.prepare(script->answers, gives_go);
+  controller.channels().panel.prepare(script->answers, promise_of(*script, WorldSignal::Kind::Go),
+                                      promise_of(*script, WorldSignal::Kind::Answer));
 }
 
 /// The first error is what the program is refused for.
@@ -140,9 +153,27 @@ RunResult refusal(const lang::Diagnostics& diagnostics, const std::string& file,
   return result;
 }
 
+RunResult start_of(const LoadedProgram& program, RunResult result);
+
+/// What a program without faults does on a robot that nobody can run.
+RunResult not_foretold(const LoadedProgram& program, const motion::RobotModel& robot) {
+  RunResult result;
+  result.robot = robot.name;
+  result.foretold = false;
+  result.findings.push_back({lang::Severity::Note,
+                             code::kNotForetold,
+                             {},
+                             fmt::format("nothing of this program is foretold: how the axes of {} "
+                                         "move its tool is not in this version of Rob yet",
+                                         robot.name),
+                             "its mistakes were looked for all the same"});
+  return start_of(program, std::move(result));
+}
+
 RunResult start_of(const LoadedProgram& program, RunResult result) {
   result.file = program.file;
-  if (result.error) result.error->file = program.file;
+  result.used = used_names(program);
+  if (result.error) place_in(program, *result.error);
   result.findings_left_out = program.compilation.diagnostics.left_out();
   const auto& found = program.compilation.diagnostics.all();
   result.findings.insert(result.findings.begin(), found.begin(), found.end());
@@ -157,13 +188,17 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
   Controller controller(robot, simulation_of(robot), options.override_share,
                         rules_of(options.script));
   prepare_panel(controller, options.script);
+  controller.channels().panel.seat(options.person);
   PointsFile points(points_file_of(program.file), robot);
   controller.machine().keep_points(&points);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
-                       names_in(program, robot), {listener.print, [&](const Snapshot& snapshot) {
-                                                    if (trace) trace->write(snapshot);
-                                                  }});
+                       names_in(program, robot),
+                       {listener.print,
+                        [&](const Snapshot& snapshot) {
+                          if (trace) trace->write(snapshot);
+                        },
+                        listener.consult});
 
   const Interruption interruption(controller.channels().hold_requested);
   const Attend attend = [&] {
@@ -193,6 +228,7 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
 
 RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
                    std::uint64_t seed, const SignalScript* script) {
+  if (robot.kinematics == nullptr) return not_foretold(program, robot);
   Controller controller(robot, simulation_of(robot), 1, rules_of(script));
   prepare_panel(controller, script);
   ProgramTask task(*program.compilation.chunk, controller.machine(), seed);
@@ -210,11 +246,8 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   if (task.failure()) add_failure(result, *task.failure());
   if (task.circling() != 0) {
     result.findings.push_back(
-        {lang::Severity::Note,
-         code::kCircling,
-         {static_cast<std::uint32_t>(task.circling()), 0, 0},
-         fmt::format("the loop goes on; it was foretold for {} turns", kForetellTurns),
-         ""});
+        {lang::Severity::Note, code::kCircling, lang::tagged_place(task.circling()),
+         fmt::format("the loop goes on; it was foretold for {} turns", kForetellTurns), ""});
   }
   if (timing.gave_up) {
     result.findings.push_back({lang::Severity::Note,

@@ -7,6 +7,8 @@
 #include "lang/random.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/robots/robot_model.h"
+#include "runtime/control/operator_panel.h"
+#include "runtime/control/program_log.h"
 #include "runtime/program/load.h"
 #include "runtime/program/run_result.h"
 #include "runtime/program/signal_script.h"
@@ -20,6 +22,7 @@ struct RunOptions {
   std::string trace;                                ///< file, or empty
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
   const SignalScript* script = nullptr;             ///< what drives the inputs, without errors
+  Person* person = nullptr;                         ///< who can answer HALT and ASK
 };
 
 /// How far a run is: source line, s, what motion is doing.
@@ -29,11 +32,12 @@ struct Position {
   motion::MotionState state = motion::MotionState::Idle;
 };
 
-/// What a run tells while it goes on; either may be empty.
+/// What a run tells while it goes on; each may be empty.
 struct RunListener {
   std::function<void(const std::string& text)> print;  ///< a line of PRINT, in motion order
   std::function<void(const Position& position)> progress;
-  std::function<void(const std::string& message)> warn;  ///< a line for the user about the run
+  std::function<void(const std::string& message)> warn;       ///< a line for the user about the run
+  std::function<void(const Note& note, int line)> consult{};  ///< see RunRecorder::Listener
 };
 
 /// Runs a compiled program on the simulated robot, in real time or on the virtual clock. Ctrl-C,

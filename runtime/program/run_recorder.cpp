@@ -32,6 +32,7 @@ RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share,
       names_(std::move(names)),
       listener_(std::move(listener)),
       meter_(*robot.kinematics),
+      path_(*robot.kinematics, robot.start),
       reached_(robot.start) {
   result_.robot = robot.name;
   for (const motion::Axis& axis : robot.axes) result_.peaks.push_back({axis.name});
@@ -56,6 +57,8 @@ void RunRecorder::drain() {
 
 void RunRecorder::take(const Snapshot& snapshot) {
   meter_.measured(snapshot.measured);
+  const double way = path_.reference(snapshot.sample.reference.q);
+  if (running_) line_of(*running_).way += way * kMillimetresPerMetre;
   take_peaks(snapshot);
   if (early_) locate(snapshot);
   last_ = snapshot;
@@ -118,12 +121,13 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   const std::optional<LoggedSegment> planned = log_.take_planned(event.number);
   if (!planned) return;  // a stop that the generator made by itself belongs to the line before
   end_segment(event.time, &*planned);
-  running_ = Running{*planned, reached_, event.time, false};
-  reached_ = planned->target;
+  const motion::JointVector from = std::exchange(reached_, planned->target);
   meter_.watch(planned->number, planned->target);
+  path_.programmed(from, planned->target);
 
   LineResult& line = line_of(*planned);
   const double duration = planned->span() / (planned->dwell ? 1 : override_share_);
+  running_ = Running{*planned, from, event.time, event.time + duration, false};
   if (!planned->further && line.count++ == 0) line.starts = event.time;
   // Behind a guarded motion the program goes on when it has ended: nothing is decided before.
   if (line.count == 1 && !planned->guard.present()) line.decides = event.time + duration;
@@ -180,7 +184,11 @@ void RunRecorder::end_segment(double time, const LoggedSegment* next) {
   LineResult& line = line_of(*running_);
   line.measured += time - running_->started;
   if (running_->cut) return running_.reset();
-  if (!running_->stop) raise(line.miss_planned, planned_miss(*running_, next));
+  if (!running_->stop) {
+    const double miss = planned_miss(*running_, next);
+    raise(line.miss_planned, miss);
+    result_.deviation = std::max(result_.deviation, miss);
+  }
   if (next != nullptr && next->stop) line.exact = true;
   if (next == nullptr && line.count == 1) line.decides.reset();  // nothing follows it
   behind_ = running_;
@@ -205,13 +213,46 @@ double RunRecorder::planned_miss(const Running& segment, const LoggedSegment* ne
 void RunRecorder::take_effect(const MotionEvent& event) {
   using Kind = Effect::Kind;
   const Kind kind = event.effect.kind;
-  if (kind == Kind::Arm || kind == Kind::Disarm) return;
+  if (kind == Kind::Arm || kind == Kind::Disarm || kind == Kind::Report) return;
   --result_.dropped_effects;
   // Inputs are the machine's, simulated or not.
+  if (kind == Kind::Override) return take_override(event);
   if (kind == Kind::Simulate || kind == Kind::SimulateAnalog) return;
+  if (kind == Kind::SimulateGo || kind == Kind::SimulateAnswer) return;
   if (kind != Kind::Note) return take_output(event);
-  result_.output.push_back(log_.take_text(event.effect.id));
-  if (listener_.print) listener_.print(result_.output.back());
+  take_note(event, log_.take_note(event.effect.id));
+}
+
+void RunRecorder::take_note(const MotionEvent& event, Note note) {
+  const int line = static_cast<int>(event.tag);
+  switch (note.kind) {
+    case Note::Kind::Print:
+      result_.output.push_back(std::move(note.text));
+      if (listener_.print) listener_.print(result_.output.back());
+      return;
+    case Note::Kind::Halt:
+    case Note::Kind::Ask:
+      if (listener_.consult) listener_.consult(note, line);
+      add_event(event.time, note.kind == Note::Kind::Ask ? "ask" : "halt", line, note.text);
+      return;
+    case Note::Kind::Answer:
+      if (listener_.consult) listener_.consult(note, line);
+      add_event(event.time, "answer", line, note.text);
+      return;
+  }
+}
+
+/// The rest of the running motion takes longer, or less, than was foretold when it began.
+void RunRecorder::take_override(const MotionEvent& event) {
+  const double before = override_share_;
+  override_share_ = std::min(event.effect.share, 1.0);
+  if (!running_ || running_->dwell || running_->cut || running_->ends <= event.time) return;
+  const double more = (running_->ends - event.time) * (before / override_share_ - 1);
+  running_->ends += more;
+  LineResult& line = line_of(*running_);
+  line.planned += more;
+  result_.planned += more;
+  if (line.count == 1 && line.decides) *line.decides += more;
 }
 
 void RunRecorder::take_output(const MotionEvent& event) {
@@ -250,10 +291,7 @@ void RunRecorder::add_analog(const MotionEvent& event) {
       fmt::format("{}: {} is beyond what the channel carries; it is set to {}", name,
                   names_.quantity(channel, event.effect.volts).text, carried.text);
   add_event(event.time, "warning", line, text);
-  log_.found({lang::Severity::Warning,
-              code::kAnalogCut,
-              {static_cast<std::uint32_t>(line), 0, 0},
-              text,
+  log_.found({lang::Severity::Warning, code::kAnalogCut, lang::tagged_place(line), text,
               "keep the value within its SCALE, or give the signal a wider one"});
 }
 
@@ -274,7 +312,7 @@ void RunRecorder::take_peaks(const Snapshot& snapshot) {
 }
 
 void RunRecorder::add_event(double time, const char* kind, int line, std::string text) {
-  result_.events.push_back({time, kind, line, std::move(text)});
+  result_.events.push_back({time, kind, line, std::move(text), shown_joints()});
 }
 
 void RunRecorder::fail(double time, const char* kind, Words words) {
@@ -282,11 +320,18 @@ void RunRecorder::fail(double time, const char* kind, Words words) {
   if (result_.error) return;  // the first cause is the one to mend
   result_.status = "fault";
   result_.exit_code = ExitCode::Fault;
-  result_.error = Problem{std::move(words.code),
-                          "",
-                          {static_cast<std::uint32_t>(line()), 0, 0},
-                          std::move(words.message),
-                          std::move(words.help)};
+  result_.error = Problem{std::move(words.code), "", lang::tagged_place(line()),
+                          std::move(words.message), std::move(words.help)};
+}
+
+/// Of the last reference, mm or deg.
+std::vector<double> RunRecorder::shown_joints() const {
+  const motion::JointVector& q = last_ ? last_->sample.reference.q : robot_.start;
+  std::vector<double> shown;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    shown.push_back(q[i] * shown_per_si(robot_.axes[static_cast<std::size_t>(i)].kind));
+  }
+  return shown;
 }
 
 LineResult& RunRecorder::line_of(const LoggedSegment& segment) {
@@ -304,11 +349,9 @@ RunResult RunRecorder::finish() {
   result_.cycles =
       static_cast<std::int64_t>(std::ceil(result_.measured / robot_.reference_period - kRounding));
   for (auto& [number, line] : lines_) result_.lines.push_back(line);
+  result_.deviation = std::max(result_.deviation, path_.deviation() * kMillimetresPerMetre);
+  result_.final_joints = shown_joints();
   const motion::JointVector q = last_ ? last_->sample.reference.q : robot_.start;
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    result_.final_joints.push_back(q[i] *
-                                   shown_per_si(robot_.axes[static_cast<std::size_t>(i)].kind));
-  }
   result_.final_pose = shown_pose(robot_.kinematics->forward(q));
   return std::move(result_);
 }

@@ -11,6 +11,7 @@
 #include "runtime/control/messages.h"
 #include "runtime/control/program_log.h"
 #include "runtime/program/corner_meter.h"
+#include "runtime/program/path_meter.h"
 #include "runtime/program/run_result.h"
 #include "runtime/program/signal_names.h"
 
@@ -20,10 +21,12 @@ namespace rob::runtime {
 /// effect, event and peak. It reads the channels, in one thread that has no deadline.
 class RunRecorder {
  public:
-  /// Both are called from drain(), in motion order; either may be empty.
+  /// All are called from drain(), in motion order; each may be empty.
   struct Listener {
     std::function<void(const std::string& text)> print;
     std::function<void(const Snapshot& snapshot)> snapshot;
+    /// HALT or ASK waits for the operator; and that it does no more.
+    std::function<void(const Note& note, int line)> consult{};
   };
 
   RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,
@@ -45,6 +48,7 @@ class RunRecorder {
   struct Running : LoggedSegment {
     motion::JointVector from;
     double started = 0;
+    double ends = 0;   ///< as planned
     bool cut = false;  ///< it came to rest before its target
   };
   /// A motion that brakes, until it is known where it came to rest.
@@ -68,21 +72,25 @@ class RunRecorder {
   void end_corner();
   double planned_miss(const Running& segment, const LoggedSegment* next) const;
   void take_effect(const motion::MotionEvent& event);
+  void take_override(const motion::MotionEvent& event);
+  void take_note(const motion::MotionEvent& event, Note note);
   void take_output(const motion::MotionEvent& event);
   void add_output(const motion::MotionEvent& event, bool value);
   void add_analog(const motion::MotionEvent& event);
   void take_peaks(const Snapshot& snapshot);
+  std::vector<double> shown_joints() const;
   void add_event(double time, const char* kind, int line, std::string text);
   void fail(double time, const char* kind, Words words);
   LineResult& line_of(const LoggedSegment& segment);
 
   const motion::RobotModel& robot_;
-  double override_share_;
+  double override_share_;  ///< with the program's OVERRIDE, at most 1
   Channels& channels_;
   ProgramLog& log_;
   SignalNames names_;
   Listener listener_;
   CornerMeter meter_;
+  PathMeter path_;
   RunResult result_;
   std::map<int, LineResult> lines_;
   std::optional<Running> running_;

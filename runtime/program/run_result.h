@@ -22,14 +22,16 @@ enum class ExitCode : int {
   Terminated = 143
 };
 
-/// One source line's share of a run. Times in s, misses in mm.
+/// One source line's share of a run. Times in s, misses in mm. Here and below `line` is a
+/// lang::line_tag().
 struct LineResult {
   int line = 0;
   std::int64_t count = 0;  ///< how often it ran
   double starts = 0;       ///< when it ran first
   double planned = 0;      ///< how long it takes, the sum over all times
   double measured = 0;
-  std::optional<double> decides;       ///< when what follows must be known, the first time
+  double way = 0;                 ///< of the tool's reference in it, mm, the sum over all times
+  std::optional<double> decides;  ///< when what follows must be known, the first time
   std::optional<double> miss_planned;  ///< the greatest of all times; none for a STOP
   std::optional<double> miss_measured;
   bool exact = false;  ///< its last motion was made exact by a STOP or the end
@@ -50,6 +52,7 @@ struct RunEvent {
   std::string kind;
   int line = 0;
   std::string text;
+  std::vector<double> joints{};  ///< the reference of the cycle before, mm or deg
 };
 
 /// What an axis was asked for at most: mm, deg and their rates.
@@ -68,6 +71,7 @@ struct Problem {
   std::string message;
   std::string help;
   std::vector<lang::CallSite> calls{};  ///< the routines it happened in, the innermost first
+  std::vector<std::string> used{};      ///< as of RunResult: for the lines of `calls`
 };
 
 /// Everything that `rob run` and `rob check` tell of one program.
@@ -75,11 +79,13 @@ struct RunResult {
   std::string status = "done";  ///< done | program-error | fault | interrupted
   ExitCode exit_code = ExitCode::Done;
   std::string file;
+  std::vector<std::string> used;  ///< names of the files that it USEs, by lang::Place::file from 1
   std::string robot;
   std::string law = "paul";
   std::string clock;
-  double planned = 0;   ///< s
-  double measured = 0;  ///< s
+  bool foretold = true;  ///< else nothing is known of how it moves
+  double planned = 0;    ///< s
+  double measured = 0;   ///< s
   std::int64_t cycles = 0;
   std::int64_t late_cycles = 0;
   double worst_lateness = 0;  ///< s
@@ -97,6 +103,7 @@ struct RunResult {
   std::int64_t lost_rows = 0;        ///< of the trace
   double worst_saturation = 0;       ///< greatest force demanded / what the drive can give
   std::vector<AxisPeak> peaks;
+  double deviation = 0;  ///< mm: the greatest distance from the programmed path or points
 };
 
 }  // namespace rob::runtime

@@ -43,7 +43,7 @@ TestResult run_test(const LoadedProgram& program, const motion::RobotModel& robo
                            " instructions",
                            "a WAIT in it may wait for an input that SIMULATE has to set"};
   }
-  if (result.error) result.error->file = program.file;
+  if (result.error) place_in(program, *result.error);
   return result;
 }
 

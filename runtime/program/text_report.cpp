@@ -23,28 +23,42 @@ std::string remark(const LineResult& line) {
 }
 
 /// The routines that an error happened in. [choice] ten of them: a recursion may be 1000 deep.
-std::string calls_text(const std::vector<lang::CallSite>& calls) {
+std::string calls_text(const Problem& problem) {
+  const std::vector<lang::CallSite>& calls = problem.calls;
   constexpr std::size_t kMost = 10;
   std::string text;
   for (std::size_t i = 0; i < calls.size() && i < kMost; ++i) {
-    text += fmt::format("  in {}, called in line {}\n", calls[i].routine, calls[i].line);
+    const lang::Place place = lang::tagged_place(calls[i].line);
+    text += fmt::format("  in {}, called in line {}", calls[i].routine, place.line);
+    text += place.file == 0 ? "\n" : fmt::format(" of {}\n", problem.used[place.file - 1]);
   }
   if (calls.size() > kMost) text += fmt::format("  and {} calls more\n", calls.size() - kMost);
   return text;
 }
 
+/// Above the first line of a USEd file stands its name.
+std::string file_heading(const RunResult& result, const LineResult& line) {
+  const std::uint32_t file = lang::tagged_place(line.line).file;
+  const bool first =
+      &line == result.lines.data() || lang::tagged_place((&line)[-1].line).file != file;
+  return file > 0 && first ? fmt::format("  {}\n", result.used[file - 1]) : "";
+}
+
+std::uint32_t line_number(const LineResult& line) { return lang::tagged_place(line.line).line; }
+
 }  // namespace
 
 std::string check_table(const RunResult& result) {
+  if (!result.foretold) return "no mistakes found; nothing is foretold\n";
   std::string table = "   line  starts   takes   decides at   corner missed by\n";
   for (const LineResult& line : result.lines) {
     std::string row =
-        fmt::format("{:>6}  {:>6.2f}  {:>7.2f}  {:>9}  {:>11}{}", line.line, line.starts,
+        fmt::format("{:>6}  {:>6.2f}  {:>7.2f}  {:>9}  {:>11}{}", line_number(line), line.starts,
                     line.planned, decides(line), miss(line.miss_planned), remark(line));
     if (&line == &result.lines.back()) {
       row = fmt::format("{:<47}   total {:.2f} s", row, result.planned);
     }
-    table += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    table += file_heading(result, line) + row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
   }
   return result.lines.empty() ? "nothing moves\n" : table;
 }
@@ -56,10 +70,11 @@ std::string run_table(const RunResult& result) {
     table += "   line  starts   planned measured   planned  measured\n";
   }
   for (const LineResult& line : result.lines) {
-    const std::string row = fmt::format(
-        "{:>6}  {:>6.2f}  {:>8.2f} {:>8.2f}  {:>8}  {:>8}{}", line.line, line.starts, line.planned,
-        line.measured, miss(line.miss_planned), miss(line.miss_measured), remark(line));
-    table += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    const std::string row =
+        fmt::format("{:>6}  {:>6.2f}  {:>8.2f} {:>8.2f}  {:>8}  {:>8}{}", line_number(line),
+                    line.starts, line.planned, line.measured, miss(line.miss_planned),
+                    miss(line.miss_measured), remark(line));
+    table += file_heading(result, line) + row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
   }
   table += fmt::format(
       "{}: planned {:.2f} s, measured {:.2f} s, {} cycles, {} late, worst lateness {:.2f} ms\n",
@@ -68,11 +83,12 @@ std::string run_table(const RunResult& result) {
   return table;
 }
 
-std::string problems_text(const RunResult& result, std::string_view source) {
+std::string problems_text(const RunResult& result, std::string_view source,
+                          std::span<const lang::SourceFile> used) {
   std::string text;
   bool told = false;
   for (const lang::Diagnostic& finding : result.findings) {
-    text += lang::render(finding, result.file, source);
+    text += lang::render(finding, result.file, source, used);
     told = told || finding.severity == lang::Severity::Error;
   }
   if (result.findings_left_out > 0) {
@@ -81,8 +97,8 @@ std::string problems_text(const RunResult& result, std::string_view source) {
   if (result.error && !told) {
     const Problem& e = *result.error;
     text += lang::render({lang::Severity::Error, e.code, e.place, e.message, e.help}, result.file,
-                         source);
-    text += calls_text(e.calls);
+                         source, used);
+    text += calls_text(e);
   }
   return text;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,8 @@ std::string check_table(const RunResult& result);
 std::string run_table(const RunResult& result);
 
 /// The findings and the error of a result, each as lang::render writes it.
-std::string problems_text(const RunResult& result, std::string_view source);
+/// `source`: of the program; `used`: what it USEs.
+std::string problems_text(const RunResult& result, std::string_view source,
+                          std::span<const lang::SourceFile> used = {});
 
 }  // namespace rob::runtime

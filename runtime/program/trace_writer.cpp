@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <utility>
 
+#include "lang/diagnostic.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {
@@ -25,8 +27,9 @@ void append(std::string& row, const motion::JointVector& values, const motion::R
 
 }  // namespace
 
-TraceWriter::TraceWriter(const std::string& path, const motion::RobotModel& robot)
-    : robot_(robot), file_(open_log(path)) {
+TraceWriter::TraceWriter(const std::string& path, const motion::RobotModel& robot,
+                         std::vector<std::string> used)
+    : robot_(robot), used_(std::move(used)), file_(open_log(path)) {
   // A row at a time, so that a full disk is noticed with the row that no longer fits.
   std::setvbuf(file_.get(), nullptr, _IOLBF, kRowBuffer);
   header();
@@ -46,8 +49,8 @@ void TraceWriter::write(const Snapshot& snapshot) {
   const motion::GeneratorSample& sample = snapshot.sample;
   row_.clear();
   fmt::format_to(std::back_inserter(row_), "{:.17g},{},{},{:.17g},{:.17g},{},{:.17g},{},{:.17g}",
-                 sample.reference.time, sample.tag, sample.piece, sample.sigma, sample.rate,
-                 static_cast<int>(sample.state), snapshot.override_share, sample.limit,
+                 sample.reference.time, line_text(sample.tag), sample.piece, sample.sigma,
+                 sample.rate, static_cast<int>(sample.state), snapshot.override_share, sample.limit,
                  snapshot.lateness * 1e6);
   append(row_, sample.reference.q, robot_);
   append(row_, sample.reference.qd, robot_);
@@ -59,6 +62,14 @@ void TraceWriter::write(const Snapshot& snapshot) {
   for (int i = 0; i < robot_.axis_count(); ++i) append(row_, snapshot.drive[i]);
   row_ += '\n';
   if (!put(row_)) ++lost_;
+}
+
+/// "5", or "tools.rob:5" of a USEd file, whose name has no comma.
+std::string TraceWriter::line_text(std::uint32_t tag) const {
+  const lang::Place place = lang::tagged_place(static_cast<int>(tag));
+  if (place.file == 0) return std::to_string(place.line);
+  const std::string& path = used_[place.file - 1];
+  return fmt::format("{}:{}", path.substr(path.rfind('/') + 1), place.line);
 }
 
 bool TraceWriter::put(const std::string& text) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
@@ -14,8 +15,10 @@ namespace rob::runtime {
 /// bit. When the disk is full the log stops and the motion goes on.
 class TraceWriter {
  public:
-  /// Opens the file at once: throws FileError.
-  TraceWriter(const std::string& path, const motion::RobotModel& robot);
+  /// Opens the file at once: throws FileError. `used`: the names of the files that the program
+  /// USEs.
+  TraceWriter(const std::string& path, const motion::RobotModel& robot,
+              std::vector<std::string> used);
 
   void write(const Snapshot& snapshot);
   /// Rows that could not be written.
@@ -27,7 +30,10 @@ class TraceWriter {
   void header();
   bool put(const std::string& text);
 
+  std::string line_text(std::uint32_t tag) const;
+
   const motion::RobotModel& robot_;
+  std::vector<std::string> used_;
   FileHandle file_;
   std::string row_;
   bool full_ = false;

@@ -95,6 +95,42 @@ TEST_CASE("with --json standard output is one document, whatever the program pri
   CHECK(report["final"]["joints"][0] == 10.0);
 }
 
+TEST_CASE("the report tells the way of each line, and how far the path was left") {
+  const auto report = [](const char* program) {
+    return json::parse(RobCommand(program)("run", {"--fast", "--json"}).out);
+  };
+  const json straight = report("MOVE(30,40,0) FINE\nMOVE(130,40,0) FINE\nMOVE(130,40,0) FINE\n");
+  CHECK(straight["lines"][0]["s_mm"] == doctest::Approx(50));  // 3, 4, 5
+  CHECK(straight["lines"][1]["s_mm"] == doctest::Approx(100));
+  CHECK(straight["lines"][2]["s_mm"] == 0);
+  CHECK(straight["deviation_mm"] == doctest::Approx(0).epsilon(1e-5));
+
+  const json triangle = report(kTriangle);
+  double most = 0;
+  for (const json& line : triangle["lines"]) {
+    if (!line["corner_miss_mm"].is_object()) continue;
+    most = std::max(most, line["corner_miss_mm"]["planned"].get<double>());
+  }
+  CHECK(most > 1);
+  CHECK(triangle["deviation_mm"] == doctest::Approx(most));
+}
+
+TEST_CASE("an event tells where the axes were") {
+  const RobCommand command("MOVE(300,0,0) UNTIL HERE.x > 100mm\n");
+  const json report = json::parse(command("run", {"--fast", "--json"}).out);
+  REQUIRE(report["events"].size() == 1);
+  const json& hit = report["events"][0];
+  CHECK(hit["kind"] == "hit");
+  REQUIRE(hit["q"].size() == 3);
+  const double there = hit["q"][0];
+  const double at_rest = report["final"]["joints"][0];
+  // Braking from v = 20 mm/s within a = 100 mm/s² and j = 1000 mm/s³ takes v/2·(v/a + a/j) = 3 mm
+  // at least, behind at most two cycles of 0.2 mm; the ramp of the path may take half as long again.
+  CHECK(at_rest - there > 3);
+  CHECK(at_rest - there < 4.9);
+  CHECK(report["lines"][0]["s_mm"] == doctest::Approx(at_rest));
+}
+
 TEST_CASE("a run-time error tells its line, exit code 70, behind what was commanded before") {
   const ProcessResult result =
       RobCommand("VAR n = 0\nMOVE(10,0,0)\nPRINT \"before\"\nPRINT 1 / n\nPRINT \"after\"\n")(
@@ -226,4 +262,25 @@ TEST_CASE("faults 16 and 38: a process that was stopped holds the robot where it
   CHECK(report["error"]["code"] == "E501");
   // References go on from the last one sent: no step is longer than v_max in the periods made up.
   CHECK(greatest_step(trace, 3) <= 20 * 0.2 + 1e-9);
+}
+
+TEST_CASE("a program for an arm is compiled and checked, and not run") {
+  const RobCommand rob("ROBOT \"lwa4p\"\nMOVE(400, 0, 300, 180, 0, 0)\nPRINT force.z\n");
+  CHECK(rob("compile").exit_code == 0);
+  const ProcessResult checked = rob("check", {"--json"});
+  CHECK(checked.exit_code == 0);
+  const json document = json::parse(checked.out);
+  CHECK(document["robot"] == "lwa4p");
+  CHECK(document["planned_s"].is_null());
+  REQUIRE(document["findings"].size() == 1);
+  CHECK(document["findings"][0]["code"] == "N604");
+  for (const char* const command : {"run", "test"}) {
+    const ProcessResult refused = rob(command);
+    CAPTURE(command);
+    CHECK(refused.exit_code == 65);
+    CHECK(contains(refused.err, "test.rob:1:7: error[E554]: lwa4p cannot be run"));
+  }
+  const ProcessResult named = RobCommand("MOVE(400, 0, 300)\n")("run", {"--robot", "ums7"});
+  CHECK(named.exit_code == 65);
+  CHECK(contains(named.err, "error[E554]: ums7 cannot be run"));
 }

@@ -1,15 +1,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "lang/compile.h"
 #include "lang/parser.h"
-#include "lang/printing_machine.h"
-#include "lang/vm.h"
+#include "tests/fuzz/promises.h"
 #include "tests/support/gantry_signature.h"
 
 /// libFuzzer target: whatever bytes a file holds, it is compiled or refused with messages that
@@ -18,10 +16,8 @@
 namespace {
 
 using namespace rob::lang;
-
-void promise(bool kept) {
-  if (!kept) std::abort();
-}
+using rob::fuzz::promise;
+using rob::fuzz::run;
 
 bool shows_well(const std::string& text) {
   return std::ranges::all_of(
@@ -33,38 +29,45 @@ void check_messages(const Compilation& compilation, std::string_view source) {
   promise(compilation.chunk.has_value() == !diagnostics.has_errors());
   promise(diagnostics.all().size() <= Diagnostics::kMost);
   for (const Diagnostic& diagnostic : diagnostics.all()) {
-    const std::string text = render(diagnostic, "fuzz.rob", source);
-    promise(shows_well(text) && text.starts_with("fuzz.rob"));
+    const std::string text = render(diagnostic, "fuzz.rob", source, compilation.used);
+    promise(shows_well(text));
+    promise(diagnostic.place.file > 0 || text.starts_with("fuzz.rob"));
+    promise(diagnostic.place.file <= compilation.used.size());
     promise(!diagnostic.message.empty() && diagnostic.message.find('\n') == std::string::npos);
     promise(shows_well(diagnostic.message) && shows_well(diagnostic.help));
   }
 }
 
-/// Endless loops, and programs that only wait, are legal: the run is cut off.
-void run(const Chunk& chunk, const RobotSignature& robot, std::optional<std::size_t> test) {
-  constexpr int kMostRuns = 20;
-  constexpr std::int64_t kBudget = 2000;
-  PrintingMachine machine(robot);
-  machine.script(2, {false, true, false});
-  Vm vm(chunk, machine);
-  if (test) vm.choose_test(*test);
-  for (int i = 0; i < kMostRuns; ++i) {
-    const Vm::State state = vm.run(kBudget);
-    if (state == Vm::State::Done) return;
-    if (state == Vm::State::Failed) {
-      promise(!vm.error().code.empty() && !vm.error().message.empty());
-      return;
-    }
+/// The input itself: behind a line "//@tools" begins tools.rob.
+class InputFiles final : public Sources {
+ public:
+  explicit InputFiles(std::string_view input) : input_(input) {}
+  const SourceFile& program() const override { return program_; }
+  std::variant<SourceFile, NoSource> find(std::string_view name,
+                                          const std::string& /*by*/) const override {
+    if (name == program_.identity) return program_;
+    const std::string mark = "\n//@" + std::string(name) + "\n";
+    const std::size_t at = input_.find(mark);
+    if (at == std::string_view::npos) return NoSource{"there is no such file", ""};
+    const std::string_view text = input_.substr(at + mark.size());
+    return SourceFile{std::string(name) + ".rob", std::string(name),
+                      std::string(text.substr(0, text.find("\n//@")))};
   }
-}
+
+ private:
+  std::string_view input_;
+  SourceFile program_{"fuzz.rob", "fuzz", ""};
+};
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const RobotSignature robot = rob::test::gantry_signature();
   const std::string_view source(reinterpret_cast<const char*>(data), size);
-  const Compilation compilation = compile(source, robot);
-  check_messages(compilation, source);
+  const InputFiles files(source);
+  const Compilation compilation =
+      compile(source.substr(0, source.find("\n//@")), robot, {}, {}, &files);
+  check_messages(compilation, source.substr(0, source.find("\n//@")));
   if (!compilation.chunk) return 0;
   run(*compilation.chunk, robot, std::nullopt);
   if (!compilation.chunk->tests.empty()) run(*compilation.chunk, robot, 0);

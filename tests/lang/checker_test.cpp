@@ -30,26 +30,36 @@ TEST_CASE("constant targets are known before the program runs, also in branches 
       "ENDIF\n"
       "MOVE(v, v, )\n"
       "MOVE( , , )\n");
-  const auto& targets = program.compilation().constant_targets;
+  const auto& targets = program.targets();
   REQUIRE(targets.size() == 2);
 
-  CHECK(targets[0].place.line == 2);
-  CHECK(targets[0].command.count == 3);
-  CHECK(targets[0].command.given == 0b101);
-  CHECK(targets[0].command.target[0] == 0.04);
-  CHECK(targets[0].command.target[2] == doctest::Approx(std::numbers::pi / 2));
+  CHECK(targets[0].count == 3);
+  CHECK(targets[0].given == 0b101);
+  CHECK(targets[0].target[0] == 0.04);
+  CHECK(targets[0].target[2] == doctest::Approx(std::numbers::pi / 2));
 
-  CHECK(targets[1].place.line == 4);
-  CHECK(targets[1].command.given == 0b001);
-  CHECK(targets[1].command.target[0] == 9.0);
+  CHECK(targets[1].given == 0b001);
+  CHECK(targets[1].target[0] == 9.0);
+}
+
+TEST_CASE("a target that the robot refuses is an error at its place") {
+  const auto refuse = [](const MoveCommand&) { return std::optional(Refusal{"E401", "no", "so"}); };
+  const Compilation compilation = compile("MOVE(1, 2, 3)\nMOVEL ((4), 5, 6)\nMOVE( , , )\n",
+                                          rob::test::gantry_signature(), {}, refuse);
+  REQUIRE(compilation.diagnostics.all().size() == 2);
+  CHECK(compilation.diagnostics.all()[0].place == Place{.line = 1, .column = 5, .length = 1});
+  CHECK(compilation.diagnostics.all()[1].place == Place{.line = 2, .column = 7, .length = 1});
+  CHECK(compilation.diagnostics.all()[1].code == "E401");
+  CHECK(compilation.diagnostics.all()[1].help == "so");
+  CHECK_FALSE(compilation.chunk.has_value());
 }
 
 TEST_CASE("constants count as constant in a target, variables do not") {
   const ProgramRun program("CONST a = 2 * 20mm\nVAR b = 3mm\nMOVE(a, b, 10 + 20)\n");
-  const auto& targets = program.compilation().constant_targets;
+  const auto& targets = program.targets();
   REQUIRE(targets.size() == 1);
-  CHECK(targets[0].command.given == 0b101);
-  CHECK(targets[0].command.target[0] == 0.04);
+  CHECK(targets[0].given == 0b101);
+  CHECK(targets[0].target[0] == 0.04);
 }
 
 TEST_CASE("a bare literal is the same bits as the literal with its unit") {
@@ -57,11 +67,11 @@ TEST_CASE("a bare literal is the same bits as the literal with its unit") {
     const std::string text(number);
     const ProgramRun program("MOVE(" + text + ", " + text + "mm, " + text + ")\nMOVE(-" + text +
                              ", -" + text + "mm, " + text + "deg)\n");
-    const auto& targets = program.compilation().constant_targets;
+    const auto& targets = program.targets();
     REQUIRE(targets.size() == 2);
-    CHECK(targets[0].command.target[0] == targets[0].command.target[1]);
-    CHECK(targets[1].command.target[0] == targets[1].command.target[1]);
-    CHECK(targets[0].command.target[2] == targets[1].command.target[2]);
+    CHECK(targets[0].target[0] == targets[0].target[1]);
+    CHECK(targets[1].target[0] == targets[1].target[1]);
+    CHECK(targets[0].target[2] == targets[1].target[2]);
   }
 }
 

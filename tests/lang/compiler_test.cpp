@@ -37,13 +37,26 @@ TEST_CASE("a loop may be longer than 16 bits can jump") {
   CHECK(program.printed() == "80000");
 }
 
-TEST_CASE("more variables than there are registers is an error of its own") {
+TEST_CASE("variables that find no register lie in memory") {
   std::string source;
   for (int i = 0; i < 300; ++i) source += "VAR v" + std::to_string(i) + " = 1\n";
+  ProgramRun program(source + "v299 = v299 + v0 + 5\nPRINT v299, v298\n");
+  REQUIRE(program.compiled());
+  CHECK(program.chunk().registers <= kVariableRegisters + 8);
+  // Two registers hold the places of the memory.
+  CHECK(program.chunk().memory == Slots{.numbers = 300 - (kVariableRegisters - 2), .texts = 0});
+  CHECK(program.printed() == "71");
+}
+
+TEST_CASE("more intermediate values than there are registers is an error of its own") {
+  // Each FOR around the others keeps three values in registers.
+  std::string source;
+  for (int i = 0; i < 90; ++i) source += "FOR i" + std::to_string(i) + " = 1 TO 2 DO\n";
+  for (int i = 0; i < 90; ++i) source += "ENDFOR\n";
   const ProgramRun program(source);
   CHECK_FALSE(program.compiled());
   CHECK(program.first_error().code == "E220");
-  CHECK(program.first_error().place.line == 257);
+  CHECK(program.first_error().place.line == 85);
 }
 
 TEST_CASE("registers are given back at the end of a block, and constants take none") {
@@ -62,8 +75,9 @@ TEST_CASE("every instruction knows the line that it comes from") {
   REQUIRE(program.compiled());
   const Chunk& chunk = program.chunk();
   REQUIRE(chunk.places.size() == chunk.code.size());
-  for (const Place& place : chunk.places) {
-    const bool named = place.line == 1 || place.line == 3 || place.line == 5;
+  for (std::size_t word = 0; word < chunk.places.size(); ++word) {
+    const std::uint32_t line = chunk.places[word].line;
+    const bool named = line == 1 || line == 3 || line == 5;
     CHECK(named);
   }
   CHECK(chunk.places.back().line == 5);

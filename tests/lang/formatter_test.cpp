@@ -159,6 +159,17 @@ TEST_CASE("statements that this version cannot run are laid out") {
         "UNITS in, deg\nMOVE JOINT 6 TO -2rad\nJOG TOOL (1mm/s, , ) FOR 2s\n");
 }
 
+TEST_CASE("what lies around motions is laid out like clauses and blocks") {
+  CHECK(laid_out("press z -10N limit 5mm/s in tool do\nmovel by(1mm, ,0deg)in Pallet with cup\n"
+                 "endpress\nwith cup in Pallet do\noverride 30%\nendwith\n") ==
+        "PRESS Z -10N LIMIT 5mm/s IN TOOL DO\n  MOVEL BY (1mm, , 0deg) IN Pallet WITH cup\n"
+        "ENDPRESS\nWITH cup IN Pallet DO\n  OVERRIDE 30%\nENDWITH\n");
+  CHECK(laid_out("path at 8mm/s do\nmovec via(1,2,3)to q\nmoves via a,b+v to(1, ,2)\n"
+                 "before 2mm:torch=on\nspiral from r turns n/2\nendpath\n") ==
+        "PATH AT 8mm/s DO\n  MOVEC VIA (1, 2, 3) TO q\n  MOVES VIA a, b + v TO (1, , 2)\n"
+        "  BEFORE 2mm : torch = ON\n  SPIRAL FROM r TURNS n / 2\nENDPATH\n");
+}
+
 TEST_CASE("a program with errors has no layout, and its errors are told") {
   const Formatting formatting = format("STOP\nMOVE(1,\nPRINT \"open\n");
   CHECK_FALSE(formatting.text.has_value());

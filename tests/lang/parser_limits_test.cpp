@@ -61,10 +61,18 @@ TEST_CASE("blocks are nested 200 deep and no deeper") {
 
 TEST_CASE("a program of more than a million values is refused") {
   std::string text;
-  for (std::size_t i = 0; i <= kMaxNodes / 5; ++i) text += "MOVE(1,2,3)\n";  // five nodes each
+  for (std::size_t i = 0; i <= kMaxNodes / 5; ++i) text += "PRINT 1, 2, 3, 4\n";  // five nodes each
   const Diagnostic error = only_error(text);
   CHECK(error.code == "E142");
   CHECK(error.place.line == kMaxNodes / 5 + 1);
+}
+
+TEST_CASE("motions in numbers alone may be as many as the text holds") {
+  std::string text;
+  for (std::size_t i = 0; i <= kMaxNodes; ++i) text += "MOVE(1,2,3)\n";
+  const Parsed p = sound(text);
+  REQUIRE(p.program.statements.size() == 1);
+  CHECK(p.statement<PlainMotions>().motions.size() == kMaxNodes + 1);
 }
 
 TEST_CASE("a file of nothing but errors is given up") {

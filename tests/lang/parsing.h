@@ -71,6 +71,11 @@ inline std::string shown(const ExprPtr& expr) {
       }
       return text + ">";
     }
+    std::string operator()(const List& l) const {
+      std::string text = "[";
+      for (const ExprPtr& element : l.elements) text += shown(element) + ";";
+      return text + "]";
+    }
     std::string operator()(const Member& m) const { return shown(m.object) + "." + m.field; }
     std::string operator()(const Index& i) const {
       return shown(i.object) + "[" + shown(i.index) + "]";

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lang/compile.h"
@@ -15,8 +16,15 @@ namespace rob::test {
 /// A program from its text, ready to run on a gantry that writes down what it is told.
 class ProgramRun {
  public:
-  explicit ProgramRun(std::string_view source)
-      : robot_(gantry_signature()), compilation_(lang::compile(source, robot_)), machine_(robot_) {
+  explicit ProgramRun(std::string_view source) : ProgramRun(source, gantry_signature()) {}
+  ProgramRun(std::string_view source, lang::RobotSignature robot)
+      : robot_(std::move(robot)),
+        compilation_(lang::compile(source, robot_, {},
+                                   [this](const lang::MoveCommand& command) {
+                                     targets_.push_back(command);
+                                     return std::optional<lang::Refusal>();
+                                   })),
+        machine_(robot_) {
     if (compilation_.chunk) vm_.emplace(*compilation_.chunk, machine_);
   }
   ProgramRun(const ProgramRun&) = delete;
@@ -24,6 +32,8 @@ class ProgramRun {
 
   bool compiled() const { return compilation_.chunk.has_value(); }
   const lang::Compilation& compilation() const { return compilation_; }
+  /// The targets that were known before the program ran.
+  const std::vector<lang::MoveCommand>& targets() const { return targets_; }
   const lang::Chunk& chunk() const { return compilation_.chunk.value(); }
   lang::PrintingMachine& machine() { return machine_; }
   /// Throws, and so fails the test, if the program has errors.
@@ -56,6 +66,7 @@ class ProgramRun {
 
  private:
   lang::RobotSignature robot_;
+  std::vector<lang::MoveCommand> targets_;
   lang::Compilation compilation_;
   lang::PrintingMachine machine_;
   std::optional<lang::Vm> vm_;

@@ -61,6 +61,20 @@ TEST_CASE("SIMULATE hands an input its value and its delay") {
             "simulate AIN[1] 2.5 after 0.5s", "end"});
 }
 
+TEST_CASE("SIMULATE sets one part of what a force sensor feels") {
+  rob::lang::RobotSignature robot = rob::test::gantry_signature();
+  robot.force_sensor = true;
+  ProgramRun run(
+      "TEST \"a\"\nSIMULATE force.z = 2 * 2.5N AFTER 2s\nSIMULATE Torque.X = 1Nm\n"
+      "ZERO force\nENDTEST",
+      robot);
+  REQUIRE(run.compiled());
+  run.vm().choose_test(0);
+  run.finish();
+  CHECK(run.machine().texts() == Texts{"simulate force.z 5N after 2s",
+                                       "simulate torque.x 1Nm after 0s", "zero force", "end"});
+}
+
 TEST_CASE("SIMULATE of the past is an error of the TEST") {
   ProgramRun run("VAR t = 2s\nTEST \"a\"\nSIMULATE lift_up = ON AFTER t - 3s\nENDTEST");
   REQUIRE(run.compiled());

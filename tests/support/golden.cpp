@@ -1,6 +1,7 @@
 #include "tests/support/golden.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/core.h>
 
@@ -91,12 +92,49 @@ class Comparison {
   std::vector<std::string> differences_;
 };
 
+/// The files that a golden program brings along.
+class GivenFiles final : public lang::Sources {
+ public:
+  explicit GivenFiles(const GoldenScript& script) : script_(script) {}
+
+  const lang::SourceFile& program() const override { return program_; }
+  std::variant<lang::SourceFile, lang::NoSource> find(std::string_view name,
+                                                      const std::string& /*by*/) const override {
+    if (name == program_.identity) return program_;
+    const auto file = std::ranges::find(script_.files, name, &GoldenScript::File::name);
+    if (file == script_.files.end()) return lang::NoSource{"there is no such file", ""};
+    return lang::SourceFile{file->name + ".rob", file->name, file->text};
+  }
+
+ private:
+  const GoldenScript& script_;
+  const lang::SourceFile program_{"main.rob", "main", ""};
+};
+
+/// The line of the golden program that tells of a place, in whichever file that is.
+int line_of(const lang::Place& place, const lang::Compilation& compilation,
+            const GoldenScript& script) {
+  if (place.file == 0) return static_cast<int>(place.line);
+  const std::string& name = compilation.used.at(place.file - 1).identity;
+  const auto file = std::ranges::find(script.files, name, &GoldenScript::File::name);
+  const bool within = place.line > 0 && place.line <= file->lines.size();
+  return within ? file->lines[place.line - 1] : 0;
+}
+
+constexpr std::array<std::string_view, 6> kForceParts{"force.x",  "force.y",  "force.z",
+                                                      "torque.x", "torque.y", "torque.z"};
+
 void prepare(lang::PrintingMachine& machine, const lang::RobotSignature& robot,
              const GoldenScript& script, Comparison& comparison) {
   machine.answer_later(script.later);
+  machine.answer(script.answers);
   for (const auto& [name, values] : script.signals) {
     const auto signal = std::ranges::find(robot.signals, name, lang::shown_name);
-    if (signal == robot.signals.end()) {
+    const auto* const part = std::ranges::find(kForceParts, name);
+    if (part != kForceParts.end()) {
+      const auto component = static_cast<int>(part - kForceParts.begin());
+      machine.script(lang::PrintingMachine::force_part(component), values);
+    } else if (signal == robot.signals.end()) {
       comparison.difference("there is no signal " + name);
     } else {
       machine.script(static_cast<int>(signal - robot.signals.begin()), values);
@@ -104,10 +142,11 @@ void prepare(lang::PrintingMachine& machine, const lang::RobotSignature& robot,
   }
 }
 
-void run(const lang::Chunk& chunk, lang::PrintingMachine& machine, Comparison& comparison) {
+void run(const lang::Compilation& compilation, const GoldenScript& script,
+         lang::PrintingMachine& machine, Comparison& comparison) {
   // [choice] a golden program is small: what takes longer never ends.
   constexpr std::int64_t kMostInstructions = 10'000'000;
-  lang::Vm vm(chunk, machine);
+  lang::Vm vm(*compilation.chunk, machine);
   while (vm.state() != lang::Vm::State::Done && vm.state() != lang::Vm::State::Failed) {
     if (vm.executed() > kMostInstructions) {
       comparison.difference("the program does not end");
@@ -115,10 +154,12 @@ void run(const lang::Chunk& chunk, lang::PrintingMachine& machine, Comparison& c
     }
     vm.run(kMostInstructions);
   }
-  for (const auto& call : machine.calls()) comparison.call(call.line, call.text);
+  for (const auto& call : machine.calls()) {
+    comparison.call(line_of(lang::tagged_place(call.line), compilation, script), call.text);
+  }
   if (vm.state() == lang::Vm::State::Failed) {
     const lang::RuntimeError& error = vm.error();
-    comparison.message(Kind::Failure, static_cast<int>(error.place.line),
+    comparison.message(Kind::Failure, line_of(error.place, compilation, script),
                        fmt::format("{}: {}; {}", error.code, error.message, error.help));
   }
 }
@@ -128,17 +169,18 @@ void run(const lang::Chunk& chunk, lang::PrintingMachine& machine, Comparison& c
 GoldenResult check_golden(std::string_view source, const lang::RobotSignature& robot) {
   const GoldenScript script = read_golden(source);
   Comparison comparison(script);
-  const lang::Compilation compilation = lang::compile(source, robot, script.points);
+  const GivenFiles files(script);
+  const lang::Compilation compilation = lang::compile(source, robot, script.points, {}, &files);
   for (const lang::Diagnostic& diagnostic : compilation.diagnostics.all()) {
     comparison.message(
         diagnostic.severity == lang::Severity::Error ? Kind::Error : Kind::Warning,
-        static_cast<int>(diagnostic.place.line),
+        line_of(diagnostic.place, compilation, script),
         fmt::format("{}: {}; {}", diagnostic.code, diagnostic.message, diagnostic.help));
   }
   if (compilation.chunk) {
     lang::PrintingMachine machine(robot);
     prepare(machine, robot, script, comparison);
-    run(*compilation.chunk, machine, comparison);
+    run(compilation, script, machine, comparison);
   }
   return comparison.result();
 }

@@ -24,7 +24,11 @@
 ///     // given lift_up: OFF OFF ON     what reading a signal answers; the last stays
 ///     // given DIN[1]: ON              the same of a channel without a name
 ///     // given AIN[1]: 2.5V 3V         the same of an analog one
+///     // given answer: 7mm             what the operator answers to the next ASK
 ///     // given later: 3                the first three calls are answered "later"
+///     // given file tools: PROC a()    a line of tools.rob, which the program USEs; what is
+///     expected
+///                                      of it stands behind it on the same line
 ///
 /// Refusals need the real planner, which is none of the language's business: they are handed on.
 namespace rob::test {
@@ -42,7 +46,15 @@ struct GoldenScript {
   std::vector<Expectation> expectations;
   lang::PointTable points;  ///< "// given point pick in pallet: 40 20 10", in mm
   std::map<std::string, std::vector<double>> signals;  ///< by name; 1 is ON, V
+  std::vector<std::string> answers;                    ///< of the operator
   int later = 0;
+  /// A file to USE, and for each of its lines the one of the golden program where it stands.
+  struct File {
+    std::string name;
+    std::string text;
+    std::vector<int> lines;
+  };
+  std::vector<File> files;
   std::vector<std::string> mistakes;  ///< comments that look like expectations and are none
 };
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <optional>
 #include <sstream>
 
 #include "tests/support/golden.h"
@@ -50,7 +51,7 @@ bool read_point(const std::string& name, std::istringstream values, GoldenScript
   return true;
 }
 
-/// "lift_up: OFF ON", "later: 3" or "point pick: 40 20 10".
+/// "lift_up: OFF ON", "answer: 7mm", "later: 3" or "point pick: 40 20 10".
 bool read_given(std::string_view text, GoldenScript& script) {
   const auto colon = text.find(':');
   if (colon == std::string_view::npos) return false;
@@ -60,13 +61,18 @@ bool read_given(std::string_view text, GoldenScript& script) {
   if (name.starts_with(kPoint)) {
     return read_point(name.substr(kPoint.size()), std::move(values), script);
   }
+  if (name == "answer") {
+    script.answers.emplace_back(trimmed(text.substr(colon + 1)));
+    return true;
+  }
   if (name == "later") return static_cast<bool>(values >> script.later);
   for (std::string value; values >> value;) {
     char* end = nullptr;
-    const double volts = std::strtod(value.c_str(), &end);
-    const bool analog = end != value.c_str() && std::string_view(end) == "V";
+    const double number = std::strtod(value.c_str(), &end);
+    const std::string_view unit = end;
+    const bool analog = end != value.c_str() && (unit == "V" || unit == "N" || unit == "Nm");
     if (!analog && value != "ON" && value != "OFF") return false;
-    script.signals[name].push_back(analog ? volts : value == "ON" ? 1 : 0);
+    script.signals[name].push_back(analog ? number : value == "ON" ? 1 : 0);
   }
   return !script.signals[name].empty();
 }
@@ -85,6 +91,23 @@ bool read_comment(std::string_view comment, int line, GoldenScript& script) {
   return !comment.starts_with("expect");
 }
 
+/// "// given file tools: PROC a()": what is behind the colon; nothing if it is no such line.
+std::optional<std::string_view> read_line_of_file(std::string_view text, int line,
+                                                  GoldenScript& script) {
+  constexpr std::string_view kFile = "// given file ";
+  if (!trimmed(text).starts_with(kFile)) return std::nullopt;
+  text.remove_prefix(text.find(kFile) + kFile.size());
+  const auto colon = text.find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  const std::string name(text.substr(0, colon));
+  text.remove_prefix(std::min(colon + 2, text.size()));
+  auto file = std::ranges::find(script.files, name, &GoldenScript::File::name);
+  if (file == script.files.end()) file = script.files.insert(file, {name, "", {}});
+  file->text += std::string(text) + "\n";
+  file->lines.push_back(line);
+  return text;
+}
+
 }  // namespace
 
 GoldenScript read_golden(std::string_view source) {
@@ -92,9 +115,10 @@ GoldenScript read_golden(std::string_view source) {
   int line = 0;
   int line_of_code = 0;
   while (!source.empty()) {
-    const std::string_view text = source.substr(0, source.find('\n'));
+    std::string_view text = source.substr(0, source.find('\n'));
     source.remove_prefix(std::min(text.size() + 1, source.size()));
     ++line;
+    if (const auto of_file = read_line_of_file(text, line, script)) text = *of_file;
     const auto slashes = comment_of(text);
     if (!trimmed(text.substr(0, slashes)).empty()) line_of_code = line;
     if (slashes == std::string_view::npos) continue;

@@ -21,7 +21,7 @@ inline bool same_code(const lang::Chunk& a, const lang::Chunk& b) {
          std::ranges::equal(a.constants, b.constants, same_bits) && a.texts == b.texts &&
          a.dimensions == b.dimensions && a.moves == b.moves && a.signals == b.signals &&
          a.named_signals == b.named_signals && std::ranges::equal(a.names, b.names, same_name) &&
-         a.registers == b.registers && a.text_registers == b.text_registers;
+         a.registers == b.registers && a.text_registers == b.text_registers && a.memory == b.memory;
 }
 
 }  // namespace rob::test

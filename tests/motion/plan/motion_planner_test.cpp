@@ -231,6 +231,23 @@ TEST_CASE("an override above 1 raises AT and OVER, never an axis' maximum") {
   CHECK(p.take(request(100, 0, 0)).segment.duration == doctest::Approx(5));
 }
 
+TEST_CASE("the tip of a tool off the axis that turns counts for AT, for ZONE and for its way") {
+  Planned p;
+  p.planner.set_tool({Eigen::Vector3d(0.03, 0, 0.12), Eigen::Quaterniond::Identity()});
+  // A quarter turn: 30·√2 mm on a straight line, 30 mm · π/2 at most beside it.
+  CHECK(p.planner.way(request(0, 0, 90)) == doctest::Approx(0.03 * std::numbers::sqrt2));
+  CHECK(p.planner.swing(request(50, 0, 90)) == doctest::Approx(0.03 * std::numbers::pi / 2));
+  CHECK(p.planner.swing(request(50, 40, 0)) == 0);
+  // t_C = 16·z / 3(v_in + v_max): the axes make 20·√2 mm/s, the turn 30 mm · 20 deg/s more.
+  MotionRequest wish = request(100, 0, 0);
+  wish.zone = MotionRequest::Zone::Length;
+  wish.zone_value = 0.005;
+  const double fastest = 0.02 * std::numbers::sqrt2 + 0.03 * 20 * kDegree;
+  CHECK(p.take(wish).segment.t_acc == doctest::Approx(16 * 0.005 / (3 * (0.02 + fastest))));
+  p.planner.set_tool({});
+  CHECK(p.planner.way(request(100, 0, 90)) == 0);
+}
+
 TEST_CASE("after an early end left-out axes stay where the axes stand") {
   Planned p;
   p.take(request(100, 100, 0));

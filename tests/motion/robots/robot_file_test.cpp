@@ -290,3 +290,23 @@ TEST_CASE("a file cut off anywhere is refused or read, and never does harm") {
     CHECK((error.empty() || error.starts_with("my.toml:")));
   }
 }
+
+TEST_CASE("an arm has six rotary axes; how they move the tool is not known yet") {
+  const RobotModel arm = embedded_robot("lwa4p");
+  CHECK(arm.axis_count() == 6);
+  CHECK(arm.tool_coordinates);
+  CHECK(arm.force_sensor);
+  CHECK_FALSE(arm.kinematics);
+  CHECK_FALSE(embedded_robot("ums7").force_sensor);
+  CHECK(error_of(edit(3, "gantry", "arm")) ==
+        "my.toml:3:14: kinematics: an arm has six rotary axes");
+}
+
+TEST_CASE("a robot has a force sensor if its file says so") {
+  const RobotModel robot =
+      parse_robot_file(edit(8, "look", "force_sensor = true\nlook"), "my.toml");
+  CHECK(robot.force_sensor);
+  CHECK_FALSE(robot.tool_coordinates);
+  CHECK(error_of(edit(8, "look", "force_sensor = \"yes\"\nlook"))
+            .find("force_sensor: must be true or false") != std::string::npos);
+}

@@ -9,6 +9,8 @@
 
 #include "motion/robots/robot_library.h"
 #include "runtime/program/files.h"
+#include "runtime/program/load.h"
+#include "runtime/program/run.h"
 #include "tests/support/file_error.h"
 #include "tests/support/scratch_folder.h"
 
@@ -120,4 +122,24 @@ TEST_CASE("a file that cannot be used is not overwritten by TEACH") {
   REQUIRE(refusal);
   CHECK(refusal->code == "E549");
   CHECK(read_file(file, 1000) == text);
+}
+
+TEST_CASE(
+    "a MOVE to a bare point goes to its joints, where another place of them has the same pose") {
+  const ScratchFolder folder;
+  const std::string file = (folder.path() / "cell.points").string();
+  // -180deg and 180deg of the axis are one pose.
+  std::ofstream(file) << kRobot
+                      << "park = POSE(40mm, 20mm, 0mm, 0deg, 0deg, 180deg) JOINTS(40mm, 20mm, "
+                         "-180deg) IN world TOOL none TAUGHT \"2026-11-21\"\n";
+  const auto final_theta = [&](const std::string& text) {
+    const auto program = rob::runtime::compile_program("cell.rob", text, gantry(), file);
+    return rob::runtime::foretell(program, gantry()).final_joints.at(2);
+  };
+  const std::string begin = "POINT park\nMOVE(0, 0, 170) FINE\n";
+  CHECK(final_theta(begin + "MOVE park") == doctest::Approx(-180));
+  CHECK(final_theta(begin + "MOVEL park") == doctest::Approx(180));
+  CHECK(final_theta(begin + "VAR p = park\nMOVE p") == doctest::Approx(180));
+  // A TEACH that has not been executed leaves the joints of the file.
+  CHECK(final_theta(begin + "IF DIN[1] THEN TEACH park\nMOVE park") == doctest::Approx(-180));
 }

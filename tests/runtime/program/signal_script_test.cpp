@@ -142,13 +142,16 @@ TEST_CASE("GO and ANSWER wait for the one who asks") {
   const SignalScript script =
       script_for("at 2s GO = ON\nat 1s ANSWER = \"7\"\nat 3s GO = OFF", "STOP");
   REQUIRE_FALSE(script.diagnostics.has_errors());
-  panel.prepare(script.answers, true);
+  panel.prepare(script.answers, {.times = 1}, {.times = 1});
   rob::runtime::SimulatedInputs inputs(script.rules, panel);
   rob::runtime::WorldImage image;
   CHECK(panel.take_answer() == nullptr);
   inputs.latch(1, image);
   CHECK_FALSE(panel.take_go());
+  CHECK(panel.go_may_come());
+  CHECK_FALSE(panel.answer_may_come());
   inputs.latch(4, image);
+  CHECK_FALSE(panel.go_may_come());
   CHECK(panel.take_go());
   CHECK_FALSE(panel.take_go());
   const std::string* const answer = panel.take_answer();

@@ -1,0 +1,68 @@
+#include "runtime/control/background_tasks.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lang/codes.h"
+#include "runtime/control/robot_machine.h"
+
+namespace rob::runtime {
+
+BackgroundTasks::BackgroundTasks(const lang::Chunk& chunk, RobotMachine& machine,
+                                 std::uint64_t seed)
+    : chunk_(chunk),
+      machine_(machine),
+      channels_(machine.channels()),
+      seed_(seed),
+      memory_(chunk) {}
+
+std::uint32_t BackgroundTasks::keep(Due due) {
+  kept_.emplace(next_, std::move(due));
+  return next_++;
+}
+
+void BackgroundTasks::take_due() {
+  Channels::Report report;
+  while (channels_.reports.take(report)) {
+    auto kept = kept_.extract(report.id);
+    if (report.dropped) continue;
+    std::visit([&](const auto& due) { carry_out(due); }, kept.mapped());
+  }
+}
+
+void BackgroundTasks::carry_out(const Start& start) {
+  const std::string& name = chunk_.tasks[start.task].name;
+  if (std::ranges::any_of(running_, [&](const Running& one) { return one.task == start.task; })) {
+    lang::RuntimeError error;
+    error.code = lang::code::kTaskRunning;
+    error.place = lang::tagged_place(start.line);
+    error.message = fmt::format("TASK {} runs already", name);
+    error.help = "it may be started again when it has come to its end";
+    return fail(std::move(error));
+  }
+  Running running{start.task, std::make_unique<TaskMachine>(machine_), nullptr};
+  running.vm = std::make_unique<lang::Vm>(chunk_, *running.machine, start.task, memory_,
+                                          seed_ + 1 + start.task);
+  running_.push_back(std::move(running));
+}
+
+void BackgroundTasks::run_cycle() {
+  std::erase_if(running_, [&](const Running& one) {
+    const lang::Vm::State state = one.vm->run(kInstructions);
+    if (state == lang::Vm::State::Failed) fail(one.vm->error());
+    return state == lang::Vm::State::Failed || state == lang::Vm::State::Done;
+  });
+}
+
+/// The first error is the one to mend.
+void BackgroundTasks::fail(lang::RuntimeError error) {
+  if (!error_) error_ = std::move(error);
+}
+
+std::optional<lang::RuntimeError> BackgroundTasks::take_error() {
+  return std::exchange(error_, std::nullopt);
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,84 @@
+#include "runtime/control/robot_machine.h"
+
+#include <fmt/format.h>
+
+#include "runtime/control/codes.h"
+#include "runtime/control/feature_words.h"
+#include "runtime/control/units.h"
+
+/// The part of RobotMachine that knows what lies around motions: WITH and IN, OVERRIDE, and PATH
+/// and PRESS, which no robot of this version has.
+namespace rob::runtime {
+
+using lang::MotionFeature;
+using lang::Reply;
+
+Reply RobotMachine::refuse(MotionFeature feature) {
+  refusal_ = words_for(feature, robot_);
+  return Reply::Refused;
+}
+
+Reply RobotMachine::via(int /*line*/, const lang::MoveCommand& /*point*/) {
+  return refuse(MotionFeature::Arc);
+}
+
+Reply RobotMachine::begin_path(int /*line*/) { return refuse(MotionFeature::Path); }
+
+Reply RobotMachine::end_path(int /*line*/) { return refuse(MotionFeature::Path); }
+
+Reply RobotMachine::press(int /*line*/, const lang::PressCommand& /*command*/) {
+  return refuse(MotionFeature::Press);
+}
+
+Reply RobotMachine::end_press(int /*line*/) { return refuse(MotionFeature::Press); }
+
+/// The mass is for robots whose drives are told what they carry.
+void RobotMachine::work_in(int /*line*/, const lang::Setting& setting) {
+  setting_ = setting;
+  const auto& [place, turn] = setting.tool.tip;
+  planner_.set_tool({Eigen::Vector3d(place.x, place.y, place.z),
+                     Eigen::Quaterniond(turn.w, turn.i, turn.j, turn.k)});
+}
+
+bool RobotMachine::tip_jumps() const {
+  using lang::pose_math::operator-;
+  constexpr double kSamePlace = 1e-9;  // m; [choice] far above rounding
+  const double jump = lang::pose_math::length(setting_.tool.tip.position - moved_tip_);
+  return !exact_ && jump > kSamePlace;
+}
+
+bool RobotMachine::stop_for_tool(int line) {
+  using lang::pose_math::operator-;
+  const bool jumps = tip_jumps();
+  if (jumps) {
+    const double jump = lang::pose_math::length(setting_.tool.tip.position - moved_tip_);
+    log_.found({lang::Severity::Warning, code::kToolJumps, lang::tagged_place(line),
+                fmt::format("another tool begins here, whose tip is {} away: the corner before it"
+                            " is exact",
+                            shown(jump, motion::AxisKind::Linear)),
+                "FINE at the target before, or STOP, says so in the program"});
+    if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) queue(*segment, true);
+  }
+  moved_tip_ = setting_.tool.tip.position;
+  return jumps;
+}
+
+void RobotMachine::set_override(double share) {
+  operators_override_ = share;
+  planner_.set_override(share);
+}
+
+/// Up to 1 it is an effect in motion order, which slows the path's time; above, the planner raises
+/// what is commanded from here on.
+Reply RobotMachine::override_speed(int line, double share) {
+  if (buffer_.effects_full()) return Reply::Later;
+  motion::Effect effect;
+  effect.tag = static_cast<motion::Tag>(line);
+  effect.kind = motion::Effect::Kind::Override;
+  effect.share = operators_override_ * share;
+  const Reply reply = queue(effect);
+  if (reply == Reply::Done) planner_.set_override(effect.share);
+  return reply;
+}
+
+}  // namespace rob::runtime

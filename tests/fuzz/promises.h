@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+
+#include "lang/printing_machine.h"
+#include "lang/vm.h"
+
+/// What the fuzz targets hold the language to.
+namespace rob::fuzz {
+
+inline void promise(bool kept) {
+  if (!kept) std::abort();
+}
+
+/// Runs a program, or one of its TESTs, against the printing machine for a while: endless loops,
+/// and programs that only wait, are legal.
+inline void run(const lang::Chunk& chunk, const lang::RobotSignature& robot,
+                std::optional<std::size_t> test) {
+  constexpr int kMostRuns = 20;
+  constexpr std::int64_t kBudget = 2000;
+  lang::PrintingMachine machine(robot);
+  machine.script(2, {false, true, false});
+  lang::Vm vm(chunk, machine);
+  if (test) vm.choose_test(*test);
+  for (int i = 0; i < kMostRuns; ++i) {
+    const lang::Vm::State state = vm.run(kBudget);
+    if (state == lang::Vm::State::Done) return;
+    if (state == lang::Vm::State::Failed) {
+      promise(!vm.error().code.empty() && !vm.error().message.empty());
+      return;
+    }
+  }
+}
+
+}  // namespace rob::fuzz
