@@ -125,7 +125,8 @@ TEST_CASE("an event tells where the axes were") {
   const double there = hit["q"][0];
   const double at_rest = report["final"]["joints"][0];
   // Braking from v = 20 mm/s within a = 100 mm/s² and j = 1000 mm/s³ takes v/2·(v/a + a/j) = 3 mm
-  // at least, behind at most two cycles of 0.2 mm; the ramp of the path may take half as long again.
+  // at least, behind at most two cycles of 0.2 mm; the ramp of the path may take half as long
+  // again.
   CHECK(at_rest - there > 3);
   CHECK(at_rest - there < 4.9);
   CHECK(report["lines"][0]["s_mm"] == doctest::Approx(at_rest));
