@@ -216,7 +216,7 @@ struct Use {
   std::string name;
   std::uint32_t file = 0;  ///< its number; 0 where it could not be read
   /// What the file declares, if this is the first USE of it in the whole program.
-  Block declarations{};
+  Block declarations;
 };
 
 struct Statement {
