@@ -281,8 +281,6 @@ struct Program {
   std::vector<ArrayLength> array_lengths{};
   bool memory = false;  ///< as of Routine, of the top level
   std::vector<FrameUse> frame_uses{};
-  /// Of the type JOINTS: all of a program are of the same robot, which the checker puts in.
-  std::shared_ptr<TypeDetail> joints = std::make_shared<TypeDetail>();
   std::set<std::string> taught{};  ///< names behind TEACH, in capitals
   bool surroundings = false;       ///< WITH or IN stand somewhere: routines may run in them
   /// Where END stands, or the end of the file if there is none.

@@ -4,6 +4,7 @@
 
 #include "lang/ascii.h"
 #include "lang/codes.h"
+#include "lang/fold.h"
 #include "lang/pose_slots.h"
 #include "lang/statement_checker.h"
 
@@ -12,11 +13,6 @@ namespace rob::lang {
 namespace {
 
 PoseValue pose_of(const Constant& constant) { return load_pose(to_slots(constant).data()); }
-
-Constant constant_of(const PoseValue& pose) {
-  const auto& [p, q] = pose;
-  return std::vector<double>{p.x, p.y, p.z, q.w, q.i, q.j, q.k};
-}
 
 }  // namespace
 

@@ -86,6 +86,25 @@ bool MoveChecker::check_joint(const Move& move) {
                              fmt::format("axis {} needs", robot_.axes[axis].name));
 }
 
+namespace {
+
+struct BarrierWord {
+  std::string_view operator()(const Stop&) const { return "STOP"; }
+  std::string_view operator()(const Wait&) const { return "WAIT"; }
+  std::string_view operator()(const Halt&) const { return "HALT"; }
+  std::string_view operator()(const Ask&) const { return "ASK"; }
+  std::string_view operator()(const Teach&) const { return "TEACH"; }
+  std::string_view operator()(const ZeroForce&) const { return "ZERO"; }
+  std::string_view operator()(const auto& /*leaves the corner*/) const { return {}; }
+};
+
+/// The word of a statement that makes the motion before it exact; empty for all others.
+std::string_view barrier(const Statement& statement) {
+  return std::visit(BarrierWord{}, statement.node);
+}
+
+}  // namespace
+
 void MoveChecker::warn_of_zones(const Block& block) {
   for (std::size_t i = 0; i < block.size(); ++i) {
     const auto* const watched = std::get_if<WatchedMotion>(&block[i].node);
@@ -98,10 +117,8 @@ void MoveChecker::warn_of_zones(const Block& block) {
     if (constant_number(zone) == 0.0) continue;
     if (guarded) {
       warn_of_zone(zone, "UNTIL", statement.place);
-    } else if (next != nullptr && std::holds_alternative<Stop>(next->node)) {
-      warn_of_zone(zone, "STOP", next->place);
-    } else if (next != nullptr && std::holds_alternative<Wait>(next->node)) {
-      warn_of_zone(zone, "WAIT", next->place);
+    } else if (next != nullptr && !barrier(*next).empty()) {
+      warn_of_zone(zone, barrier(*next), next->place);
     }
   }
 }

@@ -7,14 +7,6 @@
 
 /// The part of StatementChecker that knows POINT and TEACH.
 namespace rob::lang {
-namespace {
-
-Constant constant_of(const PoseValue& pose) {
-  const auto& [p, q] = pose;
-  return std::vector<double>{p.x, p.y, p.z, q.w, q.i, q.j, q.k};
-}
-
-}  // namespace
 
 /// What has been taught counts, before the value in the program.
 void StatementChecker::check(PointDeclaration& declaration) {

@@ -257,7 +257,7 @@ CheckedProgram check(Program program, const RobotSignature& robot, const PointTa
                      const TargetJudge& judge, Diagnostics& diagnostics) {
   CheckedProgram checked{
       .program = std::move(program), .symbols = {}, .features = {}, .missing_points = {}};
-  TypeDetail& joints = *checked.program.joints;
+  TypeDetail& joints = checked.program.types->joints;
   for (const RobotSignature::Coordinate& axis : robot.axes) joints.axes.push_back(axis.dimension);
   joints.slots.numbers = static_cast<int>(joints.axes.size());
   StatementChecker(checked, robot, points, judge, diagnostics).check(checked.program);

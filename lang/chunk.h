@@ -183,7 +183,6 @@ struct Chunk {
   std::vector<std::string> texts;
   std::vector<Dimension> dimensions;
   std::vector<Type> types;                   ///< of the compound values that are made into texts
-  std::shared_ptr<const TypeDetail> joints;  ///< of the JOINTS among them
   std::vector<MoveForm> moves;
   std::vector<WatchForm> watches;
   std::vector<std::string> signals;  ///< names by number; for listings

@@ -94,8 +94,6 @@ class CodeBuilder {
   /// Tells listings that a variable lives in a register from here on.
   void name_register(const std::string& name, Register index, bool text);
 
-  /// What types of the chunk refer to.
-  void keep(std::shared_ptr<const TypeDetail> joints) { chunk_.joints = std::move(joints); }
   /// Tells reports what the program calls a signal.
   void declare_safe(const SafeValue& value) { chunk_.safe_values.push_back(value); }
   void name_signal(NamedSignal signal) { chunk_.named_signals.push_back(std::move(signal)); }

@@ -27,9 +27,7 @@ StatementCompiler::StatementCompiler(const CheckedProgram& checked, const RobotS
     : program_(checked.program),
       robot_(robot),
       code_(signal_names(robot)),
-      expressions_(code_, checked.symbols.size()) {
-  code_.keep(checked.program.joints);
-}
+      expressions_(code_, checked.symbols.size()) {}
 
 std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnostics& diagnostics) {
   const auto mark = code_.mark();

@@ -109,6 +109,11 @@ Slot to_slot(const Constant& constant) {
   return slot;
 }
 
+Constant constant_of(const PoseValue& pose) {
+  const auto& [p, q] = pose;
+  return std::vector<double>{p.x, p.y, p.z, q.w, q.i, q.j, q.k};
+}
+
 std::vector<Slot> to_slots(const Constant& constant) {
   const auto* const compound = std::get_if<std::vector<double>>(&constant);
   if (compound == nullptr) return {to_slot(constant)};

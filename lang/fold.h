@@ -26,6 +26,7 @@ Constant converted(const Constant& constant, const Type& wanted);
 Slot to_slot(const Constant& constant);
 /// All number slots of a constant that is no text.
 std::vector<Slot> to_slots(const Constant& constant);
+Constant constant_of(const PoseValue& pose);
 /// A value as PRINT writes it. `type` gives the dimension.
 std::string text_of(const Constant& constant, const Type& type);
 std::string text_of(bool value);

@@ -33,7 +33,7 @@ class MoveChecker {
   /// The same for a block of WITH.
   void enter_surroundings() { ++surroundings_; }
   void leave_surroundings() { --surroundings_; }
-  /// A ZONE before UNTIL, or directly before STOP or WAIT, which make its target exact.
+  /// A ZONE before UNTIL, or directly before STOP, WAIT and the like, which make its target exact.
   void warn_of_zones(const Block& block);
 
  private:

@@ -150,7 +150,7 @@ Type Parser::type() {
   if (const auto known = named_type(word.text)) {
     advance();
     if (known->is(Type::Kind::Pose)) return pose_type();
-    if (known->is(Type::Kind::Joints)) return Type::joints(joints_.get());
+    if (known->is(Type::Kind::Joints)) return Type::joints(&types_->joints);
     return known->is(Type::Kind::Vec) && at_word("OF") ? vec_type() : *known;
   }
   const TypeDetail* record = imported_type(word.text, word.place, types_->records);

@@ -48,8 +48,7 @@ Parser::Parser(std::string_view source, Diagnostics& diagnostics, SourceContext 
       nodes_(context.nodes),
       file_(context.file),
       first_array_length_(context.array_lengths),
-      types_(std::move(context.types)),
-      joints_(std::move(context.joints)) {}
+      types_(std::move(context.types)) {}
 
 // program = { NL } { item } [ "END" { NL } ] .
 Program Parser::program() {
@@ -86,7 +85,6 @@ Program Parser::program() {
   program.array_lengths = std::move(array_lengths_);
   program.frame_uses = std::move(frame_uses_);
   program.taught = std::move(taught_);
-  program.joints = joints_;
   program.surroundings = surroundings_;
   program.routines = std::move(routines_);
   program.nodes = nodes_;

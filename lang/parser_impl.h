@@ -60,8 +60,6 @@ struct SourceContext {
   std::size_t array_lengths = 0;  ///< the same
   /// Of all of them.
   std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>();
-  /// What JOINTS is in all of them.
-  std::shared_ptr<TypeDetail> joints = std::make_shared<TypeDetail>();
 };
 
 class Parser {
@@ -338,7 +336,6 @@ class Parser {
   std::vector<Program::ArrayLength> array_lengths_;
   std::vector<Program::FrameUse> frame_uses_;
   std::set<std::string> taught_;
-  std::shared_ptr<TypeDetail> joints_;
   bool surroundings_ = false;
   std::vector<Routine> routines_;
   std::optional<DefinedNames> defined_names_;  ///< once asked for

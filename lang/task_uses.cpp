@@ -79,8 +79,7 @@ void RoutineUses::report_tasks(const std::vector<Routine>& routines, Diagnostics
   for (const auto& [routine, place] : barred_) {
     const Routine* const task = task_of_[routine];
     if (task == nullptr) continue;
-    const std::string what =
-        fmt::format("a TASK neither moves the robot nor waits until it stands");
+    const std::string what = "a TASK neither moves the robot nor waits until it stands";
     diagnostics.error(code::kNotInTask, place,
                       task->index == routine
                           ? what

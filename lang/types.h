@@ -136,6 +136,7 @@ struct TypeTable {
   /// By the number of the file that declares them, and name in capitals.
   using Named = std::map<std::pair<std::uint32_t, std::string>, TypeDetail>;
   std::deque<TypeDetail> arrays;
+  TypeDetail joints;  ///< all of a program are of one robot, whose axes the checker puts in
   Named frames;
   Named records;
 

@@ -51,8 +51,7 @@ class Reader {
                              .imports = std::move(imports),
                              .nodes = nodes_,
                              .array_lengths = array_lengths_.size(),
-                             .types = types_,
-                             .joints = joints_})
+                             .types = types_})
                          .program();
       nodes_ = file.program.nodes;
       std::ranges::move(file.program.array_lengths, std::back_inserter(array_lengths_));
@@ -184,7 +183,6 @@ class Reader {
   std::size_t nodes_ = 0;
   std::vector<Program::ArrayLength> array_lengths_;
   std::shared_ptr<TypeTable> types_ = std::make_shared<TypeTable>();
-  std::shared_ptr<TypeDetail> joints_ = std::make_shared<TypeDetail>();
   bool whole_ = true;
 };
 

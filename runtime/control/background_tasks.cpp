@@ -42,7 +42,7 @@ void BackgroundTasks::carry_out(const Start& start) {
     error.help = "it may be started again when it has come to its end";
     return fail(std::move(error));
   }
-  Running running{start.task, std::make_unique<TaskMachine>(machine_), nullptr};
+  Running running{start.task, start.line, std::make_unique<TaskMachine>(machine_), nullptr};
   running.vm = std::make_unique<lang::Vm>(chunk_, *running.machine, start.task, memory_,
                                           seed_ + 1 + start.task);
   running_.push_back(std::move(running));
@@ -51,7 +51,12 @@ void BackgroundTasks::carry_out(const Start& start) {
 void BackgroundTasks::run_cycle() {
   std::erase_if(running_, [&](const Running& one) {
     const lang::Vm::State state = one.vm->run(kInstructions);
-    if (state == lang::Vm::State::Failed) fail(one.vm->error());
+    if (state == lang::Vm::State::Failed) {
+      lang::RuntimeError error = one.vm->error();
+      // The outermost is the TASK itself.
+      if (!error.calls.empty()) error.calls.back().line = one.line;
+      fail(std::move(error));
+    }
     return state == lang::Vm::State::Failed || state == lang::Vm::State::Done;
   });
 }

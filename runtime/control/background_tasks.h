@@ -59,6 +59,7 @@ class BackgroundTasks {
  private:
   struct Running {
     std::uint32_t task;
+    int line;  ///< of its START
     std::unique_ptr<TaskMachine> machine;
     std::unique_ptr<lang::Vm> vm;
   };

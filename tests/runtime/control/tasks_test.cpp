@@ -138,6 +138,16 @@ TEST_CASE("an error of a TASK is one of the program, and a TRY can catch it") {
   CHECK_FALSE(fatal.signals[1].value);
 }
 
+TEST_CASE("an error of a TASK tells where it was started") {
+  const RunResult result =
+      run("PROC check(n: INT)\nASSERT n < 2\nENDPROC\n"
+          "TASK count\ncheck(1)\ncheck(2)\nENDTASK\n"
+          "MOVE(20, 0, 0)\nSTART count\nMOVE(40, 0, 0)\n");
+  REQUIRE(result.error);
+  CHECK(result.error->place.line == 2);
+  CHECK(result.error->calls == std::vector<lang::CallSite>{{"check", 6}, {"count", 9}});
+}
+
 TEST_CASE("an error of a TASK ends a WAIT, and a motion under guard leaves nothing behind") {
   const RunResult result =
       run("TASK guard\nWAIT 1s\nRAISE \"late\"\nENDTASK\n"
