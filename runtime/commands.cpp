@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lang/disassembler.h"
+#include "lang/code/disassembler.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/control/units.h"
 #include "runtime/explain.h"

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/ascii.h"
-#include "lang/help.h"
-#include "lang/suggest.h"
+#include "lang/help/help.h"
+#include "lang/text/ascii.h"
+#include "lang/text/suggest.h"
 #include "runtime/control/codes.h"
 #include "runtime/program/console.h"
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "lang/formatter.h"
-#include "lang/source_text.h"
+#include "lang/format/formatter.h"
+#include "lang/text/source_text.h"
 #include "runtime/program/atomic_file.h"
 #include "runtime/program/console.h"
 #include "runtime/program/files.h"

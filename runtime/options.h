@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "lang/random.h"
+#include "lang/values/random.h"
 #include "runtime/program/run_result.h"
 
 namespace rob::runtime {

@@ -98,7 +98,7 @@ check_lists() {
       check_mentions code < <(sed -n "$names" "$root"/{lang,runtime/control}/codes.def)
       check_mentions code < <(grep -rhoE '"[ENW][0-9]{3}"' "$root/runtime" | tr -d '"')
       ;;
-    docs/language.md) check_mentions function < <(sed -n "$names" "$root/lang/builtins.def") ;;
+    docs/language.md) check_mentions function < <(sed -n "$names" "$root/lang/values/builtins.def") ;;
   esac
 }
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "lang/codes.h"
+#include "lang/text/codes.h"
 #include "runtime/control/robot_machine.h"
 
 namespace rob::runtime {

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "lang/task_memory.h"
-#include "lang/vm.h"
+#include "lang/vm/task_memory.h"
+#include "lang/vm/vm.h"
 #include "runtime/control/channels.h"
 #include "runtime/control/task_machine.h"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "lang/motion_words.h"
+#include "lang/machine/motion_words.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/messages.h"
 

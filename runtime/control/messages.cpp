@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "lang/ascii.h"
-#include "lang/codes.h"
-#include "lang/fold.h"
+#include "lang/check/fold.h"
+#include "lang/text/ascii.h"
+#include "lang/text/codes.h"
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/control/simulated_inputs.h"

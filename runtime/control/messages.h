@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "lang/arithmetic.h"
-#include "lang/machine.h"
-#include "lang/pose_math.h"
+#include "lang/machine/machine.h"
+#include "lang/values/arithmetic.h"
+#include "lang/values/pose_math.h"
 #include "motion/plan/feasibility.h"
 #include "motion/robots/robot_model.h"
 #include "motion/servo/following_supervisor.h"

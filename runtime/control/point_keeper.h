@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
-#include "lang/machine.h"
-#include "lang/pose_math.h"
+#include "lang/machine/machine.h"
+#include "lang/values/pose_math.h"
 
 namespace rob::runtime {
 

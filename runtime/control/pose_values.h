@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lang/pose_math.h"
+#include "lang/values/pose_math.h"
 #include "motion/space/pose.h"
 
 /// Poses between the language, which keeps their parts, and motion, which computes with Eigen's.

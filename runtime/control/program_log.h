@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lang/diagnostic.h"
+#include "lang/text/diagnostic.h"
 #include "motion/plan/segment_descriptor.h"
 
 namespace rob::runtime {

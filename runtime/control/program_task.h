@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "lang/vm.h"
+#include "lang/vm/vm.h"
 #include "runtime/control/background_tasks.h"
 #include "runtime/control/robot_machine.h"
 

@@ -1,6 +1,6 @@
 #include "runtime/control/program_watch.h"
 
-#include "lang/pose_slots.h"
+#include "lang/values/pose_slots.h"
 #include "runtime/control/pose_values.h"
 
 namespace rob::runtime {

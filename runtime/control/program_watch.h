@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "lang/robot_signature.h"
-#include "lang/watch.h"
+#include "lang/code/watch.h"
+#include "lang/machine/robot_signature.h"
 #include "motion/plan/watch.h"
 #include "motion/robots/robot_model.h"
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "lang/chunk.h"
-#include "lang/machine.h"
+#include "lang/code/chunk.h"
+#include "lang/machine/machine.h"
 #include "motion/plan/look_ahead_buffer.h"
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_model.h"

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "lang/move_pose.h"
-#include "lang/pose_slots.h"
+#include "lang/machine/move_pose.h"
+#include "lang/values/pose_slots.h"
 #include "motion/plan/reach.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/pose_values.h"

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "lang/robot_signature.h"
+#include "lang/machine/robot_signature.h"
 #include "motion/plan/segment_descriptor.h"
 #include "runtime/control/channels.h"
 

@@ -1,6 +1,6 @@
 #include "runtime/control/task_machine.h"
 
-#include "lang/codes.h"
+#include "lang/text/codes.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/control/signal_access.h"
 

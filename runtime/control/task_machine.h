@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/machine.h"
+#include "lang/machine/machine.h"
 #include "runtime/control/channels.h"
 #include "runtime/control/program_log.h"
 

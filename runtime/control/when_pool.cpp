@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lang/codes.h"
+#include "lang/text/codes.h"
 #include "motion/generate/watch_list.h"
 #include "runtime/control/messages.h"
 

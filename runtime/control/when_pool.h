@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lang/vm.h"
+#include "lang/vm/vm.h"
 #include "motion/generate/rest.h"
 #include "motion/plan/watched_action.h"
 #include "runtime/control/program_watch.h"

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "lang/source_text.h"
-#include "lang/suggest.h"
+#include "lang/text/source_text.h"
+#include "lang/text/suggest.h"
 #include "runtime/program/files.h"
 
 namespace rob::runtime {

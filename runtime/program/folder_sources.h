@@ -4,7 +4,7 @@
 #include <string_view>
 #include <variant>
 
-#include "lang/used_files.h"
+#include "lang/syntax/used_files.h"
 
 namespace rob::runtime {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "lang/ascii.h"
-#include "lang/lexer.h"
+#include "lang/syntax/lexer.h"
+#include "lang/text/ascii.h"
 
 namespace rob::runtime {
 

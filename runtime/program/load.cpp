@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "lang/ascii.h"
-#include "lang/move_pose.h"
-#include "lang/robot_name.h"
+#include "lang/machine/move_pose.h"
+#include "lang/syntax/robot_name.h"
+#include "lang/text/ascii.h"
 #include "motion/plan/feasibility.h"
 #include "motion/plan/reach.h"
 #include "motion/robots/robot_file.h"

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/compile.h"
+#include "lang/compile/compile.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/program/run_result.h"
 #include "runtime/program/signal_script.h"

@@ -9,9 +9,9 @@
 #include <ctime>
 #include <utility>
 
-#include "lang/ascii.h"
-#include "lang/number_text.h"
-#include "lang/robot_signature.h"
+#include "lang/machine/robot_signature.h"
+#include "lang/text/ascii.h"
+#include "lang/values/number_text.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/atomic_file.h"

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/diagnostic.h"
-#include "lang/point_table.h"
+#include "lang/machine/point_table.h"
+#include "lang/text/diagnostic.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/point_keeper.h"
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "lang/random.h"
+#include "lang/values/random.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/operator_panel.h"

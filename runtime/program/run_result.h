@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lang/diagnostic.h"
-#include "lang/vm.h"
+#include "lang/text/diagnostic.h"
+#include "lang/vm/vm.h"
 
 namespace rob::runtime {
 

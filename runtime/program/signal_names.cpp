@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "lang/number_text.h"
-#include "lang/units.h"
+#include "lang/values/number_text.h"
+#include "lang/values/units.h"
 #include "runtime/control/robot_machine.h"
 
 namespace rob::runtime {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "lang/chunk.h"
-#include "lang/robot_signature.h"
+#include "lang/code/chunk.h"
+#include "lang/machine/robot_signature.h"
 #include "motion/robots/robot_model.h"
 
 namespace rob::runtime {

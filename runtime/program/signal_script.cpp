@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "lang/number_text.h"
-#include "lang/source_text.h"
-#include "lang/suggest.h"
+#include "lang/text/source_text.h"
+#include "lang/text/suggest.h"
+#include "lang/values/number_text.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/line_reader.h"

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/chunk.h"
-#include "lang/diagnostic.h"
+#include "lang/code/chunk.h"
+#include "lang/text/diagnostic.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/simulated_inputs.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lang/random.h"
+#include "lang/values/random.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/program_log.h"
 #include "runtime/program/load.h"

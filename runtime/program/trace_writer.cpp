@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "lang/diagnostic.h"
+#include "lang/text/diagnostic.h"
 #include "runtime/control/units.h"
 
 namespace rob::runtime {

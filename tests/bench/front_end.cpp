@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "lang/compile.h"
+#include "lang/compile/compile.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/load.h"
 

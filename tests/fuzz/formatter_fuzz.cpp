@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "lang/compile.h"
-#include "lang/formatter.h"
+#include "lang/compile/compile.h"
+#include "lang/format/formatter.h"
 #include "tests/support/gantry_signature.h"
 #include "tests/support/same_code.h"
 

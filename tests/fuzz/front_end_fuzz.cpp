@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "lang/compile.h"
-#include "lang/parser.h"
+#include "lang/compile/compile.h"
+#include "lang/syntax/parser.h"
 #include "tests/fuzz/promises.h"
 #include "tests/support/gantry_signature.h"
 

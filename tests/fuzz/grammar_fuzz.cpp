@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "lang/compile.h"
+#include "lang/compile/compile.h"
 #include "tests/fuzz/promises.h"
 #include "tests/support/gantry_signature.h"
 #include "tests/support/grammar_program.h"

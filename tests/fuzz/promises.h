@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <optional>
 
-#include "lang/printing_machine.h"
-#include "lang/vm.h"
+#include "lang/vm/printing_machine.h"
+#include "lang/vm/vm.h"
 
 /// What the fuzz targets hold the language to.
 namespace rob::fuzz {

@@ -1,4 +1,4 @@
-#include "lang/checker.h"
+#include "lang/check/checker.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "lang/compiler.h"
+#include "lang/compile/compiler.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "lang/diagnostic.h"
+#include "lang/text/diagnostic.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "lang/codes.h"
+#include "lang/text/codes.h"
 
 using namespace rob::lang;
 

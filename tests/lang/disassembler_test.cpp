@@ -1,4 +1,4 @@
-#include "lang/disassembler.h"
+#include "lang/code/disassembler.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "lang/formatter.h"
+#include "lang/format/formatter.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "lang/compile.h"
+#include "lang/compile/compile.h"
 #include "tests/support/gantry_signature.h"
 #include "tests/support/random_program.h"
 #include "tests/support/same_code.h"

@@ -8,11 +8,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "lang/codes.h"
-#include "lang/compile.h"
-#include "lang/parser.h"
-#include "lang/printing_machine.h"
-#include "lang/vm.h"
+#include "lang/compile/compile.h"
+#include "lang/syntax/parser.h"
+#include "lang/text/codes.h"
+#include "lang/vm/printing_machine.h"
+#include "lang/vm/vm.h"
 #include "tests/support/gantry_signature.h"
 #include "tests/support/grammar_program.h"
 #include "tests/support/random_text.h"

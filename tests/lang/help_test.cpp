@@ -1,15 +1,15 @@
-#include "lang/help.h"
+#include "lang/help/help.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <string>
 
-#include "lang/builtins.h"
-#include "lang/codes.h"
-#include "lang/compile.h"
-#include "lang/keywords.h"
-#include "lang/units.h"
+#include "lang/compile/compile.h"
+#include "lang/syntax/keywords.h"
+#include "lang/text/codes.h"
+#include "lang/values/builtins.h"
+#include "lang/values/units.h"
 #include "tests/support/gantry_signature.h"
 
 using namespace rob::lang;

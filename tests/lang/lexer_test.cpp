@@ -1,11 +1,11 @@
-#include "lang/lexer.h"
+#include "lang/syntax/lexer.h"
 
 #include <doctest/doctest.h>
 
 #include <string>
 #include <vector>
 
-#include "lang/source_text.h"
+#include "lang/text/source_text.h"
 
 using namespace rob::lang;
 

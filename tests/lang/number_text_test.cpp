@@ -1,4 +1,4 @@
-#include "lang/number_text.h"
+#include "lang/values/number_text.h"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <random>
 
-#include "lang/parser.h"
-#include "lang/units.h"
+#include "lang/syntax/parser.h"
+#include "lang/values/units.h"
 
 using namespace rob::lang;
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lang/parser.h"
+#include "lang/syntax/parser.h"
 
 /// What the parser's tests share: a text is parsed, its tree and its messages are looked at.
 namespace rob::lang {

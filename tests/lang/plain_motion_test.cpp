@@ -1,4 +1,4 @@
-#include "lang/plain_motion.h"
+#include "lang/syntax/plain_motion.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "lang/pose_math.h"
+#include "lang/values/pose_math.h"
 
 #include <cmath>
 #include <limits>
@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 #include <Eigen/Geometry>
 
-#include "lang/units.h"
+#include "lang/values/units.h"
 
 /// The oracle is Eigen's rotation matrices, which share no formula with the quaternions here.
 namespace rob::lang {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "lang/compile.h"
-#include "lang/printing_machine.h"
-#include "lang/vm.h"
+#include "lang/compile/compile.h"
+#include "lang/vm/printing_machine.h"
+#include "lang/vm/vm.h"
 #include "tests/support/gantry_signature.h"
 
 namespace rob::test {

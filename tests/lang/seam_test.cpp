@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "lang/compile.h"
-#include "lang/printing_machine.h"
-#include "lang/vm.h"
+#include "lang/compile/compile.h"
+#include "lang/vm/printing_machine.h"
+#include "lang/vm/vm.h"
 
 using namespace rob::lang;
 

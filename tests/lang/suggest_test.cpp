@@ -1,4 +1,4 @@
-#include "lang/suggest.h"
+#include "lang/text/suggest.h"
 
 #include <doctest/doctest.h>
 

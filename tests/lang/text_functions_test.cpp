@@ -1,4 +1,4 @@
-#include "lang/text_functions.h"
+#include "lang/values/text_functions.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "lang/types.h"
+#include "lang/values/types.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "lang/units.h"
+#include "lang/values/units.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "lang/vm.h"
+#include "lang/vm/vm.h"
 
 #include <doctest/doctest.h>
 

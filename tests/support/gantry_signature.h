@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lang/robot_signature.h"
+#include "lang/machine/robot_signature.h"
 
 namespace rob::test {
 

@@ -5,9 +5,9 @@
 
 #include <fmt/core.h>
 
-#include "lang/compile.h"
-#include "lang/printing_machine.h"
-#include "lang/vm.h"
+#include "lang/compile/compile.h"
+#include "lang/vm/printing_machine.h"
+#include "lang/vm/vm.h"
 
 namespace rob::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/point_table.h"
-#include "lang/robot_signature.h"
+#include "lang/machine/point_table.h"
+#include "lang/machine/robot_signature.h"
 
 /// Golden programs: .rob files with the expectation in a comment on the line it is about.
 ///

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "lang/codes.h"
-#include "lang/diagnostic.h"
+#include "lang/text/codes.h"
+#include "lang/text/diagnostic.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/files.h"
 #include "runtime/program/load.h"

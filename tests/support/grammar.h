@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/token.h"
+#include "lang/syntax/token.h"
 
 /// A grammar in Wirth's notation, as it stands in docs/rob.ebnf: { } repeats, [ ] may be left out,
 /// ( ) groups, | chooses, "…" or '…' is written so, and a rule ends with a point.

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <set>
 
-#include "lang/ascii.h"
-#include "lang/lexer.h"
-#include "lang/units.h"
+#include "lang/syntax/lexer.h"
+#include "lang/text/ascii.h"
+#include "lang/values/units.h"
 #include "tests/support/grammar.h"
 #include "tests/support/token_classes.h"
 

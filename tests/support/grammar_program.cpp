@@ -1,6 +1,6 @@
 #include "tests/support/grammar_program.h"
 
-#include "lang/compile.h"
+#include "lang/compile/compile.h"
 
 namespace rob::test {
 namespace {

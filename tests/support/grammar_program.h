@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lang/robot_signature.h"
+#include "lang/machine/robot_signature.h"
 #include "tests/support/grammar.h"
 
 namespace rob::test {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "lang/ascii.h"
-#include "lang/chunk.h"
+#include "lang/code/chunk.h"
+#include "lang/text/ascii.h"
 
 namespace rob::test {
 

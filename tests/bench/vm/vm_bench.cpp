@@ -19,9 +19,9 @@
 #include <string>
 #include <vector>
 
-#include "lang/compile.h"
-#include "lang/printing_machine.h"
-#include "lang/vm.h"
+#include "lang/compile/compile.h"
+#include "lang/vm/printing_machine.h"
+#include "lang/vm/vm.h"
 #include "tests/support/gantry_signature.h"
 
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <thread>
 
-#include "lang/pose_slots.h"
+#include "lang/values/pose_slots.h"
 #include "runtime/control/latest_joints.h"
 #include "tests/support/stepped_run.h"
 

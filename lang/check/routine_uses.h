@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "lang/check/symbols.h"
+#include "lang/syntax/ast.h"
+#include "lang/text/diagnostic.h"
+
+namespace rob::lang {
+
+/// Which routine uses which global and calls which routine. A routine sees all globals of its
+/// file, but a call that stands above the declaration of one that it needs, itself or through what
+/// it calls, would find it without a value: that is an error.
+///
+/// The checker tells what it meets; statements of the top level count from 1.
+class RoutineUses {
+ public:
+  explicit RoutineUses(std::size_t routines) : callers_(routines) {}
+
+  /// From here on things belong to `routine`, or to the top level where it is null.
+  void enter(const Routine* routine) { inside_ = routine; }
+  void next_statement() { ++statement_; }
+  void declared(const Symbol& global) { declared_in_[&global] = statement_; }
+  void used(const Symbol& symbol);
+  void called(const Routine& routine, Place place);
+
+  void report(Diagnostics& diagnostics) const;
+
+  // TASKs
+  void statement(const Statement& statement);
+  void written(const Symbol& symbol);
+  /// Given to a REF parameter.
+  void referred(const Symbol& symbol, Place place);
+  /// To be called when all is checked: what TASKs, and what they call, must not do is an error.
+  void report_tasks(const std::vector<Routine>& routines, Diagnostics& diagnostics);
+  /// Whether a routine is a TASK or is called by one; null: the top level. After report_tasks().
+  bool in_task(const Routine* routine) const;
+  struct Shared {
+    const Symbol* symbol;
+    bool observed;  ///< a TASK gives it a value
+  };
+  /// The globals that TASKs use, in the order of their declaration. After report_tasks().
+  std::vector<Shared> shared() const;
+
+ private:
+  struct TopLevelCall {
+    const Routine* routine;
+    Place place;
+    std::size_t statement;
+  };
+  std::vector<const Symbol*> latest_needs() const;
+
+  const Routine* inside_ = nullptr;
+  std::size_t statement_ = 0;
+  std::map<const Symbol*, std::size_t> declared_in_;
+  std::map<const Symbol*, std::set<std::size_t>> users_;  ///< routines by index
+  std::vector<std::set<std::size_t>> callers_;            ///< of each routine
+  std::vector<TopLevelCall> calls_;
+
+  void gather_tasks(const std::vector<Routine>& routines);
+  void report_references(Diagnostics& diagnostics) const;
+  bool any_in_task(const std::set<std::size_t>& routines) const;
+  struct Reference {
+    const Symbol* symbol;
+    Place place;
+  };
+  std::map<std::size_t, Place> barred_;  ///< by routine: the first statement that no TASK can have
+  std::map<const Symbol*, std::set<std::size_t>> writers_;
+  std::vector<Reference> references_;
+  std::vector<const Routine*> task_of_;  ///< of each routine: a TASK that it is or that calls it
+};
+
+}  // namespace rob::lang

@@ -1,0 +1,213 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/machine/machine.h"
+#include "lang/text/diagnostic.h"
+#include "lang/values/arithmetic.h"
+#include "lang/values/types.h"
+
+/// A compiled program: what the Vm executes and the disassembler lists.
+namespace rob::lang {
+
+enum class Opcode : std::uint8_t {
+#define ROB_OPCODE(name, operands) name,
+#include "lang/code/opcodes.def"
+};
+
+/// One word of code; its fields are explained in opcodes.def.
+struct Instruction {
+  std::uint32_t word = 0;
+
+  static constexpr Instruction abc(Opcode op, unsigned a = 0, unsigned b = 0, unsigned c = 0) {
+    return {static_cast<std::uint32_t>(op) | a << 8 | b << 16 | c << 24};
+  }
+  static constexpr Instruction ax(Opcode op, unsigned a, unsigned x) {
+    return {static_cast<std::uint32_t>(op) | a << 8 | x << 16};
+  }
+  static constexpr Instruction jump(Opcode op, std::int32_t distance) {
+    return {static_cast<std::uint32_t>(op) | static_cast<std::uint32_t>(distance) << 8};
+  }
+
+  constexpr Opcode opcode() const { return static_cast<Opcode>(word & 0xff); }
+  constexpr std::uint8_t a() const { return static_cast<std::uint8_t>(word >> 8); }
+  constexpr std::uint8_t b() const { return static_cast<std::uint8_t>(word >> 16); }
+  constexpr std::uint8_t c() const { return static_cast<std::uint8_t>(word >> 24); }
+  constexpr std::uint16_t x() const { return static_cast<std::uint16_t>(word >> 16); }
+  constexpr std::int16_t signed_x() const { return static_cast<std::int16_t>(word >> 16); }
+  constexpr std::int32_t distance() const { return static_cast<std::int32_t>(word) >> 8; }
+};
+
+/// A REAL that stands in the code itself.
+constexpr std::array<Instruction, 2> words_of(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  return {Instruction{static_cast<std::uint32_t>(bits)},
+          Instruction{static_cast<std::uint32_t>(bits >> 32U)}};
+}
+constexpr double real_at(const Instruction* words) {
+  return std::bit_cast<double>(words[0].word | std::uint64_t{words[1].word} << 32U);
+}
+
+/// The farthest that a jump reaches, in words: what fits 24 bits with a sign.
+inline constexpr std::size_t kFarthestJump = (std::size_t{1} << 23) - 1;
+/// Number registers, and text registers, that one frame can have: what fits 8 bits.
+inline constexpr int kMostRegisters = 256;
+/// Of these the ones that variables may take; further ones lie in memory. [choice] what is left is
+/// enough for FOR, and for all that one statement computes.
+inline constexpr int kVariableRegisters = 160;
+
+/// The registers of all frames together; the frames' memory lies behind them (kMemory). [choice]
+/// the numbers take 512 KiB.
+inline constexpr std::size_t kNumberStack = 65536;
+inline constexpr std::size_t kTextStack = 1024;
+
+/// What a `move` instruction finds in the registers from A on: the number of the axis where it is
+/// computed, the given components in order or radius and turns of a spiral, then the values of AT,
+/// OVER, ACCEL, JERK, ZONE and FOR. A `via` finds components alone.
+struct MoveForm {
+  MotionKind kind = MotionKind::Joint;
+  MoveCommand::Target means = MoveCommand::Target::Coordinates;
+  JogFrame jog{};
+  bool relative = false;
+  bool in_frame = false;       ///< as in MoveCommand
+  bool computed_axis = false;  ///< `given` says nothing: the first register does
+  int count = 0;               ///< components that there are
+  std::uint8_t given = 0;      ///< as in MoveCommand
+  MoveCommand::Pace pace = MoveCommand::Pace::Unspecified;
+  bool over = false;
+  MoveCommand::Bound accel = MoveCommand::Bound::Unspecified;
+  MoveCommand::Bound jerk = MoveCommand::Bound::Unspecified;
+  MoveCommand::Zone zone = MoveCommand::Zone::Unspecified;
+  bool lasts = false;  ///< FOR
+  bool fine = false;
+  Profile profile = Profile::Unspecified;
+
+  bool operator==(const MoveForm&) const = default;
+};
+
+/// What is evaluated in every control cycle takes at most so many instructions. [choice: about a
+/// microsecond each sixteenth of it]
+inline constexpr std::size_t kLongestWatch = 256;
+/// Slots of variables that it may use. [choice: as many names do not fit on a line]
+inline constexpr int kMostWatched = 32;
+
+/// The code of a condition that is evaluated in every control cycle (lang/code/watch.h).
+struct WatchForm {
+  std::uint32_t entry = 0;
+  std::uint32_t end = 0;    ///< one past its last word
+  std::uint8_t values = 0;  ///< registers that hold the values of variables, from 0 on
+};
+
+/// Where a variable lives; for listings and, later, for looking at a halted program.
+struct NamedRegister {
+  std::string name;
+  std::uint8_t index = 0;
+  bool text = false;       ///< a text register
+  std::uint32_t from = 0;  ///< first instruction at which the name means this register
+  std::uint32_t to = 0;    ///< one past the last
+};
+
+/// What SIGNAL calls a channel, and for an analog one what its volts stand for, SI; for reports.
+struct NamedSignal {
+  std::string name;
+  int signal = 0;  ///< its index in the RobotSignature
+  Dimension dimension;
+  double low = 0;   ///< at 0V
+  double high = 0;  ///< at kMostVolts
+
+  bool operator==(const NamedSignal&) const = default;
+};
+
+/// What an output becomes when the run goes wrong: SAFE.
+struct SafeValue {
+  int signal = 0;    ///< its index in the RobotSignature
+  double value = 0;  ///< 1 for ON, V
+  int line = 0;      ///< line_tag() of its declaration
+};
+
+/// A PROC or FUNC: where its code begins, and how much of the stack it takes.
+struct RoutineCode {
+  std::string name;
+  std::uint32_t entry = 0;
+  int registers = 0;
+  int text_registers = 0;
+  Slots memory;  ///< behind the registers
+};
+
+/// A place for each word of code, in order. Words in a row that come from one place take no more
+/// than one.
+class PlaceTable {
+ public:
+  void push_back(const Place& place) {
+    if (runs_.empty() || runs_.back().place != place) runs_.push_back({size_, place});
+    ++size_;
+  }
+  const Place& operator[](std::size_t word) const;
+  std::size_t size() const { return size_; }
+  const Place& back() const { return runs_.back().place; }
+
+ private:
+  struct Run {
+    std::uint32_t first = 0;  ///< its first word
+    Place place;
+  };
+  std::vector<Run> runs_;
+  std::uint32_t size_ = 0;
+};
+
+/// A TEST: what it is called, where it stands, and its routine.
+struct TestCode {
+  std::string name;
+  Place place;
+  std::uint32_t routine = 0;
+};
+
+/// A TASK: what it is called, and its routine.
+struct TaskCode {
+  std::string name;
+  std::uint32_t routine = 0;
+};
+
+struct Chunk {
+  std::vector<Instruction> code;
+  PlaceTable places;  ///< of every word of code: where it comes from
+  std::vector<Slot> constants;
+  std::vector<Type> constant_types;  ///< parallel to constants; for listings
+  std::vector<std::string> texts;
+  std::vector<Dimension> dimensions;
+  std::vector<Type> types;  ///< of the compound values that are made into texts
+  std::vector<MoveForm> moves;
+  std::vector<WatchForm> watches;
+  std::vector<std::string> signals;  ///< names by number; for listings
+  std::vector<NamedSignal> named_signals;
+  std::vector<SafeValue> safe_values;
+  std::vector<NamedRegister> names;
+  std::vector<RoutineCode> routines;
+  std::vector<TestCode> tests;
+  std::uint32_t test_entry = 0;  ///< where every TEST begins: with the program's declarations
+  std::vector<TaskCode> tasks;
+  std::uint32_t task_entry = 0;  ///< where every TASK begins
+  int registers = 0;             ///< of the top level
+  int text_registers = 0;
+  Slots memory;                                 ///< of the top level, behind its registers
+  std::shared_ptr<const TypeTable> type_table;  ///< where `types` point to
+};
+
+/// Whether a routine takes memory behind its registers.
+bool takes_memory(const Chunk& chunk);
+
+/// "add_int", and what its operands are: the letters of opcodes.def.
+struct OpcodeInfo {
+  std::string_view name;
+  std::string_view operands;
+};
+const OpcodeInfo& info(Opcode opcode);
+
+}  // namespace rob::lang

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+
+#include "lang/code/code_builder.h"
+#include "lang/values/types.h"
+
+namespace rob::lang {
+
+/// Where the number slots, or the text slots, of a value begin. They follow one another.
+struct SlotsAt {
+  enum class Base : std::uint8_t {
+    Own,             ///< registers of the present frame
+    GlobalRegister,  ///< of the top level, seen from a routine
+    GlobalMemory,    ///< `offset` slots behind where the memory of the top level begins, likewise
+    Place            ///< `offset` slots behind the place on the stack that register `place` holds
+  };
+
+  Base base = Base::Own;
+  std::uint32_t offset = 0;
+  Register place = 0;
+
+  SlotsAt behind(int slots) const {
+    return {base, offset + static_cast<std::uint32_t>(slots), place};
+  }
+  bool in_register() const { return base == Base::Own; }
+  /// The register that it is.
+  Register reg() const { return static_cast<Register>(offset); }
+};
+
+/// Where a value lies. Texts and numbers have stacks of their own.
+struct Location {
+  SlotsAt numbers;
+  SlotsAt texts;
+
+  Location behind(Slots slots) const {
+    return {numbers.behind(slots.numbers), texts.behind(slots.texts)};
+  }
+};
+
+}  // namespace rob::lang

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <vector>
+
+#include "lang/check/fold.h"
+#include "lang/check/observations.h"
+#include "lang/check/target.h"
+#include "lang/compile/expression_compiler.h"
+#include "lang/compile/statement_compiler.h"
+
+/// Code for what is evaluated in every control cycle, and for the statements that it belongs to.
+namespace rob::lang {
+namespace {
+
+/// What is fixed when the statement is executed: variables, each once, and what belongs to them.
+class Fixed {
+ public:
+  void gather(const Expr& expression) {
+    if (known(expression.constant)) return;
+    if (const auto* const name = std::get_if<Name>(&expression.node)) {
+      const bool first = std::ranges::none_of(names_, [&](const Expr* other) {
+        return std::get<Name>(other->node).symbol == name->symbol;
+      });
+      if (first && is_fixed(*name->symbol)) names_.push_back(&expression);
+    } else if (const auto* const unary = std::get_if<Unary>(&expression.node)) {
+      gather(*unary->operand);
+    } else if (const auto* const binary = std::get_if<Binary>(&expression.node)) {
+      gather(*binary->left);
+      gather(*binary->right);
+    } else if (const auto* const call = std::get_if<Call>(&expression.node)) {
+      for (const ExprPtr& argument : call->arguments) gather(*argument);
+    } else if (const auto* const tuple = std::get_if<Tuple>(&expression.node)) {
+      for (const Tuple::Element& element : tuple->elements) gather(*element.value);
+    } else if (const auto* const member = std::get_if<Member>(&expression.node)) {
+      gather(*member->object);
+    } else if (const auto* const index = std::get_if<Index>(&expression.node)) {
+      gather(*index->object);
+    }
+  }
+  const std::vector<const Expr*>& names() const { return names_; }
+
+ private:
+  static bool is_fixed(const Symbol& symbol) {
+    const bool read = symbol.kind == Symbol::Kind::Reading && is_observation(symbol.reading);
+    return symbol.kind != Symbol::Kind::Signal && !read && !known(symbol.value);
+  }
+
+  std::vector<const Expr*> names_;
+};
+
+}  // namespace
+
+/// Their values lie side by side, in the watch as in the frame that sets it up.
+ExpressionCompiler::WatchCode ExpressionCompiler::watch(const Expr& condition) {
+  Fixed fixed;
+  fixed.gather(condition);
+  const Place place = condition.place;
+  latched_ = false;
+  refresh(observed_globals(condition), place);
+  int count = 0;
+  for (const Expr* const name : fixed.names()) count += slots_of(name->type).numbers;
+  const Register values = code_.number_registers(std::max(count, 1));
+  Register next = values;
+  for (const Expr* const name : fixed.names()) {
+    into(*name, next, false);
+    next = static_cast<Register>(next + slots_of(name->type).numbers);
+  }
+  code_.begin_watch(place);
+  std::vector<Location> homes;
+  for (const Expr* const name : fixed.names()) {
+    const Symbol& variable = *std::get<Name>(name->node).symbol;
+    homes.push_back(homes_[variable.id]);
+    const Register home = code_.number_registers(slots_of(name->type).numbers);
+    settle(variable, Location{{SlotsAt::Base::Own, home}, {}});
+  }
+  latched_ = false;
+  watching_ = true;
+  const Register answer = operand(condition, false);
+  watching_ = false;
+  for (std::size_t i = 0; i < homes.size(); ++i) {
+    settle(*std::get<Name>(fixed.names()[i]->node).symbol, homes[i]);
+  }
+  return {code_.end_watch(answer, count, place), values};
+}
+
+void StatementCompiler::compile(const When& when) {
+  const Place place = place_;
+  const auto mark = code_.mark();
+  const ExpressionCompiler::WatchCode watch = expressions_.watch(*when.condition);
+  code_.when(watch.values, watch.index, whens_++, place);
+  if (const auto* const raise = std::get_if<Raise>(&when.action.front().node)) {
+    code_.emit(Opcode::when_raise, place, expressions_.value(*raise->value));
+  } else {
+    compile(when.action);
+  }
+  code_.release(mark);
+}
+
+void StatementCompiler::leave_whens(std::size_t kept) {
+  if (whens_ == kept) return;
+  code_.emit(Instruction::ax(Opcode::disarm, 0, static_cast<std::uint16_t>(kept)), place_);
+}
+
+/// AT LIVE: set up before the motion that it belongs to.
+void StatementCompiler::compile_live(const Expr& pace) {
+  const auto mark = code_.mark();
+  const ExpressionCompiler::WatchCode watch = expressions_.watch(pace);
+  code_.emit(Instruction::ax(Opcode::live_pace, watch.values, watch.index), pace.place);
+  code_.emit(Instruction{static_cast<std::uint32_t>(*pace_of(pace.type))}, pace.place);
+  code_.release(mark);
+}
+
+void StatementCompiler::compile(const WayPoint& event) {
+  const auto mark = code_.mark();
+  const Register distance = code_.number_registers(2);
+  const auto lead = static_cast<Register>(distance + 1);
+  expressions_.value_into(*event.distance, distance);
+  if (event.shift == nullptr) {
+    code_.load_real(lead, 0, kTime, event.place);
+  } else {
+    expressions_.value_into(*event.shift, lead);
+    if (event.lag) code_.emit(Opcode::neg_real, event.place, lead, lead);
+  }
+  code_.emit(Opcode::on_the_way, event.place, distance, event.before ? 1 : 0);
+  compile(event.action);
+  code_.release(mark);
+}
+
+/// The guard is set before the motion is commanded, and asked for behind it.
+void StatementCompiler::compile(const WatchedMotion& watched) {
+  const Place place = place_;
+  const auto mark = code_.mark();
+  const auto& move = std::get<Move>(watched.motion.front().node);
+  enter(move.clauses.surroundings);
+  for (const WayPoint& event : watched.events) compile(event);
+  place_ = place;  // the actions of the events have theirs
+  if (watched.until == nullptr) {
+    compile_motion(move);
+    return leave(move.clauses.surroundings, place);
+  }
+  const ExpressionCompiler::WatchCode watch = expressions_.watch(*watched.until);
+  code_.emit(Instruction::ax(Opcode::guard, watch.values, watch.index), place);
+  compile_motion(move);
+  const Register hit = code_.number_registers();
+  code_.emit(Opcode::ended, place, hit);
+  leave(move.clauses.surroundings, place);
+  if (watched.has_else) {
+    code_.emit(Opcode::if_bool, place, hit, 1);
+    const CodeBuilder::Jump done = code_.jump(place);
+    compile(watched.otherwise);
+    code_.land(done);
+  }
+  code_.release(mark);
+}
+
+}  // namespace rob::lang

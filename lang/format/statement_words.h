@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "lang/syntax/token.h"
+
+namespace rob::lang {
+
+/// What a token is within its statement, as far as its writing depends on it.
+enum class WordUse : std::uint8_t {
+  Name,
+  Label,      ///< before a ':' in brackets: a component, a parameter
+  Member,     ///< behind a '.'
+  Kept,       ///< a name that has to stay as it is written: of a file, of a record and its fields
+  Clause,     ///< a word that is not reserved but a keyword where it stands
+  TypeName,   ///< behind the ':' of a declaration
+  Unit,       ///< part of a unit between brackets or behind UNITS
+  UnarySign,  ///< the sign of one value
+  Other
+};
+
+struct WrittenWord {
+  WordUse use = WordUse::Other;
+  bool blank_before = false;
+};
+
+/// Goes along the tokens of one statement and tells what each is and whether a blank stands before
+/// it. It knows the clause words of all versions of the language.
+class StatementWords {
+ public:
+  /// `fields`: the statement is a line of a RECORD.
+  void begin(bool fields);
+
+  /// `rest`: the tokens of the line from the present one on.
+  WrittenWord next(std::span<const Token> rest);
+
+  /// Brackets that are open behind the last token.
+  int depth() const { return depth_; }
+
+ private:
+  WordUse use_of(std::span<const Token> rest);
+  WordUse use_of_word(const Token& word, TokenKind behind);
+  bool begins_as_keyword(const Token& word, TokenKind behind) const;
+  bool is_clause(const Token& word, TokenKind behind) const;
+  bool is_unary(const Token& token) const;
+  bool blank_before(const Token& token, WordUse use) const;
+  void go_on(const Token& token, WordUse use);
+  bool follows(Keyword keyword) const;
+  bool follows_clause(std::string_view word) const;
+
+  Token previous_;
+  WordUse previous_use_ = WordUse::Other;
+  bool at_begin_ = true;  ///< of a statement, also of one behind THEN, ELSE or a trigger's ':'
+  bool behind_value_ = false;
+  bool fields_ = false;
+  bool trigger_ = false;    ///< WHEN, AFTER, BEFORE: a ':' stands before the action
+  bool all_units_ = false;  ///< UNITS
+  int depth_ = 0;
+  std::size_t unit_words_ = 0;  ///< tokens that still belong to a unit between brackets
+};
+
+}  // namespace rob::lang

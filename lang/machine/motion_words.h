@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "lang/text/ascii.h"
+
+/// The words of motions that syntax tree, code and Machine share.
+namespace rob::lang {
+
+/// Along what a motion runs.
+enum class MotionKind : std::uint8_t {
+  Joint,   ///< MOVE: every axis straight to its target, all arriving together
+  Line,    ///< MOVEL: the tool on a straight line
+  Arc,     ///< MOVEC: the tool on the arc of a circle through one point
+  Spline,  ///< MOVES: the tool on a smooth curve exactly through any number of points
+  Spiral,  ///< SPIRAL: the tool on an Archimedean spiral towards a centre
+  Jog      ///< JOG: at given rates, without a target
+};
+
+inline constexpr std::array<std::string_view, 6> kMotionWords{"MOVE",  "MOVEL",  "MOVEC",
+                                                              "MOVES", "SPIRAL", "JOG"};
+
+/// "MOVE", "MOVEL": as it is written.
+constexpr std::string_view word_of(MotionKind kind) {
+  return kMotionWords[static_cast<std::size_t>(kind)];
+}
+
+/// What the rates of a JOG are of.
+enum class JogFrame : std::uint8_t {
+  Joint,  ///< of the axes
+  World,  ///< of the coordinates in the world: of the place and of the angles a, b, c
+  Tool    ///< of the tool's motion, seen from the tool
+};
+
+inline constexpr std::array<std::string_view, 3> kJogWords{"JOINT", "WORLD", "TOOL"};
+
+/// PROFILE: how the speed of a motion from rest to rest rises and falls.
+enum class Profile : std::uint8_t { Unspecified, Rectangular, Trapezoidal, Parabolic, Cosine };
+
+inline constexpr std::array<std::string_view, 4> kProfileWords{"RECTANGULAR", "TRAPEZOIDAL",
+                                                               "PARABOLIC", "COSINE"};
+
+/// The profile of that name, in any case.
+inline std::optional<Profile> find_profile(std::string_view word) {
+  for (std::size_t i = 0; i < kProfileWords.size(); ++i) {
+    if (same_word(kProfileWords[i], word)) return static_cast<Profile>(i + 1);
+  }
+  return std::nullopt;
+}
+
+/// What not every robot can do, so that each has to say whether it can.
+enum class MotionFeature : std::uint8_t {
+  Accel,
+  Jerk,
+  Profile,
+  LookAhead,
+  LivePace,
+  Arc,
+  Spline,
+  Spiral,
+  Jog,
+  Path,
+  Press
+};
+
+/// What a motion of this kind asks of a robot, if not every robot can do it.
+constexpr std::optional<MotionFeature> feature_of(MotionKind kind) {
+  switch (kind) {
+    case MotionKind::Joint:
+    case MotionKind::Line:
+      return std::nullopt;
+    case MotionKind::Arc:
+      return MotionFeature::Arc;
+    case MotionKind::Spline:
+      return MotionFeature::Spline;
+    case MotionKind::Spiral:
+      return MotionFeature::Spiral;
+    case MotionKind::Jog:
+      return MotionFeature::Jog;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rob::lang

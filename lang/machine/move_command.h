@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "lang/machine/motion_words.h"
+#include "lang/machine/robot_signature.h"
+
+namespace rob::lang {
+
+/// A motion as the program asks for it. SI units: m, rad, s.
+struct MoveCommand {
+  /// What the components of a target are.
+  enum class Target : std::uint8_t {
+    Coordinates,  ///< of a tuple, as RobotSignature names them
+    Axes,         ///< the axes themselves
+    Pose          ///< of the tool in the world, x y z w i j k; BY: x y z added to its place
+  };
+  enum class Pace : std::uint8_t {
+    Unspecified,   ///< no AT
+    ToolSpeed,     ///< AT 20mm/s: m/s of the tool point
+    AngularSpeed,  ///< AT 10deg/s: rad/s of every rotary axis
+    Share          ///< AT 50%: of all maxima, 1 = 100 %
+  };
+  /// ZONE: how the corner at the target is bounded.
+  enum class Zone : std::uint8_t {
+    Unspecified,  ///< no ZONE: the robot's own
+    Length,       ///< ZONE 5mm: m by which the target may be missed
+    Time,         ///< ZONE 0.5s: s, half the time that the corner takes
+    Share         ///< ZONE 50%: of the robot's own, 1 = 100 %
+  };
+  /// ACCEL and JERK bound the tool point (m/s², m/s³) or the rotary axes (rad/s², rad/s³).
+  enum class Bound : std::uint8_t { Unspecified, Tool, Rotary };
+
+  MotionKind kind = MotionKind::Joint;
+  JogFrame jog{};  ///< of Jog
+  Target means = Target::Coordinates;
+  bool relative = false;   ///< BY: from the last commanded target
+  int count = 0;           ///< components that there are
+  std::uint8_t given = 0;  ///< bit i: component i was written
+  /// What is not given is 0. Of Jog: rates, m/s or rad/s, of the coordinates or the axes.
+  std::array<double, kMaxCoordinates> target{};
+  bool in_frame = false;  ///< a Pose without a frame of its own: it is seen from the Setting's
+  double radius = 0;      ///< of Spiral: where it begins, m from its centre
+  double turns = 0;       ///< of Spiral: until the centre is reached
+  double lasts = 0;       ///< of Jog: FOR, s of the motion; 0 where left out
+  Pace pace = Pace::Unspecified;
+  double pace_value = 0;
+  double over = 0;  ///< OVER: lower bound on the duration, s; 0 where it was left out
+  Zone zone = Zone::Unspecified;
+  double zone_value = 0;  ///< 0: the target is reached exactly, as with FINE
+  bool fine = false;
+  Bound accel = Bound::Unspecified;
+  double accel_value = 0;
+  Bound jerk = Bound::Unspecified;
+  double jerk_value = 0;
+  Profile profile = Profile::Unspecified;
+
+  bool has(int i) const { return (given >> i & 1) != 0; }
+  /// Whether the target is to be reached exactly, at rest.
+  bool exact() const { return fine || (zone != Zone::Unspecified && zone_value == 0); }
+};
+
+/// MoveCommand::given where all of `count` components are.
+constexpr std::uint8_t given_all(int count) {
+  return static_cast<std::uint8_t>((1U << static_cast<unsigned>(count)) - 1);
+}
+
+}  // namespace rob::lang

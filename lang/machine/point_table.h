@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/text/ascii.h"
+#include "lang/values/pose_math.h"
+
+namespace rob::lang {
+
+/// What a program's points file holds, as plain values; where it comes from is none of the
+/// language's business.
+struct PointTable {
+  struct Point {
+    std::string name;
+    std::string frame;  ///< of the program, that `pose` is in; empty for the world
+    PoseValue pose;
+    std::vector<double> joints{};  ///< of the bare flange; empty where they are not known
+  };
+  std::vector<Point> points;
+
+  /// Names are the same in small letters and in capitals. Null if there is none.
+  const Point* find(std::string_view name) const {
+    for (const Point& point : points) {
+      if (same_word(point.name, name)) return &point;
+    }
+    return nullptr;
+  }
+};
+
+}  // namespace rob::lang

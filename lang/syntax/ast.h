@@ -1,0 +1,294 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "lang/machine/motion_words.h"
+#include "lang/syntax/ast_motion.h"
+#include "lang/syntax/expression_tree.h"
+#include "lang/text/diagnostic.h"
+#include "lang/values/pose_math.h"
+#include "lang/values/types.h"
+#include "lang/values/units.h"
+
+/// The syntax tree: what was written, in the shape of the grammar (docs/rob.ebnf). The parser
+/// builds it; the checker fills in `Expr::type`, the symbols and the constants; the compiler
+/// reads it. The depth of a tree is bounded by the parser, so recursion over it is safe.
+namespace rob::lang {
+
+struct Statement;
+using Block = std::vector<Statement>;
+
+// ----------------------------------------------------------------- statements
+
+/// WHEN door : lift = OFF
+struct When {
+  ExprPtr condition;
+  Block action;  ///< one statement
+};
+struct Stop {};
+struct Brake {};
+/// ZERO force
+struct ZeroForce {};
+/// HALT "change the tool"
+struct Halt {
+  ExprPtr text;  ///< null where left out
+};
+/// ASK "how many? " INTO count
+struct Ask {
+  ExprPtr text;
+  ExprPtr target;  ///< a Name, or a Member or Index of one
+};
+/// VAR a, b = 1 · VAR a: LENGTH · CONST c = 2mm · FRAME f = POSE(…) · TOOL t = POSE(…) MASS 1kg
+struct Declaration {
+  struct Declared {
+    std::string name;
+    Place place;
+    const Symbol* symbol = nullptr;  ///< set by the checker
+  };
+  bool constant = false;
+  std::vector<Declared> names;
+  std::optional<Type> type;  ///< where it was written; Unknown where the parser found it faulty
+  ExprPtr value;             ///< null where left out
+  ExprPtr mass{};            ///< of TOOL; null where left out
+  ExprPtr cog{};             ///< of TOOL: its centre of gravity; null where left out
+  const TypeDetail* frame = nullptr;  ///< of FRAME: what poses in it have as their detail
+};
+/// RECORD part … ENDRECORD
+struct RecordDeclaration {
+  struct Fields {
+    std::vector<Declaration::Declared> names;
+    Type type;
+  };
+  Declaration::Declared declared;
+  std::vector<Fields> groups;
+  TypeDetail* detail = nullptr;  ///< what values of it have as their detail
+  bool sound = true;             ///< could be read
+};
+/// SIGNAL part_here = DIN[1] · SIGNAL wire: SPEED = AOUT[1] SCALE 0mm/s TO 300mm/s
+struct SignalDeclaration {
+  std::string name;
+  Place name_place;
+  std::optional<Type> type;  ///< where it was written
+  Place type_place;
+  ExprPtr low;            ///< SCALE: what 0V stand for; null where left out
+  ExprPtr high;           ///< what kMostVolts stand for
+  ExprPtr safe;           ///< SAFE; null where left out
+  double safe_value = 0;  ///< set by the checker: 1 for ON, V
+  Name channel;
+  Place channel_place;
+  const Symbol* symbol = nullptr;  ///< set by the checker
+};
+/// POINT pick, place · POINT home = POSE(0mm, 0mm, 50mm)
+struct PointDeclaration {
+  struct Point {
+    Declaration::Declared declared;
+    std::optional<PoseValue> kept{};  ///< set by the checker: what the points file says
+  };
+  std::vector<Point> points;
+  ExprPtr value;      ///< null where left out
+  bool sound = true;  ///< could be read
+};
+/// TEACH pick
+struct Teach {
+  Name target;
+  Place target_place;
+  const Symbol* frame = nullptr;  ///< set by the checker: that the point is in; null for the world
+};
+struct Assign {
+  ExprPtr target;  ///< a Name, or a Member or Index of one
+  ExprPtr value;
+};
+/// PULSE coming 50ms
+struct Pulse {
+  Name target;
+  Place target_place;
+  ExprPtr time;
+};
+struct Print {
+  std::vector<ExprPtr> values;
+};
+/// WAIT 0.5s · WAIT part_here TIMEOUT 3s ELSE lift = OFF
+struct Wait {
+  ExprPtr value;    ///< a time, or a condition
+  ExprPtr timeout;  ///< null where left out
+  bool has_else = false;
+  Block otherwise;  ///< of ELSE: one statement
+};
+/// IF with any number of ELSIF branches, and ELSE.
+struct If {
+  struct Branch {
+    ExprPtr condition;
+    Block body;
+  };
+  std::vector<Branch> branches;
+  Block otherwise;
+};
+struct While {
+  ExprPtr condition;
+  Block body;
+};
+struct For {
+  std::string variable;
+  Place variable_place;
+  const Symbol* symbol = nullptr;  ///< set by the checker
+  ExprPtr from;
+  ExprPtr to;
+  ExprPtr step;  ///< null: 1
+  Block body;
+};
+
+struct Loop {
+  Block body;
+};
+/// SELECT: the first CASE with a value equal to the selector's is executed, else ELSE.
+struct Select {
+  struct Case {
+    Place place;
+    std::vector<ExprPtr> values;
+    Block body;
+  };
+  ExprPtr selector;  ///< null where it could not be read
+  std::vector<Case> cases;
+  Block otherwise;
+  bool has_else = false;
+};
+struct Exit {};
+struct Next {};
+struct Assert {
+  ExprPtr condition;
+  std::string text;  ///< the condition as it was written, on one line
+};
+/// EXPECT count == 3
+struct Expect {
+  ExprPtr condition;
+  std::string text;  ///< the condition as it was written, on one line
+};
+/// START blink
+struct Start {
+  Name task;
+  Place task_place;
+};
+/// SIMULATE part_here = ON AFTER 2s
+/// SIMULATE GO = ON AFTER 2s · SIMULATE ANSWER = "7"
+struct Simulate {
+  enum class What : std::uint8_t { Input, Go, Answer };
+
+  What what = What::Input;
+  Name target;  ///< of Input
+  Place target_place;
+  std::string part{};  ///< "z" of force.z; empty for an input
+  Place part_place{};
+  int component = 0;  ///< of a part, set by the checker: force x y z, torque x y z
+  ExprPtr value;
+  ExprPtr after;  ///< null: at once
+};
+
+/// A PROC that is called.
+struct CallStatement {
+  ExprPtr call;
+};
+struct Return {
+  ExprPtr value;  ///< null where left out
+};
+
+/// TRY: where the body goes wrong, the rescue is executed.
+struct Try {
+  Block body;
+  Declaration::Declared why;  ///< the name of the reason; empty where left out
+  Block rescue;
+};
+struct Raise {
+  ExprPtr value;  ///< null: the error that is being handled, again
+};
+
+/// USE tools
+struct Use {
+  std::string name;
+  std::uint32_t file = 0;  ///< its number; 0 where it could not be read
+  /// What the file declares, if this is the first USE of it in the whole program.
+  Block declarations;
+};
+
+struct Statement {
+  Place place;  ///< of its first word
+  std::variant<Move, PlainMotions, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration,
+               Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
+               Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use,
+               PathBlock, WayPoint, Press, With, SetOverride, RecordDeclaration, Halt, Ask, Start>
+      node;
+};
+
+/// PROC, FUNC, TASK and TEST.
+struct Routine {
+  /// `REF a, b: LENGTH` or `n: INT = 1`.
+  struct Parameters {
+    bool by_reference = false;
+    std::vector<Declaration::Declared> names;
+    Type type;
+    ExprPtr value;  ///< the default; null where left out
+  };
+  Place place;
+  bool function = false;
+  bool test = false;  ///< its name is a text
+  bool task = false;
+  bool sound = true;      ///< its header could be read
+  std::size_t index = 0;  ///< in Program::routines
+  std::string name;
+  Place name_place;
+  std::vector<Parameters> parameters;
+  Type result;  ///< of a FUNC
+  Block body;
+  Place end;            ///< of ENDPROC and the like
+  bool memory = false;  ///< set by the checker: not all it computes with fits into registers
+};
+
+/// ROBOT, UNITS and LAW: what holds for the whole program.
+struct Header {
+  bool robot = false;        ///< ROBOT was written; declared_robot() (robot_name.h) tells which
+  std::vector<Unit> units;   ///< UNITS: of bare numbers in targets, at most one of a dimension
+  std::optional<Place> law;  ///< where LAW is
+  bool look_ahead = false;   ///< LAW LOOKAHEAD
+};
+
+struct Program {
+  Header header;
+  Block statements;
+  std::vector<Routine> routines;
+  /// A FRAME that a type names.
+  struct FrameUse {
+    const TypeDetail* frame = nullptr;
+    Place place;
+  };
+  /// The length in a type ARRAY[n] OF t, which the checker computes.
+  struct ArrayLength {
+    TypeDetail* array = nullptr;
+    ExprPtr length;
+    Place place;
+    bool settled = false;
+  };
+  /// Shared with the Chunk, whose types go on pointing into it.
+  std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>();
+  std::vector<ArrayLength> array_lengths{};
+  bool memory = false;  ///< as of Routine, of the top level
+  std::vector<FrameUse> frame_uses{};
+  std::set<std::string> taught{};  ///< names behind TEACH, in capitals
+  bool surroundings = false;       ///< WITH or IN stand somewhere: routines may run in them
+  /// Where END stands, or the end of the file if there is none.
+  Place end;
+  std::size_t nodes = 0;                        ///< statements and expressions read so far
+  bool whole = true;                            ///< all that it USEs could be read
+  std::vector<Program> used{};                  ///< what is left of the files that it USEs
+  std::vector<std::vector<Unit>> used_units{};  ///< UNITS of each file, its own first
+};
+
+}  // namespace rob::lang

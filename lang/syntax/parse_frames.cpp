@@ -1,0 +1,91 @@
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lang/syntax/parser_impl.h"
+#include "lang/text/ascii.h"
+#include "lang/text/codes.h"
+
+/// The parser's rules for FRAME and TOOL, and for poses in a frame.
+namespace rob::lang {
+
+bool Parser::at_frame_declaration() const {
+  if (!at_word("FRAME") && !at_word("TOOL")) return false;
+  switch (next_.kind) {
+    case TokenKind::Assign:
+    case TokenKind::Equal:
+    case TokenKind::Dot:
+    case TokenKind::LeftBracket:
+    case TokenKind::LeftParen:
+      return false;
+    default:
+      return true;
+  }
+}
+
+// decl = "TOOL" IDENT "=" expr [ "MASS" expr [ "COG" expr ] ] eol
+//      | "FRAME" IDENT "=" expr eol .
+void Parser::frame_declaration(Block& block) {
+  const Place place = current_.place;
+  const bool tool = at_word("TOOL");
+  const std::string_view word = tool ? "TOOL" : "FRAME";
+  if (!open_blocks_.empty()) {
+    report(code::kOnlyTopLevel, place, fmt::format("{} can stand only outside all blocks", word),
+           fmt::format("write it before the {} of line {}", opener_of(open_blocks_.front().closer),
+                       open_blocks_.front().place.line));
+  }
+  advance();
+  Declaration declaration;
+  declaration.constant = true;
+  declaration.names.push_back(declared_name(word));
+  const std::string name = declaration.names.front().name;
+  try {
+    if (!accept(TokenKind::Assign)) {
+      fail_here(code::kAssignExpected, fmt::format("'=' expected after {}", shortened(name)),
+                fmt::format("{} {} = POSE(0mm, 0mm, 120mm)", word, shortened(name)));
+    }
+    declaration.value = expression();
+    declaration.type = Type{tool ? Type::Kind::Tool : Type::Kind::Frame};
+    if (tool && at_word("MASS")) {
+      advance();
+      declaration.mass = expression();
+      if (at_word("COG")) {
+        advance();
+        declaration.cog = expression();
+      }
+    }
+    declaration.frame = tool ? nullptr : frame_named(name);
+  } catch (const SyntaxError&) {
+    declaration.type = Type{};
+    declaration.value = nullptr;
+    add(block, place, std::move(declaration));
+    throw;
+  }
+  add(block, place, std::move(declaration));
+}
+
+/// [ "IN" IDENT ] behind POSE.
+Type Parser::pose_type() {
+  if (!at(Keyword::In)) return Type::pose();
+  advance();
+  if (!at(TokenKind::Word)) {
+    fail_here(code::kNameExpected,
+              fmt::format("the name of a FRAME expected after IN, not {}", described(current_)));
+  }
+  const Token name = current_;
+  advance();
+  if (same_word(name.text, "world")) return Type::pose();
+  const TypeDetail* frame = imported_type(name.text, name.place, types_->frames);
+  if (frame == nullptr) frame = frame_named(name.text);
+  frame_uses_.push_back({frame, name.place});
+  return Type::pose(frame);
+}
+
+/// One detail for each name, so that types are equal where their frames are.
+const TypeDetail* Parser::frame_named(std::string_view name) {
+  TypeDetail& detail = types_->frames[{file_, to_upper(name)}];
+  if (detail.name.empty()) detail.name = name;
+  return &detail;
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "lang/machine/robot_signature.h"
+#include "lang/syntax/ast.h"
+#include "lang/text/diagnostic.h"
+
+namespace rob::lang {
+
+/// Why USE leads nowhere.
+struct NoSource {
+  std::string message;
+  std::string help;
+};
+
+/// Where the texts are that a program USEs: the language itself reads no files.
+class Sources {
+ public:
+  virtual ~Sources() = default;
+  /// The program's own file, without its text.
+  virtual const SourceFile& program() const = 0;
+  /// The text that `name` means in the file that is called `by`.
+  virtual std::variant<SourceFile, NoSource> find(std::string_view name,
+                                                  const std::string& by) const = 0;
+};
+
+/// Reads a program and the files that it USEs, each once, however often and by whichever of them
+/// it is USEd. The declarations of a file come where it is USEd first (Use), its routines among
+/// those of the program. What is wrong goes to `diagnostics`; a USE that leads nowhere leaves
+/// Program::whole false. `sources`: null where there are no files; `used`: what was read.
+Program read_program(std::string_view source, const Sources* sources, const RobotSignature& robot,
+                     Diagnostics& diagnostics, std::vector<SourceFile>& used);
+
+}  // namespace rob::lang

@@ -1,0 +1,222 @@
+#include "lang/values/builtins.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "lang/text/ascii.h"
+#include "lang/values/pose_functions.h"
+#include "lang/values/text_functions.h"
+
+namespace rob::lang {
+namespace {
+
+using arithmetic::store_finite;
+using arithmetic::to_integer;
+using Error = ArithmeticError;
+using Arguments = std::span<const Slot>;
+
+constexpr double kPi = std::numbers::pi;
+
+Error absolute_int(Arguments a, Slot& r) {
+  if (a[0].integer < 0) return arithmetic::negate(a[0].integer, r.integer);
+  r.integer = a[0].integer;
+  return Error::None;
+}
+Error absolute_real(Arguments a, Slot& r) { return store_finite(std::fabs(a[0].real), r.real); }
+
+Error sign_int(Arguments a, Slot& r) {
+  r.integer = (a[0].integer > 0) - (a[0].integer < 0);
+  return Error::None;
+}
+Error sign_real(Arguments a, Slot& r) {
+  r.integer = (a[0].real > 0) - (a[0].real < 0);
+  return Error::None;
+}
+
+Error least_int(Arguments a, Slot& r) {
+  r = *std::ranges::min_element(a, {}, &Slot::integer);
+  return Error::None;
+}
+Error least_real(Arguments a, Slot& r) {
+  r = *std::ranges::min_element(a, {}, &Slot::real);
+  return Error::None;
+}
+Error greatest_int(Arguments a, Slot& r) {
+  r = *std::ranges::max_element(a, {}, &Slot::integer);
+  return Error::None;
+}
+Error greatest_real(Arguments a, Slot& r) {
+  r = *std::ranges::max_element(a, {}, &Slot::real);
+  return Error::None;
+}
+
+Error clamp_int(Arguments a, Slot& r) {
+  if (a[1].integer > a[2].integer) return Error::ClampReversed;
+  r.integer = std::clamp(a[0].integer, a[1].integer, a[2].integer);
+  return Error::None;
+}
+Error clamp_real(Arguments a, Slot& r) {
+  if (a[1].real > a[2].real) return Error::ClampReversed;
+  r.real = std::clamp(a[0].real, a[1].real, a[2].real);
+  return Error::None;
+}
+
+Error square_root(Arguments a, Slot& r) {
+  if (a[0].real < 0) return Error::NegativeRoot;
+  return store_finite(std::sqrt(a[0].real), r.real);
+}
+Error hypotenuse(Arguments a, Slot& r) {
+  return store_finite(std::hypot(a[0].real, a[1].real), r.real);
+}
+Error sine(Arguments a, Slot& r) { return store_finite(std::sin(a[0].real), r.real); }
+Error cosine(Arguments a, Slot& r) { return store_finite(std::cos(a[0].real), r.real); }
+Error tangent(Arguments a, Slot& r) { return store_finite(std::tan(a[0].real), r.real); }
+Error arc_sine(Arguments a, Slot& r) {
+  if (std::fabs(a[0].real) > 1) return Error::ArcOutOfRange;
+  return store_finite(std::asin(a[0].real), r.real);
+}
+Error arc_cosine(Arguments a, Slot& r) {
+  if (std::fabs(a[0].real) > 1) return Error::ArcOutOfRange;
+  return store_finite(std::acos(a[0].real), r.real);
+}
+Error arc_tangent(Arguments a, Slot& r) { return store_finite(std::atan(a[0].real), r.real); }
+/// (0, 0) has no direction; std::atan2 and the language answer 0.
+Error arc_tangent2(Arguments a, Slot& r) {
+  return store_finite(std::atan2(a[0].real, a[1].real), r.real);
+}
+Error exponential(Arguments a, Slot& r) { return store_finite(std::exp(a[0].real), r.real); }
+Error natural_logarithm(Arguments a, Slot& r) {
+  if (a[0].real <= 0) return Error::LogarithmOfNonPositive;
+  return store_finite(std::log(a[0].real), r.real);
+}
+Error decimal_logarithm(Arguments a, Slot& r) {
+  if (a[0].real <= 0) return Error::LogarithmOfNonPositive;
+  return store_finite(std::log10(a[0].real), r.real);
+}
+
+using Rounding = double (*)(double);
+
+template <Rounding kRound>
+Error whole(Arguments a, Slot& r) {
+  return to_integer(kRound(a[0].real), r.integer);
+}
+template <Rounding kRound>
+Error multiple(Arguments a, Slot& r) {
+  if (a[1].real == 0) return Error::DivisionByZero;
+  return store_finite(kRound(a[0].real / a[1].real) * a[1].real, r.real);
+}
+constexpr BuiltinFunction floor_whole = whole<std::floor>;
+constexpr BuiltinFunction floor_step = multiple<std::floor>;
+constexpr BuiltinFunction ceil_whole = whole<std::ceil>;
+constexpr BuiltinFunction ceil_step = multiple<std::ceil>;
+constexpr BuiltinFunction round_whole = whole<std::round>;
+constexpr BuiltinFunction round_step = multiple<std::round>;
+constexpr BuiltinFunction trunc_whole = whole<std::trunc>;
+constexpr BuiltinFunction trunc_step = multiple<std::trunc>;
+
+Error same_real(Arguments a, Slot& r) {
+  r = a[0];
+  return Error::None;
+}
+/// Into (-180deg, 180deg].
+Error wrap(Arguments a, Slot& r) {
+  const double turned = std::remainder(a[0].real, 2 * kPi);
+  return store_finite(turned <= -kPi ? kPi : turned, r.real);
+}
+
+/// "SII:S" taken apart.
+constexpr Builtin on_texts(std::string_view name, std::string_view signature,
+                           TextFunction function) {
+  const std::size_t count = signature.find(':');
+  return {.name = name,
+          .least = count,
+          .most = count,
+          .rule = BuiltinRule::Texts,
+          .signature = {signature.substr(0, count), signature[count + 1]},
+          .text = function};
+}
+
+using pose_functions::seen_from;
+
+constexpr Builtin on_places(std::string_view name, std::string_view signature,
+                            BuiltinFunction function) {
+  Builtin builtin = on_texts(name, signature, nullptr);
+  builtin.rule = BuiltinRule::Places;
+  builtin.real = function;
+  return builtin;
+}
+
+/// Three numbers in a row are a VEC already.
+Error vector_of(Arguments /*a*/, Slot& /*r*/) { return Error::None; }
+Error dot(Arguments a, Slot& r) {
+  return store_finite(a[0].real * a[3].real + a[1].real * a[4].real + a[2].real * a[5].real,
+                      r.real);
+}
+Error store_vector(double x, double y, double z, Slot& first) {
+  Slot* const r = &first;
+  for (const Error error :
+       {store_finite(x, r[0].real), store_finite(y, r[1].real), store_finite(z, r[2].real)}) {
+    if (error != Error::None) return error;
+  }
+  return Error::None;
+}
+Error cross(Arguments a, Slot& r) {
+  return store_vector(a[1].real * a[5].real - a[2].real * a[4].real,
+                      a[2].real * a[3].real - a[0].real * a[5].real,
+                      a[0].real * a[4].real - a[1].real * a[3].real, r);
+}
+Error norm(Arguments a, Slot& r) {
+  return store_finite(std::hypot(a[0].real, a[1].real, a[2].real), r.real);
+}
+/// Divided by its greatest component first: the norm of a very short VEC would lose its digits.
+Error direction(Arguments a, Slot& r) {
+  const double greatest =
+      std::max({std::fabs(a[0].real), std::fabs(a[1].real), std::fabs(a[2].real)});
+  if (greatest == 0) return Error::ZeroVector;
+  const double x = a[0].real / greatest;
+  const double y = a[1].real / greatest;
+  const double z = a[2].real / greatest;
+  const double length = std::hypot(x, y, z);
+  return store_vector(x / length, y / length, z / length, r);
+}
+Error distance(Arguments a, Slot& r) {
+  return store_finite(
+      std::hypot(a[0].real - a[3].real, a[1].real - a[4].real, a[2].real - a[5].real), r.real);
+}
+
+constexpr std::array kBuiltins = std::to_array<Builtin>({
+#define ROB_BUILTIN(name, least, most, rule, integer, real) \
+  {#name, least, most, BuiltinRule::rule, integer, real, {}, nullptr},
+#define ROB_TEXT_BUILTIN(name, signature, function) \
+  on_texts(#name, signature, text_functions::function),
+#define ROB_PLACE_BUILTIN(name, signature, function) \
+  on_places(#name, signature, pose_functions::function),
+#include "lang/values/builtins.def"
+});
+
+}  // namespace
+
+std::span<const Builtin> builtins() { return kBuiltins; }
+
+const Builtin* find_builtin(std::string_view name, std::size_t arguments) {
+  const std::string key = to_upper(name);
+  const Builtin* first = nullptr;
+  for (const Builtin& builtin : kBuiltins) {
+    if (builtin.name != key) continue;
+    if (arguments >= builtin.least && arguments <= builtin.most) return &builtin;
+    if (first == nullptr) first = &builtin;
+  }
+  return first;
+}
+
+std::vector<std::string_view> builtin_names() {
+  std::vector<std::string_view> names;
+  for (const Builtin& builtin : kBuiltins) {
+    if (names.empty() || names.back() != builtin.name) names.push_back(builtin.name);
+  }
+  return names;
+}
+
+}  // namespace rob::lang

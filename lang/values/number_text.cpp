@@ -1,0 +1,105 @@
+#include "lang/values/number_text.h"
+
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "lang/values/units.h"
+
+namespace rob::lang {
+
+namespace {
+
+/// A positive decimal number: d.ddd · 10^exponent.
+struct Decimal {
+  std::string digits;  ///< the first is not 0
+  int exponent = 0;
+};
+
+/// From what std::to_chars writes: "1.25e-06".
+Decimal from_scientific(std::string_view text) {
+  const std::size_t e = text.find('e');
+  Decimal decimal;
+  for (const char c : text.substr(0, e)) {
+    if (c != '.') decimal.digits += c;
+  }
+  const char* first = text.data() + e + 1;
+  if (*first == '+') ++first;
+  std::from_chars(first, text.data() + text.size(), decimal.exponent);
+  return decimal;
+}
+
+/// The fewest digits that are read back as `value`.
+Decimal shortest(double value) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.begin(), text.end(), value, std::chars_format::scientific);
+  return from_scientific({text.data(), end.ptr});
+}
+
+Decimal seventeen_digits(double value) {
+  std::array<char, 32> text;
+  const auto end =
+      std::to_chars(text.begin(), text.end(), value, std::chars_format::scientific, 16);
+  Decimal decimal = from_scientific({text.data(), end.ptr});
+  while (decimal.digits.size() > 1 && decimal.digits.back() == '0') decimal.digits.pop_back();
+  return decimal;
+}
+
+/// The shortest decimal whose value times `factor` is `si`. All doubles of which that holds lie
+/// next to si / factor; each is reached by every decimal near enough, so the shortest of each is
+/// looked at. With no such double, the nearest one's 17 digits.
+Decimal shortest_before(double si, double factor) {
+  if (factor == 1) return shortest(si);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double middle = si / factor;
+  const double below = std::nextafter(middle, 0.0);
+  const double above = std::nextafter(middle, kInfinity);
+  Decimal best;
+  for (const double candidate :
+       {middle, below, above, std::nextafter(below, 0.0), std::nextafter(above, kInfinity)}) {
+    if (candidate * factor != si) continue;
+    Decimal decimal = shortest(candidate);
+    if (best.digits.empty() || decimal.digits.size() < best.digits.size()) best = decimal;
+  }
+  return best.digits.empty() ? seventeen_digits(middle) : best;
+}
+
+std::string layout(const Decimal& decimal) {
+  const std::string& digits = decimal.digits;
+  const auto count = static_cast<int>(digits.size());
+  if (decimal.exponent < -5 || decimal.exponent >= 16) {
+    const std::string fraction = count > 1 ? "." + digits.substr(1) : "";
+    return fmt::format("{}{}e{}", digits[0], fraction, decimal.exponent);
+  }
+  if (decimal.exponent < 0) {
+    return "0." + std::string(static_cast<std::size_t>(-decimal.exponent - 1), '0') + digits;
+  }
+  const int whole = decimal.exponent + 1;
+  if (whole >= count) return digits + std::string(static_cast<std::size_t>(whole - count), '0');
+  const auto point = static_cast<std::size_t>(whole);
+  return digits.substr(0, point) + "." + digits.substr(point);
+}
+
+}  // namespace
+
+std::string number_text(double si, Dimension dimension) {
+  assert(std::isfinite(si));
+  std::string unit_name = unit_text(dimension);
+  if (si == 0) return "0" + unit_name;
+  if (si < 0) return "-" + number_text(-si, dimension);
+  auto unit = unit_name.empty() ? Unit{} : find_unit(unit_name).value();
+  if (!std::isfinite(si / unit.factor)) {
+    unit_name.replace(unit_name.find("deg"), 3, "rad");
+    unit = find_unit(unit_name).value();
+  }
+  Decimal decimal = shortest_before(si, unit.factor);
+  decimal.exponent -= unit.exponent10;
+  return layout(decimal) + unit_name;
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "lang/values/arithmetic.h"
+#include "lang/values/pose_math.h"
+#include "lang/values/setting.h"
+
+/// How a pose lies in the slots of the Vm: x y z in m, then w i j k.
+namespace rob::lang {
+
+inline constexpr int kPoseSlots = 7;
+inline constexpr int kToolSlots = 11;  ///< a TOOL: its pose, mass in kg, centre of gravity in m
+
+inline Vector3 load_vector(const Slot* slots) {
+  return {slots[0].real, slots[1].real, slots[2].real};
+}
+
+inline PoseValue load_pose(const Slot* slots) {
+  return {load_vector(slots), {slots[3].real, slots[4].real, slots[5].real, slots[6].real}};
+}
+
+inline ToolValue load_tool(const Slot* slots) {
+  return {load_pose(slots), slots[kPoseSlots].real, load_vector(slots + kPoseSlots + 1)};
+}
+
+inline void store(const Vector3& vector, Slot* slots) {
+  slots[0].real = vector.x;
+  slots[1].real = vector.y;
+  slots[2].real = vector.z;
+}
+
+inline void store(const PoseValue& pose, Slot* slots) {
+  store(pose.position, slots);
+  slots[3].real = pose.rotation.w;
+  slots[4].real = pose.rotation.i;
+  slots[5].real = pose.rotation.j;
+  slots[6].real = pose.rotation.k;
+}
+
+}  // namespace rob::lang

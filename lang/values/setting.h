@@ -1,0 +1,32 @@
+#pragma once
+
+#include "lang/values/pose_math.h"
+
+namespace rob::lang {
+
+/// A TOOL: where its tip is, seen from the flange, and its load.
+struct ToolValue {
+  PoseValue tip;    ///< m
+  double mass = 0;  ///< kg
+  Vector3 cog;      ///< its centre of gravity, seen from the flange, m
+};
+
+/// What WITH and IN say: the tool that is moved to targets, and the frame of tuples, of what stands
+/// behind BY, of poses without a frame of their own, and of force and torque.
+struct Setting {
+  ToolValue tool;        ///< without WITH the flange itself
+  PoseValue frame;       ///< in the world
+  bool in_tool = false;  ///< IN TOOL: the tool where the motion begins; `frame` says nothing
+};
+
+/// PRESS: a force along one axis of the Setting's frame.
+struct PressCommand {
+  int axis = 0;      ///< 0, 1, 2 for X, Y, Z
+  double force = 0;  ///< N, with the sign of `force` in that frame
+  double limit = 0;  ///< m/s along the axis; 0: the robot's own
+};
+
+/// The greatest OVERRIDE, 1 = 100 %. [choice] that of `--override`.
+inline constexpr double kMostOverride = 2;
+
+}  // namespace rob::lang

@@ -1,0 +1,159 @@
+#include "lang/values/text_functions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "lang/text/utf8.h"
+#include "lang/values/units.h"
+
+namespace rob::lang::text_functions {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n";
+
+std::string_view without_blanks(std::string_view text) {
+  const std::size_t first = std::min(text.find_first_not_of(kBlanks), text.size());
+  text.remove_prefix(first);
+  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+}
+
+/// The byte at which a character begins, counted from 0; the end of the text if there are fewer.
+std::size_t byte_of(std::string_view text, std::int64_t character) {
+  std::size_t at = 0;
+  for (; at < text.size(); ++at) {
+    if (is_utf8_continuation(text[at])) continue;
+    if (character-- == 0) break;
+  }
+  return at;
+}
+
+/// A capital or small letter of Latin-1; between their two rows lie 32 places. The rows begin at
+/// 0xC0 and 0xE0, and hold one sign of arithmetic each.
+bool has_case_in_latin1(char32_t c, char32_t row) {
+  constexpr char32_t kSignInRow = 0x17;
+  return c >= row && c <= row + 0x1E && c != row + kSignInRow;
+}
+
+/// `from` and `to`: the rows of the letters to be changed and of what they become.
+struct Case {
+  char first;
+  char last;
+  char32_t latin1_row;
+  int step;
+};
+constexpr Case kSmall{'a', 'z', 0xE0, -32};
+constexpr Case kCapital{'A', 'Z', 0xC0, +32};
+
+/// In place: a letter and its other form take equally many bytes.
+void change_case(std::string& text, const Case& from) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] >= from.first && text[at] <= from.last) {
+      text[at] = static_cast<char>(text[at] + from.step);
+    } else if (at + 1 < text.size() && text[at] == '\xC3') {
+      // U+00C0 to U+00FF are C3 80 to C3 BF: both rows share the first byte.
+      const CodePoint point = decode_utf8(std::string_view(text).substr(at));
+      ++at;
+      if (has_case_in_latin1(point.value, from.latin1_row)) {
+        text[at] = static_cast<char>(text[at] + from.step);
+      }
+    }
+  }
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Takes digits from the beginning; false if there is none.
+bool skip_digits(std::string_view& text) {
+  const std::size_t count =
+      static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
+  text.remove_prefix(count);
+  return count > 0;
+}
+
+/// digits [ "." digits ] [ ("e"|"E") ["+"|"-"] digits ]: a number as programs write it.
+bool is_number(std::string_view text) {
+  if (!skip_digits(text)) return false;
+  if (text.starts_with('.')) {
+    text.remove_prefix(1);
+    if (!skip_digits(text)) return false;
+  }
+  if (text.starts_with('e') || text.starts_with('E')) {
+    text.remove_prefix(1);
+    if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+    if (!skip_digits(text)) return false;
+  }
+  return text.empty();
+}
+
+}  // namespace
+
+Error length(Slot* numbers, std::string* texts) {
+  numbers[0].integer = count_code_points(texts[0]);
+  return Error::None;
+}
+
+Error middle(Slot* numbers, std::string* texts) {
+  // No text is longer, so counts and positions beyond mean the same; and their sum is an INT.
+  constexpr std::int64_t kBeyond = std::int64_t{1} << 32;
+  const std::int64_t from = std::clamp(numbers[0].integer, -kBeyond, kBeyond);
+  const std::int64_t end = from + std::clamp(numbers[1].integer, std::int64_t{0}, 2 * kBeyond);
+  std::string& text = texts[0];
+  const std::size_t begin = byte_of(text, std::max<std::int64_t>(from - 1, 0));
+  const std::size_t stop = byte_of(text, std::max<std::int64_t>(end - 1, 0));
+  text = text.substr(begin, stop - begin);
+  return Error::None;
+}
+
+Error find(Slot* numbers, std::string* texts) {
+  const std::string_view text = texts[0];
+  const std::size_t at = text.find(texts[1]);
+  numbers[0].integer =
+      at == std::string_view::npos ? 0 : std::int64_t{count_code_points(text.substr(0, at))} + 1;
+  return Error::None;
+}
+
+Error upper(Slot*, std::string* texts) {
+  change_case(texts[0], kSmall);
+  return Error::None;
+}
+
+Error lower(Slot*, std::string* texts) {
+  change_case(texts[0], kCapital);
+  return Error::None;
+}
+
+Error trimmed(Slot*, std::string* texts) {
+  texts[0] = std::string(without_blanks(texts[0]));
+  return Error::None;
+}
+
+Error number(Slot* numbers, std::string* texts) {
+  std::string_view text = without_blanks(texts[0]);
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (!is_number(text)) return Error::NotANumber;
+  const auto value = to_si(text, Unit{});
+  if (!value) return Error::NotFinite;
+  numbers[0].real = (negative ? -*value : *value) + 0.0;
+  return Error::None;
+}
+
+Error formatted(Slot* numbers, std::string* texts) {
+  const std::int64_t digits = numbers[1].integer;
+  if (digits < 0 || digits > kMostDigits) return Error::DigitsOutOfRange;
+  const Unit unit = texts[0].empty() ? Unit{} : *find_unit(texts[0]);
+  const double shift = std::pow(10.0, std::abs(unit.exponent10));
+  const double units = numbers[0].real / unit.factor;
+  const double value = unit.exponent10 < 0 ? units * shift : units / shift;
+  if (!std::isfinite(value)) return Error::NotFinite;
+  texts[0] = fmt::format("{:.{}f}", value, digits);
+  // What is rounded to zero has no sign.
+  if (texts[0].find_first_not_of("-0.") == std::string::npos && texts[0].starts_with('-')) {
+    texts[0].erase(0, 1);
+  }
+  return Error::None;
+}
+
+}  // namespace rob::lang::text_functions

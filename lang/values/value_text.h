@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "lang/values/arithmetic.h"
+#include "lang/values/types.h"
+
+namespace rob::lang {
+
+/// TRUE or FALSE.
+std::string text_of(bool value);
+
+/// Appends a value as PRINT writes it, from its slots: `20mm`, `(1mm, 2mm, 3mm)`. A text alone is
+/// written as it is; inside a compound value between quotes, so that it reads back.
+/// False as soon as `out` would grow beyond `most` bytes. Not for the tick.
+bool append_value_text(std::string& out, const Type& type, const Slot* numbers,
+                       const std::string* texts, std::size_t most);
+
+}  // namespace rob::lang

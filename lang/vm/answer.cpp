@@ -1,0 +1,65 @@
+#include "lang/vm/answer.h"
+
+#include <fmt/format.h>
+
+#include "lang/syntax/lexer.h"
+#include "lang/text/ascii.h"
+#include "lang/text/source_text.h"
+
+namespace rob::lang {
+namespace {
+
+bool is_text(std::string_view line) {
+  Diagnostics unread;
+  return check_source(line, unread);
+}
+
+bool read_number(const NumberLiteral& number, bool negative, const Type& type, Slot& value) {
+  if (type.is(Type::Kind::Int)) {
+    if (!number.is_integer) return false;
+    value.integer = negative ? -number.integer : number.integer;
+    return true;
+  }
+  if (number.dimension != type.dimension) return false;
+  const double size = number.is_integer ? static_cast<double>(number.integer) : number.value;
+  value.real = (negative ? -size : size) + 0.0;  // the language knows no -0
+  return true;
+}
+
+bool read_truth(const Token& token, Slot& value) {
+  const bool on = same_word(token.text, "TRUE") || same_word(token.text, "ON");
+  if (!on && !same_word(token.text, "FALSE") && !same_word(token.text, "OFF")) return false;
+  value.integer = on ? 1 : 0;
+  return true;
+}
+
+}  // namespace
+
+bool read_answer(std::string_view line, const Type& type, Slot& value) {
+  if (!is_text(line)) return false;
+  Diagnostics unread;
+  Lexer lexer = Lexer(line, unread).quiet_copy();
+  Token token = lexer.next();
+  const bool negative = token.kind == TokenKind::Minus;
+  const bool sign = negative || token.kind == TokenKind::Plus;
+  if (sign) token = lexer.next();
+  if (lexer.next().kind != TokenKind::EndOfLine) return false;
+  if (!type.numeric()) return !sign && read_truth(token, value);
+  return token.kind == TokenKind::Number && read_number(token.number, negative, type, value);
+}
+
+bool read_answer(std::string_view line, std::string& value) {
+  if (!is_text(line)) return false;
+  value = line;
+  return true;
+}
+
+std::string misread_answer(std::string_view line, const Type& type) {
+  if (!is_text(line)) return "that is no text";
+  const std::string example = type.is(Type::Kind::Int)    ? "7"
+                              : type.is(Type::Kind::Real) ? example_of(type.dimension)
+                                                          : "TRUE";
+  return fmt::format("'{}' is not {}, such as {}", shortened(line), in_words(type), example);
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,172 @@
+#include <string>
+
+#include "lang/values/number_text.h"
+#include "lang/values/pose_math.h"
+#include "lang/values/units.h"
+#include "lang/vm/printing_machine.h"
+
+namespace rob::lang {
+namespace {
+
+std::string pace_text(const MoveCommand& command) {
+  switch (command.pace) {
+    case MoveCommand::Pace::Unspecified:
+      return "";
+    case MoveCommand::Pace::ToolSpeed:
+      return " at " + number_text(command.pace_value, kSpeed);
+    case MoveCommand::Pace::AngularSpeed:
+      return " at " + number_text(command.pace_value, kAngularSpeed);
+    case MoveCommand::Pace::Share:
+      return " at " + number_text(command.pace_value * 100, kNone) + "%";
+  }
+  return "";
+}
+
+std::string zone_text(const MoveCommand& command) {
+  switch (command.zone) {
+    case MoveCommand::Zone::Unspecified:
+      return "";
+    case MoveCommand::Zone::Length:
+      return " zone " + number_text(command.zone_value, kLength);
+    case MoveCommand::Zone::Time:
+      return " zone " + number_text(command.zone_value, kTime);
+    case MoveCommand::Zone::Share:
+      return " zone " + number_text(command.zone_value * 100, kNone) + "%";
+  }
+  return "";
+}
+
+std::string bound_text(std::string_view word, MoveCommand::Bound bound, double value,
+                       Dimension tool, Dimension rotary) {
+  if (bound == MoveCommand::Bound::Unspecified) return "";
+  return std::string(word) + number_text(value, bound == MoveCommand::Bound::Tool ? tool : rotary);
+}
+
+std::string profile_text(Profile profile) {
+  if (profile == Profile::Unspecified) return "";
+  std::string text(" profile ");
+  for (const char c : kProfileWords[static_cast<std::size_t>(profile) - 1]) {
+    text += static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+/// In mm or deg, without the unit.
+std::string plain(double value, Dimension dimension) {
+  const std::string number = number_text(value, dimension);
+  return ' ' + number.substr(0, number.size() - unit_text(dimension).size());
+}
+
+/// The components in mm and deg, without their units.
+std::string components_text(const std::vector<RobotSignature::Coordinate>& components,
+                            const MoveCommand& command) {
+  std::string text;
+  for (int i = 0; i < command.count; ++i) {
+    if (!command.has(i)) {
+      text += " -";
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(i);
+    text += plain(command.target[index], components[index].dimension);
+  }
+  return text;
+}
+
+std::string vector_text(const Vector3& v) {
+  return plain(v.x, kLength) + plain(v.y, kLength) + plain(v.z, kLength);
+}
+
+std::string place_text(const PoseValue& pose) {
+  const FixedAngles angles = pose_math::to_fixed(pose.rotation);
+  return vector_text(pose.position) + plain(angles.a, kAngle) + plain(angles.b, kAngle) +
+         plain(angles.c, kAngle);
+}
+
+std::string pose_text(const MoveCommand& command) {
+  const auto& t = command.target;
+  const Vector3 place{t[0], t[1], t[2]};
+  if (command.relative) return " pose" + vector_text(place);
+  return " pose" + place_text({place, {t[3], t[4], t[5], t[6]}});
+}
+
+/// In mm/s and deg/s, without their units.
+std::string rates_text(const RobotSignature& robot, const MoveCommand& command) {
+  std::string text = command.jog == JogFrame::Joint   ? " joint"
+                     : command.jog == JogFrame::World ? " world"
+                                                      : " tool";
+  const auto& rated = command.jog == JogFrame::Joint ? robot.axes : robot.coordinates;
+  for (int i = 0; i < command.count; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const Dimension dimension = rated[index].dimension;
+    text += command.has(i) ? plain(command.target[index], dimension) : std::string(" -");
+  }
+  return text;
+}
+
+std::string target_text(const RobotSignature& robot, const MoveCommand& command) {
+  const std::string by = command.relative ? " by" : "";
+  switch (command.means) {
+    case MoveCommand::Target::Coordinates:
+      return by + components_text(robot.coordinates, command);
+    case MoveCommand::Target::Axes:
+      return " joints" + by + components_text(robot.axes, command);
+    case MoveCommand::Target::Pose:
+      break;
+  }
+  return by + pose_text(command);
+}
+
+}  // namespace
+
+std::string move_text(const RobotSignature& robot, const MoveCommand& command) {
+  std::string text;
+  for (const char c : word_of(command.kind)) text += static_cast<char>(c - 'A' + 'a');
+  if (command.kind == MotionKind::Spiral) {
+    text += " from " + number_text(command.radius, kLength);
+    text += " turns " + number_text(command.turns, kNone);
+  } else if (command.kind == MotionKind::Jog) {
+    text += rates_text(robot, command);
+  } else {
+    text += target_text(robot, command);
+  }
+  if (command.lasts > 0) text += " for " + number_text(command.lasts, kTime);
+  text += pace_text(command);
+  if (command.over > 0) text += " over " + number_text(command.over, kTime);
+  text += bound_text(" accel ", command.accel, command.accel_value, kAcceleration,
+                     kAngularAcceleration);
+  text += bound_text(" jerk ", command.jerk, command.jerk_value, kJerk, kAngularJerk);
+  text += zone_text(command);
+  if (command.fine) text += " fine";
+  return text + profile_text(command.profile);
+}
+
+std::string via_text(const RobotSignature& robot, const MoveCommand& point) {
+  return "via" + target_text(robot, point);
+}
+
+std::string setting_text(const Setting& setting) {
+  std::string text = "with";
+  const ToolValue& tool = setting.tool;
+  const std::string tip = place_text(tool.tip);
+  if (tip == place_text({}) && tool.mass == 0) {
+    text += " flange";
+  } else {
+    text += tip;
+    if (tool.mass != 0) text += ' ' + number_text(tool.mass, kMass);
+    if (const std::string cog = vector_text(tool.cog); cog != vector_text({})) text += " cog" + cog;
+  }
+  text += " in";
+  if (setting.in_tool) return text + " tool";
+  const std::string frame = place_text(setting.frame);
+  return text + (frame == place_text({}) ? std::string(" world") : frame);
+}
+
+std::string press_text(const PressCommand& command) {
+  std::string text = "press ";
+  text += "xyz"[command.axis];
+  text += ' ' + number_text(command.force, kForce);
+  if (command.limit > 0) text += " limit " + number_text(command.limit, kSpeed);
+  return text;
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lang/code/chunk.h"
+#include "lang/values/arithmetic.h"
+
+namespace rob::lang {
+
+/// The registers that the calls of a TASK can take, and the memory, if any routine takes some.
+/// [choice] it looks after something beside the program.
+inline constexpr Slots kTaskRegisters{.numbers = 4096, .texts = 128};
+inline constexpr Slots kTaskOwnMemory{.numbers = 16384, .texts = 256};
+
+/// What the TASKs of a program work on: the globals of its top level as they are in motion order,
+/// at the same places as in the program's own stacks, and behind them a stack for each TASK.
+class TaskMemory {
+ public:
+  explicit TaskMemory(const Chunk& chunk)
+      : globals_(Slots{static_cast<int>(kNumberStack), static_cast<int>(kTextStack)} +
+                 chunk.memory),
+        stack_(kTaskRegisters + (takes_memory(chunk) ? kTaskOwnMemory : Slots{})),
+        tasks_(chunk.tasks.size()),
+        numbers_(tasks_ == 0 ? 0 : size(stack_begin(tasks_).numbers)),
+        texts_(tasks_ == 0 ? 0 : size(stack_begin(tasks_).texts)) {}
+
+  /// Where a TASK's registers begin; they end kTaskRegisters behind it, and its memory follows.
+  Slots stack_begin(std::size_t task) const {
+    const int before = static_cast<int>(task);
+    return globals_ + Slots{before * stack_.numbers, before * stack_.texts};
+  }
+  /// All up to the end of a TASK's stack.
+  std::span<Slot> numbers(std::size_t task) {
+    return std::span(numbers_).first(size(stack_begin(task + 1).numbers));
+  }
+  std::span<std::string> texts(std::size_t task) {
+    return std::span(texts_).first(size(stack_begin(task + 1).texts));
+  }
+
+  void store(std::size_t first, std::span<const Slot> values) {
+    std::ranges::copy(values, numbers_.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+  void store(std::size_t first, std::span<const std::string> values) {
+    std::ranges::copy(values, texts_.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+  void load(std::size_t first, std::span<Slot> values) const {
+    std::copy_n(numbers_.begin() + static_cast<std::ptrdiff_t>(first), values.size(),
+                values.begin());
+  }
+  void load(std::size_t first, std::span<std::string> values) const {
+    std::copy_n(texts_.begin() + static_cast<std::ptrdiff_t>(first), values.size(), values.begin());
+  }
+
+ private:
+  static std::size_t size(int slots) { return static_cast<std::size_t>(slots); }
+
+  Slots globals_;
+  Slots stack_;  ///< of each TASK
+  std::size_t tasks_;
+  std::vector<Slot> numbers_;
+  std::vector<std::string> texts_;
+};
+
+}  // namespace rob::lang

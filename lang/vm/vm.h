@@ -1,0 +1,324 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/code/chunk.h"
+#include "lang/machine/machine.h"
+#include "lang/text/diagnostic.h"
+#include "lang/values/random.h"
+#include "lang/vm/task_memory.h"
+
+namespace rob::lang {
+
+/// A routine that was running, and the line that called it.
+struct CallSite {
+  std::string routine;
+  int line = 0;
+
+  bool operator==(const CallSite&) const = default;
+};
+
+/// An error of the running program: what a Diagnostic says, found at run time.
+struct RuntimeError {
+  std::string code;
+  Place place;
+  std::string message;
+  std::string help;
+  std::vector<CallSite> calls{};  ///< the routines it happened in, the innermost first
+};
+
+/// The longest text that a program can build, in bytes. [choice] far more than a line to be read,
+/// and with at most kTextStack text registers and kMemory.texts in arrays and records a program
+/// never holds more than 320 MiB of text, and those of kMostTries errors.
+inline constexpr std::size_t kMostText = 65536;
+
+/// How deep calls may be nested. [choice] a recursion that goes deeper has most probably no end.
+inline constexpr std::size_t kMostCalls = 1000;
+/// What the budget gives for one instruction on long blocks. [choice] copying them takes about as
+/// long as an instruction does.
+inline constexpr std::uint32_t kSlotsAnInstruction = 16;
+/// WHENs that can be armed at once. [choice] more than a person keeps in mind; all are looked at in
+/// every control cycle.
+inline constexpr std::size_t kMostWhens = 16;
+/// TRY blocks that can be open, those whose RESCUE runs included. [choice] one a call.
+inline constexpr std::size_t kMostTries = kMostCalls;
+
+/// Executes a Chunk against a Machine. It never blocks: where the program has to wait, run()
+/// returns and is called again. `chunk` and `machine` must outlive it.
+///
+/// Observations. At standstill a program would see the same world again and again without any time
+/// passing; so the first observation after a loop has turned is put off to the next control cycle
+/// if the present one was observed before. All observations of one expression belong to one cycle:
+/// run() stops for its budget only where a loop turns, which never is inside an expression, and if
+/// the machine has to wait in the middle of one, the expression starts anew from its beginning.
+///
+/// A routine called a second time is like a loop that has turned. It may be called in the middle of
+/// an expression: what is observed after the call belongs to a new instant.
+///
+/// Errors take effect in motion order: with a TRY block open, the machine first settles what was
+/// commanded before; then the RESCUE goes on in the frame of its TRY.
+///
+/// Arithmetic, loops, calls, motions and observations take no memory. Texts and TRY blocks do.
+class Vm {
+ public:
+  enum class State : std::uint8_t {
+    Running,    ///< the budget is used up; call run() again
+    Waiting,    ///< the machine said Later; call again when something has changed
+    NextCycle,  ///< a loop reads the world again: call again in the next control cycle
+    Done,
+    Failed  ///< error() says why; what was commanded before stays commanded
+  };
+
+  /// `seed` is where RANDOM begins.
+  Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed = Random::kDefaultSeed);
+
+  /// A TASK, by its number, in the memory that they share; run(), state(), error() and executed()
+  /// are for it as for a program.
+  Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memory,
+     std::uint64_t seed);
+  Vm(const Vm&) = delete;
+  Vm& operator=(const Vm&) = delete;
+
+  /// Instead of the program: its declarations, then one of Chunk::tests. Before the first run().
+  void choose_test(std::size_t test);
+
+  /// Lets no loop turn more often than that, counted from where it was begun: circling() then
+  /// tells, and the program does not go on. Before the first run(); takes memory.
+  void limit_turns(std::uint32_t most);
+  /// The line of the loop that has turned too often; 0 if there is none.
+  int circling() const { return circling_; }
+
+  /// Executes until the program has to wait or is over, or until `budget` instructions are spent.
+  /// The budget is looked at where a loop turns, so a run may exceed it by the length of the code,
+  /// but no program can run on for ever.
+  State run(std::int64_t budget);
+
+  /// Something went wrong while the program was waiting or between two of its instructions: the
+  /// program fails with this error where it is.
+  void interrupt(RuntimeError error);
+
+  State state() const { return state_; }
+  const RuntimeError& error() const { return error_; }
+  /// Instructions executed since the start; those that a forward jump passed over count too.
+  std::int64_t executed() const { return executed_; }
+
+ private:
+  using Code = const Instruction*;
+
+  State execute(Code pc);
+  /// Ends a run: `resume` is where the next one goes on.
+  State leave(Code pc, Code resume, State state);
+  State fail(Code pc, RuntimeError error);
+  State fail(Code pc, ArithmeticError error);
+  /// error_ is complete: to the innermost TRY block, or to the end.
+  State give_up(Code pc);
+  State raise_again(Code pc);
+  /// Goes on at the RESCUE of the innermost TRY block; false while the machine has not settled.
+  bool rescue();
+  bool open_try(Code pc);
+  State fail_tries_too_deep(Code pc);
+  /// What a reply other than Done to the instruction at `pc` means.
+  State pause(Code pc, Code resume, Reply reply);
+  /// Pays for the instructions up to `pc`; execution goes on at `target`.
+  void pay(Code pc, Code target) {
+    budget_ -= pc - paid_;
+    paid_ = target;
+  }
+  /// The frame of the routine that is called at `pc`; false if the stack is used up.
+  bool enter(Code pc) { return enter(pc, (pc + 1)->word, pc + 2); }
+  bool enter(Code pc, std::uint32_t routine, Code back);
+  bool enter_test(Code pc) { return enter(pc, test_, pc + 1); }
+  /// Memory for the frame of a routine, or of the top level; false if there is not so much left.
+  bool reserve(Code pc);
+  State fail_memory(Code pc);
+  void charge(std::uint32_t slots) { budget_ -= slots / kSlotsAnInstruction; }
+  bool append_memory(Code pc);
+  /// Back to the caller's frame; where its code goes on.
+  Code leave_routine();
+  /// A loop turns: pays for the instructions up to here; false if the budget is used up.
+  bool turn(Code pc, Code target) {
+    pay(pc, target);
+    turned_ = true;
+    return budget_ > 0 && (turns_.empty() || count_turn(pc, target));
+  }
+  /// False if the loop has turned too often.
+  bool count_turn(Code pc, Code target);
+  bool next_cycle_is_due() const { return turned_ && observed_; }
+  Reply observe(Code pc);
+  Reply observe_analog(Code pc);
+  Reply read(Code pc);
+  /// Whether the `read` at `pc` is an observation that belongs to the next cycle.
+  bool waits_for_cycle(Code pc) const;
+  Reply forward(Code pc);
+  Reply inverse(Code pc);
+  Reply live_pace(Code pc);
+  Reply simulate_force(Code pc);
+  /// False, with error_ set, if HITPOSE is read before the first guarded motion.
+  bool check_hit_pose(Code pc);
+  Reply stand(Code pc);
+  Reply guard(Code pc);
+  Reply ended(Code pc);
+  Reply simulate(Code pc, double value);
+  Reply teach(Code pc);
+  Reply ask(Code pc);
+  Reply publish(Code pc);
+  Reply refresh(Code pc);
+  Reply when(Code pc);
+  /// Disarms the WHENs beyond the first `kept`.
+  Reply disarm(int line, std::size_t kept);
+  std::size_t whens_below(std::size_t level) const;
+  State fail_too_many_whens(Code pc);
+  PathPlace place_of(Code pc) const;
+  /// False, with error_ set, if LEAD or LAG turned out to be too long.
+  bool check_place(Code pc);
+  State fail_timeout(Code pc);
+
+  // WITH, PRESS, OVERRIDE (vm_surroundings.cpp)
+  void enter_setting(Code pc);
+  void leave_settings(int line, std::size_t kept);
+  PressCommand press_of(Code pc) const;
+  /// Ends the PRESSes beyond the first `kept`.
+  Reply end_presses(int line, std::size_t kept);
+  /// False, with error_ set, if an OVERRIDE turned out to be none.
+  bool check_override(Code pc, double share);
+  /// The same if the force of a PRESS is no direction, or its LIMIT not above zero.
+  bool check_press(Code pc);
+
+  // Motions (vm_motion.cpp): false, with error_ set, if a value turned out to be impossible.
+  bool build(Code pc, MoveCommand& command);
+  MoveCommand build_plain(Code pc) const;
+  bool choose_axis(Code pc, Slot axis, MoveCommand& command);
+  bool build_clauses(Code pc, const MoveForm& form, const Slot* next, MoveCommand& command);
+  bool check_zone(Code pc, double value, Dimension dimension);
+  bool check_positive(Code pc, std::string_view word, double value, Dimension dimension);
+  /// Texts by register; false if the result would be too long.
+  bool append(std::uint8_t target, std::string_view more);
+  bool join(std::uint8_t target, std::uint8_t left, std::uint8_t right);
+  State fail_too_long(Code pc);
+  /// False, with error_ set, if a WAIT is for less than no time.
+  bool check_wait(Code pc, double seconds);
+  /// The same if a PULSE is for no time, or for too long.
+  bool check_pulse(Code pc, double seconds);
+  /// The same if a SIMULATE is for the past.
+  bool check_after(Code pc, double seconds);
+  State fail_calls_too_deep(Code pc);
+  State fail_no_value(Code pc);
+  State fail_index(Code pc, std::int64_t index, std::uint32_t count);
+  /// Where a reference leads, and some slots further.
+  Slot* place_of(Slot reference, std::uint32_t offset) {
+    return number_stack_.data() + reference.integer + offset;
+  }
+  std::string* text_place_of(Slot reference, std::uint32_t offset) {
+    return text_stack_.data() + reference.integer + offset;
+  }
+  State fail_assertion_at(Code pc);
+
+  Place place(Code pc) const { return chunk_.places[index(pc)]; }
+  int line(Code pc) const { return line_tag(place(pc)); }
+  std::size_t index(Code pc) const { return static_cast<std::size_t>(pc - chunk_.code.data()); }
+
+  const Chunk& chunk_;
+  Machine& machine_;
+  /// What a call comes back to.
+  struct Frame {
+    Code back;
+    Slot* numbers;
+    std::string* texts;
+    std::uint32_t routine;
+    Slots memory;  ///< that was taken
+  };
+
+  /// A TRY block that is open, or whose RESCUE runs.
+  struct Guard {
+    Code rescue;
+    std::size_t depth;     ///< calls that were open
+    std::uint8_t why;      ///< text register
+    bool caught;           ///< the RESCUE runs: it catches nothing more
+    std::size_t armed;     ///< WHENs that were armed
+    std::size_t settings;  ///< WITHs that were open
+    std::size_t presses;   ///< PRESSes that were open
+    RuntimeError error{};
+  };
+  std::vector<Guard> guards_;
+  bool rescuing_ = false;  ///< error_ is on its way to a RESCUE
+
+  std::vector<Slot> own_numbers_;  ///< of a TASK: none
+  std::vector<std::string> own_texts_;
+  /// The stacks: registers, the frame of the top level first; then memory, in the same order. What
+  /// a TASK sees of them ends with a part of its own.
+  std::span<Slot> number_stack_;
+  std::span<std::string> text_stack_;
+  Slots registers_;          ///< where registers end
+  Slots memory_;             ///< how much of what lies behind them is taken
+  bool background_ = false;  ///< a TASK
+  std::vector<Frame> frames_;
+  std::size_t depth_ = 0;  ///< calls that are open
+  Slot* numbers_;          ///< the registers of the present frame
+  std::string* texts_;
+  std::vector<std::int64_t> called_in_;  ///< for each routine the cycle of its last call
+  std::int64_t cycle_ = 1;               ///< counts whenever time may have passed
+  std::uint32_t test_ = 0;               ///< its routine
+  std::vector<std::uint32_t> turns_;     ///< by the first instruction of a loop; empty: no limit
+  std::uint32_t most_turns_ = 0;
+  int circling_ = 0;
+  State state_ = State::Running;
+  RuntimeError error_;
+  Code next_;   ///< where the next run() goes on
+  Code latch_;  ///< the `latch` of the expression that is being computed
+  Code paid_;   ///< what lies between here and the present instruction is not counted yet
+  Random random_;
+  Random latched_random_;      ///< as it was at latch_
+  std::int64_t executed_ = 0;  ///< up to the last leave()
+  std::int64_t granted_ = 0;   ///< the budget as it was then
+  std::int64_t budget_ = 0;
+  bool turned_ = false;  ///< a loop has turned since the last observation
+  /// A WHEN that is armed.
+  struct Armed {
+    std::size_t depth;    ///< calls that were open
+    std::uint32_t level;  ///< of its frame
+    int id;               ///< the machine's
+  };
+  std::array<Armed, kMostWhens> armed_;
+  std::size_t armed_count_ = 0;
+  std::vector<Setting> settings_;  ///< of the WITHs that are open
+  std::size_t presses_ = 0;        ///< that are open
+  std::string misread_;            ///< why the last answer to the present ASK could not be taken
+  bool guarded_ = false;           ///< a guarded motion has ended
+  bool hit_ = false;               ///< the last guarded motion was ended by its guard
+  bool observed_ = false;          ///< the world was observed in the present cycle
+};
+
+// In every call: here, so that the dispatch loop has them in line.
+
+inline bool Vm::enter(Code pc, std::uint32_t number, Code back) {
+  const RoutineCode& routine = chunk_.routines[number];
+  Slot* const numbers = numbers_ + pc->a();
+  std::string* const texts = texts_ + pc->b();
+  const auto left = number_stack_.data() + registers_.numbers - numbers;
+  const auto texts_left = text_stack_.data() + registers_.texts - texts;
+  if (depth_ == frames_.size() || left < routine.registers || texts_left < routine.text_registers) {
+    return false;
+  }
+  frames_[depth_++] = {back, numbers_, texts_, number, memory_};
+  numbers_ = numbers;
+  texts_ = texts;
+  if (called_in_[number] == cycle_) turned_ = true;
+  called_in_[number] = cycle_;
+  return true;
+}
+
+inline Vm::Code Vm::leave_routine() {
+  const Frame& frame = frames_[--depth_];
+  numbers_ = frame.numbers;
+  texts_ = frame.texts;
+  memory_ = frame.memory;
+  return frame.back;
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "lang/text/codes.h"
+#include "lang/values/value_text.h"
+#include "lang/vm/vm.h"
+
+/// The part of Vm that knows frames, and what it says when something goes wrong.
+namespace rob::lang {
+namespace {
+
+Slots registers_of(const Chunk& chunk) {
+  if (chunk.routines.empty()) return {kMostRegisters, kMostRegisters};
+  return {static_cast<int>(kNumberStack), static_cast<int>(kTextStack)};
+}
+
+/// Without memory in routines, what the top level takes is all.
+Slots memory_of(const Chunk& chunk) { return takes_memory(chunk) ? kMemory : chunk.memory; }
+
+}  // namespace
+
+Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
+    : chunk_(chunk),
+      machine_(machine),
+      own_numbers_(static_cast<std::size_t>((registers_of(chunk) + memory_of(chunk)).numbers)),
+      own_texts_(static_cast<std::size_t>((registers_of(chunk) + memory_of(chunk)).texts)),
+      number_stack_(own_numbers_),
+      text_stack_(own_texts_),
+      registers_(registers_of(chunk)),
+      frames_(chunk.routines.empty() ? 0 : kMostCalls),
+      numbers_(number_stack_.data()),
+      texts_(text_stack_.data()),
+      called_in_(chunk.routines.size()),
+      next_(chunk.code.data()),
+      latch_(next_),
+      paid_(next_),
+      random_(seed),
+      latched_random_(random_) {}
+
+bool Vm::reserve(Code pc) {
+  const Slots place = registers_ + memory_;
+  const Slots end =
+      place + Slots{static_cast<int>((pc + 1)->word), static_cast<int>((pc + 2)->word)};
+  if (end.numbers > static_cast<int>(number_stack_.size()) ||
+      end.texts > static_cast<int>(text_stack_.size())) {
+    return false;
+  }
+  numbers_[pc->a()].integer = place.numbers;
+  numbers_[pc->a() + 1].integer = place.texts;
+  memory_ = {end.numbers - registers_.numbers, end.texts - registers_.texts};
+  return true;
+}
+
+bool Vm::append_memory(Code pc) {
+  std::string& text = texts_[pc->a()];
+  const std::size_t before = text.size();
+  const Type& type = chunk_.types[(pc + 1)->word];
+  const Slots slots = slots_of(type);
+  const bool fits =
+      append_value_text(text, type, slots.numbers > 0 ? place_of(numbers_[pc->b()], 0) : nullptr,
+                        slots.texts > 0 ? text_place_of(numbers_[pc->c()], 0) : nullptr, kMostText);
+  charge(static_cast<std::uint32_t>(text.size() - before));
+  return fits;
+}
+
+Vm::State Vm::run(std::int64_t budget) {
+  if (state_ == State::Done || state_ == State::Failed || circling_ != 0) return state_;
+  granted_ = budget_ = budget;
+  do {
+    if (rescuing_ && !rescue()) return state_ = leave(next_, next_, State::Waiting);
+    state_ = execute(next_);
+  } while (rescuing_);
+  return state_;
+}
+
+Vm::State Vm::leave(Code pc, Code resume, State state) {
+  pay(pc, resume);
+  executed_ += granted_ - budget_;
+  granted_ = budget_;
+  next_ = resume;
+  // An expression that starts anew draws the same random numbers.
+  if (resume == latch_ && resume != pc) random_ = latched_random_;
+  // When the program goes on, time has passed; only a used-up budget stays in the present cycle.
+  if (state != State::Running) {
+    observed_ = false;
+    ++cycle_;
+  }
+  return state;
+}
+
+void Vm::limit_turns(std::uint32_t most) {
+  turns_.assign(chunk_.code.size(), 0);
+  most_turns_ = most;
+}
+
+/// The loops inside this one begin anew with each of its turns.
+bool Vm::count_turn(Code pc, Code target) {
+  const auto first = turns_.begin() + (target - chunk_.code.data());
+  std::fill(first + 1, turns_.begin() + (pc - chunk_.code.data()), 0U);
+  if (++*first < most_turns_) return true;
+  circling_ = line(target);
+  return false;
+}
+
+void Vm::choose_test(std::size_t test) {
+  test_ = chunk_.tests.at(test).routine;
+  next_ = chunk_.code.data() + chunk_.test_entry;
+  latch_ = paid_ = next_;
+}
+
+Vm::State Vm::fail(Code pc, RuntimeError error) {
+  error_ = std::move(error);
+  for (std::size_t i = depth_; i > 0; --i) {
+    const Frame& frame = frames_[i - 1];
+    error_.calls.push_back(
+        {.routine = chunk_.routines[frame.routine].name, .line = line(frame.back - 1)});
+  }
+  return give_up(pc);
+}
+
+Vm::State Vm::fail(Code pc, ArithmeticError error) {
+  const ArithmeticErrorText text = describe(error);
+  return fail(pc, {.code = std::string(text.code),
+                   .place = place(pc),
+                   .message = std::string(text.message),
+                   .help = std::string(text.help)});
+}
+
+Vm::State Vm::fail_too_long(Code pc) {
+  return fail(pc, {.code = std::string(code::kTextTooLong),
+                   .place = place(pc),
+                   .message = fmt::format("a text of more than {} bytes", kMostText),
+                   .help = ""});
+}
+
+Vm::State Vm::fail_calls_too_deep(Code pc) {
+  return fail(pc, {.code = std::string(code::kCallsTooDeep),
+                   .place = place(pc),
+                   .message = fmt::format("the calls are nested too deep: at most {}", kMostCalls),
+                   .help = "a routine that calls itself needs a way that does not"});
+}
+
+Vm::State Vm::fail_memory(Code pc) {
+  return fail(pc,
+              {.code = std::string(code::kCallsTooDeep),
+               .place = place(pc),
+               .message = fmt::format("the calls need more memory for arrays and records than "
+                                      "there is: {} numbers and {} texts",
+                                      static_cast<int>(number_stack_.size()) - registers_.numbers,
+                                      static_cast<int>(text_stack_.size()) - registers_.texts),
+               .help = "REF passes an array without copying it"});
+}
+
+Vm::State Vm::fail_no_value(Code pc) {
+  return fail(pc, {.code = std::string(code::kEndedWithoutReturn),
+                   .place = place(pc),
+                   .message = fmt::format("{} came to its end without RETURN",
+                                          chunk_.routines[frames_[depth_ - 1].routine].name),
+                   .help = "RETURN a value on every way through it"});
+}
+
+Vm::State Vm::fail_index(Code pc, std::int64_t index, std::uint32_t count) {
+  return fail(
+      pc, {.code = std::string(code::kIndexOutOfRange),
+           .place = place(pc),
+           .message = fmt::format("there is no element {}: they count from 1 to {}", index, count),
+           .help = ""});
+}
+
+Vm::State Vm::fail_assertion_at(Code pc) {
+  return fail(pc, {.code = std::string(code::kAssertionFailed),
+                   .place = place(pc),
+                   .message = fmt::format("ASSERT {} does not hold", chunk_.texts[(pc + 1)->word]),
+                   .help = ""});
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,70 @@
+#include <string>
+
+#include <fmt/core.h>
+
+#include "lang/text/codes.h"
+#include "lang/values/number_text.h"
+#include "lang/values/pose_slots.h"
+#include "lang/vm/vm.h"
+
+/// The part of Vm that keeps what WITH, PRESS and OVERRIDE say. What is open is restored however a
+/// block is left: by its end, EXIT and RETURN (the compiler), or an error (Vm::rescue()).
+namespace rob::lang {
+
+/// What is not named stays what it is around the block.
+void Vm::enter_setting(Code pc) {
+  Setting setting = settings_.empty() ? Setting{} : settings_.back();
+  const Slot* next = &numbers_[pc->a()];
+  if ((pc->b() & 1U) != 0) {
+    setting.tool = load_tool(next);
+    next += kToolSlots;
+  }
+  if ((pc->b() & 2U) != 0) setting.frame = load_pose(next);
+  if ((pc->b() & 6U) != 0) setting.in_tool = (pc->b() & 4U) != 0;
+  settings_.push_back(setting);
+  machine_.work_in(line(pc), setting);
+}
+
+void Vm::leave_settings(int line, std::size_t kept) {
+  if (settings_.size() == kept) return;
+  settings_.resize(kept);
+  machine_.work_in(line, settings_.empty() ? Setting{} : settings_.back());
+}
+
+PressCommand Vm::press_of(Code pc) const {
+  const Slot* const slots = &numbers_[pc->a()];
+  return {.axis = pc->b(), .force = slots[0].real, .limit = slots[1].real};
+}
+
+Reply Vm::end_presses(int line, std::size_t kept) {
+  while (presses_ > kept) {
+    const Reply reply = machine_.end_press(line);
+    if (reply == Reply::Later) return reply;
+    --presses_;
+    if (reply == Reply::Refused) return reply;
+  }
+  return Reply::Done;
+}
+
+bool Vm::check_press(Code pc) {
+  const double limit = press_of(pc).limit;
+  if (limit >= 0) return true;
+  error_ = {.code = std::string(code::kClauseOutOfRange),
+            .place = place(pc),
+            .message = fmt::format("LIMIT turned out to be {}; it has to be above zero",
+                                   number_text(limit, kSpeed)),
+            .help = ""};
+  return false;
+}
+
+bool Vm::check_override(Code pc, double share) {
+  if (share > 0 && share <= kMostOverride) return true;
+  error_ = {
+      .code = std::string(code::kOverrideBeyond),
+      .place = place(pc),
+      .message = fmt::format("OVERRIDE turned out to be {}%", number_text(share * 100, kNone)),
+      .help = "it is above 0% and at most 200%"};
+  return false;
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,48 @@
+#include "lang/vm/vm.h"
+
+/// The part of Vm that knows TASKs.
+namespace rob::lang {
+
+Vm::Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memory,
+       std::uint64_t seed)
+    : chunk_(chunk),
+      machine_(machine),
+      number_stack_(memory.numbers(task)),
+      text_stack_(memory.texts(task)),
+      registers_(memory.stack_begin(task) + kTaskRegisters),
+      background_(true),
+      frames_(kMostCalls),
+      numbers_(number_stack_.data() + memory.stack_begin(task).numbers),
+      texts_(text_stack_.data() + memory.stack_begin(task).texts),
+      called_in_(chunk.routines.size()),
+      test_(chunk.tasks[task].routine),
+      next_(chunk.code.data() + chunk.task_entry),
+      latch_(next_),
+      paid_(next_),
+      random_(seed),
+      latched_random_(random_) {}
+
+Reply Vm::publish(Code pc) {
+  if (background_) return Reply::Done;  // its globals are those that all TASKs see
+  const auto first = static_cast<std::size_t>(numbers_[pc->a()].integer);
+  const std::uint32_t count = (pc + 1)->word;
+  charge(count);
+  if (pc->b() != 0) return machine_.publish(line(pc), first, text_stack_.subspan(first, count));
+  return machine_.publish(line(pc), first, number_stack_.subspan(first, count));
+}
+
+Reply Vm::refresh(Code pc) {
+  const std::size_t first = (pc + 1)->word;
+  const std::uint32_t count = (pc + 2)->word;
+  charge(count);
+  const Reply reply = pc->a() != 0
+                          ? machine_.refresh(line(pc), first, text_stack_.subspan(first, count))
+                          : machine_.refresh(line(pc), first, number_stack_.subspan(first, count));
+  if (reply == Reply::Done) {
+    observed_ = true;
+    turned_ = false;
+  }
+  return reply;
+}
+
+}  // namespace rob::lang

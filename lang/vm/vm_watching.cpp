@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "lang/code/watch.h"
+#include "lang/text/codes.h"
+#include "lang/values/number_text.h"
+#include "lang/vm/vm.h"
+
+/// The part of Vm that sets up what is looked at in every control cycle.
+namespace rob::lang {
+
+Reply Vm::guard(Code pc) {
+  Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
+  std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
+  return machine_.guard(line(pc), watch);
+}
+
+Reply Vm::live_pace(Code pc) {
+  Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
+  std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
+  return machine_.live_pace(line(pc), watch, static_cast<MoveCommand::Pace>((pc + 1)->word));
+}
+
+Reply Vm::ended(Code pc) {
+  bool hit = false;
+  const Reply reply = machine_.ended(line(pc), hit);
+  if (reply != Reply::Later) {
+    hit_ = hit;
+    guarded_ = true;
+  }
+  if (reply == Reply::Done) {
+    numbers_[pc->a()].integer = hit ? 1 : 0;
+    observed_ = true;
+    turned_ = false;
+  }
+  return reply;
+}
+
+Reply Vm::when(Code pc) {
+  Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
+  std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
+  Armed armed{.depth = depth_, .level = (pc + 1)->word, .id = 0};
+  const Reply reply = machine_.when(line(pc), watch, armed.id);
+  if (reply == Reply::Done) armed_[armed_count_++] = armed;
+  return reply;
+}
+
+/// How many were armed before the first of this frame with that level.
+std::size_t Vm::whens_below(std::size_t level) const {
+  const auto end = armed_.begin() + static_cast<std::ptrdiff_t>(armed_count_);
+  const auto first = std::find_if(armed_.begin(), end, [&](const Armed& one) {
+    return one.depth > depth_ || (one.depth == depth_ && one.level >= level);
+  });
+  return static_cast<std::size_t>(first - armed_.begin());
+}
+
+Reply Vm::disarm(int line, std::size_t kept) {
+  while (armed_count_ > kept) {
+    const Reply reply = machine_.disarm(line, armed_[armed_count_ - 1].id);
+    if (reply != Reply::Done) return reply;
+    --armed_count_;
+  }
+  return Reply::Done;
+}
+
+PathPlace Vm::place_of(Code pc) const {
+  const Slot* const slots = numbers_ + pc->a();
+  return {.before = pc->b() != 0, .distance = slots[0].real, .lead = slots[1].real};
+}
+
+bool Vm::check_place(Code pc) {
+  const PathPlace at = place_of(pc);
+  if (at.distance >= 0 && std::abs(at.lead) <= kLongestLead) return true;
+  error_ = {.code = std::string(code::kPlaceUnsound),
+            .place = place(pc),
+            .message = fmt::format("a path event lies 0mm or more from the end of its motion, with "
+                                   "at most {}s of LEAD or LAG; this is {} and {}",
+                                   kLongestLead, number_text(at.distance, kLength),
+                                   number_text(std::abs(at.lead), kTime)),
+            .help = ""};
+  return false;
+}
+
+void Vm::interrupt(RuntimeError error) {
+  misread_.clear();
+  state_ = fail(next_, std::move(error));
+}
+
+Vm::State Vm::fail_too_many_whens(Code pc) {
+  return fail(pc,
+              {.code = std::string(code::kTooManyWhens),
+               .place = place(pc),
+               .message = fmt::format("more than {} WHENs are armed at once", kMostWhens),
+               .help = "a WHEN is armed until its block ends; is this routine calling itself?"});
+}
+
+}  // namespace rob::lang
