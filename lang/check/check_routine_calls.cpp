@@ -134,7 +134,9 @@ bool ExpressionChecker::check_argument(const Expr& argument, const Routine& rout
 void ExpressionChecker::report_unknown_function(std::string_view name, Place place) {
   if (name.find('.') != std::string_view::npos) return report_no_such_name(name, place);
   std::vector<std::string_view> names = builtin_names();
-  for (const Routine& routine : program_.routines) names.emplace_back(routine.name);
+  for (const Routine& routine : program_.routines) {
+    if (!routine.handler) names.emplace_back(routine.name);
+  }
   diagnostics_.error(code::kUnknownFunction, place,
                      fmt::format("unknown function {}", shortened(name)),
                      did_you_mean(suggest(name, names)));

@@ -17,7 +17,7 @@ void StatementChecker::check(Program& program) {
   scopes_.enter();
   for (const Routine& routine : program.routines) {
     scopes_.enter_file(routine.place.file);
-    if (!routine.test) declare(routine);
+    if (!routine.test && !routine.handler) declare(routine);
   }
   scopes_.enter_file(0);
   for (Statement& statement : program.statements) {
@@ -28,9 +28,12 @@ void StatementChecker::check(Program& program) {
   moves_.warn_of_zones(program.statements);
   missing_.enter_routines();
   moves_.in_routine(true);
-  for (Routine& routine : program.routines) check(routine);
+  for (Routine& routine : program.routines) {
+    if (!routine.handler) check(routine);
+  }
   check_frame_uses(program);
   settle_tasks(program);
+  settle_handlers();
   warn_of_missing_points();
   scopes_.leave();
   uses_.report(diagnostics_);
@@ -94,6 +97,11 @@ void StatementChecker::check_parameters(Routine& routine) {
 }
 
 void StatementChecker::check(Return& statement) {
+  if (routine_ != nullptr && routine_->handler) {
+    diagnostics_.error(code::kMisplaced, place_, "RETURN cannot leave the handler of a WHEN",
+                       "the program goes on where it was interrupted");
+    return;
+  }
   expressions_.check(statement.value);
   const bool wanted = routine_ != nullptr && routine_->function;
   if (wanted && statement.value != nullptr) {

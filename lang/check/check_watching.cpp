@@ -28,7 +28,7 @@ void WatchChecker::check_when(const When& when) {
                        "WHEN has nothing to watch: this condition reads nothing from the world",
                        "name a signal, as in WHEN door : lift = OFF");
   }
-  if (!when.action.empty()) check_action(when.action.front(), "WHEN");
+  if (!when.handled && !when.action.empty()) check_action(when.action.front(), "WHEN");
 }
 
 void WatchChecker::check_live(const Expr& pace) {
@@ -74,17 +74,12 @@ void WatchChecker::check_action(const Statement& action, std::string_view word) 
     sound = word == "WHEN" && raise->value != nullptr;
     value = raise->value.get();
   }
-  const bool brake = std::holds_alternative<Brake>(action.node);
-  if (word == "WHEN" && (brake || std::holds_alternative<Halt>(action.node))) {
-    diagnostics_.error(
-        code::kNotYet, action.place,
-        fmt::format("{} behind WHEN is not in this version of Rob yet", brake ? "BRAKE" : "HALT"));
-  } else if (!sound) {
+  if (!sound) {
     diagnostics_.error(
         code::kActionMisplaced, action.place,
         fmt::format("this cannot be done in the control cycle itself, as {} does it", word),
         word == "WHEN" ? "behind ':' an output is set or pulsed, or an error raised: "
-                         "lift = OFF, PULSE lift 50ms, RAISE \"door\""
+                         "lift = OFF, PULSE lift 50ms, RAISE \"door\"; DO … ENDWHEN does all else"
                        : "behind ':' an output is set or pulsed: lift = OFF, PULSE lift 50ms");
   } else if (value != nullptr && (calls_routine(*value) || observations(*value) > 0)) {
     diagnostics_.error(code::kActionNotFixed, value->place,

@@ -65,6 +65,7 @@ class ExpressionChecker {
   /// The same for all types in the head of a routine.
   void complete_header(const Routine& routine);
   /// Whether a value was met that does not lie in registers, since it was last asked.
+  void need_memory() { memory_use_ = true; }
   bool take_memory_use() { return std::exchange(memory_use_, false); }
 
   /// The value of a FRAME or a TOOL, which is fixed before the program runs: points are worth there

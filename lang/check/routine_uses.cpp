@@ -12,10 +12,22 @@
 
 namespace rob::lang {
 
+namespace {
+
+bool is_local(const Symbol& symbol) {
+  return symbol.kind == Symbol::Kind::Variable || symbol.kind == Symbol::Kind::NamedConstant ||
+         symbol.kind == Symbol::Kind::LoopVariable;
+}
+
+}  // namespace
+
 /// What is constant lives in the code and is there from the beginning.
 void RoutineUses::used(const Symbol& symbol) {
-  if (inside_ != nullptr && symbol.global && !known(symbol.value)) {
+  if (inside_ == nullptr || known(symbol.value)) return;
+  if (symbol.global) {
     users_[&symbol].insert(inside_->index);
+  } else if (inside_->handler && symbol.id < handler_begins_ && is_local(symbol)) {
+    captured_[inside_->index].emplace(symbol.id, &symbol);
   }
 }
 

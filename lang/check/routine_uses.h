@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "lang/check/symbols.h"
@@ -20,14 +21,26 @@ class RoutineUses {
  public:
   explicit RoutineUses(std::size_t routines) : callers_(routines) {}
 
-  /// From here on things belong to `routine`, or to the top level where it is null.
-  void enter(const Routine* routine) { inside_ = routine; }
+  /// From here on things belong to `routine`, or to the top level where it is null; returns what
+  /// they belonged to.
+  const Routine* enter(const Routine* routine) { return std::exchange(inside_, routine); }
   void next_statement() { ++statement_; }
   void declared(const Symbol& global) { declared_in_[&global] = statement_; }
   void used(const Symbol& symbol);
   void called(const Routine& routine, Place place);
 
   void report(Diagnostics& diagnostics) const;
+
+  // Handlers
+  /// Symbols up to number `first` are of what is around the handler.
+  void enter_handler(std::size_t first) { handler_begins_ = first; }
+  /// Whether the handler, or what it calls, does what the axes have to stand for. To be called when
+  /// all is checked, as report_handlers() is.
+  bool stops(const Routine& handler) const;
+  /// The variables around the handler that it uses, in the order of their declaration.
+  std::vector<const Symbol*> captured(const Routine& handler) const;
+  /// A handler, and what it calls, has no WHEN.
+  void report_handlers(const std::vector<Routine>& routines, Diagnostics& diagnostics) const;
 
   // TASKs
   void statement(const Statement& statement);
@@ -59,6 +72,12 @@ class RoutineUses {
   std::map<const Symbol*, std::set<std::size_t>> users_;  ///< routines by index
   std::vector<std::set<std::size_t>> callers_;            ///< of each routine
   std::vector<TopLevelCall> calls_;
+
+  std::set<std::size_t> reached_from(std::size_t routine) const;
+  std::size_t handler_begins_ = 0;
+  std::map<std::size_t, std::map<std::size_t, const Symbol*>> captured_;  ///< by handler and id
+  std::set<std::size_t> stopping_;         ///< routines that the axes have to stand for
+  std::map<std::size_t, Place> watching_;  ///< routines that have a WHEN
 
   void gather_tasks(const std::vector<Routine>& routines);
   void report_references(Diagnostics& diagnostics) const;

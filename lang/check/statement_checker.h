@@ -34,7 +34,8 @@ class StatementChecker {
         points_(points),
         taught_(checked.program.taught),
         missing_points_(checked.missing_points),
-        diagnostics_(diagnostics) {}
+        diagnostics_(diagnostics),
+        routines_(checked.program.routines) {}
 
   /// The top level first, then the routines, which see all its names.
   void check(Program& program);
@@ -67,6 +68,7 @@ class StatementChecker {
     }
   }
   void check(When& when) {
+    if (when.handled) return check_handler(when);
     const bool raises =
         !when.action.empty() && std::holds_alternative<Raise>(when.action.front().node);
     rescues_ += raises ? 1 : 0;  // check_when() tells what RAISE needs here
@@ -74,6 +76,9 @@ class StatementChecker {
     rescues_ -= raises ? 1 : 0;
     watches_.check_when(when);
   }
+  // Handlers (check_handlers.cpp)
+  void check_handler(When& when);
+  void settle_handlers();
   void check(Stop&) {}
   void check(Brake&) {}
   // HALT and ASK (check_operator.cpp)
@@ -207,6 +212,7 @@ class StatementChecker {
   bool pressing_ = false;  ///< inside of PRESS
   std::vector<const Expr*> path_values_;  ///< what PATHs are computed from
   const Routine* routine_ = nullptr;      ///< that it belongs to; null at the top level
+  std::vector<Routine>& routines_;
 };
 
 }  // namespace rob::lang

@@ -122,6 +122,8 @@ class Scopes {
     symbols_[point.id].taught = &joints;
     symbols_[point.id].has_taught = &known;
   }
+  /// How many symbols have been declared so far.
+  std::size_t declared() const { return symbols_.size(); }
   /// All names that can be seen from here, for "did you mean".
   std::vector<std::string_view> visible() const;
 

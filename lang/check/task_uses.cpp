@@ -30,11 +30,22 @@ bool fits_in_task(const Statement& statement) {
       statement.node);
 }
 
+/// Whether it needs the axes at rest, or takes them: a handler with such a statement has to stop
+/// them before.
+bool stops_axes(const Statement& statement) {
+  return !fits_in_task(statement) || std::holds_alternative<Wait>(statement.node) ||
+         std::holds_alternative<Raise>(statement.node);
+}
+
 }  // namespace
 
 void RoutineUses::statement(const Statement& statement) {
-  if (inside_ == nullptr || fits_in_task(statement)) return;
-  barred_.try_emplace(inside_->index, statement.place);
+  if (inside_ == nullptr) return;
+  if (stops_axes(statement)) stopping_.insert(inside_->index);
+  if (std::holds_alternative<When>(statement.node)) {
+    watching_.try_emplace(inside_->index, statement.place);
+  }
+  if (!fits_in_task(statement)) barred_.try_emplace(inside_->index, statement.place);
 }
 
 void RoutineUses::written(const Symbol& symbol) {

@@ -305,6 +305,12 @@ void CodeBuilder::when(Register values, std::uint16_t watch, std::size_t level, 
   emit(operand_word(level), place);
 }
 
+void CodeBuilder::when_handle(Register first, int count, bool stops, std::size_t routine,
+                              Place place) {
+  emit(Opcode::when_handle, place, first, static_cast<unsigned>(count), stops ? 1 : 0);
+  emit(operand_word(routine), place);
+}
+
 Chunk CodeBuilder::finish() {
   close_frame();
   return std::move(chunk_);

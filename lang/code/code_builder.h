@@ -131,6 +131,8 @@ class CodeBuilder {
 
   /// Arms a watch; `level`: how many stand before it in its frame.
   void when(Register values, std::uint16_t watch, std::size_t level, Place place);
+  /// Its action: a handler, by its number as a routine, with `count` registers from the first on.
+  void when_handle(Register first, int count, bool stops, std::size_t routine, Place place);
 
   enum class Limit { None, Registers, Memory, Jump, Dimensions, Motions, Watch, WatchLength };
   /// The limit that was exceeded, and where first.

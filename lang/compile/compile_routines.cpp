@@ -52,6 +52,7 @@ void StatementCompiler::compile(const Routine& routine) {
   const auto parameters = parameters_of(routine);
   code_.number_registers(layout.registers);
   code_.text_registers(layout.text_registers);
+  if (routine.handler) settle_captured(routine);
   if (routine.memory) code_.open_memory(routine.place);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const Symbol& symbol = *parameters[i].declared->symbol;
@@ -67,7 +68,10 @@ void StatementCompiler::compile(const Routine& routine) {
     expressions_.settle(symbol, home);
   }
   compile(routine.body);
-  code_.emit(routine.function ? Opcode::no_value : Opcode::leave, routine.end);
+  code_.emit(routine.handler    ? Opcode::leave_handler
+             : routine.function ? Opcode::no_value
+                                : Opcode::leave,
+             routine.end);
   code_.release(mark);
   routine_ = nullptr;
 }

@@ -58,6 +58,11 @@ class ExpressionCompiler {
   }
   /// Gives an output the value of a register, in motion order.
   void write_signal(const Symbol& symbol, Register value, Place place);
+  /// The place of a variable's number slots, or text slots.
+  void refer(const Symbol& symbol, bool text, Register target, Place place) {
+    const Location at = home(symbol);
+    refer(text ? at.texts : at.numbers, text, target, place);
+  }
   /// A call that is a statement of its own.
   void call(const Expr& expression);
 

@@ -47,6 +47,9 @@ class StatementCompiler {
   Register compile_taught(const Symbol& point, MoveForm& form);
   void compile(const WatchedMotion& watched);
   void compile(const When& when);
+  Register capture(const Routine& handler);
+  static int captures_of(const Routine& handler);
+  void settle_captured(const Routine& handler);
   void compile(const WayPoint& event);
   void compile_live(const Expr& pace);
   /// Code that disarms what was armed in this frame beyond the first `kept`.

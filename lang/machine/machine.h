@@ -78,6 +78,12 @@ class Machine {
   virtual Reply when(int line, const Watch& condition, int& id) = 0;
   /// The action: the axes brake, all that was commanded is dropped, and the program fails.
   virtual Reply when_raise(int line, std::string_view text) = 0;
+  /// The action: a handler, which Vm::handle() begins. `stops`: the axes come to rest on their path
+  /// before, and the handler has them.
+  virtual Reply when_handle(int line, bool stops) = 0;
+  /// A handler is at its end: `Later` until the axes are back where they left the path. Asked of
+  /// the machine that the handler commands.
+  virtual Reply leave_handler(int line) = 0;
   /// What is set or pulsed next is not done now, but on the way of the motion commanded next.
   virtual Reply on_the_way(int line, const PathPlace& place) = 0;
   /// The block of a WHEN is left. An observation: `Later` until the decision point of the last

@@ -30,10 +30,12 @@ using Block = std::vector<Statement>;
 
 // ----------------------------------------------------------------- statements
 
-/// WHEN door : lift = OFF
+/// WHEN door : lift = OFF, or WHEN door DO … ENDWHEN
 struct When {
   ExprPtr condition;
-  Block action;  ///< one statement
+  Block action;             ///< one statement, or a handler, which the checker makes a routine of
+  bool handled = false;     ///< by a handler, not by the control cycle itself
+  std::size_t handler = 0;  ///< set by the checker: its Routine::index
 };
 struct Stop {};
 struct Brake {};
@@ -241,6 +243,7 @@ struct Routine {
   bool function = false;
   bool test = false;  ///< its name is a text
   bool task = false;
+  bool handler = false;   ///< of the WHEN at `place`; it has no name in the program
   bool sound = true;      ///< its header could be read
   std::size_t index = 0;  ///< in Program::routines
   std::string name;
@@ -250,6 +253,9 @@ struct Routine {
   Block body;
   Place end;            ///< of ENDPROC and the like
   bool memory = false;  ///< set by the checker: not all it computes with fits into registers
+  // Of a handler, set by the checker:
+  bool stops = false;                   ///< the axes stop before it begins
+  std::vector<const Symbol*> captured;  ///< variables of the routine around it that it uses
 };
 
 /// ROBOT, UNITS and LAW: what holds for the whole program.

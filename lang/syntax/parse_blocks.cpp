@@ -100,6 +100,7 @@ bool Parser::at_block_end() const {
     case Keyword::Endfunc:
     case Keyword::Endtask:
     case Keyword::Endtest:
+    case Keyword::Endwhen:
     case Keyword::Endwith:
       return true;
     case Keyword::Else:

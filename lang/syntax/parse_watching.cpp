@@ -82,19 +82,42 @@ WayPoint Parser::path_event() {
   return event;
 }
 
-// "WHEN" expr ":" action eol
+// "WHEN" expr ":" action eol | "WHEN" expr "DO" eol block "ENDWHEN" eol
 void Parser::when_statement(Block& block) {
-  const Place place = current_.place;
-  if (line_ends_with(Keyword::Do)) {
-    report(code::kNotYet, place, "WHEN … DO is not in this version of Rob yet");
-    skip_later_block("WHEN", "ENDWHEN");
-    throw SyntaxError{};
-  }
+  const OpenBlock open{Keyword::When, Keyword::Endwhen, current_.place};
   When when;
+  const bool has_block = line_ends_with(Keyword::Do);
   advance();
-  when.condition = expression();
-  action(when.action, "WHEN");
-  add(block, place, std::move(when));
+  if (has_block) {
+    when.condition = condition(Keyword::Do);
+    when.action = block_of(open);
+    add_handler(open.place, current_.place);
+    close(open);
+  } else {
+    when.condition = expression();
+    action(when.action, "WHEN");
+    when.handled = stops_for(when.action);
+    if (when.handled) add_handler(open.place, open.place);
+  }
+  when.handled = when.handled || has_block;
+  add(block, open.place, std::move(when));
+}
+
+/// Whether the one action of a WHEN is none that a control cycle can do by itself: the axes have to
+/// stand.
+bool Parser::stops_for(const Block& action) {
+  return !action.empty() && (std::holds_alternative<Brake>(action.front().node) ||
+                             std::holds_alternative<Halt>(action.front().node));
+}
+
+void Parser::add_handler(const Place& place, const Place& end) {
+  Routine routine;
+  routine.place = place;
+  routine.end = end;
+  routine.handler = true;
+  routine.name = "WHEN";
+  routine.index = routines_.size();
+  routines_.push_back(std::move(routine));
 }
 
 /// What stands behind the ':' of a WHEN: one statement on the same line.

@@ -204,6 +204,8 @@ class Parser {
   // What is looked at in every control cycle (parse_watching.cpp)
   void behind_motion(Block& block, bool may_open_block);
   void when_statement(Block& block);
+  static bool stops_for(const Block& action);
+  void add_handler(const Place& place, const Place& end);
   void path_events(WatchedMotion& motion, const Place& place);
   WayPoint path_event();
   void action(Block& block, std::string_view behind);

@@ -135,6 +135,12 @@ Reply PrintingMachine::when_raise(int line, std::string_view text) {
   return note(line, fmt::format("raise {}", text));
 }
 
+Reply PrintingMachine::when_handle(int line, bool stops) {
+  return note(line, stops ? "handle at rest" : "handle");
+}
+
+Reply PrintingMachine::leave_handler(int line) { return note(line, "leave handler"); }
+
 Reply PrintingMachine::on_the_way(int line, const PathPlace& place) {
   std::string text =
       fmt::format("{} {}", place.before ? "before" : "after", number_text(place.distance, kLength));

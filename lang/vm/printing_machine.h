@@ -81,6 +81,8 @@ class PrintingMachine : public Machine {
   Reply guard(int line, const Watch& condition) override;
   Reply ended(int line, bool& hit) override;
   Reply when(int line, const Watch& condition, int& id) override;
+  Reply when_handle(int line, bool stops) override;
+  Reply leave_handler(int line) override;
   Reply when_raise(int line, std::string_view text) override;
   Reply disarm(int line, int id) override;
   Reply on_the_way(int line, const PathPlace& place) override;

@@ -255,24 +255,24 @@ read : {
   ROB_NEXT(1);
 }
 write_signal:
-  ROB_ASK(machine_.write_signal(line(pc), pc->x(), n[pc->a()].integer != 0), pc);
+  ROB_ASK(machine_->write_signal(line(pc), pc->x(), n[pc->a()].integer != 0), pc);
   ROB_NEXT(1);
 write_analog:
-  ROB_ASK(machine_.write_analog(line(pc), pc->x(), n[pc->a()].real), pc);
+  ROB_ASK(machine_->write_analog(line(pc), pc->x(), n[pc->a()].real), pc);
   ROB_NEXT(1);
 pulse:
   if (!check_pulse(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
-  ROB_ASK(machine_.pulse(line(pc), pc->x(), n[pc->a()].real), pc);
+  ROB_ASK(machine_->pulse(line(pc), pc->x(), n[pc->a()].real), pc);
   ROB_NEXT(1);
 move : {
   MoveCommand command;
   if (!build(pc, command)) return fail(pc, std::move(error_));
-  ROB_ASK(machine_.move(line(pc), command), pc);
+  ROB_ASK(machine_->move(line(pc), command), pc);
   ROB_NEXT(1);
 }
 move_to : {
   const MoveCommand command = build_plain(pc);
-  ROB_ASK(machine_.move(line(pc), command), pc);
+  ROB_ASK(machine_->move(line(pc), command), pc);
   ROB_NEXT(1 + 2 * std::popcount(command.given));
 }
 live_pace:
@@ -290,11 +290,19 @@ when:
   ROB_ASK(when(pc), pc);
   ROB_NEXT(2);
 when_raise:
-  ROB_ASK(machine_.when_raise(line(pc), texts_[pc->a()]), pc);
+  ROB_ASK(machine_->when_raise(line(pc), texts_[pc->a()]), pc);
   ROB_NEXT(1);
+when_handle:
+  ROB_ASK(when_handle(pc), pc);
+  ROB_NEXT(2);
+leave_handler:
+  ROB_ASK(machine_->leave_handler(line(pc)), pc);
+  leave(pc + 1, pc, State::Running);
+  end_handler();
+  return State::Running;
 on_the_way:
   if (!check_place(pc)) return fail(pc, std::move(error_));
-  ROB_ASK(machine_.on_the_way(line(pc), place_of(pc)), pc);
+  ROB_ASK(machine_->on_the_way(line(pc), place_of(pc)), pc);
   ROB_NEXT(1);
 disarm:
   ROB_ASK(disarm(line(pc), whens_below(pc->x())), pc);
@@ -305,40 +313,40 @@ read_hit:
 answer:  // stands in code that is jumped over
   ROB_NEXT(1);
 stop:
-  ROB_ASK(machine_.stop(line(pc)), pc);
+  ROB_ASK(machine_->stop(line(pc)), pc);
   ROB_NEXT(1);
 zero_force:
-  ROB_ASK(machine_.zero_force(line(pc)), pc);
+  ROB_ASK(machine_->zero_force(line(pc)), pc);
   ROB_NEXT(1);
 brake:
-  ROB_ASK(machine_.brake(line(pc)), pc);
+  ROB_ASK(machine_->brake(line(pc)), pc);
   ROB_NEXT(1);
 teach:
   ROB_ASK(teach(pc), pc);
   ROB_NEXT(3);
 halt:
-  ROB_ASK(machine_.halt(line(pc), texts_[pc->a()]), pc);
+  ROB_ASK(machine_->halt(line(pc), texts_[pc->a()]), pc);
   ROB_NEXT(1);
 ask:
   ROB_ASK(ask(pc), pc);
   ROB_NEXT(2);
 wait:
   if (!check_wait(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
-  ROB_ASK(machine_.wait(line(pc), n[pc->a()].real), pc);
+  ROB_ASK(machine_->wait(line(pc), n[pc->a()].real), pc);
   ROB_NEXT(1);
 stand:
   if (next_cycle_is_due()) return leave(pc, pc, State::NextCycle);
   ROB_ASK(stand(pc), pc);
   ROB_NEXT(1);
   ROB_IF(if_elapsed, n[pc->a()].real - n[pc->b()].real >= n[pc->c()].real - kSameTime, 1);
-  ROB_IF(if_assumed, machine_.taken_as_met(line(pc)), 1);
+  ROB_IF(if_assumed, machine_->taken_as_met(line(pc)), 1);
 waited:
-  ROB_ASK(machine_.waited(line(pc)), pc);
+  ROB_ASK(machine_->waited(line(pc)), pc);
   ROB_NEXT(1);
 fail_timeout:
   return fail_timeout(pc);
 print:
-  ROB_ASK(machine_.print(line(pc), texts_[pc->a()]), pc);
+  ROB_ASK(machine_->print(line(pc), texts_[pc->a()]), pc);
   ROB_NEXT(1);
 fail_assertion:
   return fail_assertion_at(pc);
@@ -348,7 +356,7 @@ call_test : {
   ROB_GO(1, target);
 }
 expect_failed:
-  ROB_ASK(machine_.expectation_failed(line(pc), texts_[pc->a()]), pc);
+  ROB_ASK(machine_->expectation_failed(line(pc), texts_[pc->a()]), pc);
   ROB_NEXT(1);
 #include "lang/vm/vm_simulate.inc"
 #include "lang/vm/vm_tasks.inc"
@@ -356,7 +364,7 @@ open_try:
   if (!open_try(pc)) return fail_tries_too_deep(pc);
   ROB_NEXT(2);
 leave_try:
-  ROB_ASK(machine_.leave_block(line(pc)), pc);
+  ROB_ASK(machine_->leave_block(line(pc)), pc);
   guards_.pop_back();
   ROB_NEXT(1);
 leave_rescue:
@@ -370,7 +378,7 @@ raise:
 raise_again:
   return raise_again(pc);
 end:
-  ROB_ASK(machine_.end(line(pc)), pc);
+  ROB_ASK(machine_->end(line(pc)), pc);
   return leave(pc + 1, pc, State::Done);
 }
 

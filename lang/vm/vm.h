@@ -103,6 +103,13 @@ class Vm {
   /// program fails with this error where it is.
   void interrupt(RuntimeError error);
 
+  /// A WHEN, as its Machine has numbered it, has come true: its handler begins, before the program
+  /// goes on, and commands `machine`.
+  void handle(int when, Machine& machine);
+  /// Whether a handler may begin: none is running, and the program neither is over nor goes wrong.
+  bool takes_handlers() const;
+  bool handling() const { return handling_; }
+
   State state() const { return state_; }
   const RuntimeError& error() const { return error_; }
   /// Instructions executed since the start; those that a forward jump passed over count too.
@@ -132,7 +139,11 @@ class Vm {
   }
   /// The frame of the routine that is called at `pc`; false if the stack is used up.
   bool enter(Code pc) { return enter(pc, (pc + 1)->word, pc + 2); }
-  bool enter(Code pc, std::uint32_t routine, Code back);
+  bool enter(Code pc, std::uint32_t routine, Code back) {
+    return enter(numbers_ + pc->a(), texts_ + pc->b(), routine, back);
+  }
+  /// The same, with the registers that its frame begins at.
+  bool enter(Slot* numbers, std::string* texts, std::uint32_t routine, Code back);
   bool enter_test(Code pc) { return enter(pc, test_, pc + 1); }
   /// Memory for the frame of a routine, or of the top level; false if there is not so much left.
   bool reserve(Code pc);
@@ -224,7 +235,7 @@ class Vm {
   std::size_t index(Code pc) const { return static_cast<std::size_t>(pc - chunk_.code.data()); }
 
   const Chunk& chunk_;
-  Machine& machine_;
+  Machine* machine_;
   /// What a call comes back to.
   struct Frame {
     Code back;
@@ -280,12 +291,31 @@ class Vm {
   bool turned_ = false;  ///< a loop has turned since the last observation
   /// A WHEN that is armed.
   struct Armed {
-    std::size_t depth;    ///< calls that were open
-    std::uint32_t level;  ///< of its frame
-    int id;               ///< the machine's
+    std::size_t depth = 0;    ///< calls that were open
+    std::uint32_t level = 0;  ///< of its frame
+    int id = 0;               ///< the machine's
+    Code handler = nullptr;   ///< its `when_handle`; null: it has none
+    Slot* captured = nullptr;
+    std::size_t settings = 0;  ///< that were open
   };
   std::array<Armed, kMostWhens> armed_;
   std::size_t armed_count_ = 0;
+  // Handlers (vm_handlers.cpp)
+  Reply when_handle(Code pc);
+  void end_handler();
+  void abandon_handler();
+  /// Where a handler has found the program.
+  struct Interrupted {
+    Machine* machine = nullptr;
+    Code next = nullptr;
+    Code latch = nullptr;
+    Random latched_random{Random::kDefaultSeed};
+    bool turned = false;
+    std::size_t guards = 0;
+    std::size_t settings = 0;
+  };
+  Interrupted interrupted_;
+  bool handling_ = false;
   std::vector<Setting> settings_;  ///< of the WITHs that are open
   std::size_t presses_ = 0;        ///< that are open
   std::string misread_;            ///< why the last answer to the present ASK could not be taken
@@ -296,10 +326,8 @@ class Vm {
 
 // In every call: here, so that the dispatch loop has them in line.
 
-inline bool Vm::enter(Code pc, std::uint32_t number, Code back) {
+inline bool Vm::enter(Slot* numbers, std::string* texts, std::uint32_t number, Code back) {
   const RoutineCode& routine = chunk_.routines[number];
-  Slot* const numbers = numbers_ + pc->a();
-  std::string* const texts = texts_ + pc->b();
   const auto left = number_stack_.data() + registers_.numbers - numbers;
   const auto texts_left = text_stack_.data() + registers_.texts - texts;
   if (depth_ == frames_.size() || left < routine.registers || texts_left < routine.text_registers) {

@@ -23,7 +23,12 @@ bool Vm::open_try(Code pc) {
 }
 
 Vm::State Vm::give_up(Code pc) {
-  rescuing_ = std::ranges::any_of(guards_, [](const Guard& guard) { return !guard.caught; });
+  const auto catches = [](const Guard& guard) { return !guard.caught; };
+  rescuing_ = std::ranges::any_of(guards_, catches);
+  if (handling_) {
+    const auto handlers = guards_.begin() + static_cast<std::ptrdiff_t>(interrupted_.guards);
+    if (std::none_of(handlers, guards_.end(), catches)) abandon_handler();
+  }
   return leave(pc, pc, rescuing_ ? State::Running : State::Failed);
 }
 
@@ -36,7 +41,7 @@ Vm::State Vm::raise_again(Code pc) {
 }
 
 bool Vm::rescue() {
-  if (machine_.settle(line_tag(error_.place)) != Reply::Done) return false;
+  if (machine_->settle(line_tag(error_.place)) != Reply::Done) return false;
   while (guards_.back().caught) guards_.pop_back();
   Guard& guard = guards_.back();
   const int line = line_tag(error_.place);

@@ -24,7 +24,7 @@ Slots memory_of(const Chunk& chunk) { return takes_memory(chunk) ? kMemory : chu
 
 Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
     : chunk_(chunk),
-      machine_(machine),
+      machine_(&machine),
       own_numbers_(static_cast<std::size_t>((registers_of(chunk) + memory_of(chunk)).numbers)),
       own_texts_(static_cast<std::size_t>((registers_of(chunk) + memory_of(chunk)).texts)),
       number_stack_(own_numbers_),
@@ -69,11 +69,13 @@ bool Vm::append_memory(Code pc) {
 Vm::State Vm::run(std::int64_t budget) {
   if (state_ == State::Done || state_ == State::Failed || circling_ != 0) return state_;
   granted_ = budget_ = budget;
-  do {
+  for (;;) {
     if (rescuing_ && !rescue()) return state_ = leave(next_, next_, State::Waiting);
+    const bool handling = handling_;
     state_ = execute(next_);
-  } while (rescuing_);
-  return state_;
+    const bool handled = handling && !handling_ && state_ == State::Running;
+    if (!rescuing_ && !handled) return state_;
+  }
 }
 
 Vm::State Vm::leave(Code pc, Code resume, State state) {

@@ -19,6 +19,8 @@ struct MotionEvent {
     ActionDue,       ///< effect: a WHEN does it
     EffectDropped,   ///< effect: what carried it has ended early
     PulseOver,       ///< effect: the Pulse whose output is off again
+    Handling,        ///< tag: of the WHEN whose handler has the axes from here on
+    HandlerOver,     ///< they are the program's again; value: 1 if the interrupted motion is over
     Held,            ///< the axes stand on the path by request or by fault; value: share of the
                      ///< segment's time that is done, 0…1
     Overrun,         ///< the tick came too late to be made up; value: how late, s

@@ -15,9 +15,14 @@ void PaulGenerator::look(const CycleView& view) noexcept {
   view_ = view;
   untold_ = false;
   if (faulted_) return;
-  watches_.ask(view, [this](WatchedAction& action, WatchAnswer answer) noexcept {
-    return do_watched(action, answer);
-  });
+  watches_.ask(
+      view,
+      [this](const WatchedAction& action) noexcept {
+        return action.handled() && !may_be_handled();
+      },
+      [this](WatchedAction& action, WatchAnswer answer) noexcept {
+        return do_watched(action, answer);
+      });
   if (!clock_.braking()) ask_guard();
 }
 
@@ -27,13 +32,18 @@ bool PaulGenerator::do_watched(WatchedAction& action, WatchAnswer answer) noexce
     tell({.kind = Kind::ActionDue, .time = view_.time, .tag = action.tag, .effect = action.effect});
     return true;
   }
-  if (clock_.braking() && rest_.by != nullptr) return false;  // the first error is the one to mend
+  if (failing()) return false;  // the first error is the one to mend
+  if (answer == WatchAnswer::Yes && action.handled()) {
+    begin_handling(action);
+    return true;
+  }
   trip(answer == WatchAnswer::Yes ? Rest::Outcome::Raised : Rest::Outcome::Failed, &action);
   action.fired.store(true, std::memory_order_relaxed);
   return false;
 }
 
 void PaulGenerator::ask_guard() noexcept {
+  if (handling()) return;
   const std::uint32_t number = buffer_.to_be_braked();
   if (number != 0 && number <= segment_.number) return trip(Rest::Outcome::Braked);
   if (!running_ || !segment_.guard.present()) return;
@@ -50,6 +60,7 @@ void PaulGenerator::trip(Rest::Outcome outcome, WatchedAction* by) noexcept {
   rest_.outcome = outcome;
   rest_.by = by;
   rest_.generation = segment_.generation;
+  rest_.number = segment_.number;
   rest_.tag = segment_.tag;
   rest_.trip_time = view_.time;
   rest_.trip_q = view_.measured;
@@ -111,6 +122,7 @@ void PaulGenerator::close_guard() noexcept {
   rest_.outcome = Rest::Outcome::Reached;
   rest_.by = nullptr;
   rest_.generation = segment_.generation;
+  rest_.number = segment_.number;
   rest_.tag = segment_.tag;
   rest_.trip_time = time;
   rest_.trip_q = view_.measured;

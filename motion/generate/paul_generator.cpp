@@ -59,7 +59,7 @@ void PaulGenerator::catch_up(std::int64_t period) noexcept {
   if (missed <= most_missed_) return;
   const double lateness = static_cast<double>(missed) * period_;
   clock_.skip(lateness);
-  clock_.hold();
+  hold();
   last_period_ = period - 1;
   tell({.kind = Kind::Overrun,
         .time = static_cast<double>(last_period_) * period_,
@@ -68,9 +68,14 @@ void PaulGenerator::catch_up(std::int64_t period) noexcept {
         .value = lateness});
 }
 
+void PaulGenerator::hold() noexcept {
+  stopped_ = true;
+  clock_.hold();
+}
+
 void PaulGenerator::resume() noexcept {
-  clock_.resume();
-  held_told_ = false;
+  stopped_ = held_told_ = false;
+  if (!handling()) clock_.resume();
 }
 
 /// A dwell keeps its share of the run's time: its rest on the path is rescaled.
@@ -110,6 +115,7 @@ void PaulGenerator::step(double stamp) noexcept {
   fire_path_events();
   if (clock_.braked()) end_early(clock_.steady_since());
   report_held();
+  report_handled();
   drop_ended();
   fire_effects(stamp);
   if (!running_) start_from_rest();
@@ -260,7 +266,8 @@ void PaulGenerator::finish_if_done() noexcept {
 
 void PaulGenerator::report_held() noexcept {
   const bool stands = clock_.held() || (faulted_ && !running_);
-  if (!stands || held_told_) return;
+  const bool asked = stopped_ || !handling() || faulted_;
+  if (!stands || held_told_ || !asked) return;
   held_told_ = true;
   const double begun = end_ - exit();
   const bool under_way = running_ && end_ > begun;

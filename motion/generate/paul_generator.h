@@ -47,6 +47,9 @@ namespace rob::motion {
 /// WHENs are armed and disarmed by effects, asked in look() before the guard, and act in the cycle;
 /// one that raises brakes like a guard, and no effect acts any more from then on.
 ///
+/// One with a handler holds the axes on the path until go_on(), as hold() does; guards are not
+/// asked meanwhile.
+///
 /// Path events are due at their places (PathEvents), to the instant at constant override.
 ///
 /// A segment whose rates would not be finite is not begun: Fault, the axes arrive at the target
@@ -63,9 +66,13 @@ class PaulGenerator final : public TrajectoryGenerator {
 
   void look(const CycleView& view) noexcept override;
   const GeneratorSample& advance(std::int64_t period) noexcept override;
-  void hold() noexcept override { clock_.hold(); }
+  void hold() noexcept override;
   void resume() noexcept override;
   void set_override(double share) noexcept override;
+  void go_on() noexcept override;
+  void leave_path(const JointVector& q, double time, bool all) noexcept override;
+  void stand_at(const JointVector& q) noexcept override;
+  void brake() noexcept override;
   std::uint32_t decidable() const noexcept override {
     return decidable_.load(std::memory_order_acquire);
   }
@@ -113,6 +120,17 @@ class PaulGenerator final : public TrajectoryGenerator {
   void tell_rest(double time) noexcept;
   void drop_ended() noexcept;
 
+  // Handlers (paul_handled.cpp)
+  bool may_be_handled() const noexcept;
+  void begin_handling(WatchedAction& action) noexcept;
+  /// The axes are a handler's, or stop for one.
+  bool handling() const noexcept {
+    return handling_ != nullptr && handling_->kind == WatchedAction::Kind::Handle;
+  }
+  void tell_handled(double time) noexcept;
+  void report_handled() noexcept;
+  JointVector standing_place() const noexcept;
+
   void begin_dwell(const SegmentDescriptor& segment, double instant) noexcept;
   /// Braking for an error of the program.
   bool failing() const noexcept { return clock_.braking() && rest_.by != nullptr; }
@@ -158,6 +176,9 @@ class PaulGenerator final : public TrajectoryGenerator {
   std::uint32_t ended_ = 0;  ///< generations up to this one are over
   std::uint32_t kept_ = 0;   ///< effects of the one that ended last act up to this number
 
+  WatchedAction* handling_ = nullptr;  ///< the WHEN whose handler runs, or will
+  bool handled_told_ = false;
+  bool stopped_ = false;  ///< hold() has been asked for, too
   bool held_told_ = false;
   bool faulted_ = false;
   bool finished_ = false;

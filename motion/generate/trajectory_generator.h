@@ -47,6 +47,21 @@ class TrajectoryGenerator {
   /// 0 < share <= 1 of the programmed speed; taken up smoothly.
   virtual void set_override(double share) noexcept = 0;
 
+  // A WHEN with a handler has come true (Rest::Outcome::Handled): the axes stand on the path, and
+  // what the handler commands goes through another generator. Handlers are not asked meanwhile.
+
+  /// The axes are back where they left the path.
+  virtual void go_on() noexcept = 0;
+  /// They are not, they stand at `q`: the motion under way has ended (Rest::Outcome::Braked, at
+  /// `time`), and all that is queued behind it is taken back. What stands between the motions stays
+  /// and goes with the motions of the same numbers, which are queued anew; with `all` it is
+  /// dropped.
+  virtual void leave_path(const JointVector& q, double time, bool all) noexcept = 0;
+  /// Nothing has been commanded here, or all of it is done: the axes have been brought to `q`.
+  virtual void stand_at(const JointVector& q) noexcept = 0;
+  /// What is under way brakes on its path and ends there (Braked), with all that is queued.
+  virtual void brake() noexcept = 0;
+
   /// The highest segment number at whose decision point the world may be read now: the next call
   /// of advance() will have to know what follows that segment. At rest: the last one done.
   virtual std::uint32_t decidable() const noexcept = 0;

@@ -20,11 +20,13 @@ class WatchList {
   void disarm(WatchedAction& action) noexcept;
 
   /// Calls fire(action, answer) for each that comes true or cannot be computed, in order, until one
-  /// of the calls returns false: what stands behind it is not asked in this cycle.
-  template <typename Fire>
-  void ask(const CycleView& view, Fire&& fire) noexcept {
+  /// of the calls returns false: what stands behind it is not asked in this cycle. Those for which
+  /// waits(action) holds are left out, as though nothing had changed for them.
+  template <typename Waits, typename Fire>
+  void ask(const CycleView& view, Waits&& waits, Fire&& fire) noexcept {
     for (std::size_t i = 0; i < count_; ++i) {
       Entry& entry = entries_[i];
+      if (waits(*entry.action)) continue;
       const WatchAnswer answer = entry.action->condition.ask(view);
       const bool rises = answer != WatchAnswer::No && answer != entry.last;
       entry.last = answer;

@@ -101,10 +101,15 @@ SegmentDescriptor MotionPlanner::dwell(Tag tag, double duration) noexcept {
 }
 
 void MotionPlanner::retarget(const JointVector& q) noexcept {
+  stand_at(q, number_);
+  ++generation_;
+}
+
+void MotionPlanner::stand_at(const JointVector& q, std::uint32_t number) noexcept {
   commanded_ = q;
   exact_ = true;
   t_acc_before_ = robot_.t_acc;
-  ++generation_;
+  number_ = number;
 }
 
 /// The given components, measured from the origin.

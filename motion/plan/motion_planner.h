@@ -95,6 +95,9 @@ class MotionPlanner {
   /// After an early end the axes stand at q, not at the last target. What is planned from now on
   /// belongs to a new generation.
   void retarget(const JointVector& q) noexcept;
+  /// The same, but the motions behind number `number` are taken back: what is planned from now on
+  /// takes their place.
+  void stand_at(const JointVector& q, std::uint32_t number) noexcept;
 
  private:
   struct Timing {

@@ -43,6 +43,31 @@ struct ServoNotice {
   motion::FollowingFinding finding;
 };
 
+/// What the side that commands is told of the motions that it has queued: the program, and beside
+/// it the handlers of its WHENs, whose motions go through a buffer and a generator of their own.
+/// motion → program.
+struct MotionProgress {
+  /// How what was guarded or braked has ended, one for each that is waited for.
+  motion::SpscRing<motion::Rest> rests{16};
+  /// The axes stand behind this segment, and its effects have acted.
+  std::atomic<std::uint32_t> settled{0};
+  std::atomic<std::uint32_t> decidable{0};    ///< see TrajectoryGenerator
+  std::atomic<bool> standing{true};           ///< nothing is under way
+  std::atomic<std::int64_t> effects_done{0};  ///< effects that have acted
+};
+
+/// Motions of handlers are told by their own numbers and this. [choice] no program gets that far.
+inline constexpr std::uint32_t kHandlerNumbers = 1'000'000'000;
+
+/// What becomes of the motion that a handler has interrupted.
+enum class AfterHandler : std::uint8_t {
+  None,      ///< nothing has been asked for
+  GoOn,      ///< the axes are back on its path
+  Leave,     ///< it is over; what was queued behind it is queued anew
+  LeaveAll,  ///< it is over, with all that was queued
+  Stop       ///< nothing yet, but the handler's motion brakes
+};
+
 /// Everything through which the tasks of one run talk: rings and atomics with one writer each, so
 /// that no tick ever waits for another. Memory is taken by the constructor alone.
 struct Channels {
@@ -58,8 +83,9 @@ struct Channels {
   motion::SpscRing<Snapshot> snapshots{kSnapshots};                  ///< motion → main
   motion::SpscRing<motion::MotionEvent> events{kEvents};             ///< motion → main
 
-  /// motion → program: how what was guarded or braked has ended, one for each that it waits for
-  motion::SpscRing<motion::Rest> rests{16};
+  MotionProgress program;
+  MotionProgress handler;
+  std::atomic<AfterHandler> after_handler{AfterHandler::None};  ///< program → motion
 
   /// A Report whose turn has come.
   struct Report {
@@ -81,11 +107,6 @@ struct Channels {
   AnalogCells analog_inputs;              ///< V, as inputs
   std::atomic<std::int64_t> cycle{0};     ///< motion → program: number of the present one
   LatestJoints joints;  ///< motion → program: the references of the present cycle
-  /// motion → program: the axes stand behind this segment, and its effects have acted
-  std::atomic<std::uint32_t> settled{0};
-  std::atomic<std::uint32_t> decidable{0};        ///< motion → program: see TrajectoryGenerator
-  std::atomic<bool> standing{true};               ///< motion → program: nothing is under way
-  std::atomic<std::int64_t> effects_done{0};      ///< motion → program: effects that have acted
   std::atomic<std::int64_t> simulations_done{0};  ///< motion → program: SIMULATEs that have acted
   OperatorPanel panel;  ///< motion → program: what a signal script does in the operator's place
   /// Before the run: what outputs become when it goes wrong.

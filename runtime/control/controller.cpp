@@ -12,9 +12,15 @@ Controller::Controller(const motion::RobotModel& robot,
       buffer_(static_cast<std::size_t>(robot.look_ahead)),
       planner_(robot, robot.start),
       generator_(robot, buffer_, robot.start),
-      machine_(robot, planner_, buffer_, channels_, log_),
-      motion_task_(robot, generator_, override_share, channels_, script),
+      handlers_buffer_(static_cast<std::size_t>(robot.look_ahead)),
+      handlers_planner_(robot, robot.start),
+      handlers_generator_(robot, handlers_buffer_, robot.start),
+      machine_(robot, planner_, buffer_, channels_, channels_.program, log_),
+      handlers_machine_(robot, handlers_planner_, handlers_buffer_, channels_, channels_.handler,
+                        log_),
+      motion_task_(robot, generator_, handlers_generator_, override_share, channels_, script),
       servo_task_(robot, *backend_, channels_) {
+  machine_.run_handlers_on(handlers_machine_);
   machine_.set_override(override_share);
   channels_.joints.store(robot.start);
   backend_->open();

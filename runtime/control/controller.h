@@ -49,7 +49,11 @@ class Controller {
   motion::LookAheadBuffer buffer_;
   motion::MotionPlanner planner_;
   motion::PaulGenerator generator_;
+  motion::LookAheadBuffer handlers_buffer_;
+  motion::MotionPlanner handlers_planner_;
+  motion::PaulGenerator handlers_generator_;
   RobotMachine machine_;
+  RobotMachine handlers_machine_;
   MotionTask motion_task_;
   ServoTask servo_task_;
 };

@@ -20,7 +20,7 @@ void RobotMachine::declare_safe(const std::vector<lang::SafeValue>& values) {
 }
 
 Reply RobotMachine::fail(int line) {
-  if (channels_.safe.empty()) return end(line);
+  if (channels_.safe.empty() && !interrupted_by_handler_) return end(line);
   take_interruption();  // the first error is the one to mend
   const Reply reply = settle(line);
   if (reply != Reply::Done) return reply;

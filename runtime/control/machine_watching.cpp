@@ -32,7 +32,11 @@ Reply RobotMachine::ended(int line, bool& hit) {
     }
   }
   motion::Rest rest;
-  if (!take_rest(rest)) return Reply::Later;
+  if (left_) {
+    rest = *std::exchange(left_, std::nullopt);
+  } else if (!take_rest(rest)) {
+    return Reply::Later;
+  }
   guarded_ = false;
   brakable_ = 0;
   if (rest.early()) {
@@ -86,8 +90,8 @@ Reply RobotMachine::on_the_way(int /*line*/, const lang::PathPlace& place) {
 }
 
 /// False, and a refusal, where a place lies beyond the leg.
-bool RobotMachine::attach(motion::SegmentDescriptor& segment, double way) {
-  const std::vector<OnTheWay> events = std::exchange(on_the_way_, {});
+bool RobotMachine::attach(motion::SegmentDescriptor& segment, const std::vector<OnTheWay>& events,
+                          double way) {
   for (const OnTheWay& one : events) {
     const double distance = one.place.distance;
     const double place = one.place.before ? way - distance : distance;
@@ -99,24 +103,23 @@ bool RobotMachine::attach(motion::SegmentDescriptor& segment, double way) {
     event.share = place / way;
     event.lead = one.place.lead;
     event.effect = one.effect;
-    log_.queued_effect();
   }
   return true;
 }
 
 bool RobotMachine::interrupted() const {
-  const motion::Rest* const next = channels_.rests.front();
+  const motion::Rest* const next = progress_.rests.front();
   return next != nullptr && next->by != nullptr;
 }
 
 /// One that a WHEN has caused is left for take_interruption().
 bool RobotMachine::take_rest(motion::Rest& rest) {
-  return !interrupted() && channels_.rests.take(rest);
+  return !interrupted() && progress_.rests.take(rest);
 }
 
 std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
-  if (!interrupted()) return std::nullopt;
-  const motion::Rest* const rest = channels_.rests.front();
+  const motion::Rest* const rest = progress_.rests.front();
+  if (rest == nullptr || !rest->failure()) return std::nullopt;
   lang::RuntimeError error = whens_.error_of(*rest);
   planner_.retarget(rest->q);
   buffer_.braked();
@@ -126,7 +129,7 @@ std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
   recording_ = nullptr;
   place_.reset();
   on_the_way_.clear();
-  channels_.rests.pop();
+  progress_.rests.pop();
   return error;
 }
 

@@ -16,15 +16,16 @@ constexpr double kInstantTolerance = 1e-9;  // s: an instant on the period's bor
 }  // namespace
 
 MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenerator& generator,
-                       double override_share, Channels& channels,
-                       const std::vector<SimulationRule>& script)
-    : generator_(generator),
-      channels_(channels),
+                       motion::TrajectoryGenerator& handlers, double override_share,
+                       Channels& channels, const std::vector<SimulationRule>& script)
+    : channels_(channels),
+      program_{generator, channels.program},
+      handlers_{handlers, channels.handler},
       period_(robot.reference_period),
       override_share_(std::min(override_share, 1.0)),
       simulated_(script, channels.panel) {
-  if (override_share_ < 1) generator_.set_override(override_share_);
-  current_.reference.q = robot.start;
+  if (override_share_ < 1) set_override(override_share_);
+  program_.current.reference.q = robot.start;
 }
 
 void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
@@ -32,30 +33,41 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   take_samples();
   latch_inputs(now_);
   take_requests();
+  take_after_handler();
   take_immediate();
-  generator_.look(view(now_));
-  if (!started_) {
-    current_ = generator_.advance(number);
-    started_ = true;
-  }
+  const motion::CycleView seen = view(now_);
+  program_.generator.look(seen);
+  if (handling()) handlers_.generator.look(seen);
+  if (!started_) advance(number);
+  started_ = true;
   collect_events();
-  publish(current_);
+  publish(active_->current);
   release_events(now_);
   end_pulses(now_);
   if (finished_ && !pulses_.any()) over_.store(true, std::memory_order_release);
   channels_.cycle.store(number, std::memory_order_relaxed);
-  channels_.joints.store(current_.reference.q);
-  if (current_.state == motion::MotionState::Idle) {
-    channels_.settled.store(current_.piece, std::memory_order_release);
+  channels_.joints.store(active_->current.reference.q);
+  for (Track* const track : {&program_, &handlers_}) {
+    if (track->current.state != motion::MotionState::Idle) continue;
+    track->progress.settled.store(track->current.piece, std::memory_order_release);
   }
   if (over()) return;
 
-  current_ = generator_.advance(number + 1);
+  advance(number + 1);
   lateness_ = lateness;
-  channels_.references.push(current_.reference);
+  channels_.references.push(active_->current.reference);
   collect_events();
-  channels_.standing.store(current_.state == motion::MotionState::Idle, std::memory_order_relaxed);
-  channels_.decidable.store(generator_.decidable(), std::memory_order_release);
+  for (Track* const track : {&program_, &handlers_}) {
+    MotionProgress& progress = track->progress;
+    progress.standing.store(track->current.state == motion::MotionState::Idle,
+                            std::memory_order_relaxed);
+    progress.decidable.store(track->generator.decidable(), std::memory_order_release);
+  }
+}
+
+void MotionTask::advance(std::int64_t number) noexcept {
+  program_.current = program_.generator.advance(number);
+  handlers_.current = handlers_.generator.advance(number);
 }
 
 void MotionTask::take_samples() noexcept {
@@ -90,13 +102,16 @@ void MotionTask::take_finding(const ServoSample& sample) noexcept {
   warned_ = true;
   if (!stop) return;
   faulted_ = true;
-  generator_.hold();
-  take_safe_values();
+  hold();
 }
 
 void MotionTask::take_requests() noexcept {
-  if (!channels_.hold_requested.load(std::memory_order_relaxed)) return;
-  generator_.hold();
+  if (channels_.hold_requested.load(std::memory_order_relaxed)) hold();
+}
+
+void MotionTask::hold() noexcept {
+  program_.generator.hold();
+  handlers_.generator.hold();
   take_safe_values();
 }
 
@@ -111,9 +126,10 @@ void MotionTask::take_immediate() noexcept {
 }
 
 motion::CycleView MotionTask::view(double now) const noexcept {
+  const motion::JointVector& reference = active_->current.reference.q;
   motion::CycleView view{now,
-                         current_.reference.q,
-                         current_.reference.q,
+                         reference,
+                         reference,
                          channels_.inputs.load(std::memory_order_relaxed),
                          outputs_,
                          channels_.analog_inputs.load(),
@@ -137,6 +153,7 @@ const ServoSample* MotionTask::sample_at(double stamp) const noexcept {
 void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
   Snapshot snapshot{sample,      sample.reference.q, sample.reference.q,
                     saturation_, lateness_,          override_share_};
+  if (handling()) snapshot.sample.piece += kHandlerNumbers;
   saturation_ = 0;
   snapshot.drive.setZero();
   if (const ServoSample* servo = sample_at(sample.reference.time)) {
@@ -150,27 +167,36 @@ void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
 
 void MotionTask::collect_events() noexcept {
   MotionEvent event;
-  while (generator_.take_event(event)) pending_.push(event);
-}
-
-void MotionTask::release_events(double until) noexcept {
-  while (const MotionEvent* next = pending_.front()) {
-    if (next->time > until + kInstantTolerance) return;
-    release(*next, until);
-    pending_.pop();
+  for (Track* const track : {&program_, &handlers_}) {
+    while (track->generator.take_event(event)) track->pending.push(event);
   }
 }
 
-void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
+void MotionTask::release_events(double until) noexcept {
+  for (;;) {
+    const MotionEvent* const first = program_.pending.front();
+    const MotionEvent* const second = handlers_.pending.front();
+    const bool programs = second == nullptr || (first != nullptr && first->time <= second->time);
+    const MotionEvent* const next = programs ? first : second;
+    if (next == nullptr || next->time > until + kInstantTolerance) return;
+    Track& track = programs ? program_ : handlers_;
+    release(track, *next, until);
+    track.pending.pop();
+  }
+}
+
+void MotionTask::release(Track& track, MotionEvent event, double cycle_time) noexcept {
+  std::atomic<std::int64_t>& effects_done = track.progress.effects_done;
+  if (&track == &handlers_) event.number += kHandlerNumbers;
   switch (event.kind) {
     case MotionEvent::Kind::EffectDue:
       if (faulted_) return;  // a fault drops what is behind it
       if (locked(event.effect)) {
-        channels_.effects_done.fetch_add(1, std::memory_order_release);
+        effects_done.fetch_add(1, std::memory_order_release);
         return;
       }
       act(event.effect, cycle_time);
-      channels_.effects_done.fetch_add(1, std::memory_order_release);
+      effects_done.fetch_add(1, std::memory_order_release);
       event.time = cycle_time;  // it acts in this cycle, and says so
       break;
     case MotionEvent::Kind::ActionDue:
@@ -181,21 +207,21 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
       if (event.effect.kind == Effect::Kind::Report) {
         channels_.reports.push({event.effect.id, true});
       }
-      channels_.effects_done.fetch_add(1, std::memory_order_release);
+      effects_done.fetch_add(1, std::memory_order_release);
       return;  // the report counts what has not acted
     case MotionEvent::Kind::Rest:
-      hand_over_rest();
-      break;
+      return hand_over_rest(track, event);
     case MotionEvent::Kind::Overrun:
     case MotionEvent::Kind::Fault:
+      if (&track != active_) return;
       faulted_ = true;
-      generator_.hold();
-      take_safe_values();
+      hold();
       break;
     case MotionEvent::Kind::Finished:
       finished_ = true;
       break;
     case MotionEvent::Kind::Held:
+      if (&track != active_) return;  // the other one's axes do not stand yet
       finished_ = true;
       end_pulses(std::numeric_limits<double>::infinity());  // nobody will be there to end them
       break;
@@ -203,11 +229,6 @@ void MotionTask::release(MotionEvent event, double cycle_time) noexcept {
       break;
   }
   tell(event);
-}
-
-void MotionTask::hand_over_rest() noexcept {
-  motion::Rest rest;
-  if (generator_.take_rest(rest)) channels_.rests.push(rest);
 }
 
 bool MotionTask::locked(const Effect& effect) const noexcept {
@@ -288,7 +309,8 @@ void MotionTask::switch_output(int channel, bool on) noexcept {
 /// Above 1 it is the planner's affair, which has raised what comes from here on.
 void MotionTask::set_override(double share) noexcept {
   override_share_ = std::min(share, 1.0);
-  generator_.set_override(override_share_);
+  program_.generator.set_override(override_share_);
+  handlers_.generator.set_override(override_share_);
 }
 
 void MotionTask::end_pulses(double now) noexcept {

@@ -21,8 +21,10 @@ namespace rob::runtime {
 /// cycle() is the tick: no memory, no lock, no text, bounded work. One thread calls it.
 class MotionTask {
  public:
+  /// `handlers`: makes the motions of handlers, which have the axes one at a time.
   MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenerator& generator,
-             double override_share, Channels& channels, const std::vector<SimulationRule>& script);
+             motion::TrajectoryGenerator& handlers, double override_share, Channels& channels,
+             const std::vector<SimulationRule>& script);
 
   /// Once, before the program's first step: what the machine said when it was enabled, and what is
   /// simulated from the start, are the inputs until the first cycle.
@@ -35,16 +37,31 @@ class MotionTask {
   bool over() const noexcept { return over_.load(std::memory_order_acquire); }
 
  private:
+  /// One generator, and whom it tells what.
+  struct Track {
+    motion::TrajectoryGenerator& generator;
+    MotionProgress& progress;
+    motion::GeneratorSample current{};  ///< handed out last, measured when its stamp has come
+    /// Events are computed up to a period ahead and wait here for their instant.
+    motion::SpscRing<motion::MotionEvent> pending{Channels::kEvents};
+  };
+
+  void advance(std::int64_t number) noexcept;
   void take_samples() noexcept;
   void latch_inputs(double now) noexcept;
   void take_finding(const ServoSample& sample) noexcept;
   void take_requests() noexcept;
   motion::CycleView view(double now) const noexcept;
-  void hand_over_rest() noexcept;
+  // Handlers (motion_task_handlers.cpp)
+  void take_after_handler() noexcept;
+  void hand_over_rest(Track& track, const motion::MotionEvent& event) noexcept;
+  void begin_handler(const motion::Rest& rest) noexcept;
+  bool handling() const noexcept { return active_ == &handlers_; }
   void publish(const motion::GeneratorSample& sample) noexcept;
   void collect_events() noexcept;
   void release_events(double until) noexcept;
-  void release(motion::MotionEvent event, double cycle_time) noexcept;
+  void release(Track& track, motion::MotionEvent event, double cycle_time) noexcept;
+  void hold() noexcept;
   void take_immediate() noexcept;
   void act(const motion::Effect& effect, double now) noexcept;
   /// Whether the effect is on an output that has taken its SAFE value for good.
@@ -61,12 +78,13 @@ class MotionTask {
   /// What was measured at `stamp`; null before the first servo cycle.
   const ServoSample* sample_at(double stamp) const noexcept;
 
-  motion::TrajectoryGenerator& generator_;
   Channels& channels_;
+  Track program_;
+  Track handlers_;
+  Track* active_ = &program_;  ///< the one that has the axes
   double period_;
   double override_share_;  ///< with the program's OVERRIDE, at most 1
 
-  motion::GeneratorSample current_;  ///< handed out last, measured when its stamp has come
   bool started_ = false;
   double now_ = 0;  ///< of the present cycle, s
   double lateness_ = 0;
@@ -89,8 +107,6 @@ class MotionTask {
   std::array<ServoSample, kHistory> history_;
   std::size_t samples_ = 0;  ///< taken so far; the newest is at (samples_ − 1) % kHistory
 
-  /// Events are computed up to a period ahead and wait here for their instant.
-  motion::SpscRing<motion::MotionEvent> pending_{Channels::kEvents};
   std::atomic<bool> over_{false};
 };
 

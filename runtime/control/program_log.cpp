@@ -1,13 +1,16 @@
 #include "runtime/control/program_log.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
+
+#include "runtime/control/channels.h"
 
 namespace rob::runtime {
 
 void ProgramLog::planned(const LoggedSegment& segment) {
   const std::scoped_lock lock(mutex_);
-  planned_.push_back(segment);
+  planned_.insert_or_assign(segment.number, segment);
 }
 
 void ProgramLog::queued_effect() {
@@ -50,10 +53,11 @@ std::size_t ProgramLog::failed_expects_left_out() const {
 
 std::optional<LoggedSegment> ProgramLog::take_planned(std::uint32_t number) {
   const std::scoped_lock lock(mutex_);
-  while (!planned_.empty() && planned_.front().number < number) planned_.pop_front();
-  if (planned_.empty() || planned_.front().number != number) return std::nullopt;
-  const LoggedSegment segment = planned_.front();
-  planned_.pop_front();
+  const auto found = planned_.find(number);
+  if (found == planned_.end()) return std::nullopt;
+  const LoggedSegment segment = found->second;
+  const std::uint32_t first = number > kHandlerNumbers ? kHandlerNumbers : 0;
+  planned_.erase(planned_.lower_bound(first), std::next(found));
   return segment;
 }
 

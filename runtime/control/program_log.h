@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -51,7 +50,7 @@ class ProgramLog {
   void found(lang::Diagnostic finding);
   void expect_failed(FailedExpect failure);
 
-  /// Segment `number`, once; those before it are forgotten.
+  /// Segment `number`, once; those before it of the program, or of handlers, are forgotten.
   std::optional<LoggedSegment> take_planned(std::uint32_t number);
   /// Once.
   Note take_note(std::uint32_t id);
@@ -63,8 +62,8 @@ class ProgramLog {
 
  private:
   mutable std::mutex mutex_;
-  std::deque<LoggedSegment> planned_;
-  std::map<std::uint32_t, Note> notes_;  ///< by number
+  std::map<std::uint32_t, LoggedSegment> planned_;  ///< by number
+  std::map<std::uint32_t, Note> notes_;             ///< by number
   std::uint32_t next_note_ = 0;
   std::vector<lang::Diagnostic> findings_;
   std::int64_t effects_ = 0;

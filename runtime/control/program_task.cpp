@@ -6,7 +6,7 @@ namespace rob::runtime {
 
 ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine, std::uint64_t seed,
                          std::optional<std::size_t> test)
-    : vm_(chunk, machine, seed), machine_(machine), tasks_(chunk, machine, seed) {
+    : vm_(chunk, machine, seed), machine_(machine), beside_(machine), tasks_(chunk, machine, seed) {
   machine.run_beside(tasks_);
   machine.declare_safe(chunk.safe_values);
   if (test) vm_.choose_test(*test);
@@ -16,6 +16,7 @@ ProgramTask::State ProgramTask::step(std::int64_t budget) {
   if (failure_) return finish(lang::line_tag(failure_->place));
   if (circling() != 0) return finish(circling());
   if (auto error = machine_.take_interruption()) vm_.interrupt(std::move(*error));
+  begin_handler();
   tasks_.take_due();
   switch (vm_.run(budget)) {
     case lang::Vm::State::Running:
@@ -48,6 +49,13 @@ ProgramTask::State ProgramTask::run_tasks(State state) {
     vm_.interrupt(std::move(*error));
   }
   return State::Busy;
+}
+
+void ProgramTask::begin_handler() {
+  if (!vm_.takes_handlers()) return;
+  const auto handled = machine_.take_handled();
+  if (!handled) return;
+  vm_.handle(handled->id, handled->stops ? machine_.handlers() : beside_);
 }
 
 /// An error takes effect in motion order: the last motion commanded before it is made exact.

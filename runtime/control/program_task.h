@@ -46,8 +46,11 @@ class ProgramTask {
  private:
   State finish(int line);
 
+  void begin_handler();
+
   lang::Vm vm_;
   RobotMachine& machine_;
+  TaskMachine beside_;  ///< of handlers that do not stop the axes
   BackgroundTasks tasks_;
   std::int64_t tasks_cycle_ = -1;  ///< in which they ran last
   std::optional<lang::RuntimeError> failure_;

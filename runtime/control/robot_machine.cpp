@@ -82,13 +82,15 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
 }
 
 RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanner& planner,
-                           motion::LookAheadBuffer& buffer, Channels& channels, ProgramLog& log)
+                           motion::LookAheadBuffer& buffer, Channels& channels,
+                           MotionProgress& progress, ProgramLog& log)
     : robot_(robot),
       signature_(signature_of(robot)),
       signals_(signature_.signals),
       planner_(planner),
       buffer_(buffer),
       channels_(channels),
+      progress_(progress),
       log_(log),
       until_(signals_, robot),
       whens_(signals_, robot) {}
@@ -106,7 +108,9 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
     return Reply::Refused;
   }
   motion::SegmentDescriptor with_events;
-  if (!attach(with_events, planner_.way(request))) return Reply::Refused;
+  std::vector<OnTheWay> events = std::exchange(on_the_way_, {});
+  if (!attach(with_events, events, planner_.way(request))) return Reply::Refused;
+  for (std::size_t i = 0; i < events.size(); ++i) log_.queued_effect();
   const bool stopped = stop_for_tool(line);
   const motion::PlanOutcome outcome = planner_.plan(request);
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
@@ -118,8 +122,7 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
   motion::SegmentDescriptor segment = planned.segment;
   segment.events = with_events.events;
   segment.on_the_way = with_events.on_the_way;
-  for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
-  queue(segment, false, stopped);
+  queue(segment, false, stopped, request, std::move(events));
   brakable_ = planned.segment.number;
   if (!command.exact()) return Reply::Done;
   if (const auto exact = planner_.stop(static_cast<motion::Tag>(line))) {
@@ -137,11 +140,14 @@ Reply RobotMachine::stop(int line) {
 }
 
 /// What STOP, WAIT or UNTIL has brought to rest is not braked: that it be reached was promised.
+/// Of a handler it is the interrupted motion that ends.
 Reply RobotMachine::brake(int /*line*/) {
+  abandons_ = program_ != nullptr;
+  if (abandons_) return Reply::Done;
   if (brakable_ == 0) return Reply::Done;
   if (!braking_) {
     const bool arrived =
-        channels_.settled.load(std::memory_order_acquire) >= planner_.last_number();
+        progress_.settled.load(std::memory_order_acquire) >= planner_.last_number();
     if (arrived) return settled() ? Reply::Done : Reply::Later;
     buffer_.brake(brakable_);
     braking_ = true;
@@ -188,7 +194,7 @@ Reply RobotMachine::stand(int line, double& now) {
     if (reply != Reply::Done) return reply;
     standing_ = true;
   }
-  if (channels_.settled.load(std::memory_order_acquire) < planner_.last_number()) {
+  if (progress_.settled.load(std::memory_order_acquire) < planner_.last_number()) {
     return Reply::Later;
   }
   const std::int64_t cycle = channels_.cycle.load(std::memory_order_relaxed);
@@ -207,6 +213,10 @@ Reply RobotMachine::waited(int line) {
 Reply RobotMachine::leave_block(int /*line*/) { return decided() ? Reply::Done : Reply::Later; }
 
 Reply RobotMachine::settle(int line) {
+  decline_handler();
+  if (interrupted_by_handler_) {
+    if (const Reply reply = drop_interrupted(line); reply != Reply::Done) return reply;
+  }
   begun_ = standing_ = guarded_ = consulting_ = false;
   recording_ = nullptr;
   place_.reset();
@@ -230,8 +240,8 @@ void RobotMachine::forget_rests() {
 }
 
 bool RobotMachine::settled() const {
-  return channels_.settled.load(std::memory_order_acquire) >= planner_.last_number() &&
-         channels_.effects_done.load(std::memory_order_acquire) >= effects_ && !interrupted();
+  return progress_.settled.load(std::memory_order_acquire) >= planner_.last_number() &&
+         progress_.effects_done.load(std::memory_order_acquire) >= effects_ && !interrupted();
 }
 
 Reply RobotMachine::end(int line) {
@@ -284,8 +294,8 @@ bool RobotMachine::observable() const {
   if (!decided()) return false;
   // At standstill what was written before acts first; in a corner it acts behind the decision
   // point.
-  const bool stands = exact_ || channels_.standing.load(std::memory_order_relaxed);
-  return !stands || channels_.effects_done.load(std::memory_order_acquire) >= effects_;
+  const bool stands = exact_ || progress_.standing.load(std::memory_order_relaxed);
+  return !stands || progress_.effects_done.load(std::memory_order_acquire) >= effects_;
 }
 
 Reply RobotMachine::read_signal(int line, int signal, bool& value) {
@@ -298,7 +308,7 @@ Reply RobotMachine::read_signal(int line, int signal, bool& value) {
 /// Program and motion share the number of the last segment: its decision point has come once the
 /// generator names it.
 bool RobotMachine::decided() const {
-  return channels_.decidable.load(std::memory_order_acquire) >= planner_.last_number() &&
+  return progress_.decidable.load(std::memory_order_acquire) >= planner_.last_number() &&
          !interrupted();
 }
 
@@ -309,9 +319,15 @@ Reply RobotMachine::read_analog(int line, int signal, double& volts) {
   return Reply::Done;
 }
 
-void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool further) {
+void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool further,
+                         std::optional<motion::MotionRequest> request,
+                         std::vector<OnTheWay> events) {
   if (guarded_) segment.guard = until_.handle();
-  log_.planned({segment, stop, further});  // before the generator can report it
+  for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
+  remember({segment, request, std::move(events), stop, further});
+  LoggedSegment logged{segment, stop, further};
+  if (program_ != nullptr) logged.number += kHandlerNumbers;
+  log_.planned(logged);  // before the generator can report it
   exact_ = segment.no_length;
   buffer_.push(segment);  // there is room: only this thread fills the buffer
 }

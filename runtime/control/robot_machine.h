@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,14 +41,21 @@ std::optional<Words> settle_on_axes(const motion::RobotModel& robot, const lang:
 /// from the program's thread.
 class RobotMachine final : public lang::Machine {
  public:
+  /// `progress`: what it is told of the motions in `buffer`; one of those of `channels`.
   RobotMachine(const motion::RobotModel& robot, motion::MotionPlanner& planner,
-               motion::LookAheadBuffer& buffer, Channels& channels, ProgramLog& log);
+               motion::LookAheadBuffer& buffer, Channels& channels, MotionProgress& progress,
+               ProgramLog& log);
+
+  /// `handlers`: commands what handlers do, into a buffer of its own. It must outlive the run, and
+  /// is told what this one is told of the run.
+  void run_handlers_on(RobotMachine& handlers);
 
   /// While a program is foretold: the inputs that nobody drives, by signal number what they are
   /// called, empty for all others. They stay OFF or 0V, a WAIT that reads one is taken as met, and
   /// each place that reads one is a finding.
   /// HALT and ASK are taken as answered where no script answers them.
   void assume(std::vector<std::string> inputs) {
+    if (handlers_ != nullptr) handlers_->assume(inputs);
     assumed_ = std::move(inputs);
     foretelling_ = true;
   }
@@ -59,10 +67,17 @@ class RobotMachine final : public lang::Machine {
   lang::Reply fail(int line);
   /// Where TEACH keeps points; without it (null), as while a program is foretold or tested, they
   /// live for the run only. It must outlive the run.
-  void keep_points(PointKeeper* keeper) { keeper_ = keeper; }
+  void keep_points(PointKeeper* keeper) {
+    if (handlers_ != nullptr) handlers_->keep_points(keeper);
+    keeper_ = keeper;
+  }
   /// The program's TASKs; they must outlive the run.
-  void run_beside(BackgroundTasks& tasks) { tasks_ = &tasks; }
+  void run_beside(BackgroundTasks& tasks) {
+    if (handlers_ != nullptr) handlers_->run_beside(tasks);
+    tasks_ = &tasks;
+  }
   // What TASKs share with the program.
+  BackgroundTasks& tasks() { return *tasks_; }
   const motion::RobotModel& robot() const { return robot_; }
   Channels& channels() { return channels_; }
   ProgramLog& log() { return log_; }
@@ -97,6 +112,8 @@ class RobotMachine final : public lang::Machine {
   lang::Reply ended(int line, bool& hit) override;
   lang::Reply when(int line, const lang::Watch& condition, int& id) override;
   lang::Reply when_raise(int line, std::string_view text) override;
+  lang::Reply when_handle(int line, bool stops) override;
+  lang::Reply leave_handler(int line) override;
   lang::Reply disarm(int line, int id) override;
   lang::Reply on_the_way(int line, const lang::PathPlace& place) override;
   lang::Reply live_pace(int line, const lang::Watch& pace, lang::MoveCommand::Pace means) override;
@@ -136,9 +153,26 @@ class RobotMachine final : public lang::Machine {
                       std::span<double> joints) override;
   /// The error that a WHEN has raised, once the axes stand; what had been commanded is dropped.
   std::optional<lang::RuntimeError> take_interruption();
+  /// A WHEN whose handler has to begin now.
+  struct Handled {
+    int id;      ///< as when() has said
+    bool stops;  ///< the axes stand: it commands handlers(); else they go on
+  };
+  std::optional<Handled> take_handled();
+  lang::Machine& handlers();
+  /// A handler that did not stop the axes is over.
+  void end_call();
+  /// The program has no use for a handler any more: the axes go on without it.
+  void decline_handler();
   const lang::Refusal& refusal() const override { return refusal_; }
 
  private:
+  /// What a motion does on its way.
+  struct OnTheWay {
+    lang::PathPlace place;
+    motion::Effect effect;
+  };
+
   bool place_can_be_read() const;
   lang::Reply settle_target(lang::MoveCommand& command);
   /// No robot that can be run has a force sensor yet, and none moves at a pace computed on its way.
@@ -150,7 +184,9 @@ class RobotMachine final : public lang::Machine {
   /// Then the target before is reached exactly; whether it had to be.
   bool stop_for_tool(int line);
   lang::Reply tool_at(const motion::JointVector& q, lang::PoseValue& pose);
-  void queue(motion::SegmentDescriptor segment, bool stop, bool further = false);
+  /// `request` and `events`: what a motion was made of.
+  void queue(motion::SegmentDescriptor segment, bool stop, bool further = false,
+             std::optional<motion::MotionRequest> request = {}, std::vector<OnTheWay> events = {});
   /// The last target exactly, then a dwell, as one statement.
   lang::Reply dwell(int line, double seconds);
   lang::Reply queue(motion::Effect effect);
@@ -192,6 +228,7 @@ class RobotMachine final : public lang::Machine {
   motion::MotionPlanner& planner_;
   motion::LookAheadBuffer& buffer_;
   Channels& channels_;
+  MotionProgress& progress_;
   ProgramLog& log_;
   lang::Refusal refusal_;
   lang::Setting setting_;    ///< of the program's present place
@@ -213,14 +250,37 @@ class RobotMachine final : public lang::Machine {
   ProgramWatch until_;          ///< what the guarded motion is asked
   WhenPool whens_;
   motion::WatchedAction* recording_ = nullptr;  ///< the WHEN whose action comes next
-  /// What the next motion does on its way, and the place whose action comes next.
-  struct OnTheWay {
-    lang::PathPlace place;
-    motion::Effect effect;
-  };
-  bool attach(motion::SegmentDescriptor& segment, double way);
+  // What the next motion does on its way, and the place whose action comes next.
+  bool attach(motion::SegmentDescriptor& segment, const std::vector<OnTheWay>& events, double way);
   std::vector<OnTheWay> on_the_way_;
   std::optional<lang::PathPlace> place_;
+
+  // Handlers (machine_handlers.cpp)
+  /// A motion, a stop or a dwell as it was asked for, while the generator may not have begun it.
+  struct Commanded {
+    motion::SegmentDescriptor segment;
+    std::optional<motion::MotionRequest> request;  ///< of a motion
+    std::vector<OnTheWay> events;
+    bool stop;
+    bool further;
+  };
+  void remember(Commanded commanded);
+  void begin_handler(const motion::Rest& rest, RobotMachine& program);
+  lang::Reply move_back(int line);
+  lang::Reply leave_path();
+  lang::Reply drop_interrupted(int line);
+  bool queue_anew(Commanded& commanded);
+  RobotMachine* handlers_ = nullptr;  ///< of a program
+  RobotMachine* program_ = nullptr;   ///< of a handler: what it has interrupted; else null
+  bool interrupted_by_handler_ = false;
+  bool called_ = false;       ///< a handler runs, and the axes go on
+  motion::JointVector home_;  ///< where the handler has found the axes
+  bool abandons_ = false;     ///< the handler does not come back
+  enum class Leaving : std::uint8_t { No, Stopping, Moving, Asked };
+  Leaving leaving_ = Leaving::No;
+  std::deque<Commanded> commanded_;   ///< the last ones, at least all that are in the buffer
+  std::optional<motion::Rest> left_;  ///< how the guarded motion has ended, by a handler
+
   int armed_ = 0;                ///< WHENs that are not disarmed yet
   bool guarded_ = false;         ///< what is queued now ends early if until_ holds
   std::size_t safe_queued_ = 0;  ///< SAFE values that have been queued

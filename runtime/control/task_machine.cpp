@@ -1,6 +1,7 @@
 #include "runtime/control/task_machine.h"
 
 #include "lang/text/codes.h"
+#include "runtime/control/background_tasks.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/control/signal_access.h"
 
@@ -114,6 +115,31 @@ Reply TaskMachine::impossible() {
   refusal_ = {std::string(lang::code::kNotInTask),
               "a TASK neither moves the robot nor waits until it stands", ""};
   return Reply::Refused;
+}
+
+Reply TaskMachine::publish(int /*line*/, std::size_t first, std::span<const lang::Slot> values) {
+  robot_.tasks().memory().store(first, values);
+  return Reply::Done;
+}
+
+Reply TaskMachine::publish(int /*line*/, std::size_t first, std::span<const std::string> texts) {
+  robot_.tasks().memory().store(first, texts);
+  return Reply::Done;
+}
+
+Reply TaskMachine::refresh(int /*line*/, std::size_t first, std::span<lang::Slot> values) {
+  robot_.tasks().memory().load(first, values);
+  return Reply::Done;
+}
+
+Reply TaskMachine::refresh(int /*line*/, std::size_t first, std::span<std::string> texts) {
+  robot_.tasks().memory().load(first, texts);
+  return Reply::Done;
+}
+
+Reply TaskMachine::leave_handler(int /*line*/) {
+  robot_.end_call();
+  return Reply::Done;
 }
 
 }  // namespace rob::runtime

@@ -14,10 +14,10 @@ namespace rob::runtime {
 
 class RobotMachine;
 
-/// A TASK's side of the robot: it reads the present cycle, what it sets and prints acts at the
-/// beginning of the next one, and its WAIT stops nothing but itself. What would move the robot is
-/// refused; the checker has let nothing of the kind through. All calls come from the program's
-/// thread.
+/// A TASK's side of the robot, and that of a handler which does not stop the axes: it reads the
+/// present cycle, what it sets and prints acts at the beginning of the next one, and its WAIT stops
+/// nothing but itself. What would move the robot is refused; the checker has let nothing of the
+/// kind through. All calls come from the program's thread.
 class TaskMachine final : public lang::Machine {
  public:
   explicit TaskMachine(RobotMachine& robot);
@@ -41,7 +41,14 @@ class TaskMachine final : public lang::Machine {
                       std::span<double> joints) override;
   const lang::Refusal& refusal() const override;
 
-  // Nothing of the kind is in a TASK.
+  // A TASK works on its globals directly; a handler of the program has to be told.
+  lang::Reply publish(int line, std::size_t first, std::span<const lang::Slot> values) override;
+  lang::Reply publish(int line, std::size_t first, std::span<const std::string> texts) override;
+  lang::Reply refresh(int line, std::size_t first, std::span<lang::Slot> values) override;
+  lang::Reply refresh(int line, std::size_t first, std::span<std::string> texts) override;
+  lang::Reply leave_handler(int line) override;
+
+  // Nothing of the kind is in a TASK, nor in a handler that does not stop the axes.
   void work_in(int, const lang::Setting&) override {}
   lang::Reply move(int, const lang::MoveCommand&) override { return impossible(); }
   lang::Reply via(int, const lang::MoveCommand&) override { return impossible(); }
@@ -58,6 +65,7 @@ class TaskMachine final : public lang::Machine {
   lang::Reply ended(int, bool&) override { return impossible(); }
   lang::Reply when(int, const lang::Watch&, int&) override { return impossible(); }
   lang::Reply when_raise(int, std::string_view) override { return impossible(); }
+  lang::Reply when_handle(int, bool) override { return impossible(); }
   lang::Reply on_the_way(int, const lang::PathPlace&) override { return impossible(); }
   lang::Reply disarm(int, int) override { return impossible(); }
   lang::Reply stop(int) override { return impossible(); }
@@ -75,14 +83,6 @@ class TaskMachine final : public lang::Machine {
   lang::Reply simulate_go(int, bool, double) override { return impossible(); }
   lang::Reply simulate_answer(int, std::string_view, double) override { return impossible(); }
   lang::Reply start(int, std::uint32_t) override { return impossible(); }
-  lang::Reply publish(int, std::size_t, std::span<const lang::Slot>) override {
-    return impossible();
-  }
-  lang::Reply publish(int, std::size_t, std::span<const std::string>) override {
-    return impossible();
-  }
-  lang::Reply refresh(int, std::size_t, std::span<lang::Slot>) override { return impossible(); }
-  lang::Reply refresh(int, std::size_t, std::span<std::string>) override { return impossible(); }
 
  private:
   double now() const;

@@ -37,6 +37,12 @@ motion::WatchedAction* WhenPool::set_up(int line, const lang::Watch& condition, 
   return &place->action;
 }
 
+int WhenPool::id_of(const motion::WatchedAction& action) const {
+  const auto place =
+      std::ranges::find_if(places_, [&](const Place& one) { return &one.action == &action; });
+  return static_cast<int>(place - places_.begin());
+}
+
 void WhenPool::set_text(motion::WatchedAction& action, std::string text) {
   action.kind = motion::WatchedAction::Kind::Raise;
   place_of(action).text = std::move(text);

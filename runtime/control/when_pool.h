@@ -23,6 +23,7 @@ class WhenPool {
 
   /// A place for a WHEN in this line, and its number; null while all are in use.
   motion::WatchedAction* set_up(int line, const lang::Watch& condition, int& id);
+  int id_of(const motion::WatchedAction& action) const;
   motion::WatchedAction& at(int id) { return places_.at(static_cast<std::size_t>(id)).action; }
   /// What it raises.
   void set_text(motion::WatchedAction& action, std::string text);

@@ -17,12 +17,12 @@ void PathMeter::programmed(const motion::JointVector& from, const motion::JointV
   Leg& leg = legs_[count_++ % kLegs];
   for (std::size_t i = 0; i <= kChords; ++i) {
     const double share = static_cast<double>(i) / kChords;
-    leg[i] = kinematics_.forward(from + share * (to - from)).position;
+    leg[i] = kinematics_->forward(from + share * (to - from)).position;
   }
 }
 
 double PathMeter::reference(const motion::JointVector& q) {
-  const Eigen::Vector3d position = kinematics_.forward(q).position;
+  const Eigen::Vector3d position = kinematics_->forward(q).position;
   const double way = (position - last_).norm();
   last_ = position;
   if (way > 0 && count_ > 0) deviation_ = std::max(deviation_, distance(position));

@@ -15,7 +15,7 @@ namespace rob::runtime {
 class PathMeter {
  public:
   PathMeter(const motion::Kinematics& kinematics, const motion::JointVector& start)
-      : kinematics_(kinematics), last_(kinematics.forward(start).position) {}
+      : kinematics_(&kinematics), last_(kinematics.forward(start).position) {}
 
   /// A further leg of the programmed path; the reference is on it, or still on one before it.
   void programmed(const motion::JointVector& from, const motion::JointVector& to);
@@ -34,7 +34,7 @@ class PathMeter {
 
   double distance(const Eigen::Vector3d& point) const;
 
-  const motion::Kinematics& kinematics_;
+  const motion::Kinematics* kinematics_;
   Eigen::Vector3d last_;
   std::array<Leg, kLegs> legs_;
   std::size_t count_ = 0;  ///< of legs so far

@@ -61,6 +61,8 @@ class RunRecorder {
   };
 
   void take(const motion::MotionEvent& event);
+  void begin_handler(const motion::MotionEvent& event);
+  void end_handler(const motion::MotionEvent& event);
   void take(const ServoNotice& notice);
   void take(const Snapshot& snapshot);
   void begin_segment(const motion::MotionEvent& event);
@@ -97,6 +99,16 @@ class RunRecorder {
   std::optional<Running> behind_;  ///< the one before, whose corner running_ makes
   motion::JointVector reached_;    ///< the last programmed point
   std::optional<EarlyEnd> early_;
+  /// What a handler has interrupted.
+  struct Interrupted {
+    double time;  ///< s
+    int line;     ///< of the WHEN
+    std::optional<Running> running;
+    std::optional<Running> behind;
+    motion::JointVector reached;
+    PathMeter path;
+  };
+  std::optional<Interrupted> interrupted_;
   std::optional<Snapshot> last_;
 };
 

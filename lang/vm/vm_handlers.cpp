@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <string>
+
+#include "lang/vm/vm.h"
+
+/// The part of Vm that knows the handlers of WHEN. A handler is a routine that nobody calls: its
+/// frame lies behind all that the program uses where it was interrupted.
+namespace rob::lang {
+
+Reply Vm::when_handle(Code pc) {
+  const Reply reply = machine_->when_handle(line(pc), pc->c() != 0);
+  if (reply != Reply::Done) return reply;
+  Armed& armed = armed_[armed_count_ - 1];
+  armed.handler = pc;
+  armed.captured = numbers_ + pc->a();
+  armed.settings = settings_.size();
+  return reply;
+}
+
+bool Vm::takes_handlers() const {
+  return !handling_ && !rescuing_ && circling_ == 0 && state_ != State::Done &&
+         state_ != State::Failed;
+}
+
+void Vm::handle(int when, Machine& machine) {
+  const auto end = armed_.begin() + static_cast<std::ptrdiff_t>(armed_count_);
+  const auto armed =
+      std::find_if(armed_.begin(), end, [&](const Armed& one) { return one.id == when; });
+  const bool top = depth_ == 0;
+  const RoutineCode* const routine = top ? nullptr : &chunk_.routines[frames_[depth_ - 1].routine];
+  const std::uint32_t number = (armed->handler + 1)->word;
+  interrupted_ = {machine_, next_,          latch_,          latched_random_,
+                  turned_,  guards_.size(), settings_.size()};
+  machine_ = &machine;
+  handling_ = true;
+  Slot* const numbers = numbers_ + (top ? chunk_.registers : routine->registers);
+  std::string* const texts = texts_ + (top ? chunk_.text_registers : routine->text_registers);
+  if (!enter(numbers, texts, number, next_)) {
+    abandon_handler();
+    state_ = fail_calls_too_deep(armed->handler);
+    return;
+  }
+  std::copy_n(armed->captured, armed->handler->b(), numbers_);
+  settings_.push_back(armed->settings == 0 ? Setting{} : settings_[armed->settings - 1]);
+  machine_->work_in(line(armed->handler), settings_.back());
+  next_ = latch_ = paid_ = chunk_.code.data() + chunk_.routines[number].entry;
+}
+
+/// The program goes on as though nothing had been, but for what the handler has changed.
+void Vm::end_handler() {
+  leave_routine();
+  abandon_handler();
+  settings_.resize(interrupted_.settings);
+  next_ = paid_ = interrupted_.next;
+  latch_ = interrupted_.latch;
+  latched_random_ = interrupted_.latched_random;
+  turned_ = interrupted_.turned;
+}
+
+/// What goes wrong in a handler goes wrong in the program.
+void Vm::abandon_handler() {
+  machine_ = interrupted_.machine;
+  handling_ = false;
+}
+
+}  // namespace rob::lang

@@ -1,0 +1,95 @@
+#include <algorithm>
+
+#include "motion/generate/paul_generator.h"
+
+/// The part of PaulGenerator that lets a handler have the axes.
+namespace rob::motion {
+
+/// One at a time, and none once the program has come to its end.
+bool PaulGenerator::may_be_handled() const noexcept {
+  return handling_ == nullptr && !stopped_ && !buffer_.closed();
+}
+
+JointVector PaulGenerator::standing_place() const noexcept {
+  if (!running_ || segment_.dwell) return segment_.target;
+  return path_.sample(clock_.path_time() - zero_).q;
+}
+
+void PaulGenerator::begin_handling(WatchedAction& action) noexcept {
+  handling_ = &action;
+  if (handling()) return clock_.hold();
+  handled_told_ = true;
+  tell_handled(view_.time);
+}
+
+/// Once the axes stand; what was braking then has ended first.
+void PaulGenerator::report_handled() noexcept {
+  if (!handling() || handled_told_ || stopped_) return;
+  if (!clock_.held() || clock_.braking()) return;
+  handled_told_ = true;
+  tell_handled(std::max(latest_, clock_.steady_since()));
+}
+
+void PaulGenerator::tell_handled(double time) noexcept {
+  Rest rest;
+  rest.outcome = Rest::Outcome::Handled;
+  rest.generation = segment_.generation;
+  rest.number = segment_.number;
+  rest.tag = segment_.tag;
+  rest.time = time;
+  rest.trip_time = view_.time;
+  rest.by = handling_;
+  rest.q = standing_place();
+  rest.trip_q = view_.measured;
+  rests_.push(rest);
+  tell({.kind = MotionEvent::Kind::Rest,
+        .time = rest.time,
+        .tag = rest.tag,
+        .number = segment_.number});
+}
+
+void PaulGenerator::go_on() noexcept {
+  handling_ = nullptr;
+  handled_told_ = false;
+  if (!stopped_) clock_.resume();
+}
+
+void PaulGenerator::leave_path(const JointVector& q, double time, bool all) noexcept {
+  rest_.outcome = Rest::Outcome::Braked;
+  rest_.by = nullptr;
+  rest_.generation = segment_.generation;
+  rest_.number = segment_.number;
+  rest_.tag = segment_.tag;
+  rest_.trip_time = time;
+  rest_.trip_q = view_.measured;
+  rest_.q = q;
+  kept_ = passed_;
+  stand_at(q);
+  for (const SegmentDescriptor* next = buffer_.next_segment(); next != nullptr;
+       next = buffer_.next_segment()) {
+    if (all) segment_.number = next->number;
+    segment_.generation = next->generation;
+    buffer_.pop_segment();
+  }
+  if (all) ended_ = segment_.generation;
+  passed_ = passing_ = segment_.number;
+  latest_ = std::max(latest_, time);
+  clock_.release();
+  go_on();
+  tell_rest(latest_);
+}
+
+void PaulGenerator::stand_at(const JointVector& q) noexcept {
+  running_ = inserted_ = false;
+  path_events_.drop();
+  segment_.target = q;
+  segment_.guard = {};
+  t_acc_ = usual_t_acc_;
+  stand();
+}
+
+void PaulGenerator::brake() noexcept {
+  if (!faulted_ && !clock_.braking()) trip(Rest::Outcome::Braked);
+}
+
+}  // namespace rob::motion

@@ -1,0 +1,172 @@
+#include <string>
+#include <utility>
+
+#include "runtime/control/messages.h"
+#include "runtime/control/robot_machine.h"
+
+/// The part of RobotMachine that knows the handlers of WHEN: how one gets the axes, and what
+/// becomes of the motion that it has interrupted. A handler commands a RobotMachine of its own.
+namespace rob::runtime {
+
+using lang::Reply;
+using motion::Rest;
+
+void RobotMachine::run_handlers_on(RobotMachine& handlers) { handlers_ = &handlers; }
+
+Reply RobotMachine::when_handle(int /*line*/, bool stops) {
+  using Kind = motion::WatchedAction::Kind;
+  recording_->kind = stops ? Kind::Handle : Kind::Call;
+  return arm();
+}
+
+std::optional<RobotMachine::Handled> RobotMachine::take_handled() {
+  const Rest* const rest = progress_.rests.front();
+  if (rest == nullptr || rest->outcome != Rest::Outcome::Handled) return std::nullopt;
+  const int id = whens_.id_of(*rest->by);
+  const bool stops = rest->by->kind == motion::WatchedAction::Kind::Handle;
+  if (stops) {
+    interrupted_by_handler_ = true;
+    handlers_->begin_handler(*rest, *this);
+  }
+  called_ = !stops;
+  progress_.rests.pop();
+  return Handled{id, stops};
+}
+
+lang::Machine& RobotMachine::handlers() { return *handlers_; }
+
+void RobotMachine::end_call() {
+  if (std::exchange(called_, false)) channels_.after_handler.store(AfterHandler::GoOn);
+}
+
+void RobotMachine::decline_handler() {
+  end_call();
+  const Rest* const rest = progress_.rests.front();
+  if (rest == nullptr || rest->outcome != Rest::Outcome::Handled) return;
+  progress_.rests.pop();
+  channels_.after_handler.store(AfterHandler::GoOn);
+}
+
+void RobotMachine::begin_handler(const Rest& rest, RobotMachine& program) {
+  program_ = &program;
+  home_ = rest.q;
+  abandons_ = false;
+  leaving_ = Leaving::No;
+  planner_.retarget(rest.q);
+  exact_ = true;
+  brakable_ = 0;
+}
+
+/// Back to where the path was left, from rest to rest; nothing where the axes have not moved.
+Reply RobotMachine::move_back(int line) {
+  if (buffer_.room() < 2) return Reply::Later;
+  if ((planner_.commanded() - home_).cwiseAbs().maxCoeff() <= motion::kLimitTolerance) {
+    return Reply::Done;
+  }
+  motion::MotionRequest request;
+  request.tag = static_cast<motion::Tag>(line);
+  request.given = lang::given_all(robot_.axis_count());
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    request.target[static_cast<std::size_t>(i)] = home_[i];
+  }
+  const motion::PlanOutcome outcome = planner_.plan(request);
+  if (const auto* const refusal = std::get_if<motion::Refusal>(&outcome)) {
+    refusal_ = words_for(*refusal, robot_);
+    return Reply::Refused;
+  }
+  queue(std::get<motion::PlannedSegment>(outcome).segment, false);
+  return stop(line);
+}
+
+Reply RobotMachine::leave_handler(int line) {
+  if (leaving_ == Leaving::No) {
+    if (stop(line) != Reply::Done) return Reply::Later;
+    leaving_ = Leaving::Stopping;
+  }
+  if (leaving_ == Leaving::Stopping) {
+    if (!abandons_) {
+      if (const Reply reply = move_back(line); reply != Reply::Done) return reply;
+    }
+    leaving_ = Leaving::Moving;
+  }
+  if (leaving_ == Leaving::Moving) {
+    if (!settled()) return Reply::Later;
+    channels_.after_handler.store(abandons_ ? AfterHandler::Leave : AfterHandler::GoOn);
+    leaving_ = Leaving::Asked;
+  }
+  if (abandons_) {
+    const Reply reply = program_->leave_path();
+    if (reply == Reply::Refused) refusal_ = program_->refusal_;
+    return reply;
+  }
+  program_->interrupted_by_handler_ = false;
+  return Reply::Done;
+}
+
+void RobotMachine::remember(Commanded commanded) {
+  commanded_.push_back(std::move(commanded));
+  // The one that runs, and those of the buffer.
+  if (commanded_.size() > static_cast<std::size_t>(robot_.look_ahead) + 2) commanded_.pop_front();
+}
+
+/// The interrupted motion has ended where the axes stand now: what was queued behind it starts from
+/// there, with the numbers that it had, since what stands between the motions goes with them.
+Reply RobotMachine::leave_path() {
+  Rest rest;
+  if (!take_rest(rest)) return Reply::Later;
+  interrupted_by_handler_ = false;
+  planner_.stand_at(rest.q, rest.number);
+  exact_ = true;
+  std::deque<Commanded> behind;
+  for (Commanded& one : std::exchange(commanded_, {})) {
+    if (one.segment.number > rest.number) behind.push_back(std::move(one));
+  }
+  if (behind.empty() && guarded_) left_ = rest;
+  for (Commanded& one : behind) {
+    if (!queue_anew(one)) return Reply::Refused;
+  }
+  return Reply::Done;
+}
+
+/// There is room: it was queued before. False, with a refusal, where it cannot be reached any more.
+bool RobotMachine::queue_anew(Commanded& commanded) {
+  const motion::Tag tag = commanded.segment.tag;
+  if (!commanded.request) {
+    const auto stop = commanded.segment.dwell ? std::nullopt : planner_.stop(tag);
+    // Where the axes stand already the number is taken all the same.
+    queue(stop ? *stop
+               : planner_.dwell(tag, commanded.segment.dwell ? commanded.segment.duration : 0),
+          commanded.stop, commanded.further);
+    return true;
+  }
+  motion::SegmentDescriptor with_events;
+  if (!attach(with_events, commanded.events, planner_.way(*commanded.request))) return false;
+  const motion::PlanOutcome outcome = planner_.plan(*commanded.request);
+  if (const auto* const refusal = std::get_if<motion::Refusal>(&outcome)) {
+    refusal_ = words_for(*refusal, robot_);
+    return false;
+  }
+  motion::SegmentDescriptor segment = std::get<motion::PlannedSegment>(outcome).segment;
+  segment.events = with_events.events;
+  segment.on_the_way = with_events.on_the_way;
+  queue(segment, commanded.stop, commanded.further, commanded.request, std::move(commanded.events));
+  return true;
+}
+
+/// What has gone wrong in a handler ends it and all that it has interrupted.
+Reply RobotMachine::drop_interrupted(int line) {
+  if (handlers_->leaving_ != Leaving::Asked) {
+    if (const Reply reply = handlers_->settle(line); reply != Reply::Done) return reply;
+    channels_.after_handler.store(AfterHandler::LeaveAll);
+    handlers_->leaving_ = Leaving::Asked;
+  }
+  Rest rest;
+  if (!take_rest(rest)) return Reply::Later;
+  interrupted_by_handler_ = false;
+  planner_.retarget(rest.q);
+  exact_ = true;
+  left_.reset();
+  return Reply::Done;
+}
+
+}  // namespace rob::runtime
