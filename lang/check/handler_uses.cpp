@@ -45,7 +45,7 @@ void RoutineUses::report_handlers(const std::vector<Routine>& routines,
       const auto found = watching_.find(one);
       if (found == watching_.end()) continue;
       const std::string called = one == handler.index ? ""
-                                                      : fmt::format(" and {} is called by one",
+                                                      : fmt::format(", and {} is called by one",
                                                                     shortened(routines[one].name));
       diagnostics.error(code::kWhenInHandler, found->second,
                         fmt::format("a handler of WHEN has no WHEN of its own{}", called),

@@ -238,13 +238,13 @@ std::string Layout::spelled(const Token& token, WordUse use) const {
   return or_as_written(type.empty() ? provided(token.text) : type);
 }
 
-/// Errors that forbid touching the text. What is not in this version yet has a layout all the same.
+/// Errors forbid touching the text.
 Diagnostics errors_of(std::string_view source) {
   Diagnostics found;
   if (check_source(source, found)) parse(source, found);
   Diagnostics errors;
   for (const Diagnostic& diagnostic : found.all()) {
-    if (diagnostic.severity == Severity::Error && diagnostic.code != code::kNotYet) {
+    if (diagnostic.severity == Severity::Error) {
       errors.add(diagnostic);
     }
   }

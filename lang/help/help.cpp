@@ -58,14 +58,6 @@ std::string indented(std::string_view program) {
   return lines;
 }
 
-/// Whether a program says something that this version cannot read.
-bool is_for_later(std::string_view program) {
-  Diagnostics diagnostics;
-  parse(program, diagnostics);
-  const auto refused = [](const Diagnostic& found) { return found.code == code::kNotYet; };
-  return std::ranges::any_of(diagnostics.all(), refused);
-}
-
 }  // namespace
 
 std::span<const HelpEntry> help_entries() { return kEntries; }
@@ -85,9 +77,6 @@ std::string help_text(const HelpEntry& entry) {
                              : fmt::format("{}: {}\n\n", entry.topic, entry.title);
   text += wrapped(entry.explanation);
   if (!entry.example.empty()) text += "\n" + indented(entry.example);
-  if (is_word && is_for_later(entry.example)) {
-    text += "\n  This is not in this version of Rob yet.\n";
-  }
   return text;
 }
 

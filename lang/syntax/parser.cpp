@@ -190,10 +190,6 @@ void Parser::fail_here(std::string_view code, std::string message, std::string h
   fail(code, current_.place, std::move(message), std::move(help));
 }
 
-void Parser::fail_not_yet(const Place& place, std::string_view what) {
-  fail(code::kNotYet, place, fmt::format("{} is not in this version of Rob yet", what));
-}
-
 /// Goes on behind the statement in which an error was met: at the end of its line or, where
 /// brackets were open, of the line that closes them, but before a line that is a new statement.
 void Parser::recover() {

@@ -97,7 +97,6 @@ class Parser {
   [[noreturn]] void fail(std::string_view code, const Place& place, std::string message,
                          std::string help = "");
   [[noreturn]] void fail_here(std::string_view code, std::string message, std::string help = "");
-  [[noreturn]] void fail_not_yet(const Place& place, std::string_view what);
   void recover();
   void recover_until(Keyword keyword);
   std::string remedy() const;
