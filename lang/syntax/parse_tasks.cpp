@@ -54,7 +54,7 @@ void Parser::start_statement(Block& block) {
   }
   Start start;
   start.task_place = current_.place;
-  if (at_foreign_name()) {
+  if (next_.kind == TokenKind::Dot) {  // the checker knows whether a file is called so
     start.task.text = foreign_name();
   } else {
     start.task.text = current_.text;
