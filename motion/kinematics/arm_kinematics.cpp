@@ -99,7 +99,9 @@ Pose ArmKinematics::forward(const JointVector& q) const noexcept {
 
 ArmKinematics::Wrist ArmKinematics::wrist_of(const Pose& pose) const noexcept {
   Wrist wrist;
-  wrist.hand = pose.orientation.normalized().toRotationMatrix();
+  // Not normalized(), which takes a quaternion of no length for no rotation.
+  const Eigen::Quaterniond hand(pose.orientation.coeffs() / pose.orientation.norm());
+  wrist.hand = hand.toRotationMatrix();
   wrist.at = pose.position - p_.c4 * wrist.hand.col(2);
   wrist.at.z() -= p_.c1;
   wrist.radius = std::hypot(wrist.at.x(), wrist.at.y());
