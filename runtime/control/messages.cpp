@@ -1,6 +1,8 @@
 #include "runtime/control/messages.h"
 #include "runtime/control/codes.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -36,7 +38,9 @@ Words beyond(const Refusal& refusal, const motion::RobotModel& robot) {
 /// What a pose lacks to be in reach; empty where lengths do not tell.
 std::string by_how_much(const motion::Shortfall& shortfall) {
   using Kind = motion::Shortfall::Kind;
-  const std::string by = shown(shortfall.distance, motion::AxisKind::Linear);
+  constexpr double kShown = 1e-6;  // m: finer than any arm repeats
+  const std::string by =
+      shown(std::round(shortfall.distance / kShown) * kShown, motion::AxisKind::Linear);
   switch (shortfall.kind) {
     case Kind::Elsewhere:
       return "";
