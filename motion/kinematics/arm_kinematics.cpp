@@ -30,6 +30,17 @@ Eigen::Quaterniond about_y(double angle) {
 /// √(u² − v²) for u, v ≥ 0, without the cancellation; 0 where it is not real.
 double other_side(double u, double v) { return std::sqrt(std::max(0.0, (u - v) * (u + v))); }
 
+/// How the forearm is turned: Rz(θ1)·Ry(θ2 + θ3).
+Eigen::Matrix3d forearm(const Eigen::Matrix<double, 6, 1>& theta) {
+  const double s1 = std::sin(theta[0]);
+  const double c1 = std::cos(theta[0]);
+  const double s = std::sin(theta[1] + theta[2]);
+  const double c = std::cos(theta[1] + theta[2]);
+  Eigen::Matrix3d r;
+  r << c1 * c, -s1, c1 * s, s1 * c, c1, s1 * s, -s, 0, c;
+  return r;
+}
+
 /// Angle from the next multiple of half a turn.
 double off_line(double angle) { return std::abs(std::remainder(angle, kPi)); }
 
@@ -47,7 +58,7 @@ void check(const ArmParameters& p) {
 /// The wrist's three angles for the hand's rotation seen from the forearm,
 /// Rz(θ4)·Ry(θ5)·Rz(θ6); θ4 comes in as what it keeps in the singular place.
 void turn_hand(const Eigen::Matrix3d& r, Eigen::Matrix<double, 6, 1>& theta) {
-  if (std::hypot(r(0, 2), r(1, 2)) >= kInLine) theta[3] = std::atan2(r(1, 2), r(0, 2));
+  if (r.block<2, 1>(0, 2).norm() >= kInLine) theta[3] = std::atan2(r(1, 2), r(0, 2));
   const double s4 = std::sin(theta[3]);
   const double c4 = std::cos(theta[3]);
   // From Rz(−θ4)·r: well conditioned whatever θ5 is, and what θ4 lacks θ6 makes good.
@@ -109,34 +120,16 @@ ArmKinematics::Wrist ArmKinematics::wrist_of(const Pose& pose) const noexcept {
   return wrist;
 }
 
-/// From axis 2 to the wrist.
-double ArmKinematics::stretch(const Wrist& wrist, bool behind) const noexcept {
-  return std::hypot((behind ? -wrist.ahead : wrist.ahead) - p_.a1, wrist.at.z());
+/// From axis 2 to the wrist, in the arm's plane: ahead, up.
+Eigen::Vector2d ArmKinematics::span(const Wrist& wrist, bool behind) const noexcept {
+  return {(behind ? -wrist.ahead : wrist.ahead) - p_.a1, wrist.at.z()};
 }
 
 /// θ1, which comes in as what it keeps where the wrist is on axis 1.
-void ArmKinematics::turn_base(const Wrist& wrist, bool behind, Angles& theta) const noexcept {
-  if (wrist.radius < kOnAxis) {
-    if (behind) theta[0] += kPi;
-    return;
-  }
-  theta[0] = std::atan2(wrist.at.y(), wrist.at.x()) -
-             std::atan2(p_.b, behind ? -wrist.ahead : wrist.ahead);
-}
-
-/// θ2 and θ3 by the triangle of upper arm c2, forearm k and stretch; θ2 comes in as what it keeps
-/// where the wrist is on axis 2.
-void ArmKinematics::bend_elbow(const Wrist& wrist, bool behind, bool negative,
-                               Angles& theta) const noexcept {
-  const double s = stretch(wrist, behind);
-  const double bend =
-      2 * std::atan2(other_side(p_.c2 + k_, s), other_side(s, std::abs(p_.c2 - k_)));
-  const double elbow = negative ? -bend : bend;
-  theta[2] = elbow - psi_;
-  if (s < kOnAxis) return;
-  const double x = (behind ? -wrist.ahead : wrist.ahead) - p_.a1;
-  theta[1] =
-      std::atan2(x, wrist.at.z()) - std::atan2(k_ * std::sin(elbow), p_.c2 + k_ * std::cos(elbow));
+double ArmKinematics::turn_base(const Wrist& wrist, bool behind, double kept) const noexcept {
+  if (wrist.radius < kOnAxis) return behind ? kept + kPi : kept;
+  return std::atan2(wrist.at.y(), wrist.at.x()) -
+         std::atan2(p_.b, behind ? -wrist.ahead : wrist.ahead);
 }
 
 InverseSolutions ArmKinematics::solutions(const Pose& pose,
@@ -147,22 +140,36 @@ InverseSolutions ArmKinematics::solutions(const Pose& pose,
   if (wrist.radius < std::abs(p_.b) - kOnAxis) return found;
   const Angles kept = angles_of(near);
   for (const bool behind : {false, true}) {
-    const double s = stretch(wrist, behind);
+    const Eigen::Vector2d to_wrist = span(wrist, behind);
+    const double s = to_wrist.norm();
     if (s > p_.c2 + k_ + kOnAxis || s < std::abs(p_.c2 - k_) - kOnAxis) continue;
-    for (const bool negative : {false, true}) {
-      Angles theta = kept;
-      turn_base(wrist, behind, theta);
-      bend_elbow(wrist, behind, negative, theta);
-      const Eigen::Quaterniond forearm = about_z(theta[0]) * about_y(theta[1] + theta[2]);
-      turn_hand(forearm.toRotationMatrix().transpose() * wrist.hand, theta);
-      add(theta, near, found);
-      theta[3] += kPi;
-      theta[4] = -theta[4];
-      theta[5] += kPi;
-      add(theta, near, found);
+    // The triangle of upper arm c2, forearm k and s: half its outer angle at axis 3, and by how
+    // much the upper arm leads the line to the wrist.
+    const double bend =
+        2 * std::atan2(other_side(p_.c2 + k_, s), other_side(s, std::abs(p_.c2 - k_)));
+    const double lead = std::atan2(k_ * std::sin(bend), p_.c2 + k_ * std::cos(bend));
+    const double line = std::atan2(to_wrist.x(), to_wrist.y());
+    Angles theta = kept;
+    theta[0] = turn_base(wrist, behind, kept[0]);
+    for (const double side : {1.0, -1.0}) {
+      if (s >= kOnAxis) theta[1] = line - side * lead;
+      theta[2] = side * bend - psi_;
+      theta[3] = kept[3];
+      add_wrists(wrist, theta, near, found);
     }
   }
   return found;
+}
+
+/// Both ways to turn the hand on a forearm that stands.
+void ArmKinematics::add_wrists(const Wrist& wrist, Angles theta, const JointVector& near,
+                               InverseSolutions& found) const noexcept {
+  turn_hand(forearm(theta).transpose() * wrist.hand, theta);
+  add(theta, near, found);
+  theta[3] += kPi;
+  theta[4] = -theta[4];
+  theta[5] += kPi;
+  add(theta, near, found);
 }
 
 /// As the robot counts its axes, each brought near by whole turns.
@@ -173,7 +180,8 @@ void ArmKinematics::add(const Angles& theta, const JointVector& near,
   for (int i = 0; i < ArmParameters::kAxes; ++i) {
     const auto index = static_cast<std::size_t>(i);
     const double value = p_.sign[index] * (theta[i] - p_.offset[index]);
-    q[i] = near[i] + std::remainder(value - near[i], 2 * kPi);
+    const double apart = value - near[i];
+    q[i] = std::abs(apart) <= kPi ? value : near[i] + std::remainder(apart, 2 * kPi);
   }
 }
 
@@ -185,7 +193,7 @@ Shortfall ArmKinematics::shortfall(const Pose& pose) const noexcept {
     return {Kind::BesideAxis, std::abs(p_.b) - wrist.radius};
   Shortfall least{Kind::Elsewhere, INFINITY};
   for (const bool behind : {false, true}) {
-    const double s = stretch(wrist, behind);
+    const double s = span(wrist, behind).norm();
     const double far = s - (p_.c2 + k_);
     const double near = std::abs(p_.c2 - k_) - s;
     if (std::max(far, near) <= kOnAxis) return {};
@@ -216,15 +224,19 @@ Eigen::Matrix<double, 6, 6> ArmKinematics::jacobian(const JointVector& q) const 
   const Angles theta = angles_of(q);
   const Pose pose = forward(q);
   const Eigen::Quaterniond base = about_z(theta[0]);
-  const Eigen::Quaterniond forearm = base * about_y(theta[1] + theta[2]);
+  const Eigen::Matrix3d on_forearm = forearm(theta);
   const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d shoulder = base * Eigen::Vector3d(p_.a1, 0, p_.c1);
   const Eigen::Vector3d elbow = shoulder + base * about_y(theta[1]) * Eigen::Vector3d(0, 0, p_.c2);
   const Eigen::Vector3d wrist = pose.position - p_.c4 * (pose.orientation * z);
   // Each axis: its direction, and a point on it.
-  const std::array<Eigen::Vector3d, 6> direction{
-      z, base * y, base * y, forearm * z, forearm * about_z(theta[3]) * y, pose.orientation * z};
+  const std::array<Eigen::Vector3d, 6> direction{z,
+                                                 base * y,
+                                                 base * y,
+                                                 on_forearm * z,
+                                                 on_forearm * (about_z(theta[3]) * y),
+                                                 pose.orientation * z};
   const std::array<Eigen::Vector3d, 6> point{
       Eigen::Vector3d::Zero(), shoulder, elbow, wrist, wrist, wrist};
   Eigen::Matrix<double, 6, 6> jacobian;

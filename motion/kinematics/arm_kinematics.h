@@ -88,9 +88,10 @@ class ArmKinematics final : public Kinematics {
   Angles angles_of(const JointVector& q) const noexcept;
   double ahead(const Angles& theta) const noexcept;
   Wrist wrist_of(const Pose& pose) const noexcept;
-  double stretch(const Wrist& wrist, bool behind) const noexcept;
-  void turn_base(const Wrist& wrist, bool behind, Angles& theta) const noexcept;
-  void bend_elbow(const Wrist& wrist, bool behind, bool negative, Angles& theta) const noexcept;
+  Eigen::Vector2d span(const Wrist& wrist, bool behind) const noexcept;
+  double turn_base(const Wrist& wrist, bool behind, double kept) const noexcept;
+  void add_wrists(const Wrist& wrist, Angles theta, const JointVector& near,
+                  InverseSolutions& found) const noexcept;
   void add(const Angles& theta, const JointVector& near, InverseSolutions& found) const noexcept;
 
   ArmParameters p_;
