@@ -17,8 +17,9 @@ struct SimGantryParameters {
   std::vector<SimActuatorParameters> actuators;
 };
 
-/// A gantry that is not there: independent servo axes with inertia, friction, a motor limit and an
-/// encoder, and two-position actuators (lift, gripper) on digital channels. SI.
+/// A gantry that is not there, or an arm as far as its drives go: independent servo axes with
+/// inertia, friction, a motor limit and an encoder, and two-position actuators (lift, gripper) on
+/// digital channels. SI. An arm's gravity, and what its axes do to each other, are not in it.
 ///
 /// Each axis obeys m·q'' = u − b·q' − C·sign(q'), in closed form between calls, with the drive that
 /// was last written (SimAxis). Positions are those of the encoder, velocities its estimate

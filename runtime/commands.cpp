@@ -101,7 +101,7 @@ ExitCode run_files(const Options& options) {
   std::vector<LoadedProgram> programs = load_programs(options);
   for (LoadedProgram& program : programs) {
     refuse_missing_points(program);
-    refuse_robot_without_kinematics(program);
+    refuse_what_an_arm_cannot(program);
   }
   const std::vector<SignalScript> scripts = load_scripts(options, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
@@ -133,7 +133,8 @@ RunResult check_one(const LoadedProgram& program, const Options& options,
 ExitCode check_files(const Options& options) {
   ExitCode worst = ExitCode::Done;
   std::vector<Json> documents;
-  const std::vector<LoadedProgram> programs = load_programs(options);
+  std::vector<LoadedProgram> programs = load_programs(options);
+  for (LoadedProgram& program : programs) refuse_what_an_arm_cannot(program);
   const std::vector<SignalScript> scripts = load_scripts(options, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
     RunResult result = check_one(programs[i], options, scripts[i]);
@@ -177,10 +178,6 @@ std::string describe(const motion::RobotModel& robot) {
   }
   text += signals.empty() ? "" : "    signals:" + signals + "\n";
   if (robot.force_sensor) text += "    measures forces and torques on its tool\n";
-  if (robot.kinematics == nullptr) {
-    return text +
-           "    cannot be run in this version yet; programs for it are compiled and checked\n";
-  }
   return text + "    MOVE under Paul's law; simulated\n";
 }
 

@@ -51,7 +51,7 @@ ExitCode test_files(const Options& options) {
     programs.push_back(load_program(file, options.robot));
   for (LoadedProgram& program : programs) {
     refuse_missing_points(program);
-    refuse_robot_without_kinematics(program);
+    refuse_what_an_arm_cannot(program);
   }
   ExitCode code = ExitCode::Done;
   Json documents = Json::array();

@@ -12,8 +12,9 @@ class GantryKinematics final : public Kinematics {
   /// (x, y, theta) → position (x, y, 0), turned by c = theta about z.
   Pose forward(const JointVector& q) const noexcept override;
   /// Poses off the plane z = 0, or turned about another axis than z, have none.
-  std::optional<JointVector> inverse(const Pose& pose,
-                                     const JointVector& near) const noexcept override;
+  InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept override;
+  /// The flange is on the axis theta.
+  double lever(int axis, const Eigen::Vector3d& tip) const noexcept override;
   const char* reach() const noexcept override {
     return "places its tool in the plane z = 0mm and turns it about z alone";
   }

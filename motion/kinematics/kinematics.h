@@ -1,11 +1,37 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 
 #include "motion/space/joint_vector.h"
 #include "motion/space/pose.h"
 
 namespace rob::motion {
+
+/// All axis values that bring a tool to one pose; of those that differ by whole turns one.
+struct InverseSolutions {
+  static constexpr int kMost = 8;
+
+  int count = 0;
+  std::array<JointVector, kMost> q;
+
+  const JointVector* begin() const noexcept { return q.data(); }
+  const JointVector* end() const noexcept { return q.data() + count; }
+};
+
+/// Why no axis values bring the tool to a pose.
+struct Shortfall {
+  enum class Kind : std::uint8_t {
+    Elsewhere,  ///< the robot cannot place or turn its tool so, wherever it is (Kinematics::reach)
+    TooFar,     ///< the arm is too short by `distance`
+    TooNear,    ///< the place is nearer than the arm can fold, by `distance`
+    BesideAxis  ///< the place is too near to axis 1, by `distance`
+  };
+
+  Kind kind = Kind::Elsewhere;
+  double distance = 0;  ///< m
+};
 
 /// From axes to tool. All calls are pure, take no memory and may be used in the tick.
 class Kinematics {
@@ -15,10 +41,16 @@ class Kinematics {
   virtual int axes() const noexcept = 0;
   /// The tool's pose in the world; q: axes() values in m or rad.
   virtual Pose forward(const JointVector& q) const noexcept = 0;
-  /// The axis values that bring the tool to a pose: of all solutions the one nearest to `near`.
-  /// None if there is no solution. Limits of the axes are not looked at.
-  virtual std::optional<JointVector> inverse(const Pose& pose,
-                                             const JointVector& near) const noexcept = 0;
+  /// Every solution, each with its axes turned as near to `near` as whole turns bring them. None if
+  /// there is no solution. Limits of the axes are not looked at.
+  virtual InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept = 0;
+  /// Of all solutions the one nearest to `near`, as sum of squares over the axes.
+  std::optional<JointVector> inverse(const Pose& pose, const JointVector& near) const noexcept;
+  /// Why there is none, where there is none.
+  virtual Shortfall shortfall(const Pose& /*pose*/) const noexcept { return {}; }
+  /// How far the tip of a tool, seen from the flange (m), can be from the rotary axis `axis` at
+  /// most, m; 0 of a linear axis.
+  virtual double lever(int axis, const Eigen::Vector3d& tip) const noexcept = 0;
   /// In words, for messages: "places and turns its tool …".
   virtual const char* reach() const noexcept = 0;
 };

@@ -44,7 +44,9 @@ MotionPlanner::MotionPlanner(const RobotModel& robot, const JointVector& start) 
       tool_speed_(linear_speed_),
       arms_(JointVector::Zero(start.size())),
       commanded_(start),
-      t_acc_before_(robot.t_acc) {}
+      t_acc_before_(robot.t_acc) {
+  set_tool({});
+}
 
 PlanOutcome MotionPlanner::plan(const MotionRequest& request) noexcept {
   const std::array<double, kMaxJoints> wanted = absolute(request);
@@ -71,21 +73,13 @@ double MotionPlanner::swing(const MotionRequest& request) const noexcept {
   return swing_to(complete(request.given, wanted));
 }
 
-/// Half a turn of an axis moves the tip by twice its distance from it.
 void MotionPlanner::set_tool(const Pose& tool) noexcept {
   tip_ = tool.position;
   tool_speed_ = linear_speed_;
   for (int i = 0; i < robot_.axis_count(); ++i) {
-    const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
-    if (axis.kind != AxisKind::Rotary || tip_.isZero(0)) {
-      arms_[i] = 0;
-      continue;
-    }
-    JointVector turned = commanded_;
-    turned[i] += std::numbers::pi;
-    const double arm = (tip(turned) - tip(commanded_)).norm() / 2;
+    const double arm = robot_.kinematics->lever(i, tip_);
     arms_[i] = arm > kLimitTolerance ? arm : 0;
-    tool_speed_ += arms_[i] * axis.v_max;
+    tool_speed_ += arms_[i] * robot_.axes[static_cast<std::size_t>(i)].v_max;
   }
 }
 
@@ -209,10 +203,14 @@ double MotionPlanner::swing_to(const JointVector& target) const noexcept {
   return arms_.dot((target - commanded_).cwiseAbs());
 }
 
-/// What the tip covers at most: the flange's way, and what it swings around it.
+/// What the tip covers at most: the way of the linear axes, and what it swings around the others.
 double MotionPlanner::greatest_way(const JointVector& target) const noexcept {
-  const Eigen::Vector3d from = robot_.kinematics->forward(commanded_).position;
-  return (robot_.kinematics->forward(target).position - from).norm() + swing_to(target);
+  double squares = 0;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    const double way = target[i] - commanded_[i];
+    if (robot_.axes[static_cast<std::size_t>(i)].kind == AxisKind::Linear) squares += way * way;
+  }
+  return std::sqrt(squares) + swing_to(target);
 }
 
 double MotionPlanner::pace_time(const JointVector& delta, const JointVector& target,

@@ -46,7 +46,7 @@ using PlanOutcome = std::variant<PlannedSegment, Refusal>;
 ///
 /// A t_C that leaves the axes too little to be held within their limits is raised (least_t_acc).
 ///
-/// where AT bounds the straight distance of the tool (ToolSpeed), every rotary axis
+/// where AT bounds the straight distance from end to end of the tool (ToolSpeed), every rotary axis
 /// (AngularSpeed), or all axes by a share of their maxima (Share). A target within
 /// kLimitTolerance of the last one on every axis is the last one: a segment of no length, which
 /// takes t_B + t_C and passes the target exactly.
@@ -66,7 +66,7 @@ class MotionPlanner {
   double way(const MotionRequest& request) const noexcept;
 
   /// How far the tip can swing beside the straight line between the ends of the request, m: what
-  /// the rotary axes turn, times how far the tip is from them; 0 where the request would be
+  /// the rotary axes turn, times how far the tip can be from them; 0 where the request would be
   /// refused.
   double swing(const MotionRequest& request) const noexcept;
 
@@ -128,7 +128,7 @@ class MotionPlanner {
   const double linear_speed_;  ///< the greatest that the linear axes make together
   double tool_speed_;          ///< the same with what the rotary axes make of the tool
   Eigen::Vector3d tip_ = Eigen::Vector3d::Zero();  ///< of the tool, seen from the flange
-  JointVector arms_;  ///< how far the tip is from the rotary axes, m; 0 of linear ones
+  JointVector arms_;  ///< how far the tip can be from the rotary axes, m; 0 of linear ones
   JointVector commanded_;
   double t_acc_before_;  ///< t_B of the next segment
   bool exact_ = true;    ///< the last target is reached exactly

@@ -1,14 +1,33 @@
 #include "motion/plan/reach.h"
 
+#include <cmath>
+#include <limits>
+#include <numbers>
+
 #include "motion/plan/feasibility.h"
 
 namespace rob::motion {
 namespace {
 
+constexpr double kTurn = 2 * std::numbers::pi;
+
 bool within_limits(const RobotModel& robot, const JointVector& q) noexcept {
   std::array<double, kMaxJoints> target{};
   for (int i = 0; i < robot.axis_count(); ++i) target[static_cast<std::size_t>(i)] = q[i];
   return !check_target(robot, 0xff, target);
+}
+
+/// Rotary axes beyond a limit, turned back by as few whole turns as bring them below it.
+JointVector turned_within(const RobotModel& robot, JointVector q) noexcept {
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    if (axis.kind != AxisKind::Rotary) continue;
+    const double above = q[i] - axis.max - kLimitTolerance;
+    const double below = axis.min - kLimitTolerance - q[i];
+    if (above > 0) q[i] -= kTurn * std::ceil(above / kTurn);
+    if (below > 0) q[i] += kTurn * std::ceil(below / kTurn);
+  }
+  return q;
 }
 
 }  // namespace
@@ -24,10 +43,16 @@ JointVector middle(const RobotModel& robot) noexcept {
 
 std::optional<JointVector> reach(const RobotModel& robot, const Pose& pose,
                                  const JointVector& near) noexcept {
-  const auto nearest = robot.kinematics->inverse(pose, near);
-  if (!nearest || within_limits(robot, *nearest)) return nearest;
-  const auto other = robot.kinematics->inverse(pose, middle(robot));
-  return other && within_limits(robot, *other) ? other : nearest;
+  std::optional<JointVector> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const JointVector& solution : robot.kinematics->solutions(pose, near)) {
+    const JointVector q = turned_within(robot, solution);
+    const double distance = (q - near).squaredNorm();
+    if (!(distance < least) || !within_limits(robot, q)) continue;
+    least = distance;
+    nearest = q;
+  }
+  return nearest ? nearest : robot.kinematics->inverse(pose, near);
 }
 
 }  // namespace rob::motion

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "motion/kinematics/gantry_kinematics.h"
+#include "motion/robots/arm_file.h"
 #include "motion/robots/table_reader.h"
 #include "motion/robots/time_scaling.h"
 
@@ -202,21 +203,19 @@ void read_actuators(const TableReader& file, RobotModel& robot) {
   }
 }
 
-/// Of an arm the axes are known; how they move the tool is not in this version yet.
 void choose_kinematics(const TableReader& file, RobotModel& robot) {
-  constexpr int kArmAxes = 6;
+  const auto rotary = [](const Axis& axis) { return axis.kind == AxisKind::Rotary; };
   if (file.choice("kinematics", {"gantry", "arm"}) == 1) {
-    const bool rotary = std::ranges::all_of(
-        robot.axes, [](const Axis& axis) { return axis.kind == AxisKind::Rotary; });
-    if (robot.axis_count() != kArmAxes || !rotary)
+    if (robot.axis_count() != ArmParameters::kAxes || !std::ranges::all_of(robot.axes, rotary))
       file.fail("kinematics", "an arm has six rotary axes");
     robot.tool_coordinates = true;
+    robot.kinematics = read_arm(file);
     return;
   }
-  const bool fits = robot.axis_count() == 3 && robot.axes[0].kind == AxisKind::Linear &&
-                    robot.axes[1].kind == AxisKind::Linear &&
-                    robot.axes[2].kind == AxisKind::Rotary;
+  const bool fits = robot.axis_count() == 3 && !rotary(robot.axes[0]) && !rotary(robot.axes[1]) &&
+                    rotary(robot.axes[2]);
   if (!fits) file.fail("kinematics", "a gantry has two linear axes, then a rotary one");
+  if (file.has("arm")) file.fail("arm", "a gantry has none");
   robot.kinematics = std::make_shared<GantryKinematics>();
 }
 
@@ -258,7 +257,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   const TableReader file(table, file_name, "",
                          {"name", "description", "kinematics", "law", "t_acc", "reference_period",
                           "servo_period", "look_ahead", "inputs", "outputs", "analog_inputs",
-                          "analog_outputs", "force_sensor", "axis", "signal", "actuator"});
+                          "analog_outputs", "force_sensor", "arm", "axis", "signal", "actuator"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");

@@ -21,7 +21,7 @@ std::string number_text(double value) {
 
 std::string quoted(std::string_view word) { return std::string("\"").append(word).append("\""); }
 
-std::string list(const std::vector<std::string_view>& words) {
+std::string in_quotes(const std::vector<std::string_view>& words) {
   std::string text;
   for (const std::string_view word : words) {
     if (!text.empty()) text += ", ";
@@ -33,7 +33,7 @@ std::string list(const std::vector<std::string_view>& words) {
 /// What to do about an unknown word.
 std::string remedy(std::string_view word, const std::vector<std::string_view>& known) {
   const std::string_view close = closest_name(word, known);
-  if (close.empty()) return "; known are " + list(known);
+  if (close.empty()) return "; known are " + in_quotes(known);
   return "; did you mean " + quoted(close) + "?";
 }
 
@@ -81,21 +81,52 @@ std::string TableReader::name(std::string_view key) const {
 }
 
 double TableReader::quantity(std::string_view key, Quantity quantity, Range range) const {
-  const auto* written = need(key).as_string();
+  return quantity_in(need(key), key, quantity, range);
+}
+
+double TableReader::quantity_in(const toml::node& node, std::string_view key, Quantity quantity,
+                                Range range) const {
+  const auto* written = node.as_string();
   if (written == nullptr) {
     const std::string unit(si_unit(quantity));
-    fail(key, "must be a number with its unit, in quotation marks, as \"1 " + unit + "\"");
+    fail_in(node, key, "must be a number with its unit, in quotation marks, as \"1 " + unit + "\"");
   }
   double value = 0;
   try {
     value = parse_quantity(written->get(), quantity);
   } catch (const std::invalid_argument& problem) {
-    fail(key, problem.what());
+    fail_in(node, key, problem.what());
   }
   if (value >= range.low && value <= range.high) return value;
-  fail(key, quoted(written->get()) + " is out of range; it must lie from " +
-                number_text(range.low) + " to " + number_text(range.high) + " " +
-                std::string(si_unit(quantity)));
+  fail_in(node, key,
+          quoted(written->get()) + " is out of range; it must lie from " + number_text(range.low) +
+              " to " + number_text(range.high) + " " + std::string(si_unit(quantity)));
+}
+
+const toml::array& TableReader::list(std::string_view key, std::size_t count) const {
+  const auto* values = need(key).as_array();
+  if (values == nullptr || values->size() != count)
+    fail(key, "must be a list of " + std::to_string(count) + ", as [first, second, …]");
+  return *values;
+}
+
+std::vector<double> TableReader::quantities(std::string_view key, Quantity quantity, Range range,
+                                            std::size_t count) const {
+  std::vector<double> values;
+  for (const toml::node& node : list(key, count))
+    values.push_back(quantity_in(node, key, quantity, range));
+  return values;
+}
+
+std::vector<double> TableReader::signs(std::string_view key, std::size_t count) const {
+  std::vector<double> values;
+  for (const toml::node& node : list(key, count)) {
+    const auto* sign = node.as_integer();
+    if (sign == nullptr || (sign->get() != 1 && sign->get() != -1))
+      fail_in(node, key, "each must be 1 or -1");
+    values.push_back(static_cast<double>(sign->get()));
+  }
+  return values;
 }
 
 int TableReader::integer(std::string_view key, int low, int high) const {
@@ -147,8 +178,12 @@ std::vector<TableReader> TableReader::tables(std::string_view key,
 
 void TableReader::fail(std::string_view key, const std::string& problem) const {
   const toml::node* node = table_->get(key);
-  fail_at(node == nullptr ? table_->source().begin : node->source().begin,
-          title(key) + ": " + problem);
+  fail_in(node == nullptr ? *table_ : *node, key, problem);
+}
+
+void TableReader::fail_in(const toml::node& node, std::string_view key,
+                          const std::string& problem) const {
+  fail_at(node.source().begin, title(key) + ": " + problem);
 }
 
 const toml::node& TableReader::need(std::string_view key) const {

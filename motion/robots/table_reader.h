@@ -25,10 +25,16 @@ class TableReader {
   TableReader(const toml::table& table, std::string_view file, std::string what,
               std::vector<std::string_view> keys);
 
+  bool has(std::string_view key) const { return table_->contains(key); }
   std::string text(std::string_view key) const;
   /// A name as programs write it: a small letter, then small letters, digits and _; at most 32.
   std::string name(std::string_view key) const;
   double quantity(std::string_view key, Quantity quantity, Range range) const;
+  /// [value, value, …], `count` of them.
+  std::vector<double> quantities(std::string_view key, Quantity quantity, Range range,
+                                 std::size_t count) const;
+  /// [1, -1, …], `count` of them.
+  std::vector<double> signs(std::string_view key, std::size_t count) const;
   int integer(std::string_view key, int low, int high) const;
   /// `fallback` where the key is missing.
   int integer_or(std::string_view key, int low, int high, int fallback) const;
@@ -48,6 +54,11 @@ class TableReader {
 
  private:
   const toml::node& need(std::string_view key) const;
+  const toml::array& list(std::string_view key, std::size_t count) const;
+  double quantity_in(const toml::node& node, std::string_view key, Quantity quantity,
+                     Range range) const;
+  [[noreturn]] void fail_in(const toml::node& node, std::string_view key,
+                            const std::string& problem) const;
   [[noreturn]] void fail_at(const toml::source_position& place, const std::string& message) const;
   std::string title(std::string_view key) const;
 

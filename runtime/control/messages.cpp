@@ -1,6 +1,8 @@
 #include "runtime/control/messages.h"
 #include "runtime/control/codes.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -31,6 +33,25 @@ Words beyond(const Refusal& refusal, const motion::RobotModel& robot) {
                       below ? "below" : "beyond", shown(refusal.limit, axis.kind)),
           fmt::format("axis {} of {} reaches from {} to {}", axis.name, robot.name,
                       shown(axis.min, axis.kind), shown(axis.max, axis.kind))};
+}
+
+/// What a pose lacks to be in reach; empty where lengths do not tell.
+std::string by_how_much(const motion::Shortfall& shortfall) {
+  using Kind = motion::Shortfall::Kind;
+  constexpr double kShown = 1e-6;  // m: finer than any arm repeats
+  const std::string by =
+      shown(std::round(shortfall.distance / kShown) * kShown, motion::AxisKind::Linear);
+  switch (shortfall.kind) {
+    case Kind::Elsewhere:
+      return "";
+    case Kind::TooFar:
+      return fmt::format(": its wrist would have to be {} farther out than it reaches", by);
+    case Kind::TooNear:
+      return fmt::format(": its wrist would have to be {} nearer to axis 2 than it folds", by);
+    case Kind::BesideAxis:
+      return fmt::format(": its wrist would have to be {} nearer to axis 1 than it comes", by);
+  }
+  return "";
 }
 
 }  // namespace
@@ -100,12 +121,13 @@ Words words_for_condition(lang::ArithmeticError error) {
       std::string(text.help)};
 }
 
-Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose) {
+Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose,
+                            const motion::Shortfall& shortfall) {
   const auto& [p, q] = pose;
   const lang::Constant value = std::vector<double>{p.x, p.y, p.z, q.w, q.i, q.j, q.k};
   return {std::string(lang::code::kUnreachable),
-          fmt::format("{} cannot bring its tool to {}", robot.name,
-                      lang::text_of(value, lang::Type::pose())),
+          fmt::format("{} cannot bring its tool to {}{}", robot.name,
+                      lang::text_of(value, lang::Type::pose()), by_how_much(shortfall)),
           fmt::format("{} {}", robot.name, robot.kinematics->reach())};
 }
 
@@ -117,25 +139,18 @@ Words words_for_swing(double swing) {
           "turn before or behind it, or write MOVE"};
 }
 
-Words words_for_no_kinematics(const motion::RobotModel& robot) {
-  return {
-      std::string(lang::code::kNoKinematics),
-      fmt::format("how the axes of {} move its tool is not in this version of Rob yet", robot.name),
-      "use joint values: JOINTS() reads them"};
+Words words_for_no_lines(const motion::RobotModel& robot) {
+  return {code::kNotPossible,
+          fmt::format("MOVEL is not possible on {}: under Paul's law motions are straight in the"
+                      " axes, and its axes turn",
+                      robot.name),
+          "write MOVE: its tool ends at the same place"};
 }
 
 Words words_for_no_sensor(const motion::RobotModel& robot) {
   return {code::kNotPossible,
           fmt::format("{} has no force sensor that this version can read", robot.name),
           "a signal can tell of a contact, as in UNTIL DIN[1]"};
-}
-
-Words words_for_not_run(const motion::RobotModel& robot) {
-  return {code::kNotRun,
-          fmt::format("{} cannot be run in this version of Rob yet: how its axes move its tool is "
-                      "not known to it",
-                      robot.name),
-          "`rob compile` and `rob check` read programs for it and find their mistakes"};
 }
 
 Words words_for_many_simulations() {

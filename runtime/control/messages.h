@@ -22,15 +22,15 @@ Words words_for_long_wait(double seconds);
 /// What a program looks at in every control cycle could not be computed.
 Words words_for_condition(lang::ArithmeticError error);
 /// A pose that the robot cannot bring its tool to.
-Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose);
+/// `shortfall`: by how much.
+Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose,
+                            const motion::Shortfall& shortfall);
 /// A MOVEL whose tip would swing beside its line, m at most.
 Words words_for_swing(double swing);
-/// A robot that has no kinematics here.
-Words words_for_no_kinematics(const motion::RobotModel& robot);
+/// A MOVEL on an arm.
+Words words_for_no_lines(const motion::RobotModel& robot);
 /// A robot whose forces cannot be read here.
 Words words_for_no_sensor(const motion::RobotModel& robot);
-/// A robot whose kinematics is not known, where it was to run a program.
-Words words_for_not_run(const motion::RobotModel& robot);
 /// More SIMULATEs wait for their time than there is room for.
 Words words_for_many_simulations();
 /// HALT or ASK where nobody will ever answer.

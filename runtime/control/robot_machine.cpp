@@ -99,6 +99,10 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
 Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
   if (const auto feature = lang::feature_of(asked.kind)) return refuse(*feature);
   if (buffer_.room() < (asked.exact() ? 2U : 1U) + (tip_jumps() ? 1U : 0U)) return Reply::Later;
+  if (asked.kind == lang::MotionKind::Line && robot_.tool_coordinates) {
+    refusal_ = words_for_no_lines(robot_);
+    return Reply::Refused;
+  }
   lang::MoveCommand command = asked;
   if (const Reply reply = settle_target(command); reply != Reply::Done) return reply;
   const motion::MotionRequest request = request_of(line, command);

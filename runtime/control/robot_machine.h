@@ -183,7 +183,7 @@ class RobotMachine final : public lang::Machine {
   bool tip_jumps() const;
   /// Then the target before is reached exactly; whether it had to be.
   bool stop_for_tool(int line);
-  lang::Reply tool_at(const motion::JointVector& q, lang::PoseValue& pose);
+  lang::PoseValue tool_at(const motion::JointVector& q) const;
   /// `request` and `events`: what a motion was made of.
   void queue(motion::SegmentDescriptor segment, bool stop, bool further = false,
              std::optional<motion::MotionRequest> request = {}, std::vector<OnTheWay> events = {});

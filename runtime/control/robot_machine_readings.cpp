@@ -26,9 +26,9 @@ motion::JointVector joints_of(std::span<const double> joints) {
 std::optional<Words> axes_for(const motion::RobotModel& robot, const lang::PoseValue& pose,
                               const lang::Setting& setting, const motion::JointVector& near,
                               std::span<double> joints) {
-  if (robot.kinematics == nullptr) return words_for_no_kinematics(robot);
-  const auto q = motion::reach(robot, to_motion(lang::flange_for(pose, setting)), near);
-  if (!q) return words_for_unreachable(robot, pose);
+  const motion::Pose flange = to_motion(lang::flange_for(pose, setting));
+  const auto q = motion::reach(robot, flange, near);
+  if (!q) return words_for_unreachable(robot, pose, robot.kinematics->shortfall(flange));
   std::ranges::transform(*q, joints.begin(), [](double axis) { return axis + 0.0; });
   return std::nullopt;
 }
@@ -75,10 +75,8 @@ Reply RobotMachine::present(Reading what, lang::Slot* value) {
     default:
       break;
   }
-  lang::PoseValue pose;
-  const Reply reply = tool_at(q, pose);
-  if (reply == Reply::Done) lang::store(pose, value);
-  return reply;
+  lang::store(tool_at(q), value);
+  return Reply::Done;
 }
 
 Reply RobotMachine::refuse_sensor() {
@@ -93,13 +91,8 @@ Reply RobotMachine::simulate_force(int /*line*/, int /*component*/, double /*val
   return refuse_sensor();
 }
 
-Reply RobotMachine::tool_at(const motion::JointVector& q, lang::PoseValue& pose) {
-  if (robot_.kinematics == nullptr) {
-    refusal_ = words_for_no_kinematics(robot_);
-    return Reply::Refused;
-  }
-  pose = lang::tip_of(to_lang(robot_.kinematics->forward(q)), setting_);
-  return Reply::Done;
+lang::PoseValue RobotMachine::tool_at(const motion::JointVector& q) const {
+  return lang::tip_of(to_lang(robot_.kinematics->forward(q)), setting_);
 }
 
 /// HERE was read just before, at rest: the axes are still told to stand where it was.
@@ -115,7 +108,8 @@ Reply RobotMachine::teach(int /*line*/, std::string_view point, std::string_view
 }
 
 Reply RobotMachine::forward(int /*line*/, std::span<const double> joints, lang::PoseValue& pose) {
-  return tool_at(joints_of(joints), pose);
+  pose = tool_at(joints_of(joints));
+  return Reply::Done;
 }
 
 Reply RobotMachine::inverse(int /*line*/, const lang::PoseValue& pose, std::span<const double> near,
@@ -133,13 +127,9 @@ Reply RobotMachine::inverse(int /*line*/, const lang::PoseValue& pose, std::span
 Reply RobotMachine::settle_target(lang::MoveCommand& command) {
   using Target = lang::MoveCommand::Target;
   if (command.means == Target::Axes) return Reply::Done;
-  if (robot_.kinematics == nullptr) {
-    refusal_ = words_for_no_kinematics(robot_);
-    return Reply::Refused;
-  }
-  if (command.means == Target::Coordinates && lang::is_plain(setting_)) return Reply::Done;
-  lang::PoseValue last{};
-  if (const Reply reply = tool_at(planner_.commanded(), last); reply != Reply::Done) return reply;
+  const bool of_axes = command.means == Target::Coordinates && !robot_.tool_coordinates;
+  if (of_axes && lang::is_plain(setting_)) return Reply::Done;
+  const lang::PoseValue last = tool_at(planner_.commanded());
   const lang::PoseValue pose = lang::target_pose(command, last, setting_, signature_.coordinates);
   if (const auto words = settle_on_axes(robot_, pose, near(command), command, setting_)) {
     refusal_ = *words;
@@ -152,7 +142,7 @@ Reply RobotMachine::settle_target(lang::MoveCommand& command) {
 /// says: MOVE BY (0, 0, 270) does not become 90 degrees the other way.
 motion::JointVector RobotMachine::near(const lang::MoveCommand& command) const {
   motion::JointVector q = planner_.commanded();
-  if (command.means != lang::MoveCommand::Target::Coordinates) return q;
+  if (command.means != lang::MoveCommand::Target::Coordinates || robot_.tool_coordinates) return q;
   const double turned = lang::pose_math::to_fixed(setting_.frame.rotation).c -
                         lang::pose_math::to_fixed(setting_.tool.tip.rotation).c;
   for (int i = 0; i < robot_.axis_count(); ++i) {

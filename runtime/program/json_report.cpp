@@ -180,7 +180,7 @@ Json check_json(const RunResult& result) {
   return {{"status", result.status},
           {"robot", result.robot},
           {"law", result.law},
-          {"planned_s", result.foretold ? Json(seconds(result.planned)) : Json(nullptr)},
+          {"planned_s", seconds(result.planned)},
           {"lines", lines_json(result, false)},
           {"findings", findings_json(result)},
           {"error", problem_json(result.error)}};

@@ -30,6 +30,9 @@ constexpr std::size_t kMostRobotFile = std::size_t{1} << 20U;  // bytes [choice]
 
 constexpr const char* kDefaultRobot = "gantry";
 
+using Coordinates = std::vector<lang::RobotSignature::Coordinate>;
+constexpr int kCoordinatesOfTool = 6;  // x, y, z, a, b, c
+
 bool is_known_robot(const std::string& name) {
   const auto names = motion::robot_names();
   return std::ranges::find(names, name) != names.end();
@@ -41,28 +44,30 @@ std::optional<Words> words_against_axes(const lang::MoveCommand& command,
   return refusal ? std::optional(words_for(*refusal, robot)) : std::nullopt;
 }
 
-std::optional<Words> words_against_pose(lang::MoveCommand command,
-                                        const motion::RobotModel& robot) {
-  const lang::PoseValue pose = lang::target_pose(command, {}, {}, {});
+/// A pose that is wholly known.
+std::optional<Words> words_against_pose(lang::MoveCommand command, const motion::RobotModel& robot,
+                                        const Coordinates& coordinates) {
+  const lang::PoseValue pose = lang::target_pose(command, {}, {}, coordinates);
   if (auto words = settle_on_axes(robot, pose, motion::middle(robot), command)) return words;
   return words_against_axes(command, robot);
 }
 
 /// Why a target that is known beforehand is out of reach.
 std::optional<lang::Refusal> refusal_of(const lang::MoveCommand& command,
-                                        const motion::RobotModel& robot) {
-  const bool pose = command.means == lang::MoveCommand::Target::Pose;
-  const bool of_tool =
-      pose || (command.means == lang::MoveCommand::Target::Coordinates && robot.tool_coordinates);
-  if (of_tool && robot.kinematics == nullptr) return std::nullopt;  // nobody can tell
-  const auto words = pose ? words_against_pose(command, robot) : words_against_axes(command, robot);
+                                        const motion::RobotModel& robot,
+                                        const Coordinates& coordinates) {
+  using Target = lang::MoveCommand::Target;
+  const bool of_tool = command.means == Target::Coordinates && robot.tool_coordinates;
+  // What it leaves out is as the motion before leaves it.
+  if (of_tool && command.given != lang::given_all(kCoordinatesOfTool)) return std::nullopt;
+  const auto words = of_tool || command.means == Target::Pose
+                         ? words_against_pose(command, robot, coordinates)
+                         : words_against_axes(command, robot);
   if (!words) return std::nullopt;
   return lang::Refusal{words->code, words->message, words->help};
 }
 
-/// A robot whose axes nobody knows how to move yet is refused as a whole, when it is to be run.
 void refuse_what_the_robot_cannot(lang::Compilation& compilation, const motion::RobotModel& robot) {
-  if (robot.kinematics == nullptr) return;
   for (const lang::FeatureUse& use : compilation.features) {
     const auto words = words_against(use.feature, robot);
     if (!words) continue;
@@ -138,11 +143,15 @@ LoadedProgram compile_program(std::string file, std::string source, const motion
                               const std::string& points_file) {
   LoadedProgram program{std::move(file), std::move(source), robot, {}};
   const FolderSources sources(program.file);
+  const lang::RobotSignature signature = signature_of(robot);
   program.compilation = lang::compile(
-      program.source, signature_of(robot),
+      program.source, signature,
       points_file.empty() ? lang::PointTable{} : load_points(points_file, robot).table(),
-      [&](const lang::MoveCommand& command) { return refusal_of(command, robot); }, &sources);
-  refuse_what_the_robot_cannot(program.compilation, robot);
+      [&](const lang::MoveCommand& command) {
+        return refusal_of(command, robot, signature.coordinates);
+      },
+      &sources);
+  if (!robot.tool_coordinates) refuse_what_the_robot_cannot(program.compilation, robot);
   return program;
 }
 
@@ -159,13 +168,9 @@ void refuse_missing_points(LoadedProgram& program) {
   }
 }
 
-void refuse_robot_without_kinematics(LoadedProgram& program) {
-  if (program.robot.kinematics != nullptr) return;
-  const auto declared = lang::declared_robot(program.source);
-  const Words words = words_for_not_run(program.robot);
-  program.compilation.diagnostics.error(words.code, declared ? declared->place : lang::Place{},
-                                        words.message, words.help);
-  program.compilation.chunk.reset();
+void refuse_what_an_arm_cannot(LoadedProgram& program) {
+  if (program.robot.tool_coordinates)
+    refuse_what_the_robot_cannot(program.compilation, program.robot);
 }
 
 }  // namespace rob::runtime

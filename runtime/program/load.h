@@ -48,8 +48,9 @@ LoadedProgram compile_program(std::string file, std::string source, const motion
 /// Refuses a program that needs points which nobody has taught: for what moves or tests.
 void refuse_missing_points(LoadedProgram& program);
 
-/// Refuses a program for a robot that this version cannot run: for what moves or tests.
-void refuse_robot_without_kinematics(LoadedProgram& program);
+/// Refuses a program for an arm that asks for what the arm's law of motion has not: for what moves,
+/// foretells or tests. (Other robots refuse it when the program is compiled.)
+void refuse_what_an_arm_cannot(LoadedProgram& program);
 
 /// The signal script of a program; `file` empty: one without rules. Throws FileError.
 SignalScript load_signal_script(const std::string& file, const LoadedProgram& program);

@@ -155,21 +155,6 @@ RunResult refusal(const lang::Diagnostics& diagnostics, const std::string& file,
 
 RunResult start_of(const LoadedProgram& program, RunResult result);
 
-/// What a program without faults does on a robot that nobody can run.
-RunResult not_foretold(const LoadedProgram& program, const motion::RobotModel& robot) {
-  RunResult result;
-  result.robot = robot.name;
-  result.foretold = false;
-  result.findings.push_back({lang::Severity::Note,
-                             code::kNotForetold,
-                             {},
-                             fmt::format("nothing of this program is foretold: how the axes of {} "
-                                         "move its tool is not in this version of Rob yet",
-                                         robot.name),
-                             "its mistakes were looked for all the same"});
-  return start_of(program, std::move(result));
-}
-
 RunResult start_of(const LoadedProgram& program, RunResult result) {
   result.file = program.file;
   result.used = used_names(program);
@@ -228,7 +213,6 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
 
 RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
                    std::uint64_t seed, const SignalScript* script) {
-  if (robot.kinematics == nullptr) return not_foretold(program, robot);
   Controller controller(robot, simulation_of(robot), 1, rules_of(script));
   prepare_panel(controller, script);
   ProgramTask task(*program.compilation.chunk, controller.machine(), seed);

@@ -83,9 +83,8 @@ struct RunResult {
   std::string robot;
   std::string law = "paul";
   std::string clock;
-  bool foretold = true;  ///< else nothing is known of how it moves
-  double planned = 0;    ///< s
-  double measured = 0;   ///< s
+  double planned = 0;   ///< s
+  double measured = 0;  ///< s
   std::int64_t cycles = 0;
   std::int64_t late_cycles = 0;
   double worst_lateness = 0;  ///< s

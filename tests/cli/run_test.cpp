@@ -264,24 +264,3 @@ TEST_CASE("faults 16 and 38: a process that was stopped holds the robot where it
   // References go on from the last one sent: no step is longer than v_max in the periods made up.
   CHECK(greatest_step(trace, 3) <= 20 * 0.2 + 1e-9);
 }
-
-TEST_CASE("a program for an arm is compiled and checked, and not run") {
-  const RobCommand rob("ROBOT \"lwa4p\"\nMOVE(400, 0, 300, 180, 0, 0)\nPRINT force.z\n");
-  CHECK(rob("compile").exit_code == 0);
-  const ProcessResult checked = rob("check", {"--json"});
-  CHECK(checked.exit_code == 0);
-  const json document = json::parse(checked.out);
-  CHECK(document["robot"] == "lwa4p");
-  CHECK(document["planned_s"].is_null());
-  REQUIRE(document["findings"].size() == 1);
-  CHECK(document["findings"][0]["code"] == "N604");
-  for (const char* const command : {"run", "test"}) {
-    const ProcessResult refused = rob(command);
-    CAPTURE(command);
-    CHECK(refused.exit_code == 65);
-    CHECK(contains(refused.err, "test.rob:1:7: error[E554]: lwa4p cannot be run"));
-  }
-  const ProcessResult named = RobCommand("MOVE(400, 0, 300)\n")("run", {"--robot", "ums7"});
-  CHECK(named.exit_code == 65);
-  CHECK(contains(named.err, "error[E554]: ums7 cannot be run"));
-}

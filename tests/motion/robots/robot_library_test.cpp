@@ -77,8 +77,8 @@ TEST_CASE("an unknown robot is refused, with the name that was probably meant") 
   CHECK_THROWS_WITH_AS(embedded_robot("gantyr"),
                        "there is no robot 'gantyr'; did you mean 'gantry'?", RobotFileError);
   try {
-    embedded_robot("puma");
-    FAIL("puma is not known");
+    embedded_robot("hexapod");
+    FAIL("hexapod is not known");
   } catch (const RobotFileError& error) {
     CHECK(std::string(error.what()).find("known are gantry") != std::string::npos);
   }

@@ -1,0 +1,126 @@
+// Programs for arms from outside.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests/support/rob_command.h"
+
+using nlohmann::json;
+using rob::test::contains;
+using rob::test::ProcessResult;
+using rob::test::RobCommand;
+
+namespace {
+
+json run(const std::string& text, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{"--fast", "--json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return json::parse(RobCommand(text)("run", arguments).out);
+}
+
+/// The tool's measured pose: encoders count thousandths of a degree, some 0.01 mm at the tool.
+void check_pose(const json& report, double x, double y, double z, double a, double b, double c) {
+  const json& pose = report["final"]["pose"];
+  const double expected[] = {x, y, z, a, b, c};
+  const char* const names[] = {"x", "y", "z", "a", "b", "c"};
+  for (std::size_t i = 0; i < 6; ++i) {
+    CAPTURE(names[i]);
+    const double off = pose[names[i]].get<double>() - expected[i];
+    CHECK(std::abs(i < 3 ? off : std::remainder(off, 360)) < 0.5);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every arm goes where it is sent, and back to where it started") {
+  for (const char* name : {"ums7", "pc104", "lwa4p", "puma560", "irb120"}) {
+    CAPTURE(name);
+    const std::string robot = std::string("ROBOT \"") + name + "\"\n";
+    const json report = run(robot +
+                            "VAR start = HERE\nVAR stood = JOINTS()\n"
+                            "MOVE BY (20, 30, -40) FINE\nVAR there = HERE\n"
+                            "ASSERT ABS(there.x - start.x - 20mm) < 0.001mm\n"
+                            "ASSERT ABS(there.y - start.y - 30mm) < 0.001mm\n"
+                            "ASSERT ABS(there.z - start.z + 40mm) < 0.001mm\n"
+                            "ASSERT TURN(there, start) < 0.001deg\n"
+                            "ASSERT DIST(FORWARD(JOINTS()), there) < 0.001mm\n"
+                            "MOVE start FINE\n"
+                            "ASSERT DIST(HERE, start) < 0.001mm\n"
+                            "ASSERT DIST(FORWARD(JOINTS(start, near: stood)), start) < 0.001mm\n");
+    INFO(report.dump());
+    CHECK(report["status"] == "done");
+  }
+}
+
+TEST_CASE("an arm's target is its tool's place and orientation") {
+  const std::string robot = "ROBOT \"ums7\"\n";
+  check_pose(run(robot + "MOVE(500, 0, 300, 180, 0, 0)\n"), 500, 0, 300, 180, 0, 0);
+  // Three components keep the orientation, names keep the rest, BY goes along the world's axes.
+  check_pose(run(robot + "MOVE(500, 0, 300, 180, 0, 0)\nMOVE(500, 200, 300)\n"), 500, 200, 300, 180,
+             0, 0);
+  check_pose(run(robot + "MOVE(500, 0, 300, 180, 0, 0)\nMOVE(z: 350mm, c: 30deg)\n"), 500, 0, 350,
+             180, 0, 30);
+  check_pose(run(robot + "MOVE(500, 0, 300, 180, 0, 0)\nMOVE BY (0, -50, 20)\n"), 500, -50, 320,
+             180, 0, 0);
+  check_pose(run(robot + "MOVE POSE(450mm, 100mm, 400mm, 180deg, 0deg, 90deg)\n"), 450, 100, 400,
+             180, 0, 90);
+}
+
+TEST_CASE("a tool on an arm's flange brings its tip to the target") {
+  const json report =
+      run("ROBOT \"ums7\"\nTOOL pen = POSE(0mm, 0mm, 120mm)\n"
+          "WITH pen DO\n  MOVE(500, 0, 200, 180, 0, 0)\nENDWITH\n");
+  check_pose(report, 500, 0, 320, 180, 0, 0);  // the flange stands 120 mm higher
+}
+
+TEST_CASE("a place out of an arm's reach is refused beforehand, with how much is lacking") {
+  // lwa4p spans 655 mm from axis 2, 205 mm up. Upright at z = 1000 mm its wrist is 925 mm up.
+  const RobCommand rob(
+      "ROBOT \"lwa4p\"\nMOVE(300, 0, 300, 180, 0, 0)\nMOVE(0, 0, 1000, 0, 0, 0)\n");
+  for (const char* command : {"check", "run"}) {
+    const ProcessResult result = rob(command);
+    CHECK(result.exit_code == 65);
+    CHECK(contains(result.err, "test.rob:3:5: error[E333]: lwa4p cannot bring its tool to"));
+    CHECK(contains(result.err, "its wrist would have to be 65 mm farther out than it reaches"));
+  }
+}
+
+TEST_CASE("joints beyond a limit are refused with their axis") {
+  const RobCommand rob("ROBOT \"irb120\"\nMOVE JOINT 3 TO 75deg\n");
+  const ProcessResult result = rob("run", {"--fast"});
+  CHECK(result.exit_code == 65);
+  CHECK(contains(result.err, "axis j3: 75 deg is beyond 70 deg"));
+  // Reached by lengths, and by no axis 3 that the arm has: close above its own shoulder.
+  const ProcessResult folded =
+      RobCommand("ROBOT \"irb120\"\nMOVE(0, 0, 470, 0, 0, 0)\n")("run", {"--fast"});
+  CHECK(folded.exit_code == 65);
+  CHECK(contains(folded.err, "axis j"));
+}
+
+TEST_CASE("MOVEL of an arm is refused: its axes do not lead the tool straight") {
+  const RobCommand rob("ROBOT \"ums7\"\nMOVE(500, 0, 300, 180, 0, 0)\nMOVEL BY (0, 0, 50)\n");
+  const ProcessResult result = rob("check");
+  CHECK(result.exit_code == 65);
+  CHECK(contains(result.err, "test.rob:3:1: error"));
+  CHECK(contains(result.err, "MOVEL is not possible on ums7"));
+}
+
+TEST_CASE("a program for an arm that asks for more than Paul's law is compiled, and not run") {
+  const RobCommand rob("ROBOT \"lwa4p\"\nJOG WORLD (z: -1mm/s) FOR 1s\n");
+  CHECK(rob("compile").exit_code == 0);
+  for (const char* command : {"check", "run", "test"}) {
+    CAPTURE(command);
+    const ProcessResult result = rob(command);
+    CHECK(result.exit_code == 65);
+    CHECK(contains(result.err, "JOG is not possible on lwa4p"));
+  }
+}
+
+TEST_CASE("an arm's run is the same to the bit each time") {
+  const std::string text =
+      "ROBOT \"irb120\"\nMOVE(350, 50, 400, 180, 0, 170)\nMOVE BY (0, -100, 50)\nMOVE BY (0, 0, "
+      "60)\n";
+  const json first = run(text);
+  CHECK(first["status"] == "done");
+  CHECK(first == run(text));
+}

@@ -1,0 +1,119 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+#include "motion/kinematics/arm_kinematics.h"
+#include "motion/robots/robot_file.h"
+#include "motion/robots/robot_library.h"
+
+using namespace rob::motion;
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// The file of an arm, with `was` in it replaced.
+std::string file_of(const char* name, const std::string& was = "", const std::string& is = "") {
+  for (const EmbeddedRobot& robot : embedded_robots()) {
+    if (robot.name != name) continue;
+    std::string text(robot.text);
+    if (!was.empty()) {
+      REQUIRE(text.find(was) != std::string::npos);
+      text.replace(text.find(was), was.size(), is);
+    }
+    return text;
+  }
+  FAIL("no such robot");
+  return "";
+}
+
+/// What is wrong with lwa4p's file after the edit, without the place; empty: nothing.
+std::string error_of(const std::string& was, const std::string& is) {
+  try {
+    parse_robot_file(file_of("lwa4p", was, is), "arm.toml");
+  } catch (const RobotFileError& error) {
+    const std::string text = error.what();
+    CHECK(text.starts_with("arm.toml:"));
+    return text.substr(text.find(": ") + 2);
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("an arm's measures are read from its file") {
+  const RobotModel robot = embedded_robot("pc104");
+  CHECK(robot.tool_coordinates);
+  const auto arm = std::dynamic_pointer_cast<const ArmKinematics>(robot.kinematics);
+  REQUIRE(arm);
+  const ArmParameters& p = arm->parameters();
+  CHECK(p.a1 == 0.150);
+  CHECK(p.a2 == -0.150);
+  CHECK(p.b == 0);
+  CHECK(p.c1 == 0);
+  CHECK(p.c2 == 0.570);
+  CHECK(p.c3 == 0.650);
+  CHECK(p.c4 == 0);
+  const std::array<double, 6> offsets{0, 90, 90, 0, 0, 180};
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK(p.sign[i] == 1);
+    CHECK(p.offset[i] == doctest::Approx(offsets[i] * kDegree));
+  }
+  const auto turned =
+      std::dynamic_pointer_cast<const ArmKinematics>(embedded_robot("lwa4p").kinematics);
+  CHECK(turned->parameters().sign == std::array<double, 6>{1, 1, -1, 1, -1, 1});
+}
+
+TEST_CASE("all arms are known by name and stand within their limits, at no singular place") {
+  for (const char* name : {"ums7", "pc104", "lwa4p", "puma560", "irb120"}) {
+    CAPTURE(name);
+    const RobotModel robot = embedded_robot(name);
+    const auto arm = std::dynamic_pointer_cast<const ArmKinematics>(robot.kinematics);
+    REQUIRE(arm);
+    const SingularityDistances far = arm->singularities(robot.start);
+    CHECK(far.shoulder > 0.1);
+    CHECK(far.elbow > 20 * kDegree);
+    CHECK(far.wrist > 20 * kDegree);
+  }
+}
+
+TEST_CASE("an arm's table is read strictly") {
+  CHECK(error_of("[arm]", "[arms]") == "unknown key \"arms\"; did you mean \"arm\"?");
+  CHECK(error_of("c2 = ", "d2 = ").starts_with("unknown key \"d2\" in arm"));
+  CHECK(error_of("c3 = \"305 mm\"", "") == "c3 of arm: is missing");
+  CHECK(error_of("c2 = \"350 mm\"", "c2 = \"-350 mm\"") ==
+        "c2 of arm: \"-350 mm\" is out of range; it must lie from 0.001 to 10 m");
+  CHECK(error_of("c2 = \"350 mm\"", "c2 = \"350 deg\"").starts_with("c2 of arm: "));
+  CHECK(error_of("c2 = \"350 mm\"", "c2 = \"nan mm\"").starts_with("c2 of arm: "));
+  CHECK(error_of("c3 = \"305 mm\"", "c3 = \"0 mm\"") ==
+        "c3 of arm: the wrist must be at least 1 mm from axis 3");
+  CHECK(error_of("c4 = \"75 mm\"", "c4 = \"-1 mm\"").starts_with("c4 of arm: \"-1 mm\" is out of"));
+}
+
+TEST_CASE("signs and offsets of an arm are lists of six") {
+  const std::string signs = "signs = [1, 1, -1, 1, -1, 1]";
+  const std::string six = "signs of arm: must be a list of 6, as [first, second, …]";
+  CHECK(error_of(signs, "signs = [1, 1, -1, 1, -1]") == six);
+  CHECK(error_of(signs, "signs = 1") == six);
+  CHECK(error_of(signs, "signs = [1, 1, 0, 1, -1, 1]") == "signs of arm: each must be 1 or -1");
+  CHECK(error_of(signs, "signs = [1, 1, 1.0, 1, -1, 1]") == "signs of arm: each must be 1 or -1");
+  const std::string offsets = "offsets = [\"0 deg\", \"0 deg\"";
+  CHECK(
+      error_of(offsets, "offsets = [\"0 deg\"").starts_with("offsets of arm: must be a list of 6"));
+  CHECK(error_of(offsets, "offsets = [\"0 deg\", 0")
+            .starts_with("offsets of arm: must be a number with its unit"));
+  CHECK(error_of(offsets, "offsets = [\"0 deg\", \"500 deg\"")
+            .starts_with("offsets of arm: \"500 deg\" is out of range"));
+}
+
+TEST_CASE("an arm has six rotary axes and a table [arm], a gantry has none") {
+  CHECK(error_of("kinematics = \"arm\"", "kinematics = \"gantry\"") ==
+        "kinematics: a gantry has two linear axes, then a rotary one");
+  CHECK(error_of("kind = \"rotary\"", "kind = \"linear\"") != "");
+  std::string gantry = file_of("gantry");
+  gantry.replace(gantry.find("[[axis]]"), 0, "[arm]\na1 = \"0 mm\"\n\n");
+  CHECK_THROWS_WITH_AS(parse_robot_file(gantry, "my.toml"),
+                       doctest::Contains("arm: a gantry has none"), RobotFileError);
+}
