@@ -1,5 +1,4 @@
 #include "runtime/control/robot_machine.h"
-#include "runtime/control/codes.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +6,8 @@
 #include <string>
 #include <variant>
 
+#include "motion/space/cycle_instant.h"
+#include "runtime/control/codes.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/signal_access.h"
 #include "runtime/control/units.h"
@@ -193,7 +194,7 @@ Reply RobotMachine::stand(int line, double& now) {
   }
   const std::int64_t cycle = channels_.cycle.load(std::memory_order_relaxed);
   assumed_read_ = -1;
-  now = static_cast<double>(cycle) * robot_.reference_period;
+  now = motion::cycle_instant(cycle, robot_.reference_period);
   return Reply::Done;
 }
 
