@@ -312,7 +312,8 @@ Reply RobotMachine::read_analog(int line, int signal, double& volts) {
 
 void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool further) {
   if (guarded_) segment.guard = until_.handle();
-  log_.planned({segment, stop, further});  // before the generator can report it
+  // Before the generator can report it.
+  log_.planned({segment, stop, further, planner_.tool_tip()});
   exact_ = segment.no_length;
   buffer_.push(segment);  // there is room: only this thread fills the buffer
 }
