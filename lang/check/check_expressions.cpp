@@ -63,6 +63,9 @@ Type ExpressionChecker::check(Name& name, Expr& expression) {
     return {};
   }
   if (name.symbol->kind == Symbol::Kind::Point) missing_.use(*name.symbol);
+  const bool reading =
+      name.symbol->kind == Symbol::Kind::Reading && is_observation(name.symbol->reading);
+  if (reading || name.symbol->kind == Symbol::Kind::Signal) uses_.met_robot(expression.place);
   const bool frozen = fixed_ && name.symbol->kind == Symbol::Kind::Point;
   expression.constant = frozen ? name.symbol->kept : name.symbol->value;
   missed_ = missed_ || (frozen && !known(expression.constant));
