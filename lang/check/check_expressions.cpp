@@ -204,8 +204,12 @@ void ExpressionChecker::report_unknown(std::string_view name, Place place) {
                           declared->line));
     return;
   }
+  std::string help = did_you_mean(suggest(name, scopes_.visible()));
+  if (help.empty() && find_unit(name)) {
+    help = fmt::format("a unit stands behind its number, without a blank: 1{}", name);
+  }
   diagnostics_.error(code::kUnknownName, place, fmt::format("unknown name {}", shortened(name)),
-                     did_you_mean(suggest(name, scopes_.visible())));
+                     std::move(help));
 }
 
 void ExpressionChecker::keep(const Folded& folded, Expr& expression) {
