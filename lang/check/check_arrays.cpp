@@ -34,7 +34,7 @@ bool ExpressionChecker::fits_memory(const Type& element, std::int64_t count, Pla
   if (!why) return true;
   diagnostics_.error(
       code::kArrayTooLarge, place,
-      fmt::format("{} elements, {}, are too many: {}", count, in_words(element) + " each", *why),
+      fmt::format("{} elements are too many, each {}: {}", count, in_words(element), *why),
       "keep less at once");
   return false;
 }

@@ -6,6 +6,7 @@
 
 #include "lang/check/called_builtins.h"
 #include "lang/check/expression_checker.h"
+#include "lang/check/observations.h"
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 #include "lang/text/suggest.h"
@@ -64,6 +65,7 @@ Type ExpressionChecker::check(Call& call, Expr& expression) {
                        "a statement calls a PROC");
     return {};
   }
+  if (reading_of(call)) uses_.met_robot(expression.place);
   if (builtin->rule == BuiltinRule::Joints) {
     return expression.type = sound ? check_joints(call, expression) : Type{};
   }

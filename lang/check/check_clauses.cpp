@@ -7,6 +7,7 @@
 #include "lang/check/target.h"
 #include "lang/text/codes.h"
 #include "lang/values/number_text.h"
+#include "lang/values/percent_text.h"
 #include "lang/values/setting.h"
 
 namespace rob::lang {
@@ -108,10 +109,10 @@ void ClauseChecker::check_override(const ExprPtr& share) {
                               : "as in OVERRIDE 30%");
   } else if (expressions_.accept(*share, Type::real(), "OVERRIDE needs") && number &&
              !(*number > 0 && *number <= kMostOverride)) {
-    diagnostics_.error(code::kOverrideBeyond, share->place,
-                       fmt::format("OVERRIDE is above 0% and at most 200%; this is {}%",
-                                   number_text(*number * 100, kNone)),
-                       "HALT waits for the operator");
+    diagnostics_.error(
+        code::kOverrideBeyond, share->place,
+        fmt::format("OVERRIDE is above 0% and at most 200%; this is {}", percent_text(*number)),
+        std::string(override_help(*number)));
   }
 }
 
@@ -177,8 +178,8 @@ bool ClauseChecker::check_at(const Expr& at_expression) {
   if (!check_positive(at_expression, "AT")) return false;
   if (is_bare(type) && constant_number(at_expression).value_or(0) > 1) {
     diagnostics_.warning(code::kAboveMaximum, at_expression.place,
-                         fmt::format("{}% is more than the robot can; it moves at 100%",
-                                     number_text(*constant_number(at_expression) * 100, kNone)));
+                         fmt::format("{} is more than the robot can; it moves at 100%",
+                                     percent_text(*constant_number(at_expression))));
   }
   return true;
 }

@@ -63,6 +63,9 @@ Type ExpressionChecker::check(Name& name, Expr& expression) {
     return {};
   }
   if (name.symbol->kind == Symbol::Kind::Point) missing_.use(*name.symbol);
+  const bool reading =
+      name.symbol->kind == Symbol::Kind::Reading && is_observation(name.symbol->reading);
+  if (reading || name.symbol->kind == Symbol::Kind::Signal) uses_.met_robot(expression.place);
   const bool frozen = fixed_ && name.symbol->kind == Symbol::Kind::Point;
   expression.constant = frozen ? name.symbol->kept : name.symbol->value;
   missed_ = missed_ || (frozen && !known(expression.constant));
@@ -201,8 +204,12 @@ void ExpressionChecker::report_unknown(std::string_view name, Place place) {
                           declared->line));
     return;
   }
+  std::string help = did_you_mean(suggest(name, scopes_.visible()));
+  if (help.empty() && find_unit(name)) {
+    help = fmt::format("a unit stands behind its number, without a blank: 1{}", name);
+  }
   diagnostics_.error(code::kUnknownName, place, fmt::format("unknown name {}", shortened(name)),
-                     did_you_mean(suggest(name, scopes_.visible())));
+                     std::move(help));
 }
 
 void ExpressionChecker::keep(const Folded& folded, Expr& expression) {

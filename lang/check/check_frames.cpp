@@ -78,7 +78,7 @@ Type ExpressionChecker::check_fixed(const ExprPtr& expression, bool& missed) {
 }
 
 /// FRAME and TOOL are constants of the program. With a point that nobody has taught they are
-/// taken as the world and the flange: nothing runs then, as the warning says.
+/// taken as the world and the flange, and so where the value is wrong: nothing runs then.
 void StatementChecker::check_frame(const Declaration& declaration, Constant& value, bool missed) {
   const Declaration::Declared& declared = declaration.names.front();
   const std::string_view word = declaration.type->is(Type::Kind::Tool) ? "TOOL" : "FRAME";

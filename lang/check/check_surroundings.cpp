@@ -56,6 +56,7 @@ void StatementChecker::check(WayPoint& event) {
   check(event.action);
   in_path_ = path;
   watches_.check_event(event);
+  for (const ExprPtr* value : {&event.distance, &event.shift}) check_not_read(*value);
 }
 
 void StatementChecker::check(PathBlock& path) {
@@ -67,7 +68,9 @@ void StatementChecker::check(PathBlock& path) {
   in_path_ = true;
   const int loops = std::exchange(loops_, 0);
   moves_.enter_surroundings();
+  const bool in_path = uses_.in_path(true);
   check(path.body);
+  uses_.in_path(in_path);
   moves_.leave_surroundings();
   loops_ = loops;
   in_path_ = outer;

@@ -46,6 +46,7 @@ void StatementChecker::settle_tasks(const Program& program) {
   for (const RoutineUses::Shared& one : uses_.shared()) scopes_.share(*one.symbol, one.observed);
   waits_.report_hopeless(uses_);
   report_reads_in_paths();
+  uses_.report_paths(program.routines, diagnostics_);
 }
 
 }  // namespace rob::lang

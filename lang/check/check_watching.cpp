@@ -141,6 +141,23 @@ bool WatchChecker::check_call(const Call& call, Place place, std::string_view wo
       call.arguments, [&](const ExprPtr& argument) { return check_watchable(*argument, word); });
 }
 
+/// An element of a variable is fixed as a whole, and its index computed with it.
+bool WatchChecker::check_element(const Expr& expression, const Index& index,
+                                 std::string_view word) {
+  if (known(index.index->constant)) return check_watchable(*index.object, word);
+  if (calls_routine(expression)) {
+    return refuse(code::kWatchCallsRoutine, expression.place, word,
+                  "it cannot call a routine of the program",
+                  "give the answer a variable before, and watch that");
+  }
+  const bool variable = root_of(expression) != nullptr && observations(*index.object) == 0;
+  if (variable && observations(*index.index) == 0) return true;
+  return refuse(code::kNotWatchable, index.index->place, word,
+                variable ? "which element is meant cannot be read from the robot"
+                         : "which part of what is read or computed is meant has to be a constant",
+                "give the index or the element a variable before, and watch that");
+}
+
 bool WatchChecker::check_parts(const Expr& expression, std::string_view word) {
   if (const auto* const unary = std::get_if<Unary>(&expression.node)) {
     return check_watchable(*unary->operand, word);
@@ -157,10 +174,7 @@ bool WatchChecker::check_parts(const Expr& expression, std::string_view word) {
     return check_watchable(*member->object, word);
   }
   if (const auto* const index = std::get_if<Index>(&expression.node)) {
-    if (known(index->index->constant)) return check_watchable(*index->object, word);
-    return refuse(code::kNotWatchable, index->index->place, word,
-                  "which element is meant has to be a constant",
-                  "give the element a variable before, and watch that");
+    return check_element(expression, *index, word);
   }
   return true;
 }

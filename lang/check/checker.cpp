@@ -79,6 +79,7 @@ void StatementChecker::check(Declaration& declaration) {
       declaration.constant && declaration.type &&
       (declaration.type->is(Type::Kind::Frame) || declaration.type->is(Type::Kind::Tool));
   bool missed = false;
+  const std::size_t told = diagnostics_.error_count();
   Type type = fixed ? expressions_.check_fixed(declaration.value, missed)
                     : expressions_.check(declaration.value);
   Constant value;
@@ -102,7 +103,7 @@ void StatementChecker::check(Declaration& declaration) {
     value = converted(known_value(*declaration.value), type);
   }
   if (fixed && type.known() && declaration.value != nullptr) {
-    check_frame(declaration, value, missed);
+    check_frame(declaration, value, missed || diagnostics_.error_count() > told);
   }
   const auto kind = declaration.constant ? Symbol::Kind::NamedConstant : Symbol::Kind::Variable;
   for (Declaration::Declared& declared : declaration.names) {

@@ -11,14 +11,14 @@
 namespace rob::lang {
 
 std::set<std::size_t> RoutineUses::reached_from(std::size_t routine) const {
+  const std::vector<std::vector<std::size_t>> called = callees();
   std::set<std::size_t> reached;
   std::vector<std::size_t> open{routine};
   while (!open.empty()) {
     const std::size_t caller = open.back();
     open.pop_back();
-    if (!reached.insert(caller).second) continue;
-    for (std::size_t callee = 0; callee < callers_.size(); ++callee) {
-      if (callers_[callee].contains(caller)) open.push_back(callee);
+    if (reached.insert(caller).second) {
+      open.insert(open.end(), called[caller].begin(), called[caller].end());
     }
   }
   return reached;

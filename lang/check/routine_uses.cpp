@@ -32,6 +32,7 @@ void RoutineUses::used(const Symbol& symbol) {
 }
 
 void RoutineUses::called(const Routine& routine, Place place) {
+  if (in_path_) path_calls_.push_back({&routine, place});
   if (inside_ != nullptr) {
     callers_[routine.index].insert(inside_->index);
   } else {

@@ -49,6 +49,14 @@ class RoutineUses {
   void referred(const Symbol& symbol, Place place);
   /// To be called when all is checked: what TASKs, and what they call, must not do is an error.
   void report_tasks(const std::vector<Routine>& routines, Diagnostics& diagnostics);
+  // PATHs
+  /// A signal or something of the robot is looked at, or set.
+  void met_robot(Place place);
+  /// Whether what comes now stands in a PATH; returns whether the last did.
+  bool in_path(bool now) { return std::exchange(in_path_, now); }
+  /// After report_tasks(): a PATH is planned before it starts, so a routine that it calls can only
+  /// compute.
+  void report_paths(const std::vector<Routine>& routines, Diagnostics& diagnostics) const;
   /// Whether a routine is a TASK or is called by one; null: the top level. After report_tasks().
   bool in_task(const Routine* routine) const;
   struct Shared {
@@ -73,6 +81,7 @@ class RoutineUses {
   std::vector<std::set<std::size_t>> callers_;            ///< of each routine
   std::vector<TopLevelCall> calls_;
 
+  std::vector<std::vector<std::size_t>> callees() const;
   std::set<std::size_t> reached_from(std::size_t routine) const;
   std::size_t handler_begins_ = 0;
   std::map<std::size_t, std::map<std::size_t, const Symbol*>> captured_;  ///< by handler and id
@@ -89,6 +98,13 @@ class RoutineUses {
   std::map<std::size_t, Place> barred_;  ///< by routine: the first statement that no TASK can have
   std::map<const Symbol*, std::set<std::size_t>> writers_;
   std::vector<Reference> references_;
+  std::map<std::size_t, Place> robots_;  ///< by routine: what no PATH can have in a routine
+  struct PathCall {
+    const Routine* routine;
+    Place place;
+  };
+  std::vector<PathCall> path_calls_;
+  bool in_path_ = false;
   std::vector<const Routine*> task_of_;  ///< of each routine: a TASK that it is or that calls it
 };
 

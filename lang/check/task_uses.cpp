@@ -37,6 +37,13 @@ bool stops_axes(const Statement& statement) {
          std::holds_alternative<Raise>(statement.node);
 }
 
+/// What computes, and nothing else.
+bool fits_in_path(const Statement& statement) {
+  return fits_in_task(statement) && !std::holds_alternative<Pulse>(statement.node) &&
+         !std::holds_alternative<Print>(statement.node) &&
+         !std::holds_alternative<Wait>(statement.node);
+}
+
 }  // namespace
 
 void RoutineUses::statement(const Statement& statement) {
@@ -46,6 +53,7 @@ void RoutineUses::statement(const Statement& statement) {
     watching_.try_emplace(inside_->index, statement.place);
   }
   if (!fits_in_task(statement)) barred_.try_emplace(inside_->index, statement.place);
+  if (!fits_in_path(statement)) robots_.try_emplace(inside_->index, statement.place);
 }
 
 void RoutineUses::written(const Symbol& symbol) {
@@ -68,10 +76,7 @@ bool RoutineUses::any_in_task(const std::set<std::size_t>& routines) const {
 /// From each TASK on to what it calls, and what that calls.
 void RoutineUses::gather_tasks(const std::vector<Routine>& routines) {
   task_of_.assign(routines.size(), nullptr);
-  std::vector<std::vector<std::size_t>> called(routines.size());
-  for (std::size_t callee = 0; callee < callers_.size(); ++callee) {
-    for (const std::size_t caller : callers_[callee]) called[caller].push_back(callee);
-  }
+  const std::vector<std::vector<std::size_t>> called = callees();
   for (const Routine& task : routines) {
     if (!task.task) continue;
     std::vector<std::size_t> open{task.index};

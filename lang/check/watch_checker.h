@@ -30,6 +30,7 @@ class WatchChecker {
   void check_action(const Statement& action, std::string_view word);
   bool check_watchable(const Expr& expression, std::string_view word);
   bool check_parts(const Expr& expression, std::string_view word);
+  bool check_element(const Expr& expression, const Index& index, std::string_view word);
   bool check_call(const Call& call, Place place, std::string_view word);
   bool refuse(std::string_view code, Place place, std::string_view word, std::string_view what,
               const char* help);

@@ -152,7 +152,8 @@ void ExpressionCompiler::assign_memory(const Expr& target, const Expr& value) {
   if (root_of(target)->symbol->shared) publish(to, target.type, target.place);
 }
 
-bool ExpressionCompiler::is_number_element(const Expr& expression) {
+bool ExpressionCompiler::is_number_element(const Expr& expression) const {
+  if (watching_) return false;  // it was fixed before
   const auto* const index = std::get_if<Index>(&expression.node);
   return index != nullptr && index->object->type.is(Type::Kind::Array) &&
          expression.type.scalar() && !is_text(expression.type) &&

@@ -168,6 +168,14 @@ const Expr* StatementCompiler::live_pace(const Clauses& clauses) const {
   return said.live ? said[Clause::At].get() : nullptr;
 }
 
+/// The checker has warned of a constant share above 100% and said that it is cut.
+void StatementCompiler::compile_clause(Clause clause, const Expr& said, Register target) {
+  const bool cut =
+      clause == Clause::At && is_bare(said.type) && constant_number(said).value_or(0) > 1;
+  if (cut) return code_.load_real(target, 1, kNone, said.place);
+  expressions_.value_into(said, target, true);
+}
+
 void StatementCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) {
   const bool zoned = clauses[Clause::Zone] != nullptr;
   form.fine = clauses.fine || (path_ != nullptr && path_->clauses.fine && !zoned);
@@ -184,7 +192,7 @@ void StatementCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) 
     if (missing) {
       code_.emit(Opcode::copy, settled[i]->place, value, path_values_[i]);
     } else {
-      expressions_.value_into(*settled[i], value, true);
+      compile_clause(static_cast<Clause>(i), *settled[i], value);
     }
   }
   const auto of = [&](Clause clause) { return settled[static_cast<std::size_t>(clause)]; };

@@ -39,6 +39,9 @@ bool ExpressionCompiler::is_variable(const Expr& expression) const {
 }
 
 Location ExpressionCompiler::locate(const Expr& expression) {
+  for (const auto& [part, location] : fixed_parts_) {
+    if (part == &expression) return location;
+  }
   if (!known(expression.constant)) {
     if (const auto* const name = std::get_if<Name>(&expression.node)) {
       if (lives_in_register(*name->symbol)) {

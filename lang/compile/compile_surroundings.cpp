@@ -60,7 +60,7 @@ void StatementCompiler::compile(const PathBlock& path) {
     if (path.clauses.values[i] == nullptr) continue;
     if (path.clauses.live && i == static_cast<std::size_t>(Clause::At)) continue;
     path_values_[i] = code_.number_registers();
-    expressions_.value_into(*path.clauses.values[i], path_values_[i], true);
+    compile_clause(static_cast<Clause>(i), *path.clauses.values[i], path_values_[i]);
   }
   code_.emit(Opcode::begin_path, place);
   path_ = &path;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "lang/check/fold.h"
@@ -11,16 +12,20 @@
 namespace rob::lang {
 namespace {
 
-/// What is fixed when the statement is executed: variables, each once, and what belongs to them.
+/// What is fixed when the statement is executed: variables, each once, and the elements and fields
+/// of arrays and records, whose index may be computed.
 class Fixed {
  public:
   void gather(const Expr& expression) {
     if (known(expression.constant)) return;
     if (const auto* const name = std::get_if<Name>(&expression.node)) {
-      const bool first = std::ranges::none_of(names_, [&](const Expr* other) {
-        return std::get<Name>(other->node).symbol == name->symbol;
+      const bool first = std::ranges::none_of(parts_, [&](const Expr* other) {
+        const auto* const known_one = std::get_if<Name>(&other->node);
+        return known_one != nullptr && known_one->symbol == name->symbol;
       });
-      if (first && is_fixed(*name->symbol)) names_.push_back(&expression);
+      if (first && is_fixed(*name->symbol)) parts_.push_back(&expression);
+    } else if (is_part_of_variable(expression)) {
+      parts_.push_back(&expression);
     } else if (const auto* const unary = std::get_if<Unary>(&expression.node)) {
       gather(*unary->operand);
     } else if (const auto* const binary = std::get_if<Binary>(&expression.node)) {
@@ -36,15 +41,25 @@ class Fixed {
       gather(*index->object);
     }
   }
-  const std::vector<const Expr*>& names() const { return names_; }
+  const std::vector<const Expr*>& parts() const { return parts_; }
 
  private:
-  static bool is_fixed(const Symbol& symbol) {
-    const bool read = symbol.kind == Symbol::Kind::Reading && is_observation(symbol.reading);
-    return symbol.kind != Symbol::Kind::Signal && !read && !known(symbol.value);
+  static bool is_fixed(const Symbol& symbol) { return !is_read(symbol) && !known(symbol.value); }
+  static bool is_read(const Symbol& symbol) {
+    return symbol.kind == Symbol::Kind::Signal ||
+           (symbol.kind == Symbol::Kind::Reading && is_observation(symbol.reading));
+  }
+  static bool is_part_of_variable(const Expr& expression) {
+    if (const auto* const member = std::get_if<Member>(&expression.node)) {
+      if (!member->object->type.is(Type::Kind::Record)) return false;
+    } else if (!std::holds_alternative<Index>(expression.node)) {
+      return false;
+    }
+    const Name* const root = root_of(expression);
+    return root != nullptr && !is_read(*root->symbol);
   }
 
-  std::vector<const Expr*> names_;
+  std::vector<const Expr*> parts_;
 };
 
 }  // namespace
@@ -57,28 +72,31 @@ ExpressionCompiler::WatchCode ExpressionCompiler::watch(const Expr& condition) {
   latched_ = false;
   refresh(observed_globals(condition), place);
   int count = 0;
-  for (const Expr* const name : fixed.names()) count += slots_of(name->type).numbers;
+  for (const Expr* const part : fixed.parts()) count += slots_of(part->type).numbers;
   const Register values = code_.number_registers(std::max(count, 1));
   Register next = values;
-  for (const Expr* const name : fixed.names()) {
-    into(*name, next, false);
-    next = static_cast<Register>(next + slots_of(name->type).numbers);
+  for (const Expr* const part : fixed.parts()) {
+    into_as_it_is(*part, next, false);
+    next = static_cast<Register>(next + slots_of(part->type).numbers);
   }
   code_.begin_watch(place);
-  std::vector<Location> homes;
-  for (const Expr* const name : fixed.names()) {
-    const Symbol& variable = *std::get<Name>(name->node).symbol;
-    homes.push_back(homes_[variable.id]);
-    const Register home = code_.number_registers(slots_of(name->type).numbers);
-    settle(variable, Location{{SlotsAt::Base::Own, home}, {}});
+  std::vector<std::pair<const Symbol*, Location>> homes;
+  for (const Expr* const part : fixed.parts()) {
+    const Register first = code_.number_registers(slots_of(part->type).numbers);
+    const Location own{{SlotsAt::Base::Own, first}, {}};
+    if (const auto* const name = std::get_if<Name>(&part->node)) {
+      homes.emplace_back(name->symbol, homes_[name->symbol->id]);
+      settle(*name->symbol, own);
+    } else {
+      fixed_parts_.emplace_back(part, own);
+    }
   }
   latched_ = false;
   watching_ = true;
   const Register answer = operand(condition, false);
   watching_ = false;
-  for (std::size_t i = 0; i < homes.size(); ++i) {
-    settle(*std::get<Name>(fixed.names()[i]->node).symbol, homes[i]);
-  }
+  fixed_parts_.clear();
+  for (const auto& [symbol, location] : homes) settle(*symbol, location);
   return {code_.end_watch(answer, count, place), values};
 }
 

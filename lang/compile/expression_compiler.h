@@ -150,7 +150,7 @@ class ExpressionCompiler {
   void put(const Expr& value, const Location& to, const Type& type);
   void put_record(const Call& call, const Location& to, Place place);
   void assign_memory(const Expr& target, const Expr& value);
-  static bool is_number_element(const Expr& expression);
+  bool is_number_element(const Expr& expression) const;
   void load_element(const Index& index, Register target, Place place);
   void store_element(const Index& index, Register value, Place place);
   Register refer_whole(const Expr& expression);
@@ -208,7 +208,9 @@ class ExpressionCompiler {
   std::vector<Location> homes_;  ///< by Symbol::id
   bool in_routine_ = false;
   bool watching_ = false;  ///< the present code is a watch's: all it uses is in its own registers
-  bool latched_ = false;   ///< the present expression reads more than one signal
+  /// Elements of arrays and records that a watch uses, and where their values are in it.
+  std::vector<std::pair<const Expr*, Location>> fixed_parts_;
+  bool latched_ = false;  ///< the present expression reads more than one signal
 };
 
 /// Number slots that the value of an expression takes where it stands.

@@ -141,6 +141,7 @@ class StatementCompiler {
   Register compile_axis(const Move& move, MoveForm& form);
   Register compile_target(const Expr& target, MoveForm& form);
   Register compile_value(const Expr& target, MoveForm& form);
+  void compile_clause(Clause clause, const Expr& said, Register target);
   void compile_clauses(const Clauses& clauses, MoveForm& form);
   void compile_component(const Expr& component, Dimension dimension, Register target);
   void report_limit(Diagnostics& diagnostics) const;

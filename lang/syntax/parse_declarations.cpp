@@ -49,6 +49,7 @@ constexpr auto kTypes = std::to_array<NamedType>({
 });
 
 std::string type_help(std::string_view word, const std::set<std::string>& records) {
+  if (same_word(word, "REF")) return "REF stands before the name, as in REF n: INT";
   std::vector<std::string_view> names(records.begin(), records.end());
   std::ranges::transform(kTypes, std::back_inserter(names), &NamedType::name);
   const std::string help = did_you_mean(suggest(word, names));

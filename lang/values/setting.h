@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "lang/values/pose_math.h"
 
 namespace rob::lang {
@@ -28,5 +30,12 @@ struct PressCommand {
 
 /// The greatest OVERRIDE, 1 = 100 %. [choice] that of `--override`.
 inline constexpr double kMostOverride = 2;
+
+/// What to do instead of an OVERRIDE that is refused.
+constexpr std::string_view override_help(double share) {
+  return share > 0 ? "write OVERRIDE 200%, and a greater AT where that is not enough"
+                   : "at 0% the robot would stand for ever, and the program with it: HALT waits for"
+                     " the operator, WAIT for a signal or a time; OVERRIDE 1% creeps";
+}
 
 }  // namespace rob::lang

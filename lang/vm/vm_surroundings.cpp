@@ -4,6 +4,7 @@
 
 #include "lang/text/codes.h"
 #include "lang/values/number_text.h"
+#include "lang/values/percent_text.h"
 #include "lang/values/pose_slots.h"
 #include "lang/vm/vm.h"
 
@@ -59,11 +60,11 @@ bool Vm::check_press(Code pc) {
 
 bool Vm::check_override(Code pc, double share) {
   if (share > 0 && share <= kMostOverride) return true;
-  error_ = {
-      .code = std::string(code::kOverrideBeyond),
-      .place = place(pc),
-      .message = fmt::format("OVERRIDE turned out to be {}%", number_text(share * 100, kNone)),
-      .help = "it is above 0% and at most 200%"};
+  error_ = {.code = std::string(code::kOverrideBeyond),
+            .place = place(pc),
+            .message = fmt::format("OVERRIDE turned out to be {}; it is above 0% and at most 200%",
+                                   percent_text(share)),
+            .help = std::string(override_help(share))};
   return false;
 }
 

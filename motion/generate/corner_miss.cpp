@@ -44,11 +44,12 @@ double least(const F& f, double low, double high) {
 }  // namespace
 
 double corner_miss(const Kinematics& kinematics, const JointVector& via,
-                   const JointVector& incoming, const JointVector& outgoing, double t_acc) {
+                   const JointVector& incoming, const JointVector& outgoing, double t_acc,
+                   const Eigen::Vector3d& tip) {
   const PaulTransition corner(via - incoming * t_acc, via, via + outgoing * t_acc, t_acc, t_acc);
-  const Eigen::Vector3d point = kinematics.forward(via).position;
+  const Eigen::Vector3d point = place_of(tip, kinematics.forward(via));
   const auto distance = [&](double t) {
-    return (kinematics.forward(corner.sample(t).q).position - point).norm();
+    return (place_of(tip, kinematics.forward(corner.sample(t).q)) - point).norm();
   };
   const double step = 2 * t_acc / kParts;
   double best = distance(t_acc);
@@ -64,9 +65,10 @@ double corner_miss(const Kinematics& kinematics, const JointVector& via,
 }
 
 double corner_miss(const Kinematics& kinematics, const JointVector& from,
-                   const SegmentDescriptor& in, const SegmentDescriptor& out) {
+                   const SegmentDescriptor& in, const SegmentDescriptor& out,
+                   const Eigen::Vector3d& tip) {
   return corner_miss(kinematics, in.target, (in.target - from) / in.duration,
-                     (out.target - in.target) / out.duration, in.t_acc);
+                     (out.target - in.target) / out.duration, in.t_acc, tip);
 }
 
 }  // namespace rob::motion

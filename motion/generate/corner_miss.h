@@ -6,13 +6,16 @@
 namespace rob::motion {
 
 /// How far the reference curve of Paul's law passes from a via point: the least distance, m, of
-/// the tool's position in the corner from its position at `via`. The axes come with `incoming` and
-/// leave with `outgoing` (m/s, rad/s); the corner lasts 2·t_acc. 0 where the point is met exactly.
+/// the tool's tip in the corner from its place at `via`. The axes come with `incoming` and leave
+/// with `outgoing` (m/s, rad/s); the corner lasts 2·t_acc. 0 where the point is met exactly.
+/// `tip`: the tip's place seen from the flange, m.
 double corner_miss(const Kinematics& kinematics, const JointVector& via,
-                   const JointVector& incoming, const JointVector& outgoing, double t_acc);
+                   const JointVector& incoming, const JointVector& outgoing, double t_acc,
+                   const Eigen::Vector3d& tip = Eigen::Vector3d::Zero());
 
 /// The miss at the target of segment `in`, which began at `from` and is followed by `out`.
 double corner_miss(const Kinematics& kinematics, const JointVector& from,
-                   const SegmentDescriptor& in, const SegmentDescriptor& out);
+                   const SegmentDescriptor& in, const SegmentDescriptor& out,
+                   const Eigen::Vector3d& tip = Eigen::Vector3d::Zero());
 
 }  // namespace rob::motion

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/space/cycle_instant.h"
+
 namespace rob::motion {
 
 namespace {
@@ -49,7 +51,7 @@ PaulGenerator::PaulGenerator(const RobotModel& robot, LookAheadBuffer& buffer,
 
 const GeneratorSample& PaulGenerator::advance(std::int64_t period) noexcept {
   catch_up(period);
-  while (last_period_ < period) step(static_cast<double>(++last_period_) * period_);
+  while (last_period_ < period) step(cycle_instant(++last_period_, period_));
   return sample_;
 }
 
@@ -62,7 +64,7 @@ void PaulGenerator::catch_up(std::int64_t period) noexcept {
   hold();
   last_period_ = period - 1;
   tell({.kind = Kind::Overrun,
-        .time = static_cast<double>(last_period_) * period_,
+        .time = cycle_instant(last_period_, period_),
         .tag = segment_.tag,
         .number = segment_.number,
         .value = lateness});

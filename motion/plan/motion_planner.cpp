@@ -190,9 +190,7 @@ double MotionPlanner::zone_time(double distance, double duration, double zone) c
 }
 
 Eigen::Vector3d MotionPlanner::tip(const JointVector& q) const noexcept {
-  const Pose flange = robot_.kinematics->forward(q);
-  if (tip_.isZero(0)) return flange.position;
-  return flange.position + flange.orientation * tip_;
+  return place_of(tip_, robot_.kinematics->forward(q));
 }
 
 double MotionPlanner::tool_distance(const JointVector& target) const noexcept {

@@ -72,6 +72,8 @@ class MotionPlanner {
 
   /// From here on `tip`, seen from the flange, is the tool.
   void set_tool(const Pose& tip) noexcept;
+  /// The place of its tip, m, seen from the flange.
+  const Eigen::Vector3d& tool_tip() const noexcept { return tip_; }
 
   /// The request as a segment; a refusal leaves everything as it was.
   PlanOutcome plan(const MotionRequest& request) noexcept;

@@ -10,6 +10,11 @@ struct Pose {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
 };
 
+/// Where a point is that is seen from a frame, m, as seen from where the frame itself is.
+inline Eigen::Vector3d place_of(const Eigen::Vector3d& point, const Pose& frame) {
+  return frame.position + frame.orientation * point;
+}
+
 /// Rotations about the fixed axes x, y, z, in rad: R = Rz(c)·Ry(b)·Rx(a) (seeds: S3).
 struct FixedAngles {
   double a = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "motion/space/cycle_instant.h"
+
 namespace rob::runtime {
 
 using motion::Effect;
@@ -29,7 +31,7 @@ MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenera
 }
 
 void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
-  now_ = static_cast<double>(number) * period_;
+  now_ = motion::cycle_instant(number, period_);
   take_samples();
   latch_inputs(now_);
   take_requests();

@@ -1,5 +1,4 @@
 #include "runtime/control/robot_machine.h"
-#include "runtime/control/codes.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +6,8 @@
 #include <string>
 #include <variant>
 
+#include "motion/space/cycle_instant.h"
+#include "runtime/control/codes.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/signal_access.h"
 #include "runtime/control/units.h"
@@ -203,7 +204,7 @@ Reply RobotMachine::stand(int line, double& now) {
   }
   const std::int64_t cycle = channels_.cycle.load(std::memory_order_relaxed);
   assumed_read_ = -1;
-  now = static_cast<double>(cycle) * robot_.reference_period;
+  now = motion::cycle_instant(cycle, robot_.reference_period);
   return Reply::Done;
 }
 
@@ -329,7 +330,7 @@ void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool furt
   if (guarded_) segment.guard = until_.handle();
   for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
   remember({segment, request, std::move(events), stop, further});
-  LoggedSegment logged{segment, stop, further};
+  LoggedSegment logged{segment, stop, further, planner_.tool_tip()};
   if (program_ != nullptr) logged.number += kHandlerNumbers;
   log_.planned(logged);  // before the generator can report it
   exact_ = segment.no_length;

@@ -4,6 +4,7 @@
 #include "lang/machine/move_pose.h"
 #include "lang/values/pose_slots.h"
 #include "motion/plan/reach.h"
+#include "motion/space/cycle_instant.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/pose_values.h"
 #include "runtime/control/robot_machine.h"
@@ -66,7 +67,7 @@ Reply RobotMachine::present(Reading what, lang::Slot* value) {
   switch (what) {
     case Reading::Clock: {
       const std::int64_t cycle = channels_.cycle.load(std::memory_order_relaxed);
-      value->real = static_cast<double>(cycle) * robot_.reference_period;
+      value->real = motion::cycle_instant(cycle, robot_.reference_period);
       return Reply::Done;
     }
     case Reading::Joints:

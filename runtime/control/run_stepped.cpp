@@ -1,3 +1,4 @@
+#include "motion/space/cycle_instant.h"
 #include "runtime/control/execution.h"
 #include "runtime/time/clock.h"
 
@@ -13,7 +14,7 @@ void servo_cycles(Controller& controller, VirtualClock& clock, std::int64_t cycl
                   std::int64_t per_cycle) {
   const std::int64_t first = cycle == 0 ? 0 : (cycle - 1) * per_cycle + 1;
   for (std::int64_t k = first; k <= cycle * per_cycle; ++k) {
-    clock.sleep_until(static_cast<double>(k) * controller.robot().servo_period);
+    clock.sleep_until(motion::cycle_instant(k, controller.robot().servo_period));
     controller.servo().cycle(clock.now());
   }
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <thread>
 
+#include "motion/space/cycle_instant.h"
 #include "runtime/control/execution.h"
 #include "runtime/time/clock.h"
 #include "runtime/time/periodic_task.h"
@@ -77,7 +78,7 @@ Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& 
       clock, robot.reference_period, kMotionPriority,
       [&](std::int64_t number, double now, double lateness) {
         if (!first) first = now;
-        drift = now - *first - static_cast<double>(number) * robot.reference_period;
+        drift = now - *first - motion::cycle_instant(number, robot.reference_period);
         controller.motion().cycle(number, lateness);
         return !controller.motion().over();
       },

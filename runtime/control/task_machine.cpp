@@ -1,6 +1,7 @@
 #include "runtime/control/task_machine.h"
 
 #include "lang/text/codes.h"
+#include "motion/space/cycle_instant.h"
 #include "runtime/control/background_tasks.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/control/signal_access.h"
@@ -23,7 +24,7 @@ TaskMachine::TaskMachine(RobotMachine& robot)
       period_(robot.robot().reference_period) {}
 
 double TaskMachine::now() const {
-  return static_cast<double>(channels_.cycle.load(std::memory_order_relaxed)) * period_;
+  return motion::cycle_instant(channels_.cycle.load(std::memory_order_relaxed), period_);
 }
 
 Reply TaskMachine::wait(int /*line*/, double seconds) {

@@ -9,15 +9,16 @@
 
 namespace rob::runtime {
 
-/// Measures by how far the tool missed each programmed point: the least distance of the measured
-/// path from it, in m. Between two measurements the path is taken as a chord, which at 10 ms and
-/// the accelerations of a robot lies within micrometres of it (a·T²/8).
+/// Measures by how far the tool's tip missed each programmed point: the least distance of its
+/// measured path from it, in m. Between two measurements the path is taken as a chord, which at 10
+/// ms and the accelerations of a robot lies within micrometres of it (a·T²/8).
 class CornerMeter {
  public:
   explicit CornerMeter(const motion::Kinematics& kinematics) : kinematics_(kinematics) {}
 
-  /// From now on the path is measured against segment `number`'s target too.
-  void watch(std::uint32_t number, const motion::JointVector& target);
+  /// From now on the path is measured against segment `number`'s target too, reached with a tool
+  /// whose tip is there, seen from the flange, m.
+  void watch(std::uint32_t number, const motion::JointVector& target, const Eigen::Vector3d& tip);
   void measured(const motion::JointVector& q);
   /// The least distance so far; the point is watched no longer.
   std::optional<double> take(std::uint32_t number);
@@ -25,13 +26,14 @@ class CornerMeter {
  private:
   struct Vertex {
     std::uint32_t number = 0;  ///< 0: free
+    Eigen::Vector3d tip = Eigen::Vector3d::Zero();
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     double least = 0;
   };
 
   const motion::Kinematics& kinematics_;
-  std::array<Vertex, 4> vertices_;  ///< a point is near for two segments
-  std::optional<Eigen::Vector3d> last_;
+  std::array<Vertex, 4> vertices_;    ///< a point is near for two segments
+  std::optional<motion::Pose> last_;  ///< of the flange
 };
 
 }  // namespace rob::runtime

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace rob::runtime {
 
@@ -13,28 +14,39 @@ double distance_to_chord(const Eigen::Vector3d& point, const Eigen::Vector3d& fr
   return (from + share * chord - point).norm();
 }
 
-void PathMeter::programmed(const motion::JointVector& from, const motion::JointVector& to) {
+void PathMeter::programmed(const motion::JointVector& from, const motion::JointVector& to,
+                           const Eigen::Vector3d& tip) {
   Leg& leg = legs_[count_++ % kLegs];
+  leg.tip = tip;
   for (std::size_t i = 0; i <= kChords; ++i) {
     const double share = static_cast<double>(i) / kChords;
-    leg[i] = kinematics_->forward(from + share * (to - from)).position;
+    leg.points[i] = place_of(tip, kinematics_->forward(from + share * (to - from)));
   }
 }
 
 double PathMeter::reference(const motion::JointVector& q) {
-  const Eigen::Vector3d position = kinematics_->forward(q).position;
-  const double way = (position - last_).norm();
-  last_ = position;
-  if (way > 0 && count_ > 0) deviation_ = std::max(deviation_, distance(position));
+  const motion::Pose flange = kinematics_->forward(q);
+  const motion::Pose before = std::exchange(last_, flange);
+  if (count_ == 0) return 0;
+  const Eigen::Vector3d& tip = legs_[(count_ - 1) % kLegs].tip;
+  const double way = (place_of(tip, flange) - place_of(tip, before)).norm();
+  if (way > 0) deviation_ = std::max(deviation_, distance(flange));
   return way;
 }
 
-double PathMeter::distance(const Eigen::Vector3d& point) const {
+double PathMeter::distance(const motion::Pose& flange) const {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < std::min(count_, kLegs); ++i) {
-    for (std::size_t chord = 0; chord < kChords; ++chord) {
-      least = std::min(least, distance_to_chord(point, legs_[i][chord], legs_[i][chord + 1]));
-    }
+    least = std::min(least, legs_[i].distance(flange));
+  }
+  return least;
+}
+
+double PathMeter::Leg::distance(const motion::Pose& flange) const {
+  const Eigen::Vector3d point = place_of(tip, flange);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t chord = 0; chord < kChords; ++chord) {
+    least = std::min(least, distance_to_chord(point, points[chord], points[chord + 1]));
   }
   return least;
 }

@@ -10,16 +10,18 @@
 
 namespace rob::runtime {
 
-/// Measures the way of the tool's reference, and how far it strays from the programmed path: the
+/// Measures the way of the tip's reference, and how far it strays from the programmed path: the
 /// legs that lead straight in the axes from target to target. Lengths in m.
 class PathMeter {
  public:
   PathMeter(const motion::Kinematics& kinematics, const motion::JointVector& start)
-      : kinematics_(&kinematics), last_(kinematics.forward(start).position) {}
+      : kinematics_(&kinematics), last_(kinematics.forward(start)) {}
 
   /// A further leg of the programmed path; the reference is on it, or still on one before it.
-  void programmed(const motion::JointVector& from, const motion::JointVector& to);
-  /// The next reference. Returns the tool's way since the one before it.
+  /// `tip`: of its tool, seen from the flange, m.
+  void programmed(const motion::JointVector& from, const motion::JointVector& to,
+                  const Eigen::Vector3d& tip);
+  /// The next reference. Returns the way of the newest leg's tip since the one before it.
   double reference(const motion::JointVector& q);
   /// The greatest distance of any reference so far from the programmed path.
   double deviation() const { return deviation_; }
@@ -30,12 +32,17 @@ class PathMeter {
   static constexpr std::size_t kChords = 16;
   /// The corner's two, and the one behind a motion of no length between them.
   static constexpr std::size_t kLegs = 3;
-  using Leg = std::array<Eigen::Vector3d, kChords + 1>;
+  struct Leg {
+    Eigen::Vector3d tip = Eigen::Vector3d::Zero();
+    std::array<Eigen::Vector3d, kChords + 1> points{};
 
-  double distance(const Eigen::Vector3d& point) const;
+    double distance(const motion::Pose& flange) const;
+  };
+
+  double distance(const motion::Pose& flange) const;
 
   const motion::Kinematics* kinematics_;
-  Eigen::Vector3d last_;
+  motion::Pose last_;  ///< of the flange
   std::array<Leg, kLegs> legs_;
   std::size_t count_ = 0;  ///< of legs so far
   double deviation_ = 0;

@@ -42,8 +42,13 @@ std::string line_of(const Points::Point& point, const lang::RobotSignature& robo
     line += (i == 0 ? "" : ", ") + lang::number_text(point.joints[i], robot.axes[i].dimension);
   }
   const std::string& frame = point.value.frame;
-  return line + fmt::format(") IN {} TOOL {} TAUGHT \"{}\"\n", frame.empty() ? "world" : frame,
+  return line + fmt::format(") IN {} TOOL {} TAUGHT \"{}\"", frame.empty() ? "world" : frame,
                             point.tool.empty() ? "none" : point.tool, point.taught);
+}
+
+std::string with(const Points::Remarks& remarks, const std::string& line) {
+  return fmt::format("{}{}{}{}\n", remarks.above, line, remarks.behind.empty() ? "" : "  ",
+                     remarks.behind);
 }
 
 std::string now() {
@@ -73,9 +78,11 @@ std::string points_text(const Points& points, const motion::RobotModel& robot) {
   for (const Points::Point& point : points.points) sorted.push_back(&point);
   std::ranges::sort(sorted, {},
                     [](const Points::Point* point) { return lang::to_upper(point->value.name); });
-  std::string text = fmt::format("ROBOT \"{}\"\n", robot.name);
-  for (const Points::Point* const point : sorted) text += line_of(*point, signature);
-  return text;
+  std::string text = with(points.robot, fmt::format("ROBOT \"{}\"", robot.name));
+  for (const Points::Point* const point : sorted) {
+    text += with(point->remarks, line_of(*point, signature));
+  }
+  return text + points.below;
 }
 
 Points load_points(const std::string& file, const motion::RobotModel& robot) {
@@ -100,9 +107,15 @@ std::optional<lang::Refusal> PointsFile::keep(std::string_view point, std::strin
     taught.value = {std::string(point), std::string(frame), pose};
     taught.joints.assign(joints.begin(), joints.end());
     taught.taught = now();
-    std::erase_if(points.points,
-                  [&](const Points::Point& old) { return lang::same_word(old.value.name, point); });
-    points.points.push_back(std::move(taught));
+    const auto old = std::ranges::find_if(points.points, [&](const Points::Point& one) {
+      return lang::same_word(one.value.name, point);
+    });
+    if (old == points.points.end()) {
+      points.points.push_back(std::move(taught));
+    } else {
+      taught.remarks = std::move(old->remarks);
+      *old = std::move(taught);
+    }
     save_file(file_, points_text(points, robot_));
   } catch (const FileError& error) {
     return lang::Refusal{code::kPointNotKept,

@@ -18,13 +18,21 @@ namespace rob::runtime {
 ///     pick = POSE(40mm, 20mm, 0mm, 0deg, 0deg, 90deg) JOINTS(40mm, 20mm, 90deg) IN world
 ///         TOOL none TAUGHT "2026-11-21 05:40:12 UTC"          (on the same line)
 struct Points {
+  /// What people have written beside a line; it stays where the line goes.
+  struct Remarks {
+    std::string above;   ///< comments alone on their lines and blank lines, each with its end
+    std::string behind;  ///< "// …" on the line itself
+  };
   struct Point {
     lang::PointTable::Point value;
     std::vector<double> joints;  ///< m or rad, one an axis
     std::string tool;            ///< of the program; empty for none
     std::string taught;          ///< when, for people
+    Remarks remarks{};
   };
   std::vector<Point> points;
+  Remarks robot;                  ///< of the line that names the robot
+  std::string below;              ///< comments and blank lines behind the last point
   lang::Diagnostics diagnostics;  ///< all errors of the file; with one it must not be used
 
   lang::PointTable table() const;

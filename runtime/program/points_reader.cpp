@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -35,16 +36,17 @@ class Reader : LineReader {
 
   /// The first line names the robot; the points of another one are of no use.
   void read() {
-    bool named = false;
     read_lines([&] {
-      if (named) {
+      if (robot_line_ != 0) {
         point();
         return true;
       }
-      named = true;
+      robot_line_ = token_.place.line;
       return robot();
     });
   }
+  /// After read(), of a file without errors: the comments, which are no tokens.
+  void take_remarks(std::string_view text);
 
  private:
   bool robot();
@@ -57,8 +59,47 @@ class Reader : LineReader {
 
   Points& points_;
   lang::RobotSignature robot_;
+  std::uint32_t robot_line_ = 0;
   std::map<std::string, std::uint32_t> lines_;  ///< of the points read, by name in capitals
 };
+
+/// Where the comment of a line begins; its length if there is none. "//" in a text is none.
+std::size_t comment_of(std::string_view line) {
+  bool in_text = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (in_text && line[i] == '\\') {
+      ++i;
+    } else if (line[i] == '"') {
+      in_text = !in_text;
+    } else if (!in_text && line.substr(i).starts_with("//")) {
+      return i;
+    }
+  }
+  return line.size();
+}
+
+void Reader::take_remarks(std::string_view text) {
+  std::map<std::uint32_t, Points::Remarks*> owners{{robot_line_, &points_.robot}};
+  for (Points::Point& point : points_.points) {
+    owners[lines_.at(lang::to_upper(point.value.name))] = &point.remarks;
+  }
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";  // byte order
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  std::string above;
+  for (std::uint32_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    while (line.ends_with('\r') || line.ends_with(' ')) line.remove_suffix(1);
+    const std::size_t comment = comment_of(line);
+    if (const auto owner = owners.find(number); owner != owners.end()) {
+      *owner->second = {std::exchange(above, ""), std::string(line.substr(comment))};
+    } else if (line.find_first_not_of(" \t") >= comment) {
+      above += fmt::format("{}\n", line);
+    }
+  }
+  points_.below = above;
+}
 
 // robot = "ROBOT" STRING
 bool Reader::robot() {
@@ -165,7 +206,10 @@ std::string Reader::name_or(std::string_view nothing) {
 
 Points parse_points(std::string_view text, const motion::RobotModel& robot) {
   Points points;
-  if (lang::check_source(text, points.diagnostics)) Reader(points, text, robot).read();
+  if (!lang::check_source(text, points.diagnostics)) return points;
+  Reader reader(points, text, robot);
+  reader.read();
+  if (!points.diagnostics.has_errors()) reader.take_remarks(text);
   return points;
 }
 

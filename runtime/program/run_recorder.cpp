@@ -128,8 +128,8 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   if (!planned) return;  // a stop that the generator made by itself belongs to the line before
   end_segment(event.time, &*planned);
   const motion::JointVector from = std::exchange(reached_, planned->target);
-  meter_.watch(planned->number, planned->target);
-  path_.programmed(from, planned->target);
+  meter_.watch(planned->number, planned->target, planned->tip);
+  path_.programmed(from, planned->target, planned->tip);
 
   LineResult& line = line_of(*planned);
   const double duration = planned->span() / (planned->dwell ? 1 : override_share_);
@@ -196,7 +196,9 @@ void RunRecorder::locate(const Snapshot& snapshot) {
   if (early_->from.size() == 0) early_->from = q;
   if (!early_->rest) return;
   const motion::Kinematics& tool = *robot_.kinematics;
-  const double way = (tool.forward(q).position - tool.forward(early_->from).position).norm();
+  const Eigen::Vector3d tip = running_ ? running_->tip : Eigen::Vector3d::Zero();
+  const double way =
+      (place_of(tip, tool.forward(q)) - place_of(tip, tool.forward(early_->from))).norm();
   result_.events[early_->event].text =
       fmt::format("at rest {} s and {} mm later", shown(*early_->rest - early_->tripped, 3),
                   shown(way * kMillimetresPerMetre, 3));
@@ -247,7 +249,7 @@ void RunRecorder::end_corner() {
 double RunRecorder::planned_miss(const Running& segment, const LoggedSegment* next) const {
   if (next == nullptr) return 0;
   return kMillimetresPerMetre *
-         motion::corner_miss(*robot_.kinematics, segment.from, segment, *next);
+         motion::corner_miss(*robot_.kinematics, segment.from, segment, *next, segment.tip);
 }
 
 void RunRecorder::take_effect(const MotionEvent& event) {

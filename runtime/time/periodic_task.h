@@ -6,6 +6,7 @@
 #include <latch>
 #include <thread>
 
+#include "motion/space/cycle_instant.h"
 #include "runtime/time/clock.h"
 
 namespace rob::runtime {
@@ -28,7 +29,7 @@ class PeriodicSchedule {
   std::int64_t wait(Clock& clock) noexcept;
 
   double deadline(std::int64_t cycle) const noexcept {
-    return static_cast<double>(cycle) * period_;
+    return motion::cycle_instant(cycle, period_);
   }
   /// Of the cycle that wait() returned last, s.
   double lateness() const noexcept { return lateness_; }

@@ -167,7 +167,7 @@ TEST_CASE("a comma for a decimal point, and other signs out of place, are explai
   CHECK(only_error("THEN STOP").code == "E122");
 }
 
-TEST_CASE("no spelling of a number can yield NaN or infinity") {
+TEST_CASE("fault 6: no spelling of a number can yield NaN or infinity") {
   for (const char* text : {"1e400", "1e312mm", "0x7FF", "1e", "1.INF", "1,5"}) {
     CAPTURE(text);
     CHECK(parsed("x = " + std::string(text)).diagnostics.error_count() == 1);

@@ -39,6 +39,16 @@ TEST_CASE("a loop that reads the clock sees it go on") {
         std::vector<std::string>{"0.5s"});
 }
 
+TEST_CASE("the time of every cycle is printed as the decimal that it is") {
+  const auto lines =
+      printed_by("VAR t = CLOCK\nWHILE t < 16s DO\n  PRINT t\n  t = CLOCK\nENDWHILE");
+  CHECK(lines.size() >= 800);
+  for (const std::string& line : lines) {
+    const std::size_t point = std::min(line.find('.'), line.size() - 2);
+    CHECK(line.size() - point <= std::string_view(".01s").size());
+  }
+}
+
 TEST_CASE("the machine tells where the tool is, and where it was told to go") {
   SteppedRun run("MOVE(140,40,90)");
   auto& machine = run.controller.machine();

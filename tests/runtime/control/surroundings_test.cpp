@@ -117,6 +117,21 @@ TEST_CASE("rule 18: a change of the tool in a corner makes it exact, with a warn
   CHECK(jumps(foretold("MOVE(100, 0, 0)\nMOVE(200, 0, 0) IN raised\n")) == 0);
 }
 
+// Turning back misses the angle by 3/8·t_acc·v (docs/motion.md); the tip lies 30 mm off the axis.
+TEST_CASE("the miss of a corner is that of the tip") {
+  const std::string turns = "MOVE JOINT 3 TO 90deg WITH pen\nMOVE JOINT 3 TO 0deg WITH pen\n";
+  const double missed = 3.0 / 8 * 1.375 * 20 * kDegree;
+  const double chord = 2 * 30 * std::sin(missed / 2);  // mm
+  const RunResult result = SteppedRun(kFrames + turns).run();
+  REQUIRE(result.lines.size() >= 2);
+  CHECK(result.lines[0].miss_planned.value() == doctest::Approx(chord));
+  CHECK(std::abs(result.lines[0].miss_measured.value() - chord) < 0.05);
+  CHECK(result.lines[0].way == doctest::Approx(30 * (90 - 20 * 1.375) * kDegree).epsilon(1e-3));
+  CHECK(result.deviation == doctest::Approx(chord));
+  const RunResult flange = SteppedRun("MOVE JOINT 3 TO 90deg\nMOVE JOINT 3 TO 0deg\n").run();
+  CHECK(flange.lines.at(0).miss_planned.value() < 1e-9);
+}
+
 TEST_CASE("AT bounds the speed of the tip") {
   // A quarter turn takes a tip that is 30 mm off the axis 30·√2 mm further, as the crow flies.
   const RunResult turned = foretold("MOVE JOINT 3 TO 90deg WITH pen AT 4mm/s\n");

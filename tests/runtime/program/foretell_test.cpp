@@ -80,3 +80,10 @@ TEST_CASE("a WAIT that looks again and again is no loop") {
   CHECK(findings(result).empty());
   CHECK(result.output == Texts{"after all"});
 }
+
+TEST_CASE("an AT above 100% is told once: by the compiler if it is constant, else by the planner") {
+  CHECK(findings(foretold("MOVE(200, 0, 0) AT 150%")) ==
+        Texts{"1 W503 150% is more than the robot can; it moves at 100%"});
+  CHECK(findings(foretold("VAR share = 150%\nMOVE(200, 0, 0) AT share")) ==
+        Texts{"2 W601 AT asks for more than the axes can do"});
+}

@@ -74,6 +74,38 @@ TEST_CASE("what is written is read back the same, sorted by name") {
   CHECK(points_text(parse_points(sorted, gantry()), gantry()) == sorted);
 }
 
+TEST_CASE("comments and blank lines stay where their points go") {
+  const std::string above = "// cell 3\n\n";
+  const std::string pick = "// beside the \"left\" box\n// mind the hose\n" + point("pick");
+  const std::string at = point("at");
+  const std::string remarked = at.substr(0, at.size() - 1) + "  // measured, \"twice\"\n";
+  const std::string robot = "ROBOT \"gantry\"  // the old one\n";
+  const Points points =
+      parse_points(above + robot + pick + "\n" + remarked + "\n// the end\n", gantry());
+  REQUIRE_FALSE(points.diagnostics.has_errors());
+  const std::string written =
+      above + robot + "\n" + remarked + pick + "\n// the end\n";  // at comes before pick
+  CHECK(points_text(points, gantry()) == written);
+  CHECK(points_text(parse_points(written, gantry()), gantry()) == written);
+  CHECK(parse_points("\xEF\xBB\xBF// with CR LF\r\n" + kRobot, gantry()).robot.above ==
+        "// with CR LF\n");
+}
+
+TEST_CASE("a point that is taught anew keeps its comments") {
+  const ScratchFolder folder;
+  const std::string file = folder.file("cell.points");
+  std::ofstream(file) << "// first\n" + kRobot + "// here // and\n" + point("pick") +
+                             "// behind all\n";
+  PointsFile keeper(file, gantry());
+  const double joints[] = {0.05, 0.06, 0};
+  REQUIRE_FALSE(keeper.keep("PICK", "", {}, joints).has_value());
+  REQUIRE_FALSE(keeper.keep("place", "", {}, joints).has_value());
+  const std::string text = read_file(file, 10'000);
+  CHECK(text.starts_with("// first\n" + kRobot + "// here // and\nPICK = POSE(0mm, "));
+  CHECK(text.find("\nplace = ") != std::string::npos);
+  CHECK(text.ends_with("\"\n// behind all\n"));
+}
+
 TEST_CASE("a file that is not as TEACH writes it is refused with the place") {
   CHECK(first_error("").empty());
   CHECK(first_error(kRobot).empty());
