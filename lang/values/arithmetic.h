@@ -115,19 +115,10 @@ inline Error to_integer(double whole, std::int64_t& result) {
   return Error::None;
 }
 
-inline Error floor_modulo(double a, double b, double& result) {
-  if (b == 0) return Error::DivisionByZero;
-  const double remainder = std::fmod(a, b);
-  return store_finite(remainder != 0 && (remainder < 0) != (b < 0) ? remainder + b : remainder,
-                      result);
-}
+Error floor_modulo(double a, double b, double& result);
 /// Agrees with floor_modulo: a = b * DIV + MOD, where floor(a / b) would round a quotient just
 /// below a whole number up to it.
-inline Error floor_divide(double a, double b, std::int64_t& result) {
-  double remainder = 0;
-  if (const Error error = floor_modulo(a, b, remainder); error != Error::None) return error;
-  return to_integer(std::round((a - remainder) / b), result);
-}
+Error floor_divide(double a, double b, std::int64_t& result);
 
 /// INT to the power of a whole exponent >= 0, by repeated squaring.
 Error integer_power(std::int64_t base, std::int64_t exponent, std::int64_t& result);

@@ -11,14 +11,16 @@ Vm::Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memor
       text_stack_(memory.texts(task)),
       registers_(memory.stack_begin(task) + kTaskRegisters),
       background_(true),
+      registers_end_(number_stack_.data() + registers_.numbers),
+      text_registers_end_(text_stack_.data() + registers_.texts),
       frames_(kMostCalls),
+      frame_(frames_.data()),
       numbers_(number_stack_.data() + memory.stack_begin(task).numbers),
       texts_(text_stack_.data() + memory.stack_begin(task).texts),
-      called_in_(chunk.routines.size()),
+      callees_(callees_of(chunk)),
       test_(chunk.tasks[task].routine),
       next_(chunk.code.data() + chunk.task_entry),
       latch_(next_),
-      paid_(next_),
       random_(seed),
       latched_random_(random_) {}
 
