@@ -59,6 +59,21 @@ bool on_whole_numbers(const Binary& binary, const Type& result) {
   return result.kind == Type::Kind::Int;
 }
 
+/// A product of two values that have to be computed, of INTs or of REALs.
+const Binary* product_in(const Expr& expression, bool whole) {
+  const auto* const product = std::get_if<Binary>(&expression.node);
+  const bool found = product != nullptr && product->op == BinaryOp::Multiply &&
+                     !known(expression.constant) && !known(product->left->constant) &&
+                     !known(product->right->constant) &&
+                     on_whole_numbers(*product, expression.type) == whole;
+  return found ? product : nullptr;
+}
+
+Opcode product_opcode(BinaryOp op, bool whole) {
+  if (op == BinaryOp::Add) return whole ? Opcode::add_product_int : Opcode::add_product_real;
+  return whole ? Opcode::sub_product_int : Opcode::sub_product_real;
+}
+
 }  // namespace
 
 Opcode real_opcode(BinaryOp op) {
@@ -241,6 +256,7 @@ void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, R
     return compile_vector(binary, expression, target);
   }
   if (compile_by_constant(binary, expression, target)) return;
+  if (compile_with_product(binary, expression, target)) return;
   // DIV of reals yields an INT from REAL operands.
   const bool whole = on_whole_numbers(binary, expression.type);
   const Register left = operand_before(*binary.right, *binary.left, !whole);
@@ -256,6 +272,9 @@ std::optional<std::uint8_t> ExpressionCompiler::constant_operand(const Expr& exp
   if (const auto* const real = std::get_if<double>(&constant)) {
     return code_.constant_operand(Slot{.real = *real}, std::bit_cast<std::uint64_t>(*real),
                                   Type::real(expression.type.dimension));
+  }
+  if (const auto* const truth = std::get_if<bool>(&constant)) {
+    return code_.constant_operand(to_slot(constant), *truth ? 1 : 0, Type::boolean());
   }
   const auto* const whole = std::get_if<std::int64_t>(&constant);
   if (whole == nullptr) return std::nullopt;
@@ -276,6 +295,38 @@ bool ExpressionCompiler::compile_by_constant(const Binary& binary, const Expr& e
   const auto constant = constant_operand(exchanged ? *binary.left : *binary.right, !whole);
   if (!constant) return false;
   code_.emit(*op, expression.place, target, operand(variable, !whole), *constant);
+  return true;
+}
+
+bool ExpressionCompiler::stays_in_register(const Expr& expression) const {
+  const auto* const name = std::get_if<Name>(&expression.node);
+  return name != nullptr && is_variable(expression) && home(*name->symbol).numbers.in_register();
+}
+
+/// What is added to a product on its left is read behind it, so it has to be there already: what
+/// could fail would have to wait for the product.
+bool ExpressionCompiler::compile_with_product(const Binary& binary, const Expr& expression,
+                                              Register target) {
+  if (watching_ || (binary.op != BinaryOp::Add && binary.op != BinaryOp::Subtract)) return false;
+  const bool whole = on_whole_numbers(binary, expression.type);
+  const Expr* factors = binary.right.get();
+  const Binary* product = product_in(*factors, whole);
+  const bool exchanged = product == nullptr;
+  if (exchanged) {
+    const bool whole_right = binary.right->type == Type::integer();
+    factors = binary.left.get();
+    product = product_in(*factors, whole);
+    if (product == nullptr || binary.op != BinaryOp::Add || whole_right != whole ||
+        !stays_in_register(*binary.right)) {
+      return false;
+    }
+  }
+  Register term = exchanged ? 0 : operand_before(*factors, *binary.left, !whole);
+  const Register first = operand_before(*product->right, *product->left, !whole);
+  const Register second = operand(*product->right, !whole);
+  if (exchanged) term = operand(*binary.right, !whole);
+  code_.emit(product_opcode(binary.op, whole), factors->place, target, term, first);
+  code_.emit(Instruction{second}, expression.place);
   return true;
 }
 

@@ -1,6 +1,7 @@
 #include "lang/vm/vm.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "lang/values/builtins.h"
@@ -17,9 +18,9 @@ namespace rob::lang {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpedantic"
 
-#define ROB_NEXT(words)                                    \
-  do {                                                     \
-    pc += (words);                                         \
+#define ROB_NEXT(words)                                   \
+  do {                                                    \
+    pc += (words);                                        \
     goto* labels[static_cast<std::size_t>(pc->opcode())]; \
   } while (false)
 #define ROB_CHECKED(operation)                       \
@@ -32,20 +33,22 @@ namespace rob::lang {
   name:                                                                            \
   ROB_CHECKED(arithmetic::function(n[pc->b()].in, n[pc->c()].in, n[pc->a()].out)); \
   ROB_NEXT(1);
-#define ROB_IF(name, condition, expected)                                   \
-  name:                                                                     \
-  if ((condition) == ((expected) != 0)) ROB_NEXT(2 + (pc + 1)->distance()); \
+#define ROB_IF(name, condition, expected)                                                     \
+  name:                                                                                       \
+  if (static_cast<std::uint8_t>(condition) == (expected)) ROB_NEXT(2 + (pc + 1)->distance()); \
   ROB_NEXT(2)
 // What jumps back pays for the way to here. `pc` is at the jump.
-#define ROB_TURN()                                       \
-  do {                                                   \
-    if (most_turns_ != 0) [[unlikely]] goto counted;     \
-    const std::intptr_t words = pc->distance();          \
-    pc += 1 + words;                                     \
-    limit += words * kWord;                              \
-    turned_ = true;                                      \
-    if (limit <= address(pc)) [[unlikely]] goto used_up; \
-    ROB_NEXT(0);                                         \
+#define ROB_TURN()                              \
+  do {                                          \
+    if (most_turns_ != 0) [[unlikely]]          \
+      goto counted;                             \
+    const std::intptr_t words = pc->distance(); \
+    pc += 1 + words;                            \
+    limit += words * kWord;                     \
+    turned_ = true;                             \
+    if (limit <= address(pc)) [[unlikely]]      \
+      goto used_up;                             \
+    ROB_NEXT(0);                                \
   } while (false)
 // Into a routine or out of it. A recursion pays like a loop.
 #define ROB_GO(words, target)               \
@@ -160,6 +163,10 @@ counted : {
 used_up:
   limit_ = limit;
   return Vm::leave(pc, pc, State::Running);
+failed_with_product:
+  if (!std::isfinite(n[pc->c()].real * n[(pc + 1)->word].real)) goto failed_here;
+failed_behind:
+  ++pc;
 failed_here:
   limit_ = limit;
   return fail(pc, error);
