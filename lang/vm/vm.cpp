@@ -116,16 +116,16 @@ pose_transform:
 #include "lang/vm/vm_places.inc"
 
 call:
-  if (!enter(pc, (pc + 1)->word, pc + 2)) [[unlikely]]
+  if (!enter(n + pc->a(), texts_ + pc->b(), (pc + 1)->word, pc + 2)) [[unlikely]]
     goto too_deep;
   ROB_GO(2, callees_[(pc + 1)->word].entry);
 leave:
   ROB_GO(1, leave_routine());
 leave_with:
   if (pc->b() == 1) {
-    numbers_[0] = n[pc->a()];
+    n[0] = n[pc->a()];
   } else {
-    std::memmove(numbers_, &n[pc->a()], pc->b() * sizeof(Slot));
+    std::memmove(n, &n[pc->a()], pc->b() * sizeof(Slot));
   }
   ROB_GO(1, leave_routine());
 

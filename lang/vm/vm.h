@@ -140,8 +140,9 @@ class Vm {
   static std::intptr_t address(Code pc) { return reinterpret_cast<std::intptr_t>(pc); }
   /// What is left of the budget at an instruction.
   std::int64_t left_at(Code pc) const { return (limit_ - address(pc)) / kWord; }
-  /// The frame of a routine that is called at `pc`; false if the stack is used up.
-  bool enter(Code pc, std::uint32_t number, Code back);
+  /// The frame of a routine that is called, with its first registers; false if the stack is used
+  /// up.
+  bool enter(Slot* numbers, std::string* texts, std::uint32_t number, Code back);
   /// Into a routine or out of it: from behind the present instruction.
   Step go(Code behind, Code next);
   /// Memory for the frame of a routine, or of the top level; false if there is not so much left.
@@ -314,15 +315,19 @@ class Vm {
 
 // In every call: here, so that the dispatch loop has them in line.
 
-inline bool Vm::enter(Code pc, std::uint32_t number, Code back) {
+inline bool Vm::enter(Slot* numbers, std::string* texts, std::uint32_t number, Code back) {
   Callee& callee = callees_[number];
-  Slot* const numbers = numbers_ + pc->a();
-  std::string* const texts = texts_ + pc->b();
   if (frame_ == std::to_address(frames_.end()) || registers_end_ - numbers < callee.registers ||
       text_registers_end_ - texts < callee.text_registers) {
     return false;
   }
-  *frame_++ = {back, numbers_, texts_, memory_, number};
+  // One by one: GCC would build a whole one elsewhere, and wait for that to copy it.
+  frame_->back = back;
+  frame_->numbers = numbers_;
+  frame_->texts = texts_;
+  frame_->memory = memory_;
+  frame_->routine = number;
+  ++frame_;
   numbers_ = numbers;
   texts_ = texts;
   if (callee.called_in == cycle_) turned_ = true;

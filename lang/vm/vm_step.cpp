@@ -241,7 +241,7 @@ Vm::Step Vm::step(Code pc) {
     case Opcode::fail_assertion:
       return fail_assertion_at(pc);
     case Opcode::call_test: {
-      if (!enter(pc, test_, pc + 1)) return fail_calls_too_deep(pc);
+      if (!enter(n + pc->a(), texts_ + pc->b(), test_, pc + 1)) return fail_calls_too_deep(pc);
       return go(pc + 1, callees_[test_].entry);
     }
     case Opcode::expect_failed:
