@@ -59,7 +59,8 @@ inline Error store_finite(double value, double& result) {
 }
 
 inline Error store_fitting(bool overflow, std::int64_t value, std::int64_t& result) {
-  if (overflow) [[unlikely]] return Error::IntegerOverflow;
+  if (overflow) [[unlikely]]
+    return Error::IntegerOverflow;
   result = value;
   return Error::None;
 }
