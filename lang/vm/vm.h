@@ -232,7 +232,7 @@ class Vm {
   static constexpr std::intptr_t kWord = sizeof(Instruction);
 
   const Chunk& chunk_;
-  Machine& machine_;
+  Machine* machine_;
   /// What a call comes back to.
   struct Frame {
     Code back;

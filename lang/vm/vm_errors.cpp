@@ -36,7 +36,7 @@ Vm::State Vm::raise_again(Code pc) {
 }
 
 bool Vm::rescue() {
-  if (machine_.settle(line_tag(error_.place)) != Reply::Done) return false;
+  if (machine_->settle(line_tag(error_.place)) != Reply::Done) return false;
   while (guards_.back().caught) guards_.pop_back();
   Guard& guard = guards_.back();
   const int line = line_tag(error_.place);

@@ -27,7 +27,7 @@ Slots memory_of(const Chunk& chunk) { return takes_memory(chunk) ? kMemory : chu
 
 Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
     : chunk_(chunk),
-      machine_(machine),
+      machine_(&machine),
       own_numbers_(static_cast<std::size_t>((registers_of(chunk) + memory_of(chunk)).numbers)),
       own_texts_(static_cast<std::size_t>((registers_of(chunk) + memory_of(chunk)).texts)),
       number_stack_(own_numbers_),

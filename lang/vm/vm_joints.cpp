@@ -23,7 +23,7 @@ Axes load_axes(const Slot* slots, std::size_t count) {
 Reply Vm::forward(Code pc) {
   const Axes axes = load_axes(&numbers_[pc->b()], pc->c());
   PoseValue pose;
-  const Reply reply = machine_.forward(line(pc), {axes.data(), pc->c()}, pose);
+  const Reply reply = machine_->forward(line(pc), {axes.data(), pc->c()}, pose);
   if (reply == Reply::Done) store(pose, &numbers_[pc->a()]);
   return reply;
 }
@@ -34,8 +34,8 @@ Reply Vm::inverse(Code pc) {
   const Axes from = near ? load_axes(&numbers_[pc->c()], count) : Axes{};
   Axes found{};
   const Reply reply =
-      machine_.inverse(line(pc), load_pose(&numbers_[pc->b()]),
-                       std::span(from.data(), near ? count : 0), std::span(found.data(), count));
+      machine_->inverse(line(pc), load_pose(&numbers_[pc->b()]),
+                        std::span(from.data(), near ? count : 0), std::span(found.data(), count));
   for (std::size_t i = 0; reply == Reply::Done && i < count; ++i) {
     numbers_[pc->a() + i].real = found[i];
   }
@@ -44,7 +44,7 @@ Reply Vm::inverse(Code pc) {
 
 Reply Vm::simulate_force(Code pc) {
   const Slot* const slots = &numbers_[pc->a()];
-  return machine_.simulate_force(line(pc), pc->b(), slots[0].real, slots[1].real);
+  return machine_->simulate_force(line(pc), pc->b(), slots[0].real, slots[1].real);
 }
 
 bool Vm::check_hit_pose(Code pc) {

@@ -13,7 +13,7 @@ namespace rob::lang {
 
 Vm::State Vm::pause(Code pc, Code resume, Reply reply) {
   if (reply == Reply::Later) return leave(pc, resume, State::Waiting);
-  const Refusal& refusal = machine_.refusal();
+  const Refusal& refusal = machine_->refusal();
   return fail(
       pc,
       {.code = refusal.code, .place = place(pc), .message = refusal.message, .help = refusal.help});
@@ -21,7 +21,7 @@ Vm::State Vm::pause(Code pc, Code resume, Reply reply) {
 
 Reply Vm::observe(Code pc) {
   bool value = false;
-  const Reply reply = machine_.read_signal(line(pc), pc->x(), value);
+  const Reply reply = machine_->read_signal(line(pc), pc->x(), value);
   if (reply == Reply::Done) {
     numbers_[pc->a()].integer = value ? 1 : 0;
     observed_ = true;
@@ -31,7 +31,7 @@ Reply Vm::observe(Code pc) {
 }
 
 Reply Vm::observe_analog(Code pc) {
-  const Reply reply = machine_.read_analog(line(pc), pc->x(), numbers_[pc->a()].real);
+  const Reply reply = machine_->read_analog(line(pc), pc->x(), numbers_[pc->a()].real);
   if (reply == Reply::Done) {
     observed_ = true;
     turned_ = false;
@@ -45,7 +45,7 @@ bool Vm::waits_for_cycle(Code pc) const {
 
 Reply Vm::read(Code pc) {
   const auto what = static_cast<Reading>(pc->b());
-  const Reply reply = machine_.read(line(pc), what, &numbers_[pc->a()]);
+  const Reply reply = machine_->read(line(pc), what, &numbers_[pc->a()]);
   if (reply == Reply::Done && is_observation(what)) {
     observed_ = true;
     turned_ = false;
@@ -55,7 +55,7 @@ Reply Vm::read(Code pc) {
 
 Reply Vm::stand(Code pc) {
   if (!turns_.empty()) turns_[index(pc)] = 0;  // a WAIT that looks again is no loop
-  const Reply reply = machine_.stand(line(pc), numbers_[pc->a()].real);
+  const Reply reply = machine_->stand(line(pc), numbers_[pc->a()].real);
   if (reply == Reply::Done) {
     observed_ = true;
     turned_ = false;
@@ -90,8 +90,8 @@ bool Vm::check_pulse(Code pc, double seconds) {
 }
 
 Reply Vm::teach(Code pc) {
-  return machine_.teach(line(pc), chunk_.texts[(pc + 1)->word], chunk_.texts[(pc + 2)->word],
-                        load_pose(&numbers_[pc->a()]));
+  return machine_->teach(line(pc), chunk_.texts[(pc + 1)->word], chunk_.texts[(pc + 2)->word],
+                         load_pose(&numbers_[pc->a()]));
 }
 
 /// What cannot be read is asked again, and said why.
@@ -100,7 +100,7 @@ Reply Vm::ask(Code pc) {
   std::string text = texts_[pc->a()];
   if (!misread_.empty()) text = fmt::format("{}; {}", misread_, text);
   std::optional<std::string> answer;
-  const Reply reply = machine_.ask(line(pc), text, answer);
+  const Reply reply = machine_->ask(line(pc), text, answer);
   if (reply == Reply::Later) return reply;
   misread_.clear();
   if (reply == Reply::Refused || !answer) return reply;
@@ -112,7 +112,7 @@ Reply Vm::ask(Code pc) {
 }
 
 Reply Vm::simulate(Code pc, double value) {
-  return machine_.simulate(line(pc), pc->x(), value, numbers_[pc->a() + 1].real);
+  return machine_->simulate(line(pc), pc->x(), value, numbers_[pc->a() + 1].real);
 }
 
 bool Vm::check_after(Code pc, double seconds) {

@@ -153,24 +153,24 @@ Vm::Step Vm::step(Code pc) {
       return pc + 1;
     }
     case Opcode::write_signal:
-      ROB_ASK(machine_.write_signal(line(pc), pc->x(), n[pc->a()].integer != 0), pc);
+      ROB_ASK(machine_->write_signal(line(pc), pc->x(), n[pc->a()].integer != 0), pc);
       return pc + 1;
     case Opcode::write_analog:
-      ROB_ASK(machine_.write_analog(line(pc), pc->x(), n[pc->a()].real), pc);
+      ROB_ASK(machine_->write_analog(line(pc), pc->x(), n[pc->a()].real), pc);
       return pc + 1;
     case Opcode::pulse:
       if (!check_pulse(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
-      ROB_ASK(machine_.pulse(line(pc), pc->x(), n[pc->a()].real), pc);
+      ROB_ASK(machine_->pulse(line(pc), pc->x(), n[pc->a()].real), pc);
       return pc + 1;
     case Opcode::move: {
       MoveCommand command;
       if (!build(pc, command)) return fail(pc, std::move(error_));
-      ROB_ASK(machine_.move(line(pc), command), pc);
+      ROB_ASK(machine_->move(line(pc), command), pc);
       return pc + 1;
     }
     case Opcode::move_to: {
       const MoveCommand command = build_plain(pc);
-      ROB_ASK(machine_.move(line(pc), command), pc);
+      ROB_ASK(machine_->move(line(pc), command), pc);
       return pc + 1 + 2 * std::popcount(command.given);
     }
     case Opcode::live_pace:
@@ -188,11 +188,11 @@ Vm::Step Vm::step(Code pc) {
       ROB_ASK(when(pc), pc);
       return pc + 2;
     case Opcode::when_raise:
-      ROB_ASK(machine_.when_raise(line(pc), texts_[pc->a()]), pc);
+      ROB_ASK(machine_->when_raise(line(pc), texts_[pc->a()]), pc);
       return pc + 1;
     case Opcode::on_the_way:
       if (!check_place(pc)) return fail(pc, std::move(error_));
-      ROB_ASK(machine_.on_the_way(line(pc), place_of(pc)), pc);
+      ROB_ASK(machine_->on_the_way(line(pc), place_of(pc)), pc);
       return pc + 1;
     case Opcode::disarm:
       ROB_ASK(disarm(line(pc), whens_below(pc->x())), pc);
@@ -203,40 +203,40 @@ Vm::Step Vm::step(Code pc) {
     case Opcode::answer:  // stands in code that is jumped over
       return pc + 1;
     case Opcode::stop:
-      ROB_ASK(machine_.stop(line(pc)), pc);
+      ROB_ASK(machine_->stop(line(pc)), pc);
       return pc + 1;
     case Opcode::zero_force:
-      ROB_ASK(machine_.zero_force(line(pc)), pc);
+      ROB_ASK(machine_->zero_force(line(pc)), pc);
       return pc + 1;
     case Opcode::brake:
-      ROB_ASK(machine_.brake(line(pc)), pc);
+      ROB_ASK(machine_->brake(line(pc)), pc);
       return pc + 1;
     case Opcode::teach:
       ROB_ASK(teach(pc), pc);
       return pc + 3;
     case Opcode::halt:
-      ROB_ASK(machine_.halt(line(pc), texts_[pc->a()]), pc);
+      ROB_ASK(machine_->halt(line(pc), texts_[pc->a()]), pc);
       return pc + 1;
     case Opcode::ask:
       ROB_ASK(ask(pc), pc);
       return pc + 2;
     case Opcode::wait:
       if (!check_wait(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
-      ROB_ASK(machine_.wait(line(pc), n[pc->a()].real), pc);
+      ROB_ASK(machine_->wait(line(pc), n[pc->a()].real), pc);
       return pc + 1;
     case Opcode::stand:
       if (next_cycle_is_due()) return leave(pc, pc, State::NextCycle);
       ROB_ASK(stand(pc), pc);
       return pc + 1;
       ROB_IF(if_elapsed, n[pc->a()].real - n[pc->b()].real >= n[pc->c()].real - kSameTime);
-      ROB_IF(if_assumed, machine_.taken_as_met(line(pc)));
+      ROB_IF(if_assumed, machine_->taken_as_met(line(pc)));
     case Opcode::waited:
-      ROB_ASK(machine_.waited(line(pc)), pc);
+      ROB_ASK(machine_->waited(line(pc)), pc);
       return pc + 1;
     case Opcode::fail_timeout:
       return fail_timeout(pc);
     case Opcode::print:
-      ROB_ASK(machine_.print(line(pc), texts_[pc->a()]), pc);
+      ROB_ASK(machine_->print(line(pc), texts_[pc->a()]), pc);
       return pc + 1;
     case Opcode::fail_assertion:
       return fail_assertion_at(pc);
@@ -245,7 +245,7 @@ Vm::Step Vm::step(Code pc) {
       return go(pc + 1, callees_[test_].entry);
     }
     case Opcode::expect_failed:
-      ROB_ASK(machine_.expectation_failed(line(pc), texts_[pc->a()]), pc);
+      ROB_ASK(machine_->expectation_failed(line(pc), texts_[pc->a()]), pc);
       return pc + 1;
 #include "lang/vm/vm_simulate.inc"
 #include "lang/vm/vm_tasks.inc"
@@ -253,7 +253,7 @@ Vm::Step Vm::step(Code pc) {
       if (!open_try(pc)) return fail_tries_too_deep(pc);
       return pc + 2;
     case Opcode::leave_try:
-      ROB_ASK(machine_.leave_block(line(pc)), pc);
+      ROB_ASK(machine_->leave_block(line(pc)), pc);
       guards_.pop_back();
       return pc + 1;
     case Opcode::leave_rescue:
@@ -268,7 +268,7 @@ Vm::Step Vm::step(Code pc) {
     case Opcode::raise_again:
       return raise_again(pc);
     case Opcode::end:
-      ROB_ASK(machine_.end(line(pc)), pc);
+      ROB_ASK(machine_->end(line(pc)), pc);
       return leave(pc + 1, pc, State::Done);
     default:  // of the dispatch loop
       return pc;

@@ -22,13 +22,13 @@ void Vm::enter_setting(Code pc) {
   if ((pc->b() & 2U) != 0) setting.frame = load_pose(next);
   if ((pc->b() & 6U) != 0) setting.in_tool = (pc->b() & 4U) != 0;
   settings_.push_back(setting);
-  machine_.work_in(line(pc), setting);
+  machine_->work_in(line(pc), setting);
 }
 
 void Vm::leave_settings(int line, std::size_t kept) {
   if (settings_.size() == kept) return;
   settings_.resize(kept);
-  machine_.work_in(line, settings_.empty() ? Setting{} : settings_.back());
+  machine_->work_in(line, settings_.empty() ? Setting{} : settings_.back());
 }
 
 PressCommand Vm::press_of(Code pc) const {
@@ -38,7 +38,7 @@ PressCommand Vm::press_of(Code pc) const {
 
 Reply Vm::end_presses(int line, std::size_t kept) {
   while (presses_ > kept) {
-    const Reply reply = machine_.end_press(line);
+    const Reply reply = machine_->end_press(line);
     if (reply == Reply::Later) return reply;
     --presses_;
     if (reply == Reply::Refused) return reply;

@@ -6,7 +6,7 @@ namespace rob::lang {
 Vm::Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memory,
        std::uint64_t seed)
     : chunk_(chunk),
-      machine_(machine),
+      machine_(&machine),
       number_stack_(memory.numbers(task)),
       text_stack_(memory.texts(task)),
       registers_(memory.stack_begin(task) + kTaskRegisters),
@@ -29,8 +29,8 @@ Reply Vm::publish(Code pc) {
   const auto first = static_cast<std::size_t>(numbers_[pc->a()].integer);
   const std::uint32_t count = (pc + 1)->word;
   charge(count);
-  if (pc->b() != 0) return machine_.publish(line(pc), first, text_stack_.subspan(first, count));
-  return machine_.publish(line(pc), first, number_stack_.subspan(first, count));
+  if (pc->b() != 0) return machine_->publish(line(pc), first, text_stack_.subspan(first, count));
+  return machine_->publish(line(pc), first, number_stack_.subspan(first, count));
 }
 
 Reply Vm::refresh(Code pc) {
@@ -38,8 +38,8 @@ Reply Vm::refresh(Code pc) {
   const std::uint32_t count = (pc + 2)->word;
   charge(count);
   const Reply reply = pc->a() != 0
-                          ? machine_.refresh(line(pc), first, text_stack_.subspan(first, count))
-                          : machine_.refresh(line(pc), first, number_stack_.subspan(first, count));
+                          ? machine_->refresh(line(pc), first, text_stack_.subspan(first, count))
+                          : machine_->refresh(line(pc), first, number_stack_.subspan(first, count));
   if (reply == Reply::Done) {
     observed_ = true;
     turned_ = false;

@@ -16,18 +16,18 @@ namespace rob::lang {
 Reply Vm::guard(Code pc) {
   Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
   std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
-  return machine_.guard(line(pc), watch);
+  return machine_->guard(line(pc), watch);
 }
 
 Reply Vm::live_pace(Code pc) {
   Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
   std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
-  return machine_.live_pace(line(pc), watch, static_cast<MoveCommand::Pace>((pc + 1)->word));
+  return machine_->live_pace(line(pc), watch, static_cast<MoveCommand::Pace>((pc + 1)->word));
 }
 
 Reply Vm::ended(Code pc) {
   bool hit = false;
-  const Reply reply = machine_.ended(line(pc), hit);
+  const Reply reply = machine_->ended(line(pc), hit);
   if (reply != Reply::Later) {
     hit_ = hit;
     guarded_ = true;
@@ -44,7 +44,7 @@ Reply Vm::when(Code pc) {
   Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
   std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
   Armed armed{.depth = depth(), .level = (pc + 1)->word, .id = 0};
-  const Reply reply = machine_.when(line(pc), watch, armed.id);
+  const Reply reply = machine_->when(line(pc), watch, armed.id);
   if (reply == Reply::Done) armed_[armed_count_++] = armed;
   return reply;
 }
@@ -60,7 +60,7 @@ std::size_t Vm::whens_below(std::size_t level) const {
 
 Reply Vm::disarm(int line, std::size_t kept) {
   while (armed_count_ > kept) {
-    const Reply reply = machine_.disarm(line, armed_[armed_count_ - 1].id);
+    const Reply reply = machine_->disarm(line, armed_[armed_count_ - 1].id);
     if (reply != Reply::Done) return reply;
     --armed_count_;
   }
