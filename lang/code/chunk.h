@@ -36,13 +36,20 @@ struct Instruction {
     return {static_cast<std::uint32_t>(op) | static_cast<std::uint32_t>(distance) << 8};
   }
 
-  constexpr Opcode opcode() const { return static_cast<Opcode>(word & 0xff); }
-  constexpr std::uint8_t a() const { return static_cast<std::uint8_t>(word >> 8); }
-  constexpr std::uint8_t b() const { return static_cast<std::uint8_t>(word >> 16); }
-  constexpr std::uint8_t c() const { return static_cast<std::uint8_t>(word >> 24); }
+  Opcode opcode() const { return static_cast<Opcode>(byte(0)); }
+  std::uint8_t a() const { return byte(1); }
+  std::uint8_t b() const { return byte(2); }
+  std::uint8_t c() const { return byte(3); }
   constexpr std::uint16_t x() const { return static_cast<std::uint16_t>(word >> 16); }
   constexpr std::int16_t signed_x() const { return static_cast<std::int16_t>(word >> 16); }
   constexpr std::int32_t distance() const { return static_cast<std::int32_t>(word) >> 8; }
+
+ private:
+  /// One load, where a part of the word would have to be shifted and masked besides.
+  std::uint8_t byte(std::size_t index) const {
+    static_assert(std::endian::native == std::endian::little);
+    return reinterpret_cast<const std::uint8_t*>(&word)[index];
+  }
 };
 
 /// A REAL that stands in the code itself.

@@ -104,6 +104,8 @@ void Line::operand(char kind, unsigned field) {
     case 'H':
       add(kind == 'G' ? "r" : "s", instruction().x());
       return remark("of the top level");
+    case 'P':
+      return add_register(false, next_word());
     case 'R': {
       const std::uint32_t routine = next_word();
       add("p", routine);
@@ -158,6 +160,7 @@ void Line::add_constant(std::size_t index) {
   add("k", index);
   const Slot value = chunk_.constants[index];
   const Type& type = chunk_.constant_types[index];
+  if (type.kind == Type::Kind::Bool) return remark(value.integer != 0 ? "TRUE" : "FALSE");
   remark(type.kind == Type::Kind::Int ? std::to_string(value.integer)
                                       : number_text(value.real, type.dimension));
 }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,66 +18,7 @@ bool is_text(const Expr& expression) { return expression.type.kind == Type::Kind
 
 bool is_truth(const Expr& expression) { return expression.type.kind == Type::Kind::Bool; }
 
-Opcode whole_opcode(BinaryOp op) {
-  switch (op) {
-    case BinaryOp::Add:
-      return Opcode::add_int;
-    case BinaryOp::Subtract:
-      return Opcode::sub_int;
-    case BinaryOp::Multiply:
-      return Opcode::mul_int;
-    case BinaryOp::Div:
-      return Opcode::div_int;
-    case BinaryOp::Mod:
-      return Opcode::mod_int;
-    default:
-      return Opcode::pow_int;
-  }
-}
-
-/// The operation with a constant on its right, if there is one.
-std::optional<Opcode> constant_opcode(BinaryOp op, bool whole) {
-  switch (op) {
-    case BinaryOp::Add:
-      return whole ? Opcode::add_int_constant : Opcode::add_real_constant;
-    case BinaryOp::Subtract:
-      return whole ? Opcode::sub_int_constant : Opcode::sub_real_constant;
-    case BinaryOp::Multiply:
-      return whole ? Opcode::mul_int_constant : Opcode::mul_real_constant;
-    case BinaryOp::Divide:
-      return whole ? std::nullopt : std::optional(Opcode::quot_real_constant);
-    default:
-      return std::nullopt;
-  }
-}
-
-/// Whether an operation works on INT slots. INT / INT is real, and so is INT ^ INT unless the
-/// checker says otherwise.
-bool on_whole_numbers(const Binary& binary, const Type& result) {
-  if (binary.left->type != Type::integer() || binary.right->type != Type::integer()) return false;
-  return result.kind == Type::Kind::Int;
-}
-
 }  // namespace
-
-Opcode real_opcode(BinaryOp op) {
-  switch (op) {
-    case BinaryOp::Add:
-      return Opcode::add_real;
-    case BinaryOp::Subtract:
-      return Opcode::sub_real;
-    case BinaryOp::Multiply:
-      return Opcode::mul_real;
-    case BinaryOp::Divide:
-      return Opcode::quot_real;
-    case BinaryOp::Div:
-      return Opcode::div_real;
-    case BinaryOp::Mod:
-      return Opcode::mod_real;
-    default:
-      return Opcode::pow_real;
-  }
-}
 
 /// What is no variable is read anew each time; in a watch its value was fixed before.
 bool ExpressionCompiler::lives_in_register(const Symbol& symbol) const {
@@ -217,66 +157,6 @@ void ExpressionCompiler::compile(const Name& name, const Expr& expression, Regis
   } else {
     load(home(symbol), expression.type, target, expression.place);
   }
-}
-
-void ExpressionCompiler::compile(const Unary& unary, const Expr& expression, Register target) {
-  if (unary.op == UnaryOp::Plus) {
-    into(*unary.operand, target, false);
-    return;
-  }
-  if (expression.type.is(Type::Kind::Vec)) return negate_vector(unary, expression, target);
-  const Opcode op = expression.type == Type::integer() ? Opcode::neg_int : Opcode::neg_real;
-  code_.emit(op, expression.place, target, operand(*unary.operand, false));
-}
-
-void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, Register target) {
-  if (is_text(expression)) {
-    const Register left = operand_before(*binary.right, *binary.left, false);
-    const Register right = operand(*binary.right, false);
-    code_.emit(Opcode::join_text, expression.place, target, left, right);
-    return;
-  }
-  if (binary.left->type.is_place()) return compile_on_places(binary, expression, target);
-  if (expression.type.is(Type::Kind::Vec) || expression.type.is(Type::Kind::Joints)) {
-    return compile_vector(binary, expression, target);
-  }
-  if (compile_by_constant(binary, expression, target)) return;
-  // DIV of reals yields an INT from REAL operands.
-  const bool whole = on_whole_numbers(binary, expression.type);
-  const Register left = operand_before(*binary.right, *binary.left, !whole);
-  const Register right = operand(*binary.right, !whole);
-  code_.emit(whole ? whole_opcode(binary.op) : real_opcode(binary.op), expression.place, target,
-             left, right);
-}
-
-std::optional<std::uint8_t> ExpressionCompiler::constant_operand(const Expr& expression,
-                                                                 bool as_real) {
-  const Constant constant =
-      as_real ? converted(expression.constant, Type::real()) : expression.constant;
-  if (const auto* const real = std::get_if<double>(&constant)) {
-    return code_.constant_operand(Slot{.real = *real}, std::bit_cast<std::uint64_t>(*real),
-                                  Type::real(expression.type.dimension));
-  }
-  const auto* const whole = std::get_if<std::int64_t>(&constant);
-  if (whole == nullptr) return std::nullopt;
-  return code_.constant_operand(Slot{.integer = *whole}, static_cast<std::uint64_t>(*whole),
-                                Type::integer());
-}
-
-/// An operation with a constant, where there is one: what is on its left may stand on its right
-/// where the order is no matter.
-bool ExpressionCompiler::compile_by_constant(const Binary& binary, const Expr& expression,
-                                             Register target) {
-  const bool whole = on_whole_numbers(binary, expression.type);
-  const std::optional<Opcode> op = constant_opcode(binary.op, whole);
-  if (!op) return false;
-  const bool exchanged = known(binary.left->constant);
-  if (exchanged && binary.op != BinaryOp::Add && binary.op != BinaryOp::Multiply) return false;
-  const Expr& variable = exchanged ? *binary.right : *binary.left;
-  const auto constant = constant_operand(exchanged ? *binary.left : *binary.right, !whole);
-  if (!constant) return false;
-  code_.emit(*op, expression.place, target, operand(variable, !whole), *constant);
-  return true;
 }
 
 void ExpressionCompiler::compile(const Call& call, const Expr& expression, Register target) {

@@ -169,11 +169,22 @@ void ExpressionCompiler::load_element(const Index& index, Register target, Place
   code_.release(mark);
 }
 
-void ExpressionCompiler::store_element(const Index& index, Register value, Place place) {
+void ExpressionCompiler::store_element(Opcode opcode, const Index& index, std::uint8_t value,
+                                       Place place) {
   const SlotsAt whole = locate(*index.object).numbers;
-  code_.emit(Opcode::store_element, place, value, operand(*index.index, false), whole.place);
+  code_.emit(opcode, place, value, operand(*index.index, false), whole.place);
   code_.emit(word(whole.offset), place);
   code_.emit(word(index.object->type.detail->length), place);
+}
+
+bool ExpressionCompiler::assign_constant_element(const Expr& target, const Expr& value) {
+  if (!is_number_element(target) || root_of(target)->symbol->shared) return false;
+  const auto constant = constant_operand(value, target.type.is(Type::Kind::Real));
+  if (!constant) return false;
+  begin_place(target);
+  store_element(Opcode::store_element_constant, std::get<Index>(target.node), *constant,
+                target.place);
+  return true;
 }
 
 /// Places of a whole value in two registers, that of its numbers and that of its texts.

@@ -232,6 +232,7 @@ void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
     assign_memory(target, value);
     return code_.release(mark);
   }
+  if (assign_constant_element(target, value)) return code_.release(mark);
   begin(value);
   assign_register(target, operand_before(target, value, as_real));
   code_.release(mark);
@@ -242,7 +243,7 @@ void ExpressionCompiler::assign_register(const Expr& target, Register value) {
   begin_place(target);
   const bool shared = root_of(target)->symbol->shared;
   if (is_number_element(target) && !shared) {
-    store_element(std::get<Index>(target.node), value, target.place);
+    store_element(Opcode::store_element, std::get<Index>(target.node), value, target.place);
   } else {
     const Location at = locate(target);
     store(at, target.type, value, target.place);

@@ -209,7 +209,8 @@ void StatementCompiler::compile(const If& conditional) {
   for (const If::Branch& branch : conditional.branches) {
     const CodeBuilder::Jumps otherwise = expressions_.jumps_if(*branch.condition, false);
     compile(branch.body);
-    done.push_back(code_.jump(branch.condition->place));
+    const bool last = &branch == &conditional.branches.back() && conditional.otherwise.empty();
+    if (!last) done.push_back(code_.jump(branch.condition->place));
     code_.land(otherwise);
   }
   compile(conditional.otherwise);

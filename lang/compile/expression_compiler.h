@@ -112,6 +112,10 @@ class ExpressionCompiler {
   /// A number that is known, as an operand of 8 bits; none if it is not, or there is no room.
   std::optional<std::uint8_t> constant_operand(const Expr& expression, bool as_real);
   bool compile_by_constant(const Binary& binary, const Expr& expression, Register target);
+  /// A sum or difference with a product in one instruction; false if it is no such thing.
+  bool compile_with_product(const Binary& binary, const Expr& expression, Register target);
+  /// Whether a value that is read in the end lies in a register of its own.
+  bool stays_in_register(const Expr& expression) const;
   /// The same where `then` is computed before the value is used: what that changes is no matter.
   Register operand_before(const Expr& then, const Expr& expression, bool as_real);
 
@@ -152,7 +156,10 @@ class ExpressionCompiler {
   void assign_memory(const Expr& target, const Expr& value);
   bool is_number_element(const Expr& expression) const;
   void load_element(const Index& index, Register target, Place place);
-  void store_element(const Index& index, Register value, Place place);
+  /// `value`: a register, or the index of a constant.
+  void store_element(Opcode opcode, const Index& index, std::uint8_t value, Place place);
+  /// An element becomes a number that is known; false if there is no such instruction for it.
+  bool assign_constant_element(const Expr& target, const Expr& value);
   Register refer_whole(const Expr& expression);
   /// `keep`: what is computed later may change the variable that it is.
   Location located_as(const Expr& expression, const Type& type, bool keep);

@@ -80,6 +80,19 @@ Error real_power(double base, double exponent, double& result) {
   return store_finite(std::pow(base, exponent), result);
 }
 
+Error floor_modulo(double a, double b, double& result) {
+  if (b == 0) return Error::DivisionByZero;
+  const double remainder = std::fmod(a, b);
+  return store_finite(remainder != 0 && (remainder < 0) != (b < 0) ? remainder + b : remainder,
+                      result);
+}
+
+Error floor_divide(double a, double b, std::int64_t& result) {
+  double remainder = 0;
+  if (const Error error = floor_modulo(a, b, remainder); error != Error::None) return error;
+  return to_integer(std::round((a - remainder) / b), result);
+}
+
 Error turns(double from, double to, double step, std::int64_t& result) {
   // 2^53: up to here every count is a double of its own, and from + i * step is meant exactly.
   constexpr double kMost = 9007199254740992.0;

@@ -8,8 +8,8 @@
 /// The arithmetic of the language, once for the checker, which folds constants, and for the Vm:
 /// both call these functions, so a constant and a computed value can never differ by a bit.
 ///
-/// Operands are finite and no negative zero, and so is every result: anything else is an error,
-/// after which the result means nothing. Thus no NaN or infinity can ever reach a motion.
+/// Operands are finite and no negative zero, and so is every result: anything else is an
+/// error, and no result is stored then. Thus no NaN or infinity can ever reach a motion.
 namespace rob::lang {
 
 /// A slot of the Vm. It has no tag: the checker has settled what it holds. A BOOL is 0 or 1.
@@ -52,30 +52,44 @@ namespace arithmetic {
 using Error = ArithmeticError;
 
 inline Error store_finite(double value, double& result) {
+  if (!std::isfinite(value)) [[unlikely]]
+    return Error::NotFinite;
   result = value + 0.0;  // turns -0 into 0
-  return std::isfinite(value) ? Error::None : Error::NotFinite;
+  return Error::None;
 }
 
+inline Error store_fitting(bool overflow, std::int64_t value, std::int64_t& result) {
+  if (overflow) [[unlikely]]
+    return Error::IntegerOverflow;
+  result = value;
+  return Error::None;
+}
 inline Error add(std::int64_t a, std::int64_t b, std::int64_t& result) {
-  return __builtin_add_overflow(a, b, &result) ? Error::IntegerOverflow : Error::None;
+  std::int64_t sum = 0;
+  const bool overflow = __builtin_add_overflow(a, b, &sum);
+  return store_fitting(overflow, sum, result);
 }
 inline Error subtract(std::int64_t a, std::int64_t b, std::int64_t& result) {
-  return __builtin_sub_overflow(a, b, &result) ? Error::IntegerOverflow : Error::None;
+  std::int64_t difference = 0;
+  const bool overflow = __builtin_sub_overflow(a, b, &difference);
+  return store_fitting(overflow, difference, result);
 }
 inline Error multiply(std::int64_t a, std::int64_t b, std::int64_t& result) {
-  return __builtin_mul_overflow(a, b, &result) ? Error::IntegerOverflow : Error::None;
+  std::int64_t product = 0;
+  const bool overflow = __builtin_mul_overflow(a, b, &product);
+  return store_fitting(overflow, product, result);
 }
 inline Error negate(std::int64_t a, std::int64_t& result) { return subtract(0, a, result); }
 
 // A sum of numbers without negative zero never is one, so it needs no store_finite().
-inline Error add(double a, double b, double& result) {
-  result = a + b;
-  return std::isfinite(result) ? Error::None : Error::NotFinite;
+inline Error store_sum(double sum, double& result) {
+  if (!std::isfinite(sum)) [[unlikely]]
+    return Error::NotFinite;
+  result = sum;
+  return Error::None;
 }
-inline Error subtract(double a, double b, double& result) {
-  result = a - b;
-  return std::isfinite(result) ? Error::None : Error::NotFinite;
-}
+inline Error add(double a, double b, double& result) { return store_sum(a + b, result); }
+inline Error subtract(double a, double b, double& result) { return store_sum(a - b, result); }
 inline Error multiply(double a, double b, double& result) { return store_finite(a * b, result); }
 inline Error divide(double a, double b, double& result) {
   if (b == 0) return Error::DivisionByZero;
@@ -115,19 +129,10 @@ inline Error to_integer(double whole, std::int64_t& result) {
   return Error::None;
 }
 
-inline Error floor_modulo(double a, double b, double& result) {
-  if (b == 0) return Error::DivisionByZero;
-  const double remainder = std::fmod(a, b);
-  return store_finite(remainder != 0 && (remainder < 0) != (b < 0) ? remainder + b : remainder,
-                      result);
-}
+Error floor_modulo(double a, double b, double& result);
 /// Agrees with floor_modulo: a = b * DIV + MOD, where floor(a / b) would round a quotient just
 /// below a whole number up to it.
-inline Error floor_divide(double a, double b, std::int64_t& result) {
-  double remainder = 0;
-  if (const Error error = floor_modulo(a, b, remainder); error != Error::None) return error;
-  return to_integer(std::round((a - remainder) / b), result);
-}
+Error floor_divide(double a, double b, std::int64_t& result);
 
 /// INT to the power of a whole exponent >= 0, by repeated squaring.
 Error integer_power(std::int64_t base, std::int64_t exponent, std::int64_t& result);

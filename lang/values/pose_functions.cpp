@@ -67,10 +67,6 @@ Error frame_three(Arguments a, Slot& r) {
   return frame ? store_finite(*frame, &r) : Error::CollinearPlaces;
 }
 
-Error product(const Slot* p, const Slot* q, Slot* result) {
-  return store_finite(pose_math::compose(load_pose(p), load_pose(q)), result);
-}
-
 Error transformed(const Slot* p, const Slot* v, Slot* result) {
   const PoseValue there{pose_math::transform(load_pose(p), load_vector(v)), {}};
   if (!pose_math::is_finite(there)) return Error::NotFinite;

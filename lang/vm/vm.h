@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -118,7 +119,18 @@ class Vm {
  private:
   using Code = const Instruction*;
 
+  /// Where execution goes on; null if the run has been left, with that state.
+  struct Step {
+    Step(Code to) : next(to) {}
+    Step(State with) : left(with) {}
+    Code next = nullptr;
+    State left = State::Running;
+  };
+
+  /// The dispatch loop (vm.cpp).
   State execute(Code pc);
+  /// An instruction that the loop hands over (vm_step.cpp).
+  Step step(Code pc);
   /// Ends a run: `resume` is where the next one goes on.
   State leave(Code pc, Code resume, State state);
   State fail(Code pc, RuntimeError error);
@@ -132,33 +144,23 @@ class Vm {
   State fail_tries_too_deep(Code pc);
   /// What a reply other than Done to the instruction at `pc` means.
   State pause(Code pc, Code resume, Reply reply);
-  /// Pays for the instructions up to `pc`; execution goes on at `target`.
-  void pay(Code pc, Code target) {
-    budget_ -= pc - paid_;
-    paid_ = target;
-  }
-  /// The frame of the routine that is called at `pc`; false if the stack is used up.
-  bool enter(Code pc) { return enter(pc, (pc + 1)->word, pc + 2); }
-  bool enter(Code pc, std::uint32_t routine, Code back) {
-    return enter(numbers_ + pc->a(), texts_ + pc->b(), routine, back);
-  }
-  /// The same, with the registers that its frame begins at.
-  bool enter(Slot* numbers, std::string* texts, std::uint32_t routine, Code back);
-  bool enter_test(Code pc) { return enter(pc, test_, pc + 1); }
+  static std::intptr_t address(Code pc) { return reinterpret_cast<std::intptr_t>(pc); }
+  /// What is left of the budget at an instruction.
+  std::int64_t left_at(Code pc) const { return (limit_ - address(pc)) / kWord; }
+  /// The frame of a routine that is called, with its first registers; false if the stack is used
+  /// up.
+  bool enter(Slot* numbers, std::string* texts, std::uint32_t number, Code back);
+  /// Into a routine or out of it: from behind the present instruction.
+  Step go(Code behind, Code next);
   /// Memory for the frame of a routine, or of the top level; false if there is not so much left.
   bool reserve(Code pc);
   State fail_memory(Code pc);
-  void charge(std::uint32_t slots) { budget_ -= slots / kSlotsAnInstruction; }
+  void charge(std::uint32_t slots) { limit_ -= slots / kSlotsAnInstruction * kWord; }
   bool append_memory(Code pc);
   /// Back to the caller's frame; where its code goes on.
   Code leave_routine();
-  /// A loop turns: pays for the instructions up to here; false if the budget is used up.
-  bool turn(Code pc, Code target) {
-    pay(pc, target);
-    turned_ = true;
-    return budget_ > 0 && (turns_.empty() || count_turn(pc, target));
-  }
-  /// False if the loop has turned too often.
+  std::size_t depth() const { return static_cast<std::size_t>(frame_ - frames_.data()); }
+  /// Counts how often loops turn; false if this one has turned too often.
   bool count_turn(Code pc, Code target);
   bool next_cycle_is_due() const { return turned_ && observed_; }
   Reply observe(Code pc);
@@ -234,6 +236,8 @@ class Vm {
   int line(Code pc) const { return line_tag(place(pc)); }
   std::size_t index(Code pc) const { return static_cast<std::size_t>(pc - chunk_.code.data()); }
 
+  static constexpr std::intptr_t kWord = sizeof(Instruction);
+
   const Chunk& chunk_;
   Machine* machine_;
   /// What a call comes back to.
@@ -241,8 +245,8 @@ class Vm {
     Code back;
     Slot* numbers;
     std::string* texts;
-    std::uint32_t routine;
     Slots memory;  ///< that was taken
+    std::uint32_t routine;
   };
 
   /// A TRY block that is open, or whose RESCUE runs.
@@ -265,29 +269,40 @@ class Vm {
   /// a TASK sees of them ends with a part of its own.
   std::span<Slot> number_stack_;
   std::span<std::string> text_stack_;
-  Slots registers_;          ///< where registers end
+  Slots registers_;      ///< where registers end
+  Slot* registers_end_;  ///< the same, as pointers
+  std::string* text_registers_end_;
   Slots memory_;             ///< how much of what lies behind them is taken
   bool background_ = false;  ///< a TASK
   std::vector<Frame> frames_;
-  std::size_t depth_ = 0;  ///< calls that are open
-  Slot* numbers_;          ///< the registers of the present frame
+  Frame* frame_;   ///< the next one that is free
+  Slot* numbers_;  ///< the registers of the present frame
   std::string* texts_;
-  std::vector<std::int64_t> called_in_;  ///< for each routine the cycle of its last call
-  std::int64_t cycle_ = 1;               ///< counts whenever time may have passed
-  std::uint32_t test_ = 0;               ///< its routine
-  std::vector<std::uint32_t> turns_;     ///< by the first instruction of a loop; empty: no limit
+  /// What a call has to know of a routine, together.
+  struct Callee {
+    Code entry;
+    std::int32_t registers;
+    std::int32_t text_registers;
+    std::int64_t called_in = 0;  ///< the cycle of its last call
+  };
+  static std::vector<Callee> callees_of(const Chunk& chunk);
+  std::vector<Callee> callees_;
+  std::int64_t cycle_ = 1;            ///< counts whenever time may have passed
+  std::uint32_t test_ = 0;            ///< its routine
+  std::vector<std::uint32_t> turns_;  ///< by the first instruction of a loop; empty: no limit
   std::uint32_t most_turns_ = 0;
   int circling_ = 0;
   State state_ = State::Running;
   RuntimeError error_;
   Code next_;   ///< where the next run() goes on
   Code latch_;  ///< the `latch` of the expression that is being computed
-  Code paid_;   ///< what lies between here and the present instruction is not counted yet
   Random random_;
   Random latched_random_;      ///< as it was at latch_
   std::int64_t executed_ = 0;  ///< up to the last leave()
   std::int64_t granted_ = 0;   ///< the budget as it was then
-  std::int64_t budget_ = 0;
+  /// The address where the budget is used up, were the code to go straight on: so instructions
+  /// pay by being passed, and only what jumps back has to reckon.
+  std::intptr_t limit_ = 0;
   bool turned_ = false;  ///< a loop has turned since the last observation
   /// A WHEN that is armed.
   struct Armed {
@@ -327,22 +342,27 @@ class Vm {
 // In every call: here, so that the dispatch loop has them in line.
 
 inline bool Vm::enter(Slot* numbers, std::string* texts, std::uint32_t number, Code back) {
-  const RoutineCode& routine = chunk_.routines[number];
-  const auto left = number_stack_.data() + registers_.numbers - numbers;
-  const auto texts_left = text_stack_.data() + registers_.texts - texts;
-  if (depth_ == frames_.size() || left < routine.registers || texts_left < routine.text_registers) {
+  Callee& callee = callees_[number];
+  if (frame_ == std::to_address(frames_.end()) || registers_end_ - numbers < callee.registers ||
+      text_registers_end_ - texts < callee.text_registers) {
     return false;
   }
-  frames_[depth_++] = {back, numbers_, texts_, number, memory_};
+  // One by one: GCC would build a whole one elsewhere, and wait for that to copy it.
+  frame_->back = back;
+  frame_->numbers = numbers_;
+  frame_->texts = texts_;
+  frame_->memory = memory_;
+  frame_->routine = number;
+  ++frame_;
   numbers_ = numbers;
   texts_ = texts;
-  if (called_in_[number] == cycle_) turned_ = true;
-  called_in_[number] = cycle_;
+  if (callee.called_in == cycle_) turned_ = true;
+  callee.called_in = cycle_;
   return true;
 }
 
 inline Vm::Code Vm::leave_routine() {
-  const Frame& frame = frames_[--depth_];
+  const Frame& frame = *--frame_;
   numbers_ = frame.numbers;
   texts_ = frame.texts;
   memory_ = frame.memory;

@@ -13,7 +13,7 @@ bool Vm::open_try(Code pc) {
   if (guards_.size() == kMostTries) return false;
   const Code jump = pc + 1;
   guards_.push_back({.rescue = jump + 1 + jump->distance(),
-                     .depth = depth_,
+                     .depth = depth(),
                      .why = pc->a(),
                      .caught = false,
                      .armed = armed_count_,
@@ -50,13 +50,13 @@ bool Vm::rescue() {
   leave_settings(line, guard.settings);
   rescuing_ = false;
   guard.caught = true;
-  while (depth_ > guard.depth) leave_routine();
+  while (depth() > guard.depth) leave_routine();
   // What the program raised itself is its own text; the rest can be told apart by the code.
   texts_[guard.why] = error_.code == code::kRaised
                           ? error_.message
                           : fmt::format("{}: {}", error_.code, error_.message);
   guard.error = error_;
-  next_ = paid_ = guard.rescue;
+  next_ = guard.rescue;
   return true;
 }
 

@@ -17,6 +17,9 @@ Slots registers_of(const Chunk& chunk) {
   return {static_cast<int>(kNumberStack), static_cast<int>(kTextStack)};
 }
 
+/// More than a program executes in a year; in bytes of code it still fits 64 bits.
+constexpr std::int64_t kMostBudget = std::int64_t{1} << 56;
+
 /// Without memory in routines, what the top level takes is all.
 Slots memory_of(const Chunk& chunk) { return takes_memory(chunk) ? kMemory : chunk.memory; }
 
@@ -30,15 +33,28 @@ Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
       number_stack_(own_numbers_),
       text_stack_(own_texts_),
       registers_(registers_of(chunk)),
+      registers_end_(number_stack_.data() + registers_.numbers),
+      text_registers_end_(text_stack_.data() + registers_.texts),
       frames_(chunk.routines.empty() ? 0 : kMostCalls),
+      frame_(frames_.data()),
       numbers_(number_stack_.data()),
       texts_(text_stack_.data()),
-      called_in_(chunk.routines.size()),
+      callees_(callees_of(chunk)),
       next_(chunk.code.data()),
       latch_(next_),
-      paid_(next_),
       random_(seed),
       latched_random_(random_) {}
+
+std::vector<Vm::Callee> Vm::callees_of(const Chunk& chunk) {
+  std::vector<Callee> callees;
+  callees.reserve(chunk.routines.size());
+  for (const RoutineCode& routine : chunk.routines) {
+    callees.push_back({.entry = chunk.code.data() + routine.entry,
+                       .registers = routine.registers,
+                       .text_registers = routine.text_registers});
+  }
+  return callees;
+}
 
 bool Vm::reserve(Code pc) {
   const Slots place = registers_ + memory_;
@@ -68,9 +84,10 @@ bool Vm::append_memory(Code pc) {
 
 Vm::State Vm::run(std::int64_t budget) {
   if (state_ == State::Done || state_ == State::Failed || circling_ != 0) return state_;
-  granted_ = budget_ = budget;
+  granted_ = std::min(budget, kMostBudget);
   for (;;) {
     if (rescuing_ && !rescue()) return state_ = leave(next_, next_, State::Waiting);
+    limit_ = address(next_) + granted_ * kWord;
     const bool handling = handling_;
     state_ = execute(next_);
     const bool handled = handling && !handling_ && state_ == State::Running;
@@ -79,9 +96,9 @@ Vm::State Vm::run(std::int64_t budget) {
 }
 
 Vm::State Vm::leave(Code pc, Code resume, State state) {
-  pay(pc, resume);
-  executed_ += granted_ - budget_;
-  granted_ = budget_;
+  const std::int64_t left = left_at(pc);
+  executed_ += granted_ - left;
+  granted_ = left;
   next_ = resume;
   // An expression that starts anew draws the same random numbers.
   if (resume == latch_ && resume != pc) random_ = latched_random_;
@@ -110,15 +127,15 @@ bool Vm::count_turn(Code pc, Code target) {
 void Vm::choose_test(std::size_t test) {
   test_ = chunk_.tests.at(test).routine;
   next_ = chunk_.code.data() + chunk_.test_entry;
-  latch_ = paid_ = next_;
+  latch_ = next_;
 }
 
 Vm::State Vm::fail(Code pc, RuntimeError error) {
   error_ = std::move(error);
-  for (std::size_t i = depth_; i > 0; --i) {
-    const Frame& frame = frames_[i - 1];
+  for (const Frame* frame = frame_; frame != frames_.data();) {
+    --frame;
     error_.calls.push_back(
-        {.routine = chunk_.routines[frame.routine].name, .line = line(frame.back - 1)});
+        {.routine = chunk_.routines[frame->routine].name, .line = line(frame->back - 1)});
   }
   return give_up(pc);
 }
@@ -160,7 +177,7 @@ Vm::State Vm::fail_no_value(Code pc) {
   return fail(pc, {.code = std::string(code::kEndedWithoutReturn),
                    .place = place(pc),
                    .message = fmt::format("{} came to its end without RETURN",
-                                          chunk_.routines[frames_[depth_ - 1].routine].name),
+                                          chunk_.routines[frame_[-1].routine].name),
                    .help = "RETURN a value on every way through it"});
 }
 

@@ -26,8 +26,8 @@ void Vm::handle(int when, Machine& machine) {
   const auto end = armed_.begin() + static_cast<std::ptrdiff_t>(armed_count_);
   const auto armed =
       std::find_if(armed_.begin(), end, [&](const Armed& one) { return one.id == when; });
-  const bool top = depth_ == 0;
-  const RoutineCode* const routine = top ? nullptr : &chunk_.routines[frames_[depth_ - 1].routine];
+  const bool top = depth() == 0;
+  const RoutineCode* const routine = top ? nullptr : &chunk_.routines[(frame_ - 1)->routine];
   const std::uint32_t number = (armed->handler + 1)->word;
   interrupted_ = {machine_, next_,          latch_,          latched_random_,
                   turned_,  guards_.size(), settings_.size()};
@@ -43,7 +43,7 @@ void Vm::handle(int when, Machine& machine) {
   std::copy_n(armed->captured, armed->handler->b(), numbers_);
   settings_.push_back(armed->settings == 0 ? Setting{} : settings_[armed->settings - 1]);
   machine_->work_in(line(armed->handler), settings_.back());
-  next_ = latch_ = paid_ = chunk_.code.data() + chunk_.routines[number].entry;
+  next_ = latch_ = callees_[number].entry;
 }
 
 /// The program goes on as though nothing had been, but for what the handler has changed.
@@ -51,7 +51,7 @@ void Vm::end_handler() {
   leave_routine();
   abandon_handler();
   settings_.resize(interrupted_.settings);
-  next_ = paid_ = interrupted_.next;
+  next_ = interrupted_.next;
   latch_ = interrupted_.latch;
   latched_random_ = interrupted_.latched_random;
   turned_ = interrupted_.turned;

@@ -44,7 +44,7 @@ Reply Vm::when(Code pc) {
   Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
   std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
   Armed armed;
-  armed.depth = depth_;
+  armed.depth = depth();
   armed.level = (pc + 1)->word;
   const Reply reply = machine_->when(line(pc), watch, armed.id);
   if (reply == Reply::Done) armed_[armed_count_++] = armed;
@@ -55,7 +55,7 @@ Reply Vm::when(Code pc) {
 std::size_t Vm::whens_below(std::size_t level) const {
   const auto end = armed_.begin() + static_cast<std::ptrdiff_t>(armed_count_);
   const auto first = std::find_if(armed_.begin(), end, [&](const Armed& one) {
-    return one.depth > depth_ || (one.depth == depth_ && one.level >= level);
+    return one.depth > depth() || (one.depth == depth() && one.level >= level);
   });
   return static_cast<std::size_t>(first - armed_.begin());
 }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "lang/code/disassembler.h"
 #include "tests/lang/program_run.h"
 
 using namespace rob::lang;
@@ -95,4 +96,35 @@ TEST_CASE("an expression that reads two signals is latched, one that reads one i
   CHECK(latches("PRINT lift_up") == 0);
   CHECK(latches("PRINT lift_up AND lift_down") == 1);
   CHECK(latches("PRINT lift_up, lift_down") == 0);
+}
+
+TEST_CASE("sums with a product and elements with a constant take one instruction") {
+  const ProgramRun program(
+      "VAR a: ARRAY[9] OF BOOL\nVAR s, i = 2\nVAR x, y = 0.5\ns = s + s * i\ns = s * i - i\n"
+      "s = s * i + i\nx = x - x * y\nx = i * y + x\na[i] = TRUE\nPRINT s, x\n");
+  const std::string listing = rob::lang::disassemble(program.chunk());
+  const auto shows = [&](const std::string& part) {
+    return listing.find(part) != std::string::npos;
+  };
+  CHECK(shows("add_product_int    r2(s) r2(s) r2(s) r3(i)"));
+  CHECK(shows("add_product_int    r2(s) r3(i) r2(s) r3(i)"));
+  CHECK(shows("sub_product_real   r4(x) r4(x) r4(x) r5(y)"));
+  CHECK(shows("add_product_real   r4(x) r4(x)"));
+  CHECK(shows("sub_int"));  // a product less something is two
+  CHECK(shows("store_element_constant"));
+  CHECK(shows("of 9 // TRUE"));
+}
+
+TEST_CASE("a product takes its factors as they are when it is computed") {
+  // twice() changes g after the left factor was read, before the right one is.
+  ProgramRun program(
+      "VAR g = 3\nVAR s = 100\nFUNC twice(): INT\n  g = 2 * g\n  RETURN g\nENDFUNC\n"
+      "s = s + g * twice()\nPRINT s, \" \", twice() * g + g\n");
+  CHECK(program.printed() == "118 156");  // 100 + 3 * 6; 12 * 12 + 12
+}
+
+TEST_CASE("an IF without ELSE has no jump at its end") {
+  const ProgramRun program("VAR n = 1\nIF n == 1 THEN\n  n = 2\nENDIF\nPRINT n\n");
+  const std::string listing = rob::lang::disassemble(program.chunk());
+  CHECK(listing.find("jump") == listing.rfind("jump"));
 }

@@ -1,6 +1,9 @@
 #include "lang/values/pose_math.h"
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -8,6 +11,8 @@
 #include <doctest/doctest.h>
 #include <Eigen/Geometry>
 
+#include "lang/values/pose_functions.h"
+#include "lang/values/pose_slots.h"
 #include "lang/values/units.h"
 
 /// The oracle is Eigen's rotation matrices, which share no formula with the quaternions here.
@@ -83,6 +88,42 @@ TEST_CASE("poses compose, invert and transform as their matrices do") {
     REQUIRE(difference(inverse(p), eigen(p).inverse()) < kRounding);
     REQUIRE((eigen(transform(p, v)) - eigen(p) * eigen(v)).norm() < kRounding);
   }
+}
+
+TEST_CASE("the product that the Vm computes is compose(), to the bit") {
+  RandomPoses random;
+  const auto bits = [](const PoseValue& pose) {
+    return std::bit_cast<std::array<std::uint64_t, kPoseSlots>>(pose);
+  };
+  const auto checked = [&](const PoseValue& p, const PoseValue& q) {
+    std::array<Slot, 2 * kPoseSlots> slots{};
+    store(p, slots.data());
+    store(q, &slots[kPoseSlots]);
+    // Into its own first operand, as p = p * q does.
+    REQUIRE(pose_functions::product(slots.data(), &slots[kPoseSlots], slots.data()) ==
+            ArithmeticError::None);
+    REQUIRE(bits(load_pose(slots.data())) == bits(compose(p, q)));
+  };
+  const PoseValue none;
+  const PoseValue quarter{{0, 0.5, 0}, from_fixed({0, 0, degrees("90")})};
+  checked(none, none);
+  checked(quarter, quarter);
+  checked(quarter, {{-0.5, 0, 0}, from_fixed({degrees("180"), 0, 0})});
+  for (int i = 0; i < kTries; ++i) checked(random.pose(), random.pose());
+}
+
+TEST_CASE("a product whose place is too large for a number is an error") {
+  std::array<Slot, 2 * kPoseSlots> slots{};
+  const PoseValue far{{1.5e308, 0, 0}, {}};
+  store(far, slots.data());
+  store(far, &slots[kPoseSlots]);
+  CHECK(pose_functions::product(slots.data(), &slots[kPoseSlots], slots.data()) ==
+        ArithmeticError::NotFinite);
+  // The sum of the coordinates alone may overflow.
+  store(PoseValue{{1.5e308, 1.5e308, 1.5e308}, {}}, slots.data());
+  store(PoseValue{}, &slots[kPoseSlots]);
+  CHECK(pose_functions::product(slots.data(), &slots[kPoseSlots], slots.data()) ==
+        ArithmeticError::None);
 }
 
 TEST_CASE("angles written to 1e-12 degrees come back to the bit") {

@@ -1,5 +1,9 @@
 #include "lang/vm/vm.h"
 
+#include <limits>
+#include <string>
+#include <utility>
+
 #include <doctest/doctest.h>
 
 #include "tests/lang/program_run.h"
@@ -48,6 +52,43 @@ TEST_CASE("a FOR reaches both ends of INT without overflow") {
             .printed() == "3");
 }
 
+TEST_CASE("a sum with a product fails where the one or the other does") {
+  const auto failed_at = [](const std::string& values, const std::string& statement) {
+    ProgramRun program(values + "\n" + statement + "\n");
+    CHECK(program.finish() == State::Failed);
+    return std::pair(program.vm().error().code, program.vm().error().place.column);
+  };
+  using Found = std::pair<std::string, unsigned>;
+  const std::string whole = "VAR s, a, b = 4611686018427387904";  // 2^62
+  CHECK(failed_at(whole, "s = s + a * b") == Found("E301", 11));
+  CHECK(failed_at(whole, "s = s - a * b") == Found("E301", 11));
+  CHECK(failed_at(whole + "\nVAR one = 1", "s = s + a * one") == Found("E301", 7));
+  CHECK(failed_at(whole + "\nVAR one = 1", "s = a * one + b") == Found("E301", 13));
+  CHECK(failed_at(whole + "\nVAR one = 3\ns = -s", "s = s - a * one") == Found("E301", 11));
+  const std::string real = "VAR s, a, b = 1.5e308";
+  CHECK(failed_at(real, "s = s + a * b") == Found("E303", 11));
+  CHECK(failed_at(real, "s = s - a * b") == Found("E303", 11));
+  CHECK(failed_at(real + "\nVAR one = 1.0", "s = s + a * one") == Found("E303", 7));
+  CHECK(failed_at(real + "\nVAR one = 1.0", "s = a * one + b") == Found("E303", 13));
+}
+
+TEST_CASE("a sum with a product has no negative zero") {
+  // -1 * 0 would be -0, and 1 / -0 minus infinity.
+  ProgramRun program(
+      "VAR a = -1.0\nVAR z = 0.0\nz = z + a * z\nz = a * z + z\nz = z - a * z\nPRINT z, \" \", "
+      "z == 0");
+  CHECK(program.printed() == "0 TRUE");
+}
+
+TEST_CASE("what fails leaves its variable as it was") {
+  CHECK(ProgramRun("VAR n = 9223372036854775807\nTRY\n  n = n + 1\nRESCUE\nENDTRY\nPRINT n")
+            .printed() == "9223372036854775807");
+  CHECK(ProgramRun("VAR x = 2.0\nVAR y = 1e308\nTRY\n  x = x * y\nRESCUE\nENDTRY\nPRINT x")
+            .printed() == "2");
+  CHECK(ProgramRun("VAR x = 1.0\nVAR y = 1e308\nTRY\n  x = x + y * y\nRESCUE\nENDTRY\nPRINT x")
+            .printed() == "1");
+}
+
 TEST_CASE("an endless loop gives up control when its budget is spent") {
   ProgramRun program("WHILE TRUE DO\nENDWHILE");
   CHECK(program.vm().run(1000) == State::Running);
@@ -68,6 +109,13 @@ TEST_CASE("a run cut into small budgets does the same as one in one go") {
   }
   CHECK(pieces.machine().texts() == whole.machine().texts());
   CHECK(pieces.vm().executed() == whole.vm().executed());
+}
+
+TEST_CASE("no budget is too large") {
+  ProgramRun program("VAR sum = 0\nFOR i = 1 TO 1000 DO\n  sum = sum + i * i\nENDFOR\nPRINT sum");
+  CHECK(program.vm().run(std::numeric_limits<std::int64_t>::max()) == State::Done);
+  // n (n + 1) (2n + 1) / 6
+  CHECK(program.machine().texts().front() == "print 333833500");
 }
 
 TEST_CASE("a call that must wait is given again, and happens once") {
