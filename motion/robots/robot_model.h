@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "motion/dynamics/arm_mechanics.h"
 #include "motion/kinematics/kinematics.h"
 #include "motion/servo/drive_data.h"
 #include "motion/space/analog_channels.h"
@@ -66,6 +68,8 @@ struct RobotModel {
   bool tool_coordinates = false;
   /// Null where this version does not know how the axes move the tool: such a robot cannot be run.
   std::shared_ptr<const Kinematics> kinematics;
+  /// What the servo feeds forward and the simulation integrates; without it the axes are decoupled.
+  std::optional<ArmMechanics> mechanics;
 
   int axis_count() const { return static_cast<int>(axes.size()); }
 };

@@ -1,17 +1,25 @@
 #include "runtime/program/simulation.h"
 
+#include <vector>
+
+#include "drivers/sim_arm.h"
 #include "drivers/sim_gantry.h"
 
 namespace rob::runtime {
 
 std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& robot) {
-  drivers::SimGantryParameters parameters;
-  parameters.start = robot.start;
-  for (const motion::Axis& axis : robot.axes) parameters.drives.push_back(axis.drive);
+  std::vector<motion::DriveData> drives;
+  for (const motion::Axis& axis : robot.axes) drives.push_back(axis.drive);
+  std::vector<drivers::SimActuatorParameters> actuators;
   for (const motion::TwoPositionActuator& a : robot.actuators) {
-    parameters.actuators.push_back({a.output, a.input_off, a.input_on, a.travel_time});
+    actuators.push_back({a.output, a.input_off, a.input_on, a.travel_time});
   }
-  return std::make_unique<drivers::SimGantry>(parameters);
+  if (robot.mechanics) {
+    return std::make_unique<drivers::SimArm>(
+        drivers::SimArmParameters{drives, *robot.mechanics, robot.start, actuators, 1});
+  }
+  return std::make_unique<drivers::SimGantry>(
+      drivers::SimGantryParameters{drives, robot.start, actuators});
 }
 
 }  // namespace rob::runtime
