@@ -58,12 +58,12 @@ void print_table() {
 // The picture: one lane an axis, error over time.
 constexpr double kLeft = 64, kWidth = 756, kTop = 64, kLane = 92, kGap = 14;
 
-/// Axis `axis` of a run, every 10 ms, in degrees.
+/// Axis `axis` of a run, every 30 ms, in degrees.
 std::vector<double> errors_of(const TrackingCase& c, int axis) {
   ArmBench bench(c);
   std::vector<double> errors;
   for (int k = 0; bench.step(); ++k)
-    if (k % 10 == 0) errors.push_back(bench.error()[axis] / kDegree);
+    if (k % 30 == 0) errors.push_back(bench.error()[axis] / kDegree);
   return errors;
 }
 
