@@ -13,6 +13,8 @@ constexpr Range kTorque{0, 1e7};
 constexpr Range kTorqueMax{1e-6, 1e7};
 constexpr Range kGear{0.1, 1e4};
 constexpr Range kEfficiency{0.1, 1};
+constexpr Range kPayload{0, 1e3};
+constexpr Range kFactor{0.1, 10};
 
 GearedMotor read_motor(const TableReader& axis) {
   const TableReader motor =
@@ -46,6 +48,16 @@ ArmMechanics read_mechanics(const TableReader& file, const std::vector<TableRead
   ArmMechanics mechanics{Ums7Dynamics(p), {}};
   for (std::size_t i = 0; i < axes.size(); ++i) mechanics.motors.at(i) = read_motor(axes[i]);
   return mechanics;
+}
+
+SimulatedDeviation read_deviation(const TableReader& file) {
+  SimulatedDeviation deviation;
+  if (!file.has("simulation")) return deviation;
+  const TableReader table = file.table("simulation", {"payload", "masses", "friction"});
+  if (table.has("payload")) deviation.payload = table.quantity("payload", Quantity::Mass, kPayload);
+  if (table.has("masses")) deviation.masses = table.number("masses", kFactor);
+  if (table.has("friction")) deviation.friction = table.number("friction", kFactor);
+  return deviation;
 }
 
 }  // namespace rob::motion

@@ -225,8 +225,10 @@ void choose_mechanics(const TableReader& file, const std::vector<TableReader>& a
   if (file.has("dynamics")) {
     if (!robot.tool_coordinates) file.fail("dynamics", "is an arm's; a gantry has none");
     robot.mechanics = read_mechanics(file, axes);
+    robot.deviation = read_deviation(file);
     return;
   }
+  if (file.has("simulation")) file.fail("simulation", "needs a table [dynamics], which is missing");
   for (const TableReader& axis : axes)
     if (axis.has("motor")) axis.fail("motor", "belongs to a table [dynamics], which is missing");
 }
@@ -270,7 +272,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
       table, file_name, "",
       {"name", "description", "kinematics", "law", "t_acc", "reference_period", "servo_period",
        "look_ahead", "inputs", "outputs", "analog_inputs", "analog_outputs", "force_sensor", "arm",
-       "dynamics", "axis", "signal", "actuator"});
+       "dynamics", "simulation", "axis", "signal", "actuator"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");

@@ -45,6 +45,13 @@ struct TwoPositionActuator {
   double travel_time = 0;  ///< s from end to end
 };
 
+/// How the simulated arm differs from the one that the servo counts with.
+struct SimulatedDeviation {
+  double payload = 0;   ///< kg, a point at the flange
+  double masses = 1;    ///< factor of the mechanics' table
+  double friction = 1;  ///< factor
+};
+
 /// Everything that is known of a robot before it moves. Read from a robot file, never changed
 /// afterwards, and shared as const.
 struct RobotModel {
@@ -70,6 +77,7 @@ struct RobotModel {
   std::shared_ptr<const Kinematics> kinematics;
   /// What the servo feeds forward and the simulation integrates; without it the axes are decoupled.
   std::optional<ArmMechanics> mechanics;
+  SimulatedDeviation deviation;  ///< only with mechanics
 
   int axis_count() const { return static_cast<int>(axes.size()); }
 };

@@ -4,8 +4,23 @@
 
 #include "drivers/sim_arm.h"
 #include "drivers/sim_gantry.h"
+#include "motion/kinematics/arm_kinematics.h"
 
 namespace rob::runtime {
+
+namespace {
+
+/// The mechanics of the arm as the simulation has it.
+motion::ArmMechanics real_mechanics(const motion::RobotModel& robot) {
+  const auto& arm = dynamic_cast<const motion::ArmKinematics&>(*robot.kinematics).parameters();
+  motion::ArmMechanics mechanics = *robot.mechanics;
+  mechanics.dynamics = motion::Ums7Dynamics(
+      motion::with_payload(motion::scaled(mechanics.dynamics.parameters(), robot.deviation.masses),
+                           robot.deviation.payload, arm.c2, arm.c3, arm.c4));
+  return mechanics;
+}
+
+}  // namespace
 
 std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& robot) {
   std::vector<motion::DriveData> drives;
@@ -15,8 +30,8 @@ std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& ro
     actuators.push_back({a.output, a.input_off, a.input_on, a.travel_time});
   }
   if (robot.mechanics) {
-    return std::make_unique<drivers::SimArm>(
-        drivers::SimArmParameters{drives, *robot.mechanics, robot.start, actuators, 1});
+    return std::make_unique<drivers::SimArm>(drivers::SimArmParameters{
+        drives, real_mechanics(robot), robot.start, actuators, robot.deviation.friction});
   }
   return std::make_unique<drivers::SimGantry>(
       drivers::SimGantryParameters{drives, robot.start, actuators});

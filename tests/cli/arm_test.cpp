@@ -152,6 +152,26 @@ TEST_CASE("the UMS-7 feels the weight of its hand, and its servo holds it") {
   CHECK(std::abs(trace.rows.back().drive[4]) < 0.15);
 }
 
+TEST_CASE("a load that the UMS-7's servo does not know is in its drives") {
+  std::ifstream file(std::string(ROB_SOURCE_DIR) + "/motion/robots/ums7.toml");
+  std::string arm(std::istreambuf_iterator<char>(file), {});
+  arm.insert(arm.find("[dynamics]"), "[simulation]\npayload = \"1 kg\"\n\n");
+  const RobCommand rob("MOVE JOINTS(0deg, 0deg, 90deg, 0deg, 0deg, 0deg)\nWAIT 15s\n");
+  std::ofstream(rob.file("loaded.toml")) << arm;
+  const ProcessResult result =
+      rob("run", {"--fast", "--robot", rob.file("loaded.toml"), "--trace", rob.file("t.csv")});
+  CHECK(result.exit_code == 0);
+  std::ifstream trace(rob.file("t.csv"));
+  const auto last =
+      rob::test::parse_trace(std::string(std::istreambuf_iterator<char>(trace), {})).rows.back();
+  // 9.8 N at 100 mm from the wrist, at 500 mm from axis 3 and 900 mm from axis 2, and the hand;
+  // friction of the axes may hold 0.15, 1 and 5 Nm of it.
+  const double hand = 2.35 + 9.80665 * 0.1;
+  CHECK(std::abs(last.drive[4] + hand / 0.9) < 0.15);
+  CHECK(std::abs(last.drive[2] + (hand + 9.80665 * 0.4) / 0.9) < 1);
+  CHECK(std::abs(last.drive[1] + (hand + 9.80665 * 0.8) / 0.9) < 5);
+}
+
 TEST_CASE("the UMS-7 follows at full speed through its whole range") {
   const auto trace = traced(
       "ROBOT \"ums7\"\nMOVE JOINTS(150deg, -100deg, 20deg, 170deg, -110deg, 260deg)\n"

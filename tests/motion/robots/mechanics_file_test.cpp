@@ -107,6 +107,23 @@ TEST_CASE("motors and dynamics belong together") {
         "dynamics: is an arm's; a gantry has none");
 }
 
+TEST_CASE("the simulated arm may differ from what the servo counts with") {
+  CHECK(embedded_robot("ums7").deviation.payload == 0);
+  std::string text = file_of("ums7");
+  text.insert(text.find("[dynamics]"), "[simulation]\npayload = \"3 kg\"\nfriction = 1.5\n\n");
+  const RobotModel robot = parse_robot_file(text, "arm.toml");
+  CHECK(robot.deviation.payload == 3);
+  CHECK(robot.deviation.masses == 1);
+  CHECK(robot.deviation.friction == 1.5);
+  CHECK(robot.mechanics->dynamics.parameters().c6 == 2.35);
+  CHECK(error_of("[dynamics]", "[simulation]\nmasses = 0\n\n[dynamics]") ==
+        "masses of simulation: must be a number from 0.1 to 10, without quotation marks");
+  CHECK(error_of("[dynamics]", "[simulation]\nmass = 2\n\n[dynamics]")
+            .starts_with("unknown key \"mass\" in simulation; known are \"payload\""));
+  CHECK(error_of("lwa4p", "[[axis]]", "[simulation]\n[[axis]]") ==
+        "simulation: needs a table [dynamics], which is missing");
+}
+
 TEST_CASE("a motor is read strictly") {
   CHECK(error_of("gear = 120", "gear = 0") ==
         "gear of motor of axis q1: must be a number from 0.1 to 10000, without quotation marks");
