@@ -64,7 +64,7 @@ const std::vector<LayerRule>& layer_rules() {
       made.push_back({folder, below});
       below.push_back(folder);
     }
-    made.push_back({"drivers", {"motion/space", "motion/servo"}});
+    made.push_back({"drivers", {"motion/space", "motion/dynamics", "motion/servo"}});
     made.push_back({"runtime", {"lang", "motion", "drivers"}});
     return made;
   }();

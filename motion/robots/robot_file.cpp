@@ -6,6 +6,7 @@
 
 #include "motion/kinematics/gantry_kinematics.h"
 #include "motion/robots/arm_file.h"
+#include "motion/robots/mechanics_file.h"
 #include "motion/robots/table_reader.h"
 #include "motion/robots/time_scaling.h"
 
@@ -133,7 +134,7 @@ void read_timing(const TableReader& file, RobotModel& robot) {
 /// Returns the readers, for the checks that need the whole robot.
 std::vector<TableReader> read_axes(const TableReader& file, RobotModel& robot) {
   std::vector<TableReader> tables = file.tables(
-      "axis", {"name", "kind", "min", "max", "start", "v_max", "a_max", "j_max", "drive"});
+      "axis", {"name", "kind", "min", "max", "start", "v_max", "a_max", "j_max", "drive", "motor"});
   if (tables.empty()) file.fail("axis", "is missing; write a table [[axis]] for each");
   if (tables.size() > static_cast<std::size_t>(kMaxJoints))
     file.fail("axis", "more than " + std::to_string(kMaxJoints) + " axes");
@@ -219,6 +220,19 @@ void choose_kinematics(const TableReader& file, RobotModel& robot) {
   robot.kinematics = std::make_shared<GantryKinematics>();
 }
 
+void choose_mechanics(const TableReader& file, const std::vector<TableReader>& axes,
+                      RobotModel& robot) {
+  if (file.has("dynamics")) {
+    if (!robot.tool_coordinates) file.fail("dynamics", "is an arm's; a gantry has none");
+    robot.mechanics = read_mechanics(file, axes);
+    robot.deviation = read_deviation(file);
+    return;
+  }
+  if (file.has("simulation")) file.fail("simulation", "needs a table [dynamics], which is missing");
+  for (const TableReader& axis : axes)
+    if (axis.has("motor")) axis.fail("motor", "belongs to a table [dynamics], which is missing");
+}
+
 /// Paul's corners, and a stop anywhere on the path, must leave every axis within its limits.
 void check_paul(const TableReader& file, const std::vector<TableReader>& axes,
                 const RobotModel& robot) {
@@ -254,10 +268,11 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   } catch (const toml::parse_error& error) {
     fail_in_file(file_name, error.source().begin, std::string(error.description()));
   }
-  const TableReader file(table, file_name, "",
-                         {"name", "description", "kinematics", "law", "t_acc", "reference_period",
-                          "servo_period", "look_ahead", "inputs", "outputs", "analog_inputs",
-                          "analog_outputs", "force_sensor", "arm", "axis", "signal", "actuator"});
+  const TableReader file(
+      table, file_name, "",
+      {"name", "description", "kinematics", "law", "t_acc", "reference_period", "servo_period",
+       "look_ahead", "inputs", "outputs", "analog_inputs", "analog_outputs", "force_sensor", "arm",
+       "dynamics", "simulation", "axis", "signal", "actuator"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
@@ -271,6 +286,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   read_actuators(file, robot);
   robot.force_sensor = file.flag_or("force_sensor", false);
   choose_kinematics(file, robot);
+  choose_mechanics(file, axes, robot);
   check_paul(file, axes, robot);
   return robot;
 }

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "motion/dynamics/arm_mechanics.h"
 #include "motion/kinematics/kinematics.h"
 #include "motion/servo/drive_data.h"
 #include "motion/space/analog_channels.h"
@@ -43,6 +45,13 @@ struct TwoPositionActuator {
   double travel_time = 0;  ///< s from end to end
 };
 
+/// How the simulated arm differs from the one that the servo counts with.
+struct SimulatedDeviation {
+  double payload = 0;   ///< kg, a point at the flange
+  double masses = 1;    ///< factor of the mechanics' table
+  double friction = 1;  ///< factor
+};
+
 /// Everything that is known of a robot before it moves. Read from a robot file, never changed
 /// afterwards, and shared as const.
 struct RobotModel {
@@ -66,6 +75,9 @@ struct RobotModel {
   bool tool_coordinates = false;
   /// Null where this version does not know how the axes move the tool: such a robot cannot be run.
   std::shared_ptr<const Kinematics> kinematics;
+  /// What the servo feeds forward and the simulation integrates; without it the axes are decoupled.
+  std::optional<ArmMechanics> mechanics;
+  SimulatedDeviation deviation;  ///< only with mechanics
 
   int axis_count() const { return static_cast<int>(axes.size()); }
 };

@@ -129,6 +129,13 @@ std::vector<double> TableReader::signs(std::string_view key, std::size_t count) 
   return values;
 }
 
+double TableReader::number(std::string_view key, Range range) const {
+  const auto value = need(key).value<double>();
+  if (value && *value >= range.low && *value <= range.high) return *value;
+  fail(key, "must be a number from " + number_text(range.low) + " to " + number_text(range.high) +
+                ", without quotation marks");
+}
+
 int TableReader::integer(std::string_view key, int low, int high) const {
   const auto* value = need(key).as_integer();
   if (value != nullptr && value->get() >= low && value->get() <= high)

@@ -35,6 +35,8 @@ class TableReader {
                                  std::size_t count) const;
   /// [1, -1, …], `count` of them.
   std::vector<double> signs(std::string_view key, std::size_t count) const;
+  /// A number without a unit.
+  double number(std::string_view key, Range range) const;
   int integer(std::string_view key, int low, int high) const;
   /// `fallback` where the key is missing.
   int integer_or(std::string_view key, int low, int high, int fallback) const;

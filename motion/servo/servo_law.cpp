@@ -13,21 +13,29 @@ constexpr double kIntegralReach = 0.5;   // of force_max
 
 }  // namespace
 
-ServoGains servo_gains(const DriveData& drive, double servo_period) {
-  const double omega = std::min(drive.bandwidth, kPhasePerPeriod / servo_period);
+double servo_bandwidth(const DriveData& drive, double servo_period) {
+  return std::min(drive.bandwidth, kPhasePerPeriod / servo_period);
+}
+
+ServoGains servo_gains(double omega, double inertia, double viscous_friction) noexcept {
   ServoGains gains;
-  gains.kp = omega * omega * drive.inertia;
-  gains.kv = 2 * omega * drive.inertia - drive.viscous_friction;
+  gains.kp = omega * omega * inertia;
+  gains.kv = 2 * omega * inertia - viscous_friction;
   gains.ki = kIntegralShare * omega * gains.kp;
   return gains;
 }
 
-ServoLaw::ServoLaw(std::span<const DriveData> drives, double servo_period)
-    : count_(static_cast<int>(drives.size())) {
+ServoGains servo_gains(const DriveData& drive, double servo_period) {
+  return servo_gains(servo_bandwidth(drive, servo_period), drive.inertia, drive.viscous_friction);
+}
+
+ServoLaw::ServoLaw(std::span<const DriveData> drives, double servo_period,
+                   const std::optional<ArmMechanics>& arm)
+    : feed_forward_(drives, arm), count_(static_cast<int>(drives.size())) {
   assert(drives.size() <= axes_.size());
   for (std::size_t i = 0; i < drives.size(); ++i) {
     axes_[i].drive = drives[i];
-    axes_[i].gains = servo_gains(drives[i], servo_period);
+    axes_[i].omega = servo_bandwidth(drives[i], servo_period);
   }
 }
 
@@ -41,20 +49,23 @@ JointVector ServoLaw::update(double now, const JointReference& reference,
                              const JointMeasurement& measured) noexcept {
   const double elapsed = std::max(0.0, now - time_);
   time_ = now;
+  const MotionForces motion = feed_forward_.at(reference);
+  saturation_ = std::max(saturation_, motion.load);
   JointVector u(count_);
   for (int i = 0; i < count_; ++i) {
     AxisLaw& axis = axes_[static_cast<std::size_t>(i)];
-    const double u0 =
-        axis.drive.inertia * reference.qdd[i] + axis.drive.viscous_friction * reference.qd[i];
-    u[i] = axis_force(axis, elapsed, u0, reference.q[i] - measured.q[i],
-                      reference.qd[i] - measured.qd[i]);
+    const ServoGains gains =
+        servo_gains(axis.omega, motion.inertia[i], axis.drive.viscous_friction);
+    u[i] = axis_force(axis, gains, elapsed, feeds_forward_ ? motion.u0[i] : 0,
+                      reference.q[i] - measured.q[i], reference.qd[i] - measured.qd[i]);
   }
   return u;
 }
 
-double ServoLaw::axis_force(AxisLaw& axis, double elapsed, double feed_forward,
-                            double position_error, double velocity_error) noexcept {
-  const auto& [kp, kv, ki] = axis.gains;
+double ServoLaw::axis_force(AxisLaw& axis, const ServoGains& gains, double elapsed,
+                            double feed_forward, double position_error,
+                            double velocity_error) noexcept {
+  const auto& [kp, kv, ki] = gains;
   const double u_max = axis.drive.force_max;
   const double reach = kIntegralReach * u_max / ki;
   const double e = std::clamp(axis.e + position_error * elapsed, -reach, reach);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "motion/servo/drive_data.h"
+#include "motion/servo/feed_forward.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::motion {
@@ -17,22 +19,28 @@ struct ServoGains {
 
 /// Both error poles at −ω: kp = ω²·H, kv = 2ω·H − Dc, with H the inertia and Dc the viscous
 /// friction, which damps already; kI = 0.1·ω·kp is slow against them.
-/// ω = min(drive.bandwidth, 0.2/T): a sampled loop with an estimated velocity has no phase for
-/// more.
+ServoGains servo_gains(double omega, double inertia, double viscous_friction) noexcept;
+/// With the drive's own inertia, and ω = min(drive.bandwidth, 0.2/T): a sampled loop with an
+/// estimated velocity has no phase for more.
 ServoGains servo_gains(const DriveData& drive, double servo_period);
 
-/// S2's servo law for decoupled axes: feed-forward plus PID, N or Nm.
+/// S2's servo law: feed-forward plus PID, N or Nm.
 ///
 ///     u  = u0 + kp·(q0 − q) + kv·(q0' − q') + kI·e,   |u| <= force_max
-///     u0 = H·q0'' + Dc·q0'                            Coulomb friction is left to e
 ///     e  = e + (q0 − q)·(time really elapsed),        |kI·e| <= force_max/2
 ///
+/// u0 is FeedForward's; Coulomb friction is left to e. With an arm's mechanics the gains vary with
+/// its posture, as Da·H_ii + Db does; otherwise the axes are decoupled and the gains constant.
 /// e stands still while u is limited. An axis whose values are not finite gets no force.
 /// Every call but the constructor may be used in the tick.
 class ServoLaw {
  public:
   /// At most kMaxJoints drives; servo_period in s.
-  ServoLaw(std::span<const DriveData> drives, double servo_period);
+  ServoLaw(std::span<const DriveData> drives, double servo_period,
+           const std::optional<ArmMechanics>& arm = std::nullopt);
+
+  /// To be compared with: from now on without u0.
+  void leave_out_feed_forward() noexcept { feeds_forward_ = false; }
 
   /// At enable: nothing accumulated, time counts from `now`.
   void reset(double now) noexcept;
@@ -41,19 +49,21 @@ class ServoLaw {
   JointVector update(double now, const JointReference& reference,
                      const JointMeasurement& measured) noexcept;
 
-  /// κ = max |u before limiting|/force_max over axes and cycles since it was last taken: above 1
-  /// the motion asks for more than the drives have.
+  /// κ = max |u before limiting|/force_max, or |P|/P_max of the gears, over axes and cycles since
+  /// it was last taken: above 1 the motion asks for more than the drives have.
   double take_saturation() noexcept;
 
  private:
   struct AxisLaw {
     DriveData drive;
-    ServoGains gains;
+    double omega = 0;
     double e = 0;
   };
-  double axis_force(AxisLaw& axis, double elapsed, double feed_forward, double position_error,
-                    double velocity_error) noexcept;
+  double axis_force(AxisLaw& axis, const ServoGains& gains, double elapsed, double feed_forward,
+                    double position_error, double velocity_error) noexcept;
 
+  FeedForward feed_forward_;
+  bool feeds_forward_ = true;
   std::array<AxisLaw, kMaxJoints> axes_;
   int count_;
   double time_ = 0;

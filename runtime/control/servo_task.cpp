@@ -39,7 +39,7 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
       channels_(channels),
       interpolator_(robot.reference_period, limits_of(robot, &motion::Axis::v_max),
                     limits_of(robot, &motion::Axis::a_max)),
-      law_(drives_of(robot), robot.servo_period),
+      law_(drives_of(robot), robot.servo_period, robot.mechanics),
       supervisor_(drives_of(robot), limits_of(robot, &motion::Axis::v_max), robot.servo_period),
       reference_period_(robot.reference_period),
       bridged_gap_((motion::ReferenceInterpolator::kLongestGap - 1) * reference_period_),

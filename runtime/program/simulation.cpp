@@ -1,17 +1,40 @@
 #include "runtime/program/simulation.h"
 
+#include <vector>
+
+#include "drivers/sim_arm.h"
 #include "drivers/sim_gantry.h"
+#include "motion/kinematics/arm_kinematics.h"
 
 namespace rob::runtime {
 
+namespace {
+
+/// The mechanics of the arm as the simulation has it.
+motion::ArmMechanics real_mechanics(const motion::RobotModel& robot) {
+  const auto& arm = dynamic_cast<const motion::ArmKinematics&>(*robot.kinematics).parameters();
+  motion::ArmMechanics mechanics = *robot.mechanics;
+  mechanics.dynamics = motion::Ums7Dynamics(
+      motion::with_payload(motion::scaled(mechanics.dynamics.parameters(), robot.deviation.masses),
+                           robot.deviation.payload, arm.c2, arm.c3, arm.c4));
+  return mechanics;
+}
+
+}  // namespace
+
 std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& robot) {
-  drivers::SimGantryParameters parameters;
-  parameters.start = robot.start;
-  for (const motion::Axis& axis : robot.axes) parameters.drives.push_back(axis.drive);
+  std::vector<motion::DriveData> drives;
+  for (const motion::Axis& axis : robot.axes) drives.push_back(axis.drive);
+  std::vector<drivers::SimActuatorParameters> actuators;
   for (const motion::TwoPositionActuator& a : robot.actuators) {
-    parameters.actuators.push_back({a.output, a.input_off, a.input_on, a.travel_time});
+    actuators.push_back({a.output, a.input_off, a.input_on, a.travel_time});
   }
-  return std::make_unique<drivers::SimGantry>(parameters);
+  if (robot.mechanics) {
+    return std::make_unique<drivers::SimArm>(drivers::SimArmParameters{
+        drives, real_mechanics(robot), robot.start, actuators, robot.deviation.friction});
+  }
+  return std::make_unique<drivers::SimGantry>(
+      drivers::SimGantryParameters{drives, robot.start, actuators});
 }
 
 }  // namespace rob::runtime

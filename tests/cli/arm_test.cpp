@@ -2,8 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include "tests/support/rob_command.h"
+#include "tests/support/trace_file.h"
 
 using nlohmann::json;
 using rob::test::contains;
@@ -16,6 +19,15 @@ json run(const std::string& text, const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments{"--fast", "--json"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return json::parse(RobCommand(text)("run", arguments).out);
+}
+
+rob::test::TraceFile traced(const std::string& text) {
+  const RobCommand rob(text);
+  const ProcessResult result = rob("run", {"--fast", "--trace", rob.file("t.csv")});
+  CHECK(result.exit_code == 0);
+  CHECK(result.err == "");  // no warning of following errors either
+  std::ifstream file(rob.file("t.csv"));
+  return rob::test::parse_trace(std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
 /// The tool's measured pose: encoders count thousandths of a degree, some 0.01 mm at the tool.
@@ -123,4 +135,48 @@ TEST_CASE("an arm's run is the same to the bit each time") {
   const json first = run(text);
   CHECK(first["status"] == "done");
   CHECK(first == run(text));
+}
+
+TEST_CASE("the UMS-7 feels the weight of its hand, and its servo holds it") {
+  const auto trace = traced(
+      "ROBOT \"ums7\"\nMOVE JOINTS(0deg, 0deg, 90deg, 0deg, 0deg, 0deg)\nWAIT 4s\n"
+      "MOVE JOINTS(0deg, 0deg, 90deg, 90deg, 90deg, 0deg)\nWAIT 4s\n");
+  // The hand level, 2.35 Nm at its wrist, behind a gear of 90 %; friction may hold 0.15 Nm of it.
+  const double weight = 2.35 / 0.9;
+  std::size_t stretched = 0;
+  while (trace.rows[stretched].t < 6) ++stretched;
+  CHECK(std::abs(trace.rows[stretched].drive[4] + weight) < 0.15);
+  CHECK(std::abs(trace.rows[stretched].drive[3]) < 0.15);
+  // Turned to the side: axis 4 bears it.
+  CHECK(std::abs(trace.rows.back().drive[3] - weight) < 0.15);
+  CHECK(std::abs(trace.rows.back().drive[4]) < 0.15);
+}
+
+TEST_CASE("a load that the UMS-7's servo does not know is in its drives") {
+  std::ifstream file(std::string(ROB_SOURCE_DIR) + "/motion/robots/ums7.toml");
+  std::string arm(std::istreambuf_iterator<char>(file), {});
+  arm.insert(arm.find("[dynamics]"), "[simulation]\npayload = \"1 kg\"\n\n");
+  const RobCommand rob("MOVE JOINTS(0deg, 0deg, 90deg, 0deg, 0deg, 0deg)\nWAIT 15s\n");
+  std::ofstream(rob.file("loaded.toml")) << arm;
+  const ProcessResult result =
+      rob("run", {"--fast", "--robot", rob.file("loaded.toml"), "--trace", rob.file("t.csv")});
+  CHECK(result.exit_code == 0);
+  std::ifstream trace(rob.file("t.csv"));
+  const auto last =
+      rob::test::parse_trace(std::string(std::istreambuf_iterator<char>(trace), {})).rows.back();
+  // 9.8 N at 100 mm from the wrist, at 500 mm from axis 3 and 900 mm from axis 2, and the hand;
+  // friction of the axes may hold 0.15, 1 and 5 Nm of it.
+  const double hand = 2.35 + 9.80665 * 0.1;
+  CHECK(std::abs(last.drive[4] + hand / 0.9) < 0.15);
+  CHECK(std::abs(last.drive[2] + (hand + 9.80665 * 0.4) / 0.9) < 1);
+  CHECK(std::abs(last.drive[1] + (hand + 9.80665 * 0.8) / 0.9) < 5);
+}
+
+TEST_CASE("the UMS-7 follows at full speed through its whole range") {
+  const auto trace = traced(
+      "ROBOT \"ums7\"\nMOVE JOINTS(150deg, -100deg, 20deg, 170deg, -110deg, 260deg)\n"
+      "MOVE JOINTS(-150deg, 40deg, 210deg, -170deg, 110deg, -260deg)\n"
+      "MOVE JOINTS(150deg, -100deg, 90deg, 170deg, -110deg, 260deg)\n");
+  for (const auto& row : trace.rows)
+    for (std::size_t i = 0; i < 6; ++i) REQUIRE(std::abs(row.q[i] - row.measured[i]) < 0.5);
 }
