@@ -16,6 +16,7 @@ void StatementChecker::check_handler(When& when) {
   uses_.called(handler, place);
   const Routine* const outer = uses_.enter(&handler);
   const Routine* const routine = std::exchange(routine_, &handler);
+  if (around_ == nullptr) around_ = routine;
   const int loops = std::exchange(loops_, 0);
   const int rescues = std::exchange(rescues_, 0);
   const Slots declared = std::exchange(declared_, Slots{});
@@ -31,6 +32,7 @@ void StatementChecker::check_handler(When& when) {
   rescues_ = rescues;
   loops_ = loops;
   routine_ = routine;
+  if (around_ == routine) around_ = nullptr;
   uses_.enter(outer);
 }
 

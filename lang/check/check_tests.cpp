@@ -10,7 +10,8 @@ namespace rob::lang {
 
 /// What only a TEST may do: the program itself is run on machines that are there.
 void StatementChecker::require_test(std::string_view word) {
-  if (routine_ != nullptr && routine_->test) return;
+  const Routine* const routine = around_ != nullptr ? around_ : routine_;
+  if (routine != nullptr && routine->test) return;
   diagnostics_.error(code::kOutsideTest, place_, fmt::format("{} can stand only in a TEST", word),
                      "TEST \"its name\" … ENDTEST holds it; a program has ASSERT and its inputs");
 }

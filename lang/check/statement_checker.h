@@ -212,6 +212,7 @@ class StatementChecker {
   bool pressing_ = false;  ///< inside of PRESS
   std::vector<const Expr*> path_values_;  ///< what PATHs are computed from
   const Routine* routine_ = nullptr;      ///< that it belongs to; null at the top level
+  const Routine* around_ = nullptr;       ///< around the handler, if it belongs to one
   std::vector<Routine>& routines_;
 };
 

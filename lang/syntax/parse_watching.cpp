@@ -86,15 +86,19 @@ WayPoint Parser::path_event() {
 void Parser::when_statement(Block& block) {
   const OpenBlock open{Keyword::When, Keyword::Endwhen, current_.place};
   When when;
-  const bool has_block = line_ends_with(Keyword::Do);
+  bool has_block = line_ends_with(Keyword::Do);
   advance();
+  when.condition = has_block ? condition(Keyword::Do) : expression();
+  if (!has_block && at(Keyword::Do)) {
+    header_word(Keyword::Do, "the condition");
+    header_end("WHEN … DO");
+    has_block = true;
+  }
   if (has_block) {
-    when.condition = condition(Keyword::Do);
     when.action = block_of(open);
     add_handler(open.place, current_.place);
     close(open);
   } else {
-    when.condition = expression();
     action(when.action, "WHEN");
     when.handled = stops_for(when.action);
     if (when.handled) add_handler(open.place, open.place);

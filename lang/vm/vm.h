@@ -306,11 +306,11 @@ class Vm {
   bool turned_ = false;  ///< a loop has turned since the last observation
   /// A WHEN that is armed.
   struct Armed {
-    std::size_t depth = 0;    ///< calls that were open
-    std::uint32_t level = 0;  ///< of its frame
-    int id = 0;               ///< the machine's
-    Code handler = nullptr;   ///< its `when_handle`; null: it has none
-    Slot* captured = nullptr;
+    std::size_t depth = 0;     ///< calls that were open
+    std::uint32_t level = 0;   ///< of its frame
+    int id = 0;                ///< the machine's
+    Code handler = nullptr;    ///< its `when_handle`; null: it has none
+    Slot* captured = nullptr;  ///< in the frame of the WHEN, which lives as long as it is armed
     std::size_t settings = 0;  ///< that were open
   };
   std::array<Armed, kMostWhens> armed_;
@@ -328,6 +328,8 @@ class Vm {
     bool turned = false;
     std::size_t guards = 0;
     std::size_t settings = 0;
+    bool hit = false;
+    bool guarded = false;
   };
   Interrupted interrupted_;
   bool handling_ = false;

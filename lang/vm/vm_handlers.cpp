@@ -29,8 +29,8 @@ void Vm::handle(int when, Machine& machine) {
   const bool top = depth() == 0;
   const RoutineCode* const routine = top ? nullptr : &chunk_.routines[(frame_ - 1)->routine];
   const std::uint32_t number = (armed->handler + 1)->word;
-  interrupted_ = {machine_, next_,          latch_,          latched_random_,
-                  turned_,  guards_.size(), settings_.size()};
+  interrupted_ = {machine_,         next_, latch_,  latched_random_, turned_, guards_.size(),
+                  settings_.size(), hit_,  guarded_};
   machine_ = &machine;
   handling_ = true;
   Slot* const numbers = numbers_ + (top ? chunk_.registers : routine->registers);
@@ -55,6 +55,8 @@ void Vm::end_handler() {
   latch_ = interrupted_.latch;
   latched_random_ = interrupted_.latched_random;
   turned_ = interrupted_.turned;
+  hit_ = interrupted_.hit;
+  guarded_ = interrupted_.guarded;
 }
 
 /// What goes wrong in a handler goes wrong in the program.

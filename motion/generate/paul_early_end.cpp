@@ -18,7 +18,8 @@ void PaulGenerator::look(const CycleView& view) noexcept {
   watches_.ask(
       view,
       [this](const WatchedAction& action) noexcept {
-        return action.handled() && !may_be_handled();
+        return action.handled() &&
+               (!may_be_handled() || action.retired.load(std::memory_order_relaxed));
       },
       [this](WatchedAction& action, WatchAnswer answer) noexcept {
         return do_watched(action, answer);
@@ -109,6 +110,7 @@ void PaulGenerator::end_early(double instant) noexcept {
   fire_effects(latest_);
   if (rest_.outcome == Rest::Outcome::Braked) buffer_.braked();
   untold_ = rest_.by != nullptr;
+  if (untold_ && handling() && !handled_told_) decline_handler(latest_);
   clock_.release();
   rest_.q = segment_.target;
   tell_rest(latest_);

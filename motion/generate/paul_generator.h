@@ -69,7 +69,9 @@ class PaulGenerator final : public TrajectoryGenerator {
   void hold() noexcept override;
   void resume() noexcept override;
   void set_override(double share) noexcept override;
-  void go_on() noexcept override;
+  void go_on(double time) noexcept override;
+  void decline_handler(double time) noexcept override;
+  void bar_handlers(bool barred) noexcept override;
   void leave_path(const JointVector& q, double time, bool all) noexcept override;
   void stand_at(const JointVector& q) noexcept override;
   void brake() noexcept override;
@@ -178,6 +180,7 @@ class PaulGenerator final : public TrajectoryGenerator {
 
   WatchedAction* handling_ = nullptr;  ///< the WHEN whose handler runs, or will
   bool handled_told_ = false;
+  bool handlers_barred_ = false;
   bool stopped_ = false;  ///< hold() has been asked for, too
   bool held_told_ = false;
   bool faulted_ = false;

@@ -7,7 +7,7 @@ namespace rob::motion {
 
 /// One at a time, and none once the program has come to its end.
 bool PaulGenerator::may_be_handled() const noexcept {
-  return handling_ == nullptr && !stopped_ && !buffer_.closed();
+  return handling_ == nullptr && !stopped_ && !buffer_.closed() && !handlers_barred_;
 }
 
 JointVector PaulGenerator::standing_place() const noexcept {
@@ -17,6 +17,7 @@ JointVector PaulGenerator::standing_place() const noexcept {
 
 void PaulGenerator::begin_handling(WatchedAction& action) noexcept {
   handling_ = &action;
+  action.fired.store(true, std::memory_order_relaxed);
   if (handling()) return clock_.hold();
   handled_told_ = true;
   tell_handled(view_.time);
@@ -48,10 +49,24 @@ void PaulGenerator::tell_handled(double time) noexcept {
         .number = segment_.number});
 }
 
-void PaulGenerator::go_on() noexcept {
+void PaulGenerator::go_on(double time) noexcept {
   handling_ = nullptr;
   handled_told_ = false;
+  latest_ = std::max(latest_, time);
   if (!stopped_) clock_.resume();
+}
+
+/// One that has not begun comes true anew when handlers may begin again.
+void PaulGenerator::bar_handlers(bool barred) noexcept {
+  handlers_barred_ = barred;
+  if (barred && handling_ != nullptr && !handled_told_) decline_handler(view_.time);
+}
+
+void PaulGenerator::decline_handler(double time) noexcept {
+  if (handling_ == nullptr) return;
+  handling_->fired.store(false, std::memory_order_relaxed);
+  watches_.renew(*handling_);
+  go_on(time);
 }
 
 void PaulGenerator::leave_path(const JointVector& q, double time, bool all) noexcept {
@@ -75,7 +90,7 @@ void PaulGenerator::leave_path(const JointVector& q, double time, bool all) noex
   passed_ = passing_ = segment_.number;
   latest_ = std::max(latest_, time);
   clock_.release();
-  go_on();
+  go_on(time);
   tell_rest(latest_);
 }
 

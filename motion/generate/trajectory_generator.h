@@ -50,8 +50,13 @@ class TrajectoryGenerator {
   // A WHEN with a handler has come true (Rest::Outcome::Handled): the axes stand on the path, and
   // what the handler commands goes through another generator. Handlers are not asked meanwhile.
 
-  /// The axes are back where they left the path.
-  virtual void go_on() noexcept = 0;
+  /// The axes are back where they left the path; `time`: now.
+  virtual void go_on(double time) noexcept = 0;
+  /// The handler that was told does not begin: the axes go on, and it is told anew when handlers
+  /// may begin and its condition holds.
+  virtual void decline_handler(double time) noexcept = 0;
+  /// Whether no handler may begin: the program settles an error, or is over.
+  virtual void bar_handlers(bool barred) noexcept = 0;
   /// They are not, they stand at `q`: the motion under way has ended (Rest::Outcome::Braked, at
   /// `time`), and all that is queued behind it is taken back. What stands between the motions stays
   /// and goes with the motions of the same numbers, which are queued anew; with `all` it is

@@ -16,4 +16,10 @@ void WatchList::disarm(WatchedAction& action) noexcept {
   action.armed.store(false, std::memory_order_release);
 }
 
+void WatchList::renew(const WatchedAction& action) noexcept {
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (entries_[i].action == &action) entries_[i].last = WatchAnswer::No;
+  }
+}
+
 }  // namespace rob::motion

@@ -19,6 +19,9 @@ class WatchList {
   void arm(WatchedAction& action) noexcept;
   void disarm(WatchedAction& action) noexcept;
 
+  /// As though it had not come true yet.
+  void renew(const WatchedAction& action) noexcept;
+
   /// Calls fire(action, answer) for each that comes true or cannot be computed, in order, until one
   /// of the calls returns false: what stands behind it is not asked in this cycle. Those for which
   /// waits(action) holds are left out, as though nothing had changed for them.

@@ -29,6 +29,8 @@ struct WatchedAction {
   /// It may not be set up anew while it is armed, nor before the Rest that it caused is taken.
   std::atomic<bool> armed{false};
   std::atomic<bool> fired{false};
+  /// The program has left the block of a handler: it does not begin any more.
+  std::atomic<bool> retired{false};
 };
 
 }  // namespace rob::motion

@@ -61,11 +61,11 @@ inline constexpr std::uint32_t kHandlerNumbers = 1'000'000'000;
 
 /// What becomes of the motion that a handler has interrupted.
 enum class AfterHandler : std::uint8_t {
-  None,      ///< nothing has been asked for
-  GoOn,      ///< the axes are back on its path
-  Leave,     ///< it is over; what was queued behind it is queued anew
-  LeaveAll,  ///< it is over, with all that was queued
-  Stop       ///< nothing yet, but the handler's motion brakes
+  None,     ///< nothing has been asked for
+  GoOn,     ///< the axes are back on its path
+  Decline,  ///< the handler has not begun
+  Leave,    ///< it is over; what was queued behind it is queued anew
+  LeaveAll  ///< it is over, with all that was queued
 };
 
 /// Everything through which the tasks of one run talk: rings and atomics with one writer each, so
@@ -86,6 +86,7 @@ struct Channels {
   MotionProgress program;
   MotionProgress handler;
   std::atomic<AfterHandler> after_handler{AfterHandler::None};  ///< program → motion
+  std::atomic<bool> handlers_barred{false};                     ///< program → motion
 
   /// A Report whose turn has come.
   struct Report {

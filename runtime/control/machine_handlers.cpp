@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
@@ -23,12 +26,17 @@ std::optional<RobotMachine::Handled> RobotMachine::take_handled() {
   const Rest* const rest = progress_.rests.front();
   if (rest == nullptr || rest->outcome != Rest::Outcome::Handled) return std::nullopt;
   const int id = whens_.id_of(*rest->by);
+  if (rest->by->retired.load(std::memory_order_relaxed)) {
+    decline();
+    return std::nullopt;
+  }
   const bool stops = rest->by->kind == motion::WatchedAction::Kind::Handle;
   if (stops) {
     interrupted_by_handler_ = true;
     handlers_->begin_handler(*rest, *this);
   }
   called_ = !stops;
+  rest->by->fired.store(false, std::memory_order_relaxed);
   progress_.rests.pop();
   return Handled{id, stops};
 }
@@ -39,12 +47,18 @@ void RobotMachine::end_call() {
   if (std::exchange(called_, false)) channels_.after_handler.store(AfterHandler::GoOn);
 }
 
-void RobotMachine::decline_handler() {
-  end_call();
+/// One that has been told and not taken comes back when handlers may begin again.
+void RobotMachine::bar_handlers(bool barred) {
+  channels_.handlers_barred.store(barred);
+  if (barred) end_call();
   const Rest* const rest = progress_.rests.front();
-  if (rest == nullptr || rest->outcome != Rest::Outcome::Handled) return;
+  if (!barred || rest == nullptr || rest->outcome != Rest::Outcome::Handled) return;
+  decline();
+}
+
+void RobotMachine::decline() {
   progress_.rests.pop();
-  channels_.after_handler.store(AfterHandler::GoOn);
+  channels_.after_handler.store(AfterHandler::Decline);
 }
 
 void RobotMachine::begin_handler(const Rest& rest, RobotMachine& program) {
@@ -110,46 +124,50 @@ void RobotMachine::remember(Commanded commanded) {
 }
 
 /// The interrupted motion has ended where the axes stand now: what was queued behind it starts from
-/// there, with the numbers that it had, since what stands between the motions goes with them.
+/// there, with the numbers that it had, since what stands between the motions goes with them. All
+/// of it is planned before any is queued.
 Reply RobotMachine::leave_path() {
   Rest rest;
   if (!take_rest(rest)) return Reply::Later;
-  interrupted_by_handler_ = false;
+  std::deque<Commanded> behind = std::exchange(commanded_, {});
+  std::erase_if(behind, [&](const Commanded& one) { return one.segment.number <= rest.number; });
   planner_.stand_at(rest.q, rest.number);
+  const lang::Setting setting = setting_;
+  const bool planned = std::ranges::all_of(behind, [&](Commanded& one) { return plan_anew(one); });
+  work_in(0, setting);
+  if (!planned) {
+    planner_.retarget(rest.q);
+    exact_ = true;
+    handlers_->leaving_ = Leaving::Moving;  // all that is left has to be dropped
+    return Reply::Refused;
+  }
+  interrupted_by_handler_ = false;
   exact_ = true;
-  std::deque<Commanded> behind;
-  for (Commanded& one : std::exchange(commanded_, {})) {
-    if (one.segment.number > rest.number) behind.push_back(std::move(one));
-  }
   if (behind.empty() && guarded_) left_ = rest;
-  for (Commanded& one : behind) {
-    if (!queue_anew(one)) return Reply::Refused;
-  }
+  const bool guarded = std::exchange(guarded_, false);  // those that are have their guards
+  for (Commanded& one : behind) queue(std::move(one));
+  guarded_ = guarded;
   return Reply::Done;
 }
 
-/// There is room: it was queued before. False, with a refusal, where it cannot be reached any more.
-bool RobotMachine::queue_anew(Commanded& commanded) {
-  const motion::Tag tag = commanded.segment.tag;
-  if (!commanded.request) {
-    const auto stop = commanded.segment.dwell ? std::nullopt : planner_.stop(tag);
+/// False, with a refusal, where it cannot be reached any more.
+bool RobotMachine::plan_anew(Commanded& commanded) {
+  motion::SegmentDescriptor& segment = commanded.segment;
+  const motion::Watch guard = segment.guard;
+  if (commanded.move) {
+    work_in(static_cast<int>(segment.tag), commanded.setting);
+    if (!plan(static_cast<int>(segment.tag), *commanded.move, commanded.events, segment)) {
+      refusal_.message =
+          fmt::format("the motion of line {} starts from elsewhere behind BRAKE: {}",
+                      lang::tagged_place(static_cast<int>(segment.tag)).line, refusal_.message);
+      return false;
+    }
+  } else {
+    const auto stop = segment.dwell ? std::nullopt : planner_.stop(segment.tag);
     // Where the axes stand already the number is taken all the same.
-    queue(stop ? *stop
-               : planner_.dwell(tag, commanded.segment.dwell ? commanded.segment.duration : 0),
-          commanded.stop, commanded.further);
-    return true;
+    segment = stop ? *stop : planner_.dwell(segment.tag, segment.dwell ? segment.duration : 0);
   }
-  motion::SegmentDescriptor with_events;
-  if (!attach(with_events, commanded.events, planner_.way(*commanded.request))) return false;
-  const motion::PlanOutcome outcome = planner_.plan(*commanded.request);
-  if (const auto* const refusal = std::get_if<motion::Refusal>(&outcome)) {
-    refusal_ = words_for(*refusal, robot_);
-    return false;
-  }
-  motion::SegmentDescriptor segment = std::get<motion::PlannedSegment>(outcome).segment;
-  segment.events = with_events.events;
-  segment.on_the_way = with_events.on_the_way;
-  queue(segment, commanded.stop, commanded.further, commanded.request, std::move(commanded.events));
+  segment.guard = guard;
   return true;
 }
 

@@ -20,10 +20,12 @@ void RobotMachine::declare_safe(const std::vector<lang::SafeValue>& values) {
 }
 
 Reply RobotMachine::fail(int line) {
+  bar_handlers(true);
   if (channels_.safe.empty() && !interrupted_by_handler_) return end(line);
   take_interruption();  // the first error is the one to mend
   const Reply reply = settle(line);
   if (reply != Reply::Done) return reply;
+  bar_handlers(true);
   for (; safe_queued_ < channels_.safe.size(); ++safe_queued_) {
     if (queue(channels_.safe[safe_queued_]) != Reply::Done) return Reply::Later;
   }

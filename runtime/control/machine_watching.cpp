@@ -80,7 +80,9 @@ Reply RobotMachine::disarm(int line, int id) {
   effect.kind = motion::Effect::Kind::Disarm;
   effect.watched = &whens_.at(id);
   const Reply reply = push(effect);
-  if (reply == Reply::Done) --armed_;
+  if (reply != Reply::Done) return reply;
+  effect.watched->retired.store(true, std::memory_order_relaxed);
+  --armed_;
   return reply;
 }
 

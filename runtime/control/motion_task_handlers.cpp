@@ -10,14 +10,16 @@ using motion::Rest;
 void MotionTask::hand_over_rest(Track& track, const MotionEvent& event) noexcept {
   Rest rest;
   if (!track.generator.take_rest(rest)) return;
-  track.progress.rests.push(rest);
   if (rest.outcome == Rest::Outcome::Handled) return begin_handler(rest);
+  track.progress.rests.push(rest);
   tell(event);
   // A WHEN that fails while a handler has the axes stops it where it is.
   if (&track == &program_ && handling() && rest.failure()) handlers_.generator.brake();
 }
 
 void MotionTask::begin_handler(const Rest& rest) noexcept {
+  if (channels_.handlers_barred.load()) return program_.generator.decline_handler(now_);
+  program_.progress.rests.push(rest);
   if (rest.by->kind == motion::WatchedAction::Kind::Call) return;  // the axes go on
   handlers_.generator.stand_at(rest.q);
   handlers_.current.reference = program_.current.reference;
@@ -26,20 +28,22 @@ void MotionTask::begin_handler(const Rest& rest) noexcept {
 }
 
 void MotionTask::take_after_handler() noexcept {
+  program_.generator.bar_handlers(channels_.handlers_barred.load());
   const auto asked = channels_.after_handler.exchange(AfterHandler::None);
   if (asked == AfterHandler::None) return;
-  if (!handling()) return program_.generator.go_on();
-  if (asked == AfterHandler::Stop) return handlers_.generator.brake();
-  const bool back = asked == AfterHandler::GoOn;
+  const bool had_axes = handling();
+  const motion::JointVector q = active_->current.reference.q;
   active_ = &program_;
-  if (back) {
-    program_.generator.go_on();
-  } else {
-    const motion::JointVector& q = handlers_.current.reference.q;
+  if (asked == AfterHandler::GoOn) program_.generator.go_on(now_);
+  if (asked == AfterHandler::Decline) program_.generator.decline_handler(now_);
+  const bool left = asked == AfterHandler::Leave || asked == AfterHandler::LeaveAll;
+  if (left) {
     program_.generator.leave_path(q, now_, asked == AfterHandler::LeaveAll);
     program_.current.reference.q = q;
   }
-  tell({.kind = MotionEvent::Kind::HandlerOver, .time = now_, .value = back ? 0.0 : 1.0});
+  if (had_axes) {
+    tell({.kind = MotionEvent::Kind::HandlerOver, .time = now_, .value = left ? 1.0 : 0.0});
+  }
 }
 
 }  // namespace rob::runtime

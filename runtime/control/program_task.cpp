@@ -60,6 +60,7 @@ void ProgramTask::begin_handler() {
 
 /// An error takes effect in motion order: the last motion commanded before it is made exact.
 ProgramTask::State ProgramTask::finish(int line) {
+  machine_.bar_handlers(true);
   const lang::Reply reply = failure_ ? machine_.fail(line) : machine_.end(line);
   return reply == lang::Reply::Later ? State::Waiting : State::Over;
 }

@@ -100,40 +100,42 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
 Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
   if (const auto feature = lang::feature_of(asked.kind)) return refuse(*feature);
   if (buffer_.room() < (asked.exact() ? 2U : 1U) + (tip_jumps() ? 1U : 0U)) return Reply::Later;
-  if (asked.kind == lang::MotionKind::Line && robot_.tool_coordinates) {
-    refusal_ = words_for_no_lines(robot_);
-    return Reply::Refused;
-  }
+  const bool stopped = stop_for_tool(line);
+  std::vector<OnTheWay> events = std::exchange(on_the_way_, {});
+  motion::SegmentDescriptor segment;
+  if (!plan(line, asked, events, segment)) return Reply::Refused;
+  for (std::size_t i = 0; i < events.size(); ++i) log_.queued_effect();
+  brakable_ = segment.number;
+  queue({segment, false, stopped, asked, setting_, std::move(events)});
+  if (!asked.exact()) return Reply::Done;
+  if (const auto exact = planner_.stop(static_cast<motion::Tag>(line))) queue(*exact, true, true);
+  return Reply::Done;
+}
+
+bool RobotMachine::plan(int line, const lang::MoveCommand& asked,
+                        const std::vector<OnTheWay>& events, motion::SegmentDescriptor& segment) {
   lang::MoveCommand command = asked;
-  if (const Reply reply = settle_target(command); reply != Reply::Done) return reply;
+  if (settle_target(command) != Reply::Done) return false;
   const motion::MotionRequest request = request_of(line, command);
   const double swing = asked.kind == lang::MotionKind::Line ? planner_.swing(request) : 0;
   if (swing > kStraight) {
     refusal_ = words_for_swing(swing);
-    return Reply::Refused;
+    return false;
   }
   motion::SegmentDescriptor with_events;
-  std::vector<OnTheWay> events = std::exchange(on_the_way_, {});
-  if (!attach(with_events, events, planner_.way(request))) return Reply::Refused;
-  for (std::size_t i = 0; i < events.size(); ++i) log_.queued_effect();
-  const bool stopped = stop_for_tool(line);
+  if (!attach(with_events, events, planner_.way(request))) return false;
   const motion::PlanOutcome outcome = planner_.plan(request);
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
     refusal_ = words_for(*refusal, robot_);
-    return Reply::Refused;
+    return false;
   }
   const auto& planned = std::get<motion::PlannedSegment>(outcome);
   warn(line, planned);
-  motion::SegmentDescriptor segment = planned.segment;
+  segment = planned.segment;
   segment.events = with_events.events;
   segment.on_the_way = with_events.on_the_way;
-  queue(segment, false, stopped, request, std::move(events));
-  brakable_ = planned.segment.number;
-  if (!command.exact()) return Reply::Done;
-  if (const auto exact = planner_.stop(static_cast<motion::Tag>(line))) {
-    queue(*exact, true, true);
-  }
-  return Reply::Done;
+  for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
+  return true;
 }
 
 Reply RobotMachine::stop(int line) {
@@ -218,7 +220,7 @@ Reply RobotMachine::waited(int line) {
 Reply RobotMachine::leave_block(int /*line*/) { return decided() ? Reply::Done : Reply::Later; }
 
 Reply RobotMachine::settle(int line) {
-  decline_handler();
+  bar_handlers(true);
   if (interrupted_by_handler_) {
     if (const Reply reply = drop_interrupted(line); reply != Reply::Done) return reply;
   }
@@ -230,6 +232,7 @@ Reply RobotMachine::settle(int line) {
   if (reply != Reply::Done) return reply;
   if (!settled()) return Reply::Later;
   forget_rests();
+  bar_handlers(false);
   return Reply::Done;
 }
 
@@ -254,6 +257,7 @@ Reply RobotMachine::end(int line) {
   if (reply != Reply::Done) return reply;
   if (armed_ > 0 && !settled()) return Reply::Later;  // a WHEN may still have something to say
   buffer_.close();
+  bar_handlers(true);
   return Reply::Done;
 }
 
@@ -324,17 +328,19 @@ Reply RobotMachine::read_analog(int line, int signal, double& volts) {
   return Reply::Done;
 }
 
-void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool further,
-                         std::optional<motion::MotionRequest> request,
-                         std::vector<OnTheWay> events) {
+void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool further) {
+  queue(Commanded{segment, stop, further});
+}
+
+void RobotMachine::queue(Commanded commanded) {
+  motion::SegmentDescriptor& segment = commanded.segment;
   if (guarded_) segment.guard = until_.handle();
-  for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
-  remember({segment, request, std::move(events), stop, further});
-  LoggedSegment logged{segment, stop, further, planner_.tool_tip()};
+  LoggedSegment logged{segment, commanded.stop, commanded.further, planner_.tool_tip()};
   if (program_ != nullptr) logged.number += kHandlerNumbers;
   log_.planned(logged);  // before the generator can report it
   exact_ = segment.no_length;
   buffer_.push(segment);  // there is room: only this thread fills the buffer
+  remember(std::move(commanded));
 }
 
 Reply RobotMachine::queue(motion::Effect effect) {

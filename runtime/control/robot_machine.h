@@ -162,8 +162,8 @@ class RobotMachine final : public lang::Machine {
   lang::Machine& handlers();
   /// A handler that did not stop the axes is over.
   void end_call();
-  /// The program has no use for a handler any more: the axes go on without it.
-  void decline_handler();
+  /// No handler may begin while an error of the program is settled, and behind its end.
+  void bar_handlers(bool barred);
   const lang::Refusal& refusal() const override { return refusal_; }
 
  private:
@@ -171,6 +171,16 @@ class RobotMachine final : public lang::Machine {
   struct OnTheWay {
     lang::PathPlace place;
     motion::Effect effect;
+  };
+
+  /// A motion, a stop or a dwell as it was asked for, while the generator may not have begun it.
+  struct Commanded {
+    motion::SegmentDescriptor segment;
+    bool stop = false;
+    bool further = false;
+    std::optional<lang::MoveCommand> move{};  ///< of a motion
+    lang::Setting setting{};                  ///< in which it was commanded
+    std::vector<OnTheWay> events{};
   };
 
   bool place_can_be_read() const;
@@ -184,9 +194,11 @@ class RobotMachine final : public lang::Machine {
   /// Then the target before is reached exactly; whether it had to be.
   bool stop_for_tool(int line);
   lang::PoseValue tool_at(const motion::JointVector& q) const;
-  /// `request` and `events`: what a motion was made of.
-  void queue(motion::SegmentDescriptor segment, bool stop, bool further = false,
-             std::optional<motion::MotionRequest> request = {}, std::vector<OnTheWay> events = {});
+  void queue(motion::SegmentDescriptor segment, bool stop, bool further = false);
+  void queue(Commanded commanded);
+  /// Plans a motion with what is done on its way; false, with a refusal, where it cannot be.
+  bool plan(int line, const lang::MoveCommand& asked, const std::vector<OnTheWay>& events,
+            motion::SegmentDescriptor& segment);
   /// The last target exactly, then a dwell, as one statement.
   lang::Reply dwell(int line, double seconds);
   lang::Reply queue(motion::Effect effect);
@@ -256,20 +268,13 @@ class RobotMachine final : public lang::Machine {
   std::optional<lang::PathPlace> place_;
 
   // Handlers (machine_handlers.cpp)
-  /// A motion, a stop or a dwell as it was asked for, while the generator may not have begun it.
-  struct Commanded {
-    motion::SegmentDescriptor segment;
-    std::optional<motion::MotionRequest> request;  ///< of a motion
-    std::vector<OnTheWay> events;
-    bool stop;
-    bool further;
-  };
   void remember(Commanded commanded);
   void begin_handler(const motion::Rest& rest, RobotMachine& program);
   lang::Reply move_back(int line);
   lang::Reply leave_path();
   lang::Reply drop_interrupted(int line);
-  bool queue_anew(Commanded& commanded);
+  bool plan_anew(Commanded& commanded);
+  void decline();
   RobotMachine* handlers_ = nullptr;  ///< of a program
   RobotMachine* program_ = nullptr;   ///< of a handler: what it has interrupted; else null
   bool interrupted_by_handler_ = false;

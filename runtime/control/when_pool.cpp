@@ -33,6 +33,7 @@ motion::WatchedAction* WhenPool::set_up(int line, const lang::Watch& condition, 
   place->action.condition = place->watch.handle();
   place->action.kind = motion::WatchedAction::Kind::Act;
   place->action.tag = static_cast<motion::Tag>(line);
+  place->action.retired.store(false, std::memory_order_relaxed);
   place->action.armed.store(true, std::memory_order_relaxed);
   return &place->action;
 }
@@ -50,7 +51,6 @@ void WhenPool::set_text(motion::WatchedAction& action, std::string text) {
 
 lang::RuntimeError WhenPool::error_of(const motion::Rest& rest) {
   const Place& place = place_of(*rest.by);
-  rest.by->fired.store(false, std::memory_order_relaxed);
   lang::RuntimeError error;
   error.place = lang::tagged_place(static_cast<int>(rest.by->tag));
   if (rest.outcome == motion::Rest::Outcome::Failed) {

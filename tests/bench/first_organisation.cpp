@@ -37,7 +37,7 @@ FirstOrganisation::FirstOrganisation(double work)
       buffer_(kOneAhead),
       planner_(robot_, robot_.start),
       generator_(robot_, buffer_, robot_.start),
-      machine_(robot_, planner_, buffer_, channels_, log_),
+      machine_(robot_, planner_, buffer_, channels_, channels_.program, log_),
       instructions_(text_.compilation.chunk.value(), machine_),
       law_(drives_of(robot_), robot_.servo_period),
       gantry_(test::simulated(robot_)),
