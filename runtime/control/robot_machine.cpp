@@ -100,6 +100,10 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
 Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
   if (const auto feature = lang::feature_of(asked.kind)) return refuse(*feature);
   if (buffer_.room() < (asked.exact() ? 2U : 1U) + (tip_jumps() ? 1U : 0U)) return Reply::Later;
+  if (asked.kind == lang::MotionKind::Line && robot_.tool_coordinates) {
+    refusal_ = words_for_no_lines(robot_);
+    return Reply::Refused;
+  }
   const bool stopped = stop_for_tool(line);
   std::vector<OnTheWay> events = std::exchange(on_the_way_, {});
   motion::SegmentDescriptor segment;

@@ -56,7 +56,8 @@ TEST_CASE("S2's table and the motors are read from the file") {
 }
 
 TEST_CASE("the table of the UMS-7 is that of the masses which its file names") {
-  const Ums7Parameters& p = embedded_robot("ums7").mechanics->dynamics.parameters();
+  const RobotModel robot = embedded_robot("ums7");
+  const Ums7Parameters& p = robot.mechanics->dynamics.parameters();
   constexpr double kUpper = 12;
   constexpr double kFore = 8;
   constexpr double kHand = 3;
