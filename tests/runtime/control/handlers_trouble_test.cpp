@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/program/run.h"
 #include "tests/support/stepped_run.h"
 
 using rob::runtime::RunResult;
@@ -98,4 +99,17 @@ TEST_CASE("HIT is that of the program, whatever a handler's own motions have met
       "lift = ON\nMOVE(100,0,0) UNTIL lift_up\nWHEN CLOCK > 1.5s DO\n"
       "  MOVE(0,10,0) UNTIL DIN[1]\n  PRINT HIT\nENDWHEN\nWAIT CLOCK > 9s\nPRINT HIT");
   CHECK(run.run().output == std::vector<std::string>{"FALSE", "TRUE"});
+}
+
+TEST_CASE("in real time, with threads, a handler has the axes and gives them back") {
+  const rob::motion::RobotModel robot = rob::motion::embedded_robot("gantry");
+  const auto program = rob::runtime::compile_program(
+      "test.rob",
+      "VAR n = 0\nWHEN CLOCK > 0.5s DO\n  n = n + 1\n  WAIT 0.2s\nENDWHEN\nWHEN CLOCK > 0.6s DO\n"
+      "  n = n + 10\nENDWHEN\nMOVE(20,0,0)\nWAIT CLOCK > 0s\nPRINT n",
+      robot);
+  const RunResult result = rob::runtime::run(program, robot, {}, {});
+  CHECK(result.output == std::vector<std::string>{"11"});
+  CHECK(result.status == "done");
+  CHECK(result.measured > 5.5);
 }
