@@ -56,15 +56,20 @@ Rest::Outcome PaulGenerator::outcome_of(WatchAnswer answer) noexcept {
   return answer == WatchAnswer::Yes ? Rest::Outcome::Hit : Rest::Outcome::Failed;
 }
 
-/// From now on the axes brake on their path, beyond the end of the segment if need be.
-void PaulGenerator::trip(Rest::Outcome outcome, WatchedAction* by) noexcept {
+/// What is known of a Rest before the axes stand; `time`: when it began.
+void PaulGenerator::begin_rest(Rest::Outcome outcome, WatchedAction* by, double time) noexcept {
   rest_.outcome = outcome;
   rest_.by = by;
   rest_.generation = segment_.generation;
   rest_.number = segment_.number;
   rest_.tag = segment_.tag;
-  rest_.trip_time = view_.time;
+  rest_.trip_time = time;
   rest_.trip_q = view_.measured;
+}
+
+/// From now on the axes brake on their path, beyond the end of the segment if need be.
+void PaulGenerator::trip(Rest::Outcome outcome, WatchedAction* by) noexcept {
+  begin_rest(outcome, by, view_.time);
   // Behind an error nothing acts that has not acted yet; else what stands before the motion does.
   kept_ = by != nullptr ? passed_ : segment_.number - (segment_.number > 0 ? 1 : 0);
   clock_.brake();
@@ -99,11 +104,7 @@ void PaulGenerator::end_early(double instant) noexcept {
     segment_.target = path_.sample(sigma).q;
     segment_.duration = sigma + segment_.t_acc;
   }
-  running_ = false;
-  inserted_ = false;
-  path_events_.drop();
-  segment_.guard = {};
-  t_acc_ = usual_t_acc_;
+  stand_at(segment_.target);
   ended_ = rest_.generation;
   passed_ = passing_ = segment_.number;
   latest_ = std::max(latest_, instant);
@@ -121,13 +122,7 @@ void PaulGenerator::close_guard() noexcept {
   if (!segment_.guard.present() || clock_.braking()) return;
   segment_.guard = {};
   const double time = std::max(latest_, clock_.run_time(end_));
-  rest_.outcome = Rest::Outcome::Reached;
-  rest_.by = nullptr;
-  rest_.generation = segment_.generation;
-  rest_.number = segment_.number;
-  rest_.tag = segment_.tag;
-  rest_.trip_time = time;
-  rest_.trip_q = view_.measured;
+  begin_rest(Rest::Outcome::Reached, nullptr, time);
   rest_.q = segment_.target;
   tell_rest(time);
 }

@@ -114,6 +114,7 @@ class PaulGenerator final : public TrajectoryGenerator {
   static Rest::Outcome outcome_of(WatchAnswer answer) noexcept;
   bool do_watched(WatchedAction& action, WatchAnswer answer) noexcept;
   void ask_guard() noexcept;
+  void begin_rest(Rest::Outcome outcome, WatchedAction* by, double time) noexcept;
   void trip(Rest::Outcome outcome, WatchedAction* by = nullptr) noexcept;
   void arm_or_disarm(const Effect& effect, bool dropped) noexcept;
   bool hit_at_start(const SegmentDescriptor& segment, double instant) noexcept;

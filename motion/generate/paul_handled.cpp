@@ -32,21 +32,11 @@ void PaulGenerator::report_handled() noexcept {
 }
 
 void PaulGenerator::tell_handled(double time) noexcept {
-  Rest rest;
-  rest.outcome = Rest::Outcome::Handled;
-  rest.generation = segment_.generation;
-  rest.number = segment_.number;
-  rest.tag = segment_.tag;
-  rest.time = time;
-  rest.trip_time = view_.time;
-  rest.by = handling_;
-  rest.q = standing_place();
-  rest.trip_q = view_.measured;
-  rests_.push(rest);
-  tell({.kind = MotionEvent::Kind::Rest,
-        .time = rest.time,
-        .tag = rest.tag,
-        .number = segment_.number});
+  const Rest braking = rest_;  // a Call may come while a guarded motion brakes
+  begin_rest(Rest::Outcome::Handled, handling_, view_.time);
+  rest_.q = standing_place();
+  tell_rest(time);
+  rest_ = braking;
 }
 
 void PaulGenerator::go_on(double time) noexcept {
@@ -70,13 +60,7 @@ void PaulGenerator::decline_handler(double time) noexcept {
 }
 
 void PaulGenerator::leave_path(const JointVector& q, double time, bool all) noexcept {
-  rest_.outcome = Rest::Outcome::Braked;
-  rest_.by = nullptr;
-  rest_.generation = segment_.generation;
-  rest_.number = segment_.number;
-  rest_.tag = segment_.tag;
-  rest_.trip_time = time;
-  rest_.trip_q = view_.measured;
+  begin_rest(Rest::Outcome::Braked, nullptr, time);
   rest_.q = q;
   kept_ = passed_;
   stand_at(q);
