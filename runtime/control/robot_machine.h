@@ -185,7 +185,7 @@ class RobotMachine final : public lang::Machine {
 
   bool place_can_be_read() const;
   lang::Reply settle_target(lang::MoveCommand& command);
-  /// No robot that can be run has a force sensor yet, and none moves at a pace computed on its way.
+  /// No simulated robot tells forces yet, and none moves at a pace computed on its way.
   lang::Reply refuse_sensor();
   motion::JointVector near(const lang::MoveCommand& command) const;
   lang::Reply refuse(lang::MotionFeature feature);
