@@ -205,6 +205,17 @@ void CodeBuilder::loop(std::size_t target, Place place) {
   set_distance(here() - 1, target);
 }
 
+void CodeBuilder::join_turns(std::size_t body, Register value) {
+  constexpr std::size_t kWords = 3;  // of a store_element
+  if (here() != body + kWords) return;
+  Instruction& store = chunk_.code[body];
+  if (store.b() != value) return;
+  const bool constant = store.opcode() == Opcode::store_element_constant;
+  if (!constant && (store.opcode() != Opcode::store_element || store.a() == value)) return;
+  const Opcode fill = constant ? Opcode::fill_element_constant : Opcode::fill_element;
+  store = Instruction::abc(fill, store.a(), store.b(), store.c());
+}
+
 void CodeBuilder::name_register(const std::string& name, Register index, bool text) {
   const auto now = static_cast<std::uint32_t>(here());
   live_names_.push_back(chunk_.names.size());

@@ -64,6 +64,9 @@ class CodeBuilder {
   std::size_t here() const { return chunk_.code.size(); }
   /// A jump backward.
   void loop(std::size_t target, Place place);
+  /// The body of a FOR over integers, up to here; its value is in a register. If all that it does
+  /// is to store what never changes into the element of that number, many turns become one.
+  void join_turns(std::size_t body, Register value);
 
   /// The first of `count` new registers in a row.
   Register number_registers(int count = 1) { return numbers_.take(count); }

@@ -66,6 +66,7 @@ void StatementCompiler::compile(const For& loop) {
   const CodeBuilder::Jump none = code_.jump(place);
   const std::size_t top = code_.here();
   compile_body(loop.body);
+  if (!real) code_.join_turns(top, value);
   code_.emit(real ? Opcode::for_next_real : Opcode::for_next_int, place, value);
   code_.loop(top, place);
   code_.land(none);

@@ -30,12 +30,15 @@ HalfTurn half_turn(double angle) {
 }
 
 Quaternion product(const Quaternion& p, const Quaternion& q) {
-  return {
-      p.w * q.w - p.i * q.i - p.j * q.j - p.k * q.k, p.w * q.i + p.i * q.w + p.j * q.k - p.k * q.j,
-      p.w * q.j - p.i * q.k + p.j * q.w + p.k * q.i, p.w * q.k + p.i * q.j - p.j * q.i + p.k * q.w};
+  return {(p.w * q.w - p.k * q.k) - (p.i * q.i + p.j * q.j),
+          (p.w * q.i - p.k * q.j) + (p.i * q.w + p.j * q.k),
+          (p.w * q.j + p.k * q.i) - (p.i * q.k - p.j * q.w),
+          (p.w * q.k + p.k * q.w) + (p.i * q.j - p.j * q.i)};
 }
 
-double squared_length(const Quaternion& q) { return q.w * q.w + q.i * q.i + q.j * q.j + q.k * q.k; }
+double squared_length(const Quaternion& q) {
+  return (q.w * q.w + q.j * q.j) + (q.i * q.i + q.k * q.k);
+}
 
 Quaternion scaled(const Quaternion& q, double s) {
   return {q.w * s + 0.0, q.i * s + 0.0, q.j * s + 0.0, q.k * s + 0.0};
@@ -44,6 +47,11 @@ Quaternion scaled(const Quaternion& q, double s) {
 /// Takes back what rounding has added to a length of nearly 1: one Newton step for 1/sqrt, which
 /// spares root and division and treats equal components equally.
 Quaternion steadied(const Quaternion& q) { return scaled(q, 1.5 - 0.5 * squared_length(q)); }
+
+/// The product of two rotations, steadied: |p·q| is |p|·|q|, which need not wait for the product.
+Quaternion turn_product(const Quaternion& p, const Quaternion& q) {
+  return scaled(product(p, q), 1.5 - squared_length(p) * (0.5 * squared_length(q)));
+}
 
 Quaternion conjugate(const Quaternion& q) { return {q.w, 0 - q.i, 0 - q.j, 0 - q.k}; }
 
@@ -140,11 +148,10 @@ FixedAngles to_fixed(const Quaternion& q) {
           .c = rounded_turn(sum + difference)};
 }
 
+// The matrix of a quaternion, divided by the square of its length: exact for quarter turns, whose
+// components are equal, however they were rounded. So near to 1 the inverse of n is 2 - n.
 Vector3 rotate(const Quaternion& q, const Vector3& v) {
-  // The matrix of a quaternion, divided by the square of its length: exact for quarter turns, whose
-  // components are equal, however they were rounded. So near to 1 the inverse of n is 2 - n.
-  const double s = 2 - squared_length(q);
-  const double ww = q.w * q.w;
+  const double s = 2 * (2 - squared_length(q));
   const double ii = q.i * q.i;
   const double jj = q.j * q.j;
   const double kk = q.k * q.k;
@@ -154,14 +161,14 @@ Vector3 rotate(const Quaternion& q, const Vector3& v) {
   const double wi = q.w * q.i;
   const double wj = q.w * q.j;
   const double wk = q.w * q.k;
-  return {(ww + ii - jj - kk) * s * v.x + 2 * (ij - wk) * s * v.y + 2 * (ik + wj) * s * v.z + 0.0,
-          2 * (ij + wk) * s * v.x + (ww - ii + jj - kk) * s * v.y + 2 * (jk - wi) * s * v.z + 0.0,
-          2 * (ik - wj) * s * v.x + 2 * (jk + wi) * s * v.y + (ww - ii - jj + kk) * s * v.z + 0.0};
+  return {(1 - (jj + kk) * s) * v.x + (ij - wk) * s * v.y + (ik + wj) * s * v.z + 0.0,
+          (ij + wk) * s * v.x + (1 - (ii + kk) * s) * v.y + (jk - wi) * s * v.z + 0.0,
+          (ik - wj) * s * v.x + (jk + wi) * s * v.y + (1 - (ii + jj) * s) * v.z + 0.0};
 }
 
 PoseValue compose(const PoseValue& a_t_b, const PoseValue& b_t_c) {
   return {a_t_b.position + rotate(a_t_b.rotation, b_t_c.position),
-          steadied(product(a_t_b.rotation, b_t_c.rotation))};
+          turn_product(a_t_b.rotation, b_t_c.rotation)};
 }
 
 PoseValue inverse(const PoseValue& a_t_b) {
@@ -194,8 +201,7 @@ std::optional<PoseValue> mix(const PoseValue& p, const PoseValue& q, double t) {
   const Vector3 way_there = q.position - p.position;
   // From the nearer end, so that t = 1 gives q to the bit.
   const Vector3 place = t < 0.5 ? p.position + t * way_there : q.position - (1 - t) * way_there;
-  return PoseValue{{place.x + 0.0, place.y + 0.0, place.z + 0.0},
-                   steadied(product(p.rotation, part))};
+  return PoseValue{{place.x + 0.0, place.y + 0.0, place.z + 0.0}, turn_product(p.rotation, part)};
 }
 
 std::optional<PoseValue> frame_through(const Vector3& origin, const Vector3& on_x,

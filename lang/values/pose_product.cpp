@@ -21,71 +21,67 @@ Pair twice(double value) { return Pair{value, value}; }
 Pair swapped(Pair v) { return Pair{v[1], v[0]}; }
 void store(Pair value, Slot* slots) { std::memcpy(slots, &value, sizeof value); }
 
-struct Rotation {
-  double w, i, j, k;
-};
+double added(Pair v) { return v[0] + v[1]; }
 
-/// The product of two unit quaternions, as long as 1 again by a Newton step: q · (3 - |q|²) / 2.
-void store_rotation(const Rotation& p, const Slot* q, Slot* result) {
-  constexpr Pair kFirst{-1, 1};
-  constexpr Pair kSecond{1, -1};
+/// The product of two rotations, as long as 1 again by a Newton step: p·q·(3 - |p|²·|q|²)/2. A
+/// zero in it is no -0: the sum that begins with one is none.
+void store_rotation(const Slot* p, const Slot* q, Slot* result) {
+  constexpr Pair kSigns{-1, 1};
   const Pair wi = pair(q);
   const Pair jk = pair(q + 2);
-  Pair left = twice(p.w) * wi + twice(p.i) * (kFirst * swapped(wi)) + twice(p.j) * (kFirst * jk) -
-              twice(p.k) * swapped(jk);
-  Pair right = twice(p.w) * jk + twice(p.i) * (kFirst * swapped(jk)) + twice(p.j) * (kSecond * wi) +
-               twice(p.k) * swapped(wi);
-  const Pair left_squares = left * left;
-  const Pair right_squares = right * right;
-  const double squares = left_squares[0] + left_squares[1] + right_squares[0] + right_squares[1];
-  left = left * twice(0.5) * twice(3 - squares);
-  right = right * twice(0.5) * twice(3 - squares);
-  const auto zero = (left == twice(0)) | (right == twice(0));
-  if ((zero[0] | zero[1]) != 0) {  // it may be -0; a sum for all would be one to wait for
-    left += twice(0);
-    right += twice(0);
-  }
-  store(left, result);
-  store(right, result + 2);
+  const double half_squares = 0.5 * added(wi * wi + jk * jk);
+  const double squares = added(pair(p) * pair(p) + pair(p + 2) * pair(p + 2));
+  const Pair length = twice(1.5 - squares * half_squares);
+  const Pair pw = twice(p[0].real);
+  const Pair pi = twice(p[1].real);
+  const Pair pj = twice(p[2].real);
+  const Pair pk = twice(p[3].real);
+  const Pair left =
+      ((twice(0) + pw * wi) - pk * swapped(jk)) + kSigns * (pi * swapped(wi) + pj * jk);
+  const Pair right =
+      ((twice(0) + pw * jk) + pk * swapped(wi)) + kSigns * (pi * swapped(jk) - pj * wi);
+  store(left * length, result);
+  store(right * length, result + 2);
 }
 
 /// The place p, and v turned by a rotation, as in pose_math::rotate(). False if it is not finite:
 /// places can grow, rotations cannot.
-bool store_place(const Slot* p, const Rotation& q, const Slot* v, Slot* result) {
-  const Pair wi{q.w, q.i};
-  const Pair jk{q.j, q.k};
-  const Pair squares = wi * wi;
-  const Pair more_squares = jk * jk;
-  const Pair wk_ij = wi * swapped(jk);
-  const Pair wj_ik = wi * jk;
-  const double jj = more_squares[0];
-  const double kk = more_squares[1];
-  const double sum = squares[0] + squares[1];
-  const double difference = squares[0] - squares[1];
-  const Pair s = twice(2 - (sum + jj + kk));
-  const Pair x{sum - jj - kk, 2 * (wk_ij[1] + wk_ij[0])};
-  const Pair y{2 * (wk_ij[1] - wk_ij[0]), difference + jj - kk};
-  const Pair z = twice(2) * Pair{wj_ik[1] + wj_ik[0], q.j * q.k - q.w * q.i};
-  const Pair xy =
-      pair(p) + (x * s * twice(v[0].real) + y * s * twice(v[1].real) + z * s * twice(v[2].real));
-  const Pair across = twice(2) * Pair{wj_ik[1] - wj_ik[0], q.j * q.k + q.w * q.i} * s * pair(v);
-  const double height =
-      p[2].real + (across[0] + across[1] + (difference - jj + kk) * s[0] * v[2].real);
-  if (!std::isfinite(xy[0] + xy[1] + height) &&
-      !(std::isfinite(xy[0]) && std::isfinite(xy[1]) && std::isfinite(height))) {
+bool store_place(const Slot* p, Pair wi, Pair jk, const Slot* v, Slot* result) {
+  const Pair squares = jk * jk;
+  const Pair more = wi * wi;
+  const Pair s = twice(2) * twice(2 - added(more + squares));
+  const Pair w = twice(wi[0]);
+  const Pair i = twice(wi[1]);
+  const Pair ij_ik = i * jk;
+  const Pair wk_wj = w * swapped(jk);
+  const Pair sums = (ij_ik + wk_wj) * s;                                     // yx, xz
+  const Pair differences = (ij_ik - wk_wj) * s;                              // xy, zx
+  const Pair diagonal = twice(1) - (twice(more[1]) + swapped(squares)) * s;  // yy, zz
+  const double jk_product = jk[0] * jk[1];
+  const double wi_product = wi[0] * wi[1];
+  const double yz = (jk_product - wi_product) * s[0];
+  const double zy = (jk_product + wi_product) * s[0];
+  const double xx = 1 - added(squares) * s[0];
+  const double x = p[0].real + (xx * v[0].real + differences[0] * v[1].real + sums[1] * v[2].real);
+  const Pair across = pair(p + 1) + (Pair{sums[0], differences[1]} * twice(v[0].real) +
+                                     Pair{diagonal[0], zy} * twice(v[1].real) +
+                                     Pair{yz, diagonal[1]} * twice(v[2].real));
+  if (!std::isfinite(x + across[0] + across[1]) &&
+      !(std::isfinite(x) && std::isfinite(across[0]) && std::isfinite(across[1]))) {
     return false;
   }
-  store(xy, result);
-  result[2].real = height;
+  result[0].real = x;
+  store(across, result + 1);
   return true;
 }
 
 }  // namespace
 
 Error product(const Slot* p, const Slot* q, Slot* result) {
-  const Rotation turned{p[3].real, p[4].real, p[5].real, p[6].real};
-  store_rotation(turned, q + 3, result + 3);
-  return store_place(p, turned, q, result) ? Error::None : Error::NotFinite;
+  const Pair wi = pair(p + 3);
+  const Pair jk = pair(p + 5);
+  store_rotation(p + 3, q + 3, result + 3);
+  return store_place(p, wi, jk, q, result) ? Error::None : Error::NotFinite;
 }
 
 }  // namespace rob::lang::pose_functions

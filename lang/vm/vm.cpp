@@ -37,18 +37,18 @@ namespace rob::lang {
   name:                                                                                       \
   if (static_cast<std::uint8_t>(condition) == (expected)) ROB_NEXT(2 + (pc + 1)->distance()); \
   ROB_NEXT(2)
-// What jumps back pays for the way to here. `pc` is at the jump.
-#define ROB_TURN()                              \
-  do {                                          \
-    if (most_turns_ != 0) [[unlikely]]          \
-      goto counted;                             \
-    const std::intptr_t words = pc->distance(); \
-    pc += 1 + words;                            \
-    limit += words * kWord;                     \
-    turned_ = true;                             \
-    if (limit <= address(pc)) [[unlikely]]      \
-      goto used_up;                             \
-    ROB_NEXT(0);                                \
+// What jumps back pays for the way to here. `pc` is at the jump. Where the last one leads is known
+// without waiting for its word: a loop is followed as fast as its turns can be guessed.
+#define ROB_TURN()                         \
+  do {                                     \
+    if (pc != turn.at) [[unlikely]]        \
+      goto other_turn;                     \
+    pc = turn.to;                          \
+    limit -= turn.cost;                    \
+    turned_ = true;                        \
+    if (limit <= address(pc)) [[unlikely]] \
+      goto used_up;                        \
+    ROB_NEXT(0);                           \
   } while (false)
 // Into a routine or out of it. A recursion pays like a loop.
 #define ROB_GO(words, target)               \
@@ -73,6 +73,11 @@ Vm::State Vm::execute(Code pc) {
   Slot* n = numbers_;
   const Slot* const constants = chunk_.constants.data();
   std::intptr_t limit = limit_;
+  struct {
+    Code at = nullptr;
+    Code to = nullptr;
+    std::intptr_t cost = 0;
+  } turn;  // the last jump back
   ArithmeticError error;
   ROB_NEXT(0);
 
@@ -152,12 +157,18 @@ elsewhere : {
   limit = limit_;
   ROB_NEXT(0);
 }
-counted : {
-  const Code behind = pc + 1;
-  pc = behind + pc->distance();
-  limit -= address(behind) - address(pc);
+other_turn : {
+  const Code jump = pc;
+  pc += 1 + pc->distance();
+  const std::intptr_t cost = address(jump + 1) - address(pc);
+  limit -= cost;
   turned_ = true;
-  if (limit <= address(pc) || !count_turn(behind, pc)) goto used_up;
+  if (limit <= address(pc)) goto used_up;
+  if (most_turns_ == 0) {
+    turn = {jump, pc, cost};
+  } else if (!count_turn(jump + 1, pc)) {
+    goto used_up;
+  }
   ROB_NEXT(0);
 }
 used_up:

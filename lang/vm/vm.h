@@ -157,6 +157,8 @@ class Vm {
   State fail_memory(Code pc);
   void charge(std::uint32_t slots) { limit_ -= slots / kSlotsAnInstruction * kWord; }
   bool append_memory(Code pc);
+  // Elements stored by a FOR (vm_fill.cpp)
+  Step fill(Code pc, Slot value);
   /// Back to the caller's frame; where its code goes on.
   Code leave_routine();
   std::size_t depth() const { return static_cast<std::size_t>(frame_ - frames_.data()); }

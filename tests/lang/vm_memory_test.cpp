@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lang/code/disassembler.h"
 #include "tests/lang/program_run.h"
 #include "tests/support/no_allocation.h"
 
@@ -77,6 +78,25 @@ TEST_CASE("a list whose inputs have to be waited for reads them all anew") {
   program.machine().answer_later(1);
   CHECK(program.vm().run(100) == State::Waiting);
   CHECK(program.printed() == "[FALSE, FALSE]");
+}
+
+TEST_CASE("a loop that fills an array costs what its turns cost, whatever the budgets") {
+  const std::string filling =
+      "VAR a: ARRAY[500] OF INT\nFOR i = 1 TO 499 STEP 2 DO\n  a[i] = 7\nENDFOR\nPRINT a[499], "
+      "a[2]";
+  ProgramRun whole(filling);
+  ProgramRun pieces(filling);
+  whole.finish();
+  while (pieces.vm().run(1) != State::Done) {
+  }
+  CHECK(rob::lang::disassemble(whole.chunk()).find("fill_element_constant") != std::string::npos);
+  CHECK(whole.machine().texts() == pieces.machine().texts());
+  CHECK(whole.machine().texts().front() == "print 70");
+  CHECK(whole.vm().executed() == pieces.vm().executed());
+  const std::string shorter = filling.substr(0, filling.find("499 STEP")) + "497 STEP" +
+                              filling.substr(filling.find(" 2 DO"));
+  // A turn: the store of three words, the step and the jump.
+  CHECK(executed(filling) - executed(shorter) == 5);
 }
 
 TEST_CASE("a recursion with arrays cut into small budgets does the same as in one go") {
