@@ -7,6 +7,7 @@
 #include "motion/kinematics/gantry_kinematics.h"
 #include "motion/robots/arm_file.h"
 #include "motion/robots/mechanics_file.h"
+#include "motion/robots/pulse_file.h"
 #include "motion/robots/table_reader.h"
 #include "motion/robots/time_scaling.h"
 
@@ -133,8 +134,9 @@ void read_timing(const TableReader& file, RobotModel& robot) {
 
 /// Returns the readers, for the checks that need the whole robot.
 std::vector<TableReader> read_axes(const TableReader& file, RobotModel& robot) {
-  std::vector<TableReader> tables = file.tables(
-      "axis", {"name", "kind", "min", "max", "start", "v_max", "a_max", "j_max", "drive", "motor"});
+  std::vector<TableReader> tables =
+      file.tables("axis", {"name", "kind", "min", "max", "start", "v_max", "a_max", "j_max",
+                           "drive", "motor", "pulse_drive"});
   if (tables.empty()) file.fail("axis", "is missing; write a table [[axis]] for each");
   if (tables.size() > static_cast<std::size_t>(kMaxJoints))
     file.fail("axis", "more than " + std::to_string(kMaxJoints) + " axes");
@@ -270,9 +272,10 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   }
   const TableReader file(
       table, file_name, "",
-      {"name", "description", "kinematics", "law", "t_acc", "reference_period", "servo_period",
-       "look_ahead", "inputs", "outputs", "analog_inputs", "analog_outputs", "force_sensor", "arm",
-       "dynamics", "simulation", "axis", "signal", "actuator"});
+      {"name",           "description",  "kinematics", "law",      "t_acc",      "reference_period",
+       "servo_period",   "look_ahead",   "servo",      "inputs",   "outputs",    "analog_inputs",
+       "analog_outputs", "force_sensor", "arm",        "dynamics", "simulation", "axis",
+       "signal",         "actuator"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
@@ -287,6 +290,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   robot.force_sensor = file.flag_or("force_sensor", false);
   choose_kinematics(file, robot);
   choose_mechanics(file, axes, robot);
+  read_servo(file, axes, robot);
   check_paul(file, axes, robot);
   return robot;
 }
