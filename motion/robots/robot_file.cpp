@@ -61,12 +61,6 @@ std::string number_text(double value) {
   return text;
 }
 
-/// A whole multiple, up to the rounding of two decimal numbers.
-bool is_multiple(double whole, double part) {
-  const double ratio = whole / part;
-  return ratio > 0.5 && std::abs(ratio - std::round(ratio)) <= 1e-9 * ratio;
-}
-
 template <typename T>
 bool has_name(const std::vector<T>& entries, std::string_view name) {
   return std::any_of(entries.begin(), entries.end(),
@@ -120,8 +114,8 @@ void read_timing(const TableReader& file, RobotModel& robot) {
   robot.law = file.choice("law", {"paul", "lookahead"}) == 0 ? Law::Paul : Law::LookAhead;
   robot.reference_period = file.quantity("reference_period", Quantity::Time, kPeriod);
   robot.servo_period = file.quantity("servo_period", Quantity::Time, kServoPeriod);
-  if (!is_multiple(robot.reference_period, robot.servo_period))
-    file.fail("servo_period", "reference_period must be a whole multiple of it");
+  if (robot.servo_period > robot.reference_period)
+    file.fail("servo_period", "must not be longer than reference_period");
   if (robot.reference_period > (kMostServoCycles + 0.5) * robot.servo_period)
     file.fail("servo_period", "reference_period must not be more than " +
                                   std::to_string(kMostServoCycles) + " times as long");

@@ -61,7 +61,7 @@ struct RobotModel {
   Law law = Law::Paul;
   double t_acc = 0;             ///< s, half a transition under Paul's law (S1)
   double reference_period = 0;  ///< s
-  double servo_period = 0;      ///< s; reference_period is a whole multiple
+  double servo_period = 0;      ///< s, at most reference_period
   int look_ahead = 0;           ///< segments that the buffer holds
   std::vector<Axis> axes;
   ServoStructure servo = ServoStructure::Force;
