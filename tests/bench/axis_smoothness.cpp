@@ -10,13 +10,13 @@
 #include <fstream>
 #include <string>
 
-#include "tests/bench/svg.h"
+#include "tests/support/svg.h"
 
 namespace {
 
-using rob::bench::Point;
 using rob::motion::ServoStructure;
 using rob::test::kSmoothnessDegree;
+using rob::test::Point;
 using rob::test::Smoothness;
 using rob::test::SmoothnessSample;
 
@@ -71,13 +71,13 @@ constexpr double kLeft = 72, kTop = 74, kWidth = 252, kHeight = 118, kGap = 18;
 constexpr double kLow = 0.7, kHigh = 1.3;
 
 std::string grid(Point corner, bool first) {
-  std::string text = rob::bench::svg_rect(corner, kWidth, kHeight, "fill=\"#f8fafc\"");
+  std::string text = rob::test::svg_rect(corner, kWidth, kHeight, "fill=\"#f8fafc\"");
   for (const int percent : {80, 100, 120}) {
     const double y = corner.y + kHeight * (kHigh - percent / 100.0) / (kHigh - kLow);
-    text += rob::bench::svg_line({corner.x, y}, {corner.x + kWidth, y}, "stroke=\"#cbd5e1\"");
+    text += rob::test::svg_line({corner.x, y}, {corner.x + kWidth, y}, "stroke=\"#cbd5e1\"");
     if (!first) continue;
-    text += rob::bench::svg_text({corner.x - 8, y + 4}, fmt::format("{} %", percent),
-                                 "text-anchor=\"end\" fill=\"#64748b\"");
+    text += rob::test::svg_text({corner.x - 8, y + 4}, fmt::format("{} %", percent),
+                                "text-anchor=\"end\" fill=\"#64748b\"");
   }
   return text;
 }
@@ -93,16 +93,16 @@ std::string velocity_curve(Point corner, const Smoothness& run, int speed, const
         {corner.x + kWidth * s.t / run.samples.back().t,
          corner.y + kHeight * (kHigh - std::clamp(share, kLow, kHigh)) / (kHigh - kLow)});
   }
-  return rob::bench::svg_curve(points, fmt::format("stroke=\"{}\" stroke-width=\"1.3\"", colour));
+  return rob::test::svg_curve(points, fmt::format("stroke=\"{}\" stroke-width=\"1.3\"", colour));
 }
 
 bool draw(const std::string& file, int axis, const Runs& runs) {
   const double right = kLeft + 3 * kWidth + 2 * kGap;
-  std::string text = rob::bench::svg_text(
+  std::string text = rob::test::svg_text(
       {kLeft, 26}, fmt::format("How smoothly axis {} runs from −10° to +10°", axis + 1),
       "font-size=\"15\"");
-  text += rob::bench::svg_text({right, 26}, "velocity, % of the programmed one",
-                               "text-anchor=\"end\" fill=\"#64748b\"");
+  text += rob::test::svg_text({right, 26}, "velocity, % of the programmed one",
+                              "text-anchor=\"end\" fill=\"#64748b\"");
   for (std::size_t i = 0; i < kStructures.size(); ++i) {
     for (std::size_t j = 0; j < kSpeeds.size(); ++j) {
       const Point corner{kLeft + static_cast<double>(j) * (kWidth + kGap),
@@ -110,22 +110,22 @@ bool draw(const std::string& file, int axis, const Runs& runs) {
       const Smoothness& run = runs[i][j];
       text += grid(corner, j == 0);
       text += velocity_curve(corner, run, kSpeeds[j], kStructures[i].colour);
-      text += rob::bench::svg_text(
+      text += rob::test::svg_text(
           {corner.x + 6, corner.y - 5},
           fmt::format("{}{} °/s", j == 0 ? std::string(kStructures[i].name) + ", " : "",
                       kSpeeds[j]),
           fmt::format("fill=\"{}\"", kStructures[i].colour));
-      text += rob::bench::svg_text({corner.x + kWidth - 6, corner.y - 5},
-                                   fmt::format("ripple {:.2f} %", run.ripple * 100),
-                                   "text-anchor=\"end\"");
+      text += rob::test::svg_text({corner.x + kWidth - 6, corner.y - 5},
+                                  fmt::format("ripple {:.2f} %", run.ripple * 100),
+                                  "text-anchor=\"end\"");
       if (i + 1 < kStructures.size()) continue;
-      text += rob::bench::svg_text({corner.x, corner.y + kHeight + 18}, "0 s", "fill=\"#64748b\"");
-      text += rob::bench::svg_text({corner.x + kWidth, corner.y + kHeight + 18},
-                                   fmt::format("{:.1f} s", run.samples.back().t),
-                                   "text-anchor=\"end\" fill=\"#64748b\"");
+      text += rob::test::svg_text({corner.x, corner.y + kHeight + 18}, "0 s", "fill=\"#64748b\"");
+      text += rob::test::svg_text({corner.x + kWidth, corner.y + kHeight + 18},
+                                  fmt::format("{:.1f} s", run.samples.back().t),
+                                  "text-anchor=\"end\" fill=\"#64748b\"");
     }
   }
-  return rob::bench::save_svg(file, right + 24, kTop + 3 * (kHeight + kGap + 12) + 8, text);
+  return rob::test::save_svg(file, right + 24, kTop + 3 * (kHeight + kGap + 12) + 8, text);
 }
 
 }  // namespace

@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "tests/bench/svg.h"
 #include "tests/drivers/arm_bench.h"
+#include "tests/support/svg.h"
 
 namespace {
 
-using rob::bench::Point;
-using rob::bench::svg_curve;
-using rob::bench::svg_line;
-using rob::bench::svg_rect;
-using rob::bench::svg_text;
 using rob::test::ArmBench;
+using rob::test::Point;
+using rob::test::svg_curve;
+using rob::test::svg_line;
+using rob::test::svg_rect;
+using rob::test::svg_text;
 using rob::test::TrackingCase;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
@@ -113,7 +113,7 @@ bool draw(const char* file) {
   for (int t = 0; t <= 9; t += 3)
     picture += svg_text({kLeft + kWidth * t / 9.0, bottom + 12}, fmt::format("{} s", t),
                         "text-anchor=\"middle\"");
-  return rob::bench::save_svg(file, 880, bottom + 34, picture);
+  return rob::test::save_svg(file, 880, bottom + 34, picture);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// The pictures of docs/pictures that programs draw: pixels, y downwards.
-namespace rob::bench {
+namespace rob::test {
 
 struct Point {
   double x = 0;
@@ -49,4 +49,4 @@ inline bool save_svg(const std::string& file, double width, double height,
   return static_cast<bool>(out.flush());
 }
 
-}  // namespace rob::bench
+}  // namespace rob::test
