@@ -10,7 +10,7 @@
 namespace rob::test {
 
 inline constexpr double kDrawingWidth = 880;
-inline constexpr double kDrawingHeight = 520;
+inline constexpr double kDrawingHeight = 534;
 inline constexpr double kListLeft = 610;  ///< of the axes' list, px
 
 inline constexpr const char* kRed = "#dc2626";    // x
