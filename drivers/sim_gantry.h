@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "drivers/pulse_drive.h"
 #include "drivers/sim_axis.h"
 #include "drivers/sim_machine.h"
 #include "motion/servo/drive_data.h"
@@ -12,6 +13,7 @@ struct SimGantryParameters {
   std::vector<motion::DriveData> drives;  ///< one an axis, at most motion::kMaxJoints
   motion::JointVector start;              ///< m, rad: where it stands at power-up
   std::vector<SimActuatorParameters> actuators;
+  std::vector<PulseDrive> pulse_drives = {};  ///< one an axis; none: drives take forces
 };
 
 /// A gantry that is not there, or an arm as far as its drives go: independent servo axes with
@@ -19,7 +21,8 @@ struct SimGantryParameters {
 /// each other, are not in it (SimArm).
 ///
 /// Each axis obeys m·q'' = u − b·q' − C·sign(q'), in closed form between calls, with the drive that
-/// was last written (SimAxis). Without force friction brings the axes to rest.
+/// was last written (SimAxis). Without force friction brings the axes to rest. The force of drives
+/// that take pulses changes with the speed: it is renewed every Encoder::kPeriod at least.
 class SimGantry final : public SimMachine {
  public:
   /// Throws std::invalid_argument for numbers of axes that differ, or a channel beyond 63.
@@ -39,7 +42,11 @@ class SimGantry final : public SimMachine {
   void settle() noexcept override;
   void measure(motion::JointVector& q, motion::JointVector& qd) const noexcept override;
 
+  void follow_pulses(double dt) noexcept;
+
   std::vector<SimAxis> axes_;
+  std::vector<PulseDrive> pulse_drives_;
+  bool follows_pulses_ = false;
 };
 
 }  // namespace rob::drivers

@@ -16,6 +16,9 @@ constexpr double kPi = std::numbers::pi;
 /// m: the wrist is on an axis, or as good as in reach. [choice] far above rounding (1e-15 m), far
 /// below what any arm repeats.
 constexpr double kOnAxis = 1e-9;
+// m. Where an angle keeps its value for want of a better one the tool is off by twice the distance
+// from the axis at most, which shall stay below 1e-9.
+constexpr double kKept = 4e-10;
 /// sin θ5: axes 4 and 6 are in line. [choice] below it θ4 would be made of rounding.
 constexpr double kInLine = 1e-10;
 
@@ -127,7 +130,7 @@ Eigen::Vector2d ArmKinematics::span(const Wrist& wrist, bool behind) const noexc
 
 /// θ1, which comes in as what it keeps where the wrist is on axis 1.
 double ArmKinematics::turn_base(const Wrist& wrist, bool behind, double kept) const noexcept {
-  if (wrist.radius < kOnAxis) return behind ? kept + kPi : kept;
+  if (wrist.radius < kKept) return behind ? kept + kPi : kept;
   return std::atan2(wrist.at.y(), wrist.at.x()) -
          std::atan2(p_.b, behind ? -wrist.ahead : wrist.ahead);
 }
@@ -152,7 +155,7 @@ InverseSolutions ArmKinematics::solutions(const Pose& pose,
     Angles theta = kept;
     theta[0] = turn_base(wrist, behind, kept[0]);
     for (const double side : {1.0, -1.0}) {
-      if (s >= kOnAxis) theta[1] = line - side * lead;
+      if (s >= kKept) theta[1] = line - side * lead;
       theta[2] = side * bend - psi_;
       theta[3] = kept[3];
       add_wrists(wrist, theta, near, found);

@@ -55,9 +55,9 @@ struct SingularityDistances {
 /// along axis 6; the world is the base.
 ///
 /// Singular places (S3; the joints go on without a jump): where |sin θ5| < 1e-10 θ4 keeps the value
-/// of `near` and θ6 follows; where the wrist is within 1e-9 m of axis 1 (b = 0) θ1 keeps its value,
-/// and where it is on axis 2 θ2 does. A place up to 1e-9 m out of reach is reached by the arm
-/// stretched or folded.
+/// of `near` and θ6 follows; where the wrist is within 4e-10 m of axis 1 (b = 0) θ1 keeps its
+/// value, and where it is on axis 2 θ2 does. A place up to 1e-9 m out of reach is reached by the
+/// arm stretched or folded.
 class ArmKinematics final : public Kinematics {
  public:
   /// Throws std::invalid_argument for measures that are no arm's.

@@ -7,6 +7,7 @@
 #include "motion/kinematics/gantry_kinematics.h"
 #include "motion/robots/arm_file.h"
 #include "motion/robots/mechanics_file.h"
+#include "motion/robots/pulse_file.h"
 #include "motion/robots/table_reader.h"
 #include "motion/robots/time_scaling.h"
 
@@ -58,12 +59,6 @@ std::string number_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
-}
-
-/// A whole multiple, up to the rounding of two decimal numbers.
-bool is_multiple(double whole, double part) {
-  const double ratio = whole / part;
-  return ratio > 0.5 && std::abs(ratio - std::round(ratio)) <= 1e-9 * ratio;
 }
 
 template <typename T>
@@ -119,8 +114,8 @@ void read_timing(const TableReader& file, RobotModel& robot) {
   robot.law = file.choice("law", {"paul", "lookahead"}) == 0 ? Law::Paul : Law::LookAhead;
   robot.reference_period = file.quantity("reference_period", Quantity::Time, kPeriod);
   robot.servo_period = file.quantity("servo_period", Quantity::Time, kServoPeriod);
-  if (!is_multiple(robot.reference_period, robot.servo_period))
-    file.fail("servo_period", "reference_period must be a whole multiple of it");
+  if (robot.servo_period > robot.reference_period)
+    file.fail("servo_period", "must not be longer than reference_period");
   if (robot.reference_period > (kMostServoCycles + 0.5) * robot.servo_period)
     file.fail("servo_period", "reference_period must not be more than " +
                                   std::to_string(kMostServoCycles) + " times as long");
@@ -133,8 +128,9 @@ void read_timing(const TableReader& file, RobotModel& robot) {
 
 /// Returns the readers, for the checks that need the whole robot.
 std::vector<TableReader> read_axes(const TableReader& file, RobotModel& robot) {
-  std::vector<TableReader> tables = file.tables(
-      "axis", {"name", "kind", "min", "max", "start", "v_max", "a_max", "j_max", "drive", "motor"});
+  std::vector<TableReader> tables =
+      file.tables("axis", {"name", "kind", "min", "max", "start", "v_max", "a_max", "j_max",
+                           "drive", "motor", "pulse_drive"});
   if (tables.empty()) file.fail("axis", "is missing; write a table [[axis]] for each");
   if (tables.size() > static_cast<std::size_t>(kMaxJoints))
     file.fail("axis", "more than " + std::to_string(kMaxJoints) + " axes");
@@ -270,9 +266,10 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   }
   const TableReader file(
       table, file_name, "",
-      {"name", "description", "kinematics", "law", "t_acc", "reference_period", "servo_period",
-       "look_ahead", "inputs", "outputs", "analog_inputs", "analog_outputs", "force_sensor", "arm",
-       "dynamics", "simulation", "axis", "signal", "actuator"});
+      {"name",           "description",  "kinematics", "law",      "t_acc",      "reference_period",
+       "servo_period",   "look_ahead",   "servo",      "inputs",   "outputs",    "analog_inputs",
+       "analog_outputs", "force_sensor", "arm",        "dynamics", "simulation", "axis",
+       "signal",         "actuator"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
@@ -287,6 +284,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   robot.force_sensor = file.flag_or("force_sensor", false);
   choose_kinematics(file, robot);
   choose_mechanics(file, axes, robot);
+  read_servo(file, axes, robot);
   check_paul(file, axes, robot);
   return robot;
 }

@@ -27,6 +27,7 @@ struct Axis {
   double a_max = 0;
   double j_max = 0;
   DriveData drive;
+  PulseDriveData pulses;  ///< where RobotModel::servo sends pulses
 };
 
 /// A digital signal that the robot file declares by name.
@@ -60,9 +61,10 @@ struct RobotModel {
   Law law = Law::Paul;
   double t_acc = 0;             ///< s, half a transition under Paul's law (S1)
   double reference_period = 0;  ///< s
-  double servo_period = 0;      ///< s; reference_period is a whole multiple
+  double servo_period = 0;      ///< s, at most reference_period
   int look_ahead = 0;           ///< segments that the buffer holds
   std::vector<Axis> axes;
+  ServoStructure servo = ServoStructure::Force;
   JointVector start;  ///< m, rad: where the simulated robot stands at power-up
   int inputs = 0;     ///< digital channels from 0 on, named or not; at most 64
   int outputs = 0;

@@ -21,7 +21,7 @@ enum class DriverStatus : std::uint8_t { Ok, Silent, Lost };
 /// `reference`; one that takes forces applies `drive`.
 struct ServoCommand {
   JointReference reference;
-  JointVector drive;          ///< N or Nm
+  JointVector drive;          ///< N or Nm; of drives that take pulses: how many until the next
   std::uint64_t outputs = 0;  ///< bit i: digital output channel i
   AnalogValues analog_outputs{};
 };

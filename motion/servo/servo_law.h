@@ -6,6 +6,7 @@
 
 #include "motion/servo/drive_data.h"
 #include "motion/servo/feed_forward.h"
+#include "motion/servo/servo.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::motion {
@@ -33,7 +34,7 @@ ServoGains servo_gains(const DriveData& drive, double servo_period);
 /// its posture, as Da·H_ii + Db does; otherwise the axes are decoupled and the gains constant.
 /// e stands still while u is limited. An axis whose values are not finite gets no force.
 /// Every call but the constructor may be used in the tick.
-class ServoLaw {
+class ServoLaw final : public Servo {
  public:
   /// At most kMaxJoints drives; servo_period in s.
   ServoLaw(std::span<const DriveData> drives, double servo_period,
@@ -42,16 +43,11 @@ class ServoLaw {
   /// To be compared with: from now on without u0.
   void leave_out_feed_forward() noexcept { feeds_forward_ = false; }
 
-  /// At enable: nothing accumulated, time counts from `now`.
-  void reset(double now) noexcept;
-
-  /// Reference and measurement of the same instant `now`, which never goes back.
+  void reset(double now) noexcept override;
   JointVector update(double now, const JointReference& reference,
-                     const JointMeasurement& measured) noexcept;
-
-  /// κ = max |u before limiting|/force_max, or |P|/P_max of the gears, over axes and cycles since
-  /// it was last taken: above 1 the motion asks for more than the drives have.
-  double take_saturation() noexcept;
+                     const JointMeasurement& measured) noexcept override;
+  /// κ = max |u before limiting|/force_max, or |P|/P_max of the gears.
+  double take_saturation() noexcept override;
 
  private:
   struct AxisLaw {

@@ -19,7 +19,7 @@ namespace rob::runtime {
 /// What the servo tells of one of its cycles.
 struct ServoSample {
   motion::JointMeasurement measured;
-  motion::JointVector drive;  ///< N, Nm
+  motion::JointVector drive;  ///< N, Nm, or pulses
   std::uint64_t inputs = 0;
   motion::AnalogValues analog_inputs{};
   double saturation = 0;  ///< greatest demanded force / what the drive can give

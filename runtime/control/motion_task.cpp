@@ -25,7 +25,8 @@ MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenera
       handlers_{handlers, channels.handler},
       period_(robot.reference_period),
       override_share_(std::min(override_share, 1.0)),
-      simulated_(script, channels.panel) {
+      simulated_(script, channels.panel),
+      relief_(robot.reference_period) {
   if (override_share_ < 1) set_override(override_share_);
   program_.current.reference.q = robot.start;
 }
@@ -33,6 +34,7 @@ MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenera
 void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   now_ = motion::cycle_instant(number, period_);
   take_samples();
+  relieve_drives();
   latch_inputs(now_);
   take_requests();
   take_after_handler();
@@ -154,7 +156,7 @@ const ServoSample* MotionTask::sample_at(double stamp) const noexcept {
 
 void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
   Snapshot snapshot{sample,      sample.reference.q, sample.reference.q,
-                    saturation_, lateness_,          override_share_};
+                    saturation_, lateness_,          path_share()};
   if (handling()) snapshot.sample.piece += kHandlerNumbers;
   saturation_ = 0;
   snapshot.drive.setZero();
@@ -311,8 +313,18 @@ void MotionTask::switch_output(int channel, bool on) noexcept {
 /// Above 1 it is the planner's affair, which has raised what comes from here on.
 void MotionTask::set_override(double share) noexcept {
   override_share_ = std::min(share, 1.0);
-  program_.generator.set_override(override_share_);
-  handlers_.generator.set_override(override_share_);
+  program_.generator.set_override(path_share());
+  handlers_.generator.set_override(path_share());
+}
+
+double MotionTask::path_share() const noexcept {
+  return std::min(override_share_, relief_.share());
+}
+
+void MotionTask::relieve_drives() noexcept {
+  const double before = path_share();
+  relief_.update(saturation_, active_->current.rate);
+  if (path_share() != before) set_override(override_share_);
 }
 
 void MotionTask::end_pulses(double now) noexcept {

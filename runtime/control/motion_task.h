@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "motion/generate/drive_relief.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
@@ -71,6 +72,10 @@ class MotionTask {
   void take_safe_values() noexcept;
   void simulate(WorldSignal place, double value, double time, std::uint32_t answer = 0) noexcept;
   void set_override(double share) noexcept;
+  /// The path is slowed down while the drives cannot follow it.
+  void relieve_drives() noexcept;
+  /// What holds now: the override, or less.
+  double path_share() const noexcept;
   void switch_output(int channel, bool on) noexcept;
   /// Switches off what was on for a PULSE that is over at `now`.
   void end_pulses(double now) noexcept;
@@ -99,6 +104,7 @@ class MotionTask {
   Pulses pulses_;
   bool finished_ = false;  ///< motion is over; pulses may still be under way
   double saturation_ = 0;
+  motion::DriveRelief relief_;
   bool warned_ = false;
   bool faulted_ = false;
 

@@ -9,35 +9,41 @@ namespace {
 /// So many instructions without a wait also take one cycle of virtual time (docs/language.md).
 constexpr std::int64_t kInstructionsPerCycle = 1'000'000;
 
-/// The servo's cycles after the motion cycle before this one, up to and with `cycle`'s own.
+/// Instants of both tasks that differ by less are the same one, s.
+constexpr double kSameInstant = 1e-9;
+
+/// The servo's cycles up to the instant of motion cycle `cycle`, that one's own included; `next` is
+/// the first that is still to come. Neither period need be a multiple of the other.
 void servo_cycles(Controller& controller, VirtualClock& clock, std::int64_t cycle,
-                  std::int64_t per_cycle) {
-  const std::int64_t first = cycle == 0 ? 0 : (cycle - 1) * per_cycle + 1;
-  for (std::int64_t k = first; k <= cycle * per_cycle; ++k) {
-    clock.sleep_until(motion::cycle_instant(k, controller.robot().servo_period));
+                  std::int64_t& next) {
+  const motion::RobotModel& robot = controller.robot();
+  const double until = motion::cycle_instant(cycle, robot.reference_period);
+  for (;; ++next) {
+    const double instant = motion::cycle_instant(next, robot.servo_period);
+    if (instant > until + kSameInstant) break;
+    clock.sleep_until(instant);
     controller.servo().cycle(clock.now());
   }
+  clock.sleep_until(until);
 }
 
 }  // namespace
 
 Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits& limits,
                    const Attend& attend) {
-  const motion::RobotModel& robot = controller.robot();
-  const auto per_cycle =
-      static_cast<std::int64_t>(robot.reference_period / robot.servo_period + 0.5);
   VirtualClock clock;
+  std::int64_t next_servo = 0;
   Timing timing;
 
   controller.servo().enable(clock.now());
   controller.motion().prepare(clock.now());
   auto program_state = program.step(kInstructionsPerCycle);
   for (std::int64_t cycle = 0;; ++cycle) {
-    servo_cycles(controller, clock, cycle, per_cycle);
+    servo_cycles(controller, clock, cycle, next_servo);
     controller.motion().cycle(cycle, 0);
     attend();
     if (controller.motion().over()) {
-      servo_cycles(controller, clock, cycle + 1, per_cycle);  // an output due last is written, too
+      servo_cycles(controller, clock, cycle + 1, next_servo);  // an output due last is written, too
       return timing;
     }
     if (controller.holding()) continue;  // the program has lost its turn

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "motion/servo/pulse_servo.h"
+#include "motion/servo/servo_law.h"
+
 namespace rob::runtime {
 
 using motion::DriverStatus;
@@ -15,6 +18,16 @@ std::vector<motion::DriveData> drives_of(const motion::RobotModel& robot) {
   std::vector<motion::DriveData> drives;
   for (const motion::Axis& axis : robot.axes) drives.push_back(axis.drive);
   return drives;
+}
+
+/// The one that the robot file chooses.
+std::unique_ptr<motion::Servo> servo_of(const motion::RobotModel& robot) {
+  const std::vector<motion::DriveData> drives = drives_of(robot);
+  if (robot.servo == motion::ServoStructure::Force)
+    return std::make_unique<motion::ServoLaw>(drives, robot.servo_period, robot.mechanics);
+  std::vector<motion::PulseDriveData> pulses;
+  for (const motion::Axis& axis : robot.axes) pulses.push_back(axis.pulses);
+  return std::make_unique<motion::PulseServo>(drives, pulses, robot.servo, robot.servo_period);
 }
 
 JointVector limits_of(const motion::RobotModel& robot, double motion::Axis::*limit) {
@@ -39,7 +52,7 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
       channels_(channels),
       interpolator_(robot.reference_period, limits_of(robot, &motion::Axis::v_max),
                     limits_of(robot, &motion::Axis::a_max)),
-      law_(drives_of(robot), robot.servo_period, robot.mechanics),
+      servo_(servo_of(robot)),
       supervisor_(drives_of(robot), limits_of(robot, &motion::Axis::v_max), robot.servo_period),
       reference_period_(robot.reference_period),
       bridged_gap_((motion::ReferenceInterpolator::kLongestGap - 1) * reference_period_),
@@ -66,7 +79,7 @@ void ServoTask::take_as_it_stands(double now) noexcept {
   const JointVector zero = JointVector::Zero(state_.measured.q.size());
   command_.reference = {now, state_.measured.q, zero, zero};
   interpolator_.rejoin(command_.reference);
-  law_.reset(now);
+  servo_->reset(now);
   supervisor_.reset(command_.reference, state_.measured);
 }
 
@@ -115,7 +128,7 @@ void ServoTask::cycle(double now) noexcept {
 
   const motion::FollowingFinding finding = judge(status, gap);
   if (enabled_ && read == DriverStatus::Ok) {
-    command_.drive = law_.update(now, command_.reference, state_.measured);
+    command_.drive = servo_->update(now, command_.reference, state_.measured);
     written_ = backend_.write(now, command_);
   }
   tell(finding);
@@ -129,7 +142,7 @@ void ServoTask::tell(const motion::FollowingFinding& finding) noexcept {
   sample.drive = command_.drive;
   sample.inputs = state_.inputs;
   sample.analog_inputs = state_.analog_inputs;
-  sample.saturation = law_.take_saturation();
+  sample.saturation = servo_->take_saturation();
   channels_.samples.push(sample);
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
+
 #include "motion/robots/robot_model.h"
 #include "motion/servo/following_supervisor.h"
 #include "motion/servo/reference_interpolator.h"
+#include "motion/servo/servo.h"
 #include "motion/servo/servo_backend.h"
-#include "motion/servo/servo_law.h"
 #include "runtime/control/channels.h"
 
 namespace rob::runtime {
@@ -31,7 +33,7 @@ class ServoTask {
   motion::ServoBackend& backend_;
   Channels& channels_;
   motion::ReferenceInterpolator interpolator_;
-  motion::ServoLaw law_;
+  std::unique_ptr<motion::Servo> servo_;
   motion::FollowingSupervisor supervisor_;
   double reference_period_;
   double bridged_gap_;  ///< s that the interpolator bridges by itself

@@ -5,6 +5,7 @@
 #include "drivers/sim_arm.h"
 #include "drivers/sim_gantry.h"
 #include "motion/kinematics/arm_kinematics.h"
+#include "motion/servo/pulse_servo.h"
 
 namespace rob::runtime {
 
@@ -18,6 +19,19 @@ motion::ArmMechanics real_mechanics(const motion::RobotModel& robot) {
       motion::with_payload(motion::scaled(mechanics.dynamics.parameters(), robot.deviation.masses),
                            robot.deviation.payload, arm.c2, arm.c3, arm.c4));
   return mechanics;
+}
+
+/// Empty where the drives take forces.
+std::vector<drivers::PulseDrive> pulse_drives_of(const motion::RobotModel& robot) {
+  std::vector<drivers::PulseDrive> pulse_drives;
+  if (robot.servo == motion::ServoStructure::Force) return pulse_drives;
+  for (const motion::Axis& axis : robot.axes) {
+    const bool counts = robot.servo == motion::ServoStructure::PulseTrain;
+    const double kp =
+        motion::pulse_gains(axis.drive, axis.pulses, robot.servo, robot.servo_period).kp;
+    pulse_drives.emplace_back(axis.pulses, robot.servo_period, counts ? kp : 0);
+  }
+  return pulse_drives;
 }
 
 }  // namespace
@@ -34,7 +48,7 @@ std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& ro
         drives, real_mechanics(robot), robot.start, actuators, robot.deviation.friction});
   }
   return std::make_unique<drivers::SimGantry>(
-      drivers::SimGantryParameters{drives, robot.start, actuators});
+      drivers::SimGantryParameters{drives, robot.start, actuators, pulse_drives_of(robot)});
 }
 
 }  // namespace rob::runtime

@@ -5,15 +5,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "tests/drivers/arm_bench.h"
+#include "tests/support/svg.h"
 
 namespace {
 
 using rob::test::ArmBench;
+using rob::test::Point;
+using rob::test::svg_curve;
+using rob::test::svg_line;
+using rob::test::svg_rect;
+using rob::test::svg_text;
 using rob::test::TrackingCase;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
@@ -69,17 +74,12 @@ std::vector<double> errors_of(const TrackingCase& c, int axis) {
 
 std::string curve(const std::vector<double>& errors, double middle, double scale,
                   const char* colour) {
-  std::string points;
+  std::vector<Point> points;
   for (std::size_t k = 0; k < errors.size(); ++k) {
     const double x = kLeft + kWidth * static_cast<double>(k) / static_cast<double>(errors.size());
-    points += fmt::format("{:.1f},{:.1f} ", x, middle - errors[k] * scale);
+    points.push_back({x, middle - errors[k] * scale});
   }
-  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"/>\n",
-                     points, colour);
-}
-
-std::string text(double x, double y, const std::string& words, const char* more = "") {
-  return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" {}>{}</text>\n", x, y, more, words);
+  return svg_curve(points, fmt::format("stroke=\"{}\" stroke-width=\"1.4\"", colour));
 }
 
 std::string lane(int axis, double top) {
@@ -92,40 +92,36 @@ std::string lane(int axis, double top) {
     for (const double error : *errors) most = std::max(most, std::abs(error));
   const double middle = top + kLane / 2;
   const double scale = 0.94 * kLane / 2 / most;
-  return fmt::format(
-             "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#f8fafc\"/>\n"
-             "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"#cbd5e1\"/>\n",
-             kLeft, top, kWidth, kLane, kLeft, middle, kLeft + kWidth, middle) +
+  return svg_rect({kLeft, top}, kWidth, kLane, "fill=\"#f8fafc\"") +
+         svg_line({kLeft, middle}, {kLeft + kWidth, middle}, "stroke=\"#cbd5e1\"") +
          curve(alone, middle, scale, "#dc2626") + curve(fed, middle, scale, "#2563eb") +
          curve(fast, middle, scale, "#059669") +
-         text(kLeft - 8, middle + 4, fmt::format("q{}", axis + 1), "text-anchor=\"end\"") +
-         text(kLeft + kWidth + 6, top + 12, fmt::format("{:.2f}°", most));
+         svg_text({kLeft - 8, middle + 4}, fmt::format("q{}", axis + 1), "text-anchor=\"end\"") +
+         svg_text({kLeft + kWidth + 6, top + 12}, fmt::format("{:.2f}°", most));
 }
 
-void draw(const char* file) {
+bool draw(const char* file) {
   const double bottom = kTop + 6 * (kLane + kGap);
-  std::ofstream out(file);
-  out << fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 880 {0}\" width=\"880\" "
-      "height=\"{0}\" font-size=\"12.5\" fill=\"#334155\" font-family=\"system-ui, 'Segoe UI', "
-      "Roboto, 'DejaVu Sans', sans-serif\">\n"
-      "<rect width=\"100%\" height=\"100%\" rx=\"10\" fill=\"#ffffff\"/>\n",
-      bottom + 34);
-  out << text(kLeft, 24, "Where the UMS-7's axes are behind their references, over a tour of 9 s",
-              "font-size=\"15\"");
-  out << text(kLeft, 48, "PID alone, servo every 20 ms", "fill=\"#dc2626\"");
-  out << text(kLeft + 230, 48, "with feed-forward, every 20 ms", "fill=\"#2563eb\"");
-  out << text(kLeft + 470, 48, "with feed-forward, 1 kHz", "fill=\"#059669\"");
-  for (int axis = 0; axis < 6; ++axis) out << lane(axis, kTop + axis * (kLane + kGap));
+  std::string picture =
+      svg_text({kLeft, 24},
+               "Where the UMS-7's axes are behind their references, over a tour of 9 s",
+               "font-size=\"15\"") +
+      svg_text({kLeft, 48}, "PID alone, servo every 20 ms", "fill=\"#dc2626\"") +
+      svg_text({kLeft + 230, 48}, "with feed-forward, every 20 ms", "fill=\"#2563eb\"") +
+      svg_text({kLeft + 470, 48}, "with feed-forward, 1 kHz", "fill=\"#059669\"");
+  for (int axis = 0; axis < 6; ++axis) picture += lane(axis, kTop + axis * (kLane + kGap));
   for (int t = 0; t <= 9; t += 3)
-    out << text(kLeft + kWidth * t / 9.0, bottom + 12, fmt::format("{} s", t),
-                "text-anchor=\"middle\"");
-  out << "</svg>\n";
+    picture += svg_text({kLeft + kWidth * t / 9.0, bottom + 12}, fmt::format("{} s", t),
+                        "text-anchor=\"middle\"");
+  return rob::test::save_svg(file, 880, bottom + 34, picture);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   print_table();
-  if (argc > 1) draw(argv[1]);
+  if (argc > 1 && !draw(argv[1])) {
+    fmt::print(stderr, "servo_tracking: cannot write {}\n", argv[1]);
+    return 74;
+  }
 }

@@ -24,12 +24,13 @@ class FaultyBackend final : public motion::ServoBackend {
 
   static constexpr double kStiffness = 2e5;  ///< N/m or Nm/rad: a toothed belt of half a metre
   static constexpr double kCount = 1e-6;     ///< m or rad, of the locked joint's encoder
-  static constexpr double kJump = 0.01;      ///< m or rad
+  static constexpr double kJump = 0.01;      ///< m or rad, unless told otherwise
 
   explicit FaultyBackend(motion::ServoBackend& machine) : machine_(machine) {}
 
-  void inject(Fault fault, double from, int axis = 0) noexcept {
+  void inject(Fault fault, double from, int axis = 0, double jump = kJump) noexcept {
     fault_ = fault;
+    jump_ = jump;
     from_ = from;
     axis_ = axis;
     caught_ = false;
@@ -86,7 +87,7 @@ class FaultyBackend final : public motion::ServoBackend {
         measured.qd[axis_] = 0;
         break;
       case Fault::JumpingEncoder:
-        q += kJump;
+        q += jump_;
         break;
       case Fault::NotANumber:
         q = std::numeric_limits<double>::quiet_NaN();
@@ -101,6 +102,7 @@ class FaultyBackend final : public motion::ServoBackend {
   motion::ServoBackend& machine_;
   Fault fault_ = Fault::None;
   double from_ = 0;
+  double jump_ = kJump;
   int axis_ = 0;
   bool caught_ = false;  // the fault has shown itself
   double stuck_at_ = 0;

@@ -35,9 +35,10 @@ inline std::unique_ptr<motion::ServoBackend> simulated(const motion::RobotModel&
   return std::make_unique<drivers::SimGantry>(parameters);
 }
 
-/// A program on the gantry in virtual time, on any backend, with what came up kept for inspection.
+/// A program on the gantry, or another robot, in virtual time, on any backend, with what came up
+/// kept for inspection.
 struct SteppedRun {
-  motion::RobotModel robot = motion::embedded_robot("gantry");
+  motion::RobotModel robot;
   runtime::LoadedProgram program;
   runtime::Controller controller;
   runtime::ProgramTask task;
@@ -47,8 +48,10 @@ struct SteppedRun {
 
   explicit SteppedRun(const std::string& text,
                       std::unique_ptr<motion::ServoBackend> backend = nullptr,
-                      double override_share = 1)
-      : program(runtime::compile_program("test.rob", text, robot)),
+                      double override_share = 1,
+                      const motion::RobotModel& on = motion::embedded_robot("gantry"))
+      : robot(on),
+        program(runtime::compile_program("test.rob", text, robot)),
         controller(robot, backend ? std::move(backend) : simulated(robot), override_share),
         task(program.compilation.chunk.value(), controller.machine()),
         recorder(robot, override_share, controller.channels(), controller.log(),

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "tests/motion/kinematics/arms.h"
+#include "tests/motion/kinematics/round_trip.h"
 #include "tests/support/no_allocation.h"
 
 using namespace rob::motion;
@@ -13,17 +14,6 @@ using namespace rob::test;
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-bool contains(const InverseSolutions& found, const JointVector& q, double tolerance) {
-  return std::any_of(found.begin(), found.end(), [&](const JointVector& other) {
-    return (other - q).cwiseAbs().maxCoeff() <= tolerance;
-  });
-}
-
-/// Far enough from every singular place for joints to be as exact as poses.
-bool is_regular(const SingularityDistances& far) {
-  return far.shoulder > 1e-3 && far.elbow > 1e-3 && far.wrist > 1e-3;
-}
 
 ArmBranch branch_number(int i) { return {(i & 1) != 0, (i & 2) != 0, (i & 4) != 0}; }
 
@@ -76,26 +66,16 @@ TEST_CASE("each arm stands at its start as its file says") {
 }
 
 TEST_CASE("every solution brings the tool back to its pose, and the joints it came from are one") {
+  // tests/bench/pose_round_trip does it with a million poses an arm.
   for (const std::string& name : arm_names()) {
     CAPTURE(name);
-    const auto kinematics = arm(name);
-    std::mt19937 random(2);
-    double worst = 0;
-    int lost = 0;
-    int regular = 0;
-    for (int i = 0; i < 10'000; ++i) {
-      const JointVector q = random_joints(random);
-      const Pose pose = kinematics->forward(q);
-      const InverseSolutions found = kinematics->solutions(pose, q);
-      for (const JointVector& other : found)
-        worst = std::max(worst, difference(kinematics->forward(other), pose));
-      if (!is_regular(kinematics->singularities(q))) continue;
-      ++regular;
-      if (!contains(found, q, 1e-9)) ++lost;
-    }
-    CHECK(worst < 1e-9);
-    CHECK(lost == 0);
-    CHECK(regular > 9'900);
+    const RoundTrip trip = round_trip(*arm(name), 16'000, 2);
+    CHECK(trip.position < 1e-9);
+    CHECK(trip.rotation < 1e-9);
+    CHECK(trip.none == 0);
+    CHECK(trip.lost == 0);
+    CHECK(trip.regular > 9'500);
+    CHECK(trip.solutions > 6 * trip.poses);
   }
 }
 

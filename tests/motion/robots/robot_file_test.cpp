@@ -198,9 +198,10 @@ TEST_CASE("limits that contradict each other are refused") {
   check_error(edit(22, "60 N", "2 N"), 22, "a_max at v_max takes 2.3 N");
 }
 
-TEST_CASE("periods that do not fit into each other are refused") {
-  check_error(edit(7, "5 ms", "3 ms"), 7, "whole multiple");
-  check_error(edit(7, "5 ms", "20 ms"), 7, "whole multiple");
+TEST_CASE("a servo that is slower than its references, or a hundred times as fast, is refused") {
+  check_error(edit(7, "5 ms", "10.1 ms"), 7, "must not be longer than reference_period");
+  CHECK(parse_robot_file(edit(7, "5 ms", "3 ms"), "my.toml").servo_period == 0.003);
+  CHECK(parse_robot_file(edit(7, "5 ms", "10 ms"), "my.toml").servo_period == 0.010);
   check_error(edit(7, "5 ms", "0.05 ms"), 7, "not be more than 100 times as long");
   CHECK(parse_robot_file(edit(7, "5 ms", "0.1 ms"), "my.toml").servo_period == 0.0001);
   check_error(edit(5, "1.375 s", "5 ms"), 5, "less than reference_period");

@@ -1,0 +1,29 @@
+/// draw_robots FOLDER: draws each robot that is built in, as FOLDER/robot_NAME.svg
+/// (docs/robots.md).
+
+#include <exception>
+
+#include "motion/robots/robot_library.h"
+#include "tests/support/robot_drawing.h"
+
+int main(int argc, char** argv) {
+  using namespace rob;
+  if (argc != 2) {
+    fmt::print(stderr, "usage: draw_robots FOLDER\n");
+    return 64;
+  }
+  try {
+    for (const motion::EmbeddedRobot& entry : motion::embedded_robots()) {
+      const motion::RobotModel robot = motion::embedded_robot(std::string(entry.name));
+      const std::string drawing =
+          robot.tool_coordinates ? test::arm_drawing(robot) : test::gantry_drawing(robot);
+      const std::string file = fmt::format("{}/robot_{}.svg", argv[1], entry.name);
+      if (test::save_svg(file, test::kDrawingWidth, test::kDrawingHeight, drawing)) continue;
+      fmt::print(stderr, "draw_robots: cannot write {}\n", file);
+      return 74;
+    }
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "draw_robots: {}\n", error.what());
+    return 70;
+  }
+}
