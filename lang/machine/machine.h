@@ -145,7 +145,7 @@ class Machine {
   /// V), whatever the machine says.
   virtual Reply simulate(int line, int signal, double value, double after) = 0;
   /// The same of one part of what the force sensor tells: N of force x, y, z, then Nm of torque x,
-  /// y, z.
+  /// y, z, in the frame that work_in() has named last.
   virtual Reply simulate_force(int line, int component, double value, double after) = 0;
   /// In the same way the operator lets a HALT go on (if `go`), or answers an ASK.
   virtual Reply simulate_go(int line, bool go, double after) = 0;

@@ -97,7 +97,9 @@ Reply PrintingMachine::ended(int line, bool& hit) {
     explicit World(PrintingMachine& m) : machine(m) {}
     bool signal(int signal) const noexcept override { return machine.value_of(signal) != 0; }
     double analog(int signal) const noexcept override { return machine.value_of(signal); }
-    void read(Reading what, Slot* value) const noexcept override { machine.answer(what, value); }
+    void read(Reading what, Slot* value) const noexcept override {
+      machine.answer(what, {}, value);
+    }
   };
   std::size_t looks = 1;
   for (const auto& [signal, script] : scripts_) looks = std::max(looks, script.values.size());
@@ -213,11 +215,11 @@ Reply PrintingMachine::write_signal(int line, int signal, bool value) {
 Reply PrintingMachine::read(int, Reading what, Slot* value) {
   const Reply reply = is_observation(what) ? ready() : Reply::Done;
   if (reply != Reply::Done) return reply;
-  answer(what, value);
+  answer(what, setting_, value);
   return reply;
 }
 
-void PrintingMachine::answer(Reading what, Slot* value) {
+void PrintingMachine::answer(Reading what, const Setting& setting, Slot* value) {
   if (what == Reading::Clock) {
     value->real = 0.01 * cycle_;
   } else if (what == Reading::Joints) {
@@ -229,7 +231,7 @@ void PrintingMachine::answer(Reading what, Slot* value) {
   } else {
     const PoseValue tool =
         tool_of(robot_.coordinates, what == Reading::HitPose ? hit_ : commanded_);
-    store(tip_of(tool, setting_), value);
+    store(tip_of(tool, setting), value);
   }
 }
 

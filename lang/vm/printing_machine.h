@@ -131,7 +131,7 @@ class PrintingMachine : public Machine {
   };
 
   double value_of(int signal);
-  void answer(Reading what, Slot* value);
+  void answer(Reading what, const Setting& setting, Slot* value);
   /// Where a motion leads, from where the last one did.
   Reply reach(int line, const MoveCommand& command, std::array<double, kMaxCoordinates>& reached);
   /// Done where the call may be carried out.

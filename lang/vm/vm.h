@@ -166,6 +166,7 @@ class Vm {
   Reply observe(Code pc);
   Reply observe_analog(Code pc);
   Reply read(Code pc);
+  Reply feel(Code pc);
   /// Whether the `read` at `pc` is an observation that belongs to the next cycle.
   bool waits_for_cycle(Code pc) const;
   Reply forward(Code pc);
@@ -175,6 +176,7 @@ class Vm {
   /// False, with error_ set, if HITPOSE is read before the first guarded motion.
   bool check_hit_pose(Code pc);
   Reply stand(Code pc);
+  Watch watch_of(Code pc) const;
   Reply guard(Code pc);
   Reply ended(Code pc);
   Reply simulate(Code pc, double value);
@@ -193,6 +195,8 @@ class Vm {
   State fail_timeout(Code pc);
 
   // WITH, PRESS, OVERRIDE (vm_surroundings.cpp)
+  /// What the WITHs say that are open.
+  Setting setting() const;
   void enter_setting(Code pc);
   void leave_settings(int line, std::size_t kept);
   PressCommand press_of(Code pc) const;
