@@ -133,8 +133,8 @@ Reply PrintingMachine::when(int line, const Watch&, int& id) {
   return reply;
 }
 
-Reply PrintingMachine::when_raise(int line, std::string_view text) {
-  return note(line, fmt::format("raise {}", text));
+Reply PrintingMachine::when_raise(const Place& place, std::string_view text) {
+  return note(line_tag(place), fmt::format("raise {}", text));
 }
 
 Reply PrintingMachine::when_handle(int line, bool stops) {
@@ -172,8 +172,8 @@ Reply PrintingMachine::simulate_answer(int line, std::string_view text, double a
   return note(line, fmt::format("simulate answer {} after {}", text, number_text(after, kTime)));
 }
 
-Reply PrintingMachine::start(int line, std::uint32_t task) {
-  return note(line, fmt::format("start {}", task + 1));
+Reply PrintingMachine::start(const Place& place, std::uint32_t task) {
+  return note(line_tag(place), fmt::format("start {}", task + 1));
 }
 
 Reply PrintingMachine::wait(int line, double seconds) {

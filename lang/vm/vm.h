@@ -19,8 +19,13 @@ namespace rob::lang {
 
 /// A routine that was running, and the line that called it.
 struct CallSite {
-  std::string routine;
+  /// What has begun it: a call; START, of a TASK; the condition of a WHEN, of its handler: then the
+  /// line is that of the WHEN.
+  enum class By : std::uint8_t { Call, Start, When };
+
+  std::string routine;  ///< "WHEN": a handler
   int line = 0;
+  By by = By::Call;
 
   bool operator==(const CallSite&) const = default;
 };

@@ -16,9 +16,10 @@ namespace rob::lang {
 Vm::State Vm::pause(Code pc, Code resume, Reply reply) {
   if (reply == Reply::Later) return leave(pc, resume, State::Waiting);
   const Refusal& refusal = machine_->refusal();
-  return fail(
-      pc,
-      {.code = refusal.code, .place = place(pc), .message = refusal.message, .help = refusal.help});
+  return fail(pc, {.code = refusal.code,
+                   .place = refusal.place.line > 0 ? refusal.place : place(pc),
+                   .message = refusal.message,
+                   .help = refusal.help});
 }
 
 Reply Vm::observe(Code pc) {

@@ -14,7 +14,9 @@
 namespace rob::lang {
 
 Watch Vm::watch_of(Code pc) const {
-  Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
+  Watch watch;
+  watch.chunk = &chunk_;
+  watch.form = chunk_.watches[pc->x()];
   std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
   watch.setting = setting();
   return watch;
@@ -71,7 +73,10 @@ Reply Vm::disarm(int line, std::size_t kept) {
 
 PathPlace Vm::place_of(Code pc) const {
   const Slot* const slots = numbers_ + pc->a();
-  return {.before = pc->b() != 0, .distance = slots[0].real, .lead = slots[1].real};
+  return {.before = pc->b() != 0,
+          .distance = slots[0].real,
+          .lead = slots[1].real,
+          .written = place(pc)};
 }
 
 bool Vm::check_place(Code pc) {
