@@ -16,21 +16,18 @@ namespace rob::runtime {
 namespace {
 
 std::string all_texts(const std::string& word) {
-  std::string text;
-  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "\n") + more; };
-  for (const lang::HelpEntry& entry : lang::help_on(word)) add(lang::help_text(entry));
   for (const CodeText& code : all_codes()) {
-    if (!lang::same_word(code.code, word)) continue;
-    add(lang::help_text({code.code, code.title, code.explanation, ""}));
+    if (lang::same_word(code.code, word)) {
+      return lang::help_text({code.code, code.title, code.explanation});
+    }
   }
-  return text;
+  return lang::help_on(word);
 }
 
 std::string suggestion(const std::string& word) {
-  std::vector<std::string_view> topics;
-  for (const lang::HelpEntry& entry : lang::help_entries()) topics.push_back(entry.topic);
+  std::vector<std::string_view> topics = lang::help_topics();
   for (const CodeText& code : all_codes()) topics.push_back(code.code);
-  return lang::did_you_mean(lang::suggest(word, topics));
+  return lang::did_you_mean(fmt::format("{}", fmt::join(lang::nearest(word, topics), " or ")));
 }
 
 }  // namespace

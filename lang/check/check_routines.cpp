@@ -32,6 +32,7 @@ void StatementChecker::check(Program& program) {
     if (!routine.handler) check(routine);
   }
   check_frame_uses(program);
+  check_test_names(program);
   settle_tasks(program);
   settle_handlers();
   warn_of_missing_points();

@@ -45,6 +45,10 @@ void StatementChecker::check(With& with) {
 void StatementChecker::check_watched(WatchedMotion& watched) {
   const auto& move = std::get<Move>(watched.motion.front().node);
   moves_.check(move, place_, watched.until != nullptr);
+  if (watched.until == nullptr && watched.events.empty()) {
+    diagnostics_.warning(code::kNoEvents, place_, "nothing is done on the way of this motion",
+                         "leave DO and ENDMOVE out, or write AFTER 5mm : lift = ON between them");
+  }
   if (move.kind != MotionKind::Jog || watched.events.empty()) return;
   diagnostics_.error(code::kClauseMisplaced, watched.events.front().place,
                      "a JOG has no length on which a place could lie",

@@ -1,3 +1,8 @@
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <utility>
+
 #include <fmt/core.h>
 
 #include "lang/check/statement_checker.h"
@@ -14,6 +19,20 @@ void StatementChecker::require_test(std::string_view word) {
   if (routine != nullptr && routine->test) return;
   diagnostics_.error(code::kOutsideTest, place_, fmt::format("{} can stand only in a TEST", word),
                      "TEST \"its name\" … ENDTEST holds it; a program has ASSERT and its inputs");
+}
+
+/// A report of tests says which one has failed by its name.
+void StatementChecker::check_test_names(const Program& program) {
+  std::map<std::pair<std::uint32_t, std::string_view>, const Routine*> named;
+  for (const Routine& routine : program.routines) {
+    if (!routine.test || !routine.sound) continue;
+    const auto [earlier, is_new] = named.try_emplace({routine.place.file, routine.name}, &routine);
+    if (is_new) continue;
+    diagnostics_.error(code::kDeclaredTwice, routine.name_place,
+                       fmt::format("there is a TEST of this name already, in line {}",
+                                   earlier->second->place.line),
+                       "give one of them another name");
+  }
 }
 
 void StatementChecker::check(Expect& expectation) {

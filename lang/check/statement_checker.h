@@ -93,6 +93,7 @@ class StatementChecker {
   void check(Press& press);
   void check(SetOverride& statement) { clauses_.check_override(statement.share); }
   void check_watched(WatchedMotion& watched);
+  void check_test_names(const Program& program);
   void check_in_path(const Statement& statement);
   void check_motion_in_path(const Move& move, Place place);
   void check_not_read(const ExprPtr& value);

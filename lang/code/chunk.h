@@ -139,9 +139,11 @@ struct SafeValue {
   int line = 0;      ///< line_tag() of its declaration
 };
 
-/// A PROC or FUNC: where its code begins, and how much of the stack it takes.
+/// A PROC, FUNC, TASK, TEST or handler: where its code begins, and how much of the stack it takes.
 struct RoutineCode {
   std::string name;
+  Place place;           ///< where it is defined
+  bool handler = false;  ///< of a WHEN, which nobody calls
   std::uint32_t entry = 0;
   int registers = 0;
   int text_registers = 0;

@@ -253,15 +253,18 @@ void CodeBuilder::release(const Mark& mark) {
   }
 }
 
-void CodeBuilder::begin_routine(const std::string& name) {
+void CodeBuilder::begin_routine(const std::string& name, const Place& place, bool handler) {
   close_frame();
   numbers_ = {};
   texts_ = {};
   memory_ = most_memory_ = {};
   memory_register_.reset();
   reserves_.clear();
-  chunk_.routines.push_back(
-      {.name = name, .entry = static_cast<std::uint32_t>(here()), .memory = {}});
+  chunk_.routines.push_back({.name = name,
+                             .place = place,
+                             .handler = handler,
+                             .entry = static_cast<std::uint32_t>(here()),
+                             .memory = {}});
 }
 
 void CodeBuilder::close_frame() {

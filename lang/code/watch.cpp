@@ -4,8 +4,11 @@
 #include <cassert>
 #include <cstring>
 
+#include "lang/machine/move_pose.h"
+#include "lang/machine/seen_from.h"
 #include "lang/values/builtins.h"
 #include "lang/values/pose_functions.h"
+#include "lang/values/pose_slots.h"
 
 namespace rob::lang {
 
@@ -17,7 +20,10 @@ using Error = ArithmeticError;
 class Evaluation {
  public:
   Evaluation(const Watch& watch, const WatchedWorld& world) noexcept
-      : chunk_(*watch.chunk), world_(world), pc_(chunk_.code.data() + watch.form.entry) {
+      : chunk_(*watch.chunk),
+        setting_(watch.setting),
+        world_(world),
+        pc_(chunk_.code.data() + watch.form.entry) {
     std::copy_n(watch.values.begin(), watch.form.values, n_.begin());
   }
 
@@ -35,6 +41,8 @@ class Evaluation {
   const Slot& c() const noexcept { return n_[pc_->c()]; }
 
   Error step() noexcept;
+  void read(Reading what) noexcept;
+  PoseValue tool() const noexcept;
   Error binary() noexcept;
   Error call() noexcept;
   Error next(int words) noexcept {
@@ -51,6 +59,7 @@ class Evaluation {
   }
 
   const Chunk& chunk_;
+  const Setting& setting_;
   const WatchedWorld& world_;
   const Instruction* pc_;
   std::array<Slot, kMostRegisters> n_;  // what is read has been written: the compiler sees to it
@@ -80,7 +89,7 @@ Error Evaluation::step() noexcept {
       a().real = world_.analog(pc_->x());
       return next(1);
     case Opcode::read:
-      world_.read(static_cast<Reading>(pc_->b()), &a());
+      read(static_cast<Reading>(pc_->b()));
       return next(1);
     case Opcode::copy_block:
       std::memmove(&a(), &b(), pc_->c() * sizeof(Slot));
@@ -121,6 +130,18 @@ Error Evaluation::step() noexcept {
     default:
       return passed(binary());
   }
+}
+
+PoseValue Evaluation::tool() const noexcept {
+  std::array<Slot, kPoseSlots> flange;
+  world_.read(Reading::Here, flange.data());
+  return tip_of(load_pose(flange.data()), setting_);
+}
+
+void Evaluation::read(Reading what) noexcept {
+  if (what == Reading::Here) return store(tool(), &a());
+  world_.read(what, &a());
+  turn_into_frame(what, setting_, setting_.in_tool ? tool() : PoseValue{}, &a());
 }
 
 Error Evaluation::binary() noexcept {

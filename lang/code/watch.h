@@ -6,6 +6,7 @@
 
 #include "lang/code/chunk.h"
 #include "lang/values/arithmetic.h"
+#include "lang/values/setting.h"
 
 /// What is evaluated in every control cycle: the conditions of UNTIL and WHEN.
 ///
@@ -19,6 +20,7 @@ struct Watch {
   const Chunk* chunk = nullptr;
   WatchForm form;
   std::array<Slot, kMostWatched> values{};
+  Setting setting;  ///< the tool of HERE, and the frame of force and torque
 };
 
 /// Where a watch reads the world: one control cycle. Called in the tick.
@@ -28,7 +30,7 @@ class WatchedWorld {
   /// By its index in the RobotSignature.
   virtual bool signal(int signal) const noexcept = 0;
   virtual double analog(int signal) const noexcept = 0;  ///< V
-  /// As Machine::read() of an observation, in this cycle.
+  /// As Machine::read() of an observation, in this cycle, but HERE is the flange.
   virtual void read(Reading what, Slot* value) const noexcept = 0;
 };
 

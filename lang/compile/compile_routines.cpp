@@ -46,7 +46,7 @@ void StatementCompiler::compile(const Routine& routine) {
   }
   if (routine.task) code_.add_task({routine.name, static_cast<std::uint32_t>(routine.index)});
   whens_ = 0;
-  code_.begin_routine(routine.name);
+  code_.begin_routine(routine.name, routine.place, routine.handler);
   const auto mark = code_.mark();
   const CallLayout layout = layout_of(routine);
   const auto parameters = parameters_of(routine);

@@ -144,7 +144,7 @@ void StatementCompiler::compile(const When& when) {
   if (handler != nullptr) {
     code_.when_handle(captured, captures_of(*handler), handler->stops, handler->index, place);
   } else if (const auto* const raise = std::get_if<Raise>(&when.action.front().node)) {
-    code_.emit(Opcode::when_raise, place, expressions_.value(*raise->value));
+    code_.emit(Opcode::when_raise, when.action.front().place, expressions_.value(*raise->value));
   } else {
     compile(when.action);
   }

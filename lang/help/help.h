@@ -1,32 +1,28 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rob::lang {
 
-/// What `rob help` says of a word of the language, a unit, or a code.
-///
-/// The texts stand in help_words.def and help_codes.def: one line for each statement, clause,
-/// function and unit, and for each line of codes.def.
-struct HelpEntry {
-  std::string_view topic;
-  std::string_view title;  ///< of a code
+/// What `rob help` says of a code: beside its title what to do, and an example in which the wrong
+/// line stands before the right one.
+struct CodeHelp {
+  std::string_view code;
+  std::string_view title;
   std::string_view explanation;
-  std::string_view example;  ///< lines of a program, or empty
+  std::string_view example = {};
 };
+std::string help_text(const CodeHelp& help);
 
-/// Codes first, then words.
-std::span<const HelpEntry> help_entries();
-
-/// All that a word means: MIN is a function and a unit. Units count as they are written, everything
+/// What `rob help` says of a word: of a code what help_codes.def says; of a heading of the manual
+/// what stands below it; of any other word that the manual explains, what it says of it there.
+/// Empty if there is nothing. MIN is a function, min a unit: units count as they are written, all
 /// else in any case.
-std::vector<HelpEntry> help_on(std::string_view word);
+std::string help_on(std::string_view word);
 
-/// The entry as text to be read, wrapped; a code begins with its title. It says so if the example
-/// cannot be read by this version.
-std::string help_text(const HelpEntry& entry);
+/// What help_on() knows, each once.
+std::vector<std::string_view> help_topics();
 
 }  // namespace rob::lang

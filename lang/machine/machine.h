@@ -8,6 +8,7 @@
 
 #include "lang/machine/move_command.h"
 #include "lang/machine/reading.h"
+#include "lang/text/diagnostic.h"
 #include "lang/values/arithmetic.h"
 #include "lang/values/pose_math.h"
 #include "lang/values/setting.h"
@@ -25,6 +26,7 @@ struct PathPlace {
   bool before = false;  ///< BEFORE: counts back from the end of the motion
   double distance = 0;  ///< m of the tool's way
   double lead = 0;      ///< LEAD: s before the place is passed; LAG: below 0
+  Place written = {};   ///< in the program
 };
 /// The longest LEAD and LAG, s. [choice] longer than any valve takes.
 inline constexpr double kLongestLead = 0.5;
@@ -41,12 +43,14 @@ struct Refusal {
   std::string code;
   std::string message;
   std::string help;
+  Place place = {};  ///< where, if not at the command itself
 };
 
 /// All that a program can do to the world. The Vm calls it in program order and knows nothing
 /// else of motion; PrintingMachine, behind the same interface, writes the calls down for tests.
 ///
-/// `line` is the source line that asked. Values are SI. Every call returns at once.
+/// `line` is the source line that asked, or `place` where exactly. Values are SI. Every call
+/// returns at once.
 class Machine {
  public:
   virtual ~Machine() = default;
@@ -77,7 +81,7 @@ class Machine {
   /// control cycle in which the condition comes true, from here on in motion order.
   virtual Reply when(int line, const Watch& condition, int& id) = 0;
   /// The action: the axes brake, all that was commanded is dropped, and the program fails.
-  virtual Reply when_raise(int line, std::string_view text) = 0;
+  virtual Reply when_raise(const Place& place, std::string_view text) = 0;
   /// The action: a handler, which Vm::handle() begins. `stops`: the axes come to rest on their path
   /// before, and the handler has them.
   virtual Reply when_handle(int line, bool stops) = 0;
@@ -145,13 +149,13 @@ class Machine {
   /// V), whatever the machine says.
   virtual Reply simulate(int line, int signal, double value, double after) = 0;
   /// The same of one part of what the force sensor tells: N of force x, y, z, then Nm of torque x,
-  /// y, z.
+  /// y, z, in the frame that work_in() has named last.
   virtual Reply simulate_force(int line, int component, double value, double after) = 0;
   /// In the same way the operator lets a HALT go on (if `go`), or answers an ASK.
   virtual Reply simulate_go(int line, bool go, double after) = 0;
   virtual Reply simulate_answer(int line, std::string_view text, double after) = 0;
   /// START: the TASK of that number runs beside the program, from this point of motion order on.
-  virtual Reply start(int line, std::uint32_t task) = 0;
+  virtual Reply start(const Place& place, std::uint32_t task) = 0;
   /// What TASKs see of the program's globals: from this point of motion order on the slots from
   /// `first` on have these values; or, an observation, what they are.
   virtual Reply publish(int line, std::size_t first, std::span<const Slot> values) = 0;

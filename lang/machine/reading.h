@@ -15,8 +15,9 @@ enum class Reading : std::uint8_t {
   /// HITPOSE: the tool in the world where the condition of the last guarded motion came true, or
   /// where that motion ended; known without looking
   HitPose,
-  Force,   ///< force: N along x y z of the world, the reaction on the tool
-  Torque,  ///< torque: Nm about x y z of the world
+  Force,   ///< force: N, the reaction on the tool. A Machine tells it along x y z of the world; the
+           ///< program sees it along those of the active frame (seen_from.h)
+  Torque,  ///< torque: Nm, in the same way
   Wrench   ///< WRENCH(): force, then torque
 };
 

@@ -20,8 +20,10 @@ using ExprPtr = std::unique_ptr<Expr>;
 /// `10`, `0.5`, `20mm`: the value in SI. For a quantity the dimension is its unit's.
 struct NumberLiteral {
   double value = 0;
-  std::int64_t integer = 0;  ///< the value where is_integer
-  bool is_integer = false;   ///< written without point, exponent or unit
+  /// The value where is_integer. The least INT, below 0, is that of 9223372036854775808, which
+  /// needs a '-' directly before it.
+  std::int64_t integer = 0;
+  bool is_integer = false;  ///< written without point, exponent or unit
   Dimension dimension;
   bool has_unit = false;  ///< written with a unit: tells 50% from 0.5, both dimensionless
 };

@@ -10,6 +10,10 @@
 
 namespace rob::lang {
 
+/// What to do about an INT that is too large.
+inline constexpr const char* kLargestInt =
+    "an INT goes up to 9223372036854775807; with .0 behind it, it is a REAL";
+
 /// Cuts a source text into tokens, one at a call. Blanks and comments are skipped.
 ///
 /// What cannot be read is reported and returned as a Bad token; an operator of another language

@@ -91,11 +91,11 @@ Token Lexer::plain_number(std::string_view digits, bool whole) {
   token.number.value = *value;
   token.number.is_integer = whole;
   if (whole) {
-    const auto result =
-        std::from_chars(digits.data(), digits.data() + digits.size(), token.number.integer);
-    if (result.ec != std::errc{}) {
-      return too_large("an INT goes up to 9223372036854775807; with .0 behind it, it is a REAL");
-    }
+    constexpr std::uint64_t kBehindLast = std::uint64_t{1} << 63U;
+    std::uint64_t size = 0;
+    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), size);
+    if (result.ec != std::errc{} || size > kBehindLast) return too_large(kLargestInt);
+    token.number.integer = static_cast<std::int64_t>(size);  // the least one for kBehindLast
   }
   return token;
 }

@@ -135,9 +135,19 @@ ExprPtr Parser::unary() {
   const UnaryOp op = at(TokenKind::Minus) ? UnaryOp::Negate : UnaryOp::Plus;
   const Place place = current_.place;
   advance();
+  if (op == UnaryOp::Negate && at_least_int() && next_.kind != TokenKind::Caret) {
+    current_.number.value = -current_.number.value;
+    ExprPtr least = literal(current_.number);
+    least->place = place;
+    return least;
+  }
   ExprPtr operand = unary();
   const int height = operand->height + 1;
   return make(place, Unary{op, std::move(operand)}, height);
+}
+
+bool Parser::at_least_int() const {
+  return at(TokenKind::Number) && current_.number.is_integer && current_.number.integer < 0;
 }
 
 // power = postfix [ "^" unary ] .
@@ -214,6 +224,7 @@ ExprPtr Parser::index(ExprPtr object) {
 // primary = NUMBER | QUANTITY | STRING | "TRUE" | "FALSE" | "ON" | "OFF" | IDENT
 //         | "(" element { "," element } ")" | "[" [ expr { "," expr } ] "]" .
 ExprPtr Parser::primary() {
+  if (at_least_int()) fail_here(code::kNumberTooLarge, "the number is too large", kLargestInt);
   if (at(TokenKind::Number)) return literal(current_.number);
   if (at(TokenKind::String)) return literal(StringLiteral{current_.string});
   if (at(TokenKind::Word)) return literal(Name{std::string(current_.text)});

@@ -137,6 +137,11 @@ void Parser::simple(Block& block) {
   switch (role(current_.keyword)) {
     case KeywordRole::Closer:
       stray_closer();
+    case KeywordRole::Statement:
+      fail_here(
+          code::kMisplaced,
+          fmt::format("{} cannot stand on the line of another statement", described(current_)),
+          "begin a new line with it; where it has to depend on a condition, inside a block");
     default:
       fail_here(code::kStatementExpected,
                 fmt::format("no statement begins with {}", described(current_)));

@@ -285,6 +285,7 @@ class Parser {
   ExprPtr sum();
   ExprPtr term();
   ExprPtr unary();
+  bool at_least_int() const;
   ExprPtr power();
   ExprPtr postfix();
   static std::string callee_of(const Expr& expr);

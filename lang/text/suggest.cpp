@@ -39,19 +39,25 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-std::string_view suggest(std::string_view word, std::span<const std::string_view> candidates) {
+std::vector<std::string_view> nearest(std::string_view word,
+                                      std::span<const std::string_view> candidates) {
   if (word.size() > kLongestWord) return {};
-  std::string_view best;
-  std::size_t best_distance = kMostMistakes + 1;
+  std::vector<std::string_view> best;
+  std::size_t best_distance = kMostMistakes;
   for (const std::string_view candidate : candidates) {
     const std::size_t distance = edit_distance(word, candidate);
     const std::size_t longer = std::max(word.size(), candidate.size());
-    if (distance < best_distance && 2 * distance < longer) {
-      best = candidate;
-      best_distance = distance;
-    }
+    if (distance > best_distance || 2 * distance >= longer) continue;
+    if (distance < best_distance) best.clear();
+    best_distance = distance;
+    best.push_back(candidate);
   }
   return best;
+}
+
+std::string_view suggest(std::string_view word, std::span<const std::string_view> candidates) {
+  const std::vector<std::string_view> best = nearest(word, candidates);
+  return best.empty() ? std::string_view{} : best.front();
 }
 
 std::string did_you_mean(std::string_view suggestion) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rob::lang {
 
@@ -11,8 +12,12 @@ namespace rob::lang {
 /// neighbours exchanged (Damerau 1964, restricted form). Capital letters count as small ones.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate that was probably meant by a misspelt word, or empty. At most two mistakes, and
-/// fewer than half of the longer word's letters; of equally near ones the first.
+/// The candidates that were probably meant by a misspelt word, all equally near, in their order. At
+/// most two mistakes, and fewer than half of the longer word's letters.
+std::vector<std::string_view> nearest(std::string_view word,
+                                      std::span<const std::string_view> candidates);
+
+/// The first of them, or empty.
 std::string_view suggest(std::string_view word, std::span<const std::string_view> candidates);
 
 /// "did you mean MOVE?", or empty where `suggestion` is.

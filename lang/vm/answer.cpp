@@ -16,12 +16,13 @@ bool is_text(std::string_view line) {
 
 bool read_number(const NumberLiteral& number, bool negative, const Type& type, Slot& value) {
   if (type.is(Type::Kind::Int)) {
-    if (!number.is_integer) return false;
-    value.integer = negative ? -number.integer : number.integer;
+    const bool least = number.integer < 0;
+    if (!number.is_integer || (least && !negative)) return false;
+    value.integer = negative && !least ? -number.integer : number.integer;
     return true;
   }
   if (number.dimension != type.dimension) return false;
-  const double size = number.is_integer ? static_cast<double>(number.integer) : number.value;
+  const double size = number.value;
   value.real = (negative ? -size : size) + 0.0;  // the language knows no -0
   return true;
 }

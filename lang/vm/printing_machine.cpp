@@ -97,7 +97,9 @@ Reply PrintingMachine::ended(int line, bool& hit) {
     explicit World(PrintingMachine& m) : machine(m) {}
     bool signal(int signal) const noexcept override { return machine.value_of(signal) != 0; }
     double analog(int signal) const noexcept override { return machine.value_of(signal); }
-    void read(Reading what, Slot* value) const noexcept override { machine.answer(what, value); }
+    void read(Reading what, Slot* value) const noexcept override {
+      machine.answer(what, {}, value);
+    }
   };
   std::size_t looks = 1;
   for (const auto& [signal, script] : scripts_) looks = std::max(looks, script.values.size());
@@ -131,8 +133,8 @@ Reply PrintingMachine::when(int line, const Watch&, int& id) {
   return reply;
 }
 
-Reply PrintingMachine::when_raise(int line, std::string_view text) {
-  return note(line, fmt::format("raise {}", text));
+Reply PrintingMachine::when_raise(const Place& place, std::string_view text) {
+  return note(line_tag(place), fmt::format("raise {}", text));
 }
 
 Reply PrintingMachine::when_handle(int line, bool stops) {
@@ -170,8 +172,8 @@ Reply PrintingMachine::simulate_answer(int line, std::string_view text, double a
   return note(line, fmt::format("simulate answer {} after {}", text, number_text(after, kTime)));
 }
 
-Reply PrintingMachine::start(int line, std::uint32_t task) {
-  return note(line, fmt::format("start {}", task + 1));
+Reply PrintingMachine::start(const Place& place, std::uint32_t task) {
+  return note(line_tag(place), fmt::format("start {}", task + 1));
 }
 
 Reply PrintingMachine::wait(int line, double seconds) {
@@ -213,11 +215,11 @@ Reply PrintingMachine::write_signal(int line, int signal, bool value) {
 Reply PrintingMachine::read(int, Reading what, Slot* value) {
   const Reply reply = is_observation(what) ? ready() : Reply::Done;
   if (reply != Reply::Done) return reply;
-  answer(what, value);
+  answer(what, setting_, value);
   return reply;
 }
 
-void PrintingMachine::answer(Reading what, Slot* value) {
+void PrintingMachine::answer(Reading what, const Setting& setting, Slot* value) {
   if (what == Reading::Clock) {
     value->real = 0.01 * cycle_;
   } else if (what == Reading::Joints) {
@@ -229,7 +231,7 @@ void PrintingMachine::answer(Reading what, Slot* value) {
   } else {
     const PoseValue tool =
         tool_of(robot_.coordinates, what == Reading::HitPose ? hit_ : commanded_);
-    store(tip_of(tool, setting_), value);
+    store(tip_of(tool, setting), value);
   }
 }
 

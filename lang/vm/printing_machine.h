@@ -83,7 +83,7 @@ class PrintingMachine : public Machine {
   Reply when(int line, const Watch& condition, int& id) override;
   Reply when_handle(int line, bool stops) override;
   Reply leave_handler(int line) override;
-  Reply when_raise(int line, std::string_view text) override;
+  Reply when_raise(const Place& place, std::string_view text) override;
   Reply disarm(int line, int id) override;
   Reply on_the_way(int line, const PathPlace& place) override;
   Reply live_pace(int line, const Watch& pace, MoveCommand::Pace means) override;
@@ -95,7 +95,7 @@ class PrintingMachine : public Machine {
   Reply simulate_go(int line, bool go, double after) override;
   Reply simulate_answer(int line, std::string_view text, double after) override;
   /// TASKs do not run here: the program alone changes its globals.
-  Reply start(int line, std::uint32_t task) override;
+  Reply start(const Place& place, std::uint32_t task) override;
   Reply publish(int, std::size_t, std::span<const Slot>) override { return ready(); }
   Reply publish(int, std::size_t, std::span<const std::string>) override { return ready(); }
   Reply refresh(int, std::size_t, std::span<Slot>) override { return ready(); }
@@ -131,7 +131,7 @@ class PrintingMachine : public Machine {
   };
 
   double value_of(int signal);
-  void answer(Reading what, Slot* value);
+  void answer(Reading what, const Setting& setting, Slot* value);
   /// Where a motion leads, from where the last one did.
   Reply reach(int line, const MoveCommand& command, std::array<double, kMaxCoordinates>& reached);
   /// Done where the call may be carried out.

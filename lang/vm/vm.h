@@ -19,8 +19,13 @@ namespace rob::lang {
 
 /// A routine that was running, and the line that called it.
 struct CallSite {
-  std::string routine;
+  /// What has begun it: a call; START, of a TASK; the condition of a WHEN, of its handler: then the
+  /// line is that of the WHEN.
+  enum class By : std::uint8_t { Call, Start, When };
+
+  std::string routine;  ///< "WHEN": a handler
   int line = 0;
+  By by = By::Call;
 
   bool operator==(const CallSite&) const = default;
 };
@@ -168,6 +173,7 @@ class Vm {
   Reply observe(Code pc);
   Reply observe_analog(Code pc);
   Reply read(Code pc);
+  Reply feel(Code pc);
   /// Whether the `read` at `pc` is an observation that belongs to the next cycle.
   bool waits_for_cycle(Code pc) const;
   Reply forward(Code pc);
@@ -177,6 +183,7 @@ class Vm {
   /// False, with error_ set, if HITPOSE is read before the first guarded motion.
   bool check_hit_pose(Code pc);
   Reply stand(Code pc);
+  Watch watch_of(Code pc) const;
   Reply guard(Code pc);
   Reply ended(Code pc);
   Reply simulate(Code pc, double value);
@@ -195,6 +202,8 @@ class Vm {
   State fail_timeout(Code pc);
 
   // WITH, PRESS, OVERRIDE (vm_surroundings.cpp)
+  /// What the WITHs say that are open.
+  Setting setting() const;
   void enter_setting(Code pc);
   void leave_settings(int line, std::size_t kept);
   PressCommand press_of(Code pc) const;

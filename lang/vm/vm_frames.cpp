@@ -134,8 +134,12 @@ Vm::State Vm::fail(Code pc, RuntimeError error) {
   error_ = std::move(error);
   for (const Frame* frame = frame_; frame != frames_.data();) {
     --frame;
-    error_.calls.push_back(
-        {.routine = chunk_.routines[frame->routine].name, .line = line(frame->back - 1)});
+    const RoutineCode& routine = chunk_.routines[frame->routine];
+    if (routine.handler) {
+      error_.calls.push_back({routine.name, line_tag(routine.place), CallSite::By::When});
+    } else {
+      error_.calls.push_back({.routine = routine.name, .line = line(frame->back - 1)});
+    }
   }
   return give_up(pc);
 }

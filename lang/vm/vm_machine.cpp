@@ -1,7 +1,9 @@
+#include <array>
 #include <string>
 
 #include <fmt/core.h>
 
+#include "lang/machine/seen_from.h"
 #include "lang/text/codes.h"
 #include "lang/values/number_text.h"
 #include "lang/values/pose_slots.h"
@@ -14,9 +16,10 @@ namespace rob::lang {
 Vm::State Vm::pause(Code pc, Code resume, Reply reply) {
   if (reply == Reply::Later) return leave(pc, resume, State::Waiting);
   const Refusal& refusal = machine_->refusal();
-  return fail(
-      pc,
-      {.code = refusal.code, .place = place(pc), .message = refusal.message, .help = refusal.help});
+  return fail(pc, {.code = refusal.code,
+                   .place = refusal.place.line > 0 ? refusal.place : place(pc),
+                   .message = refusal.message,
+                   .help = refusal.help});
 }
 
 Reply Vm::observe(Code pc) {
@@ -45,11 +48,25 @@ bool Vm::waits_for_cycle(Code pc) const {
 
 Reply Vm::read(Code pc) {
   const auto what = static_cast<Reading>(pc->b());
-  const Reply reply = machine_->read(line(pc), what, &numbers_[pc->a()]);
+  const Reply reply =
+      needs_sensor(what) ? feel(pc) : machine_->read(line(pc), what, &numbers_[pc->a()]);
   if (reply == Reply::Done && is_observation(what)) {
     observed_ = true;
     turned_ = false;
   }
+  return reply;
+}
+
+/// Force and torque, along the axes of the active frame.
+Reply Vm::feel(Code pc) {
+  const auto what = static_cast<Reading>(pc->b());
+  const Setting active = setting();
+  std::array<Slot, kPoseSlots> tool{};
+  Slot* const felt = &numbers_[pc->a()];
+  Reply reply = Reply::Done;
+  if (active.in_tool) reply = machine_->read(line(pc), Reading::Here, tool.data());
+  if (reply == Reply::Done) reply = machine_->read(line(pc), what, felt);
+  if (reply == Reply::Done) turn_into_frame(what, active, load_pose(tool.data()), felt);
   return reply;
 }
 

@@ -188,7 +188,7 @@ Vm::Step Vm::step(Code pc) {
       ROB_ASK(when(pc), pc);
       return pc + 2;
     case Opcode::when_raise:
-      ROB_ASK(machine_->when_raise(line(pc), texts_[pc->a()]), pc);
+      ROB_ASK(machine_->when_raise(place(pc), texts_[pc->a()]), pc);
       return pc + 1;
     case Opcode::when_handle:
       ROB_ASK(when_handle(pc), pc);

@@ -12,9 +12,11 @@
 /// block is left: by its end, EXIT and RETURN (the compiler), or an error (Vm::rescue()).
 namespace rob::lang {
 
+Setting Vm::setting() const { return settings_.empty() ? Setting{} : settings_.back(); }
+
 /// What is not named stays what it is around the block.
 void Vm::enter_setting(Code pc) {
-  Setting setting = settings_.empty() ? Setting{} : settings_.back();
+  Setting setting = this->setting();
   const Slot* next = &numbers_[pc->a()];
   if ((pc->b() & 1U) != 0) {
     setting.tool = load_tool(next);
@@ -29,7 +31,7 @@ void Vm::enter_setting(Code pc) {
 void Vm::leave_settings(int line, std::size_t kept) {
   if (settings_.size() == kept) return;
   settings_.resize(kept);
-  machine_->work_in(line, settings_.empty() ? Setting{} : settings_.back());
+  machine_->work_in(line, setting());
 }
 
 PressCommand Vm::press_of(Code pc) const {

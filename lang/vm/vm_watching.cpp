@@ -13,16 +13,20 @@
 /// The part of Vm that sets up what is looked at in every control cycle.
 namespace rob::lang {
 
-Reply Vm::guard(Code pc) {
-  Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
+Watch Vm::watch_of(Code pc) const {
+  Watch watch;
+  watch.chunk = &chunk_;
+  watch.form = chunk_.watches[pc->x()];
   std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
-  return machine_->guard(line(pc), watch);
+  watch.setting = setting();
+  return watch;
 }
 
+Reply Vm::guard(Code pc) { return machine_->guard(line(pc), watch_of(pc)); }
+
 Reply Vm::live_pace(Code pc) {
-  Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
-  std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
-  return machine_->live_pace(line(pc), watch, static_cast<MoveCommand::Pace>((pc + 1)->word));
+  return machine_->live_pace(line(pc), watch_of(pc),
+                             static_cast<MoveCommand::Pace>((pc + 1)->word));
 }
 
 Reply Vm::ended(Code pc) {
@@ -41,12 +45,10 @@ Reply Vm::ended(Code pc) {
 }
 
 Reply Vm::when(Code pc) {
-  Watch watch{.chunk = &chunk_, .form = chunk_.watches[pc->x()]};
-  std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
   Armed armed;
   armed.depth = depth();
   armed.level = (pc + 1)->word;
-  const Reply reply = machine_->when(line(pc), watch, armed.id);
+  const Reply reply = machine_->when(line(pc), watch_of(pc), armed.id);
   if (reply == Reply::Done) armed_[armed_count_++] = armed;
   return reply;
 }
@@ -71,7 +73,10 @@ Reply Vm::disarm(int line, std::size_t kept) {
 
 PathPlace Vm::place_of(Code pc) const {
   const Slot* const slots = numbers_ + pc->a();
-  return {.before = pc->b() != 0, .distance = slots[0].real, .lead = slots[1].real};
+  return {.before = pc->b() != 0,
+          .distance = slots[0].real,
+          .lead = slots[1].real,
+          .written = place(pc)};
 }
 
 bool Vm::check_place(Code pc) {

@@ -37,12 +37,13 @@ void BackgroundTasks::carry_out(const Start& start) {
   if (std::ranges::any_of(running_, [&](const Running& one) { return one.task == start.task; })) {
     lang::RuntimeError error;
     error.code = lang::code::kTaskRunning;
-    error.place = lang::tagged_place(start.line);
+    error.place = start.place;
     error.message = fmt::format("TASK {} runs already", name);
     error.help = "it may be started again when it has come to its end";
     return fail(std::move(error));
   }
-  Running running{start.task, start.line, std::make_unique<TaskMachine>(machine_), nullptr};
+  Running running{start.task, lang::line_tag(start.place), std::make_unique<TaskMachine>(machine_),
+                  nullptr};
   running.vm = std::make_unique<lang::Vm>(chunk_, *running.machine, start.task, memory_,
                                           seed_ + 1 + start.task);
   running_.push_back(std::move(running));
@@ -54,7 +55,10 @@ void BackgroundTasks::run_cycle() {
     if (state == lang::Vm::State::Failed) {
       lang::RuntimeError error = one.vm->error();
       // The outermost is the TASK itself.
-      if (!error.calls.empty()) error.calls.back().line = one.line;
+      if (!error.calls.empty()) {
+        error.calls.back().line = one.line;
+        error.calls.back().by = lang::CallSite::By::Start;
+      }
       fail(std::move(error));
     }
     return state == lang::Vm::State::Failed || state == lang::Vm::State::Done;

@@ -30,10 +30,10 @@ class BackgroundTasks {
   /// `seed`: of RANDOM; each TASK draws numbers of its own.
   BackgroundTasks(const lang::Chunk& chunk, RobotMachine& machine, std::uint64_t seed);
 
-  /// START of a TASK, by its number, in this line.
+  /// START of a TASK, by its number.
   struct Start {
     std::uint32_t task;
-    int line;
+    lang::Place place;
   };
   template <typename Value>
   struct Store {

@@ -29,8 +29,8 @@ Reply RobotMachine::report(int line, Due due) {
   return push(effect);
 }
 
-Reply RobotMachine::start(int line, std::uint32_t task) {
-  return report(line, BackgroundTasks::Start{task, line});
+Reply RobotMachine::start(const lang::Place& place, std::uint32_t task) {
+  return report(lang::line_tag(place), BackgroundTasks::Start{task, place});
 }
 
 Reply RobotMachine::publish(int line, std::size_t first, std::span<const lang::Slot> values) {

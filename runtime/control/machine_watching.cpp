@@ -58,8 +58,8 @@ Reply RobotMachine::when(int line, const lang::Watch& condition, int& id) {
   return Reply::Done;
 }
 
-Reply RobotMachine::when_raise(int /*line*/, std::string_view text) {
-  whens_.set_text(*recording_, std::string(text));
+Reply RobotMachine::when_raise(const lang::Place& place, std::string_view text) {
+  whens_.set_error(*recording_, place, std::string(text));
   return arm();
 }
 
@@ -99,6 +99,7 @@ bool RobotMachine::attach(motion::SegmentDescriptor& segment, const std::vector<
     const double place = one.place.before ? way - distance : distance;
     if (!(way > 0) || place < -motion::kLimitTolerance || place > way + motion::kLimitTolerance) {
       refusal_ = words_for_place(distance, way);
+      refusal_.place = one.place.written;
       return false;
     }
     motion::PathEvent& event = segment.on_the_way[segment.events++];

@@ -19,6 +19,8 @@ class ProgramWatch {
       : signals_(signals), robot_(robot) {}
 
   void set(const lang::Watch& watch) { watch_ = watch; }
+  /// Where it stands in the program.
+  const lang::Place& written() const { return watch_.chunk->places[watch_.form.end - 1]; }
   /// Stays valid as long as this object.
   motion::Watch handle() const { return {&ProgramWatch::test, this}; }
   /// Why it could not be computed; to be read when the Rest that says so has been taken.

@@ -111,7 +111,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply guard(int line, const lang::Watch& condition) override;
   lang::Reply ended(int line, bool& hit) override;
   lang::Reply when(int line, const lang::Watch& condition, int& id) override;
-  lang::Reply when_raise(int line, std::string_view text) override;
+  lang::Reply when_raise(const lang::Place& place, std::string_view text) override;
   lang::Reply when_handle(int line, bool stops) override;
   lang::Reply leave_handler(int line) override;
   lang::Reply disarm(int line, int id) override;
@@ -126,7 +126,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply ask(int line, std::string_view text, std::optional<std::string>& answer) override;
   lang::Reply simulate_go(int line, bool go, double after) override;
   lang::Reply simulate_answer(int line, std::string_view text, double after) override;
-  lang::Reply start(int line, std::uint32_t task) override;
+  lang::Reply start(const lang::Place& place, std::uint32_t task) override;
   lang::Reply publish(int line, std::size_t first, std::span<const lang::Slot> values) override;
   lang::Reply publish(int line, std::size_t first, std::span<const std::string> texts) override;
   lang::Reply refresh(int line, std::size_t first, std::span<lang::Slot> values) override;

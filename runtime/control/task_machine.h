@@ -64,7 +64,7 @@ class TaskMachine final : public lang::Machine {
   lang::Reply guard(int, const lang::Watch&) override { return impossible(); }
   lang::Reply ended(int, bool&) override { return impossible(); }
   lang::Reply when(int, const lang::Watch&, int&) override { return impossible(); }
-  lang::Reply when_raise(int, std::string_view) override { return impossible(); }
+  lang::Reply when_raise(const lang::Place&, std::string_view) override { return impossible(); }
   lang::Reply when_handle(int, bool) override { return impossible(); }
   lang::Reply on_the_way(int, const lang::PathPlace&) override { return impossible(); }
   lang::Reply disarm(int, int) override { return impossible(); }
@@ -82,7 +82,7 @@ class TaskMachine final : public lang::Machine {
   lang::Reply simulate_force(int, int, double, double) override { return impossible(); }
   lang::Reply simulate_go(int, bool, double) override { return impossible(); }
   lang::Reply simulate_answer(int, std::string_view, double) override { return impossible(); }
-  lang::Reply start(int, std::uint32_t) override { return impossible(); }
+  lang::Reply start(const lang::Place&, std::uint32_t) override { return impossible(); }
 
  private:
   double now() const;

@@ -44,21 +44,24 @@ int WhenPool::id_of(const motion::WatchedAction& action) const {
   return static_cast<int>(place - places_.begin());
 }
 
-void WhenPool::set_text(motion::WatchedAction& action, std::string text) {
+void WhenPool::set_error(motion::WatchedAction& action, const lang::Place& written,
+                         std::string text) {
   action.kind = motion::WatchedAction::Kind::Raise;
   place_of(action).text = std::move(text);
+  place_of(action).written = written;
 }
 
 lang::RuntimeError WhenPool::error_of(const motion::Rest& rest) {
   const Place& place = place_of(*rest.by);
   lang::RuntimeError error;
-  error.place = lang::tagged_place(static_cast<int>(rest.by->tag));
   if (rest.outcome == motion::Rest::Outcome::Failed) {
     const Words words = words_for_condition(place.watch.error());
+    error.place = place.watch.written();
     error.code = words.code;
     error.message = words.message;
     error.help = words.help;
   } else {
+    error.place = place.written;
     error.code = lang::code::kRaised;
     error.message = place.text;
   }

@@ -26,7 +26,7 @@ class WhenPool {
   int id_of(const motion::WatchedAction& action) const;
   motion::WatchedAction& at(int id) { return places_.at(static_cast<std::size_t>(id)).action; }
   /// What it raises.
-  void set_text(motion::WatchedAction& action, std::string text);
+  void set_error(motion::WatchedAction& action, const lang::Place& written, std::string text);
   /// The error that a Rest which a WHEN has caused means.
   lang::RuntimeError error_of(const motion::Rest& rest);
 
@@ -37,7 +37,8 @@ class WhenPool {
 
     motion::WatchedAction action;
     ProgramWatch watch;
-    std::string text;
+    std::string text;     ///< of its RAISE
+    lang::Place written;  ///< the same
   };
 
   Place& place_of(const motion::WatchedAction& action);

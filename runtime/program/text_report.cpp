@@ -22,6 +22,17 @@ std::string remark(const LineResult& line) {
   return text;
 }
 
+std::string calling(const lang::CallSite& site) {
+  switch (site.by) {
+    case lang::CallSite::By::When:
+      return "the handler of the WHEN in";
+    case lang::CallSite::By::Start:
+      return fmt::format("TASK {}, started in", site.routine);
+    default:
+      return fmt::format("{}, called in", site.routine);
+  }
+}
+
 /// The routines that an error happened in. [choice] ten of them: a recursion may be 1000 deep.
 std::string calls_text(const Problem& problem) {
   const std::vector<lang::CallSite>& calls = problem.calls;
@@ -29,7 +40,7 @@ std::string calls_text(const Problem& problem) {
   std::string text;
   for (std::size_t i = 0; i < calls.size() && i < kMost; ++i) {
     const lang::Place place = lang::tagged_place(calls[i].line);
-    text += fmt::format("  in {}, called in line {}", calls[i].routine, place.line);
+    text += fmt::format("  in {} line {}", calling(calls[i]), place.line);
     text += place.file == 0 ? "\n" : fmt::format(" of {}\n", problem.used[place.file - 1]);
   }
   if (calls.size() > kMost) text += fmt::format("  and {} calls more\n", calls.size() - kMost);

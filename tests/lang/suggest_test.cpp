@@ -31,6 +31,8 @@ TEST_CASE("the nearest word is suggested, but only for what looks like a slip") 
   CHECK(suggest("MOV", words) == "MOVE");
   CHECK(suggest("moel", words) == "MOVEL");
   CHECK(suggest("movl", words) == "MOVE");  // as near as MOVEL, and first
+  CHECK(nearest("movl", words) == std::vector<std::string_view>{"MOVE", "MOVEL"});
+  CHECK(nearest("move", words) == std::vector<std::string_view>{"MOVE"});
   CHECK(suggest("PRNIT", words) == "PRINT");
   CHECK(suggest("IFF", words) == "IF");
   CHECK(suggest("x", words).empty());

@@ -131,3 +131,21 @@ TEST_CASE("BRAKE behind a FINE motion brakes the motion, not its arrival") {
   CHECK(result.status == "done");
   CHECK(result.final_joints[0] < 20);
 }
+
+TEST_CASE("an error points at the statement that has raised it") {
+  using rob::lang::Place;
+  const auto place_of_error = [](const char* program) {
+    SteppedRun run(program);
+    run.run();
+    REQUIRE(run.task.failure());
+    return run.task.failure()->place;
+  };
+  CHECK(place_of_error("lift = ON\n  WHEN lift_up : RAISE \"up\"\nMOVE(100, 0, 0)") ==
+        Place{2, 18, 5});
+  CHECK(place_of_error("lift = ON\nWHEN lift_up AND 1 / (CLOCK - CLOCK) > 2Hz : gripper = ON\n"
+                       "MOVE(100, 0, 0)") == Place{2, 14, 3});
+  CHECK(place_of_error("VAR far = 50mm\nMOVE(40, 0, 0) DO\n  AFTER 5mm : lift = ON\n"
+                       "  AFTER far : lift = OFF\nENDMOVE") == Place{4, 3, 5});
+  CHECK(place_of_error("TASK t\n  WAIT lift_up\nENDTASK\nSTART t\n  START t\nMOVE(40, 0, 0)") ==
+        Place{5, 3, 5});
+}

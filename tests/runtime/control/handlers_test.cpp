@@ -140,7 +140,8 @@ TEST_CASE("an error in a handler that nobody rescues ends the program with its S
   CHECK(run.task.failure()->message == "no");
   CHECK(run.task.failure()->place.line == 4);
   REQUIRE(run.task.failure()->calls.size() == 1);
-  CHECK(run.task.failure()->calls[0].routine == "WHEN");
+  CHECK(run.task.failure()->calls[0].by == rob::lang::CallSite::By::When);
+  CHECK(run.task.failure()->calls[0].line == 2);
   CHECK(result.output.empty());
   CHECK(result.signals.back().name == "lamp");
   CHECK(run.rows.back().sample.reference.q[1] == doctest::Approx(0.03));

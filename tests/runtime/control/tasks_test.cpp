@@ -145,7 +145,8 @@ TEST_CASE("an error of a TASK tells where it was started") {
           "MOVE(20, 0, 0)\nSTART count\nMOVE(40, 0, 0)\n");
   REQUIRE(result.error);
   CHECK(result.error->place.line == 2);
-  CHECK(result.error->calls == std::vector<lang::CallSite>{{"check", 6}, {"count", 9}});
+  CHECK(result.error->calls ==
+        std::vector<lang::CallSite>{{"check", 6}, {"count", 9, rob::lang::CallSite::By::Start}});
 }
 
 TEST_CASE("an error of a TASK ends a WAIT, and a motion under guard leaves nothing behind") {

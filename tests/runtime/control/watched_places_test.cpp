@@ -31,6 +31,14 @@ TEST_CASE("HERE ends a motion in the first cycle in which its reference is beyon
   CHECK(std::stod(result.output[1]) == doctest::Approx(20 * (3.88 - 1.375)).epsilon(0.001));
 }
 
+TEST_CASE("HERE in a condition is the tip of the active tool") {
+  SteppedRun run(
+      "TOOL pen = POSE(30mm, 0mm, 0mm)\nMOVE(140,0,0) WITH pen UNTIL HERE.x > 80mm\nPRINT HIT");
+  const RunResult result = run.run();
+  REQUIRE(result.events.size() == 1);
+  CHECK(result.events[0].time == doctest::Approx(cycle_beyond(80 - 30)).epsilon(1e-9));  // 3.88 s
+}
+
 TEST_CASE("HERE is where the corner is, not where its target lies") {
   SteppedRun run("MOVE(100,0,0)\nMOVE(100,80,0) UNTIL HERE.y > 1mm AND HERE.x < 100mm");
   const RunResult result = run.run();
