@@ -129,7 +129,7 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   end_segment(event.time, &*planned);
   const motion::JointVector from = std::exchange(reached_, planned->target);
   meter_.watch(planned->number, planned->target, planned->tip);
-  path_.programmed(from, planned->target, planned->tip);
+  path_.programmed({planned->path, from, planned->target, planned->duration}, planned->tip);
 
   LineResult& line = line_of(*planned);
   const double duration = planned->span() / (planned->dwell ? 1 : override_share_);

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "motion/plan/feasibility.h"
+#include "runtime/control/messages.h"
+
+/// What is wrong with the way of a tool, in words for people.
+namespace rob::runtime {
+
+/// A way that the axes cannot follow: what, where on it, what to do.
+Words words_for_path(const motion::Refusal& refusal, const motion::RobotModel& robot);
+/// The tool would turn by 180°.
+Words words_for_half_turn();
+/// ", its wrist would have to be 65 mm farther out than it reaches"; empty where lengths do not
+/// tell.
+std::string by_how_much(const motion::Shortfall& shortfall);
+
+}  // namespace rob::runtime
