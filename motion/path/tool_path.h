@@ -28,6 +28,9 @@ class ToolPath {
   virtual double share_at(double s) const noexcept { return (s - begin()) / (end() - begin()); }
 };
 
+/// ToolPath::at_share() from share_at(), which only grows.
+double parameter_of(const ToolPath& path, double share) noexcept;
+
 /// What a path is measured by, m: its way, or where only the orientation changes 1 mm a degree.
 double measure_of(const ToolPath& path) noexcept;
 

@@ -64,6 +64,26 @@ Words words_for_half_turn() {
           "turn it in two motions, through an orientation between"};
 }
 
+Words words_for_no_arc() {
+  return {code::kNoCurve, "no arc leads through these three points: they lie on a line, or two of"
+                          " them are one",
+          "MOVEL leads along a line; a whole circle takes two arcs"};
+}
+
+Words words_for_no_spline() {
+  return {code::kNoCurve,
+          "no curve leads through these points: two that follow each other are one, or half a turn"
+          " apart",
+          "leave one of them out, or put another between them"};
+}
+
+Words words_for_no_spiral() {
+  return {code::kNoCurve,
+          "the x axis of the frame stands on the plane of this SPIRAL, which does not know then"
+          " where its centre is",
+          "IN names a frame whose x axis lies across the tool, for example IN TOOL"};
+}
+
 Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
   if (refusal.kind == Refusal::Kind::PathOutOfReach) {
     return {code::kPathOutOfReach,

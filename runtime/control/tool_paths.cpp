@@ -1,6 +1,9 @@
 #include "runtime/control/tool_paths.h"
 
+#include "motion/path/tool_arc.h"
 #include "motion/path/tool_line.h"
+#include "motion/path/tool_spiral.h"
+#include "motion/path/tool_spline.h"
 #include "runtime/control/path_words.h"
 
 namespace rob::runtime {
@@ -20,13 +23,19 @@ ToolPathOrWords made(std::optional<Path> path, const Words& otherwise) {
 }  // namespace
 
 ToolPathOrWords path_through(MotionKind kind, const std::vector<Pose>& points) {
-  (void)kind;
-  return made(motion::ToolLine::between(points.front(), points.back()), words_for_half_turn());
+  using motion::ToolArc;
+  using motion::ToolLine;
+  using motion::ToolSpline;
+  if (kind == MotionKind::Spline) return made(ToolSpline::through(points), words_for_no_spline());
+  const auto line = ToolLine::between(points.front(), points.back());
+  if (kind == MotionKind::Line || !line) return made(line, words_for_half_turn());
+  return made(ToolArc::through(points.front(), points[1].position, points.back()),
+              words_for_no_arc());
 }
 
-ToolPathOrWords spiral_from(const Pose& from, const Pose& /*frame*/, double /*radius*/,
-                            double /*turns*/) {
-  return made(motion::ToolLine::between(from, from), words_for_half_turn());
+ToolPathOrWords spiral_from(const Pose& from, const Pose& frame, double radius, double turns) {
+  return made(motion::ToolSpiral::inwards(from, frame.orientation, radius, turns),
+              words_for_no_spiral());
 }
 
 }  // namespace rob::runtime
