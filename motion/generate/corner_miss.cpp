@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "motion/generate/paul_transition.h"
+#include "motion/path/paul_transition.h"
 
 namespace rob::motion {
 
@@ -41,15 +41,13 @@ double least(const F& f, double low, double high) {
   return std::min(f_left, f_right);
 }
 
-}  // namespace
-
-double corner_miss(const Kinematics& kinematics, const JointVector& via,
-                   const JointVector& incoming, const JointVector& outgoing, double t_acc,
-                   const Eigen::Vector3d& tip) {
-  const PaulTransition corner(via - incoming * t_acc, via, via + outgoing * t_acc, t_acc, t_acc);
+/// The least distance of `curve`, −half <= t <= half, from the place of `via`.
+template <typename Curve>
+double least_distance(const Kinematics& kinematics, const JointVector& via, const Curve& curve,
+                      double t_acc, const Eigen::Vector3d& tip) {
   const Eigen::Vector3d point = place_of(tip, kinematics.forward(via));
   const auto distance = [&](double t) {
-    return (place_of(tip, kinematics.forward(corner.sample(t).q)) - point).norm();
+    return (place_of(tip, kinematics.forward(curve(t))) - point).norm();
   };
   const double step = 2 * t_acc / kParts;
   double best = distance(t_acc);
@@ -64,9 +62,25 @@ double corner_miss(const Kinematics& kinematics, const JointVector& via,
   return std::min(best, least(distance, std::max(at - step, -t_acc), std::min(at + step, t_acc)));
 }
 
+}  // namespace
+
+double corner_miss(const Kinematics& kinematics, const JointVector& via,
+                   const JointVector& incoming, const JointVector& outgoing, double t_acc,
+                   const Eigen::Vector3d& tip) {
+  const PaulTransition corner(via - incoming * t_acc, via, via + outgoing * t_acc, t_acc, t_acc);
+  return least_distance(
+      kinematics, via, [&](double t) { return corner.sample(t).q; }, t_acc, tip);
+}
+
 double corner_miss(const Kinematics& kinematics, const JointVector& from,
                    const SegmentDescriptor& in, const SegmentDescriptor& out,
                    const Eigen::Vector3d& tip) {
+  if (out.from_rest || out.no_length || in.ends_at_rest()) return 0;
+  if (out.corner != nullptr) {
+    return least_distance(
+        kinematics, in.target, [&](double t) { return out.corner->axes.at(t).q; },
+        out.corner->half, tip);
+  }
   return corner_miss(kinematics, in.target, (in.target - from) / in.duration,
                      (out.target - in.target) / out.duration, in.t_acc, tip);
 }

@@ -93,7 +93,7 @@ void PaulGenerator::set_override(double share) noexcept {
 bool PaulGenerator::stands() const noexcept {
   const double now = clock_.path_time();
   if (!running_ || segment_.dwell) return false;  // the clock knows
-  if (segment_.no_length && now >= end_ - kSameInstant) return true;
+  if (segment_.ends_at_rest() && now >= end_ - kSameInstant) return true;
   return from_rest_ && now <= end_ - segment_.span() + kSameInstant;
 }
 
@@ -134,7 +134,7 @@ void PaulGenerator::run_segments() noexcept {
     decide();
     pass_milestone();
   }
-  if (running_ && segment_.no_length && clock_.path_time() >= end_ - kSameInstant) arrive();
+  if (running_ && segment_.ends_at_rest() && clock_.path_time() >= end_ - kSameInstant) arrive();
 }
 
 void PaulGenerator::pass_milestone() noexcept {
@@ -144,7 +144,7 @@ void PaulGenerator::pass_milestone() noexcept {
   fire_effects(latest_);
 }
 
-/// At the end of a segment of no length the axes stand at its target. What follows at this very
+/// At the end of a segment of no length, and of a profile, the axes stand at its target. What follows at this very
 /// instant is not decided before the next reference; here it only matters whether anything can.
 void PaulGenerator::arrive() noexcept {
   latest_ = std::max(latest_, clock_.run_time(end_));
@@ -155,14 +155,17 @@ void PaulGenerator::arrive() noexcept {
 
 /// The decision instant has passed: what follows the present segment?
 void PaulGenerator::decide() noexcept {
-  if (segment_.no_length) close_guard();
+  const bool at_rest = segment_.ends_at_rest();
+  if (at_rest) close_guard();
   const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
   const SegmentDescriptor* next = faulted_ ? nullptr : next_segment();
-  if (next != nullptr && segment_.no_length && hit_at_start(*next, end_)) {
+  if (next != nullptr && next->from_rest && !at_rest) {
+    begin_stop(end_);
+  } else if (next != nullptr && at_rest && hit_at_start(*next, end_)) {
     buffer_.pop_segment();
   } else if (next != nullptr && take_up(*next, end_)) {
     buffer_.pop_segment();
-  } else if (segment_.no_length) {
+  } else if (at_rest) {
     running_ = false;
   } else {
     if (!closed && !faulted_) {
@@ -208,11 +211,16 @@ void PaulGenerator::fail(const SegmentDescriptor& segment, int axis, double inst
 /// S1: A := X, B := C, C := D, T1 := T2, t := −t_acc.
 void PaulGenerator::begin(const SegmentDescriptor& segment, double instant) noexcept {
   if (segment.dwell) return begin_dwell(segment, instant);
-  const bool from_rest = !running_ || segment_.no_length;
+  if (segment.profile.present()) return begin_profile(segment, instant);
+  const bool from_rest = !running_ || segment_.ends_at_rest();
   from_rest_ = from_rest;
   const JointVector b = segment_.target;
-  const JointVector a = running_ && !segment_.dwell ? path_.sample(exit()).q : b;
-  path_ = PaulTransition(a, b, segment.target, segment.duration, t_acc_);
+  const JointVector a = from_rest ? b : path_.sample(exit()).q;
+  if (segment.no_length) {
+    path_.stop(a, b, t_acc_, segment.duration);
+  } else {
+    path_.begin(segment, a, b, t_acc_, from_rest);
+  }
   zero_ = instant + t_acc_;
   end_ = zero_ + segment.duration - segment.t_acc;
   const std::uint32_t before = segment_.number;
@@ -239,11 +247,24 @@ void PaulGenerator::begin_dwell(const SegmentDescriptor& segment, double instant
   running_ = true;
 }
 
+/// From rest to rest in its own time.
+void PaulGenerator::begin_profile(const SegmentDescriptor& segment, double instant) noexcept {
+  path_.begin(segment, segment_.target, segment_.target, t_acc_, true);
+  segment_ = segment;
+  t_acc_ = segment.t_acc;
+  from_rest_ = running_ = true;
+  zero_ = instant;
+  end_ = milestone_ = instant + segment.duration;
+  passing_ = segment.number;
+  path_events_.begin(segment, zero_, 0, true, instant, clock_.override_share());
+}
+
 /// Arrives at the present target and stands there; the present segment goes on owning the time.
 void PaulGenerator::begin_stop(double instant) noexcept {
   SegmentDescriptor stop = segment_;
   stop.duration = 2 * t_acc_;
   stop.no_length = true;
+  stop.profile = {};
   stop.limit = kLimitEndOfBuffer;
   begin(stop, instant);
   inserted_ = true;

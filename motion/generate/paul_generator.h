@@ -6,7 +6,7 @@
 
 #include "motion/generate/path_clock.h"
 #include "motion/generate/path_events.h"
-#include "motion/generate/paul_transition.h"
+#include "motion/generate/paul_segment.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/generate/watch_list.h"
 #include "motion/plan/look_ahead_buffer.h"
@@ -16,8 +16,9 @@
 
 namespace rob::motion {
 
-/// References on line by S1's law: straight segments in axis space, joined by transitions around
-/// their via points (PaulTransition).
+/// References on line by S1's law: segments, straight in axis space or along a path of the tool,
+/// joined by transitions around their via points (PaulSegment). What is to begin at rest makes the
+/// target before it exact; a motion with a profile begins and ends at rest by itself.
 ///
 /// A segment is left at its decision instant, t_acc before its target would be reached; what
 /// follows is taken from the buffer only when a reference later than that instant is computed. The
@@ -135,13 +136,15 @@ class PaulGenerator final : public TrajectoryGenerator {
   JointVector standing_place() const noexcept;
 
   void begin_dwell(const SegmentDescriptor& segment, double instant) noexcept;
+  void begin_profile(const SegmentDescriptor& segment, double instant) noexcept;
   /// Braking for an error of the program.
   bool failing() const noexcept { return clock_.braking() && rest_.by != nullptr; }
   bool dwelling() const noexcept { return running_ && segment_.dwell; }
   /// At the very beginning of a motion from rest, or at the end of a stop.
   bool stands() const noexcept;
   double exit() const noexcept {
-    return segment_.dwell ? end_ - zero_ : segment_.duration - segment_.t_acc;
+    const bool whole = segment_.dwell || segment_.profile.present();
+    return whole ? end_ - zero_ : segment_.duration - segment_.t_acc;
   }
 
   const double period_;
@@ -157,7 +160,7 @@ class PaulGenerator final : public TrajectoryGenerator {
 
   // The segment under way, or the last one.
   SegmentDescriptor segment_;
-  PaulTransition path_;
+  PaulSegment path_;
   bool running_ = false;
   bool from_rest_ = false;  ///< segment_ began at standstill
   bool inserted_ = false;   ///< a stop of its own, for want of a successor

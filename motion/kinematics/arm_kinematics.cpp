@@ -255,6 +255,15 @@ ArmBranch ArmKinematics::branch(const JointVector& q) const noexcept {
   return {ahead(theta) < 0, std::sin(theta[2] + psi_) < 0, std::sin(theta[4]) < 0};
 }
 
+const char* ArmKinematics::nearest_singularity(const JointVector& q) const noexcept {
+  const SingularityDistances distance = singularities(q);
+  const double shoulder = distance.shoulder / (p_.c2 + k_);  // as an angle
+  if (distance.wrist <= shoulder && distance.wrist <= distance.elbow)
+    return "axes 4 and 6 are nearly in line there";
+  if (shoulder <= distance.elbow) return "the wrist is nearly above axis 1 there";
+  return "the arm is nearly stretched or folded there";
+}
+
 SingularityDistances ArmKinematics::singularities(const JointVector& q) const noexcept {
   const Angles theta = angles_of(q);
   return {std::abs(ahead(theta)), off_line(theta[2] + psi_), off_line(theta[4])};

@@ -51,6 +51,8 @@ class Kinematics {
   /// How far the tip of a tool, seen from the flange (m), can be from the rotary axis `axis` at
   /// most, m; 0 of a linear axis.
   virtual double lever(int axis, const Eigen::Vector3d& tip) const noexcept = 0;
+  /// In words, for messages: the singular place that `q` is nearest to; empty where there is none.
+  virtual const char* nearest_singularity(const JointVector& /*q*/) const noexcept { return ""; }
   /// In words, for messages: "places and turns its tool …".
   virtual const char* reach() const noexcept = 0;
 };

@@ -19,8 +19,8 @@ enum class Capability : std::uint8_t {
   Force       ///< a force kept along an axis
 };
 
-/// Whether motions of this robot have it. Under Paul's law (S1) motions are straight in the axes,
-/// and time alone says how fast they begin and end.
+/// Whether motions of this robot have it. Under Paul's law (S1) time alone says how fast motions
+/// begin and end.
 bool can(const RobotModel& robot, Capability capability) noexcept;
 
 }  // namespace rob::motion

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "motion/kinematics/kinematics.h"
 #include "motion/robots/robot_model.h"
 
 namespace rob::motion {
@@ -17,13 +18,24 @@ struct Refusal {
     BadPace,       ///< value = the pace, which must be a number above limit = 0
     BadDuration,   ///< value = the duration asked for, which must be a number of at least limit = 0
     BadZone,       ///< value = the zone, which must be a number above limit = 0
-    TooLong        ///< value = the duration needed, limit = the longest, s
+    TooLong,       ///< value = the duration needed, limit = the longest, s
+    // On the way of the tool, at `at` of `way`:
+    PathOutOfReach,    ///< the tool cannot be there: `shortfall`
+    PathBelowMinimum,  ///< axis, limit = the axis' minimum; `other` says whether the target itself
+    PathAboveMaximum,  ///< can be reached in another posture; limit = the axis' maximum
+    PathSingular       ///< axis; it would have to turn too fast there
   };
 
   Kind kind = Kind::NotFinite;
   int axis = -1;  ///< −1 where no axis is to blame
   double value = 0;
   double limit = 0;
+  double at = 0;          ///< m, or rad where only the orientation changes
+  double way = 0;         ///< the same of the whole
+  bool turning = false;   ///< only the orientation changes
+  bool other = false;
+  Shortfall shortfall{};
+  JointVector q{};  ///< m, rad, at the place; empty where it is not known
 };
 
 /// A target may lie this much (m, rad) outside a limit: what rounding in units and arithmetic

@@ -4,29 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/plan/wishes.h"
 #include "motion/robots/time_scaling.h"
 
 namespace rob::motion {
 
 namespace {
 
-/// Relative difference below which two times are the same: rounding of a few operations.
-constexpr double kSameTime = 1e-9;
-
-bool longer(double time, double than) { return time > than * (1 + kSameTime); }
-
-std::optional<Refusal> check_wishes(const MotionRequest& request) {
-  using Kind = Refusal::Kind;
-  const bool paced = request.pace != MotionRequest::Pace::Unspecified;
-  if (paced && !(std::isfinite(request.pace_value) && request.pace_value > 0))
-    return Refusal{Kind::BadPace, -1, request.pace_value, 0};
-  if (!(std::isfinite(request.at_least) && request.at_least >= 0))
-    return Refusal{Kind::BadDuration, -1, request.at_least, 0};
-  const bool zoned = request.zone != MotionRequest::Zone::Robots;
-  if (zoned && !(std::isfinite(request.zone_value) && request.zone_value > 0))
-    return Refusal{Kind::BadZone, -1, request.zone_value, 0};
-  return std::nullopt;
-}
+/// The motion that runs, the one before it in the corner, and those of a buffer that has just been
+/// given up for another one.
+constexpr std::size_t kMostRunning = 8;
 
 double greatest_tool_speed(const RobotModel& robot) {
   double squares = 0;
@@ -40,25 +27,46 @@ double greatest_tool_speed(const RobotModel& robot) {
 MotionPlanner::MotionPlanner(const RobotModel& robot, const JointVector& start) noexcept
     : robot_(robot),
       least_t_acc_(least_t_acc(robot)),
+      braking_(time_scale_limits(robot).slope),
       linear_speed_(greatest_tool_speed(robot)),
       tool_speed_(linear_speed_),
       arms_(JointVector::Zero(start.size())),
       commanded_(start),
-      t_acc_before_(robot.t_acc) {
+      t_acc_before_(robot.t_acc),
+      kept_(static_cast<std::size_t>(robot.look_ahead) + kMostRunning) {
   set_tool({});
 }
 
-PlanOutcome MotionPlanner::plan(const MotionRequest& request) noexcept {
+PlanOutcome MotionPlanner::plan(const MotionRequest& request) {
   const std::array<double, kMaxJoints> wanted = absolute(request);
   if (const auto refusal = check_target(robot_, request.given, wanted)) return *refusal;
   if (const auto refusal = check_wishes(request)) return *refusal;
-  JointVector target = complete(request.given, wanted);
-  const bool no_length = (target - commanded_).cwiseAbs().maxCoeff() <= kLimitTolerance;
-  if (no_length) target = commanded_;
-  const Timing timing = time(target, request);
+  Draft draft{complete(request.given, wanted)};
+  draft.no_length = (draft.target - commanded_).cwiseAbs().maxCoeff() <= kLimitTolerance;
+  if (draft.no_length) draft.target = commanded_;
+  draft.demand = straight_demand(draft.target);
+  return take(request, std::move(draft));
+}
+
+PlanOutcome MotionPlanner::take(const MotionRequest& request, Draft draft) {
+  const Timing timing = time(draft, request);
   if (!(timing.duration <= kLongest))
     return Refusal{Refusal::Kind::TooLong, -1, timing.duration, kLongest};
-  return PlannedSegment{commit(request.tag, target, no_length, timing), timing.warnings};
+  const JointVector from = commanded_;
+  const bool joins = !exact_ && !draft.no_length;
+  PlannedSegment planned;
+  planned.warnings = timing.warnings;
+  planned.segment = commit(request.tag, draft.target, draft.no_length, timing);
+  SegmentDescriptor& segment = planned.segment;
+  segment.profile = timing.profile;
+  if (draft.leg != nullptr && draft.leg->axes) segment.path = &*draft.leg->axes;
+  if (joins) join(draft, segment, planned.warnings);
+  exact_ = segment.ends_at_rest();
+  before_ = {{segment.path, from, segment.target, segment.duration}, draft.leg, tool_};
+  if (request.zone == MotionRequest::Zone::Length) before_.zone = request.zone_value;
+  planned.leg = std::move(draft.leg);
+  keep(planned.leg);
+  return planned;
 }
 
 double MotionPlanner::way(const MotionRequest& request) const noexcept {
@@ -74,10 +82,10 @@ double MotionPlanner::swing(const MotionRequest& request) const noexcept {
 }
 
 void MotionPlanner::set_tool(const Pose& tool) noexcept {
-  tip_ = tool.position;
+  tool_ = tool;
   tool_speed_ = linear_speed_;
   for (int i = 0; i < robot_.axis_count(); ++i) {
-    const double arm = robot_.kinematics->lever(i, tip_);
+    const double arm = robot_.kinematics->lever(i, tool_.position);
     arms_[i] = arm > kLimitTolerance ? arm : 0;
     tool_speed_ += arms_[i] * robot_.axes[static_cast<std::size_t>(i)].v_max;
   }
@@ -127,124 +135,13 @@ JointVector MotionPlanner::complete(std::uint8_t given,
   return target;
 }
 
-MotionPlanner::Timing MotionPlanner::time(const JointVector& target,
-                                          const MotionRequest& request) const noexcept {
-  const JointVector delta = (target - commanded_).cwiseAbs();
-  Timing timing;
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    const double needed = delta[i] / robot_.axes[static_cast<std::size_t>(i)].v_max;
-    if (needed <= timing.duration) continue;
-    timing.duration = needed;
-    timing.limit = static_cast<std::uint8_t>(2 + i);
-  }
-  const double slowest = timing.duration;
-  const double paced = pace_time(delta, target, request);
-  if (longer(named_axes_time(delta, request.pace), paced))
-    timing.warnings |= PlannedSegment::kPaceCut;
-  if (longer(paced / boost_, timing.duration)) timing.limit = 1;
-  timing.duration = std::max(timing.duration, paced / boost_);
-
-  const double asked = std::max(timing.duration, request.at_least / boost_);
-  timing.t_acc = corner_time(greatest_way(target), asked, request);
-  if (timing.t_acc < least_t_acc_) {
-    timing.t_acc = least_t_acc_;
-    timing.warnings |= PlannedSegment::kZoneRaised;
-  }
-  const double corners = t_acc_before_ + timing.t_acc;
-  if (request.at_least > 0 && longer(std::max(slowest, corners), request.at_least))
-    timing.warnings |= PlannedSegment::kStretched;
-  if (const double other = std::max(corners, request.at_least / boost_); other > timing.duration) {
-    timing.duration = other;
-    timing.limit = 0;
-  }
-  return timing;
-}
-
-/// t_C as the request asks for it; `duration`: of the motion, corners apart.
-double MotionPlanner::corner_time(double distance, double duration,
-                                  const MotionRequest& request) const noexcept {
-  switch (request.zone) {
-    case MotionRequest::Zone::Robots:
-      return robot_.t_acc;
-    case MotionRequest::Zone::Length:
-      return std::min(robot_.t_acc, zone_time(distance, duration, request.zone_value));
-    case MotionRequest::Zone::Time:
-      return request.zone_value;
-    case MotionRequest::Zone::Share:
-      return request.zone_value * robot_.t_acc;
-  }
-  return robot_.t_acc;
-}
-
-/// t = K/(v_in + V) with K = 16·z/3. Where the motion lasts as long as its corners, v_in = d/(t_B +
-/// t) and t is the root of V·t² + (d + V·t_B − K)·t − K·t_B = 0.
-double MotionPlanner::zone_time(double distance, double duration, double zone) const noexcept {
-  const double k = 16 * zone / 3;
-  const double v = tool_speed_;
-  if (duration > 0) {
-    const double t = k / (distance / duration + v);
-    if (t_acc_before_ + t <= duration) return t;
-  }
-  const double half = (distance + v * t_acc_before_ - k) / (2 * v);
-  return std::sqrt(half * half + k * t_acc_before_ / v) - half;
-}
-
 Eigen::Vector3d MotionPlanner::tip(const JointVector& q) const noexcept {
-  return place_of(tip_, robot_.kinematics->forward(q));
+  return place_of(tool_.position, robot_.kinematics->forward(q));
 }
 
-double MotionPlanner::tool_distance(const JointVector& target) const noexcept {
-  return (tip(target) - tip(commanded_)).norm();
-}
-
-double MotionPlanner::swing_to(const JointVector& target) const noexcept {
-  return arms_.dot((target - commanded_).cwiseAbs());
-}
-
-/// What the tip covers at most: the way of the linear axes, and what it swings around the others.
-double MotionPlanner::greatest_way(const JointVector& target) const noexcept {
-  double squares = 0;
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    const double way = target[i] - commanded_[i];
-    if (robot_.axes[static_cast<std::size_t>(i)].kind == AxisKind::Linear) squares += way * way;
-  }
-  return std::sqrt(squares) + swing_to(target);
-}
-
-double MotionPlanner::pace_time(const JointVector& delta, const JointVector& target,
-                                const MotionRequest& request) const noexcept {
-  switch (request.pace) {
-    case MotionRequest::Pace::Unspecified:
-      return 0;
-    case MotionRequest::Pace::ToolSpeed:
-      return tool_distance(target) / request.pace_value;
-    case MotionRequest::Pace::AngularSpeed: {
-      double turn = 0;
-      for (int i = 0; i < robot_.axis_count(); ++i)
-        if (robot_.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
-          turn = std::max(turn, delta[i]);
-      return turn / request.pace_value;
-    }
-    case MotionRequest::Pace::Share:
-      return named_axes_time(delta, request.pace) / request.pace_value;
-  }
-  return 0;
-}
-
-/// The least time of the axes that a pace speaks of: the linear ones for a tool speed, the rotary
-/// ones for an angular speed, all for a share.
-double MotionPlanner::named_axes_time(const JointVector& delta,
-                                      MotionRequest::Pace pace) const noexcept {
-  using Pace = MotionRequest::Pace;
-  double least = 0;
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
-    const bool named = pace == Pace::Share ||
-                       (pace == Pace::ToolSpeed && axis.kind == AxisKind::Linear) ||
-                       (pace == Pace::AngularSpeed && axis.kind == AxisKind::Rotary);
-    if (named) least = std::max(least, delta[i] / axis.v_max);
-  }
-  return least;
+Pose MotionPlanner::tool_pose() const noexcept {
+  const Pose flange = robot_.kinematics->forward(commanded_);
+  return {place_of(tool_.position, flange), flange.orientation * tool_.orientation};
 }
 
 SegmentDescriptor MotionPlanner::commit(Tag tag, const JointVector& target, bool no_length,

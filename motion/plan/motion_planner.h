@@ -1,12 +1,19 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <variant>
+#include <vector>
 
+#include "motion/path/tool_path.h"
 #include "motion/plan/feasibility.h"
+#include "motion/plan/leg_demand.h"
 #include "motion/plan/motion_request.h"
+#include "motion/plan/planned_leg.h"
 #include "motion/plan/segment_descriptor.h"
 #include "motion/robots/robot_model.h"
 #include "motion/space/pose.h"
@@ -21,9 +28,13 @@ struct PlannedSegment {
   static constexpr std::uint8_t kStretched = 2;
   /// ZONE asks for a tighter corner than the axes can take; segment.t_acc is the least.
   static constexpr std::uint8_t kZoneRaised = 4;
+  /// No corner leads from the motion before into this one within what the axes can do: its target
+  /// is reached exactly.
+  static constexpr std::uint8_t kCornerExact = 8;
 
   SegmentDescriptor segment;
-  std::uint8_t warnings = 0;  ///< kPaceCut | kStretched | kZoneRaised
+  std::uint8_t warnings = 0;  ///< kPaceCut | kStretched | kZoneRaised | kCornerExact
+  std::shared_ptr<const PlannedLeg> leg{};  ///< what the segment points into; null: nothing
 };
 
 using PlanOutcome = std::variant<PlannedSegment, Refusal>;
@@ -47,11 +58,21 @@ using PlanOutcome = std::variant<PlannedSegment, Refusal>;
 /// A t_C that leaves the axes too little to be held within their limits is raised (least_t_acc).
 ///
 /// where AT bounds the straight distance from end to end of the tool (ToolSpeed), every rotary axis
-/// (AngularSpeed), or all axes by a share of their maxima (Share). A target within
+/// (AngularSpeed), or all axes by a share of their maxima (Share). On a path of the tool it bounds
+/// the tool's speed or turning speed along it. A target within
 /// kLimitTolerance of the last one on every axis is the last one: a segment of no length, which
 /// takes t_B + t_C and passes the target exactly.
 ///
-/// SI. No call throws or takes memory. One thread, the program's.
+/// A motion along a ToolPath is looked at along its whole length before it is taken (follow.h):
+/// reach, the axes' limits, places where they would have to turn too fast. It is run evenly, as
+/// fast as the axes' speeds and accelerations allow everywhere on it. Corners into and out of it
+/// are made here (corner.h); where there is none, and before a PROFILE, the motion begins at rest.
+///
+/// On an arm a ZONE's t_C counts with the tool's speed at the target, before and behind it alike;
+/// the corner itself is then made so short that it misses the target by no more.
+///
+/// SI. Only plan() along a path, and with a zone on an arm, takes memory. One thread, the
+/// program's.
 class MotionPlanner {
  public:
   /// A motion that takes longer is refused. [choice: 11 days; the generator's clock resolves
@@ -73,10 +94,14 @@ class MotionPlanner {
   /// From here on `tip`, seen from the flange, is the tool.
   void set_tool(const Pose& tip) noexcept;
   /// The place of its tip, m, seen from the flange.
-  const Eigen::Vector3d& tool_tip() const noexcept { return tip_; }
+  const Eigen::Vector3d& tool_tip() const noexcept { return tool_.position; }
+  /// Where the tip is at the last target, in the world.
+  Pose tool_pose() const noexcept;
 
   /// The request as a segment; a refusal leaves everything as it was.
-  PlanOutcome plan(const MotionRequest& request) noexcept;
+  PlanOutcome plan(const MotionRequest& request);
+  /// The same along a path of the tip, which begins at tool_pose(); its target is the path's end.
+  PlanOutcome plan(const MotionRequest& request, const ToolPath& path);
 
   /// A segment of no length that ends exactly at the last target. None where the axes stand there
   /// anyhow: nothing has moved, or the last motion was exact.
@@ -107,36 +132,71 @@ class MotionPlanner {
     double t_acc = 0;
     std::uint8_t limit = 0;
     std::uint8_t warnings = 0;
+    ProfileLaw profile{};
+  };
+  /// A motion in the making.
+  struct Draft {
+    JointVector target;
+    bool no_length = false;
+    LegDemand demand{};
+    std::shared_ptr<PlannedLeg> leg{};  ///< null: straight in the axes, and S1's corner
+  };
+  /// The motion before, where a corner can lead out of it.
+  struct Before {
+    LegMotion motion;
+    std::shared_ptr<const PlannedLeg> leg;
+    Pose tool;
+    double zone = std::numeric_limits<double>::infinity();  ///< m
   };
 
   std::array<double, kMaxJoints> absolute(const MotionRequest& request) const noexcept;
   JointVector complete(std::uint8_t given,
                        const std::array<double, kMaxJoints>& wanted) const noexcept;
-  Timing time(const JointVector& target, const MotionRequest& request) const noexcept;
-  double corner_time(double distance, double duration, const MotionRequest& request) const noexcept;
-  double zone_time(double distance, double duration, double zone) const noexcept;
   Eigen::Vector3d tip(const JointVector& q) const noexcept;
-  double tool_distance(const JointVector& target) const noexcept;
-  double swing_to(const JointVector& target) const noexcept;
-  double greatest_way(const JointVector& target) const noexcept;
-  double pace_time(const JointVector& delta, const JointVector& target,
-                   const MotionRequest& request) const noexcept;
-  double named_axes_time(const JointVector& delta, MotionRequest::Pace pace) const noexcept;
+  PlanOutcome take(const MotionRequest& request, Draft draft);
   SegmentDescriptor commit(Tag tag, const JointVector& target, bool no_length,
                            const Timing& timing) noexcept;
 
+  // How long it takes (motion_planner_timing.cpp)
+  LegDemand straight_demand(const JointVector& target) const noexcept;
+  Timing time(const Draft& draft, const MotionRequest& request) const;
+  void time_profile(const Draft& draft, const MotionRequest& request, Timing& timing) const;
+  double corner_time(const LegDemand& demand, double duration,
+                     const MotionRequest& request) const noexcept;
+  double zone_time(double distance, double duration, double zone) const noexcept;
+  double arm_zone_time(double leaving, double duration, double zone) const noexcept;
+  double tool_distance(const JointVector& target) const noexcept;
+  double leaving_speed(const JointVector& target) const noexcept;
+  double swing_to(const JointVector& target) const noexcept;
+  double greatest_way(const JointVector& target) const noexcept;
+  double pace_time(const LegDemand& demand, const MotionRequest& request) const noexcept;
+  double named_axes_time(const LegDemand& demand, MotionRequest::Pace pace) const noexcept;
+
+  // Paths and corners (motion_planner_paths.cpp)
+  std::optional<Refusal> judge(const MotionRequest& request, const ToolPath& path,
+                               const JointPath& axes) const;
+  Refusal placed(Refusal refusal, const ToolPath& path) const;
+  bool reachable_otherwise(const ToolPath& path) const;
+  void join(Draft& draft, SegmentDescriptor& segment, std::uint8_t& warnings) const;
+  void keep(std::shared_ptr<const PlannedLeg> leg);
+
   const RobotModel& robot_;
   const double least_t_acc_;
+  const double braking_;       ///< 1/s: what a hold may change of the path's rate
   const double linear_speed_;  ///< the greatest that the linear axes make together
   double tool_speed_;          ///< the same with what the rotary axes make of the tool
-  Eigen::Vector3d tip_ = Eigen::Vector3d::Zero();  ///< of the tool, seen from the flange
+  Pose tool_;                  ///< its tip, seen from the flange
   JointVector arms_;  ///< how far the tip can be from the rotary axes, m; 0 of linear ones
   JointVector commanded_;
   double t_acc_before_;  ///< t_B of the next segment
   bool exact_ = true;    ///< the last target is reached exactly
+  Before before_;        ///< only where it is not
   std::uint32_t number_ = 0;
   std::uint32_t generation_ = 1;
   double boost_ = 1;
+  /// Those that segments in the buffer, the running one and the one before it point into.
+  std::vector<std::shared_ptr<const PlannedLeg>> kept_;
+  std::size_t next_kept_ = 0;
 };
 
 }  // namespace rob::motion

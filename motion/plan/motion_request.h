@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "motion/plan/profile.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::motion {
@@ -31,6 +32,7 @@ struct MotionRequest {
   double at_least = 0;    ///< s, lower bound on the duration (S1: T_user)
   Zone zone = Zone::Robots;
   double zone_value = 0;  ///< above 0 where there is a zone
+  ProfileShape profile = ProfileShape::None;
 };
 
 }  // namespace rob::motion

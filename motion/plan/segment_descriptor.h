@@ -4,7 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "motion/path/joint_path.h"
+#include "motion/plan/corner.h"
 #include "motion/plan/motion_request.h"
+#include "motion/plan/profile.h"
 #include "motion/plan/watch.h"
 #include "motion/space/joint_vector.h"
 
@@ -69,9 +72,21 @@ struct SegmentDescriptor {
   std::uint32_t generation = 1;
   Watch guard{};  ///< ends it early: UNTIL. Also of the stop that makes it exact
 
+
+  /// Along this the axes run, parameter 0 … 1; null: straight. Its planner keeps it as long as the
+  /// motion, or the corner behind it, can run.
+  const JointPath* path = nullptr;
+  const Corner* corner = nullptr;  ///< out of the motion before; null: S1's in the axes
+  bool from_rest = false;          ///< the target before is reached exactly: no corner leads here
+  ProfileLaw profile{};            ///< from rest to rest; `duration` is its own
+
+  /// The axes stand at the target.
+  bool ends_at_rest() const noexcept { return no_length || profile.present(); }
   /// s from the decision instant before it to its own: S1's t runs from −t_acc_before to T1 −
   /// t_acc.
-  double span() const noexcept { return dwell ? duration : duration + (t_acc_before - t_acc); }
+  double span() const noexcept {
+    return dwell || profile.present() ? duration : duration + (t_acc_before - t_acc);
+  }
   std::size_t events = 0;
   std::array<PathEvent, kMostEvents> on_the_way{};  ///< the first `events` of them
 };

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "motion/servo/quintic.h"
+#include "motion/space/quintic.h"
 
 namespace rob::motion {
 namespace {

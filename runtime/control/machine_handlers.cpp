@@ -156,7 +156,7 @@ bool RobotMachine::plan_anew(Commanded& commanded) {
   const motion::Watch guard = segment.guard;
   if (commanded.move) {
     work_in(static_cast<int>(segment.tag), commanded.setting);
-    if (!plan(static_cast<int>(segment.tag), *commanded.move, commanded.events, segment)) {
+    if (!plan(static_cast<int>(segment.tag), commanded)) {
       refusal_.message =
           fmt::format("the motion of line {} starts from elsewhere behind BRAKE: {}",
                       lang::tagged_place(static_cast<int>(segment.tag)).line, refusal_.message);

@@ -18,10 +18,6 @@ Reply RobotMachine::refuse(MotionFeature feature) {
   return Reply::Refused;
 }
 
-Reply RobotMachine::via(int /*line*/, const lang::MoveCommand& /*point*/) {
-  return refuse(MotionFeature::Arc);
-}
-
 Reply RobotMachine::begin_path(int /*line*/) { return refuse(MotionFeature::Path); }
 
 Reply RobotMachine::end_path(int /*line*/) { return refuse(MotionFeature::Path); }

@@ -132,6 +132,7 @@ std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
   recording_ = nullptr;
   place_.reset();
   on_the_way_.clear();
+  via_.clear();
   progress_.rests.pop();
   return error;
 }

@@ -11,6 +11,7 @@
 #include "lang/text/codes.h"
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_library.h"
+#include "runtime/control/path_words.h"
 #include "runtime/control/simulated_inputs.h"
 #include "runtime/control/units.h"
 
@@ -33,25 +34,6 @@ Words beyond(const Refusal& refusal, const motion::RobotModel& robot) {
                       below ? "below" : "beyond", shown(refusal.limit, axis.kind)),
           fmt::format("axis {} of {} reaches from {} to {}", axis.name, robot.name,
                       shown(axis.min, axis.kind), shown(axis.max, axis.kind))};
-}
-
-/// What a pose lacks to be in reach; empty where lengths do not tell.
-std::string by_how_much(const motion::Shortfall& shortfall) {
-  using Kind = motion::Shortfall::Kind;
-  constexpr double kShown = 1e-6;  // m: finer than any arm repeats
-  const std::string by =
-      shown(std::round(shortfall.distance / kShown) * kShown, motion::AxisKind::Linear);
-  switch (shortfall.kind) {
-    case Kind::Elsewhere:
-      return "";
-    case Kind::TooFar:
-      return fmt::format(": its wrist would have to be {} farther out than it reaches", by);
-    case Kind::TooNear:
-      return fmt::format(": its wrist would have to be {} nearer to axis 2 than it folds", by);
-    case Kind::BesideAxis:
-      return fmt::format(": its wrist would have to be {} nearer to axis 1 than it comes", by);
-  }
-  return "";
 }
 
 }  // namespace
@@ -78,6 +60,11 @@ Words words_for(const Refusal& refusal, const motion::RobotModel& robot) {
       return {code::kZoneRefused,
               fmt::format("ZONE needs a number of zero or more; this is {}", refusal.value),
               "write for example ZONE 5mm"};
+    case Refusal::Kind::PathOutOfReach:
+    case Refusal::Kind::PathBelowMinimum:
+    case Refusal::Kind::PathAboveMaximum:
+    case Refusal::Kind::PathSingular:
+      return words_for_path(refusal, robot);
     case Refusal::Kind::TooLong:
       return {code::kMotionTooLong,
               fmt::format("this motion would take {} s; at most {} s are accepted", refusal.value,
@@ -129,22 +116,6 @@ Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseVal
           fmt::format("{} cannot bring its tool to {}{}", robot.name,
                       lang::text_of(value, lang::Type::pose()), by_how_much(shortfall)),
           fmt::format("{} {}", robot.name, robot.kinematics->reach())};
-}
-
-Words words_for_swing(double swing) {
-  return {code::kNotPossible,
-          fmt::format("MOVEL is not straight here: this tool is off the axis that turns, and its"
-                      " tip would swing by up to {}",
-                      shown(swing, motion::AxisKind::Linear)),
-          "turn before or behind it, or write MOVE"};
-}
-
-Words words_for_no_lines(const motion::RobotModel& robot) {
-  return {code::kNotPossible,
-          fmt::format("MOVEL is not possible on {}: under Paul's law motions are straight in the"
-                      " axes, and its axes turn",
-                      robot.name),
-          "write MOVE: its tool ends at the same place"};
 }
 
 Words words_for_no_sensor(const motion::RobotModel& robot) {

@@ -25,10 +25,6 @@ Words words_for_condition(lang::ArithmeticError error);
 /// `shortfall`: by how much.
 Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose,
                             const motion::Shortfall& shortfall);
-/// A MOVEL whose tip would swing beside its line, m at most.
-Words words_for_swing(double swing);
-/// A MOVEL on an arm.
-Words words_for_no_lines(const motion::RobotModel& robot);
 /// A robot whose forces cannot be read here.
 Words words_for_no_sensor(const motion::RobotModel& robot);
 /// More SIMULATEs wait for their time than there is room for.

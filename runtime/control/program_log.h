@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "lang/text/diagnostic.h"
+#include "motion/plan/planned_leg.h"
 #include "motion/plan/segment_descriptor.h"
 
 namespace rob::runtime {
@@ -17,6 +19,7 @@ struct LoggedSegment : motion::SegmentDescriptor {
   bool stop = false;     ///< made by STOP, WAIT or the end of the program, not by a MOVE
   bool further = false;  ///< belongs to the same statement as the one before
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();  ///< of the tool, seen from the flange, m
+  std::shared_ptr<const motion::PlannedLeg> leg{};  ///< what the segment points into
 };
 
 /// An EXPECT that did not hold, and what it found.

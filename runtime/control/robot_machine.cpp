@@ -1,25 +1,18 @@
 #include "runtime/control/robot_machine.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string>
-#include <variant>
 
 #include "motion/space/cycle_instant.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/signal_access.h"
-#include "runtime/control/units.h"
 
 namespace rob::runtime {
 
 using lang::Reply;
 
 namespace {
-
-/// m by which a MOVEL may leave its line. [choice] what a common linear scale resolves.
-constexpr double kStraight = 1e-6;
 
 /// The channels of one kind that the robot file gives no name.
 void add_unnamed(lang::RobotSignature& signature, bool output, bool analog, int count) {
@@ -58,30 +51,6 @@ lang::RobotSignature signature_of(const motion::RobotModel& robot) {
   return signature;
 }
 
-motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
-  using From = lang::MoveCommand::Pace;
-  using To = motion::MotionRequest::Pace;
-  motion::MotionRequest request;
-  request.tag = static_cast<motion::Tag>(line);
-  request.relative = command.relative;
-  request.given = command.given;
-  request.target = command.target;
-  request.pace = command.pace == From::ToolSpeed      ? To::ToolSpeed
-                 : command.pace == From::AngularSpeed ? To::AngularSpeed
-                 : command.pace == From::Share        ? To::Share
-                                                      : To::Unspecified;
-  request.pace_value = command.pace_value;
-  request.at_least = command.over;
-  if (command.exact()) return request;  // at rest there is no corner to be bounded
-  using Zone = motion::MotionRequest::Zone;
-  request.zone = command.zone == lang::MoveCommand::Zone::Length  ? Zone::Length
-                 : command.zone == lang::MoveCommand::Zone::Time  ? Zone::Time
-                 : command.zone == lang::MoveCommand::Zone::Share ? Zone::Share
-                                                                  : Zone::Robots;
-  request.zone_value = command.zone_value;
-  return request;
-}
-
 RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanner& planner,
                            motion::LookAheadBuffer& buffer, Channels& channels,
                            MotionProgress& progress, ProgramLog& log)
@@ -95,52 +64,6 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
       log_(log),
       until_(signals_, robot),
       whens_(signals_, robot) {}
-
-/// What is to be exact takes two segments, which are queued together.
-Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
-  if (const auto feature = lang::feature_of(asked.kind)) return refuse(*feature);
-  if (buffer_.room() < (asked.exact() ? 2U : 1U) + (tip_jumps() ? 1U : 0U)) return Reply::Later;
-  if (asked.kind == lang::MotionKind::Line && robot_.tool_coordinates) {
-    refusal_ = words_for_no_lines(robot_);
-    return Reply::Refused;
-  }
-  const bool stopped = stop_for_tool(line);
-  std::vector<OnTheWay> events = std::exchange(on_the_way_, {});
-  motion::SegmentDescriptor segment;
-  if (!plan(line, asked, events, segment)) return Reply::Refused;
-  for (std::size_t i = 0; i < events.size(); ++i) log_.queued_effect();
-  brakable_ = segment.number;
-  queue({segment, false, stopped, asked, setting_, std::move(events)});
-  if (!asked.exact()) return Reply::Done;
-  if (const auto exact = planner_.stop(static_cast<motion::Tag>(line))) queue(*exact, true, true);
-  return Reply::Done;
-}
-
-bool RobotMachine::plan(int line, const lang::MoveCommand& asked,
-                        const std::vector<OnTheWay>& events, motion::SegmentDescriptor& segment) {
-  lang::MoveCommand command = asked;
-  if (settle_target(command) != Reply::Done) return false;
-  const motion::MotionRequest request = request_of(line, command);
-  const double swing = asked.kind == lang::MotionKind::Line ? planner_.swing(request) : 0;
-  if (swing > kStraight) {
-    refusal_ = words_for_swing(swing);
-    return false;
-  }
-  motion::SegmentDescriptor with_events;
-  if (!attach(with_events, events, planner_.way(request))) return false;
-  const motion::PlanOutcome outcome = planner_.plan(request);
-  if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
-    refusal_ = words_for(*refusal, robot_);
-    return false;
-  }
-  const auto& planned = std::get<motion::PlannedSegment>(outcome);
-  warn(line, planned);
-  segment = planned.segment;
-  segment.events = with_events.events;
-  segment.on_the_way = with_events.on_the_way;
-  for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
-  return true;
-}
 
 Reply RobotMachine::stop(int line) {
   if (buffer_.full()) return Reply::Later;
@@ -232,6 +155,7 @@ Reply RobotMachine::settle(int line) {
   recording_ = nullptr;
   place_.reset();
   on_the_way_.clear();
+  via_.clear();
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
   if (!settled()) return Reply::Later;
@@ -339,10 +263,11 @@ void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool furt
 void RobotMachine::queue(Commanded commanded) {
   motion::SegmentDescriptor& segment = commanded.segment;
   if (guarded_) segment.guard = until_.handle();
-  LoggedSegment logged{segment, commanded.stop, commanded.further, planner_.tool_tip()};
+  LoggedSegment logged{segment, commanded.stop, commanded.further, planner_.tool_tip(),
+                       commanded.leg};
   if (program_ != nullptr) logged.number += kHandlerNumbers;
   log_.planned(logged);  // before the generator can report it
-  exact_ = segment.no_length;
+  exact_ = segment.ends_at_rest();
   buffer_.push(segment);  // there is room: only this thread fills the buffer
   remember(std::move(commanded));
 }
@@ -368,28 +293,6 @@ Reply RobotMachine::push(motion::Effect effect) {
   if (!buffer_.push(effect)) return Reply::Later;
   ++effects_;
   return Reply::Done;
-}
-
-void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
-  const lang::Place place = lang::tagged_place(line);
-  if ((planned.warnings & motion::PlannedSegment::kPaceCut) != 0) {
-    log_.found({lang::Severity::Warning, code::kAboveAxes, place,
-                "AT asks for more than the axes can do",
-                "the motion runs as fast as its axes permit"});
-  }
-  if ((planned.warnings & motion::PlannedSegment::kStretched) != 0) {
-    log_.found({lang::Severity::Warning, code::kTooShort, place,
-                fmt::format("OVER is too short: this motion takes {} s",
-                            shown(planned.segment.duration, 3)),
-                "OVER is a lower bound; the axes and the corners need longer here"});
-  }
-  if ((planned.warnings & motion::PlannedSegment::kZoneRaised) != 0) {
-    log_.found({lang::Severity::Warning, code::kZoneRaised, place,
-                fmt::format("ZONE asks for a tighter corner than the axes can take; it becomes"
-                            " ZONE {}s",
-                            shown(planned.segment.t_acc, 3)),
-                "FINE reaches the target exactly"});
-  }
 }
 
 }  // namespace rob::runtime

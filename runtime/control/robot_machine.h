@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@
 #include "runtime/control/point_keeper.h"
 #include "runtime/control/program_log.h"
 #include "runtime/control/program_watch.h"
+#include "runtime/control/tool_paths.h"
 #include "runtime/control/when_pool.h"
 
 namespace rob::runtime {
@@ -181,6 +183,8 @@ class RobotMachine final : public lang::Machine {
     std::optional<lang::MoveCommand> move{};  ///< of a motion
     lang::Setting setting{};                  ///< in which it was commanded
     std::vector<OnTheWay> events{};
+    std::vector<lang::MoveCommand> via{};  ///< of MOVEC, MOVES
+    std::shared_ptr<const motion::PlannedLeg> leg{};
   };
 
   bool place_can_be_read() const;
@@ -197,8 +201,13 @@ class RobotMachine final : public lang::Machine {
   void queue(motion::SegmentDescriptor segment, bool stop, bool further = false);
   void queue(Commanded commanded);
   /// Plans a motion with what is done on its way; false, with a refusal, where it cannot be.
-  bool plan(int line, const lang::MoveCommand& asked, const std::vector<OnTheWay>& events,
-            motion::SegmentDescriptor& segment);
+  bool plan(int line, Commanded& commanded);
+  bool plan_straight(int line, Commanded& commanded);
+  bool plan_along(int line, const motion::MotionRequest& request, Commanded& commanded);
+  bool take(int line, const motion::PlanOutcome& outcome,
+            const motion::SegmentDescriptor& with_events, Commanded& commanded);
+  motion::Pose target_of(const lang::MoveCommand& command) const;
+  ToolPathOrWords tool_path(const Commanded& commanded) const;
   /// The last target exactly, then a dwell, as one statement.
   lang::Reply dwell(int line, double seconds);
   lang::Reply queue(motion::Effect effect);
@@ -265,6 +274,7 @@ class RobotMachine final : public lang::Machine {
   // What the next motion does on its way, and the place whose action comes next.
   bool attach(motion::SegmentDescriptor& segment, const std::vector<OnTheWay>& events, double way);
   std::vector<OnTheWay> on_the_way_;
+  std::vector<lang::MoveCommand> via_;  ///< points that the next motion goes through
   std::optional<lang::PathPlace> place_;
 
   // Handlers (machine_handlers.cpp)

@@ -14,13 +14,15 @@ double distance_to_chord(const Eigen::Vector3d& point, const Eigen::Vector3d& fr
   return (from + share * chord - point).norm();
 }
 
-void PathMeter::programmed(const motion::JointVector& from, const motion::JointVector& to,
-                           const Eigen::Vector3d& tip) {
+void PathMeter::programmed(const motion::LegMotion& motion, const Eigen::Vector3d& tip) {
   Leg& leg = legs_[count_++ % kLegs];
   leg.tip = tip;
-  for (std::size_t i = 0; i <= kChords; ++i) {
-    const double share = static_cast<double>(i) / kChords;
-    leg.points[i] = place_of(tip, kinematics_->forward(from + share * (to - from)));
+  leg.points.clear();
+  const std::size_t chords = motion.path == nullptr ? kChords : kPathChords;
+  for (std::size_t i = 0; i <= chords; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(chords);
+    const motion::JointVector q = motion.along(share, 0, 0).q;
+    leg.points.push_back(place_of(tip, kinematics_->forward(q)));
   }
 }
 
@@ -45,7 +47,7 @@ double PathMeter::distance(const motion::Pose& flange) const {
 double PathMeter::Leg::distance(const motion::Pose& flange) const {
   const Eigen::Vector3d point = place_of(tip, flange);
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t chord = 0; chord < kChords; ++chord) {
+  for (std::size_t chord = 0; chord + 1 < points.size(); ++chord) {
     least = std::min(least, distance_to_chord(point, points[chord], points[chord + 1]));
   }
   return least;

@@ -2,16 +2,19 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include <Eigen/Dense>
 
 #include "motion/kinematics/kinematics.h"
+#include "motion/plan/leg_motion.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::runtime {
 
 /// Measures the way of the tip's reference, and how far it strays from the programmed path: the
-/// legs that lead straight in the axes from target to target. Lengths in m.
+/// legs that lead from target to target, straight in the axes or along a path of the tool. Lengths
+/// in m.
 class PathMeter {
  public:
   PathMeter(const motion::Kinematics& kinematics, const motion::JointVector& start)
@@ -19,8 +22,7 @@ class PathMeter {
 
   /// A further leg of the programmed path; the reference is on it, or still on one before it.
   /// `tip`: of its tool, seen from the flange, m.
-  void programmed(const motion::JointVector& from, const motion::JointVector& to,
-                  const Eigen::Vector3d& tip);
+  void programmed(const motion::LegMotion& leg, const Eigen::Vector3d& tip);
   /// The next reference. Returns the way of the newest leg's tip since the one before it.
   double reference(const motion::JointVector& q);
   /// The greatest distance of any reference so far from the programmed path.
@@ -28,13 +30,15 @@ class PathMeter {
 
  private:
   /// A leg is known by points on it. [choice] 16 chords: on a leg of 90° about an axis 1 m away
-  /// they lie within 1.2 mm of the arc, on a straight one exactly on it.
+  /// they lie within 1.2 mm of the arc, on a straight one exactly on it. 256 along a path of the
+  /// tool: within 0.008 mm of a whole circle of 100 mm radius.
   static constexpr std::size_t kChords = 16;
+  static constexpr std::size_t kPathChords = 256;
   /// The corner's two, and the one behind a motion of no length between them.
   static constexpr std::size_t kLegs = 3;
   struct Leg {
     Eigen::Vector3d tip = Eigen::Vector3d::Zero();
-    std::array<Eigen::Vector3d, kChords + 1> points{};
+    std::vector<Eigen::Vector3d> points{};
 
     double distance(const motion::Pose& flange) const;
   };

@@ -126,10 +126,11 @@ void RunRecorder::take(const ServoNotice& notice) {
 void RunRecorder::begin_segment(const MotionEvent& event) {
   const std::optional<LoggedSegment> planned = log_.take_planned(event.number);
   if (!planned) return;  // a stop that the generator made by itself belongs to the line before
+  if (planned->from_rest) count_stop();
   end_segment(event.time, &*planned);
   const motion::JointVector from = std::exchange(reached_, planned->target);
   meter_.watch(planned->number, planned->target, planned->tip);
-  path_.programmed(from, planned->target, planned->tip);
+  path_.programmed({planned->path, from, planned->target, planned->duration}, planned->tip);
 
   LineResult& line = line_of(*planned);
   const double duration = planned->span() / (planned->dwell ? 1 : override_share_);
@@ -137,6 +138,16 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   if (!planned->further && line.count++ == 0) line.starts = event.time;
   // Behind a guarded motion the program goes on when it has ended: nothing is decided before.
   if (line.count == 1 && !planned->guard.present()) line.decides = event.time + duration;
+  line.planned += duration;
+  result_.planned += duration;
+}
+
+/// The running motion has been made exact for the next one, which begins at rest.
+void RunRecorder::count_stop() {
+  if (!running_ || running_->cut || running_->ends_at_rest()) return;
+  const double duration = 2 * running_->t_acc / override_share_;
+  LineResult& line = line_of(*running_);
+  line.exact = true;
   line.planned += duration;
   result_.planned += duration;
 }

@@ -67,6 +67,7 @@ class RunRecorder {
   void take(const Snapshot& snapshot);
   void begin_segment(const motion::MotionEvent& event);
   void end_segment(double time, const LoggedSegment* next);
+  void count_stop();
   void begin_early_end(const motion::MotionEvent& event);
   void rest(const motion::MotionEvent& event);
   void locate(const Snapshot& snapshot);

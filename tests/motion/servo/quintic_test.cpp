@@ -1,4 +1,4 @@
-#include "motion/servo/quintic.h"
+#include "motion/space/quintic.h"
 
 #include <doctest/doctest.h>
 

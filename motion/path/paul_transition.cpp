@@ -1,4 +1,4 @@
-#include "motion/generate/paul_transition.h"
+#include "motion/path/paul_transition.h"
 
 namespace rob::motion {
 

@@ -1,4 +1,4 @@
-#include "motion/servo/quintic.h"
+#include "motion/space/quintic.h"
 
 namespace rob::motion {
 

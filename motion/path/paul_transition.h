@@ -1,15 +1,9 @@
 #pragma once
 
 #include "motion/space/joint_vector.h"
+#include "motion/space/path_point.h"
 
 namespace rob::motion {
-
-/// A place on a path and its derivatives along the path's own time.
-struct PathPoint {
-  JointVector q;
-  JointVector qd;
-  JointVector qdd;
-};
 
 /// One segment of S1's on-line law (after R. P. Paul, 1981): the transition around B, in which the
 /// motion that comes from A turns towards C, and the straight part behind it.

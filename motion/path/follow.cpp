@@ -1,0 +1,182 @@
+#include "motion/path/follow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "motion/space/quintic.h"
+#include "motion/space/rotation.h"
+
+namespace rob::motion {
+
+namespace {
+
+constexpr double kMostTurn = 5 * std::numbers::pi / 180;  // rad between nodes
+constexpr double kLeastStep = 1e-5;                       // m of the path
+constexpr double kOffPlace = 5e-7;                        // m
+constexpr double kOffTurn = 1e-5;                         // rad
+
+/// [choice] eight pieces at least: then the derivatives' differences are small, too.
+constexpr double kFirstStep = 1.0 / 8;
+/// Of a step: between the places from which a derivative is made. [choice] the error of the
+/// differences, of sixth order, is then far below that of the quintic between the nodes.
+constexpr double kSpacing = 1.0 / 16;
+
+Pose seen_from_tip(const Pose& tip) {
+  const Eigen::Quaterniond back = tip.orientation.conjugate();
+  return {back * -tip.position, back};
+}
+
+class Follower {
+ public:
+  using Node = JointPath::Node;
+
+  Follower(const RobotModel& robot, const ToolPath& path, const Pose& tip)
+      : robot_(robot),
+        path_(path),
+        tip_(tip),
+        flange_(seen_from_tip(tip)),
+        length_(path.end() - path.begin()),
+        least_step_(kLeastStep / std::max(measure_of(path), kLeastStep) * length_) {}
+
+  Followed run(const JointVector& start, const PathPoint* first, const PathPoint* last) {
+    Node node{path_.begin(), start, {}, {}};
+    if (!begin(node, first)) return {{}, PathTrouble{trouble_, node.time, axis_}};
+    std::vector<Node> nodes{node};
+    double step = kFirstStep * length_;
+    while (node.time < path_.end()) {
+      Node next;
+      while (!advance(node, step, last, next)) {
+        if (step < least_step_) {
+          return {nodes.size() > 1 ? JointPath(std::move(nodes)) : JointPath(),
+                  PathTrouble{trouble_, node.time, axis_}};
+        }
+        step /= 2;
+      }
+      nodes.push_back(next);
+      node = next;
+      step = std::min(2 * step, kFirstStep * length_);
+    }
+    return {JointPath(std::move(nodes)), std::nullopt};
+  }
+
+ private:
+  static void set(Node& node, const PathPoint& point) {
+    node.q = point.q;
+    node.qd = point.qd;
+    node.qdd = point.qdd;
+  }
+
+  bool begin(Node& node, const PathPoint* first) {
+    if (first != nullptr) {
+      set(node, *first);
+      return true;
+    }
+    for (double step = kFirstStep * length_; step >= least_step_ / 2; step /= 2) {
+      if (derive(node, step * kSpacing)) return true;
+    }
+    return false;
+  }
+
+  /// The next node, about `step` farther; false where that is too far.
+  bool advance(const Node& from, double step, const PathPoint* last, Node& next) {
+    const double left = path_.end() - from.time;
+    const bool ends = left < 1.5 * step;
+    const double d = ends ? left : step;
+    next.time = ends ? path_.end() : from.time + step;
+    const JointVector ahead = from.q + from.qd * d + from.qdd * (d * d / 2);
+    const auto q = solve(next.time, ahead);
+    if (!q) return false;
+    next.q = *q;
+    if (!near(from.q, next.q)) return false;
+    if (ends && last != nullptr) {
+      set(next, *last);
+    } else if (!derive(next, d * kSpacing)) {
+      return false;
+    }
+    return keeps_path(from, next);
+  }
+
+  std::optional<JointVector> solve(double s, const JointVector& near_to) {
+    const Pose at = path_.at(s);
+    const Pose flange{at.position + at.orientation * flange_.position,
+                      at.orientation * flange_.orientation};
+    auto q = robot_.kinematics->inverse(flange, near_to);
+    if (!q) trouble_ = PathTrouble::Kind::OutOfReach;
+    return q;
+  }
+
+  /// No rotary axis turns by more than it may between nodes.
+  bool near(const JointVector& a, const JointVector& b) {
+    double most = 0;
+    for (int i = 0; i < robot_.axis_count(); ++i) {
+      const double turn = std::abs(b[i] - a[i]);
+      if (robot_.axes[static_cast<std::size_t>(i)].kind == AxisKind::Linear || turn <= most)
+        continue;
+      most = turn;
+      most_turned_ = i;
+    }
+    if (most <= kMostTurn) return true;
+    jumps();
+    return false;
+  }
+
+  void jumps() {
+    trouble_ = PathTrouble::Kind::Singular;
+    axis_ = most_turned_;
+  }
+
+  /// Central differences of sixth order (Fornberg 1988, table 1).
+  bool derive(Node& node, double h) {
+    JointVector odd = JointVector::Zero(node.q.size());
+    JointVector even = -490 * node.q;
+    constexpr std::array<double, 3> kOdd{45, -9, 1};
+    constexpr std::array<double, 3> kEven{270, -27, 2};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double d = static_cast<double>(k + 1) * h;
+      const auto before = solve(node.time - d, node.q);
+      const auto behind = solve(node.time + d, node.q);
+      if (!before || !behind || !near(node.q, *before) || !near(node.q, *behind)) return false;
+      odd += kOdd[k] * (*behind - *before);
+      even += kEven[k] * (*behind + *before);
+    }
+    node.qd = odd / (60 * h);
+    node.qdd = even / (180 * h * h);
+    return true;
+  }
+
+  bool keeps_path(const Node& a, const Node& b) {
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const double s = a.time + share * (b.time - a.time);
+      const Pose flange = robot_.kinematics->forward(quintic_between(a, b, s).q);
+      const Pose wanted = path_.at(s);
+      const Eigen::Quaterniond turned = flange.orientation * tip_.orientation;
+      const bool close =
+          (place_of(tip_.position, flange) - wanted.position).norm() <= kOffPlace &&
+          rotation_between(turned, wanted.orientation).norm() <= kOffTurn;
+      if (close) continue;
+      jumps();
+      return false;
+    }
+    return true;
+  }
+
+  const RobotModel& robot_;
+  const ToolPath& path_;
+  const Pose& tip_;
+  const Pose flange_;  ///< seen from the tip
+  const double length_;
+  const double least_step_;
+  PathTrouble::Kind trouble_ = PathTrouble::Kind::OutOfReach;
+  int axis_ = -1;
+  int most_turned_ = 0;
+};
+
+}  // namespace
+
+Followed follow(const RobotModel& robot, const ToolPath& path, const Pose& tip,
+                const JointVector& start, const PathPoint* first, const PathPoint* last) {
+  return Follower(robot, path, tip).run(start, first, last);
+}
+
+}  // namespace rob::motion

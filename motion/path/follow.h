@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include "motion/path/joint_path.h"
+#include "motion/path/tool_path.h"
+#include "motion/robots/robot_model.h"
+
+namespace rob::motion {
+
+/// Why the axes cannot follow a path, and where.
+struct PathTrouble {
+  enum class Kind : std::uint8_t {
+    OutOfReach,  ///< the tool cannot be there
+    Singular     ///< the axes would have to jump
+  };
+
+  Kind kind = Kind::OutOfReach;
+  double at = 0;  ///< the path's parameter
+  int axis = -1;  ///< of Singular: the one that turns most
+};
+
+/// The axes along a path: all of it, or up to where they cannot go on.
+struct Followed {
+  JointPath axes;  ///< empty where not even its beginning can be followed
+  std::optional<PathTrouble> trouble;
+};
+
+/// What the axes have to do so that the tip of a tool, which `tip` places on the flange, follows
+/// `path`. They begin at `start`, which brings it to the path's beginning; further on continuity
+/// decides among the closed form's solutions. Limits of the axes are not looked at.
+///
+/// Between nodes no axis turns by more than 5°, and the tip is within 0.0005 mm and 1e-5 rad of the
+/// path: nodes are set until that holds. Axes that would turn farther within 0.01 mm of the path,
+/// or 0.01° where the tip stands still, cannot follow it.
+///
+/// `first`, `last`: what the axes do at the ends where other paths join; else the closed form says.
+Followed follow(const RobotModel& robot, const ToolPath& path, const Pose& tip,
+                const JointVector& start, const PathPoint* first = nullptr,
+                const PathPoint* last = nullptr);
+
+}  // namespace rob::motion

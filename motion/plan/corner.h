@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+
+#include "motion/path/tool_line.h"
+#include "motion/plan/leg_motion.h"
+#include "motion/robots/robot_model.h"
+
+namespace rob::motion {
+
+/// The way from one leg into the next around the point between them. The parameter of `axes` is
+/// time, from −half to half s, 0 when the point would be reached. Position, velocity and
+/// acceleration are continuous at both ends.
+struct Corner {
+  JointPath axes;
+  double half = 0;
+};
+
+/// What a corner joins, and by what it is bounded.
+struct CornerTask {
+  LegMotion in;
+  LegMotion out;
+  const ToolLine* line_in = nullptr;  ///< of a leg on a straight line of the tool
+  const ToolLine* line_out = nullptr;
+  Pose tip;             ///< of the tool, seen from the flange
+  double longest = 0;   ///< s: the greatest `half`
+  double zone = 0;      ///< m by which the tip may miss the point; infinite: it does not matter
+  double braking = 0;   ///< 1/s: what a hold may ask for beside (TimeScaleLimits::slope)
+};
+
+/// The corner with the greatest `half` that keeps the zone and what the axes may do; none where
+/// there is none.
+///
+/// Between two lines the tip is led by Paul's quartic, and so is its turning, as rotation vectors
+/// about the orientation in the point. Any other corner is a quintic of the axes.
+std::optional<Corner> make_corner(const RobotModel& robot, const CornerTask& task);
+
+}  // namespace rob::motion

@@ -1,0 +1,108 @@
+#include "motion/plan/leg_demand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rob::motion {
+
+namespace {
+
+/// [choice] an axis turns by at most 5° in a piece: between neighbours its rates hardly bend.
+constexpr int kParts = 8;
+
+}  // namespace
+
+/// The greatest of the samples, and what a parabola through it and its neighbours can add.
+JointVector greatest_rates(const JointPath& axes) {
+  JointVector greatest = JointVector::Zero(axes.nodes().front().q.size());
+  JointVector bend = greatest;
+  JointVector before;
+  JointVector before_that;
+  axes.survey(kParts, [&](double /*s*/, const PathPoint& point) {
+    const JointVector rate = point.qd.cwiseAbs();
+    greatest = greatest.cwiseMax(rate);
+    if (before_that.size() > 0)
+      bend = bend.cwiseMax((rate - 2 * before + before_that).cwiseAbs() / 8);
+    before_that = before;
+    before = rate;
+  });
+  return greatest + bend;
+}
+
+std::optional<Refusal> first_beyond(const RobotModel& robot, const JointPath& axes) {
+  std::optional<Refusal> found;
+  axes.survey(kParts, [&](double s, const PathPoint& point) {
+    for (int i = 0; i < robot.axis_count() && !found; ++i) {
+      const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+      const bool below = point.q[i] < axis.min - kLimitTolerance;
+      if (!below && point.q[i] <= axis.max + kLimitTolerance) continue;
+      found = Refusal{below ? Refusal::Kind::PathBelowMinimum : Refusal::Kind::PathAboveMaximum, i,
+                      point.q[i], below ? axis.min : axis.max};
+      found->at = s;
+    }
+  });
+  return found;
+}
+
+Slowest slowest_place(const RobotModel& robot, const JointPath& axes) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Slowest slowest{0, -1, kInfinity, 0};
+  axes.survey(kParts, [&](double s, const PathPoint& point) {
+    double here = kInfinity;
+    for (int i = 0; i < robot.axis_count(); ++i) {
+      const double rate = robot.axes[static_cast<std::size_t>(i)].v_max / std::abs(point.qd[i]);
+      if (!(rate < here)) continue;
+      here = rate;
+      if (rate < slowest.least) slowest = {s, i, rate, slowest.most};
+    }
+    if (here < kInfinity) slowest.most = std::max(slowest.most, here);
+  });
+  return slowest;
+}
+
+ProfileLimits profile_limits(const RobotModel& robot, const JointVector& straight,
+                             double change) {
+  ProfileLimits limits{std::numeric_limits<double>::infinity(),
+                       std::numeric_limits<double>::infinity()};
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    const double way = std::abs(straight[i]);
+    limits.rate = std::min(limits.rate, axis.v_max / way);
+    limits.acceleration = std::min(limits.acceleration, (axis.a_max - change * axis.v_max) / way);
+  }
+  return limits;
+}
+
+ProfileLimits profile_limits(const RobotModel& robot, const JointPath& axes, double change) {
+  const JointVector rates = greatest_rates(axes);
+  ProfileLimits limits = profile_limits(robot, rates, change);
+  axes.survey(kParts, [&](double /*s*/, const PathPoint& point) {
+    for (int i = 0; i < robot.axis_count(); ++i) {
+      const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+      const double left = axis.a_max - change * axis.v_max;
+      limits.rate = std::min(limits.rate, std::sqrt(left / 2 / std::abs(point.qdd[i])));
+    }
+  });
+  limits.acceleration /= 2;
+  return limits;
+}
+
+double least_time(const RobotModel& robot, const JointPath& axes, double change, int& axis) {
+  double least = 0;
+  axes.survey(kParts, [&](double /*s*/, const PathPoint& point) {
+    for (int i = 0; i < robot.axis_count(); ++i) {
+      // a·T² − b·T − c = 0
+      const double a = robot.axes[static_cast<std::size_t>(i)].a_max;
+      const double b = std::abs(point.qd[i]) * change;
+      const double c = std::abs(point.qdd[i]);
+      const double time = (b + std::sqrt(b * b + 4 * a * c)) / (2 * a);
+      if (time <= least) continue;
+      least = time;
+      axis = i;
+    }
+  });
+  return least;
+}
+
+}  // namespace rob::motion

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+
+#include "motion/path/joint_path.h"
+#include "motion/plan/feasibility.h"
+#include "motion/robots/robot_model.h"
+
+namespace rob::motion {
+
+/// What a leg asks of the axes, per unit of its parameter 0 … 1. m, rad.
+struct LegDemand {
+  JointVector rates;       ///< the greatest |dq/ds| of each axis
+  double way = 0;          ///< of the tip: straight, or along its path
+  double pace_way = 0;     ///< its greatest speed
+  double pace_turn = 0;    ///< the greatest turning speed that AT bounds
+  double farthest = 0;     ///< the most that the tip can cover
+  double leaving = 0;      ///< the tip's speed at the end
+  const JointPath* path = nullptr;  ///< null: straight in the axes
+};
+
+/// The greatest |dq/ds| of each axis along a path.
+JointVector greatest_rates(const JointPath& axes);
+
+/// The first place where an axis is beyond its limits; its parameter is Refusal::at.
+std::optional<Refusal> first_beyond(const RobotModel& robot, const JointPath& axes);
+
+/// Where on a path the axes allow the least speed, and the most, as ds/dt of their v_max.
+struct Slowest {
+  double at = 0;
+  int axis = -1;
+  double least = 0;  ///< 1/s
+  double most = 0;   ///< 1/s
+};
+Slowest slowest_place(const RobotModel& robot, const JointPath& axes);
+
+/// The greatest speed and acceleration of a parameter, per s, which the axes can follow in a
+/// profile while its time is also changed by as much as `change`, 1/s. On a path half of their
+/// acceleration is left to its bends [choice: so that the other half speeds the motion up].
+struct ProfileLimits {
+  double rate = 0;
+  double acceleration = 0;
+};
+ProfileLimits profile_limits(const RobotModel& robot, const JointVector& straight, double change);
+ProfileLimits profile_limits(const RobotModel& robot, const JointPath& axes, double change);
+
+/// The least time, s, for a path run evenly, with the axes within a_max while the path's time is
+/// also sped up or slowed down by as much as `change`, 1/s: |q_ss|/T² + |q_s|·change/T <= a_max.
+double least_time(const RobotModel& robot, const JointPath& axes, double change, int& axis);
+
+}  // namespace rob::motion

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "motion/path/follow.h"
+#include "motion/plan/motion_planner.h"
+#include "motion/plan/reach.h"
+#include "motion/plan/wishes.h"
+
+/// The part of MotionPlanner that knows motions along paths of the tool, and corners.
+namespace rob::motion {
+
+namespace {
+
+/// The least share of the speed asked for that a motion may be slowed down to by the axes, before
+/// it is refused as singular (2 %).
+constexpr double kLeastShare = 0.02;
+
+/// m, rad: two poses that differ by less are one.
+constexpr double kSamePose = 1e-9;
+
+Pose flange_of(const Pose& pose, const Pose& tool) {
+  const Eigen::Quaterniond turned = pose.orientation * tool.orientation.conjugate();
+  return {pose.position - turned * tool.position, turned};
+}
+
+bool same(const Pose& a, const Pose& b) {
+  return (a.position - b.position).norm() <= kSamePose &&
+         a.orientation.angularDistance(b.orientation) <= kSamePose;
+}
+
+LegDemand demand_of(const ToolPath& path, const JointPath& axes) {
+  LegDemand demand;
+  demand.path = &axes;
+  demand.rates = greatest_rates(axes);
+  demand.way = path.way();
+  demand.pace_way = path.greatest_speed();
+  demand.pace_turn = path.greatest_turning();
+  demand.farthest = path.way();
+  demand.leaving = path.greatest_speed();
+  return demand;
+}
+
+}  // namespace
+
+PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& path) {
+  if (const auto refusal = check_wishes(request)) return *refusal;
+  Draft draft{commanded_};
+  draft.no_length = path.way() <= kSamePose && path.turn() <= kSamePose;
+  if (draft.no_length) {
+    draft.demand = straight_demand(draft.target);
+    return take(request, std::move(draft));
+  }
+  Followed followed = follow(robot_, path, tool_, commanded_);
+  const bool begun = !followed.axes.nodes().empty();
+  if (begun) {
+    if (const auto beyond = first_beyond(robot_, followed.axes)) {
+      Refusal refusal = placed(*beyond, path);
+      refusal.other = reachable_otherwise(path);
+      return refusal;
+    }
+  }
+  if (followed.trouble) {
+    using Kind = PathTrouble::Kind;
+    const PathTrouble& trouble = *followed.trouble;
+    Refusal refusal;
+    refusal.kind = trouble.kind == Kind::OutOfReach ? Refusal::Kind::PathOutOfReach
+                                                    : Refusal::Kind::PathSingular;
+    refusal.axis = trouble.axis;
+    refusal.at = trouble.at;
+    refusal.q = begun ? followed.axes.nodes().back().q : commanded_;
+    if (trouble.kind == Kind::OutOfReach) {
+      // [choice] a ten-thousandth of the path on, where the lack can be told from rounding
+      const double beyond = std::min(trouble.at + 1e-4 * (path.end() - path.begin()), path.end());
+      refusal.shortfall = robot_.kinematics->shortfall(flange_of(path.at(beyond), tool_));
+    }
+    return placed(refusal, path);
+  }
+  if (const auto refusal = judge(request, path, followed.axes)) return *refusal;
+  draft.leg = std::make_shared<PlannedLeg>();
+  draft.leg->axes = std::move(followed.axes);
+  draft.target = draft.leg->axes->nodes().back().q;
+  draft.demand = demand_of(path, *draft.leg->axes);
+  if (const auto* const line = dynamic_cast<const ToolLine*>(&path)) draft.leg->line = *line;
+  return take(request, std::move(draft));
+}
+
+/// Where the axes allow too little of the speed that is asked for, or that they allow elsewhere.
+std::optional<Refusal> MotionPlanner::judge(const MotionRequest& request, const ToolPath& path,
+                                            const JointPath& axes) const {
+  const Slowest slowest = slowest_place(robot_, axes);
+  LegDemand demand = demand_of(path, axes);
+  const double asked = std::max(pace_time(demand, request), request.at_least) / boost_;
+  const double rate = asked > 0 ? std::min(1 / asked, slowest.most) : slowest.most;
+  if (slowest.least >= kLeastShare * rate) return std::nullopt;
+  Refusal refusal;
+  refusal.kind = Refusal::Kind::PathSingular;
+  refusal.axis = slowest.axis;
+  refusal.at = slowest.at;
+  refusal.q = axes.at(slowest.at).q;
+  return placed(refusal, path);
+}
+
+/// Refusal::at becomes a place on the way.
+Refusal MotionPlanner::placed(Refusal refusal, const ToolPath& path) const {
+  refusal.turning = path.way() <= kSamePose;
+  refusal.way = refusal.turning ? path.turn() : path.way();
+  refusal.at = path.share_at(refusal.at) * refusal.way;
+  return refusal;
+}
+
+bool MotionPlanner::reachable_otherwise(const ToolPath& path) const {
+  const auto q = reach(robot_, flange_of(path.at(path.end()), tool_), commanded_);
+  if (!q) return false;
+  std::array<double, kMaxJoints> target{};
+  std::copy(q->begin(), q->end(), target.begin());
+  return !check_target(robot_, 0xff, target);
+}
+
+/// The corner out of the motion before, where S1's in the axes is not the one.
+void MotionPlanner::join(Draft& draft, SegmentDescriptor& segment, std::uint8_t& warnings) const {
+  segment.from_rest = segment.profile.present();
+  if (segment.from_rest) return;
+  const bool straight = segment.path == nullptr && before_.motion.path == nullptr;
+  const bool bounded = robot_.tool_coordinates && std::isfinite(before_.zone);
+  if (straight && !bounded) return;
+  if (draft.leg == nullptr) draft.leg = std::make_shared<PlannedLeg>();
+  CornerTask task;
+  task.in = before_.motion;
+  task.out = {segment.path, before_.motion.to, segment.target, segment.duration};
+  const auto line_of = [](const PlannedLeg* leg) {
+    return leg != nullptr && leg->line ? &*leg->line : nullptr;
+  };
+  if (same(before_.tool, tool_)) {
+    task.line_in = line_of(before_.leg.get());
+    task.line_out = line_of(draft.leg.get());
+  }
+  task.tip = tool_;
+  task.longest = segment.t_acc_before;
+  task.zone = before_.zone;
+  task.braking = braking_;
+  draft.leg->corner = make_corner(robot_, task);
+  if (draft.leg->corner) {
+    segment.corner = &*draft.leg->corner;
+  } else {
+    segment.from_rest = true;
+    warnings |= PlannedSegment::kCornerExact;
+  }
+}
+
+void MotionPlanner::keep(std::shared_ptr<const PlannedLeg> leg) {
+  kept_[next_kept_++ % kept_.size()] = std::move(leg);
+}
+
+}  // namespace rob::motion

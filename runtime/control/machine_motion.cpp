@@ -1,0 +1,200 @@
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "lang/machine/move_pose.h"
+#include "runtime/control/codes.h"
+#include "runtime/control/messages.h"
+#include "runtime/control/path_words.h"
+#include "runtime/control/pose_values.h"
+#include "runtime/control/robot_machine.h"
+#include "runtime/control/tool_paths.h"
+#include "runtime/control/units.h"
+
+/// The part of RobotMachine that commands motions.
+namespace rob::runtime {
+
+using lang::MotionKind;
+using lang::Reply;
+
+namespace {
+
+/// m by which a MOVEL may leave its line where its axes run straight. [choice] what a common linear
+/// scale resolves.
+constexpr double kStraight = 1e-6;
+
+motion::ProfileShape profile_of(lang::Profile profile) {
+  switch (profile) {
+    case lang::Profile::Rectangular:
+      return motion::ProfileShape::Rectangular;
+    case lang::Profile::Trapezoidal:
+      return motion::ProfileShape::Trapezoidal;
+    case lang::Profile::Parabolic:
+      return motion::ProfileShape::Parabolic;
+    case lang::Profile::Cosine:
+      return motion::ProfileShape::Cosine;
+    case lang::Profile::Unspecified:
+      break;
+  }
+  return motion::ProfileShape::None;
+}
+
+}  // namespace
+
+motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
+  using From = lang::MoveCommand::Pace;
+  using To = motion::MotionRequest::Pace;
+  motion::MotionRequest request;
+  request.tag = static_cast<motion::Tag>(line);
+  request.relative = command.relative;
+  request.given = command.given;
+  request.target = command.target;
+  request.pace = command.pace == From::ToolSpeed      ? To::ToolSpeed
+                 : command.pace == From::AngularSpeed ? To::AngularSpeed
+                 : command.pace == From::Share        ? To::Share
+                                                      : To::Unspecified;
+  request.pace_value = command.pace_value;
+  request.at_least = command.over;
+  request.profile = profile_of(command.profile);
+  if (command.exact()) return request;  // at rest there is no corner to be bounded
+  using Zone = motion::MotionRequest::Zone;
+  request.zone = command.zone == lang::MoveCommand::Zone::Length  ? Zone::Length
+                 : command.zone == lang::MoveCommand::Zone::Time  ? Zone::Time
+                 : command.zone == lang::MoveCommand::Zone::Share ? Zone::Share
+                                                                  : Zone::Robots;
+  request.zone_value = command.zone_value;
+  return request;
+}
+
+/// What is to be exact takes two segments, which are queued together.
+Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
+  if (asked.kind == MotionKind::Jog) return refuse(lang::MotionFeature::Jog);
+  if (buffer_.room() < (asked.exact() ? 2U : 1U) + (tip_jumps() ? 1U : 0U)) return Reply::Later;
+  const bool stopped = stop_for_tool(line);
+  Commanded commanded{{}, false, stopped, asked, setting_, std::exchange(on_the_way_, {})};
+  commanded.via = std::exchange(via_, {});
+  if (!plan(line, commanded)) return Reply::Refused;
+  for (std::size_t i = 0; i < commanded.events.size(); ++i) log_.queued_effect();
+  brakable_ = commanded.segment.number;
+  queue(std::move(commanded));
+  if (!asked.exact()) return Reply::Done;
+  if (const auto exact = planner_.stop(static_cast<motion::Tag>(line))) queue(*exact, true, true);
+  return Reply::Done;
+}
+
+Reply RobotMachine::via(int /*line*/, const lang::MoveCommand& point) {
+  via_.push_back(point);
+  return Reply::Done;
+}
+
+bool RobotMachine::plan(int line, Commanded& commanded) {
+  const lang::MoveCommand& asked = *commanded.move;
+  const motion::MotionRequest request = request_of(line, asked);
+  const bool led = asked.kind != MotionKind::Joint &&
+                   (asked.kind != MotionKind::Line || robot_.tool_coordinates);
+  return led ? plan_along(line, request, commanded) : plan_straight(line, commanded);
+}
+
+/// In the axes; but a MOVEL whose tip would swing beside its line is led along it.
+bool RobotMachine::plan_straight(int line, Commanded& commanded) {
+  lang::MoveCommand command = *commanded.move;
+  if (settle_target(command) != Reply::Done) return false;
+  const motion::MotionRequest request = request_of(line, command);
+  if (command.kind == MotionKind::Line && planner_.swing(request) > kStraight)
+    return plan_along(line, request, commanded);
+  motion::SegmentDescriptor with_events;
+  if (!attach(with_events, commanded.events, planner_.way(request))) return false;
+  return take(line, planner_.plan(request), with_events, commanded);
+}
+
+/// Along a path of the tool.
+bool RobotMachine::plan_along(int line, const motion::MotionRequest& request,
+                              Commanded& commanded) {
+  const auto made = tool_path(commanded);
+  if (const auto* const words = std::get_if<Words>(&made)) {
+    refusal_ = *words;
+    return false;
+  }
+  const motion::ToolPath& path = *std::get<std::unique_ptr<motion::ToolPath>>(made);
+  motion::SegmentDescriptor with_events;
+  if (!attach(with_events, commanded.events, path.way())) return false;
+  for (motion::PathEvent& event : with_events.on_the_way)
+    event.share = (path.at_share(event.share) - path.begin()) / (path.end() - path.begin());
+  return take(line, planner_.plan(request, path), with_events, commanded);
+}
+
+bool RobotMachine::take(int line, const motion::PlanOutcome& outcome,
+                        const motion::SegmentDescriptor& with_events, Commanded& commanded) {
+  if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
+    refusal_ = words_for(*refusal, robot_);
+    return false;
+  }
+  const auto& planned = std::get<motion::PlannedSegment>(outcome);
+  warn(line, planned);
+  motion::SegmentDescriptor& segment = commanded.segment;
+  segment = planned.segment;
+  commanded.leg = planned.leg;
+  segment.events = with_events.events;
+  segment.on_the_way = with_events.on_the_way;
+  for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
+  return true;
+}
+
+/// Where the tip is to be, in the world.
+motion::Pose RobotMachine::target_of(const lang::MoveCommand& command) const {
+  if (command.means == lang::MoveCommand::Target::Axes) {
+    motion::JointVector q = planner_.commanded();
+    for (int i = 0; i < q.size(); ++i) {
+      const double value = command.target[static_cast<std::size_t>(i)];
+      if (command.has(i)) q[i] = command.relative ? q[i] + value : value;
+    }
+    return to_motion(tool_at(q));
+  }
+  const lang::PoseValue last = tool_at(planner_.commanded());
+  return to_motion(lang::target_pose(command, last, setting_, signature_.coordinates));
+}
+
+ToolPathOrWords RobotMachine::tool_path(const Commanded& commanded) const {
+  const lang::MoveCommand& asked = *commanded.move;
+  const motion::Pose from = planner_.tool_pose();
+  if (asked.kind == MotionKind::Spiral) {
+    const lang::PoseValue frame = setting_.in_tool ? to_lang(from) : setting_.frame;
+    return spiral_from(from, to_motion(frame), asked.radius, asked.turns);
+  }
+  std::vector<motion::Pose> points{from};
+  for (const lang::MoveCommand& point : commanded.via) points.push_back(target_of(point));
+  points.push_back(target_of(asked));
+  return path_through(asked.kind, points);
+}
+
+void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
+  const lang::Place place = lang::tagged_place(line);
+  if ((planned.warnings & motion::PlannedSegment::kPaceCut) != 0) {
+    log_.found({lang::Severity::Warning, code::kAboveAxes, place,
+                "AT asks for more than the axes can do",
+                "the motion runs as fast as its axes permit"});
+  }
+  if ((planned.warnings & motion::PlannedSegment::kStretched) != 0) {
+    log_.found({lang::Severity::Warning, code::kTooShort, place,
+                fmt::format("OVER is too short: this motion takes {} s",
+                            shown(planned.segment.duration, 3)),
+                "OVER is a lower bound; the axes and the corners need longer here"});
+  }
+  if ((planned.warnings & motion::PlannedSegment::kZoneRaised) != 0) {
+    log_.found({lang::Severity::Warning, code::kZoneRaised, place,
+                fmt::format("ZONE asks for a tighter corner than the axes can take; it becomes"
+                            " ZONE {}s",
+                            shown(planned.segment.t_acc, 3)),
+                "FINE reaches the target exactly"});
+  }
+  if ((planned.warnings & motion::PlannedSegment::kCornerExact) != 0) {
+    log_.found({lang::Severity::Warning, code::kCornerExact, place,
+                "no corner leads into this motion within what the axes can do: the target before is"
+                " reached exactly",
+                "FINE at that target says so; a slower AT or a greater ZONE leaves room for it"});
+  }
+}
+
+}  // namespace rob::runtime

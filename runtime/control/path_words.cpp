@@ -1,0 +1,104 @@
+#include "runtime/control/path_words.h"
+
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "runtime/control/codes.h"
+#include "runtime/control/units.h"
+
+namespace rob::runtime {
+
+using motion::Refusal;
+
+namespace {
+
+const motion::Axis& axis_of(const motion::RobotModel& robot, int axis) {
+  return robot.axes.at(static_cast<std::size_t>(axis));
+}
+
+/// "63.2 mm of 120 mm".
+std::string place_on(const Refusal& refusal) {
+  const auto kind = refusal.turning ? motion::AxisKind::Rotary : motion::AxisKind::Linear;
+  const double scale = shown_per_si(kind);
+  constexpr int kDecimals = 2;
+  return fmt::format("{} {} of {} {}", shown(refusal.at * scale, kDecimals), unit_name(kind),
+                     shown(refusal.way * scale, kDecimals), unit_name(kind));
+}
+
+Words words_for_limit(const Refusal& refusal, const motion::RobotModel& robot) {
+  const motion::Axis& axis = axis_of(robot, refusal.axis);
+  return {code::kPathBeyondLimit,
+          fmt::format("axis {} would pass its limit of {} at {}", axis.name,
+                      shown(refusal.limit, axis.kind), place_on(refusal)),
+          refusal.other
+              ? "the target can be reached in another posture, to which no such way leads: MOVE"
+                " goes there"
+              : "shorten the way, or begin it in another posture, to which MOVE leads"};
+}
+
+}  // namespace
+
+std::string by_how_much(const motion::Shortfall& shortfall) {
+  using Kind = motion::Shortfall::Kind;
+  constexpr double kShown = 1e-6;  // m: finer than any arm repeats
+  const std::string by =
+      shown(std::round(shortfall.distance / kShown) * kShown, motion::AxisKind::Linear);
+  switch (shortfall.kind) {
+    case Kind::Elsewhere:
+      return "";
+    case Kind::TooFar:
+      return fmt::format(": its wrist would have to be {} farther out than it reaches", by);
+    case Kind::TooNear:
+      return fmt::format(": its wrist would have to be {} nearer to axis 2 than it folds", by);
+    case Kind::BesideAxis:
+      return fmt::format(": its wrist would have to be {} nearer to axis 1 than it comes", by);
+  }
+  return "";
+}
+
+Words words_for_half_turn() {
+  return {code::kHalfTurn,
+          "the tool would turn by 180 deg on this motion, for which there is no shortest way",
+          "turn it in two motions, through an orientation between"};
+}
+
+Words words_for_no_arc() {
+  return {code::kNoCurve, "no arc leads through these three points: they lie on a line, or two of"
+                          " them are one",
+          "MOVEL leads along a line; a whole circle takes two arcs"};
+}
+
+Words words_for_no_spline() {
+  return {code::kNoCurve,
+          "no curve leads through these points: two that follow each other are one, or half a turn"
+          " apart",
+          "leave one of them out, or put another between them"};
+}
+
+Words words_for_no_spiral() {
+  return {code::kNoCurve,
+          "the x axis of the frame stands on the plane of this SPIRAL, which does not know then"
+          " where its centre is",
+          "IN names a frame whose x axis lies across the tool, for example IN TOOL"};
+}
+
+Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
+  if (refusal.kind == Refusal::Kind::PathOutOfReach) {
+    return {code::kPathOutOfReach,
+            fmt::format("the tool would leave the reach of {} at {}{}", robot.name,
+                        place_on(refusal), by_how_much(refusal.shortfall)),
+            "choose a way that stays in reach, or write MOVE, which goes round"};
+  }
+  if (refusal.kind != Refusal::Kind::PathSingular) return words_for_limit(refusal, robot);
+  const char* const why =
+      refusal.q.size() > 0 ? robot.kinematics->nearest_singularity(refusal.q) : "";
+  return {code::kPathSingular,
+          fmt::format("axis {} would have to turn too fast at {}{}{}",
+                      axis_of(robot, refusal.axis).name, place_on(refusal),
+                      *why == 0 ? "" : ": ", why),
+          "lead the way past that place, begin in another posture, or write MOVE"};
+}
+
+}  // namespace rob::runtime

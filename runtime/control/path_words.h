@@ -1,0 +1,21 @@
+#pragma once
+
+#include "motion/plan/feasibility.h"
+#include "runtime/control/messages.h"
+
+/// What is wrong with the way of a tool, in words for people.
+namespace rob::runtime {
+
+/// A way that the axes cannot follow: what, where on it, what to do.
+Words words_for_path(const motion::Refusal& refusal, const motion::RobotModel& robot);
+/// The tool would turn by 180°.
+Words words_for_half_turn();
+/// Points through which there is no arc, no spline; a plane in which the frame shows no x axis.
+Words words_for_no_arc();
+Words words_for_no_spline();
+Words words_for_no_spiral();
+/// ", its wrist would have to be 65 mm farther out than it reaches"; empty where lengths do not
+/// tell.
+std::string by_how_much(const motion::Shortfall& shortfall);
+
+}  // namespace rob::runtime
