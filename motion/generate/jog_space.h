@@ -29,6 +29,8 @@ class JogSpace {
   JogPlace moved(const JogPlace& from, const JointVector& displacement) const noexcept;
   /// The axis values nearest to `near` that bring the tip there; none where there are none.
   std::optional<JointVector> axes(const JogPlace& place, const JointVector& near) const noexcept;
+  /// See Kinematics.
+  double stretch(const JointVector& q) const noexcept { return kinematics_->stretch(q); }
   /// The tip where the axes are at q.
   Pose tip(const JointVector& q) const noexcept;
 

@@ -20,6 +20,13 @@ constexpr double kNoRate = 1e-12;    // m/s, rad/s: what rounding leaves of a re
 /// [choice] their rounding, 1e-15, makes 2e-8 rad/s² of it; what the axes' jerk changes, 1e-5.
 constexpr double kInstant = 0x1p-11;
 
+/// m, rad: how far away it is seen what rates make of the axes. [choice] the square root of what
+/// rounding leaves of a place
+constexpr double kNearby = 1e-7;
+
+/// rad. [choice] an arm of 1 m is 10 µm from its reach there
+constexpr double kStretched = 0.01;
+
 /// Share of acceleration and jerk that rates of the tool may take; the rest is for what its
 /// straight way asks of the axes. [choice] at full speed of an arm about a third.
 constexpr double kForCurvature = 0.7;
@@ -123,8 +130,7 @@ bool VelocityMode::find_step(double share, const JointVector& asked, State& next
 /// reach to either side.
 std::optional<JointVector> VelocityMode::image(const JointVector& rate) const noexcept {
   if (space_.joint()) return rate;
-  const double greatest = rate.cwiseAbs().maxCoeff();
-  const double time = greatest > 1 ? kInstant / greatest : kInstant;
+  const double time = kNearby / std::max(rate.cwiseAbs().maxCoeff(), kNearby);
   const JointVector& here = state_.axes.q;
   const auto ahead = space_.axes(space_.moved(state_.place, rate * time), here);
   const auto behind = space_.axes(space_.moved(state_.place, rate * -time), here);
@@ -175,7 +181,7 @@ JogLimit VelocityMode::go(const State& from, double share, const JointVector& as
   to.place = space_.moved(
       from.place, from.rate * time + (from.acceleration * 2 + to.acceleration) * (time * time / 6));
   const JointVector near = from.axes.q + from.axes.qd * time + from.axes.qdd * (time * time / 2);
-  if (!follow(near, to)) return {Kind::Reach, -1};
+  if (!follow(near, to) || leaves_reach(from.axes.q, to.axes.q)) return {Kind::Reach, -1};
   return judge(from.axes, to.axes);
 }
 
@@ -198,6 +204,12 @@ bool VelocityMode::follow(const JointVector& near, State& state) const noexcept 
   state.axes.qd = (*ahead - *behind) / (2 * kInstant);
   state.axes.qdd = (*ahead - *q * 2 + *behind) / (kInstant * kInstant);
   return true;
+}
+
+/// Whether an arm is about to be stretched or folded; back it may go.
+bool VelocityMode::leaves_reach(const JointVector& from, const JointVector& to) const noexcept {
+  const double stretch = space_.stretch(to);
+  return !space_.joint() && stretch < kStretched && stretch < space_.stretch(from);
 }
 
 /// Whether axes may go from one state to another in that time, and would do so smoothly.

@@ -74,6 +74,7 @@ class VelocityMode {
   JogLimit go(const State& from, double share, const JointVector& asked, State& to) const noexcept;
   bool follow(const JointVector& near, State& state) const noexcept;
   JogLimit judge(const JointReference& from, const JointReference& to) const noexcept;
+  bool leaves_reach(const JointVector& from, const JointVector& to) const noexcept;
   JogLimit try_rest(State state) const noexcept;
   void brake_axes() noexcept;
 

@@ -70,6 +70,7 @@ class ArmKinematics final : public Kinematics {
   InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept override;
   Shortfall shortfall(const Pose& pose) const noexcept override;
   double lever(int axis, const Eigen::Vector3d& tip) const noexcept override;
+  double stretch(const JointVector& q) const noexcept override { return singularities(q).elbow; }
   const char* reach() const noexcept override {
     return "reaches what its upper arm and its forearm span";
   }
