@@ -17,7 +17,8 @@ struct JogPlace {
 /// The space of a jog's rates, and the way from it to the axes. May be used in the tick.
 class JogSpace {
  public:
-  explicit JogSpace(const Kinematics& kinematics) noexcept : kinematics_(&kinematics) {}
+  /// Without kinematics there is the space of the axes alone.
+  explicit JogSpace(const Kinematics* kinematics) noexcept : kinematics_(kinematics) {}
 
   /// The space of `rates`; its first place, where the axes are at q.
   JogPlace enter(const JogRates& rates, const JointVector& q) noexcept;

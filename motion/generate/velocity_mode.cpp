@@ -54,7 +54,7 @@ VelocityMode::VelocityMode(const RobotModel& robot)
       v_max_(of_axes(robot, [](const Axis& axis) { return axis.v_max; })),
       a_max_(of_axes(robot, [](const Axis& axis) { return axis.a_max; })),
       j_max_(of_axes(robot, [](const Axis& axis) { return axis.j_max; })),
-      space_(*robot.kinematics) {
+      space_(robot.kinematics.get()) {
   for (std::size_t i = 0; i < robot.axes.size(); ++i) {
     rotary_[i] = robot.axes[i].kind == AxisKind::Rotary;
   }

@@ -2,7 +2,8 @@
 
 namespace rob::motion {
 
-bool can(const RobotModel& robot, Capability /*capability*/) noexcept {
+bool can(const RobotModel& robot, Capability capability) noexcept {
+  if (capability == Capability::Rates) return true;
   return robot.law != Law::Paul;
 }
 

@@ -22,6 +22,7 @@ struct JogRates {
   Space space = Space::None;
   JointVector rate;             ///< as many as axes, or six
   Pose tip;                     ///< of the tool, seen from the flange
+  double lasts = kAny;          ///< s of the motion, whole periods; kAny: until something ends it
   double share = 1;             ///< of the speeds of the axes, above 0 up to 1, that it may take
   double tool_speed = kAny;     ///< m/s that the tip may take
   double turning_speed = kAny;  ///< rad/s: of each rotary axis (Joint), or of the tool

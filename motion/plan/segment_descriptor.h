@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "motion/plan/jog_rates.h"
 #include "motion/plan/motion_request.h"
 #include "motion/plan/watch.h"
 #include "motion/space/joint_vector.h"
@@ -67,6 +68,9 @@ struct SegmentDescriptor {
   double t_acc_before = 0;   ///< s: half the transition in which it begins
   /// What ends early takes all of its generation with it; see Rest
   std::uint32_t generation = 1;
+  /// No target, but rates; begins at rest, or joins a jog before. `duration` is what it lasts, 0
+  /// where only something else ends it.
+  JogRates jog{};
   Watch guard{};  ///< ends it early: UNTIL. Also of the stop that makes it exact
 
   /// s from the decision instant before it to its own: S1's t runs from −t_acc_before to T1 −

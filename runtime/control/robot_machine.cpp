@@ -98,7 +98,9 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
 
 /// What is to be exact takes two segments, which are queued together.
 Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
+  if (asked.kind == lang::MotionKind::Jog) return jog(line, asked);
   if (const auto feature = lang::feature_of(asked.kind)) return refuse(*feature);
+  if (!rested()) return Reply::Later;
   if (buffer_.room() < (asked.exact() ? 2U : 1U) + (tip_jumps() ? 1U : 0U)) return Reply::Later;
   if (asked.kind == lang::MotionKind::Line && robot_.tool_coordinates) {
     refusal_ = words_for_no_lines(robot_);
@@ -118,6 +120,7 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
 
 bool RobotMachine::plan(int line, const lang::MoveCommand& asked,
                         const std::vector<OnTheWay>& events, motion::SegmentDescriptor& segment) {
+  if (asked.kind == lang::MotionKind::Jog) return plan_jog(line, asked, segment);
   lang::MoveCommand command = asked;
   if (settle_target(command) != Reply::Done) return false;
   const motion::MotionRequest request = request_of(line, command);
@@ -143,7 +146,7 @@ bool RobotMachine::plan(int line, const lang::MoveCommand& asked,
 }
 
 Reply RobotMachine::stop(int line) {
-  if (buffer_.full()) return Reply::Later;
+  if (buffer_.full() || !rested()) return Reply::Later;
   const auto segment = planner_.stop(static_cast<motion::Tag>(line));
   if (segment) queue(*segment, true);
   brakable_ = 0;
@@ -164,10 +167,11 @@ Reply RobotMachine::brake(int /*line*/) {
     braking_ = true;
   }
   motion::Rest rest;
-  if (!take_rest(rest)) return Reply::Later;
-  planner_.retarget(rest.q);
+  do {
+    if (!take_rest(rest)) return Reply::Later;
+  } while (!rest.early());  // a jog has told that it has come to rest before
+  restart_from(rest.q);
   braking_ = false;
-  exact_ = true;
   brakable_ = 0;
   return Reply::Done;
 }
@@ -185,7 +189,7 @@ Reply RobotMachine::wait(int line, double seconds) {
 
 Reply RobotMachine::dwell(int line, double seconds) {
   const auto tag = static_cast<motion::Tag>(line);
-  if (buffer_.full()) return Reply::Later;
+  if (buffer_.full() || !rested()) return Reply::Later;
   brakable_ = 0;
   if (const auto segment = planner_.stop(tag)) {
     queue(*segment, true);
@@ -245,8 +249,7 @@ void RobotMachine::forget_rests() {
   motion::Rest rest;
   while (take_rest(rest)) {
     if (!rest.early()) continue;
-    planner_.retarget(rest.q);
-    exact_ = true;
+    restart_from(rest.q);
   }
   braking_ = false;
 }
@@ -343,6 +346,7 @@ void RobotMachine::queue(Commanded commanded) {
   if (program_ != nullptr) logged.number += kHandlerNumbers;
   log_.planned(logged);  // before the generator can report it
   exact_ = segment.no_length;
+  jogging_ = segment.jog.present();
   buffer_.push(segment);  // there is room: only this thread fills the buffer
   remember(std::move(commanded));
 }
