@@ -23,6 +23,8 @@ struct MotionEvent {
     HandlerOver,     ///< they are the program's again; value: 1 if the interrupted motion is over
     Held,            ///< the axes stand on the path by request or by fault; value: share of the
                      ///< segment's time that is done, 0…1
+    JogStopped,      ///< axis: a jog goes no further, since this axis is near the end of its way;
+                     ///< −1: the arm is near a singular place, or the end of its reach
     Overrun,         ///< the tick came too late to be made up; value: how late, s
     Fault            ///< axis: its reference was no number; it has not been handed out
   };

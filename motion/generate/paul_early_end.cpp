@@ -99,7 +99,9 @@ bool PaulGenerator::hit_at_start(const SegmentDescriptor& segment, double instan
 /// The axes have come to rest after a trip: the path ends here, and with it its generation. What
 /// was commanded before the motion that tripped acts now, since its place is not passed any more.
 void PaulGenerator::end_early(double instant) noexcept {
-  if (running_ && !segment_.dwell) {
+  if (jogging()) {
+    segment_.target = standing_place();
+  } else if (running_ && !segment_.dwell) {
     const double sigma = clock_.path_time() - zero_;
     segment_.target = path_.sample(sigma).q;
     segment_.duration = sigma + segment_.t_acc;

@@ -41,6 +41,7 @@ PaulGenerator::PaulGenerator(const RobotModel& robot, LookAheadBuffer& buffer,
       rests_(kRests),
       tightest_(robot.t_acc),
       t_acc_(robot.t_acc),
+      jog_(robot),
       usual_t_acc_(robot.t_acc) {
   segment_.target = start;
   const JointVector zero = JointVector::Zero(start.size());
@@ -92,7 +93,7 @@ void PaulGenerator::set_override(double share) noexcept {
 
 bool PaulGenerator::stands() const noexcept {
   const double now = clock_.path_time();
-  if (!running_ || segment_.dwell) return false;  // the clock knows
+  if (!running_ || segment_.dwell || jogging()) return false;  // the clock knows
   if (segment_.ends_at_rest() && now >= end_ - kSameInstant) return true;
   return from_rest_ && now <= end_ - segment_.span() + kSameInstant;
 }
@@ -112,10 +113,14 @@ const SegmentDescriptor* PaulGenerator::next_segment() const noexcept {
 
 void PaulGenerator::step(double stamp) noexcept {
   adapt_clock();
-  clock_.advance(stamp, !running_ || dwelling());
-  if (running_) run_segments();
+  clock_.advance(stamp, !running_ || dwelling() || jogging());
+  if (jogging()) {
+    run_jog();
+  } else if (running_) {
+    run_segments();
+  }
   fire_path_events();
-  if (clock_.braked()) end_early(clock_.steady_since());
+  if (clock_.braked() && jog_.stands()) end_early(jogging() ? stamp : clock_.steady_since());
   report_held();
   report_handled();
   drop_ended();
@@ -159,8 +164,11 @@ void PaulGenerator::decide() noexcept {
   if (at_rest) close_guard();
   const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
   const SegmentDescriptor* next = faulted_ ? nullptr : next_segment();
-  if (next != nullptr && next->from_rest && !at_rest) {
+  const bool jog = next != nullptr && next->jog.present();
+  if (next != nullptr && (next->from_rest || jog) && !at_rest) {
     begin_stop(end_);
+  } else if (jog) {
+    running_ = false;  // it begins at the next stamp
   } else if (next != nullptr && at_rest && hit_at_start(*next, end_)) {
     buffer_.pop_segment();
   } else if (next != nullptr && take_up(*next, end_)) {
@@ -277,6 +285,7 @@ void PaulGenerator::start_from_rest() noexcept {
   finished_ = false;
   if (clock_.braking()) return;
   if (hit_at_start(*next, clock_.path_time())) return buffer_.pop_segment();
+  if (next->jog.present()) return begin_jog(*next, clock_.stamp());
   if (take_up(*next, clock_.path_time())) buffer_.pop_segment();
 }
 
@@ -288,15 +297,15 @@ void PaulGenerator::finish_if_done() noexcept {
 }
 
 void PaulGenerator::report_held() noexcept {
-  const bool stands = clock_.held() || (faulted_ && !running_);
+  const bool stands = axes_held() || (faulted_ && !running_);
   const bool asked = stopped_ || !handling() || faulted_;
   if (!stands || held_told_ || !asked) return;
   held_told_ = true;
   const double begun = end_ - exit();
-  const bool under_way = running_ && end_ > begun;
+  const bool under_way = running_ && end_ > begun && !jogging();
   const double share = under_way ? (clock_.path_time() - begun) / (end_ - begun) : 1;
   tell({.kind = Kind::Held,
-        .time = clock_.held() ? clock_.steady_since() : latest_,
+        .time = clock_.held() && !jogging() ? clock_.steady_since() : latest_,
         .tag = segment_.tag,
         .number = segment_.number,
         .value = share});
@@ -319,17 +328,21 @@ void PaulGenerator::fire_effects(double time) noexcept {
 
 void PaulGenerator::make_sample() noexcept {
   sample_.reference.time = clock_.stamp();
-  if (running_ && !segment_.dwell) follow_path();
+  if (jogging()) {
+    follow_jog();
+  } else if (running_ && !segment_.dwell) {
+    follow_path();
+  }
   if (!running_ || segment_.dwell) stand();
   sample_.tag = segment_.tag;
   sample_.piece = segment_.number;
-  if (clock_.held() || (faulted_ && !running_)) {
+  if (axes_held() || (faulted_ && !running_)) {
     sample_.state = MotionState::Held;
   } else if (!running_) {
     sample_.state = MotionState::Idle;
   } else {
-    sample_.state =
-        clock_.holding() || clock_.braking() ? MotionState::Stopping : MotionState::Running;
+    const MotionState moving = jogging() ? MotionState::Jogging : MotionState::Running;
+    sample_.state = clock_.holding() || clock_.braking() ? MotionState::Stopping : moving;
   }
 }
 
@@ -370,7 +383,8 @@ void PaulGenerator::stand() noexcept {
 void PaulGenerator::publish_decidable() noexcept {
   if (failing() || untold_) return;
   std::uint32_t number = segment_.number;
-  const bool due = !running_ || inserted_ || clock_.next() > end_ + kSameInstant;
+  const bool passed = jogging() ? jog_is_over() : clock_.next() > end_ + kSameInstant;
+  const bool due = !running_ || inserted_ || passed;
   if (!due) --number;
   if (number > decidable()) decidable_.store(number, std::memory_order_release);
 }

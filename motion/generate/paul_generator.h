@@ -8,6 +8,7 @@
 #include "motion/generate/path_events.h"
 #include "motion/generate/paul_segment.h"
 #include "motion/generate/trajectory_generator.h"
+#include "motion/generate/velocity_mode.h"
 #include "motion/generate/watch_list.h"
 #include "motion/plan/look_ahead_buffer.h"
 #include "motion/robots/robot_model.h"
@@ -52,6 +53,10 @@ namespace rob::motion {
 /// asked meanwhile.
 ///
 /// Path events are due at their places (PathEvents), to the instant at constant override.
+///
+/// A jog begins at rest, or joins the jog before it, whose state goes on (VelocityMode); its
+/// periods are the run's, and an override or a hold slows its rates and its time. Where none joins
+/// it comes to rest, and a Rest says where.
 ///
 /// A segment whose rates would not be finite is not begun: Fault, the axes arrive at the target
 /// before it, and nothing more is begun. A reference that is no number all the same is not handed
@@ -135,6 +140,17 @@ class PaulGenerator final : public TrajectoryGenerator {
   void report_handled() noexcept;
   JointVector standing_place() const noexcept;
 
+  // Jogs (paul_jog.cpp)
+  bool jogging() const noexcept { return running_ && segment_.jog.present(); }
+  bool jog_is_over() const noexcept;
+  bool axes_held() const noexcept { return clock_.held() && jog_.stands(); }
+  void begin_jog(const SegmentDescriptor& segment, double instant) noexcept;
+  void run_jog() noexcept;
+  void join_jog() noexcept;
+  void end_jog() noexcept;
+  void report_jog_stopped() noexcept;
+  void follow_jog() noexcept;
+
   void begin_dwell(const SegmentDescriptor& segment, double instant) noexcept;
   void begin_profile(const SegmentDescriptor& segment, double instant) noexcept;
   /// Braking for an error of the program.
@@ -171,6 +187,10 @@ class PaulGenerator final : public TrajectoryGenerator {
   double milestone_ = 0;    ///< path time at which the effects up to number `passing_` are due
   std::uint32_t passing_ = 0;
   std::uint32_t passed_ = 0;  ///< effects up to this number are due
+
+  VelocityMode jog_;       ///< stands but for a jog
+  double jog_done_ = 0;    ///< s of the jog under way, as planned
+  bool jog_told_ = false;  ///< that it goes no further
 
   // What ends early
   const double usual_t_acc_;  ///< of the first transition after it

@@ -11,6 +11,7 @@ bool PaulGenerator::may_be_handled() const noexcept {
 }
 
 JointVector PaulGenerator::standing_place() const noexcept {
+  if (jogging()) return jog_.reference().q;
   if (!running_ || segment_.dwell) return segment_.target;
   return path_.sample(clock_.path_time() - zero_).q;
 }
@@ -26,9 +27,9 @@ void PaulGenerator::begin_handling(WatchedAction& action) noexcept {
 /// Once the axes stand; what was braking then has ended first.
 void PaulGenerator::report_handled() noexcept {
   if (!handling() || handled_told_ || stopped_) return;
-  if (!clock_.held() || clock_.braking()) return;
+  if (!axes_held() || clock_.braking()) return;
   handled_told_ = true;
-  tell_handled(std::max(latest_, clock_.steady_since()));
+  tell_handled(std::max(latest_, jogging() ? clock_.stamp() : clock_.steady_since()));
 }
 
 void PaulGenerator::tell_handled(double time) noexcept {

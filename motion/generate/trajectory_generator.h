@@ -10,7 +10,13 @@
 namespace rob::motion {
 
 /// What the generator is doing; the numbers stand in the trace.
-enum class MotionState : std::uint8_t { Idle = 0, Running = 1, Held = 2, Stopping = 3 };
+enum class MotionState : std::uint8_t {
+  Idle = 0,
+  Running = 1,
+  Held = 2,
+  Stopping = 3,
+  Jogging = 4
+};
 
 /// One reference and where it comes from.
 struct GeneratorSample {

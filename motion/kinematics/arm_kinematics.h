@@ -71,6 +71,7 @@ class ArmKinematics final : public Kinematics {
   Shortfall shortfall(const Pose& pose) const noexcept override;
   double lever(int axis, const Eigen::Vector3d& tip) const noexcept override;
   const char* nearest_singularity(const JointVector& q) const noexcept override;
+  double stretch(const JointVector& q) const noexcept override { return singularities(q).elbow; }
   const char* reach() const noexcept override {
     return "reaches what its upper arm and its forearm span";
   }

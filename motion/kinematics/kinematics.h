@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "motion/space/joint_vector.h"
@@ -53,6 +54,11 @@ class Kinematics {
   virtual double lever(int axis, const Eigen::Vector3d& tip) const noexcept = 0;
   /// In words, for messages: the singular place that `q` is nearest to; empty where there is none.
   virtual const char* nearest_singularity(const JointVector& /*q*/) const noexcept { return ""; }
+  /// rad: how far an arm is from being stretched or folded, where its tool can go on to one side
+  /// alone and its axes would have to leap; infinite for robots without such places.
+  virtual double stretch(const JointVector& /*q*/) const noexcept {
+    return std::numeric_limits<double>::infinity();
+  }
   /// In words, for messages: "places and turns its tool …".
   virtual const char* reach() const noexcept = 0;
 };

@@ -3,7 +3,10 @@
 namespace rob::motion {
 
 bool can(const RobotModel& robot, Capability capability) noexcept {
-  if (capability == Capability::Profile || capability == Capability::Curve) return true;
+  if (capability == Capability::Profile || capability == Capability::Curve ||
+      capability == Capability::Rates) {
+    return true;
+  }
   return robot.law != Law::Paul;
 }
 

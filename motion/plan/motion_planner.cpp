@@ -96,6 +96,25 @@ std::optional<SegmentDescriptor> MotionPlanner::stop(Tag tag) noexcept {
   return commit(tag, commanded_, true, Timing{2 * t_acc_before_, t_acc_before_, 0, 0});
 }
 
+PlanOutcome MotionPlanner::jog(Tag tag, JogRates rates) noexcept {
+  constexpr double kFastest = 1e3;  // m/s, rad/s. [choice] faster than any axis
+  for (int i = 0; i < rates.rate.size(); ++i) {
+    if (std::isfinite(rates.rate[i])) continue;
+    return Refusal{Refusal::Kind::NotFinite, i, rates.rate[i], 0};
+  }
+  const double greatest = rates.rate.cwiseAbs().maxCoeff();
+  rates.rate *= greatest * boost_ > kFastest ? kFastest / greatest : boost_;
+  const double periods = std::ceil(rates.lasts / boost_ / robot_.reference_period - kSameTime);
+  rates.lasts = std::max(1.0, periods) * robot_.reference_period;
+  if (!(rates.lasts <= kLongest)) rates.lasts = JogRates::kAny;
+  const double duration = rates.lasts < JogRates::kAny ? rates.lasts : 0;
+  t_acc_before_ = robot_.t_acc;
+  SegmentDescriptor segment = commit(tag, commanded_, false, {duration, robot_.t_acc, 0, 0});
+  segment.jog = rates;
+  exact_ = true;  // nothing is to be made exact behind it
+  return PlannedSegment{segment, 0};
+}
+
 SegmentDescriptor MotionPlanner::dwell(Tag tag, double duration) noexcept {
   SegmentDescriptor segment = commit(tag, commanded_, true, Timing{duration, robot_.t_acc, 0, 0});
   segment.dwell = true;

@@ -107,6 +107,11 @@ class MotionPlanner {
   /// anyhow: nothing has moved, or the last motion was exact.
   std::optional<SegmentDescriptor> stop(Tag tag) noexcept;
 
+  /// Motion at these rates, which lasts whole periods; the last target has to be exact, or the
+  /// motion before a jog, too. Rates too great to be computed with are made smaller, in the same
+  /// direction. Until retarget() or stand_at() says where it has led, nothing else can be planned.
+  PlanOutcome jog(Tag tag, JogRates rates) noexcept;
+
   /// A standstill of `duration` s (0: a mark in the buffer) at the last target, which has to be
   /// exact: call stop() first.
   SegmentDescriptor dwell(Tag tag, double duration) noexcept;

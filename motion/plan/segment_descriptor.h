@@ -6,6 +6,7 @@
 
 #include "motion/path/joint_path.h"
 #include "motion/plan/corner.h"
+#include "motion/plan/jog_rates.h"
 #include "motion/plan/motion_request.h"
 #include "motion/plan/profile.h"
 #include "motion/plan/watch.h"
@@ -70,6 +71,9 @@ struct SegmentDescriptor {
   double t_acc_before = 0;   ///< s: half the transition in which it begins
   /// What ends early takes all of its generation with it; see Rest
   std::uint32_t generation = 1;
+  /// No target, but rates; begins at rest, or joins a jog before. `duration` is what it lasts, 0
+  /// where only something else ends it.
+  JogRates jog{};
   Watch guard{};  ///< ends it early: UNTIL. Also of the stop that makes it exact
 
 

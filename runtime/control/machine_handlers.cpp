@@ -66,8 +66,7 @@ void RobotMachine::begin_handler(const Rest& rest, RobotMachine& program) {
   home_ = rest.q;
   abandons_ = false;
   leaving_ = Leaving::No;
-  planner_.retarget(rest.q);
-  exact_ = true;
+  restart_from(rest.q);
   brakable_ = 0;
 }
 
@@ -132,12 +131,12 @@ Reply RobotMachine::leave_path() {
   std::deque<Commanded> behind = std::exchange(commanded_, {});
   std::erase_if(behind, [&](const Commanded& one) { return one.segment.number <= rest.number; });
   planner_.stand_at(rest.q, rest.number);
+  jogging_ = false;
   const lang::Setting setting = setting_;
   const bool planned = std::ranges::all_of(behind, [&](Commanded& one) { return plan_anew(one); });
   work_in(0, setting);
   if (!planned) {
-    planner_.retarget(rest.q);
-    exact_ = true;
+    restart_from(rest.q);
     handlers_->leaving_ = Leaving::Moving;  // all that is left has to be dropped
     return Reply::Refused;
   }
@@ -181,8 +180,7 @@ Reply RobotMachine::drop_interrupted(int line) {
   Rest rest;
   if (!take_rest(rest)) return Reply::Later;
   interrupted_by_handler_ = false;
-  planner_.retarget(rest.q);
-  exact_ = true;
+  restart_from(rest.q);
   left_.reset();
   return Reply::Done;
 }

@@ -70,7 +70,8 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
 
 /// What is to be exact takes two segments, which are queued together.
 Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
-  if (asked.kind == MotionKind::Jog) return refuse(lang::MotionFeature::Jog);
+  if (asked.kind == MotionKind::Jog) return jog(line, asked);
+  if (!rested()) return Reply::Later;
   if (buffer_.room() < (asked.exact() ? 2U : 1U) + (tip_jumps() ? 1U : 0U)) return Reply::Later;
   const bool stopped = stop_for_tool(line);
   Commanded commanded{{}, false, stopped, asked, setting_, std::exchange(on_the_way_, {})};
@@ -91,6 +92,7 @@ Reply RobotMachine::via(int /*line*/, const lang::MoveCommand& point) {
 
 bool RobotMachine::plan(int line, Commanded& commanded) {
   const lang::MoveCommand& asked = *commanded.move;
+  if (asked.kind == MotionKind::Jog) return plan_jog(line, asked, commanded.segment);
   const motion::MotionRequest request = request_of(line, asked);
   const bool led = asked.kind != MotionKind::Joint &&
                    (asked.kind != MotionKind::Line || robot_.tool_coordinates);

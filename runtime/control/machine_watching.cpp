@@ -25,7 +25,7 @@ Reply RobotMachine::live_pace(int /*line*/, const lang::Watch& /*pace*/,
 
 /// The motion is made exact; its Rest tells how it ended.
 Reply RobotMachine::ended(int line, bool& hit) {
-  if (!exact_) {
+  if (!exact_ && !jogging_) {
     if (buffer_.full()) return Reply::Later;
     if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) {
       queue(*segment, true, true);
@@ -34,14 +34,15 @@ Reply RobotMachine::ended(int line, bool& hit) {
   motion::Rest rest;
   if (left_) {
     rest = *std::exchange(left_, std::nullopt);
-  } else if (!take_rest(rest)) {
+  } else if (jogging_ ? !take_jog_rest(rest) : !take_rest(rest)) {
     return Reply::Later;
   }
   guarded_ = false;
   brakable_ = 0;
   if (rest.early()) {
-    planner_.retarget(rest.q);
-    exact_ = true;
+    restart_from(rest.q);
+  } else if (jogging_) {
+    come_to_rest(rest.q);
   }
   hit_ = rest.early() ? rest.trip_q : rest.q;
   hit = rest.outcome == motion::Rest::Outcome::Hit;
@@ -124,9 +125,8 @@ std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
   const motion::Rest* const rest = progress_.rests.front();
   if (rest == nullptr || !rest->failure()) return std::nullopt;
   lang::RuntimeError error = whens_.error_of(*rest);
-  planner_.retarget(rest->q);
+  restart_from(rest->q);
   buffer_.braked();
-  exact_ = true;
   begun_ = standing_ = guarded_ = braking_ = consulting_ = false;
   brakable_ = 0;
   recording_ = nullptr;

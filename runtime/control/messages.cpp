@@ -164,6 +164,12 @@ Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot
   }
 }
 
+std::string text_for_stopped_jog(int axis, const motion::RobotModel& robot) {
+  if (axis < 0) return "the jog goes no further: a singular place, or the end of the arm's reach";
+  return fmt::format("the jog goes no further: axis {} is near the end of its way",
+                     axis_of(robot, axis).name);
+}
+
 Words words_for_overrun(double lateness) {
   return {code::kOverrun,
           fmt::format("motion control came {:.0f} ms late, more than can be made up; the robot was"

@@ -35,6 +35,8 @@ Words words_for_nobody(const char* what);
 Words words_for_place(double distance, double way);
 /// "axis x follows 2.1 mm behind; 2 mm are permitted here".
 Words words_for(const motion::FollowingFinding& finding, const motion::RobotModel& robot);
+/// Why a jog goes no further: the axis whose way ends there, −1: none.
+std::string text_for_stopped_jog(int axis, const motion::RobotModel& robot);
 /// The motion task was so late that the path could not be made up.
 Words words_for_overrun(double lateness);
 /// A reference that is no number was about to be sent.

@@ -66,7 +66,7 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
       whens_(signals_, robot) {}
 
 Reply RobotMachine::stop(int line) {
-  if (buffer_.full()) return Reply::Later;
+  if (buffer_.full() || !rested()) return Reply::Later;
   const auto segment = planner_.stop(static_cast<motion::Tag>(line));
   if (segment) queue(*segment, true);
   brakable_ = 0;
@@ -87,10 +87,11 @@ Reply RobotMachine::brake(int /*line*/) {
     braking_ = true;
   }
   motion::Rest rest;
-  if (!take_rest(rest)) return Reply::Later;
-  planner_.retarget(rest.q);
+  do {
+    if (!take_rest(rest)) return Reply::Later;
+  } while (!rest.early());  // a jog has told that it has come to rest before
+  restart_from(rest.q);
   braking_ = false;
-  exact_ = true;
   brakable_ = 0;
   return Reply::Done;
 }
@@ -108,7 +109,7 @@ Reply RobotMachine::wait(int line, double seconds) {
 
 Reply RobotMachine::dwell(int line, double seconds) {
   const auto tag = static_cast<motion::Tag>(line);
-  if (buffer_.full()) return Reply::Later;
+  if (buffer_.full() || !rested()) return Reply::Later;
   brakable_ = 0;
   if (const auto segment = planner_.stop(tag)) {
     queue(*segment, true);
@@ -169,8 +170,7 @@ void RobotMachine::forget_rests() {
   motion::Rest rest;
   while (take_rest(rest)) {
     if (!rest.early()) continue;
-    planner_.retarget(rest.q);
-    exact_ = true;
+    restart_from(rest.q);
   }
   braking_ = false;
 }
@@ -268,6 +268,7 @@ void RobotMachine::queue(Commanded commanded) {
   if (program_ != nullptr) logged.number += kHandlerNumbers;
   log_.planned(logged);  // before the generator can report it
   exact_ = segment.ends_at_rest();
+  jogging_ = segment.jog.present();
   buffer_.push(segment);  // there is room: only this thread fills the buffer
   remember(std::move(commanded));
 }

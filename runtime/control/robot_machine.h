@@ -208,6 +208,17 @@ class RobotMachine final : public lang::Machine {
             const motion::SegmentDescriptor& with_events, Commanded& commanded);
   motion::Pose target_of(const lang::MoveCommand& command) const;
   ToolPathOrWords tool_path(const Commanded& commanded) const;
+  // JOG (machine_jog.cpp)
+  lang::Reply jog(int line, const lang::MoveCommand& asked);
+  bool plan_jog(int line, const lang::MoveCommand& asked, motion::SegmentDescriptor& segment);
+  /// Whether it is known where the last motion leads: a jog has to come to rest before.
+  bool rested();
+  bool take_jog_rest(motion::Rest& rest);
+  /// The last jog has ended there.
+  void come_to_rest(const motion::JointVector& q);
+  /// The axes stand at q, where all that was commanded has ended early.
+  void restart_from(const motion::JointVector& q);
+
   /// The last target exactly, then a dwell, as one statement.
   lang::Reply dwell(int line, double seconds);
   lang::Reply queue(motion::Effect effect);
@@ -265,6 +276,7 @@ class RobotMachine final : public lang::Machine {
   int assumed_read_ = -1;       ///< by the condition of the present WAIT
   motion::JointVector hit_;     ///< where the last guarded motion was hit, or ended
   bool exact_ = true;           ///< the last motion queued ends at standstill
+  bool jogging_ = false;        ///< the last motion queued is a jog, and has not told its Rest
   std::uint32_t brakable_ = 0;  ///< number of the last motion; 0 where a barrier stands behind it
   bool braking_ = false;        ///< the generator has been asked to brake
   bool begun_ = false;          ///< the present WAIT has queued its first segment

@@ -56,6 +56,7 @@ bool RobotMachine::place_can_be_read() const {
 
 Reply RobotMachine::read(int /*line*/, Reading what, lang::Slot* value) {
   if (is_observation(what) && !place_can_be_read()) return Reply::Later;
+  if (what == Reading::Target && !rested()) return Reply::Later;
   return present(what, value);
 }
 
@@ -115,6 +116,7 @@ Reply RobotMachine::forward(int /*line*/, std::span<const double> joints, lang::
 
 Reply RobotMachine::inverse(int /*line*/, const lang::PoseValue& pose, std::span<const double> near,
                             std::span<double> joints) {
+  if (near.empty() && !rested()) return Reply::Later;
   const motion::JointVector from = near.empty() ? planner_.commanded() : joints_of(near);
   if (const auto words = axes_for(robot_, pose, setting_, from, joints)) {
     refusal_ = *words;

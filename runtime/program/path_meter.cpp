@@ -15,6 +15,7 @@ double distance_to_chord(const Eigen::Vector3d& point, const Eigen::Vector3d& fr
 }
 
 void PathMeter::programmed(const motion::LegMotion& motion, const Eigen::Vector3d& tip) {
+  if (std::exchange(free_, false)) count_ = 0;
   Leg& leg = legs_[count_++ % kLegs];
   leg.tip = tip;
   leg.points.clear();
@@ -26,13 +27,19 @@ void PathMeter::programmed(const motion::LegMotion& motion, const Eigen::Vector3
   }
 }
 
+void PathMeter::unprogrammed(const Eigen::Vector3d& tip) {
+  count_ = 1;
+  legs_[0].tip = tip;
+  free_ = true;
+}
+
 double PathMeter::reference(const motion::JointVector& q) {
   const motion::Pose flange = kinematics_->forward(q);
   const motion::Pose before = std::exchange(last_, flange);
   if (count_ == 0) return 0;
   const Eigen::Vector3d& tip = legs_[(count_ - 1) % kLegs].tip;
   const double way = (place_of(tip, flange) - place_of(tip, before)).norm();
-  if (way > 0) deviation_ = std::max(deviation_, distance(flange));
+  if (way > 0 && !free_) deviation_ = std::max(deviation_, distance(flange));
   return way;
 }
 

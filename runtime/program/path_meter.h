@@ -23,6 +23,9 @@ class PathMeter {
   /// A further leg of the programmed path; the reference is on it, or still on one before it.
   /// `tip`: of its tool, seen from the flange, m.
   void programmed(const motion::LegMotion& leg, const Eigen::Vector3d& tip);
+  /// No path is programmed from here on, but the tip goes on.
+  void unprogrammed(const Eigen::Vector3d& tip);
+  bool is_unprogrammed() const { return free_; }
   /// The next reference. Returns the way of the newest leg's tip since the one before it.
   double reference(const motion::JointVector& q);
   /// The greatest distance of any reference so far from the programmed path.
@@ -49,6 +52,7 @@ class PathMeter {
   motion::Pose last_;  ///< of the flange
   std::array<Leg, kLegs> legs_;
   std::size_t count_ = 0;  ///< of legs so far
+  bool free_ = false;      ///< unprogrammed
   double deviation_ = 0;
 };
 

@@ -24,6 +24,8 @@ const char* name_of(motion::MotionState state) {
       return "running";
     case motion::MotionState::Held:
       return "held";
+    case motion::MotionState::Jogging:
+      return "jogging";
     case motion::MotionState::Stopping:
       return "stopping";
   }

@@ -95,6 +95,9 @@ void RunRecorder::take(const MotionEvent& event) {
       break;
     case MotionEvent::Kind::EffectDropped:
       break;
+    case MotionEvent::Kind::JogStopped:
+      stop_jog(event);
+      break;
     case MotionEvent::Kind::Overrun:
       fail(event.time, "overrun", words_for_overrun(event.value));
       break;
@@ -128,16 +131,18 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   if (!planned) return;  // a stop that the generator made by itself belongs to the line before
   if (planned->from_rest) count_stop();
   end_segment(event.time, &*planned);
-  const motion::JointVector from = std::exchange(reached_, planned->target);
-  meter_.watch(planned->number, planned->target, planned->tip);
-  path_.programmed({planned->path, from, planned->target, planned->duration}, planned->tip);
+  programmed(*planned);
 
   LineResult& line = line_of(*planned);
   const double duration = planned->span() / (planned->dwell ? 1 : override_share_);
-  running_ = Running{*planned, from, event.time, event.time + duration, false};
+  running_ = Running{*planned, from_, event.time, event.time + duration, false};
   if (!planned->further && line.count++ == 0) line.starts = event.time;
+  const bool jog = planned->jog.present();
   // Behind a guarded motion the program goes on when it has ended: nothing is decided before.
-  if (line.count == 1 && !planned->guard.present()) line.decides = event.time + duration;
+  if (line.count == 1 && !planned->guard.present()) {
+    line.decides = event.time + duration - (jog ? robot_.reference_period : 0);
+  }
+  if (jog) return;  // how long it takes to come to rest shows itself
   line.planned += duration;
   result_.planned += duration;
 }
@@ -160,7 +165,7 @@ void RunRecorder::begin_early_end(const MotionEvent& event) {
 
 /// The motion has ended, early or not; its target and its corner count only if it was not.
 void RunRecorder::rest(const MotionEvent& event) {
-  if (!early_) return;
+  if (!early_) return end_jog(event.time);
   early_->rest = event.time;
   if (!running_) return;
   line_of(*running_).ended = early_->ended;
@@ -202,6 +207,11 @@ void RunRecorder::end_segment(double time, const LoggedSegment* next) {
   if (!running_) return;
   LineResult& line = line_of(*running_);
   line.measured += time - running_->started;
+  if (running_->jog.present()) {  // the references are all that there is of a plan
+    line.planned += time - running_->started;
+    result_.planned += time - running_->started;
+    running_->cut = true;
+  }
   if (running_->cut) return running_.reset();
   if (!running_->stop) {
     const double miss = planned_miss(*running_, next);
@@ -265,7 +275,9 @@ void RunRecorder::take_note(const MotionEvent& event, Note note) {
 void RunRecorder::take_override(const MotionEvent& event) {
   const double before = override_share_;
   override_share_ = std::min(event.effect.share, 1.0);
-  if (!running_ || running_->dwell || running_->cut || running_->ends <= event.time) return;
+  if (!running_ || running_->dwell || running_->jog.present() || running_->cut ||
+      running_->ends <= event.time)
+    return;
   const double more = (running_->ends - event.time) * (before / override_share_ - 1);
   running_->ends += more;
   LineResult& line = line_of(*running_);

@@ -68,6 +68,9 @@ class RunRecorder {
   void begin_segment(const motion::MotionEvent& event);
   void end_segment(double time, const LoggedSegment* next);
   void count_stop();
+  void programmed(const LoggedSegment& planned);
+  void end_jog(double time);
+  void stop_jog(const motion::MotionEvent& event);
   void begin_early_end(const motion::MotionEvent& event);
   void rest(const motion::MotionEvent& event);
   void locate(const Snapshot& snapshot);
@@ -98,6 +101,7 @@ class RunRecorder {
   std::map<int, LineResult> lines_;
   std::optional<Running> running_;
   std::optional<Running> behind_;  ///< the one before, whose corner running_ makes
+  motion::JointVector from_;       ///< where the leg that was programmed last begins
   motion::JointVector reached_;    ///< the last programmed point
   std::optional<EarlyEnd> early_;
   /// What a handler has interrupted.

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+
+#include "motion/kinematics/kinematics.h"
+#include "motion/plan/jog_rates.h"
+
+namespace rob::motion {
+
+/// Where a jog is, in the space of its rates. World: six coordinates, integrated as they are, so
+/// that nothing is lost where the fixed angles cannot be told from an orientation (b = ±90°).
+struct JogPlace {
+  JointVector coordinates;  ///< Joint: the axes; World: x y z a b c; Tool: none
+  Pose tip;                 ///< Tool
+};
+
+/// The space of a jog's rates, and the way from it to the axes. May be used in the tick.
+class JogSpace {
+ public:
+  /// Without kinematics there is the space of the axes alone.
+  explicit JogSpace(const Kinematics* kinematics) noexcept : kinematics_(kinematics) {}
+
+  /// The space of `rates`; its first place, where the axes are at q.
+  JogPlace enter(const JogRates& rates, const JointVector& q) noexcept;
+  /// Whether a place of it stays one for `rates`.
+  bool same_as(const JogRates& rates) const noexcept;
+  bool joint() const noexcept { return space_ == JogRates::Space::Joint; }
+
+  /// The place after a displacement: of each coordinate, or a screw along the tool's axes.
+  JogPlace moved(const JogPlace& from, const JointVector& displacement) const noexcept;
+  /// The axis values nearest to `near` that bring the tip there; none where there are none.
+  std::optional<JointVector> axes(const JogPlace& place, const JointVector& near) const noexcept;
+  /// See Kinematics.
+  double stretch(const JointVector& q) const noexcept { return kinematics_->stretch(q); }
+  /// The tip where the axes are at q.
+  Pose tip(const JointVector& q) const noexcept;
+
+ private:
+  const Kinematics* kinematics_;
+  JogRates::Space space_ = JogRates::Space::None;
+  Pose flange_T_tip_;
+};
+
+}  // namespace rob::motion

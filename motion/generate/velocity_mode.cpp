@@ -1,0 +1,261 @@
+#include "motion/generate/velocity_mode.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/generate/rate_change.h"
+
+namespace rob::motion {
+
+namespace {
+
+using Kind = JogLimit::Kind;
+
+/// Relative: what rounding and differences of inverse solutions add.
+constexpr double kRounding = 1e-6;
+constexpr double kSamePlace = 1e-9;  // m, rad
+constexpr double kNoRate = 1e-12;    // m/s, rad/s: what rounding leaves of a rest
+
+/// s between the inverse solutions whose differences are speed and acceleration of the axes.
+/// [choice] their rounding, 1e-15, makes 2e-8 rad/s² of it; what the axes' jerk changes, 1e-5.
+constexpr double kInstant = 0x1p-11;
+
+/// m, rad: how far away it is seen what rates make of the axes. [choice] the square root of what
+/// rounding leaves of a place
+constexpr double kNearby = 1e-7;
+
+/// rad. [choice] an arm of 1 m is 10 µm from its reach there
+constexpr double kStretched = 0.01;
+
+/// Share of acceleration and jerk that rates of the tool may take; the rest is for what its
+/// straight way asks of the axes. [choice] at full speed of an arm about a third.
+constexpr double kForCurvature = 0.7;
+
+/// A rest that takes longer than so many steps is none. [choice] four times what any takes
+constexpr int kMostSteps = 120;
+/// Halvings between what is too fast and what is slow enough. [choice] to 1/64 of the speed
+constexpr int kHalvings = 6;
+
+template <typename Get>
+JointVector of_axes(const RobotModel& robot, Get get) {
+  JointVector values(robot.axis_count());
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    values[i] = get(robot.axes[static_cast<std::size_t>(i)]);
+  }
+  return values;
+}
+
+}  // namespace
+
+VelocityMode::VelocityMode(const RobotModel& robot)
+    : period_(robot.reference_period),
+      least_(of_axes(robot, [](const Axis& axis) { return axis.min; })),
+      most_(of_axes(robot, [](const Axis& axis) { return axis.max; })),
+      v_max_(of_axes(robot, [](const Axis& axis) { return axis.v_max; })),
+      a_max_(of_axes(robot, [](const Axis& axis) { return axis.a_max; })),
+      j_max_(of_axes(robot, [](const Axis& axis) { return axis.j_max; })),
+      space_(robot.kinematics.get()) {
+  for (std::size_t i = 0; i < robot.axes.size(); ++i) {
+    rotary_[i] = robot.axes[i].kind == AxisKind::Rotary;
+  }
+  stand_at(robot.start);
+}
+
+void VelocityMode::stand_at(const JointVector& q) noexcept {
+  const JointVector none = JointVector::Zero(q.size());
+  state_.axes = {0, q, none, none};
+  asked_ = {};
+  asked_.space = JogRates::Space::Joint;
+  asked_.rate = none;
+  state_.place = space_.enter(asked_, q);
+  state_.rate = state_.acceleration = none;
+}
+
+bool VelocityMode::takes(const JogRates& rates) const noexcept {
+  return stands() || space_.same_as(rates);
+}
+
+void VelocityMode::aim(const JogRates& rates) noexcept {
+  asked_ = rates;
+  if (!stands()) return;
+  low_ = least_.cwiseMin(state_.axes.q);
+  high_ = most_.cwiseMax(state_.axes.q);
+  if (!space_.same_as(rates)) state_.place = space_.enter(rates, state_.axes.q);
+  state_.rate = state_.acceleration = JointVector::Zero(rates.rate.size());
+}
+
+bool VelocityMode::at_rest(const State& state) noexcept {
+  return state.rate.isZero(0) && state.acceleration.isZero(0);
+}
+
+void VelocityMode::step(double share) noexcept {
+  limit_ = {};
+  granted_ = 1;
+  if (stands() && !(share > 0)) return;
+  const auto asked = share > 0 ? image(asked_.rate) : std::nullopt;
+  if (share > 0 && !asked) limit_ = {Kind::Reach, -1};
+  State next;
+  if (!asked || !find_step(share, *asked, next)) {
+    granted_ = 0;
+    const JointVector none = JointVector::Zero(state_.axes.q.size());
+    if (go(state_, 0, none, next).kind == Kind::Reach) return brake_axes();
+  }
+  state_ = next;
+}
+
+/// The step towards as much of the rates as permits to come to rest behind it.
+bool VelocityMode::find_step(double share, const JointVector& asked, State& next) noexcept {
+  const auto possible = [&](double granted, JogLimit& limit) noexcept {
+    State state;
+    limit = go(state_, share * granted, asked, state);
+    if (limit.kind == Kind::None) limit = try_rest(state);
+    if (limit.kind != Kind::None) return false;
+    next = state;
+    granted_ = granted;
+    return true;
+  };
+  double high = greatest_share(asked);
+  JogLimit limit;
+  if (possible(high, limit)) return true;
+  limit_ = limit;
+  double low = 0;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2;
+    (possible(middle, limit) ? low : high) = middle;
+  }
+  return low > 0;
+}
+
+/// What a rate of the coordinates makes of the axes here, m/s or rad/s; none where the arm does not
+/// reach to either side.
+std::optional<JointVector> VelocityMode::image(const JointVector& rate) const noexcept {
+  if (space_.joint()) return rate;
+  const double time = kNearby / std::max(rate.cwiseAbs().maxCoeff(), kNearby);
+  const JointVector& here = state_.axes.q;
+  const auto ahead = space_.axes(space_.moved(state_.place, rate * time), here);
+  const auto behind = space_.axes(space_.moved(state_.place, rate * -time), here);
+  if (ahead && behind) return JointVector((*ahead - *behind) / (2 * time));
+  if (ahead) return JointVector((*ahead - here) / time);
+  if (behind) return JointVector((here - *behind) / time);
+  return std::nullopt;
+}
+
+/// Of the rates, so that no axis becomes too fast here, nor the tool.
+double VelocityMode::greatest_share(const JointVector& asked) noexcept {
+  double share = 1;
+  const auto bound = [&](double speed, double most, JogLimit limit) noexcept {
+    if (!(std::abs(speed) * share > most * (1 + kRounding))) return;
+    share = most / std::abs(speed);
+    limit_ = limit;
+  };
+  for (int i = 0; i < asked.size(); ++i) {
+    bound(asked[i], v_max_[i] * asked_.share, {asked_.share < 1 ? Kind::Share : Kind::Speed, i});
+    const bool turns = space_.joint() && rotary_[static_cast<std::size_t>(i)];
+    if (turns) bound(asked[i], asked_.turning_speed, {Kind::Share, i});
+  }
+  if (asked_.tool_speed == JogRates::kAny && asked_.turning_speed == JogRates::kAny) return share;
+  const Pose from = space_.tip(state_.axes.q);
+  const Pose to = space_.tip(state_.axes.q + asked * kInstant);
+  bound((to.position - from.position).norm() / kInstant, asked_.tool_speed, {Kind::Share, -1});
+  if (space_.joint()) return share;
+  bound(from.orientation.angularDistance(to.orientation) / kInstant, asked_.turning_speed,
+        {Kind::Share, -1});
+  return share;
+}
+
+/// One period on, towards a share of the asked rates, which make `asked` of the axes.
+JogLimit VelocityMode::go(const State& from, double share, const JointVector& asked,
+                          State& to) const noexcept {
+  const double time = period_;
+  const double usable = space_.joint() ? 1 : kForCurvature;
+  const JointVector missing = asked_.rate * share - from.rate;
+  const RateChange change = rate_change(asked * share - from.axes.qd, from.axes.qdd,
+                                        a_max_ * usable, j_max_ * usable, time);
+  to.acceleration = missing * change.of_missing + from.acceleration * change.of_acceleration;
+  to.rate = from.rate + (from.acceleration + to.acceleration) * (time / 2);
+  if (share == 0 && to.rate.cwiseAbs().maxCoeff() < kNoRate &&
+      to.acceleration.cwiseAbs().maxCoeff() < kNoRate / time) {
+    to.rate.setZero();
+    to.acceleration.setZero();
+  }
+  to.place = space_.moved(
+      from.place, from.rate * time + (from.acceleration * 2 + to.acceleration) * (time * time / 6));
+  const JointVector near = from.axes.q + from.axes.qd * time + from.axes.qdd * (time * time / 2);
+  if (!follow(near, to) || leaves_reach(from.axes.q, to.axes.q)) return {Kind::Reach, -1};
+  return judge(from.axes, to.axes);
+}
+
+/// The axes, their speed and acceleration for the place of a state and how it moves.
+bool VelocityMode::follow(const JointVector& near, State& state) const noexcept {
+  const auto q = space_.axes(state.place, near);
+  if (!q) return false;
+  state.axes.q = *q;
+  if (space_.joint() || at_rest(state)) {
+    const JointVector none = JointVector::Zero(q->size());
+    state.axes.qd = space_.joint() ? state.rate : none;
+    state.axes.qdd = space_.joint() ? state.acceleration : none;
+    return true;
+  }
+  const JointVector way = state.rate * kInstant;
+  const JointVector bend = state.acceleration * (kInstant * kInstant / 2);
+  const auto ahead = space_.axes(space_.moved(state.place, bend + way), *q);
+  const auto behind = space_.axes(space_.moved(state.place, bend - way), *q);
+  if (!ahead || !behind) return false;
+  state.axes.qd = (*ahead - *behind) / (2 * kInstant);
+  state.axes.qdd = (*ahead - *q * 2 + *behind) / (kInstant * kInstant);
+  return true;
+}
+
+/// Whether an arm is about to be stretched or folded; back it may go.
+bool VelocityMode::leaves_reach(const JointVector& from, const JointVector& to) const noexcept {
+  const double stretch = space_.stretch(to);
+  return !space_.joint() && stretch < kStretched && stretch < space_.stretch(from);
+}
+
+/// Whether axes may go from one state to another in that time, and would do so smoothly.
+JogLimit VelocityMode::judge(const JointReference& from, const JointReference& to) const noexcept {
+  const double time = period_;
+  constexpr double kMost = 1 + kRounding;
+  const JointVector bent = to.qdd - from.qdd;
+  // Of an axis whose jerk is constant nothing is left; one that leaps leaves its leap.
+  const JointVector left =
+      to.q - from.q - (from.qd + to.qd) * (time / 2) + bent * (time * time / 12);
+  for (int i = 0; i < to.q.size(); ++i) {
+    const bool out = to.q[i] > high_[i] + kSamePlace || to.q[i] < low_[i] - kSamePlace;
+    if (out) return {Kind::End, i};
+    const double leap = j_max_[i] * time * time * time / 48 + kSamePlace;
+    if (std::abs(left[i]) > leap) return {Kind::Reach, -1};
+    if (std::abs(to.qd[i]) > v_max_[i] * kMost) return {Kind::Speed, i};
+    const bool bends = std::abs(bent[i]) > j_max_[i] * time * kMost;
+    if (bends || std::abs(to.qdd[i]) > a_max_[i] * kMost) return {Kind::Acceleration, i};
+  }
+  return {};
+}
+
+/// Comes to rest from a state as step(0) would.
+JogLimit VelocityMode::try_rest(State state) const noexcept {
+  const JointVector none = JointVector::Zero(state.axes.q.size());
+  State next;
+  for (int i = 0; i < kMostSteps && !at_rest(state); ++i) {
+    const JogLimit limit = go(state, 0, none, next);
+    if (limit.kind != Kind::None) return limit;
+    state = next;
+  }
+  if (at_rest(state)) return {};
+  return {Kind::Acceleration, -1};
+}
+
+/// The last resort, where rounding has led to a place that the tool cannot be brought to rest from
+/// on its way: each axis by itself.
+void VelocityMode::brake_axes() noexcept {
+  const JointReference axes = state_.axes;
+  asked_ = {};
+  asked_.space = JogRates::Space::Joint;
+  asked_.rate = JointVector::Zero(axes.q.size());
+  state_.place = space_.enter(asked_, axes.q);
+  state_.rate = axes.qd;
+  state_.acceleration = axes.qdd;
+  go(State(state_), 0, asked_.rate, state_);
+}
+
+}  // namespace rob::motion

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "motion/generate/jog_space.h"
+#include "motion/robots/robot_model.h"
+
+namespace rob::motion {
+
+/// What keeps a jog from going as fast as it is asked to.
+struct JogLimit {
+  enum class Kind : std::uint8_t {
+    None,
+    Share,         ///< AT: a share of the axes' speeds, a speed of the tool
+    Speed,         ///< of the axis
+    Acceleration,  ///< of the axis: near a singular place
+    End,           ///< the axis is near the end of its way
+    Reach          ///< the arm does not reach further, or would have to jump
+  };
+
+  Kind kind = Kind::None;
+  int axis = -1;
+};
+
+/// Motion at given rates (S2's velocity modes): from any state, period by period, towards the rates
+/// that were asked for last.
+///
+/// Rates change all together (rate_change()), within what every axis may accelerate and jerk; where
+/// the tool moves, so does it straight in its space. No step is taken from which the jog could not
+/// come to rest with every axis within its way, speed, acceleration and jerk: that rest is tried
+/// beforehand, and where it is not possible the rates are asked for in the same direction, but
+/// smaller. So a jog slows down before the end of an axis, the border of its reach and singular
+/// places, stands still short of them, and goes wherever they are not: always back.
+///
+///     asked        ____              slower as long as an axis could not
+///     made     ___/    ╲______       follow, or not be stopped in time
+///
+/// An axis beyond its limits at the beginning may go back, and no further out. SI. Every call but
+/// the constructor may be used in the tick.
+class VelocityMode {
+ public:
+  explicit VelocityMode(const RobotModel& robot);
+
+  /// At rest at q, with nothing asked.
+  void stand_at(const JointVector& q) noexcept;
+  /// Whether the rates can be asked for now: at rest any, else those of the same space and tool.
+  bool takes(const JogRates& rates) const noexcept;
+  /// Asks for rates that it takes. They hold until others are asked for.
+  void aim(const JogRates& rates) noexcept;
+  /// One period on, towards a share of them, 0 … 1; with 0 it comes to rest.
+  void step(double share) noexcept;
+
+  bool stands() const noexcept { return at_rest(state_); }
+  /// Its time is the caller's.
+  const JointReference& reference() const noexcept { return state_.axes; }
+  /// Of the last step: what kept it, and what share of the rates asked for could be aimed at.
+  const JogLimit& limit() const noexcept { return limit_; }
+  double granted() const noexcept { return granted_; }
+
+ private:
+  struct State {
+    JogPlace place;
+    JointVector rate;          ///< of the coordinates
+    JointVector acceleration;  ///< d rate / dt
+    JointReference axes;
+  };
+
+  static bool at_rest(const State& state) noexcept;
+  bool find_step(double share, const JointVector& asked, State& next) noexcept;
+  std::optional<JointVector> image(const JointVector& rate) const noexcept;
+  double greatest_share(const JointVector& asked) noexcept;
+  JogLimit go(const State& from, double share, const JointVector& asked, State& to) const noexcept;
+  bool follow(const JointVector& near, State& state) const noexcept;
+  JogLimit judge(const JointReference& from, const JointReference& to) const noexcept;
+  bool leaves_reach(const JointVector& from, const JointVector& to) const noexcept;
+  JogLimit try_rest(State state) const noexcept;
+  void brake_axes() noexcept;
+
+  const double period_;
+  const JointVector least_, most_, v_max_, a_max_, j_max_;  ///< of the axes
+  std::array<bool, kMaxJoints> rotary_{};
+  JointVector low_, high_;  ///< least_ and most_, or further, where the jog began beyond them
+  JogSpace space_;
+  JogRates asked_;
+  State state_;
+  JogLimit limit_;
+  double granted_ = 1;
+};
+
+}  // namespace rob::motion

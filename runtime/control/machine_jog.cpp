@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <variant>
+
+#include "runtime/control/messages.h"
+#include "runtime/control/pose_values.h"
+#include "runtime/control/robot_machine.h"
+
+/// The part of RobotMachine that commands motions at given rates. Where they lead is known when
+/// they have come to rest; only another JOG follows before.
+namespace rob::runtime {
+
+using lang::JogFrame;
+using lang::MoveCommand;
+using lang::Reply;
+using motion::JogRates;
+
+namespace {
+
+/// The six rates of the tool. A robot whose coordinates are its axes names x, y and its turn about
+/// z, c, as the gantry does.
+motion::JointVector tool_rates(const MoveCommand& command) {
+  motion::JointVector rate = motion::JointVector::Zero(6);
+  for (int i = 0; i < command.count; ++i) {
+    const bool turn_in_plane = command.count == 3 && i == 2;
+    rate[turn_in_plane ? 5 : i] = command.target[static_cast<std::size_t>(i)];
+  }
+  return rate;
+}
+
+void bound(const MoveCommand& command, JogRates& rates) {
+  switch (command.pace) {
+    case MoveCommand::Pace::Share:
+      rates.share = std::min(command.pace_value, 1.0);
+      return;
+    case MoveCommand::Pace::ToolSpeed:
+      rates.tool_speed = command.pace_value;
+      return;
+    case MoveCommand::Pace::AngularSpeed:
+      rates.turning_speed = command.pace_value;
+      return;
+    case MoveCommand::Pace::Unspecified:
+      return;
+  }
+}
+
+JogRates rates_of(const MoveCommand& command, const lang::ToolValue& tool, int axes) {
+  JogRates rates;
+  if (command.jog == JogFrame::Joint) {
+    rates.space = JogRates::Space::Joint;
+    rates.rate.setZero(axes);
+    for (int i = 0; i < axes; ++i) rates.rate[i] = command.target[static_cast<std::size_t>(i)];
+  } else {
+    rates.space = command.jog == JogFrame::World ? JogRates::Space::World : JogRates::Space::Tool;
+    rates.rate = tool_rates(command);
+  }
+  rates.tip = to_motion(tool.tip);
+  if (command.lasts > 0) rates.lasts = command.lasts;
+  bound(command, rates);
+  return rates;
+}
+
+}  // namespace
+
+/// A jog begins at rest, or joins one before it.
+Reply RobotMachine::jog(int line, const MoveCommand& asked) {
+  rested();
+  if (buffer_.room() < 2) return Reply::Later;
+  const auto exact = planner_.stop(static_cast<motion::Tag>(line));
+  if (exact) queue(*exact, true);
+  motion::SegmentDescriptor segment;
+  if (!plan_jog(line, asked, segment)) return Reply::Refused;
+  brakable_ = segment.number;
+  moved_tip_ = setting_.tool.tip.position;
+  queue({segment, false, exact.has_value(), asked, setting_, {}});
+  return Reply::Done;
+}
+
+bool RobotMachine::plan_jog(int line, const MoveCommand& asked,
+                            motion::SegmentDescriptor& segment) {
+  const JogRates rates = rates_of(asked, setting_.tool, robot_.axis_count());
+  const motion::PlanOutcome outcome = planner_.jog(static_cast<motion::Tag>(line), rates);
+  if (const auto* const refusal = std::get_if<motion::Refusal>(&outcome)) {
+    refusal_ = words_for(*refusal, robot_);
+    return false;
+  }
+  segment = std::get<motion::PlannedSegment>(outcome).segment;
+  return true;
+}
+
+/// Jogs that came to rest before the one behind them was known have told so, too.
+bool RobotMachine::take_jog_rest(motion::Rest& rest) {
+  while (take_rest(rest)) {
+    if (rest.early() || rest.number == planner_.last_number()) return true;
+  }
+  return false;
+}
+
+bool RobotMachine::rested() {
+  if (!jogging_) return true;
+  motion::Rest rest;
+  if (!take_jog_rest(rest)) return false;
+  rest.early() ? restart_from(rest.q) : come_to_rest(rest.q);
+  return true;
+}
+
+void RobotMachine::come_to_rest(const motion::JointVector& q) {
+  planner_.stand_at(q, planner_.last_number());
+  exact_ = true;
+  jogging_ = false;
+}
+
+void RobotMachine::restart_from(const motion::JointVector& q) {
+  planner_.retarget(q);
+  exact_ = true;
+  jogging_ = false;
+}
+
+}  // namespace rob::runtime
