@@ -97,14 +97,15 @@ std::optional<SegmentDescriptor> MotionPlanner::stop(Tag tag) noexcept {
 }
 
 PlanOutcome MotionPlanner::jog(Tag tag, JogRates rates) noexcept {
-  constexpr double kFastest = 1e3;  // m/s, rad/s. [choice] faster than any axis
+  constexpr double kFastest = 1e3;    // m/s, rad/s. [choice] faster than any axis
+  constexpr double kRounding = 1e-9;  // periods: of the quotient
   for (int i = 0; i < rates.rate.size(); ++i) {
     if (std::isfinite(rates.rate[i])) continue;
     return Refusal{Refusal::Kind::NotFinite, i, rates.rate[i], 0};
   }
   const double greatest = rates.rate.cwiseAbs().maxCoeff();
   rates.rate *= greatest * boost_ > kFastest ? kFastest / greatest : boost_;
-  const double periods = std::ceil(rates.lasts / boost_ / robot_.reference_period - kSameTime);
+  const double periods = std::ceil(rates.lasts / boost_ / robot_.reference_period - kRounding);
   rates.lasts = std::max(1.0, periods) * robot_.reference_period;
   if (!(rates.lasts <= kLongest)) rates.lasts = JogRates::kAny;
   const double duration = rates.lasts < JogRates::kAny ? rates.lasts : 0;
