@@ -1,5 +1,6 @@
 #include "motion/space/cycle_instant.h"
 #include "runtime/control/execution.h"
+#include "runtime/control/standstill.h"
 #include "runtime/time/clock.h"
 
 namespace rob::runtime {
@@ -28,6 +29,7 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
       static_cast<std::int64_t>(robot.reference_period / robot.servo_period + 0.5);
   VirtualClock clock;
   Timing timing;
+  Standstill standstill(robot);
 
   controller.servo().enable(clock.now());
   controller.motion().prepare(clock.now());
@@ -45,7 +47,9 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
       program_state = program.step(kInstructionsPerCycle);
     }
     program_state = program.run_tasks(program_state);
-    if (clock.now() >= limits.virtual_time || program.executed() >= limits.instructions) {
+    timing.waits_for_ever = limits.standstill && standstill.is_for_ever(controller, clock.now());
+    if (clock.now() >= limits.virtual_time || program.executed() >= limits.instructions ||
+        timing.waits_for_ever) {
       timing.gave_up = true;
       controller.channels().safe.clear();  // nothing has gone wrong
       controller.request_hold();
