@@ -56,8 +56,11 @@ bool MoveChecker::check_shape(const Tuple& tuple, const Coordinates& coordinates
       code::kComponentCount, place,
       fmt::format("a target of {} has {} components ({}); here are {}", robot_.name, wanted,
                   fmt::join(names_of(coordinates), ", "), given),
-      given < wanted ? "leave a place empty to keep its value, as in (140, , ), or name components"
-                     : "decimals are written with a point, as in 1.5");
+      given == 1
+          ? "a pose stands without parentheses, as in MOVE pick; one component, as in (140, , )"
+      : given < wanted
+          ? "leave a place empty to keep its value, as in (140, , ), or name components"
+          : "decimals are written with a point, as in 1.5");
   return false;
 }
 

@@ -203,7 +203,10 @@ struct Chunk {
   std::uint32_t test_entry = 0;  ///< where every TEST begins: with the program's declarations
   std::vector<TaskCode> tasks;
   std::uint32_t task_entry = 0;  ///< where every TASK begins
-  int registers = 0;             ///< of the top level
+  /// Something in it depends on the time beside the motion: CLOCK, TIMEOUT, PULSE, RANDOM, a TASK,
+  /// a handler.
+  bool timed = false;
+  int registers = 0;  ///< of the top level
   int text_registers = 0;
   Slots memory;                                 ///< of the top level, behind its registers
   std::shared_ptr<const TypeTable> type_table;  ///< where `types` point to

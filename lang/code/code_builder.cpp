@@ -142,6 +142,7 @@ void CodeBuilder::task_entry(Place place) {
 }
 
 void CodeBuilder::start(std::size_t task, Place place) {
+  depends_on_time();
   emit(Opcode::start, place);
   emit(operand_word(task), place);
 }
@@ -321,6 +322,7 @@ void CodeBuilder::when(Register values, std::uint16_t watch, std::size_t level, 
 
 void CodeBuilder::when_handle(Register first, int count, bool stops, std::size_t routine,
                               Place place) {
+  depends_on_time();
   emit(Opcode::when_handle, place, first, static_cast<unsigned>(count), stops ? 1 : 0);
   emit(operand_word(routine), place);
 }

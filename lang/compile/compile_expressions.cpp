@@ -199,6 +199,7 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
 }
 
 void ExpressionCompiler::draw(const Call& call, const Expr& expression, Register target) {
+  code_.depends_on_time();  // each look draws anew
   if (call.arguments.empty()) {
     code_.emit(Opcode::random, expression.place, target);
     return;

@@ -9,6 +9,7 @@ Instruction count_word(int count) { return {static_cast<std::uint32_t>(count)}; 
 }  // namespace
 
 void ExpressionCompiler::read(Reading reading, Register target, Place place) {
+  if (reading == Reading::Clock) code_.depends_on_time();
   code_.emit(Opcode::read, place, target, static_cast<unsigned>(reading), latched_ ? 1 : 0);
 }
 

@@ -109,6 +109,7 @@ void StatementCompiler::compile(const Assign& assign) {
 void StatementCompiler::compile(const Pulse& pulse) {
   const auto mark = code_.mark();
   const Register time = expressions_.value(*pulse.time);
+  code_.depends_on_time();
   code_.emit(
       Instruction::ax(Opcode::pulse, time, static_cast<std::uint16_t>(pulse.target.symbol->signal)),
       place_);
@@ -187,6 +188,7 @@ void StatementCompiler::wait_for_condition(const Wait& wait) {
   met.push_back(code_.jump(place));
   CodeBuilder::Jumps late;
   if (limited) {
+    code_.depends_on_time();
     code_.emit(Opcode::if_elapsed, place, now, begin, limit);
     late.push_back(code_.jump(place));
   }

@@ -117,6 +117,8 @@ class Vm {
   bool handling() const { return handling_; }
 
   State state() const { return state_; }
+  /// Of the instruction that comes next.
+  Place place() const { return place(next_); }
   const RuntimeError& error() const { return error_; }
   /// Instructions executed since the start; those that a forward jump passed over count too.
   std::int64_t executed() const { return executed_; }

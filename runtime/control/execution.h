@@ -14,12 +14,14 @@ struct Timing {
   double worst_lateness = 0;     ///< s
   double drift = 0;              ///< s that passed in the world beyond the generator's time
   bool gave_up = false;          ///< a limit of RunLimits ended it
+  bool waits_for_ever = false;   ///< of these its Standstill
 };
 
 /// Where a run on the virtual clock ends by itself: what foretells must not run for ever.
 struct RunLimits {
   double virtual_time;  ///< s
   std::int64_t instructions;
+  bool standstill = false;  ///< ends where a Standstill is for ever
 };
 
 /// Called between cycles by the thread that reports.

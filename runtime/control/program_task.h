@@ -41,6 +41,8 @@ class ProgramTask {
   /// How the program failed; what it had commanded before is finished all the same. Valid once
   /// step() has returned Over.
   const std::optional<lang::RuntimeError>& failure() const { return failure_; }
+  /// Where the program is.
+  lang::Place place() const { return vm_.place(); }
   std::int64_t executed() const { return vm_.executed(); }
 
  private:

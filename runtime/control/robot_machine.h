@@ -135,6 +135,10 @@ class RobotMachine final : public lang::Machine {
   lang::Reply refresh(int line, std::size_t first, std::span<std::string> texts) override;
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
+  /// A WAIT looks at its condition again and again, and all that was commanded has acted.
+  bool waits_at_rest() const {
+    return standing_ && progress_.settled.load() >= planner_.last_number();
+  }
   bool taken_as_met(int line) override;
   lang::Reply waited(int line) override;
   lang::Reply leave_block(int line) override;

@@ -1,5 +1,6 @@
 #include "motion/space/cycle_instant.h"
 #include "runtime/control/execution.h"
+#include "runtime/control/standstill.h"
 #include "runtime/time/clock.h"
 
 namespace rob::runtime {
@@ -34,6 +35,7 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
   VirtualClock clock;
   std::int64_t next_servo = 0;
   Timing timing;
+  Standstill standstill(robot);
 
   controller.servo().enable(clock.now());
   controller.motion().prepare(clock.now());
@@ -51,7 +53,9 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
       program_state = program.step(kInstructionsPerCycle);
     }
     program_state = program.run_tasks(program_state);
-    if (clock.now() >= limits.virtual_time || program.executed() >= limits.instructions) {
+    timing.waits_for_ever = limits.standstill && standstill.is_for_ever(controller, clock.now());
+    if (clock.now() >= limits.virtual_time || program.executed() >= limits.instructions ||
+        timing.waits_for_ever) {
       timing.gave_up = true;
       controller.channels().safe.clear();  // nothing has gone wrong
       controller.request_hold();

@@ -221,7 +221,10 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   RunRecorder recorder(robot, 1, controller.channels(), controller.log(), names_in(program, robot),
                        {});
 
-  const Timing timing = run_stepped(controller, task, kForetellLimits, [&] { recorder.drain(); });
+  RunLimits limits = kForetellLimits;
+  limits.standstill =
+      !program.compilation.chunk->timed && (script == nullptr || script->rules.empty());
+  const Timing timing = run_stepped(controller, task, limits, [&] { recorder.drain(); });
   RunResult result = recorder.finish();
   result.clock = "virtual";
   // What the simulated run took is what is foretold, with all its waiting.
@@ -233,7 +236,13 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
         {lang::Severity::Note, code::kCircling, lang::tagged_place(task.circling()),
          fmt::format("the loop goes on; it was foretold for {} turns", kForetellTurns), ""});
   }
-  if (timing.gave_up) {
+  if (timing.waits_for_ever) {
+    result.findings.push_back(
+        {lang::Severity::Warning, code::kWaitsForEver, task.place(),
+         "the program waits here for ever: it stands, and nothing is left that"
+         " could change an input",
+         "set an output before that brings it about, or limit it: TIMEOUT 5s"});
+  } else if (timing.gave_up) {
     result.findings.push_back({lang::Severity::Note,
                                code::kForetoldSoFar,
                                {},

@@ -81,6 +81,35 @@ TEST_CASE("a WAIT that looks again and again is no loop") {
   CHECK(result.output == Texts{"after all"});
 }
 
+TEST_CASE(
+    "a WAIT for what never comes is told at once, where nothing is left that could bring it") {
+  const Texts for_ever{
+      "3 W633 the program waits here for ever: it stands, and nothing is left that"
+      " could change an input"};
+  const RunResult stuck = foretold("MOVE(40, 0, 0)\nPRINT 1\n  WAIT lift_up\nPRINT 2");
+  CHECK(findings(stuck) == for_ever);
+  CHECK(stuck.findings[0].place.column == 3);
+  CHECK(stuck.output == Texts{"1"});
+  CHECK(stuck.planned < 10);  // 5.5 s to rest, and what the lift and the gripper could take
+  CHECK(stuck.status == "done");
+  CHECK(findings(foretold("lift = ON\nWAIT lift_up\nWAIT lift_down\n"))[0].starts_with("3 W633"));
+}
+
+TEST_CASE("a WAIT that time can end is followed") {
+  const auto through = [](const std::string& text, const std::string& script = "") {
+    const RunResult result = foretold(text, script);
+    return findings(result).empty() && result.output == Texts{"through"};
+  };
+  CHECK(through("WAIT lift_up OR CLOCK > 40s\nPRINT \"through\""));
+  CHECK(through("WHEN CLOCK > 40s : lift = ON\nWAIT lift_up\nPRINT \"through\""));
+  CHECK(through("WAIT lift_up TIMEOUT 40s ELSE PRINT \"through\""));
+  CHECK(through("PULSE lift 40s\nWAIT lift_up\nWAIT lift_down\nPRINT \"through\""));
+  CHECK(through("TASK t\nWAIT 40s\nlift = ON\nENDTASK\nSTART t\nWAIT lift_up\nPRINT \"through\""));
+  CHECK(through("WAIT lift_up OR RANDOM() > 0.999\nPRINT \"through\""));
+  CHECK(through("WAIT lift_up\nPRINT \"through\"", "at 40s lift_up = ON"));
+  CHECK(through("WHEN lift_up : gripper = ON\nlift = ON\nWAIT gripper_closed\nPRINT \"through\""));
+}
+
 TEST_CASE("an AT above 100% is told once: by the compiler if it is constant, else by the planner") {
   CHECK(findings(foretold("MOVE(200, 0, 0) AT 150%")) ==
         Texts{"1 W503 150% is more than the robot can; it moves at 100%"});

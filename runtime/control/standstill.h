@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "runtime/control/controller.h"
+
+namespace rob::runtime {
+
+/// Tells a WAIT for what never comes, in a run on the virtual clock that nobody drives from
+/// outside: the program waits, the axes stand, all that was commanded has acted, and neither an
+/// input nor an output has changed for longer than anything in the simulated machine takes. Then
+/// nothing is left that could change an input, unless the program reads the time or has something
+/// running beside it (lang::Chunk::timed).
+class Standstill {
+ public:
+  explicit Standstill(const motion::RobotModel& robot) {
+    for (const motion::TwoPositionActuator& actuator : robot.actuators) {
+      longest_ = std::max(longest_, actuator.travel_time);
+    }
+    longest_ += kMargin;
+  }
+
+  /// To be asked once in every cycle.
+  bool is_for_ever(Controller& controller, double now) {
+    const Channels& channels = controller.channels();
+    const std::uint64_t inputs = channels.inputs.load();
+    const std::uint64_t outputs = channels.outputs.load();
+    const bool same = since_ && inputs == inputs_ && outputs == outputs_;
+    if (!controller.machine().waits_at_rest()) {
+      since_.reset();
+    } else if (!same) {
+      since_ = now;
+    }
+    inputs_ = inputs;
+    outputs_ = outputs;
+    return since_ && now - *since_ > longest_;
+  }
+
+ private:
+  static constexpr double kMargin = 1;  // s. [choice] many cycles of any robot
+
+  double longest_ = 0;  ///< s
+  std::uint64_t inputs_ = 0;
+  std::uint64_t outputs_ = 0;
+  std::optional<double> since_;
+};
+
+}  // namespace rob::runtime
