@@ -33,7 +33,7 @@ struct PlannedSegment {
   static constexpr std::uint8_t kCornerExact = 8;
 
   SegmentDescriptor segment;
-  std::uint8_t warnings = 0;  ///< kPaceCut | kStretched | kZoneRaised | kCornerExact
+  std::uint8_t warnings = 0;                ///< kPaceCut | kStretched | kZoneRaised | kCornerExact
   std::shared_ptr<const PlannedLeg> leg{};  ///< what the segment points into; null: nothing
 };
 
@@ -186,7 +186,7 @@ class MotionPlanner {
   const double linear_speed_;  ///< the greatest that the linear axes make together
   double tool_speed_;          ///< the same with what the rotary axes make of the tool
   Pose tool_;                  ///< its tip, seen from the flange
-  JointVector arms_;  ///< how far the tip can be from the rotary axes, m; 0 of linear ones
+  JointVector arms_;           ///< how far the tip can be from the rotary axes, m; 0 of linear ones
   JointVector commanded_;
   double t_acc_before_;  ///< t_B of the next segment
   bool exact_ = true;    ///< the last target is reached exactly
