@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "motion/path/follow.h"
 #include "motion/path/tool_path.h"
 #include "motion/plan/feasibility.h"
 #include "motion/plan/leg_demand.h"
@@ -174,7 +175,11 @@ class MotionPlanner {
 
   // Paths and corners (motion_planner_paths.cpp)
   std::optional<Refusal> judge(const MotionRequest& request, const ToolPath& path,
-                               const JointPath& axes) const;
+                               const Followed& followed) const;
+  Refusal refusal_for(const PathTrouble& trouble, const ToolPath& path,
+                      const JointPath& axes) const;
+  std::optional<Refusal> too_slow(const MotionRequest& request, const ToolPath& path,
+                                  const JointPath& axes) const;
   Refusal placed(Refusal refusal, const ToolPath& path) const;
   bool reachable_otherwise(const ToolPath& path) const;
   void join(Draft& draft, SegmentDescriptor& segment, std::uint8_t& warnings) const;
