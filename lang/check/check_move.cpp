@@ -51,8 +51,6 @@ void MoveChecker::remember_features(const Move& move, Place place) {
   if (accel) checked_.features.push_back({accel->place, MotionFeature::Accel});
   if (jerk) checked_.features.push_back({jerk->place, MotionFeature::Jerk});
   if (clauses.live) checked_.features.push_back({clauses.live_place, MotionFeature::LivePace});
-  if (clauses.profile != Profile::Unspecified)
-    checked_.features.push_back({place, MotionFeature::Profile});
 }
 
 /// MOVE JOINT: which axis has to be known, unless all take values of one dimension.

@@ -52,35 +52,11 @@ inline std::optional<Profile> find_profile(std::string_view word) {
 }
 
 /// What not every robot can do, so that each has to say whether it can.
-enum class MotionFeature : std::uint8_t {
-  Accel,
-  Jerk,
-  Profile,
-  LookAhead,
-  LivePace,
-  Arc,
-  Spline,
-  Spiral,
-  Jog,
-  Path,
-  Press
-};
+enum class MotionFeature : std::uint8_t { Accel, Jerk, LookAhead, LivePace, Jog, Path, Press };
 
 /// What a motion of this kind asks of a robot, if not every robot can do it.
 constexpr std::optional<MotionFeature> feature_of(MotionKind kind) {
-  switch (kind) {
-    case MotionKind::Joint:
-    case MotionKind::Line:
-      return std::nullopt;
-    case MotionKind::Arc:
-      return MotionFeature::Arc;
-    case MotionKind::Spline:
-      return MotionFeature::Spline;
-    case MotionKind::Spiral:
-      return MotionFeature::Spiral;
-    case MotionKind::Jog:
-      return MotionFeature::Jog;
-  }
+  if (kind == MotionKind::Jog) return MotionFeature::Jog;
   return std::nullopt;
 }
 

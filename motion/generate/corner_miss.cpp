@@ -78,8 +78,8 @@ double corner_miss(const Kinematics& kinematics, const JointVector& from,
   if (out.from_rest || out.no_length || in.ends_at_rest()) return 0;
   if (out.corner != nullptr) {
     return least_distance(
-        kinematics, in.target, [&](double t) { return out.corner->axes.at(t).q; },
-        out.corner->half, tip);
+        kinematics, in.target, [&](double t) { return out.corner->axes.at(t).q; }, out.corner->half,
+        tip);
   }
   return corner_miss(kinematics, in.target, (in.target - from) / in.duration,
                      (out.target - in.target) / out.duration, in.t_acc, tip);

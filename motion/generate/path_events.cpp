@@ -29,7 +29,8 @@ void PathEvents::begin(const SegmentDescriptor& leg, double zero, double t_befor
     const PathEvent& event = leg.on_the_way[i];
     const double share = std::clamp(event.share, 0.0, 1.0);
     double t = leg.profile.present() ? leg.profile.time_at(share) : share * leg.duration;
-    if (!leg.profile.present() && from_rest && t < t_before) t = (2 * corner_place(t / t_before) - 1) * t_before;
+    if (!leg.profile.present() && from_rest && t < t_before)
+      t = (2 * corner_place(t / t_before) - 1) * t_before;
     const double shift = event.lead * rate;
     entries_[count_++] = {std::max(instant, zero + t - shift), share, shift, event.effect};
   }

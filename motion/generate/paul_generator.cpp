@@ -149,8 +149,9 @@ void PaulGenerator::pass_milestone() noexcept {
   fire_effects(latest_);
 }
 
-/// At the end of a segment of no length, and of a profile, the axes stand at its target. What follows at this very
-/// instant is not decided before the next reference; here it only matters whether anything can.
+/// At the end of a segment of no length, and of a profile, the axes stand at its target. What
+/// follows at this very instant is not decided before the next reference; here it only matters
+/// whether anything can.
 void PaulGenerator::arrive() noexcept {
   latest_ = std::max(latest_, clock_.run_time(end_));
   close_guard();

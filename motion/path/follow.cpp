@@ -151,9 +151,8 @@ class Follower {
       const Pose flange = robot_.kinematics->forward(quintic_between(a, b, s).q);
       const Pose wanted = path_.at(s);
       const Eigen::Quaterniond turned = flange.orientation * tip_.orientation;
-      const bool close =
-          (place_of(tip_.position, flange) - wanted.position).norm() <= kOffPlace &&
-          rotation_between(turned, wanted.orientation).norm() <= kOffTurn;
+      const bool close = (place_of(tip_.position, flange) - wanted.position).norm() <= kOffPlace &&
+                         rotation_between(turned, wanted.orientation).norm() <= kOffTurn;
       if (close) continue;
       jumps();
       return false;

@@ -25,9 +25,9 @@ std::optional<ToolSpiral> ToolSpiral::inwards(const Pose& from, const Eigen::Qua
 Pose ToolSpiral::at(double s) const noexcept {
   const double angle = s * angle_;
   const double radius = (1 - s) * radius_;
-  return {from_.position + (radius_ - radius * std::cos(angle)) * x_ +
-              radius * std::sin(angle) * y_,
-          from_.orientation};
+  return {
+      from_.position + (radius_ - radius * std::cos(angle)) * x_ + radius * std::sin(angle) * y_,
+      from_.orientation};
 }
 
 /// What is left of the way where the radius is that share of the first: ∫ r·√(1 + k²u²) du.

@@ -58,8 +58,8 @@ void ToolSpline::bend() {
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const double before = knots_[i] - knots_[i - 1];
     const double behind = knots_[i + 1] - knots_[i];
-    const Value right = 6 * ((values_[i + 1] - values_[i]) / behind -
-                             (values_[i] - values_[i - 1]) / before);
+    const Value right =
+        6 * ((values_[i + 1] - values_[i]) / behind - (values_[i] - values_[i - 1]) / before);
     const double pivot = 2 * (before + behind) - before * upper[i - 1];
     upper[i] = behind / pivot;
     bends_[i] = (right - before * bends_[i - 1]) / pivot;

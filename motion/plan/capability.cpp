@@ -3,10 +3,7 @@
 namespace rob::motion {
 
 bool can(const RobotModel& robot, Capability capability) noexcept {
-  if (capability == Capability::Profile || capability == Capability::Curve ||
-      capability == Capability::Rates) {
-    return true;
-  }
+  if (capability == Capability::Rates) return true;
   return robot.law != Law::Paul;
 }
 

@@ -11,9 +11,7 @@ enum class Capability : std::uint8_t {
   AccelerationBound,  ///< of a single motion
   JerkBound,
   LivePace,   ///< a pace that changes while the motion runs
-  Profile,    ///< of the acceleration, from rest to rest
   LookAhead,  ///< corners rounded within a length
-  Curve,      ///< motions of the tool on an arc, a spline or a spiral
   Rates,      ///< motions at given rates, without a target
   Path,       ///< many motions planned as one
   Force       ///< a force kept along an axis

@@ -44,9 +44,7 @@ class ToolCorner final : public ToolPath {
   double turn_;
 };
 
-JointPath::Node node(double t, const PathPoint& point) {
-  return {t, point.q, point.qd, point.qdd};
-}
+JointPath::Node node(double t, const PathPoint& point) { return {t, point.q, point.qd, point.qdd}; }
 
 std::optional<JointPath> axes_of(const RobotModel& robot, const CornerTask& task, double half) {
   const PathPoint first = task.in.at(task.in.duration - half);
@@ -106,6 +104,7 @@ double miss_of(const RobotModel& robot, const CornerTask& task, const Corner& co
 std::optional<Corner> make_corner(const RobotModel& robot, const CornerTask& task) {
   constexpr int kTries = 12;
   constexpr double kShrink = 0.8;
+  constexpr double kNearly = 0.9999;
   Corner corner;
   corner.half = task.longest;
   for (int i = 0; i < kTries; ++i) {
@@ -116,7 +115,8 @@ std::optional<Corner> make_corner(const RobotModel& robot, const CornerTask& tas
       const Finding finding = judge(robot, corner, task.braking);
       if (finding == Finding::TooHard) return std::nullopt;  // shorter would be harder still
       if (finding == Finding::Good && miss <= task.zone) return corner;
-      if (miss > task.zone) shrink = std::min(0.99 * task.zone / miss, shrink / kShrink * 0.99);
+      // The miss goes with the corner's time where the legs are straight.
+      if (miss > task.zone) shrink = kNearly * task.zone / miss;
     }
     corner.half *= shrink;
   }

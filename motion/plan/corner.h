@@ -22,10 +22,10 @@ struct CornerTask {
   LegMotion out;
   const ToolLine* line_in = nullptr;  ///< of a leg on a straight line of the tool
   const ToolLine* line_out = nullptr;
-  Pose tip;             ///< of the tool, seen from the flange
-  double longest = 0;   ///< s: the greatest `half`
-  double zone = 0;      ///< m by which the tip may miss the point; infinite: it does not matter
-  double braking = 0;   ///< 1/s: what a hold may ask for beside (TimeScaleLimits::slope)
+  Pose tip;            ///< of the tool, seen from the flange
+  double longest = 0;  ///< s: the greatest `half`
+  double zone = 0;     ///< m by which the tip may miss the point; infinite: it does not matter
+  double braking = 0;  ///< 1/s: what a hold may ask for beside (TimeScaleLimits::slope)
 };
 
 /// The corner with the greatest `half` that keeps the zone and what the axes may do; none where

@@ -30,9 +30,9 @@ struct Refusal {
   int axis = -1;  ///< −1 where no axis is to blame
   double value = 0;
   double limit = 0;
-  double at = 0;          ///< m, or rad where only the orientation changes
-  double way = 0;         ///< the same of the whole
-  bool turning = false;   ///< only the orientation changes
+  double at = 0;         ///< m, or rad where only the orientation changes
+  double way = 0;        ///< the same of the whole
+  bool turning = false;  ///< only the orientation changes
   bool other = false;
   Shortfall shortfall{};
   JointVector q{};  ///< m, rad, at the place; empty where it is not known

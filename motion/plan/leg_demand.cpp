@@ -61,8 +61,7 @@ Slowest slowest_place(const RobotModel& robot, const JointPath& axes) {
   return slowest;
 }
 
-ProfileLimits profile_limits(const RobotModel& robot, const JointVector& straight,
-                             double change) {
+ProfileLimits profile_limits(const RobotModel& robot, const JointVector& straight, double change) {
   ProfileLimits limits{std::numeric_limits<double>::infinity(),
                        std::numeric_limits<double>::infinity()};
   for (int i = 0; i < robot.axis_count(); ++i) {

@@ -10,12 +10,12 @@ namespace rob::motion {
 
 /// What a leg asks of the axes, per unit of its parameter 0 … 1. m, rad.
 struct LegDemand {
-  JointVector rates;       ///< the greatest |dq/ds| of each axis
-  double way = 0;          ///< of the tip: straight, or along its path
-  double pace_way = 0;     ///< its greatest speed
-  double pace_turn = 0;    ///< the greatest turning speed that AT bounds
-  double farthest = 0;     ///< the most that the tip can cover
-  double leaving = 0;      ///< the tip's speed at the end
+  JointVector rates;                ///< the greatest |dq/ds| of each axis
+  double way = 0;                   ///< of the tip: straight, or along its path
+  double pace_way = 0;              ///< its greatest speed
+  double pace_turn = 0;             ///< the greatest turning speed that AT bounds
+  double farthest = 0;              ///< the most that the tip can cover
+  double leaving = 0;               ///< the tip's speed at the end
   const JointPath* path = nullptr;  ///< null: straight in the axes
 };
 

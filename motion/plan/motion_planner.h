@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "motion/path/follow.h"
 #include "motion/path/tool_path.h"
 #include "motion/plan/feasibility.h"
 #include "motion/plan/leg_demand.h"
@@ -33,7 +34,7 @@ struct PlannedSegment {
   static constexpr std::uint8_t kCornerExact = 8;
 
   SegmentDescriptor segment;
-  std::uint8_t warnings = 0;  ///< kPaceCut | kStretched | kZoneRaised | kCornerExact
+  std::uint8_t warnings = 0;                ///< kPaceCut | kStretched | kZoneRaised | kCornerExact
   std::shared_ptr<const PlannedLeg> leg{};  ///< what the segment points into; null: nothing
 };
 
@@ -179,7 +180,11 @@ class MotionPlanner {
 
   // Paths and corners (motion_planner_paths.cpp)
   std::optional<Refusal> judge(const MotionRequest& request, const ToolPath& path,
-                               const JointPath& axes) const;
+                               const Followed& followed) const;
+  Refusal refusal_for(const PathTrouble& trouble, const ToolPath& path,
+                      const JointPath& axes) const;
+  std::optional<Refusal> too_slow(const MotionRequest& request, const ToolPath& path,
+                                  const JointPath& axes) const;
   Refusal placed(Refusal refusal, const ToolPath& path) const;
   bool reachable_otherwise(const ToolPath& path) const;
   void join(Draft& draft, SegmentDescriptor& segment, std::uint8_t& warnings) const;
@@ -191,7 +196,7 @@ class MotionPlanner {
   const double linear_speed_;  ///< the greatest that the linear axes make together
   double tool_speed_;          ///< the same with what the rotary axes make of the tool
   Pose tool_;                  ///< its tip, seen from the flange
-  JointVector arms_;  ///< how far the tip can be from the rotary axes, m; 0 of linear ones
+  JointVector arms_;           ///< how far the tip can be from the rotary axes, m; 0 of linear ones
   JointVector commanded_;
   double t_acc_before_;  ///< t_B of the next segment
   bool exact_ = true;    ///< the last target is reached exactly

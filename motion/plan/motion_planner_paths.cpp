@@ -52,31 +52,7 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& pa
     return take(request, std::move(draft));
   }
   Followed followed = follow(robot_, path, tool_, commanded_);
-  const bool begun = !followed.axes.nodes().empty();
-  if (begun) {
-    if (const auto beyond = first_beyond(robot_, followed.axes)) {
-      Refusal refusal = placed(*beyond, path);
-      refusal.other = reachable_otherwise(path);
-      return refusal;
-    }
-  }
-  if (followed.trouble) {
-    using Kind = PathTrouble::Kind;
-    const PathTrouble& trouble = *followed.trouble;
-    Refusal refusal;
-    refusal.kind = trouble.kind == Kind::OutOfReach ? Refusal::Kind::PathOutOfReach
-                                                    : Refusal::Kind::PathSingular;
-    refusal.axis = trouble.axis;
-    refusal.at = trouble.at;
-    refusal.q = begun ? followed.axes.nodes().back().q : commanded_;
-    if (trouble.kind == Kind::OutOfReach) {
-      // [choice] a ten-thousandth of the path on, where the lack can be told from rounding
-      const double beyond = std::min(trouble.at + 1e-4 * (path.end() - path.begin()), path.end());
-      refusal.shortfall = robot_.kinematics->shortfall(flange_of(path.at(beyond), tool_));
-    }
-    return placed(refusal, path);
-  }
-  if (const auto refusal = judge(request, path, followed.axes)) return *refusal;
+  if (const auto refusal = judge(request, path, followed)) return *refusal;
   draft.leg = std::make_shared<PlannedLeg>();
   draft.leg->axes = std::move(followed.axes);
   draft.target = draft.leg->axes->nodes().back().q;
@@ -85,11 +61,44 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& pa
   return take(request, std::move(draft));
 }
 
-/// Where the axes allow too little of the speed that is asked for, or that they allow elsewhere.
+/// The first thing on the way that cannot be: an axis beyond its limits or too fast, or the end of
+/// what can be followed.
 std::optional<Refusal> MotionPlanner::judge(const MotionRequest& request, const ToolPath& path,
-                                            const JointPath& axes) const {
+                                            const Followed& followed) const {
+  const auto& trouble = followed.trouble;
+  std::optional<Refusal> first;
+  if (trouble) first = placed(refusal_for(*trouble, path, followed.axes), path);
+  if (followed.axes.nodes().empty()) return first;
+  if (const auto beyond = first_beyond(robot_, followed.axes)) {
+    first = placed(*beyond, path);
+    first->other = reachable_otherwise(path);
+  }
+  // Where the reach ends the arm is stretched: that says more than how fast it would have to be.
+  const bool out = trouble && trouble->kind == PathTrouble::Kind::OutOfReach;
+  const auto slow = out ? std::nullopt : too_slow(request, path, followed.axes);
+  return slow && (!first || slow->at < first->at) ? slow : first;
+}
+
+Refusal MotionPlanner::refusal_for(const PathTrouble& trouble, const ToolPath& path,
+                                   const JointPath& axes) const {
+  Refusal refusal;
+  refusal.axis = trouble.axis;
+  refusal.at = trouble.at;
+  refusal.q = axes.nodes().empty() ? commanded_ : axes.nodes().back().q;
+  refusal.kind = Refusal::Kind::PathSingular;
+  if (trouble.kind == PathTrouble::Kind::Singular) return refusal;
+  refusal.kind = Refusal::Kind::PathOutOfReach;
+  // [choice] a ten-thousandth of the path on, where the lack can be told from rounding
+  const double beyond = std::min(trouble.at + 1e-4 * (path.end() - path.begin()), path.end());
+  refusal.shortfall = robot_.kinematics->shortfall(flange_of(path.at(beyond), tool_));
+  return refusal;
+}
+
+/// Where the axes allow too little of the speed that is asked for, or that they allow elsewhere.
+std::optional<Refusal> MotionPlanner::too_slow(const MotionRequest& request, const ToolPath& path,
+                                               const JointPath& axes) const {
   const Slowest slowest = slowest_place(robot_, axes);
-  LegDemand demand = demand_of(path, axes);
+  const LegDemand demand = demand_of(path, axes);
   const double asked = std::max(pace_time(demand, request), request.at_least) / boost_;
   const double rate = asked > 0 ? std::min(1 / asked, slowest.most) : slowest.most;
   if (slowest.least >= kLeastShare * rate) return std::nullopt;

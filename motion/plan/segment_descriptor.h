@@ -76,7 +76,6 @@ struct SegmentDescriptor {
   JogRates jog{};
   Watch guard{};  ///< ends it early: UNTIL. Also of the stop that makes it exact
 
-
   /// Along this the axes run, parameter 0 … 1; null: straight. Its planner keeps it as long as the
   /// motion, or the corner behind it, can run.
   const JointPath* path = nullptr;

@@ -20,9 +20,6 @@ struct Explained {
   const char* help;
 };
 
-constexpr const char* kStraight = "under Paul's law all motions are straight in the axes";
-constexpr const char* kThroughPoints = "MOVEL through points on the way, each with a ZONE";
-
 Explained explained(MotionFeature feature) {
   switch (feature) {
     case MotionFeature::Accel:
@@ -40,12 +37,6 @@ Explained explained(MotionFeature feature) {
       return {Capability::LivePace, "AT LIVE",
               "under Paul's law the speed of a motion is fixed when it is planned",
               "leave LIVE out: the speed is then computed once, when the motion is commanded"};
-    case MotionFeature::Arc:
-      return {Capability::Curve, "MOVEC", kStraight, kThroughPoints};
-    case MotionFeature::Spline:
-      return {Capability::Curve, "MOVES", kStraight, kThroughPoints};
-    case MotionFeature::Spiral:
-      return {Capability::Curve, "SPIRAL", kStraight, kThroughPoints};
     case MotionFeature::Jog:
       return {Capability::Rates, "JOG", "under Paul's law every motion has a target",
               "MOVE … AT 10mm/s UNTIL touched goes on until something is met"};
@@ -53,13 +44,10 @@ Explained explained(MotionFeature feature) {
       return {Capability::Path, "PATH", "under Paul's law each corner is planned by itself",
               "leave PATH and ENDPATH out; AFTER and BEFORE stand behind MOVE … DO"};
     case MotionFeature::Press:
-      return {Capability::Force, "PRESS", "under Paul's law motions keep their path, not a force",
-              "MOVE … UNTIL touched stops where something is met"};
-    case MotionFeature::Profile:
       break;
   }
-  return {Capability::Profile, "PROFILE", "under Paul's law every corner has the same shape",
-          "leave PROFILE out; FINE comes to rest at the target"};
+  return {Capability::Force, "PRESS", "under Paul's law motions keep their path, not a force",
+          "MOVE … UNTIL touched stops where something is met"};
 }
 
 }  // namespace

@@ -65,8 +65,9 @@ Words words_for_half_turn() {
 }
 
 Words words_for_no_arc() {
-  return {code::kNoCurve, "no arc leads through these three points: they lie on a line, or two of"
-                          " them are one",
+  return {code::kNoCurve,
+          "no arc leads through these three points: they lie on a line, or two of"
+          " them are one",
           "MOVEL leads along a line; a whole circle takes two arcs"};
 }
 
@@ -94,11 +95,11 @@ Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
   if (refusal.kind != Refusal::Kind::PathSingular) return words_for_limit(refusal, robot);
   const char* const why =
       refusal.q.size() > 0 ? robot.kinematics->nearest_singularity(refusal.q) : "";
-  return {code::kPathSingular,
-          fmt::format("axis {} would have to turn too fast at {}{}{}",
-                      axis_of(robot, refusal.axis).name, place_on(refusal),
-                      *why == 0 ? "" : ": ", why),
-          "lead the way past that place, begin in another posture, or write MOVE"};
+  return {
+      code::kPathSingular,
+      fmt::format("axis {} would have to turn too fast at {}{}{}",
+                  axis_of(robot, refusal.axis).name, place_on(refusal), *why == 0 ? "" : ": ", why),
+      "lead the way past that place, begin in another posture, or write MOVE"};
 }
 
 }  // namespace rob::runtime

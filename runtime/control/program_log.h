@@ -18,7 +18,7 @@ namespace rob::runtime {
 struct LoggedSegment : motion::SegmentDescriptor {
   bool stop = false;     ///< made by STOP, WAIT or the end of the program, not by a MOVE
   bool further = false;  ///< belongs to the same statement as the one before
-  Eigen::Vector3d tip = Eigen::Vector3d::Zero();  ///< of the tool, seen from the flange, m
+  Eigen::Vector3d tip = Eigen::Vector3d::Zero();    ///< of the tool, seen from the flange, m
   std::shared_ptr<const motion::PlannedLeg> leg{};  ///< what the segment points into
 };
 

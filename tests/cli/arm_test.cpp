@@ -109,14 +109,6 @@ TEST_CASE("joints beyond a limit are refused with their axis") {
   CHECK(contains(folded.err, "axis j"));
 }
 
-TEST_CASE("MOVEL of an arm is refused: its axes do not lead the tool straight") {
-  const RobCommand rob("ROBOT \"ums7\"\nMOVE(500, 0, 300, 180, 0, 0)\nMOVEL BY (0, 0, 50)\n");
-  const ProcessResult result = rob("check");
-  CHECK(result.exit_code == 65);
-  CHECK(contains(result.err, "test.rob:3:1: error"));
-  CHECK(contains(result.err, "MOVEL is not possible on ums7"));
-}
-
 TEST_CASE("a program for an arm that asks for more than Paul's law is compiled, and not run") {
   const RobCommand rob("ROBOT \"lwa4p\"\nJOG WORLD (z: -1mm/s) FOR 1s\n");
   CHECK(rob("compile").exit_code == 0);

@@ -1,0 +1,94 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "motion/plan/profile.h"
+
+using namespace rob::motion;
+
+namespace {
+
+struct Shape {
+  ProfileShape shape;
+  double k;  ///< t_a = k·v/A (motion by S2's profiles)
+};
+
+const std::vector<Shape> kShapes{{ProfileShape::Rectangular, 1},
+                                 {ProfileShape::Trapezoidal, 4.0 / 3},
+                                 {ProfileShape::Parabolic, 1.5},
+                                 {ProfileShape::Cosine, 2}};
+
+/// The pulse as S2 names it, of peak 1.
+double pulse(ProfileShape shape, double x) {
+  switch (shape) {
+    case ProfileShape::Trapezoidal:
+      return std::min({4 * x, 1.0, 4 * (1 - x)});
+    case ProfileShape::Parabolic:
+      return 4 * x * (1 - x);
+    case ProfileShape::Cosine:
+      return (1 - std::cos(2 * std::numbers::pi * x)) / 2;
+    default:
+      return 1;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a profile takes d/v + t_a with a cruise, and 2·√(k·d/A) without") {
+  for (const auto& [shape, k] : kShapes) {
+    CAPTURE(k);
+    CHECK(ProfileLaw(shape, 0.5, 2, 0).duration() == doctest::Approx(1 / 0.5 + k * 0.5 / 2));
+    CHECK(ProfileLaw(shape, 100, 2, 0).duration() == doctest::Approx(2 * std::sqrt(k / 2)));
+    // Given a time: v is the smaller root of 1 = v·(T − k·v/A).
+    const ProfileLaw slow(shape, 0.5, 2, 10);
+    CHECK(slow.duration() == doctest::Approx(10));
+    const double v = slow.at(5).rate;
+    CHECK(v * (10 - k * v / 2) == doctest::Approx(1));
+    CHECK(v < 0.2);
+    // Less time than it needs: what it needs.
+    CHECK(ProfileLaw(shape, 0.5, 2, 1).duration() == doctest::Approx(1 / 0.5 + k * 0.5 / 2));
+  }
+}
+
+TEST_CASE("a profile's acceleration is its pulse, cruise and the pulse mirrored") {
+  for (const auto& [shape, k] : kShapes) {
+    CAPTURE(k);
+    const ProfileLaw law(shape, 0.5, 2, 0);
+    const double t_a = k * 0.5 / 2;
+    for (const double x : {0.05, 0.2, 0.4, 0.6, 0.9}) {
+      CHECK(law.at(x * t_a).acceleration == doctest::Approx(2 * pulse(shape, x)));
+      CHECK(law.at(law.duration() - x * t_a).acceleration == doctest::Approx(-2 * pulse(shape, x)));
+    }
+    CHECK(law.at(1).acceleration == 0);
+    CHECK(law.at(1).rate == doctest::Approx(0.5));
+  }
+}
+
+TEST_CASE("a profile's share and rate are the integrals of its acceleration, from rest to rest") {
+  for (const auto& [shape, k] : kShapes) {
+    for (const double rate : {0.5, 100.0}) {
+      CAPTURE(k);
+      const ProfileLaw law(shape, rate, 2, 0);
+      constexpr int kSteps = 40000;
+      const double dt = law.duration() / kSteps;
+      double speed = 0;
+      double share = 0;
+      double worst = 0;
+      for (int i = 0; i < kSteps; ++i) {  // midpoint rule
+        const double a = law.at((i + 0.5) * dt).acceleration;
+        share += speed * dt + a * dt * dt / 2;
+        speed += a * dt;
+        const ProfileLaw::Point p = law.at((i + 1) * dt);
+        worst = std::max({worst, std::abs(p.rate - speed), std::abs(p.share - share)});
+      }
+      CHECK(worst < 1e-4);
+      CHECK(law.at(0).share == 0);
+      CHECK(law.at(0).rate == 0);
+      CHECK(law.at(law.duration()).share == 1);
+      CHECK(law.at(law.duration()).rate == 0);
+      CHECK(law.at(law.time_at(0.3)).share == doctest::Approx(0.3));
+    }
+  }
+}
