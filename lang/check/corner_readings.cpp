@@ -88,7 +88,7 @@ class Walk {
     for (const ExprPtr& value : move.clauses.values) look(value);
     const ExprPtr& zone = move.clauses[Clause::Zone];
     const bool exact = move.clauses.fine || (zone != nullptr && constant_number(*zone) == 0.0);
-    settle(exact ? 0 : place_.line);
+    settle(exact || move.kind == MotionKind::Jog ? 0 : place_.line);  // a jog has no corner
   }
   void visit(const PlainMotions& motions) { settle(motions.motions.back().line); }
   void visit(const WatchedMotion& watched) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "motion/generate/paul_generator.h"
 
@@ -91,12 +92,8 @@ void PaulGenerator::end_jog() noexcept {
 
 /// Once, as long as it does not go on.
 void PaulGenerator::report_jog_stopped() noexcept {
-  constexpr double kStandsStill = 0.02;  // of the rates asked for. [choice] hardly seen to move
-  constexpr double kGoesOn = 0.1;
-  if (jog_.granted() > kGoesOn) jog_told_ = false;
-  if (jog_told_ || jog_.granted() > kStandsStill) return;
-  if (jog_.limit().kind == JogLimit::Kind::None) return;
-  jog_told_ = true;
+  const bool told = std::exchange(jog_told_, jog_.stopped());
+  if (told || !jog_told_) return;
   tell({.kind = Kind::JogStopped,
         .time = clock_.stamp(),
         .tag = segment_.tag,

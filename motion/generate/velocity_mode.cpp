@@ -91,9 +91,13 @@ bool VelocityMode::at_rest(const State& state) noexcept {
 void VelocityMode::step(double share) noexcept {
   limit_ = {};
   granted_ = 1;
+  affordable_ = 0;
   if (stands() && !(share > 0)) return;
   const auto asked = share > 0 ? image(asked_.rate) : std::nullopt;
-  if (share > 0 && !asked) limit_ = {Kind::Reach, -1};
+  if (share > 0 && !asked) {
+    limit_ = {Kind::Reach, -1};
+    affordable_ = 1;
+  }
   State next;
   if (!asked || !find_step(share, *asked, next)) {
     granted_ = 0;
@@ -114,7 +118,7 @@ bool VelocityMode::find_step(double share, const JointVector& asked, State& next
     granted_ = granted;
     return true;
   };
-  double high = greatest_share(asked);
+  double high = affordable_ = greatest_share(asked);
   JogLimit limit;
   if (possible(high, limit)) return true;
   limit_ = limit;

@@ -58,6 +58,9 @@ class VelocityMode {
   /// Of the last step: what kept it, and what share of the rates asked for could be aimed at.
   const JogLimit& limit() const noexcept { return limit_; }
   double granted() const noexcept { return granted_; }
+  /// It hardly goes on, though axes and tool are fast enough for what was asked; JogLimit says why.
+  /// [choice] below a thirtieth it is hardly seen to move
+  bool stopped() const noexcept { return granted_ * 30 < affordable_; }
 
  private:
   struct State {
@@ -87,6 +90,7 @@ class VelocityMode {
   State state_;
   JogLimit limit_;
   double granted_ = 1;
+  double affordable_ = 0;  ///< share of the rates that speeds alone permit here; 0: nothing asked
 };
 
 }  // namespace rob::motion

@@ -35,7 +35,7 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
   VirtualClock clock;
   std::int64_t next_servo = 0;
   Timing timing;
-  Standstill standstill(robot);
+  Standstill standstill(controller.robot());
 
   controller.servo().enable(clock.now());
   controller.motion().prepare(clock.now());

@@ -110,13 +110,13 @@ TEST_CASE("joints beyond a limit are refused with their axis") {
 }
 
 TEST_CASE("a program for an arm that asks for more than Paul's law is compiled, and not run") {
-  const RobCommand rob("ROBOT \"lwa4p\"\nJOG WORLD (z: -1mm/s) FOR 1s\n");
+  const RobCommand rob("ROBOT \"lwa4p\"\nMOVE(400, 0, 120, 180, 0, 0) ACCEL 1m/s^2\n");
   CHECK(rob("compile").exit_code == 0);
   for (const char* command : {"check", "run", "test"}) {
     CAPTURE(command);
     const ProcessResult result = rob(command);
     CHECK(result.exit_code == 65);
-    CHECK(contains(result.err, "JOG is not possible on lwa4p"));
+    CHECK(contains(result.err, "ACCEL is not possible on lwa4p"));
   }
 }
 
