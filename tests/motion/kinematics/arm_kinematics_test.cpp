@@ -72,6 +72,7 @@ TEST_CASE("every solution brings the tool back to its pose, and the joints it ca
     const RoundTrip trip = round_trip(*arm(name), 16'000, 2);
     CHECK(trip.position < 1e-9);
     CHECK(trip.rotation < 1e-9);
+    CHECK(trip.regular_error < 1e-13);
     CHECK(trip.none == 0);
     CHECK(trip.lost == 0);
     CHECK(trip.regular > 9'500);

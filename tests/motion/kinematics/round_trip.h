@@ -10,13 +10,14 @@
 namespace rob::test {
 
 struct RoundTrip {
-  double position = 0;  ///< greatest error, m
-  double rotation = 0;  ///< greatest error, rad
-  int poses = 0;        ///< that were tried
-  int solutions = 0;    ///< of all of them
-  int none = 0;         ///< poses without any
-  int regular = 0;      ///< poses far from every singular place
-  int lost = 0;         ///< of the regular ones: those whose joints are among no solution
+  double position = 0;       ///< greatest error, m
+  double rotation = 0;       ///< greatest error, rad
+  int poses = 0;             ///< that were tried
+  int solutions = 0;         ///< of all of them
+  int none = 0;              ///< poses without any
+  int regular = 0;           ///< poses far from every singular place
+  double regular_error = 0;  ///< of theirs the greatest, m or rad
+  int lost = 0;              ///< of them: those whose joints are among no solution
 };
 
 /// rad: of the rotation from one to the other; exact for small ones, too.
@@ -98,12 +99,17 @@ inline RoundTrip round_trip(const motion::ArmKinematics& arm, int poses, unsigne
     const motion::InverseSolutions found = arm.solutions(pose, q);
     trip.solutions += found.count;
     if (found.count == 0) ++trip.none;
+    double position = 0;
+    double rotation = 0;
     for (const motion::JointVector& other : found) {
       const motion::Pose there = arm.forward(other);
-      trip.position = std::max(trip.position, (there.position - pose.position).norm());
-      trip.rotation = std::max(trip.rotation, turn_between(there, pose));
+      position = std::max(position, (there.position - pose.position).norm());
+      rotation = std::max(rotation, turn_between(there, pose));
     }
+    trip.position = std::max(trip.position, position);
+    trip.rotation = std::max(trip.rotation, rotation);
     if (!is_regular(arm.singularities(q))) continue;
+    trip.regular_error = std::max({trip.regular_error, position, rotation});
     ++trip.regular;
     if (!contains(found, q, 1e-9)) ++trip.lost;
   }
