@@ -130,7 +130,9 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   end_segment(event.time, &*planned);
   const motion::JointVector from = std::exchange(reached_, planned->target);
   meter_.watch(planned->number, planned->target, planned->tip);
-  path_.programmed({planned->path, from, planned->target, planned->duration}, planned->tip);
+  const bool on_line = planned->leg != nullptr && planned->leg->line.has_value();
+  path_.programmed({planned->path, from, planned->target, planned->duration}, on_line,
+                   planned->tip);
 
   LineResult& line = line_of(*planned);
   const double duration = planned->span() / (planned->dwell ? 1 : override_share_);
