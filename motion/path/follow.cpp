@@ -16,8 +16,6 @@ constexpr double kLeastStep = 1e-5;                       // m of the path
 constexpr double kOffPlace = 5e-7;                        // m
 constexpr double kOffTurn = 1e-5;                         // rad
 
-/// [choice] eight pieces at least: then the derivatives' differences are small, too.
-constexpr double kFirstStep = 1.0 / 8;
 /// Of a step: between the places from which a derivative is made. [choice] the error of the
 /// differences, of sixth order, is then far below that of the quintic between the nodes.
 constexpr double kSpacing = 1.0 / 16;
@@ -37,13 +35,15 @@ class Follower {
         tip_(tip),
         flange_(seen_from_tip(tip)),
         length_(path.end() - path.begin()),
+        longest_step_(length_ / path.parts()),
         least_step_(kLeastStep / std::max(measure_of(path), kLeastStep) * length_) {}
 
   Followed run(const JointVector& start, const PathPoint* first, const PathPoint* last) {
     Node node{path_.begin(), start, {}, {}};
+    if (!(path_.parts() <= kMostNodes)) return {{}, too_long(node)};
     if (!begin(node, first)) return {{}, PathTrouble{trouble_, node.time, axis_}};
     std::vector<Node> nodes{node};
-    double step = kFirstStep * length_;
+    double step = longest_step_;
     while (node.time < path_.end()) {
       Node next;
       while (!advance(node, step, last, next)) {
@@ -55,12 +55,17 @@ class Follower {
       }
       nodes.push_back(next);
       node = next;
-      step = std::min(2 * step, kFirstStep * length_);
+      step = std::min(2 * step, longest_step_);
+      if (nodes.size() > kMostNodes) return {JointPath(std::move(nodes)), too_long(node)};
     }
     return {JointPath(std::move(nodes)), std::nullopt};
   }
 
  private:
+  static PathTrouble too_long(const Node& node) {
+    return {PathTrouble::Kind::TooLong, node.time, -1};
+  }
+
   static void set(Node& node, const PathPoint& point) {
     node.q = point.q;
     node.qd = point.qd;
@@ -72,7 +77,7 @@ class Follower {
       set(node, *first);
       return true;
     }
-    for (double step = kFirstStep * length_; step >= least_step_ / 2; step /= 2) {
+    for (double step = longest_step_; step >= least_step_ / 2; step /= 2) {
       if (derive(node, step * kSpacing)) return true;
     }
     return false;
@@ -165,6 +170,7 @@ class Follower {
   const Pose& tip_;
   const Pose flange_;  ///< seen from the tip
   const double length_;
+  const double longest_step_;
   const double least_step_;
   PathTrouble::Kind trouble_ = PathTrouble::Kind::OutOfReach;
   int axis_ = -1;

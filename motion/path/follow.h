@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "motion/path/joint_path.h"
@@ -12,7 +14,8 @@ namespace rob::motion {
 struct PathTrouble {
   enum class Kind : std::uint8_t {
     OutOfReach,  ///< the tool cannot be there
-    Singular     ///< the axes would have to jump
+    Singular,    ///< the axes would have to jump
+    TooLong      ///< it takes more than kMostNodes
   };
 
   Kind kind = Kind::OutOfReach;
@@ -25,6 +28,9 @@ struct Followed {
   JointPath axes;  ///< empty where not even its beginning can be followed
   std::optional<PathTrouble> trouble;
 };
+
+/// [choice] 1 MB of a path, and 20 m of an arm's line
+inline constexpr std::size_t kMostNodes = 4096;
 
 /// What the axes have to do so that the tip of a tool, which `tip` places on the flange, follows
 /// `path`. They begin at `start`, which brings it to the path's beginning; further on continuity

@@ -21,6 +21,9 @@ class ToolPath {
   /// The greatest speeds of both per unit of s.
   virtual double greatest_speed() const noexcept { return way() / (end() - begin()); }
   virtual double greatest_turning() const noexcept { return turn() / (end() - begin()); }
+  /// In so many even parts it bends little. [choice] eight at least: then the differences from
+  /// which derivatives are made are small, too.
+  virtual double parts() const noexcept { return 8; }
   /// Where the tip has gone that part of its way, 0 … 1; and the other way round.
   virtual double at_share(double share) const noexcept {
     return begin() + share * (end() - begin());

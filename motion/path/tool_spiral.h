@@ -23,6 +23,7 @@ class ToolSpiral final : public ToolPath {
   double way() const noexcept override { return left(1); }
   double turn() const noexcept override { return 0; }
   double greatest_speed() const noexcept override { return radius_ * angle_; }
+  double parts() const noexcept override { return 8 + 2 * angle_; }
   double at_share(double share) const noexcept override;
   double share_at(double s) const noexcept override { return 1 - left(1 - s) / left(1); }
 

@@ -43,7 +43,10 @@ std::optional<ToolSpline> ToolSpline::through(const std::vector<Pose>& points) {
     value << points[i].position, turned;
     spline.values_.push_back(value);
   }
-  for (double& knot : spline.knots_) knot /= spline.knots_.back();
+  const double whole = spline.knots_.back();
+  for (double& knot : spline.knots_) knot /= whole;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    spline.shortest_ = std::min(spline.shortest_, spline.knots_[i] - spline.knots_[i - 1]);
   spline.bend();
   spline.measure();
   return spline;
@@ -79,9 +82,12 @@ Pose ToolSpline::at(double s) const noexcept {
 }
 
 void ToolSpline::measure() {
-  // [choice] 256 between two points: the chords of a span that bends by 90° are then short of it by
-  // 2e-6 of their length.
-  const std::size_t parts = 256 * (knots_.size() - 1);
+  // [choice] 256 between two points, and 16 in the shortest span: the chords of a span that bends
+  // by 90° are short of it by 2e-6 of their length with 256, by 4e-4 with 16.
+  constexpr double kMostParts = 16384;
+  const double even = 256 * static_cast<double>(knots_.size() - 1);
+  const auto parts =
+      static_cast<std::size_t>(std::clamp(16 / shortest_, std::min(even, kMostParts), kMostParts));
   const double step = 1 / static_cast<double>(parts);
   lengths_ = {0};
   Pose before = at(0);

@@ -20,6 +20,7 @@ class ToolSpline final : public ToolPath {
   double turn() const noexcept override { return turn_; }
   double greatest_speed() const noexcept override { return greatest_speed_; }
   double greatest_turning() const noexcept override { return greatest_turning_; }
+  double parts() const noexcept override { return 8 + 2 / shortest_; }
   double at_share(double share) const noexcept override;
   double share_at(double s) const noexcept override;
 
@@ -34,6 +35,7 @@ class ToolSpline final : public ToolPath {
   std::vector<Value> values_;
   std::vector<Value> bends_;     ///< second derivatives in the points
   std::vector<double> lengths_;  ///< of the way, at even places of the parameter
+  double shortest_ = 1;          ///< part between two knots
   double turn_ = 0;
   double greatest_speed_ = 0;
   double greatest_turning_ = 0;

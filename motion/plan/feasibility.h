@@ -23,7 +23,8 @@ struct Refusal {
     PathOutOfReach,    ///< the tool cannot be there: `shortfall`
     PathBelowMinimum,  ///< axis, limit = the axis' minimum; `other` says whether the target itself
     PathAboveMaximum,  ///< can be reached in another posture; limit = the axis' maximum
-    PathSingular       ///< axis; it would have to turn too fast there
+    PathSingular,      ///< axis; it would have to turn too fast there
+    PathTooLong        ///< it takes more nodes than a path may have
   };
 
   Kind kind = Kind::NotFinite;

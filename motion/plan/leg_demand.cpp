@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rob::motion {
 
@@ -13,21 +14,24 @@ constexpr int kParts = 8;
 
 }  // namespace
 
-/// The greatest of the samples, and what a parabola through it and its neighbours can add.
+/// The greatest of the samples, and of parabolas through one and its neighbours.
 JointVector greatest_rates(const JointPath& axes) {
+  constexpr int kFine = 32;
+  constexpr double kRounding = 1e-6;  // what parabolas leave
   JointVector greatest = JointVector::Zero(axes.nodes().front().q.size());
-  JointVector bend = greatest;
-  JointVector before;
-  JointVector before_that;
-  axes.survey(kParts, [&](double /*s*/, const PathPoint& point) {
-    const JointVector rate = point.qd.cwiseAbs();
-    greatest = greatest.cwiseMax(rate);
-    if (before_that.size() > 0)
-      bend = bend.cwiseMax((rate - 2 * before + before_that).cwiseAbs() / 8);
-    before_that = before;
-    before = rate;
+  JointVector a;
+  JointVector b;
+  axes.survey(kFine, [&](double /*s*/, const PathPoint& point) {
+    const JointVector c = point.qd.cwiseAbs();
+    greatest = greatest.cwiseMax(c);
+    for (int i = 0; i < a.size(); ++i) {
+      if (b[i] <= a[i] || b[i] < c[i]) continue;
+      const double peak = b[i] + (a[i] - c[i]) * (a[i] - c[i]) / (8 * (2 * b[i] - a[i] - c[i]));
+      greatest[i] = std::max(greatest[i], peak);
+    }
+    a = std::exchange(b, c);
   });
-  return greatest + bend;
+  return greatest * (1 + kRounding);
 }
 
 std::optional<Refusal> first_beyond(const RobotModel& robot, const JointPath& axes) {

@@ -85,8 +85,9 @@ Refusal MotionPlanner::refusal_for(const PathTrouble& trouble, const ToolPath& p
   refusal.axis = trouble.axis;
   refusal.at = trouble.at;
   refusal.q = axes.nodes().empty() ? commanded_ : axes.nodes().back().q;
-  refusal.kind = Refusal::Kind::PathSingular;
-  if (trouble.kind == PathTrouble::Kind::Singular) return refusal;
+  refusal.kind = trouble.kind == PathTrouble::Kind::TooLong ? Refusal::Kind::PathTooLong
+                                                            : Refusal::Kind::PathSingular;
+  if (trouble.kind != PathTrouble::Kind::OutOfReach) return refusal;
   refusal.kind = Refusal::Kind::PathOutOfReach;
   // [choice] a ten-thousandth of the path on, where the lack can be told from rounding
   const double beyond = std::min(trouble.at + 1e-4 * (path.end() - path.begin()), path.end());

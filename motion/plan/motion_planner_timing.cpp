@@ -39,7 +39,9 @@ MotionPlanner::Timing MotionPlanner::time(const Draft& draft, const MotionReques
   }
   const double slowest = timing.duration;
   const double paced = pace_time(demand, request);
-  if (longer(named_axes_time(demand, request.pace), paced))
+  // The rates along a path are known to a millionth.
+  const double sure = demand.path == nullptr ? 1 : 1 - 1e-5;
+  if (longer(named_axes_time(demand, request.pace) * sure, paced))
     timing.warnings |= PlannedSegment::kPaceCut;
   if (longer(paced / boost_, timing.duration)) timing.limit = 1;
   timing.duration = std::max(timing.duration, paced / boost_);

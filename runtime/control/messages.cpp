@@ -64,6 +64,7 @@ Words words_for(const Refusal& refusal, const motion::RobotModel& robot) {
     case Refusal::Kind::PathBelowMinimum:
     case Refusal::Kind::PathAboveMaximum:
     case Refusal::Kind::PathSingular:
+    case Refusal::Kind::PathTooLong:
       return words_for_path(refusal, robot);
     case Refusal::Kind::TooLong:
       return {code::kMotionTooLong,

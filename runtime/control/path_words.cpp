@@ -92,6 +92,12 @@ Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
                         place_on(refusal), by_how_much(refusal.shortfall)),
             "choose a way that stays in reach, or write MOVE, which goes round"};
   }
+  if (refusal.kind == Refusal::Kind::PathTooLong) {
+    return {code::kPathTooLong,
+            fmt::format("this way is too long to be planned as one: there is room up to {}",
+                        place_on(refusal)),
+            "write it as several motions"};
+  }
   if (refusal.kind != Refusal::Kind::PathSingular) return words_for_limit(refusal, robot);
   const char* const why =
       refusal.q.size() > 0 ? robot.kinematics->nearest_singularity(refusal.q) : "";

@@ -14,12 +14,13 @@ double distance_to_chord(const Eigen::Vector3d& point, const Eigen::Vector3d& fr
   return (from + share * chord - point).norm();
 }
 
-void PathMeter::programmed(const motion::LegMotion& motion, const Eigen::Vector3d& tip) {
+void PathMeter::programmed(const motion::LegMotion& motion, bool line, const Eigen::Vector3d& tip) {
   if (std::exchange(free_, false)) count_ = 0;
   Leg& leg = legs_[count_++ % kLegs];
   leg.tip = tip;
   leg.points.clear();
-  const std::size_t chords = motion.path == nullptr ? kChords : kPathChords;
+  const std::size_t curved = motion.path == nullptr ? kChords : kPathChords;
+  const std::size_t chords = line ? 1 : curved;
   for (std::size_t i = 0; i <= chords; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(chords);
     const motion::JointVector q = motion.along(share, 0, 0).q;

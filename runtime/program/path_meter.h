@@ -21,8 +21,8 @@ class PathMeter {
       : kinematics_(&kinematics), last_(kinematics.forward(start)) {}
 
   /// A further leg of the programmed path; the reference is on it, or still on one before it.
-  /// `tip`: of its tool, seen from the flange, m.
-  void programmed(const motion::LegMotion& leg, const Eigen::Vector3d& tip);
+  /// `line`: it leads the tip straight; `tip`: of its tool, seen from the flange, m.
+  void programmed(const motion::LegMotion& leg, bool line, const Eigen::Vector3d& tip);
   /// No path is programmed from here on, but the tip goes on.
   void unprogrammed(const Eigen::Vector3d& tip);
   bool is_unprogrammed() const { return free_; }

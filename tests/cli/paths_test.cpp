@@ -56,7 +56,7 @@ TEST_CASE("faults 8 to 10: a line that cannot be gone is refused with axis, plac
 }
 
 TEST_CASE("a line close by a singular place names it") {
-  refuses(kArm + "MOVE(200, 0.5, 750, 0, 0, 0) FINE\nMOVEL(-200, 0.5, 750) AT 100mm/s\n",
+  refuses(kArm + "MOVE(200, 0.3, 750, 0, 0, 0) FINE\nMOVEL(-200, 0.3, 750) AT 100mm/s\n",
           {"E562", "axis j1 would have to turn too fast at 200", "mm of 400 mm",
            "the wrist is nearly above axis 1 there", "help: lead the way past that place"});
 }

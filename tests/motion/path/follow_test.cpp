@@ -6,6 +6,8 @@
 #include "motion/path/follow.h"
 #include "motion/path/tool_arc.h"
 #include "motion/path/tool_line.h"
+#include "motion/path/tool_spiral.h"
+#include "motion/path/tool_spline.h"
 #include "motion/robots/robot_library.h"
 #include "motion/space/rotation.h"
 #include "tests/motion/kinematics/arms.h"
@@ -153,4 +155,38 @@ TEST_CASE("a line that passes axis 1 by 0.05 mm asks it to jump") {
   REQUIRE(jumps.trouble.has_value());
   CHECK(jumps.trouble->kind == PathTrouble::Kind::Singular);
   CHECK(jumps.trouble->at == doctest::Approx(0.5).epsilon(1e-3));
+}
+
+TEST_CASE("turns of a spiral and short spans of a spline are not stepped over") {
+  const RobotModel robot = embedded_robot("irb120");
+  const Pose from = tip_at(robot, robot.start, kTip);
+  for (const double turns : {1.0, 8.0, 32.0, 128.0}) {  // a step of an eighth would see whole turns
+    CAPTURE(turns);
+    const auto spiral = ToolSpiral::inwards(from, from.orientation, 0.01, turns);
+    REQUIRE(spiral.has_value());
+    const Followed axes = follow(robot, *spiral, kTip, robot.start);
+    REQUIRE_FALSE(axes.trouble.has_value());
+    CHECK(off_path(robot, *spiral, kTip, axes.axes).place < 1e-6);
+  }
+  const auto at = [&](double x, double y) {
+    return Pose{from.position + from.orientation * Vector3d(x, y, 0), from.orientation};
+  };
+  const auto spline = ToolSpline::through(
+      {from, at(0.05, 0), at(0.051, 0.0005), at(0.05, 0.001), at(0.051, 0.0015), at(0, 0.05)});
+  REQUIRE(spline.has_value());
+  const Followed axes = follow(robot, *spline, kTip, robot.start);
+  REQUIRE_FALSE(axes.trouble.has_value());
+  CHECK(off_path(robot, *spline, kTip, axes.axes).place < 1e-6);
+}
+
+TEST_CASE("a path of more nodes than there is room for is refused, not begun to be kept") {
+  const RobotModel robot = embedded_robot("irb120");
+  const Pose from = robot.kinematics->forward(robot.start);
+  for (const double turns : {1000.0, 1e9}) {
+    const auto spiral = ToolSpiral::inwards(from, from.orientation, 0.01, turns);
+    const Followed axes = follow(robot, *spiral, {}, robot.start);
+    REQUIRE(axes.trouble.has_value());
+    CHECK(axes.trouble->kind == PathTrouble::Kind::TooLong);
+    CHECK(axes.axes.nodes().size() <= kMostNodes + 1);
+  }
 }
