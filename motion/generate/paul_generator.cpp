@@ -306,7 +306,9 @@ void PaulGenerator::report_held() noexcept {
   const bool under_way = running_ && end_ > begun && !jogging();
   const double share = under_way ? (clock_.path_time() - begun) / (end_ - begun) : 1;
   tell({.kind = Kind::Held,
-        .time = clock_.held() && !jogging() ? clock_.steady_since() : latest_,
+        .time = jogging()       ? clock_.stamp()
+                : clock_.held() ? clock_.steady_since()
+                                : latest_,
         .tag = segment_.tag,
         .number = segment_.number,
         .value = share});

@@ -33,8 +33,11 @@ constexpr double kForCurvature = 0.7;
 
 /// A rest that takes longer than so many steps is none. [choice] four times what any takes
 constexpr int kMostSteps = 120;
-/// Halvings between what is too fast and what is slow enough. [choice] to 1/64 of the speed
-constexpr int kHalvings = 6;
+/// Where rates are too fast, slower ones are looked for by halving, below so many times what was
+/// granted a period before, or this share of the speed. [choice] finer than it is seen
+constexpr double kMore = 1.5;
+constexpr double kLittle = 1.0 / 64;
+constexpr int kHalvings = 4;
 
 template <typename Get>
 JointVector of_axes(const RobotModel& robot, Get get) {
@@ -90,7 +93,6 @@ bool VelocityMode::at_rest(const State& state) noexcept {
 
 void VelocityMode::step(double share) noexcept {
   limit_ = {};
-  granted_ = 1;
   affordable_ = 0;
   if (stands() && !(share > 0)) return;
   const auto asked = share > 0 ? image(asked_.rate) : std::nullopt;
@@ -118,10 +120,12 @@ bool VelocityMode::find_step(double share, const JointVector& asked, State& next
     granted_ = granted;
     return true;
   };
+  const double before = granted_;
   double high = affordable_ = greatest_share(asked);
   JogLimit limit;
   if (possible(high, limit)) return true;
   limit_ = limit;
+  high = std::min(high, std::max(before * kMore, high * kLittle));
   double low = 0;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (low + high) / 2;
