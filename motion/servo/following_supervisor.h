@@ -21,6 +21,7 @@ struct FollowingFinding {
     NotFinite,       ///< a reference or a measurement is NaN or infinite
     Silent,          ///< value: cycles without an answer; limit: so many are too many
     Lost,            ///< the backend is gone
+    Saturated,       ///< value: κ; limit: 1. The path is slowed down. Its task says so
     Overrun  ///< value: s without a servo cycle; limit: so long is too long. Its task says so
   };
 

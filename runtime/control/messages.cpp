@@ -133,6 +133,13 @@ Words words_for_many_simulations() {
 
 Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot) {
   if (finding.cause == FollowingFinding::Cause::Overrun) return words_for_overrun(finding.value);
+  if (finding.cause == FollowingFinding::Cause::Saturated) {
+    return {code::kDrivesAtLimit,
+            fmt::format("the drives are asked for {:.2g} times what they have; the path is slowed "
+                        "down until they can follow",
+                        finding.value),
+            "lower the speed, raise t_acc or lighten the load"};
+  }
   if (finding.axis < 0) {
     return finding.cause == FollowingFinding::Cause::Lost
                ? Words{code::kMachineGone, "the machine is gone", "check its power and its cable"}

@@ -323,8 +323,13 @@ double MotionTask::path_share() const noexcept {
 
 void MotionTask::relieve_drives() noexcept {
   const double before = path_share();
-  relief_.update(saturation_, active_->current.rate);
+  const double asked = saturation_;
+  relief_.update(asked, active_->current.rate);
   if (path_share() != before) set_override(override_share_);
+  if (relief_.share() == 1 || relieved_) return;
+  relieved_ = true;
+  using Cause = FollowingFinding::Cause;
+  channels_.notices.push({now_, {FollowingFinding::Verdict::Warn, Cause::Saturated, -1, asked, 1}});
 }
 
 void MotionTask::end_pulses(double now) noexcept {

@@ -105,6 +105,7 @@ class MotionTask {
   bool finished_ = false;  ///< motion is over; pulses may still be under way
   double saturation_ = 0;
   motion::DriveRelief relief_;
+  bool relieved_ = false;  ///< once at least; it has been said
   bool warned_ = false;
   bool faulted_ = false;
 

@@ -139,6 +139,10 @@ TEST_CASE("fault 20: where drives are too weak the path is stretched in time, no
   CHECK(off_line < 0.25);
   CHECK(arm.worst_error() < 1);
   CHECK(arm.run.rows.back().override_share == 1);
+  int told = 0;
+  for (const auto& event : arm.result.events)
+    if (event.kind == "warning" && event.text.find("slowed down") != std::string::npos) ++told;
+  CHECK(told == 1);
 }
 
 TEST_CASE("drives that suffice are asked for nothing more than once: the path keeps its time") {
