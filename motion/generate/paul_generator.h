@@ -6,7 +6,7 @@
 
 #include "motion/generate/path_clock.h"
 #include "motion/generate/path_events.h"
-#include "motion/generate/paul_segment.h"
+#include "motion/plan/paul_segment.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/generate/velocity_mode.h"
 #include "motion/generate/watch_list.h"

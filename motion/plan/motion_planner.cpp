@@ -49,19 +49,16 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request) {
 }
 
 PlanOutcome MotionPlanner::take(const MotionRequest& request, Draft draft) {
-  const Timing timing = time(draft, request);
+  Timing timing = time(draft, request);
+  if (robot_.mechanics && !draft.no_length) suit_drives(draft, request, timing);
   if (!(timing.duration <= kLongest))
     return Refusal{Refusal::Kind::TooLong, -1, timing.duration, kLongest};
-  const JointVector from = commanded_;
-  const bool joins = !exact_ && !draft.no_length;
   PlannedSegment planned;
   planned.warnings = timing.warnings;
-  planned.segment = commit(request.tag, draft.target, draft.no_length, timing);
+  planned.segment = joined(draft, timing, planned.warnings);
+  const JointVector from = commanded_;
   SegmentDescriptor& segment = planned.segment;
-  segment.profile = timing.profile;
-  if (draft.leg != nullptr && draft.leg->axes) segment.path = &*draft.leg->axes;
-  if (joins) join(draft, segment, planned.warnings);
-  exact_ = segment.ends_at_rest();
+  commit(request.tag, segment);
   before_ = {{segment.path, from, segment.target, segment.duration}, draft.leg, tool_};
   if (request.zone == MotionRequest::Zone::Length) before_.zone = request.zone_value;
   planned.leg = std::move(draft.leg);
@@ -93,7 +90,9 @@ void MotionPlanner::set_tool(const Pose& tool) noexcept {
 
 std::optional<SegmentDescriptor> MotionPlanner::stop(Tag tag) noexcept {
   if (exact_) return std::nullopt;
-  return commit(tag, commanded_, true, Timing{2 * t_acc_before_, t_acc_before_, 0, 0});
+  SegmentDescriptor segment =
+      segment_to(commanded_, true, Timing{2 * t_acc_before_, t_acc_before_, 0, 0});
+  return commit(tag, segment);
 }
 
 PlanOutcome MotionPlanner::jog(Tag tag, JogRates rates) noexcept {
@@ -110,16 +109,17 @@ PlanOutcome MotionPlanner::jog(Tag tag, JogRates rates) noexcept {
   if (!(rates.lasts <= kLongest)) rates.lasts = JogRates::kAny;
   const double duration = rates.lasts < JogRates::kAny ? rates.lasts : 0;
   t_acc_before_ = robot_.t_acc;
-  SegmentDescriptor segment = commit(tag, commanded_, false, {duration, robot_.t_acc, 0, 0});
+  SegmentDescriptor segment = segment_to(commanded_, false, {duration, robot_.t_acc, 0, 0});
   segment.jog = rates;
+  commit(tag, segment);
   exact_ = true;  // nothing is to be made exact behind it
   return PlannedSegment{segment, 0};
 }
 
 SegmentDescriptor MotionPlanner::dwell(Tag tag, double duration) noexcept {
-  SegmentDescriptor segment = commit(tag, commanded_, true, Timing{duration, robot_.t_acc, 0, 0});
+  SegmentDescriptor segment = segment_to(commanded_, true, Timing{duration, robot_.t_acc, 0, 0});
   segment.dwell = true;
-  return segment;
+  return commit(tag, segment);
 }
 
 void MotionPlanner::retarget(const JointVector& q) noexcept {
@@ -164,20 +164,25 @@ Pose MotionPlanner::tool_pose() const noexcept {
   return {place_of(tool_.position, flange), flange.orientation * tool_.orientation};
 }
 
-SegmentDescriptor MotionPlanner::commit(Tag tag, const JointVector& target, bool no_length,
-                                        const Timing& timing) noexcept {
+SegmentDescriptor MotionPlanner::segment_to(const JointVector& target, bool no_length,
+                                            const Timing& timing) const noexcept {
   SegmentDescriptor segment;
-  segment.tag = tag;
-  segment.number = ++number_;
-  segment.generation = generation_;
   segment.target = target;
   segment.duration = timing.duration;
   segment.t_acc_before = t_acc_before_;
   segment.t_acc = timing.t_acc;
   segment.no_length = no_length;
   segment.limit = timing.limit;
-  commanded_ = target;
-  exact_ = no_length;
+  segment.profile = timing.profile;
+  return segment;
+}
+
+SegmentDescriptor& MotionPlanner::commit(Tag tag, SegmentDescriptor& segment) noexcept {
+  segment.tag = tag;
+  segment.number = ++number_;
+  segment.generation = generation_;
+  commanded_ = segment.target;
+  exact_ = segment.ends_at_rest();
   t_acc_before_ = segment.t_acc;
   return segment;
 }

@@ -16,6 +16,7 @@
 #include "motion/plan/motion_request.h"
 #include "motion/plan/planned_leg.h"
 #include "motion/plan/segment_descriptor.h"
+#include "motion/plan/torque_share.h"
 #include "motion/robots/robot_model.h"
 #include "motion/space/pose.h"
 
@@ -160,8 +161,9 @@ class MotionPlanner {
                        const std::array<double, kMaxJoints>& wanted) const noexcept;
   Eigen::Vector3d tip(const JointVector& q) const noexcept;
   PlanOutcome take(const MotionRequest& request, Draft draft);
-  SegmentDescriptor commit(Tag tag, const JointVector& target, bool no_length,
-                           const Timing& timing) noexcept;
+  SegmentDescriptor segment_to(const JointVector& target, bool no_length,
+                               const Timing& timing) const noexcept;
+  SegmentDescriptor& commit(Tag tag, SegmentDescriptor& segment) noexcept;
 
   // How long it takes (motion_planner_timing.cpp)
   LegDemand straight_demand(const JointVector& target) const noexcept;
@@ -178,6 +180,10 @@ class MotionPlanner {
   double pace_time(const LegDemand& demand, const MotionRequest& request) const noexcept;
   double named_axes_time(const LegDemand& demand, MotionRequest::Pace pace) const noexcept;
 
+  // Gears and drives (motion_planner_drives.cpp)
+  void suit_drives(Draft& draft, const MotionRequest& request, Timing& timing) const;
+  TorqueShare demanded(const SegmentDescriptor& segment) const;
+
   // Paths and corners (motion_planner_paths.cpp)
   std::optional<Refusal> judge(const MotionRequest& request, const ToolPath& path,
                                const Followed& followed) const;
@@ -187,6 +193,7 @@ class MotionPlanner {
                                   const JointPath& axes) const;
   Refusal placed(Refusal refusal, const ToolPath& path) const;
   bool reachable_otherwise(const ToolPath& path) const;
+  SegmentDescriptor joined(Draft& draft, const Timing& timing, std::uint8_t& warnings) const;
   void join(Draft& draft, SegmentDescriptor& segment, std::uint8_t& warnings) const;
   void keep(std::shared_ptr<const PlannedLeg> leg);
 

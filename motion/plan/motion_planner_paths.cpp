@@ -127,6 +127,14 @@ bool MotionPlanner::reachable_otherwise(const ToolPath& path) const {
   return !check_target(robot_, 0xff, target);
 }
 
+SegmentDescriptor MotionPlanner::joined(Draft& draft, const Timing& timing,
+                                        std::uint8_t& warnings) const {
+  SegmentDescriptor segment = segment_to(draft.target, draft.no_length, timing);
+  if (draft.leg != nullptr && draft.leg->axes) segment.path = &*draft.leg->axes;
+  if (!exact_ && !draft.no_length) join(draft, segment, warnings);
+  return segment;
+}
+
 /// The corner out of the motion before, where S1's in the axes is not the one.
 void MotionPlanner::join(Draft& draft, SegmentDescriptor& segment, std::uint8_t& warnings) const {
   segment.from_rest = segment.profile.present();

@@ -72,6 +72,14 @@ ProfileLaw::ProfileLaw(ProfileShape shape, double rate, double acceleration,
   duration_ = 1 / rate_ + pulse_;
 }
 
+ProfileLaw ProfileLaw::slowed(double share) const noexcept {
+  ProfileLaw slower = *this;
+  slower.rate_ *= share;
+  slower.pulse_ /= share;
+  slower.duration_ /= share;
+  return slower;
+}
+
 ProfileLaw::Point ProfileLaw::rising(double t) const noexcept {
   if (t >= pulse_) return {rate_ * (t - pulse_ / 2), rate_, 0};
   const double k = peak_over_mean(shape_);

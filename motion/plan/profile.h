@@ -29,6 +29,9 @@ class ProfileLaw {
   /// slower.
   ProfileLaw(ProfileShape shape, double rate, double acceleration, double at_least) noexcept;
 
+  /// The same, run at a share of its speed.
+  ProfileLaw slowed(double share) const noexcept;
+
   bool present() const noexcept { return shape_ != ProfileShape::None; }
   double duration() const noexcept { return duration_; }
   /// 0 <= t <= duration().

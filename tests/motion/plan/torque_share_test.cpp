@@ -5,12 +5,10 @@
 #include <cmath>
 #include <random>
 
-#include "motion/generate/paul_transition.h"
+#include "motion/path/paul_transition.h"
 #include "motion/robots/robot_library.h"
 #include "tests/support/no_allocation.h"
 #include "tests/support/relative.h"
-
-// With motion/generate, whose transitions are the segments that it looks at.
 
 namespace rob::motion {
 namespace {

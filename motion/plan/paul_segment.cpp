@@ -1,4 +1,4 @@
-#include "motion/generate/paul_segment.h"
+#include "motion/plan/paul_segment.h"
 
 namespace rob::motion {
 

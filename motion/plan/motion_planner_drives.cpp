@@ -1,0 +1,73 @@
+#include "motion/plan/motion_planner.h"
+#include "motion/plan/paul_segment.h"
+#include "motion/plan/torque_share.h"
+
+/// The part of MotionPlanner that knows what gears and drives can give.
+namespace rob::motion {
+
+namespace {
+
+/// What parts of a motion ask for: of the one that has to be slowed down most.
+class Demanded {
+ public:
+  explicit Demanded(const RobotModel& robot) : robot_(robot) {}
+
+  void look(const PaulSegment& part, double begin, double end) {
+    const TorqueShare here = torque_share_along(
+        robot_, [&](double t) { return part.sample(t); }, begin, end);
+    if (here.speed < most_.speed || (here.speed == 1 && here.share > most_.share)) most_ = here;
+  }
+  const TorqueShare& most() const { return most_; }
+
+ private:
+  const RobotModel& robot_;
+  TorqueShare most_;
+};
+
+}  // namespace
+
+/// Slows a motion down until its gears and drives suffice. A weight that they do not bear is not
+/// the planner's: the servo will tell.
+void MotionPlanner::suit_drives(Draft& draft, const MotionRequest& request, Timing& timing) const {
+  constexpr int kTurns = 4;  // [choice] places in the corner move a little with T1
+  for (int turn = 0; turn < kTurns; ++turn) {
+    std::uint8_t unused = 0;
+    const TorqueShare most = demanded(joined(draft, timing, unused));
+    if (most.speed >= 1 || most.speed <= 0) return;
+    timing.duration /= most.speed;
+    if (timing.profile.present()) timing.profile = timing.profile.slowed(most.speed);
+    timing.limit = static_cast<std::uint8_t>(10 + most.axis);
+    if (request.at_least > 0 && timing.duration * boost_ > request.at_least)
+      timing.warnings |= PlannedSegment::kStretched;
+    if (request.pace != MotionRequest::Pace::Unspecified)
+      timing.warnings |= PlannedSegment::kPaceCut;
+  }
+}
+
+/// A motion begins at rest or in its corner, and goes on or comes to rest.
+TorqueShare MotionPlanner::demanded(const SegmentDescriptor& segment) const {
+  Demanded all(robot_);
+  PaulSegment part;
+  part.begin(segment, commanded_, commanded_, t_acc_before_, true);
+  if (segment.profile.present()) {
+    all.look(part, 0, segment.duration);
+    return all.most();
+  }
+  const double end = segment.duration - segment.t_acc;
+  all.look(part, -t_acc_before_, end);
+  part.stop(part.sample(end).q, segment.target, segment.t_acc, 2 * segment.t_acc);
+  all.look(part, -segment.t_acc, segment.t_acc);
+  if (exact_ || segment.from_rest) return all.most();
+
+  SegmentDescriptor before;
+  before.path = before_.motion.path;
+  before.target = before_.motion.to;
+  before.duration = before_.motion.duration;
+  part.begin(before, before_.motion.from, before_.motion.from, t_acc_before_, true);
+  const JointVector a = before_.motion.at(before.duration - t_acc_before_).q;
+  part.begin(segment, a, commanded_, t_acc_before_, false);
+  all.look(part, -t_acc_before_, t_acc_before_);
+  return all.most();
+}
+
+}  // namespace rob::motion
