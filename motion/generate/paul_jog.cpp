@@ -60,12 +60,15 @@ void PaulGenerator::begin_jog(const SegmentDescriptor& segment, double instant) 
   buffer_.pop_segment();
 }
 
+/// One without a time is over, too, where it can go no further: else it would never end.
 void PaulGenerator::run_jog() noexcept {
   if (jog_is_over()) join_jog();
   const double share = jog_is_over() ? 0 : clock_.rate();
   jog_.step(share);
   jog_done_ += period_ * share;
   report_jog_stopped();
+  const bool ends_here = jog_.stopped() && jog_.stands() && segment_.jog.lasts == JogRates::kAny;
+  if (ends_here) jog_done_ = JogRates::kAny;
   if (jog_is_over() && jog_.stands() && !clock_.braking()) end_jog();
 }
 

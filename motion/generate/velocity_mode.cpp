@@ -80,6 +80,7 @@ bool VelocityMode::takes(const JogRates& rates) const noexcept {
 
 void VelocityMode::aim(const JogRates& rates) noexcept {
   asked_ = rates;
+  blocked_ = 0;
   if (!stands()) return;
   low_ = least_.cwiseMin(state_.axes.q);
   high_ = most_.cwiseMax(state_.axes.q);
@@ -92,6 +93,8 @@ bool VelocityMode::at_rest(const State& state) noexcept {
 }
 
 void VelocityMode::step(double share) noexcept {
+  if (stands() && share > 0 && share == blocked_) return;  // nothing has changed
+  blocked_ = 0;
   limit_ = {};
   affordable_ = 0;
   if (stands() && !(share > 0)) return;
@@ -104,6 +107,7 @@ void VelocityMode::step(double share) noexcept {
   if (!asked || !find_step(share, *asked, next)) {
     granted_ = 0;
     const JointVector none = JointVector::Zero(state_.axes.q.size());
+    if (stands()) blocked_ = share;
     if (go(state_, 0, none, next).kind == Kind::Reach) return brake_axes();
   }
   state_ = next;

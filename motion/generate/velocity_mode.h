@@ -90,6 +90,7 @@ class VelocityMode {
   State state_;
   JogLimit limit_;
   double granted_ = 1;
+  double blocked_ = 0;     ///< it stands, and this share of the rates does not let it go on
   double affordable_ = 0;  ///< share of the rates that speeds alone permit here; 0: nothing asked
 };
 

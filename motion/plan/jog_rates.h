@@ -20,10 +20,11 @@ struct JogRates {
   static constexpr double kAny = std::numeric_limits<double>::infinity();
 
   Space space = Space::None;
-  JointVector rate;             ///< as many as axes, or six
-  Pose tip;                     ///< of the tool, seen from the flange
-  double lasts = kAny;          ///< s of the motion, whole periods; kAny: until something ends it
-  double share = 1;             ///< of the speeds of the axes, above 0 up to 1, that it may take
+  JointVector rate;     ///< as many as axes, or six
+  Pose tip;             ///< of the tool, seen from the flange
+  double lasts = kAny;  ///< s of the motion, whole periods; kAny: until something ends it, or it
+                        ///< goes no further
+  double share = 1;     ///< of the speeds of the axes, above 0 up to 1, that it may take
   double tool_speed = kAny;     ///< m/s that the tip may take
   double turning_speed = kAny;  ///< rad/s: of each rotary axis (Joint), or of the tool
 

@@ -25,18 +25,18 @@ JointVector beside_start(const RobotModel& robot, std::initializer_list<double> 
 }
 
 /// Two swings, there and back in a corner, and a halt.
-GantryRun swung(const RobotModel& robot, const MotionRequest& how = {}) {
-  GantryRun run(robot);
-  for (const auto& degrees : {std::initializer_list<double>{60, 20, -30, 40, 30, 90},
-                              std::initializer_list<double>{-20, 30, 10, -60, -40, 0}}) {
-    MotionRequest request = move_to(beside_start(robot, degrees));
-    request.profile = how.profile;
-    run.move(request);
+struct Swung : GantryRun {
+  Swung(const RobotModel& robot, ProfileShape shape) : GantryRun(robot) {
+    for (const auto& degrees : {std::initializer_list<double>{60, 20, -30, 40, 30, 90},
+                                std::initializer_list<double>{-20, 30, 10, -60, -40, 0}}) {
+      MotionRequest request = move_to(beside_start(robot, degrees));
+      request.profile = shape;
+      move(request);
+    }
+    close();
+    finish();
   }
-  run.close();
-  run.finish();
-  return run;
-}
+};
 
 double most_asked(const GantryRun& run, const RobotModel& robot) {
   double most = 0;
@@ -55,12 +55,10 @@ TEST_CASE("motions take as long as their gears need, in corners and profiles too
   const RobotModel strong = embedded_robot("ums7");
   const RobotModel weak = weak_arm(24);
   for (const ProfileShape shape : {ProfileShape::None, ProfileShape::Cosine}) {
-    MotionRequest how;
-    how.profile = shape;
-    const GantryRun fast = swung(strong, how);
+    const Swung fast(strong, shape);
     CHECK(most_asked(fast, weak) > 1.1);  // so the weak arm cannot do the same
     CHECK(most_asked(fast, strong) < TorqueShare::kMost);
-    const GantryRun slow = swung(weak, how);
+    const Swung slow(weak, shape);
     CHECK(most_asked(slow, weak) < TorqueShare::kMost + 0.01);
     CHECK(most_asked(slow, weak) > TorqueShare::kMost - 0.2);
     CHECK(arrival(slow) > arrival(fast));

@@ -185,6 +185,15 @@ TEST_CASE("a jog that goes no further is an event, not an error") {
   CHECK(result.events[0].text.find("axis x") != std::string::npos);
 }
 
+TEST_CASE("a JOG without FOR is over where it goes no further, and its condition has not held") {
+  SteppedRun run("JOG WORLD (x: -10mm/s) UNTIL lift_up ELSE PRINT \"at the end\"\nPRINT HIT\n");
+  const RunResult result = run.run(10);
+  CHECK(result.status == "done");
+  REQUIRE(result.output.size() == 2);
+  CHECK(result.output[0] == "at the end");
+  CHECK(result.output[1] == "FALSE");
+}
+
 TEST_CASE("a hold stops a jog for good, and the run ends there") {
   SteppedRun run("JOG WORLD (x: 10mm/s) FOR 60s\n");
   run.each_cycle = [&](double time) {
