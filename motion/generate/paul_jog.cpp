@@ -62,7 +62,7 @@ void PaulGenerator::begin_jog(const SegmentDescriptor& segment, double instant) 
 
 /// One without a time is over, too, where it can go no further: else it would never end.
 void PaulGenerator::run_jog() noexcept {
-  if (jog_is_over()) join_jog();
+  join_jog();
   const double share = jog_is_over() ? 0 : clock_.rate();
   jog_.step(share);
   jog_done_ += period_ * share;
@@ -78,6 +78,7 @@ void PaulGenerator::join_jog() noexcept {
   const SegmentDescriptor* const next = faulted_ ? nullptr : buffer_.next_segment();
   const bool may = clock_.rate() > 0 && !segment_.guard.present();
   if (!may || next == nullptr || !next->jog.present() || !jog_.takes(next->jog)) return;
+  if (!jog_is_over() && !next->jog.at_once) return;
   const double instant = clock_.stamp() - period_;
   begin_jog(*next, instant);
   fire_effects(instant);

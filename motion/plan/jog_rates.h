@@ -28,6 +28,10 @@ struct JogRates {
   double tool_speed = kAny;     ///< m/s that the tip may take
   double turning_speed = kAny;  ///< rad/s: of each rotary axis (Joint), or of the tool
 
+  /// It joins the jog before as soon as it is seen, and does not wait for the end of its time:
+  /// rates that a hand gives, each for as long as it may be silent.
+  bool at_once = false;
+
   bool present() const noexcept { return space != Space::None; }
 };
 

@@ -92,6 +92,29 @@ TEST_CASE("a jog that is not renewed in time is taken up while it comes to rest"
   CHECK(run.rests().size() == 1);
 }
 
+TEST_CASE("rates of a hand take effect at once, and the robot stops when it falls silent") {
+  GantryRun run;
+  JogRates rates = jog_rates(Space::Joint, {0.01, 0, 0});
+  rates.lasts = 0.1;
+  rates.at_once = true;
+  const auto give = [&] {
+    run.push(std::get<PlannedSegment>(run.planner().jog(0, rates)).segment);
+  };
+  for (int i = 0; i < 100; ++i) {
+    if (i % 5 == 0) give();
+    run.step();
+  }
+  CHECK(run.samples().back().reference.qd[0] == doctest::Approx(0.01).epsilon(1e-9));
+  rates.rate[0] = 0.005;
+  give();
+  const double begun = run.samples().back().reference.time;
+  for (int i = 0; i < 9; ++i) run.step();
+  CHECK(run.samples().back().reference.qd[0] < 0.0075);
+  while (run.rests().empty()) run.step();
+  // 0.1 s of silence, and 2·sqrt(v/j) = 0.142 s to slow down from 5 mm/s, in whole periods.
+  CHECK(run.rests()[0].time - begun <= 0.1 + 0.142 + 0.03);
+}
+
 TEST_CASE("between a motion and a jog the axes rest, and behind it the motion starts from there") {
   GantryRun run;
   run.move(20, 0, 0);
