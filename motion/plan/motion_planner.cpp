@@ -56,6 +56,10 @@ PlanOutcome MotionPlanner::take(const MotionRequest& request, Draft draft) {
   PlannedSegment planned;
   planned.warnings = timing.warnings;
   planned.segment = joined(draft, timing, planned.warnings);
+  if (robot_.mechanics && demanded_by_corner(planned.segment).speed < 1) {
+    planned.segment.from_rest = true;
+    planned.warnings |= PlannedSegment::kCornerExact;
+  }
   const JointVector from = commanded_;
   SegmentDescriptor& segment = planned.segment;
   commit(request.tag, segment);

@@ -57,6 +57,9 @@ using PlanOutcome = std::variant<PlannedSegment, Refusal>;
 ///   miss <= 3/16·t_C·|v_out − v_in| (S1's polynomial at t = 0),  so  t_C = 16·z / 3(|v_in| +
 ///   v_tool,max)
 ///
+/// On a robot whose mechanics are known T1 is raised until its gears and drives suffice all along
+/// (torque_share.h); a corner that asks too much of them all the same becomes exact.
+///
 /// A t_C that leaves the axes too little to be held within their limits is raised (least_t_acc).
 ///
 /// where AT bounds the straight distance from end to end of the tool (ToolSpeed), every rotary axis
@@ -182,7 +185,9 @@ class MotionPlanner {
 
   // Gears and drives (motion_planner_drives.cpp)
   void suit_drives(Draft& draft, const MotionRequest& request, Timing& timing) const;
-  TorqueShare demanded(const SegmentDescriptor& segment) const;
+  void slow_down(Timing& timing, const TorqueShare& most, const MotionRequest& request) const;
+  TorqueShare demanded_alone(const SegmentDescriptor& segment) const;
+  TorqueShare demanded_by_corner(const SegmentDescriptor& segment) const;
 
   // Paths and corners (motion_planner_paths.cpp)
   std::optional<Refusal> judge(const MotionRequest& request, const ToolPath& path,
