@@ -93,6 +93,12 @@ struct BarrierWord {
   std::string_view operator()(const Ask&) const { return "ASK"; }
   std::string_view operator()(const Teach&) const { return "TEACH"; }
   std::string_view operator()(const ZeroForce&) const { return "ZERO"; }
+  std::string_view operator()(const Move& move) const {  // one with a profile begins at rest
+    return move.clauses.profile == Profile::Unspecified ? "" : "PROFILE";
+  }
+  std::string_view operator()(const WatchedMotion& watched) const {
+    return std::visit(*this, watched.motion.front().node);
+  }
   std::string_view operator()(const auto& /*leaves the corner*/) const { return {}; }
 };
 
@@ -115,6 +121,8 @@ void MoveChecker::warn_of_zones(const Block& block) {
     if (constant_number(zone) == 0.0) continue;
     if (guarded) {
       warn_of_zone(zone, "UNTIL", statement.place);
+    } else if (move->clauses.at_rest()) {
+      warn_of_zone(zone, "PROFILE", statement.place);
     } else if (next != nullptr && !barrier(*next).empty()) {
       warn_of_zone(zone, barrier(*next), next->place);
     }

@@ -87,7 +87,7 @@ class Walk {
     look(move.target);
     for (const ExprPtr& value : move.clauses.values) look(value);
     const ExprPtr& zone = move.clauses[Clause::Zone];
-    const bool exact = move.clauses.fine || (zone != nullptr && constant_number(*zone) == 0.0);
+    const bool exact = move.clauses.at_rest() || (zone != nullptr && constant_number(*zone) == 0.0);
     settle(exact || move.kind == MotionKind::Jog ? 0 : place_.line);  // a jog has no corner
   }
   void visit(const PlainMotions& motions) { settle(motions.motions.back().line); }

@@ -33,17 +33,19 @@ PoseValue target_pose(const MoveCommand& command, const PoseValue& last, const S
 }
 
 PoseValue flange_for(const PoseValue& tip, const Setting& setting) {
-  if (is_nothing(setting.tool.tip)) return tip;  // to the bit
+  if (!has_tool(setting)) return tip;  // to the bit
   return pose_math::compose(tip, pose_math::inverse(setting.tool.tip));
 }
 
 PoseValue tip_of(const PoseValue& flange, const Setting& setting) {
-  if (is_nothing(setting.tool.tip)) return flange;
+  if (!has_tool(setting)) return flange;
   return pose_math::compose(flange, setting.tool.tip);
 }
 
+bool has_tool(const Setting& setting) { return !is_nothing(setting.tool.tip); }
+
 bool is_plain(const Setting& setting) {
-  return !setting.in_tool && is_nothing(setting.frame) && is_nothing(setting.tool.tip);
+  return !setting.in_tool && is_nothing(setting.frame) && !has_tool(setting);
 }
 
 }  // namespace rob::lang

@@ -19,6 +19,8 @@ PoseValue target_pose(const MoveCommand& command, const PoseValue& last, const S
 PoseValue flange_for(const PoseValue& tip, const Setting& setting);
 PoseValue tip_of(const PoseValue& flange, const Setting& setting);
 
+/// Whether the tip is another place than the flange.
+bool has_tool(const Setting& setting);
 /// Whether tuples are what they are without WITH and IN.
 bool is_plain(const Setting& setting);
 

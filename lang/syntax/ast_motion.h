@@ -40,6 +40,8 @@ struct Clauses {
   bool live = false;  ///< AT LIVE: computed anew in every control cycle
   Place live_place{};
 
+  /// Whether the motion comes to rest at its target whatever follows; so does ZONE 0mm.
+  bool at_rest() const { return fine || profile != Profile::Unspecified; }
   const ExprPtr& operator[](Clause clause) const {
     return values[static_cast<std::size_t>(clause)];
   }

@@ -19,6 +19,7 @@ BackgroundTasks::BackgroundTasks(const lang::Chunk& chunk, RobotMachine& machine
       memory_(chunk) {}
 
 std::uint32_t BackgroundTasks::keep(Due due) {
+  if (std::holds_alternative<Start>(due)) ++starting_;
   kept_.emplace(next_, std::move(due));
   return next_++;
 }
@@ -27,6 +28,7 @@ void BackgroundTasks::take_due() {
   Channels::Report report;
   while (channels_.reports.take(report)) {
     auto kept = kept_.extract(report.id);
+    if (std::holds_alternative<Start>(kept.mapped())) --starting_;
     if (report.dropped) continue;
     std::visit([&](const auto& due) { carry_out(due); }, kept.mapped());
   }

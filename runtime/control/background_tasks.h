@@ -42,6 +42,8 @@ class BackgroundTasks {
   };
   using Due = std::variant<Start, Store<lang::Slot>, Store<std::string>>;
   std::uint32_t keep(Due due);
+  /// Whether a START is on its way: it may turn out to be one too many.
+  bool starting() const { return starting_ > 0; }
   /// Whether motion can be given a further one.
   bool full() const { return kept_.size() >= Channels::kReports; }
 
@@ -79,6 +81,7 @@ class BackgroundTasks {
   std::vector<Running> running_;  ///< in the order of their START
   std::map<std::uint32_t, Due> kept_;
   std::uint32_t next_ = 0;
+  int starting_ = 0;  ///< of kept_, those that are a START
   std::optional<lang::RuntimeError> error_;
 };
 

@@ -70,8 +70,21 @@ Reply RobotMachine::arm() {
   effect.kind = motion::Effect::Kind::Arm;
   effect.watched = recording_;
   const Reply reply = push(effect);
-  if (reply == Reply::Done) recording_ = nullptr;
+  if (reply != Reply::Done) return reply;
+  recording_ = nullptr;
+  last_arming_ = effects_;
+  watched_since_ = -1;
   return reply;
+}
+
+/// Whether every WHEN that is armed has been looked at, and what came of it is known here: one that
+/// is armed in a cycle is looked at in the next one, and stands in that or the one behind.
+bool RobotMachine::watched() {
+  if (armed_ == 0) return true;
+  if (progress_.effects_done.load(std::memory_order_acquire) < last_arming_) return false;
+  const std::int64_t cycle = channels_.cycle.load(std::memory_order_relaxed);
+  if (watched_since_ < 0) watched_since_ = cycle;
+  return cycle > watched_since_ + 1 && settled();
 }
 
 Reply RobotMachine::disarm(int line, int id) {

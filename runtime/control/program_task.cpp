@@ -18,6 +18,7 @@ ProgramTask::State ProgramTask::step(std::int64_t budget) {
   if (auto error = machine_.take_interruption()) vm_.interrupt(std::move(*error));
   begin_handler();
   tasks_.take_due();
+  if (auto error = tasks_.take_error()) vm_.interrupt(std::move(*error));
   switch (vm_.run(budget)) {
     case lang::Vm::State::Running:
       return State::Busy;

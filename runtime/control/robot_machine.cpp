@@ -4,6 +4,7 @@
 #include <string>
 
 #include "motion/space/cycle_instant.h"
+#include "runtime/control/background_tasks.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/signal_access.h"
@@ -183,7 +184,8 @@ bool RobotMachine::settled() const {
 Reply RobotMachine::end(int line) {
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
-  if (armed_ > 0 && !settled()) return Reply::Later;  // a WHEN may still have something to say
+  if (!watched()) return Reply::Later;  // a WHEN may still have something to say
+  if (tasks_ != nullptr && tasks_->starting()) return Reply::Later;  // and so may a START
   buffer_.close();
   bar_handlers(true);
   return Reply::Done;

@@ -312,10 +312,13 @@ class RobotMachine final : public lang::Machine {
   std::deque<Commanded> commanded_;   ///< the last ones, at least all that are in the buffer
   std::optional<motion::Rest> left_;  ///< how the guarded motion has ended, by a handler
 
-  int armed_ = 0;                ///< WHENs that are not disarmed yet
-  bool guarded_ = false;         ///< what is queued now ends early if until_ holds
-  std::size_t safe_queued_ = 0;  ///< SAFE values that have been queued
-  bool standing_ = false;        ///< the present WAIT for a condition has queued all it needs
+  bool watched();
+  int armed_ = 0;                    ///< WHENs that are not disarmed yet
+  std::int64_t last_arming_ = 0;     ///< the effect that armed the last one, counted as effects_
+  std::int64_t watched_since_ = -1;  ///< the cycle in which it was first seen armed; -1: not yet
+  bool guarded_ = false;             ///< what is queued now ends early if until_ holds
+  std::size_t safe_queued_ = 0;      ///< SAFE values that have been queued
+  bool standing_ = false;            ///< the present WAIT for a condition has queued all it needs
 };
 
 }  // namespace rob::runtime

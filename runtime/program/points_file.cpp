@@ -35,15 +35,19 @@ std::string line_of(const Points::Point& point, const lang::RobotSignature& robo
   for (const double length : {p.x, p.y, p.z}) {
     line += lang::number_text(length, lang::kLength) + ", ";
   }
-  line += fmt::format("{}, {}, {}) JOINTS(", lang::number_text(angles.a, lang::kAngle),
+  line += fmt::format("{}, {}, {})", lang::number_text(angles.a, lang::kAngle),
                       lang::number_text(angles.b, lang::kAngle),
                       lang::number_text(angles.c, lang::kAngle));
   for (std::size_t i = 0; i < point.joints.size(); ++i) {
-    line += (i == 0 ? "" : ", ") + lang::number_text(point.joints[i], robot.axes[i].dimension);
+    line +=
+        (i == 0 ? " JOINTS(" : ", ") + lang::number_text(point.joints[i], robot.axes[i].dimension);
   }
   const std::string& frame = point.value.frame;
-  return line + fmt::format(") IN {} TOOL {} TAUGHT \"{}\"", frame.empty() ? "world" : frame,
-                            point.tool.empty() ? "none" : point.tool, point.taught);
+  line += fmt::format("{} IN {}", point.joints.empty() ? "" : ")", frame.empty() ? "world" : frame);
+  if (!point.joints.empty()) {
+    line += fmt::format(" TOOL {}", point.tool.empty() ? "none" : point.tool);
+  }
+  return line + fmt::format(" TAUGHT \"{}\"", point.taught);
 }
 
 std::string with(const Points::Remarks& remarks, const std::string& line) {

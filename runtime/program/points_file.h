@@ -17,6 +17,9 @@ namespace rob::runtime {
 ///     ROBOT "gantry"
 ///     pick = POSE(40mm, 20mm, 0mm, 0deg, 0deg, 90deg) JOINTS(40mm, 20mm, 90deg) IN world
 ///         TOOL none TAUGHT "2026-11-21 05:40:12 UTC"          (on the same line)
+///
+/// A point that was taught with a tool, or whose POSE was changed by hand, has no JOINTS and no
+/// TOOL.
 struct Points {
   /// What people have written beside a line; it stays where the line goes.
   struct Remarks {
@@ -25,7 +28,7 @@ struct Points {
   };
   struct Point {
     lang::PointTable::Point value;
-    std::vector<double> joints;  ///< m or rad, one an axis
+    std::vector<double> joints;  ///< m or rad, one an axis; empty where not known
     std::string tool;            ///< of the program; empty for none
     std::string taught;          ///< when, for people
     Remarks remarks{};

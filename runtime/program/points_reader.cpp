@@ -11,7 +11,9 @@
 #include "lang/text/source_text.h"
 #include "lang/values/number_text.h"
 #include "runtime/control/codes.h"
+#include "runtime/control/pose_values.h"
 #include "runtime/control/robot_machine.h"
+#include "runtime/control/units.h"
 #include "runtime/program/line_reader.h"
 #include "runtime/program/points_file.h"
 
@@ -24,6 +26,10 @@ using lang::TokenKind;
 
 constexpr std::size_t kMostPoints = 10'000;  // [choice] far more than anybody teaches
 constexpr std::size_t kMostName = 64;        // bytes [choice]
+// How far the axes may lead beside a pose. [choice] the file is exact; other robots are off by
+// more.
+constexpr double kSamePlace = 1e-4;  // m
+constexpr double kSameTurn = 0.1 / kDegreesPerRadian;
 constexpr std::string_view kText = "a text between quotes";
 
 class Reader : LineReader {
@@ -32,6 +38,7 @@ class Reader : LineReader {
       : LineReader(text, points.diagnostics, code::kPointLine,
                    "mend the line, or take it out and TEACH the point again"),
         points_(points),
+        kinematics_(robot.kinematics.get()),
         robot_(signature_of(robot)) {}
 
   /// The first line names the robot; the points of another one are of no use.
@@ -57,7 +64,12 @@ class Reader : LineReader {
   double quantity(lang::Dimension dimension);
   std::string name_or(std::string_view nothing);
 
+  /// JOINTS lead to another pose than the point's: the robot has another geometry, though the name
+  /// is the same, or somebody has changed the pose. In a frame, or with a tool, nothing is known.
+  void compare(const Points::Point& point, const lang::Place& place);
+
   Points& points_;
+  const motion::Kinematics* kinematics_;
   lang::RobotSignature robot_;
   std::uint32_t robot_line_ = 0;
   std::map<std::string, std::uint32_t> lines_;  ///< of the points read, by name in capitals
@@ -117,21 +129,25 @@ bool Reader::robot() {
   return false;
 }
 
-// point = IDENT "=" pose joints "IN" ( "world" | IDENT ) "TOOL" ( "none" | IDENT ) "TAUGHT" STRING
+// point = IDENT "=" pose [ joints ] "IN" ( "world" | IDENT ) [ "TOOL" ( "none" | IDENT ) ] "TAUGHT"
+//         STRING
 void Reader::point() {
   const lang::Place place = token_.place;
   Points::Point point;
   point.value.name = point_name();
   take(TokenKind::Assign, "'='");
   point.value.pose = pose();
-  point.joints = joints();
+  if (at_word("JOINTS")) point.joints = joints();
   take_word("IN");
   point.value.frame = name_or("world");
-  take_word("TOOL");
-  point.tool = name_or("none");
+  if (at_word("TOOL")) {
+    advance();
+    point.tool = name_or("none");
+  }
   take_word("TAUGHT");
   point.taught = take_text(kText);
   end_of_line();
+  compare(point, place);
   const auto [first, is_new] = lines_.emplace(lang::to_upper(point.value.name), place.line);
   if (!is_new) {
     fail(code::kPointTwice, place,
@@ -144,6 +160,24 @@ void Reader::point() {
          "take out those that the program does not need");
   }
   points_.points.push_back(std::move(point));
+}
+
+void Reader::compare(const Points::Point& point, const lang::Place& place) {
+  const bool bare = point.value.frame.empty() && point.tool.empty() && !point.joints.empty();
+  if (!bare || kinematics_ == nullptr) return;
+  const Eigen::Map<const Eigen::VectorXd> q(point.joints.data(), kinematics_->axes());
+  const lang::PoseValue there = to_lang(kinematics_->forward(q));
+  using lang::pose_math::operator-;
+  const double beside = lang::pose_math::length(there.position - point.value.pose.position);
+  if (beside <= kSamePlace && lang::pose_math::turn(there, point.value.pose) <= kSameTurn) return;
+  const auto& [x, y, z] = there.position;
+  constexpr auto kLinear = motion::AxisKind::Linear;
+  fail(code::kPointsOfOther, place,
+       fmt::format("the JOINTS of {} bring this {} to ({}, {}, {}), which is not its POSE: it was"
+                   " taught on one of another geometry, or changed by hand",
+                   point.value.name, robot_.name, runtime::shown(x, kLinear),
+                   runtime::shown(y, kLinear), runtime::shown(z, kLinear)),
+       "TEACH the point again; where the POSE is right, leave out JOINTS(…) and TOOL");
 }
 
 std::string Reader::point_name() {

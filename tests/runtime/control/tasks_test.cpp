@@ -116,6 +116,20 @@ TEST_CASE("a TASK that has ended may be started again, one that runs may not") {
   CHECK(twice.exit_code == ExitCode::Fault);
 }
 
+TEST_CASE("a START of a running TASK is an error also where nothing comes behind it") {
+  const std::string task =
+      "SIGNAL torch = DOUT[1] SAFE OFF\nTASK long\nWAIT 100s\nENDTASK\ntorch = ON\nSTART long\n";
+  for (const std::string& way : {"", "MOVE(20, 0, 0)\n"}) {
+    CAPTURE(way);
+    const RunResult result = run(task + way + "START long");
+    REQUIRE(result.error);
+    CHECK(result.error->code == "E343");
+    CHECK(result.final_joints[0] == (way.empty() ? 0 : 20));
+    REQUIRE(result.signals.size() == 2);
+    CHECK_FALSE(result.signals[1].value);  // its SAFE value
+  }
+}
+
 TEST_CASE("an error of a TASK is one of the program, and a TRY can catch it") {
   const std::string task =
       "SIGNAL torch = DOUT[1] SAFE OFF\nTASK guard\nWAIT DIN[1]\nRAISE \"open\"\nENDTASK\n"

@@ -111,6 +111,20 @@ TEST_CASE("a WHEN raises even while the program waits, computes or has nothing l
   }
 }
 
+TEST_CASE("a WHEN that is true when it is armed raises, also where nothing comes behind it") {
+  for (const std::string& way : {"", "MOVE(40,0,0)\n"}) {
+    CAPTURE(way);
+    SteppedRun run("lift = ON\nWAIT lift_up\n" + way + "WHEN lift_up : RAISE \"up\"");
+    const RunResult result = run.run();
+    REQUIRE(run.task.failure());
+    CHECK(run.task.failure()->message == "up");
+    CHECK(result.final_joints[0] == (way.empty() ? 0 : 40));
+  }
+  SteppedRun quiet("WHEN lift_up : RAISE \"up\"");
+  quiet.run();
+  CHECK_FALSE(quiet.task.failure());
+}
+
 TEST_CASE("a thousand WHENs one after another find their places") {
   SteppedRun run(
       "FOR i = 1 TO 1000 DO\n  WHEN lift_down : DOUT[1] = ON\n  WAIT 0.02s\nENDFOR\nPRINT 1");

@@ -98,10 +98,11 @@ TEST_CASE("a point that is taught anew keeps its comments") {
                              "// behind all\n";
   PointsFile keeper(file, gantry());
   const double joints[] = {0.05, 0.06, 0};
-  REQUIRE_FALSE(keeper.keep("PICK", "", {}, joints).has_value());
-  REQUIRE_FALSE(keeper.keep("place", "", {}, joints).has_value());
+  const rob::lang::PoseValue pose{{0.05, 0.06, 0}, {1, 0, 0, 0}};
+  REQUIRE_FALSE(keeper.keep("PICK", "", pose, joints).has_value());
+  REQUIRE_FALSE(keeper.keep("place", "", pose, joints).has_value());
   const std::string text = read_file(file, 10'000);
-  CHECK(text.starts_with("// first\n" + kRobot + "// here // and\nPICK = POSE(0mm, "));
+  CHECK(text.starts_with("// first\n" + kRobot + "// here // and\nPICK = POSE(50mm, "));
   CHECK(text.find("\nplace = ") != std::string::npos);
   CHECK(text.ends_with("\"\n// behind all\n"));
 }
@@ -118,6 +119,43 @@ TEST_CASE("a file that is not as TEACH writes it is refused with the place") {
   CHECK(first_error("ROBOT \"ums7\"\n" + point("pick")) == "1:7 E547");
   CHECK(first_error(std::string("ROBOT \"gantry\"\n\0", 16)) == "2:1 E103");
   CHECK(first_error(kRobot + "pick\xff = 1") == "2:5 E104");
+}
+
+TEST_CASE("points that were taught on a robot of the same name and another geometry are refused") {
+  const auto pick = [](const std::string& x, const std::string& c, const std::string& rest) {
+    return kRobot + "pick = POSE(" + x + ", 20mm, 0mm, 0deg, 0deg, " + c + ")" + rest +
+           " TAUGHT \"2026-11-21\"\n";
+  };
+  const std::string joints = " JOINTS(40mm, 20mm, 90deg) ";
+  CHECK(first_error(pick("40.01mm", "90.01deg", joints + "IN world TOOL none")).empty());
+  CHECK(first_error(pick("41mm", "90deg", joints + "IN world TOOL none")) == "2:1 E547");
+  CHECK(first_error(pick("40mm", "89deg", joints + "IN world TOOL none")) == "2:1 E547");
+  // -270deg is the same turn.
+  CHECK(first_error(pick("40mm", "-270deg", joints + "IN world TOOL none")).empty());
+  // What the frame and the tool are is not known here; without joints there is nothing to compare.
+  CHECK(first_error(pick("41mm", "90deg", joints + "IN pallet TOOL none")).empty());
+  CHECK(first_error(pick("41mm", "90deg", joints + "IN world TOOL cup")).empty());
+  CHECK(first_error(pick("41mm", "90deg", " IN world")).empty());
+}
+
+TEST_CASE("a point that is taught with a tool keeps its pose alone, where MOVE goes to") {
+  const ScratchFolder folder;
+  const std::string program = folder.file("cell.rob");
+  const auto run = [&](const std::string& text) {
+    const auto loaded = rob::runtime::compile_program(program, text, gantry(),
+                                                      rob::runtime::points_file_of(program));
+    REQUIRE(loaded.runnable());
+    rob::runtime::RunOptions options;
+    options.fast = true;
+    return rob::runtime::run(loaded, gantry(), options, {}).final_joints.at(0);
+  };
+  // With the tool the axis stands 20 mm before its tip.
+  CHECK(run("POINT pick\nTOOL pen = POSE(20mm, 0mm, 0mm)\n"
+            "WITH pen DO\nMOVE(60, 0, 0)\nTEACH pick\nENDWITH\n") == doctest::Approx(40));
+  const std::string file = read_file(rob::runtime::points_file_of(program), 10'000);
+  CHECK(file.find("pick = POSE(60mm, 0mm, 0mm, 0deg, 0deg, 0deg) IN world TAUGHT") !=
+        std::string::npos);
+  CHECK(run("POINT pick\nMOVE pick\n") == doctest::Approx(60));
 }
 
 TEST_CASE("all errors of a file are found, not the first alone") {
