@@ -121,7 +121,7 @@ void MoveChecker::warn_of_zones(const Block& block) {
     if (constant_number(zone) == 0.0) continue;
     if (guarded) {
       warn_of_zone(zone, "UNTIL", statement.place);
-    } else if (move->clauses.at_rest()) {
+    } else if (move->clauses.profile != Profile::Unspecified) {
       warn_of_zone(zone, "PROFILE", statement.place);
     } else if (next != nullptr && !barrier(*next).empty()) {
       warn_of_zone(zone, barrier(*next), next->place);

@@ -106,6 +106,9 @@ Vm::State Vm::leave(Code pc, Code resume, State state) {
   if (state != State::Running) {
     observed_ = false;
     ++cycle_;
+    // What still runs counts as called in the cycle in which it goes on.
+    std::for_each(frames_.data(), frame_,
+                  [&](const Frame& frame) { callees_[frame.routine].called_in = cycle_; });
   }
   return state;
 }
