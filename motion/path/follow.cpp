@@ -36,7 +36,7 @@ class Follower {
         flange_(seen_from_tip(tip)),
         length_(path.end() - path.begin()),
         longest_step_(length_ / path.parts()),
-        least_step_(kLeastStep / std::max(measure_of(path), kLeastStep) * length_) {}
+        least_step_(std::min(kLeastStep / measure_of(path) * length_, longest_step_)) {}
 
   Followed run(const JointVector& start, const PathPoint* first, const PathPoint* last) {
     Node node{path_.begin(), start, {}, {}};

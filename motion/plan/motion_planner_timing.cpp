@@ -87,7 +87,9 @@ void MotionPlanner::time_profile(const Draft& draft, const MotionRequest& reques
   timing.profile = ProfileLaw(request.profile, rate, limits.acceleration, asked);
   timing.duration = timing.profile.duration();
   timing.t_acc = robot_.t_acc;
-  if (request.at_least > 0 && longer(timing.duration * boost_, request.at_least))
+  // What AT adds is no surprise.
+  const double least = ProfileLaw(request.profile, limits.rate, limits.acceleration, 0).duration();
+  if (request.at_least > 0 && longer(least * boost_, request.at_least))
     timing.warnings |= PlannedSegment::kStretched;
 }
 

@@ -94,8 +94,11 @@ Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
   }
   if (refusal.kind == Refusal::Kind::PathTooLong) {
     return {code::kPathTooLong,
-            fmt::format("this way is too long to be planned as one: there is room up to {}",
-                        place_on(refusal)),
+            refusal.at > 0 ? fmt::format("this way is too long to be planned as one: there is room"
+                                         " up to {}",
+                                         place_on(refusal))
+                           : "this way has too many turns, or points too close together beside its"
+                             " length, to be planned as one",
             "write it as several motions"};
   }
   if (refusal.kind != Refusal::Kind::PathSingular) return words_for_limit(refusal, robot);

@@ -71,6 +71,13 @@ TEST_CASE("half a turn, an arc of three points on a line and a spline that stand
           {"E564", "half a turn apart"});
 }
 
+TEST_CASE("a spline with points too close together beside its length is refused by that name") {
+  refuses(kArm +
+              "MOVE(350, 0, 300, 180, 0, 180) FINE\n"
+              "MOVES VIA (350, 0.01, 300) TO (350, 50, 300)\n",
+          {"E565", "points too close together beside its length"});
+}
+
 TEST_CASE("the report tells of lines, arcs and splines what it tells of all motions") {
   const json report =
       run("MOVE(320, -120, 250, 180, 0, 180) FINE\n"

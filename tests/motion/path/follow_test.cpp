@@ -157,6 +157,33 @@ TEST_CASE("a line that passes axis 1 by 0.05 mm asks it to jump") {
   CHECK(jumps.trouble->at == doctest::Approx(0.5).epsilon(1e-3));
 }
 
+TEST_CASE("the shortest lines, turns and arcs are followed like long ones") {
+  for (const std::string& name : arm_names()) {
+    CAPTURE(name);
+    const RobotModel robot = embedded_robot(name);
+    const JointVector start = robot.start + JointVector::Constant(6, 0.1);
+    const Pose from = tip_at(robot, start, kTip);
+    for (const double size : {1e-8, 1e-6, 2e-5, 1e-4}) {
+      CAPTURE(size);
+      const auto at = [&](const Vector3d& shift, const Vector3d& turn) {
+        return Pose{from.position + size * shift, rotation_by(size * turn) * from.orientation};
+      };
+      const auto line = ToolLine::between(from, at({1, 2, 3}, {0, 0, 0}));
+      const auto turn = ToolLine::between(from, at({0, 0, 0}, {10, -20, 30}));
+      const auto arc = ToolArc::through(from, at({1, 1, 0}, {}).position, at({2, 0, 0}, {1, 0, 0}));
+      for (const ToolPath* path :
+           {static_cast<const ToolPath*>(&*line), static_cast<const ToolPath*>(&*turn),
+            static_cast<const ToolPath*>(&*arc)}) {
+        const Followed axes = follow(robot, *path, kTip, start);
+        REQUIRE_FALSE(axes.trouble.has_value());
+        const Worst worst = off_path(robot, *path, kTip, axes.axes);
+        CHECK(worst.place < 1e-3 * size + 1e-14);
+        CHECK(worst.turn < 0.1 * size + 1e-12);
+      }
+    }
+  }
+}
+
 TEST_CASE("turns of a spiral and short spans of a spline are not stepped over") {
   const RobotModel robot = embedded_robot("irb120");
   const Pose from = tip_at(robot, robot.start, kTip);

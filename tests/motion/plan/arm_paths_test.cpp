@@ -196,5 +196,12 @@ TEST_CASE("a profile takes what the axes' speed and acceleration allow, a hold's
     CHECK(planned.segment.duration == doctest::Approx(0.1 / v + k * v / a));
     CHECK((planned.warnings & PlannedSegment::kStretched) != 0);
     CHECK_FALSE(planner.stop(0).has_value());  // it ends at rest by itself
+    hasty.relative = true;
+    hasty.pace = MotionRequest::Pace::ToolSpeed;
+    hasty.pace_value = 0.01;
+    hasty.at_least = 8;  // the axes could; AT asks for 10 s and more, and the slower wins
+    const auto paced = std::get<PlannedSegment>(planner.plan(hasty));
+    CHECK(paced.segment.duration == doctest::Approx(0.1 / 0.01 + k * 0.01 / a));
+    CHECK(paced.warnings == 0);
   }
 }
