@@ -18,7 +18,7 @@ void MoveChecker::check(const Header& header) {
 void MoveChecker::check(const Move& move, Place place, bool guarded) {
   bool sound = check_way(move, place, guarded);
   sound = clauses_.check(move.clauses, place) && check_clauses_of(move) && sound;
-  remember_features(move, place);
+  remember_features(move);
   if (sound && move.clauses.live) {
     WatchChecker(expressions_, diagnostics_).check_live(*move.clauses[Clause::At]);
   }
@@ -43,9 +43,8 @@ bool MoveChecker::check_way(const Move& move, Place place, bool guarded) {
   return move.target != nullptr && check_target(move, move.target);
 }
 
-void MoveChecker::remember_features(const Move& move, Place place) {
+void MoveChecker::remember_features(const Move& move) {
   const Clauses& clauses = move.clauses;
-  if (const auto feature = feature_of(move.kind)) checked_.features.push_back({place, *feature});
   const ExprPtr& accel = clauses[Clause::Accel];
   const ExprPtr& jerk = clauses[Clause::Jerk];
   if (accel) checked_.features.push_back({accel->place, MotionFeature::Accel});

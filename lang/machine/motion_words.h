@@ -52,12 +52,6 @@ inline std::optional<Profile> find_profile(std::string_view word) {
 }
 
 /// What not every robot can do, so that each has to say whether it can.
-enum class MotionFeature : std::uint8_t { Accel, Jerk, LookAhead, LivePace, Jog, Path, Press };
-
-/// What a motion of this kind asks of a robot, if not every robot can do it.
-constexpr std::optional<MotionFeature> feature_of(MotionKind kind) {
-  if (kind == MotionKind::Jog) return MotionFeature::Jog;
-  return std::nullopt;
-}
+enum class MotionFeature : std::uint8_t { Accel, Jerk, LookAhead, LivePace, Path, Press };
 
 }  // namespace rob::lang

@@ -2,8 +2,7 @@
 
 namespace rob::motion {
 
-bool can(const RobotModel& robot, Capability capability) noexcept {
-  if (capability == Capability::Rates) return true;
+bool can(const RobotModel& robot, Capability /*capability*/) noexcept {
   return robot.law != Law::Paul;
 }
 

@@ -12,7 +12,6 @@ enum class Capability : std::uint8_t {
   JerkBound,
   LivePace,   ///< a pace that changes while the motion runs
   LookAhead,  ///< corners rounded within a length
-  Rates,      ///< motions at given rates, without a target
   Path,       ///< many motions planned as one
   Force       ///< a force kept along an axis
 };

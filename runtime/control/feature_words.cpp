@@ -37,9 +37,6 @@ Explained explained(MotionFeature feature) {
       return {Capability::LivePace, "AT LIVE",
               "under Paul's law the speed of a motion is fixed when it is planned",
               "leave LIVE out: the speed is then computed once, when the motion is commanded"};
-    case MotionFeature::Jog:
-      return {Capability::Rates, "JOG", "under Paul's law every motion has a target",
-              "MOVE … AT 10mm/s UNTIL touched goes on until something is met"};
     case MotionFeature::Path:
       return {Capability::Path, "PATH", "under Paul's law each corner is planned by itself",
               "leave PATH and ENDPATH out; AFTER and BEFORE stand behind MOVE … DO"};
