@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -135,57 +136,94 @@ double ArmKinematics::turn_base(const Wrist& wrist, bool behind, double kept) co
          std::atan2(p_.b, behind ? -wrist.ahead : wrist.ahead);
 }
 
-InverseSolutions ArmKinematics::solutions(const Pose& pose,
-                                          const JointVector& near) const noexcept {
-  InverseSolutions found;
+/// Shows `take` every solution, those of the branch `first` first. It may lower `within`, a square
+/// of the distance from `near`: what is farther by its first axes alone is not worked out.
+template <typename Take>
+void ArmKinematics::search(const Pose& pose, const JointVector& near, ArmBranch first,
+                           const double& within, Take take) const noexcept {
   const Wrist wrist = wrist_of(pose);
-  if (!wrist.at.allFinite() || !wrist.hand.allFinite()) return found;
-  if (wrist.radius < std::abs(p_.b) - kOnAxis) return found;
+  if (!wrist.at.allFinite() || !wrist.hand.allFinite()) return;
+  if (wrist.radius < std::abs(p_.b) - kOnAxis) return;
   const Angles kept = angles_of(near);
-  for (const bool behind : {false, true}) {
+  for (const bool behind : {first.behind, !first.behind}) {
     const Eigen::Vector2d to_wrist = span(wrist, behind);
     const double s = to_wrist.norm();
     if (s > p_.c2 + k_ + kOnAxis || s < std::abs(p_.c2 - k_) - kOnAxis) continue;
+    Angles theta = kept;
+    theta[0] = turn_base(wrist, behind, kept[0]);
+    if (square_of_way(theta, near, 1) > within) continue;
     // The triangle of upper arm c2, forearm k and s: half its outer angle at axis 3, and by how
     // much the upper arm leads the line to the wrist.
     const double bend =
         2 * std::atan2(other_side(p_.c2 + k_, s), other_side(s, std::abs(p_.c2 - k_)));
     const double lead = std::atan2(k_ * std::sin(bend), p_.c2 + k_ * std::cos(bend));
     const double line = std::atan2(to_wrist.x(), to_wrist.y());
-    Angles theta = kept;
-    theta[0] = turn_base(wrist, behind, kept[0]);
-    for (const double side : {1.0, -1.0}) {
+    for (const bool negative : {first.elbow_negative, !first.elbow_negative}) {
+      const double side = negative ? -1 : 1;
       if (s >= kKept) theta[1] = line - side * lead;
       theta[2] = side * bend - psi_;
       theta[3] = kept[3];
-      add_wrists(wrist, theta, near, found);
+      if (square_of_way(theta, near, 3) <= within) turn_wrist(wrist, theta, take);
     }
   }
-  return found;
 }
 
 /// Both ways to turn the hand on a forearm that stands.
-void ArmKinematics::add_wrists(const Wrist& wrist, Angles theta, const JointVector& near,
-                               InverseSolutions& found) const noexcept {
+template <typename Take>
+void ArmKinematics::turn_wrist(const Wrist& wrist, Angles theta, Take take) noexcept {
   turn_hand(forearm(theta).transpose() * wrist.hand, theta);
-  add(theta, near, found);
+  take(theta);
   theta[3] += kPi;
   theta[4] = -theta[4];
   theta[5] += kPi;
-  add(theta, near, found);
+  take(theta);
 }
 
-/// As the robot counts its axes, each brought near by whole turns.
-void ArmKinematics::add(const Angles& theta, const JointVector& near,
-                        InverseSolutions& found) const noexcept {
-  JointVector& q = found.q[static_cast<std::size_t>(found.count++)];
-  q.resize(ArmParameters::kAxes);
-  for (int i = 0; i < ArmParameters::kAxes; ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    const double value = p_.sign[index] * (theta[i] - p_.offset[index]);
-    const double apart = value - near[i];
-    q[i] = std::abs(apart) <= kPi ? value : near[i] + std::remainder(apart, 2 * kPi);
+InverseSolutions ArmKinematics::solutions(const Pose& pose,
+                                          const JointVector& near) const noexcept {
+  InverseSolutions found;
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+  search(pose, near, {}, kAnywhere, [&](const Angles& theta) noexcept {
+    JointVector& q = found.q[static_cast<std::size_t>(found.count++)];
+    q.resize(ArmParameters::kAxes);
+    for (int i = 0; i < ArmParameters::kAxes; ++i) q[i] = axis_value(i, theta[i], near[i]);
+  });
+  return found;
+}
+
+std::optional<JointVector> ArmKinematics::inverse(const Pose& pose,
+                                                  const JointVector& near) const noexcept {
+  std::optional<Angles> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  search(pose, near, branch(near), least, [&](const Angles& theta) noexcept {
+    const double square = square_of_way(theta, near, ArmParameters::kAxes);
+    if (!(square < least)) return;
+    least = square;
+    nearest = theta;
+  });
+  if (!nearest) return std::nullopt;
+  JointVector q(ArmParameters::kAxes);
+  for (int i = 0; i < ArmParameters::kAxes; ++i) q[i] = axis_value(i, (*nearest)[i], near[i]);
+  return q;
+}
+
+/// As the robot counts the axis, brought near by whole turns.
+double ArmKinematics::axis_value(int axis, double theta, double near) const noexcept {
+  const auto index = static_cast<std::size_t>(axis);
+  const double value = p_.sign[index] * (theta - p_.offset[index]);
+  const double apart = value - near;
+  return std::abs(apart) <= kPi ? value : near + std::remainder(apart, 2 * kPi);
+}
+
+/// Sum of squares of what the first axes are away from `near`.
+double ArmKinematics::square_of_way(const Angles& theta, const JointVector& near,
+                                    int axes) const noexcept {
+  double sum = 0;
+  for (int i = 0; i < axes; ++i) {
+    const double apart = axis_value(i, theta[i], near[i]) - near[i];
+    sum += apart * apart;
   }
+  return sum;
 }
 
 Shortfall ArmKinematics::shortfall(const Pose& pose) const noexcept {

@@ -68,6 +68,8 @@ class ArmKinematics final : public Kinematics {
   /// All eight; four where one of "ahead" and "behind" is out of reach, which a1 can bring about.
   /// In singular places some are the same posture.
   InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept override;
+  std::optional<JointVector> inverse(const Pose& pose,
+                                     const JointVector& near) const noexcept override;
   Shortfall shortfall(const Pose& pose) const noexcept override;
   double lever(int axis, const Eigen::Vector3d& tip) const noexcept override;
   const char* nearest_singularity(const JointVector& q) const noexcept override;
@@ -92,9 +94,13 @@ class ArmKinematics final : public Kinematics {
   Wrist wrist_of(const Pose& pose) const noexcept;
   Eigen::Vector2d span(const Wrist& wrist, bool behind) const noexcept;
   double turn_base(const Wrist& wrist, bool behind, double kept) const noexcept;
-  void add_wrists(const Wrist& wrist, Angles theta, const JointVector& near,
-                  InverseSolutions& found) const noexcept;
-  void add(const Angles& theta, const JointVector& near, InverseSolutions& found) const noexcept;
+  template <typename Take>
+  void search(const Pose& pose, const JointVector& near, ArmBranch first, const double& within,
+              Take take) const noexcept;
+  template <typename Take>
+  static void turn_wrist(const Wrist& wrist, Angles theta, Take take) noexcept;
+  double axis_value(int axis, double theta, double near) const noexcept;
+  double square_of_way(const Angles& theta, const JointVector& near, int axes) const noexcept;
 
   ArmParameters p_;
   double k_ = 0;    // from axis 3 to the wrist

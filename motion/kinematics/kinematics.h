@@ -46,7 +46,8 @@ class Kinematics {
   /// there is no solution. Limits of the axes are not looked at.
   virtual InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept = 0;
   /// Of all solutions the one nearest to `near`, as sum of squares over the axes.
-  std::optional<JointVector> inverse(const Pose& pose, const JointVector& near) const noexcept;
+  virtual std::optional<JointVector> inverse(const Pose& pose,
+                                             const JointVector& near) const noexcept;
   /// Why there is none, where there is none.
   virtual Shortfall shortfall(const Pose& /*pose*/) const noexcept { return {}; }
   /// How far the tip of a tool, seen from the flange (m), can be from the rotary axis `axis` at

@@ -172,3 +172,21 @@ TEST_CASE("the UMS-7 follows at full speed through its whole range") {
   for (const auto& row : trace.rows)
     for (std::size_t i = 0; i < 6; ++i) REQUIRE(std::abs(row.q[i] - row.measured[i]) < 0.5);
 }
+
+TEST_CASE("every axis of every arm jogs as fast as it can, and its servo follows") {
+  for (const char* robot : {"ums7", "pc104", "lwa4p", "puma560", "irb120"}) {
+    for (std::size_t axis = 0; axis < 6; ++axis) {
+      CAPTURE(robot);
+      CAPTURE(axis);
+      std::string rates;
+      for (std::size_t i = 0; i < 6; ++i) {
+        rates += i == 0 ? "" : ", ";
+        rates += i == axis ? "9999deg/s" : "0deg/s";
+      }
+      const json report = run("JOG JOINT (" + rates + ") FOR 0.15s\n", {"--robot", robot});
+      CHECK(report["status"] == "done");
+      CHECK(report["events"] == json::array());  // no warning of following errors either
+      CHECK(std::next(report["peak"].begin(), static_cast<int>(axis)).value()["v"] > 10);
+    }
+  }
+}

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <utility>
 
 #include <doctest/doctest.h>
 
@@ -39,9 +40,10 @@ struct JogBench {
   /// as a share of j_max·T³: 0 of a constant jerk, great of a leap.
   double leap = 0;
 
-  explicit JogBench(const char* name) : robot(motion::embedded_robot(name)) {
+  explicit JogBench(motion::RobotModel model) : robot(std::move(model)) {
     mode.stand_at(robot.start);
   }
+  explicit JogBench(const char* name) : JogBench(motion::embedded_robot(name)) {}
   JogBench(const char* name, const motion::JointVector& q) : JogBench(name) { mode.stand_at(q); }
 
   const motion::JointVector& q() const { return mode.reference().q; }

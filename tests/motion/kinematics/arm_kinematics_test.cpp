@@ -118,6 +118,30 @@ TEST_CASE("of all solutions the nearest is taken, and axes do not wind by themse
   CHECK((*other - flipped).cwiseAbs().maxCoeff() < 1e-12);
 }
 
+TEST_CASE("the nearest is the one that a look at all of them finds") {
+  for (const std::string& name : arm_names()) {
+    CAPTURE(name);
+    const auto kinematics = arm(name);
+    const Kinematics& any = *kinematics;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> much(-1, 1);
+    for (int i = 0; i < 3000; ++i) {
+      JointVector q = random_joints(random);
+      if (i % 4 == 0) q[4] = 1e-7 * much(random);
+      JointVector near = q;
+      for (double& axis : near) axis += std::pow(10.0, i % 5 - 4) * much(random);
+      const Pose pose = any.forward(q);
+      const auto found = any.inverse(pose, near);
+      const auto looked_for = any.Kinematics::inverse(pose, near);
+      REQUIRE(found.has_value());
+      REQUIRE(looked_for.has_value());
+      // In singular places two may be as near as each other.
+      const double apart = (*looked_for - near).norm();
+      REQUIRE(std::abs((*found - near).norm() - apart) <= 1e-12);
+    }
+  }
+}
+
 TEST_CASE("each branch is left by turning the wrist, the elbow or the base over") {
   const auto kinematics = arm("lwa4p");
   const JointVector q = joints({10, 30, -90, 20, -60, 5});
