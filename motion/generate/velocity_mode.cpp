@@ -81,9 +81,12 @@ bool VelocityMode::takes(const JogRates& rates) const noexcept {
 void VelocityMode::aim(const JogRates& rates) noexcept {
   asked_ = rates;
   blocked_ = 0;
+  broken_off_ = false;
   if (!stands()) return;
-  low_ = least_.cwiseMin(state_.axes.q);
-  high_ = most_.cwiseMax(state_.axes.q);
+  // An end moves with what stands beyond it, but not with what rounding has led there.
+  const JointVector rounding = JointVector::Constant(state_.axes.q.size(), kSamePlace);
+  low_ = least_.cwiseMin(state_.axes.q + rounding);
+  high_ = most_.cwiseMax(state_.axes.q - rounding);
   if (!space_.same_as(rates)) state_.place = space_.enter(rates, state_.axes.q);
   state_.rate = state_.acceleration = JointVector::Zero(rates.rate.size());
 }
@@ -261,6 +264,7 @@ JogLimit VelocityMode::try_rest(State state) const noexcept {
 /// on its way: each axis by itself.
 void VelocityMode::brake_axes() noexcept {
   const JointReference axes = state_.axes;
+  broken_off_ = true;
   asked_ = {};
   asked_.space = JogRates::Space::Joint;
   asked_.rate = JointVector::Zero(axes.q.size());

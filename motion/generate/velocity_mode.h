@@ -32,7 +32,8 @@ struct JogLimit {
 /// come to rest with every axis within its way, speed, acceleration and jerk: that rest is tried
 /// beforehand, and where it is not possible the rates are asked for in the same direction, but
 /// smaller. So a jog slows down before the end of an axis, the border of its reach and singular
-/// places, stands still short of them, and goes wherever they are not: always back.
+/// places, stands still short of them, and goes wherever they are not: each axis
+/// alone always back.
 ///
 ///     asked        ____              slower as long as an axis could not
 ///     made     ___/    ╲______       follow, or not be stopped in time
@@ -60,7 +61,7 @@ class VelocityMode {
   double granted() const noexcept { return granted_; }
   /// It hardly goes on, though axes and tool are fast enough for what was asked; JogLimit says why.
   /// [choice] below a thirtieth it is hardly seen to move
-  bool stopped() const noexcept { return granted_ * 30 < affordable_; }
+  bool stopped() const noexcept { return broken_off_ || granted_ * 30 < affordable_; }
 
  private:
   struct State {
@@ -90,8 +91,9 @@ class VelocityMode {
   State state_;
   JogLimit limit_;
   double granted_ = 1;
-  double blocked_ = 0;     ///< it stands, and this share of the rates does not let it go on
-  double affordable_ = 0;  ///< share of the rates that speeds alone permit here; 0: nothing asked
+  bool broken_off_ = false;  ///< the rates were given up, until others are asked for
+  double blocked_ = 0;       ///< it stands, and this share of the rates does not let it go on
+  double affordable_ = 0;    ///< share of the rates that speeds alone permit here; 0: nothing asked
 };
 
 }  // namespace rob::motion

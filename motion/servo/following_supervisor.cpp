@@ -14,7 +14,9 @@ using Cause = FollowingFinding::Cause;
 
 constexpr double kWarnShare = 0.5;      // of the limit
 constexpr double kJumpMargin = 2;       // of what v_max allows
-constexpr double kBreakawayMargin = 2;  // of the way that overcomes Coulomb friction
+// Of the way that overcomes Coulomb friction: at a reversal the integral still holds against it from
+// the other side, so twice that way is needed; the third is the margin.
+constexpr double kBreakawayMargin = 3;
 
 FollowingFinding stop(Cause cause, int axis, double value, double limit) noexcept {
   return {Verdict::Stop, cause, axis, value, limit};

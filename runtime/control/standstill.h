@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
+#include <limits>
 
 #include "runtime/control/controller.h"
 
@@ -27,24 +27,25 @@ class Standstill {
     const Channels& channels = controller.channels();
     const std::uint64_t inputs = channels.inputs.load();
     const std::uint64_t outputs = channels.outputs.load();
-    const bool same = since_ && inputs == inputs_ && outputs == outputs_;
+    const bool same = inputs == inputs_ && outputs == outputs_;
     if (!controller.machine().waits_at_rest()) {
-      since_.reset();
-    } else if (!same) {
+      since_ = kNever;
+    } else if (!same || since_ == kNever) {
       since_ = now;
     }
     inputs_ = inputs;
     outputs_ = outputs;
-    return since_ && now - *since_ > longest_;
+    return now - since_ > longest_;
   }
 
  private:
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
   static constexpr double kMargin = 1;  // s. [choice] many cycles of any robot
 
   double longest_ = 0;  ///< s
   std::uint64_t inputs_ = 0;
   std::uint64_t outputs_ = 0;
-  std::optional<double> since_;
+  double since_ = kNever;  ///< s: it waits and nothing has changed
 };
 
 }  // namespace rob::runtime

@@ -119,7 +119,7 @@ TEST_CASE("a TASK that has ended may be started again, one that runs may not") {
 TEST_CASE("a START of a running TASK is an error also where nothing comes behind it") {
   const std::string task =
       "SIGNAL torch = DOUT[1] SAFE OFF\nTASK long\nWAIT 100s\nENDTASK\ntorch = ON\nSTART long\n";
-  for (const std::string& way : {"", "MOVE(20, 0, 0)\n"}) {
+  for (const std::string way : {"", "MOVE(20, 0, 0)\n"}) {
     CAPTURE(way);
     const RunResult result = run(task + way + "START long");
     REQUIRE(result.error);

@@ -112,7 +112,7 @@ TEST_CASE("a WHEN raises even while the program waits, computes or has nothing l
 }
 
 TEST_CASE("a WHEN that is true when it is armed raises, also where nothing comes behind it") {
-  for (const std::string& way : {"", "MOVE(40,0,0)\n"}) {
+  for (const std::string way : {"", "MOVE(40,0,0)\n"}) {
     CAPTURE(way);
     SteppedRun run("lift = ON\nWAIT lift_up\n" + way + "WHEN lift_up : RAISE \"up\"");
     const RunResult result = run.run();
