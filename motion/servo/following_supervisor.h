@@ -42,9 +42,10 @@ struct FollowingFinding {
 /// low speed, DriveData.following_limit the one at v_max.
 ///
 /// *Frozen*: q has not changed by a single count, in three cycles at least, while the reference
-/// went further than 20 counts + twice the way on which the servo overcomes Coulomb friction
-/// (2·C/kp). Because it is counted in way, not in time, no slow motion can raise it. [choice] 20
-/// counts: real encoders miss a few; three cycles: a drive that answers late repeats itself once.
+/// went further than 20 counts + three times the way on which the servo overcomes Coulomb friction
+/// (3·C/kp: a reversal takes two of them). Because it is counted in way, not in time, no slow motion
+/// can raise it. [choice] 20 counts: real encoders miss a few; three cycles: a drive that answers
+/// late repeats itself once.
 ///
 /// *Jump*: |Δq| > 2·v_max·(time since the last measurement, at least T).
 ///
