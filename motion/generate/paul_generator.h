@@ -6,11 +6,11 @@
 
 #include "motion/generate/path_clock.h"
 #include "motion/generate/path_events.h"
-#include "motion/plan/paul_segment.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/generate/velocity_mode.h"
 #include "motion/generate/watch_list.h"
 #include "motion/plan/look_ahead_buffer.h"
+#include "motion/plan/paul_segment.h"
 #include "motion/robots/robot_model.h"
 #include "motion/robots/time_scaling.h"
 #include "motion/space/spsc_ring.h"

@@ -43,9 +43,9 @@ struct FollowingFinding {
 ///
 /// *Frozen*: q has not changed by a single count, in three cycles at least, while the reference
 /// went further than 20 counts + three times the way on which the servo overcomes Coulomb friction
-/// (3·C/kp: a reversal takes two of them). Because it is counted in way, not in time, no slow motion
-/// can raise it. [choice] 20 counts: real encoders miss a few; three cycles: a drive that answers
-/// late repeats itself once.
+/// (3·C/kp: a reversal takes two of them). Because it is counted in way, not in time, no slow
+/// motion can raise it. [choice] 20 counts: real encoders miss a few; three cycles: a drive that
+/// answers late repeats itself once.
 ///
 /// *Jump*: |Δq| > 2·v_max·(time since the last measurement, at least T).
 ///

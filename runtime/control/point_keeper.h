@@ -16,7 +16,8 @@ class PointKeeper {
   virtual ~PointKeeper() = default;
 
   /// `frame`: of the program, that `pose` is in; empty for the world. `joints` in the order of the
-  /// axes; none where a tool was on. Why not, if it cannot be kept; what was kept before is still there then.
+  /// axes; none where a tool was on. Why not, if it cannot be kept; what was kept before is still
+  /// there then.
   virtual std::optional<lang::Refusal> keep(std::string_view point, std::string_view frame,
                                             const lang::PoseValue& pose,
                                             std::span<const double> joints) = 0;

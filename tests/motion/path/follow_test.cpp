@@ -170,7 +170,8 @@ TEST_CASE("the shortest lines, turns and arcs are followed like long ones") {
       };
       const auto line = ToolLine::between(from, at({1, 2, 3}, {0, 0, 0}));
       const auto turn = ToolLine::between(from, at({0, 0, 0}, {10, -20, 30}));
-      const auto arc = ToolArc::through(from, at({1, 1, 0}, {0, 0, 0}).position, at({2, 0, 0}, {1, 0, 0}));
+      const auto arc =
+          ToolArc::through(from, at({1, 1, 0}, {0, 0, 0}).position, at({2, 0, 0}, {1, 0, 0}));
       for (const ToolPath* path :
            {static_cast<const ToolPath*>(&*line), static_cast<const ToolPath*>(&*turn),
             static_cast<const ToolPath*>(&*arc)}) {
