@@ -178,7 +178,7 @@ std::string describe(const motion::RobotModel& robot) {
   }
   text += signals.empty() ? "" : "    signals:" + signals + "\n";
   if (robot.force_sensor) text += "    measures forces and torques on its tool\n";
-  return text + "    MOVE under Paul's law; simulated\n";
+  return text + "    MOVE, MOVEL, MOVEC, MOVES, SPIRAL, JOG under Paul's law; simulated\n";
 }
 
 ExitCode list_robots() {
