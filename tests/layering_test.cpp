@@ -50,7 +50,8 @@ const std::vector<LayerRule>& layer_rules() {
     for (const char* folder : {"lang/vm", "lang/format", "lang/help"}) {
       made.push_back({folder, up_to_syntax});
     }
-    // Inside motion: space → kinematics, dynamics → robots → path → plan → generate → force.
+    // Inside motion: space → kinematics, dynamics → robots → path → plan → ahead →
+    // generate → force.
     const std::vector<LayerRule> of_motion = {
         {"motion/space", {}},
         {"motion/kinematics", {"motion/space"}},
@@ -59,8 +60,8 @@ const std::vector<LayerRule>& layer_rules() {
     };
     made.insert(made.end(), of_motion.begin(), of_motion.end());
     std::vector<std::string_view> below = {"motion/space", "motion/kinematics", "motion/dynamics"};
-    for (const char* folder :
-         {"motion/robots", "motion/path", "motion/plan", "motion/generate", "motion/force"}) {
+    for (const char* folder : {"motion/robots", "motion/path", "motion/plan", "motion/ahead",
+                               "motion/generate", "motion/force"}) {
       made.push_back({folder, below});
       below.push_back(folder);
     }

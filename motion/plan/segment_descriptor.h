@@ -7,6 +7,7 @@
 #include "motion/path/joint_path.h"
 #include "motion/plan/corner.h"
 #include "motion/plan/jog_rates.h"
+#include "motion/plan/leg_bounds.h"
 #include "motion/plan/motion_request.h"
 #include "motion/plan/profile.h"
 #include "motion/plan/watch.h"
@@ -82,6 +83,7 @@ struct SegmentDescriptor {
   const Corner* corner = nullptr;  ///< out of the motion before; null: S1's in the axes
   bool from_rest = false;          ///< the target before is reached exactly: no corner leads here
   ProfileLaw profile{};            ///< from rest to rest; `duration` is its own
+  LegBounds ahead{};               ///< under the look-ahead law, whose times come with its path
 
   /// The axes stand at the target.
   bool ends_at_rest() const noexcept { return no_length || profile.present(); }

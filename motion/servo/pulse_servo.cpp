@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace rob::motion {
 namespace {
@@ -94,10 +95,6 @@ double PulseServo::whole_pulses(AxisLoop& axis, double way) noexcept {
   return whole;
 }
 
-double PulseServo::take_saturation() noexcept {
-  const double taken = saturation_;
-  saturation_ = 0;
-  return taken;
-}
+double PulseServo::take_saturation() noexcept { return std::exchange(saturation_, 0.0); }
 
 }  // namespace rob::motion

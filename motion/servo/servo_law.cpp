@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace rob::motion {
 namespace {
@@ -77,10 +78,6 @@ double ServoLaw::axis_force(AxisLaw& axis, const ServoGains& gains, double elaps
   return u;
 }
 
-double ServoLaw::take_saturation() noexcept {
-  const double taken = saturation_;
-  saturation_ = 0;
-  return taken;
-}
+double ServoLaw::take_saturation() noexcept { return std::exchange(saturation_, 0.0); }
 
 }  // namespace rob::motion

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace rob::motion {
+
+/// What a motion asks of the look-ahead law. The path is measured by σ: the way of the tool's tip,
+/// m; where the tip does not move, 1 mm for each degree that the axes turn most.
+struct LegBounds {
+  static constexpr double kAny = std::numeric_limits<double>::infinity();
+
+  double length = 0;        ///< m of σ from end to end; 0: no length
+  double speed = kAny;      ///< m/s of σ: what AT and OVER ask for, whatever the axes can do
+  double acceleration = 1;  ///< share of each axis' a_max that ACCEL leaves, above 0
+  double window = 0;        ///< s: of the average that bounds the jerk; 0: it is unbounded
+  double miss = kAny;       ///< m by which the tip may miss the target
+  double turn = kAny;       ///< rad by which the tool's orientation and its rotary axes may
+  double lead = kAny;       ///< m before the target from which the corner may begin
+  double share = 1;         ///< of half of each leg that a corner at the target may take
+  bool paced = false;       ///< AT or OVER set `speed`
+};
+
+}  // namespace rob::motion
