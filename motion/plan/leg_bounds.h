@@ -3,6 +3,10 @@
 #include <cstdint>
 #include <limits>
 
+#include "motion/path/tool_line.h"
+#include "motion/space/joint_vector.h"
+#include "motion/space/pose.h"
+
 namespace rob::motion {
 
 /// What a motion asks of the look-ahead law. The path is measured by σ: the way of the tool's tip,
