@@ -17,7 +17,8 @@ struct PathLeg {
   SegmentDescriptor segment;
   double begin = 0;
   double end = 0;
-  int average = 1;  ///< periods of the mean that makes the references of its run
+  double decides = 0;  ///< σ at which what follows has to be known (motion.md: decision point)
+  int average = 1;     ///< periods of the mean that makes the references of its run
 };
 
 /// The path between its planner (one writer) and the tick (one reader): pieces, and beside them the
@@ -92,10 +93,11 @@ class PathRing {
   std::uint32_t last_number() const noexcept { return last_number_; }
   std::uint32_t last_generation() const noexcept { return last_generation_; }
 
-  // What the planner has to know of the tick, and asks no more often than it works.
-  std::atomic<double> share{1};  ///< the override
-  std::atomic<double> sigma{0};  ///< where the guide is
-  std::atomic<double> rate{0};   ///< its σ'
+  // What each has to know of the other, and asks no more often than it works.
+  std::atomic<std::uint32_t> late{0};  ///< how often nothing was known of what follows in time
+  std::atomic<double> share{1};        ///< the override
+  std::atomic<double> sigma{0};        ///< where the guide is
+  std::atomic<double> rate{0};         ///< its σ'
 
  private:
   struct Slot {

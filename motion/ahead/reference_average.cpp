@@ -44,6 +44,7 @@ void ReferenceAverage::take(const Guide& guide) noexcept {
     average_sigma(guide);
   } else {
     average_axes();
+    piece_ = guide.index();
   }
 }
 
@@ -60,7 +61,6 @@ void ReferenceAverage::average_axes() noexcept {
   }
   const double share = 1.0 / periods_;
   mean_ = {newest.q + share * sum.q, share * sum.qd, share * sum.qdd};
-  if (!of_sigma_) piece_ = 0;
 }
 
 void ReferenceAverage::average_sigma(const Guide& guide) noexcept {
