@@ -33,8 +33,7 @@ Guide::Part Guide::next_part(double until) noexcept {
   Choice choice;
   if (piece != nullptr && !(braking_ && rate_ == 0)) {
     part.sigma = sigma_ = piece->begin + at_;
-    choice =
-        piece->straight() && !piece->averaged() ? on_line(*piece, rest) : on_curve(*piece, rest);
+    choice = choose(*piece, rest);
   }
   limit_ = choice.limit;
   const double mean = (rate_ + choice.end_rate) / 2;
@@ -77,76 +76,60 @@ double Guide::greatest_rate(const Piece& piece, GuideLimit& limit) const noexcep
   return paced;
 }
 
-/// Straight in the axes: σ'' is bounded alike everywhere, and the greatest square that leads to the
-/// one at the end falls evenly towards it.
-Guide::Choice Guide::on_line(const Piece& piece, double rest) const noexcept {
-  const StraightControl control = straight_control(piece);
-  const double most = control.most;
-  const double x = rate_ * rate_;
-  const double end = ring_.square(index_);
-  const double line = end + 2 * most * rest;
-  Choice choice;
+/// As fast as the bounds here and at the end of the piece allow, until it must be braked: where the
+/// axes can brake evenly from here on, the greatest square falls evenly towards the end's.
+Guide::Choice Guide::choose(const Piece& piece, double rest) const noexcept {
+  const Stretch on{piece.point(at_), piece.point(piece.length), rest, rate_ * rate_};
+  const ControlRange range = control_range(piece, on.here, on.end, rest, on.x);
   GuideLimit cruising;
   const double top_rate = greatest_rate(piece, cruising);
   const double top = top_rate * top_rate;
-  choice.limit = {GuideLimit::Kind::Acceleration, control.axis};
-  if (braking_ || x > top * (1 + kSame)) {
-    const double floor = braking_ ? 0 : top;
-    choice.control = -most;
-    choice.way = std::min(rest, (x - floor) / (2 * most));
-    choice.end_rate = choice.way < rest ? std::sqrt(floor) : root(x - 2 * most * rest);
-    choice.limit.kind = GuideLimit::Kind::Braking;
-  } else if (x >= line * (1 - kSame)) {
-    choice.control = (end - x) / (2 * rest);
-    choice.way = rest;
-    choice.end_rate = std::sqrt(end);
-  } else if (x < top * (1 - kSame)) {
-    choice.control = most;
-    choice.way = std::min((top - x) / (2 * most), (line - x) / (4 * most));
-    choice.end_rate = root(x + 2 * most * choice.way);
-    if (choice.way >= rest) {
-      choice.way = rest;
-      choice.end_rate = root(x + 2 * most * rest);
-    }
-  } else {
-    choice.way = std::min(rest, (line - x) / (2 * most));
-    choice.end_rate = rate_;
-    choice.limit = cruising;
+  if (braking_ || on.x > top * (1 + kSame)) return slow_down(piece, on, range, braking_ ? 0 : top);
+
+  const double end = ring_.square(index_);
+  const double brakes = brakes_on(piece, on.end, top);
+  const double line = end + 2 * brakes * rest;
+  Choice choice{range.high, rest, 0, {GuideLimit::Kind::Acceleration, range.high_axis}};
+  if (on.x >= line * (1 - kSame)) {
+    choice.control = std::min(range.high, (end - on.x) / (2 * rest));
+  } else if (on.x >= top * (1 - kSame)) {
+    choice.control = std::clamp(0.0, std::min(range.low, range.high), range.high);
+    if (choice.control == 0) choice.limit = cruising;
   }
+  if (on.x < line * (1 - kSame) && choice.control + brakes > 0)
+    choice.way = std::min(rest, (line - on.x) / (2 * (choice.control + brakes)));
+  if (on.x < top * (1 - kSame) && choice.control > 0)
+    choice.way = std::min(choice.way, (top - on.x) / (2 * choice.control));
+  choice.end_rate = root(on.x + 2 * choice.control * choice.way);
+  if (choice.way == rest && end == 0 && choice.end_rate * choice.end_rate <= kSame * on.x)
+    choice.end_rate = 0;
   return choice;
 }
 
-/// σ'' from the bounds at this place and at the end of the piece, even up to there.
-Guide::Choice Guide::on_curve(const Piece& piece, double rest) const noexcept {
-  const PathPoint here = piece.point(at_);
-  const PathPoint end = piece.point(piece.length);
-  const double x = rate_ * rate_;
-  const ControlRange range = control_range(piece, here, end, rest, x);
-  const double to_end = (ring_.square(index_) - x) / (2 * rest);
-  const double high = std::min(range.high, to_end);
-  const double low = std::min(range.low, high);
-  GuideLimit cruising;
-  const double top_rate = greatest_rate(piece, cruising);
-  const double top = top_rate * top_rate;
-  Choice choice;
-  choice.way = rest;
-  choice.limit = {GuideLimit::Kind::Acceleration, range.high_axis};
-  if (braking_ || x > top * (1 + kSame)) {
-    choice.limit = {GuideLimit::Kind::Braking, range.low_axis};
-    choice.control = low;
-    if (x + 2 * low * rest < 0)
-      choice.control = std::min(-x / (2 * rest), stopping_control(piece, here, end, x));
-    const double floor = braking_ ? 0 : top;
-    if (choice.control < 0 && x + 2 * choice.control * rest < floor)
-      choice.way = (x - floor) / (-2 * choice.control);
-  } else if (x < top * (1 - kSame)) {
-    choice.control = high;
-    if (high > 0) choice.way = std::min(rest, (top - x) / (2 * high));
-  } else {
-    choice.control = std::clamp(0.0, low, high);
-    if (choice.control == 0) choice.limit = cruising;
+/// The same for all of the piece, so that the square from which it has to be braked is one line.
+double Guide::brakes_on(const Piece& piece, const PathPoint& end, double top) const noexcept {
+  const PathPoint begin = piece.point(0);
+  const double before = index_ == first_ ? 0 : ring_.square(index_ - 1);
+  const double rise = 2 * piece.length * even_braking(piece, begin, end, 0);
+  return even_braking(piece, begin, end,
+                      std::min(top, std::max(before, ring_.square(index_)) + rise));
+}
+
+/// With the least control, until the square is down to `floor` or the piece ends.
+Guide::Choice Guide::slow_down(const Piece& piece, const Stretch& on, const ControlRange& range,
+                               double floor) const noexcept {
+  const bool ends = on.x + 2 * range.low * on.rest >= 0;  // before it stands
+  const double least = ends ? range.low : -on.x / (2 * on.rest);
+  Choice choice{std::min(least, -even_braking(piece, on.here, on.end, on.x)),
+                on.rest,
+                0,
+                {GuideLimit::Kind::Braking, range.low_axis}};
+  const double after = on.x + 2 * choice.control * on.rest;
+  choice.end_rate = root(after);
+  if (after < floor || after <= 0) {
+    choice.way = std::min(on.rest, (on.x - floor) / (-2 * choice.control));
+    choice.end_rate = std::sqrt(floor);
   }
-  choice.end_rate = root(x + 2 * choice.control * choice.way);
   return choice;
 }
 

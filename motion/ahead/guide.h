@@ -89,13 +89,23 @@ class Guide {
     GuideLimit limit;
   };
 
+  /// From `here` to the end of a piece, entered with σ'² = x.
+  struct Stretch {
+    PathPoint here;
+    PathPoint end;
+    double rest = 0;
+    double x = 0;
+  };
+
   bool blocked() const noexcept {
     return index_ > 0 && index_ != begun_ && ring_.run_end(index_ - 1);
   }
   Part next_part(double until) noexcept;
   double greatest_rate(const Piece& piece, GuideLimit& limit) const noexcept;
-  Choice on_line(const Piece& piece, double rest) const noexcept;
-  Choice on_curve(const Piece& piece, double rest) const noexcept;
+  Choice choose(const Piece& piece, double rest) const noexcept;
+  double brakes_on(const Piece& piece, const PathPoint& end, double top) const noexcept;
+  Choice slow_down(const Piece& piece, const Stretch& on, const ControlRange& range,
+                   double floor) const noexcept;
   void update_place() noexcept;
 
   PathRing& ring_;

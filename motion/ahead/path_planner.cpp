@@ -81,7 +81,7 @@ bool PathPlanner::work() {
   const bool anew = share != std::exchange(share_, share);
   if (anew || end_ != ring_.end()) {
     worked = true;
-    pass_back(anew);
+    publish(anew);
   }
   return worked;
 }
@@ -138,6 +138,7 @@ bool PathPlanner::begin_run() {
     return true;
   }
   window_ = next.ahead.window;
+  reach_ = 0;
   open(shaped_leg(robot_, next, known_));
   return true;
 }
@@ -167,7 +168,8 @@ bool PathPlanner::decide_alone() {
     sent_ = send(open_->length() - longest_turn(*open_));
     return true;
   }
-  if (end_ != ring_.end() || !guide_within(kLastChance, kAny)) return false;
+  const bool waits = ring_.end() != end_ && ready() != ring_.end();
+  if (waits || !guide_within(kLastChance, kAny)) return false;
   ring_.late.fetch_add(1, std::memory_order_relaxed);
   completing_ = true;
   return true;
@@ -242,7 +244,7 @@ bool PathPlanner::go_on() {
 /// brakes along the path already: whether it will stand so soon.
 bool PathPlanner::guide_within(double time, double deceleration) const {
   const double rate = ring_.rate.load(std::memory_order_relaxed);
-  const double rest = known_ - ring_.sigma.load(std::memory_order_relaxed);
+  const double rest = published_ - ring_.sigma.load(std::memory_order_relaxed);
   if (rate == 0) return rest <= 1e-9 * (1 + std::abs(known_));
   if (deceleration == kAny) return 2 * rest <= rate * time;
   return rest <= rate * rate / (2 * deceleration) + rate * time;
@@ -265,19 +267,33 @@ double PathPlanner::longest_turn(const ShapedLeg& leg) const {
 bool PathPlanner::send(double goal) {
   while (open_->sent < goal) {
     if (room() < kSpare) return false;
-    const double to = std::min(goal, next_border(*open_, open_->sent));
+    const double longest = longest_piece();
+    const double most = open_->sent + longest * (kSpare / 4.0);
+    const double to = std::min({goal, next_border(*open_, open_->sent), most});
     scratch_.clear();
-    append_leg(robot_, *open_, open_->sent, to, scratch_);
+    append_leg(robot_, *open_, open_->sent, to, longest, scratch_);
     write(scratch_);
     open_->sent = to;
   }
   return true;
 }
 
+/// Where places act together, that changes along a straight line, too.
+double PathPlanner::longest_piece() const {
+  if (!averages_sigma()) return kAny;
+  constexpr double kParts = 16;  // [choice] of the way within the mean's time
+  const double speed = speed_of(robot_, *open_, open_->at(open_->sent));
+  return std::max(speed * window_ / kParts, 1e-6);
+}
+
 void PathPlanner::write(const std::vector<Piece>& pieces) {
   for (const Piece& piece : pieces) {
     known_ = piece.begin + piece.length;
-    if (extends_last(piece)) {
+    if (averages_sigma()) {
+      reach_ =
+          std::max(reach_, std::sqrt(top_square(piece)) * std::max(1.0, 1 / share_) * window_ / 2);
+      extent(end_) = extent_of(piece);
+    } else if (extends_last(piece)) {
       Piece& last = ring_.draft(end_ - 1);
       last.length = known_ - last.begin;
       continue;
@@ -304,23 +320,71 @@ double PathPlanner::top_square(const Piece& piece) const noexcept {
   return top * top;
 }
 
+PathPlanner::Extent PathPlanner::extent_of(const Piece& piece) noexcept {
+  const PathPoint begin = piece.point(0);
+  const PathPoint end = piece.point(piece.length);
+  return {begin.qd.cwiseAbs().cwiseMax(end.qd.cwiseAbs()),
+          begin.qdd.cwiseAbs().cwiseMax(end.qdd.cwiseAbs())};
+}
+
+/// The pieces before this one can be run: what acts together with them is known.
+PathRing::Index PathPlanner::ready() const noexcept {
+  PathRing::Index at = end_;
+  if (!averages_sigma() || at == 0 || ring_.run_end(at - 1)) return at;
+  while (at > ring_.end()) {
+    const Piece& piece = ring_.written(at - 1);
+    if (piece.begin + piece.length <= known_ - reach_) break;
+    --at;
+  }
+  return at;
+}
+
+/// The greatest of all pieces within reach_ of this one in its run.
+void PathPlanner::spread(PathRing::Index at) noexcept {
+  Piece& piece = ring_.draft(at);
+  Extent most = extent(at);
+  const auto take = [&](PathRing::Index other) {
+    most.slopes = most.slopes.cwiseMax(extent(other).slopes);
+    most.bends = most.bends.cwiseMax(extent(other).bends);
+  };
+  for (PathRing::Index i = at; i > ring_.begin() && !ring_.run_end(i - 1); --i) {
+    if (ring_.written(i).begin < piece.begin - reach_) break;
+    take(i - 1);
+  }
+  for (PathRing::Index i = at; i + 1 < end_ && !ring_.run_end(i); ++i) {
+    if (ring_.written(i + 1).begin > piece.begin + piece.length + reach_) break;
+    take(i + 1);
+  }
+  piece.slopes = most.slopes;
+  piece.bends = most.bends;
+}
+
+void PathPlanner::publish(bool anew) {
+  const PathRing::Index until = ready();
+  if (averages_sigma()) {
+    for (PathRing::Index i = ring_.end(); i < until; ++i) spread(i);
+  }
+  pass_back(until, anew);
+  if (until == 0) return;
+  const Piece& last = ring_.written(until - 1);
+  published_ = last.begin + last.length;
+}
+
 /// From the end backwards: new pieces first, which are then published, and those before until
 /// nothing changes.
-void PathPlanner::pass_back(bool anew) {
+void PathPlanner::pass_back(PathRing::Index ready, bool anew) {
   const PathRing::Index first_new = ring_.end();
-  if (end_ == 0) return;
   double square = 0;
-  for (PathRing::Index i = end_ - 1;; --i) {
-    if (i == ring_.begin() || i == 0) break;
-    const Piece& piece = ring_.written(i);
-    const Piece& before = ring_.written(i - 1);
+  for (PathRing::Index i = ready; i > ring_.begin() + 1; --i) {
+    const Piece& piece = ring_.written(i - 1);
+    const Piece& before = ring_.written(i - 2);
     const double cap = std::min(top_square(piece), top_square(before));
-    square = ring_.run_end(i - 1) ? 0 : reachable_square(piece, square, cap);
-    if (i < first_new && !anew && square == ring_.square(i - 1)) break;
-    if (i == first_new) ring_.publish(end_);
-    ring_.set_square(i - 1, square);
+    square = ring_.run_end(i - 2) ? 0 : reachable_square(piece, square, cap);
+    if (i - 1 < first_new && !anew && square == ring_.square(i - 2)) break;
+    if (i - 1 == first_new) ring_.publish(ready);
+    ring_.set_square(i - 2, square);
   }
-  ring_.publish(end_);
+  ring_.publish(ready);
 }
 
 }  // namespace rob::motion

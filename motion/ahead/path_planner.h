@@ -21,11 +21,18 @@ namespace rob::motion {
 /// corner can use. Where nothing follows, or what follows begins at rest, the leg is completed to
 /// its target; so it is, late, where nothing is known and the guide is about to stand short of it.
 ///
+/// Where the mean that bounds the jerk is one of σ, its place and its speed come from all that the
+/// guide has passed in its time. There each piece bounds σ'' by the greatest slopes and bends of
+/// all within half that time around it, which holds for the mean, too; what is nearer than that to
+/// the end of what is known waits.
+///
 /// m, rad, s.
 class PathPlanner {
  public:
   PathPlanner(const RobotModel& robot, LookAheadBuffer& buffer, PathRing& ring)
-      : robot_(robot), buffer_(buffer), ring_(ring) {}
+      : robot_(robot), buffer_(buffer), ring_(ring) {
+    if (robot.tool_coordinates) extents_.resize(ring.capacity());
+  }
 
   /// Does all that can be done now; whether there was anything.
   bool work();
@@ -44,11 +51,26 @@ class PathPlanner {
   bool guide_within(double time, double deceleration) const;
   double longest_turn(const ShapedLeg& leg) const;
   bool send(double goal);
+  double longest_piece() const;
   void write(const std::vector<Piece>& pieces);
   bool extends_last(const Piece& piece) const;
-  void pass_back(bool anew);
+  void publish(bool anew);
+  PathRing::Index ready() const noexcept;
+  void spread(PathRing::Index at) noexcept;
+  void pass_back(PathRing::Index ready, bool anew);
   double top_square(const Piece& piece) const noexcept;
   std::size_t room() const noexcept;
+
+  /// The greatest |dq/dσ| and |d²q/dσ²| on a piece.
+  struct Extent {
+    JointVector slopes;
+    JointVector bends;
+  };
+  static Extent extent_of(const Piece& piece) noexcept;
+  Extent& extent(PathRing::Index at) noexcept {
+    return extents_[static_cast<std::size_t>(at % extents_.size())];
+  }
+  bool averages_sigma() const noexcept { return robot_.tool_coordinates && window_ > 0; }
 
   const RobotModel& robot_;
   LookAheadBuffer& buffer_;
@@ -58,11 +80,14 @@ class PathPlanner {
   bool completing_ = false;        ///< it goes to its target, and comes to rest there
   std::optional<Turn> turn_;       ///< out of it, into
   std::optional<ShapedLeg> next_;
-  bool sent_ = false;        ///< all of the open leg that can be known has been published
-  double known_ = 0;         ///< σ at the end of the last piece
-  double window_ = 0;        ///< s of the mean of the present run
-  PathRing::Index end_ = 0;  ///< of the pieces written; those from ring_.end() on are drafts
-  double share_ = 1;         ///< the override that the squares are for
+  bool sent_ = false;            ///< all of the open leg that can be known has been published
+  double known_ = 0;             ///< σ at the end of the last piece
+  double window_ = 0;            ///< s of the mean of the present run
+  PathRing::Index end_ = 0;      ///< of the pieces written; those from ring_.end() on are drafts
+  double published_ = 0;         ///< σ at the end of those before
+  double reach_ = 0;             ///< m: how far places of the present run act together in the mean
+  double share_ = 1;             ///< the override that the squares are for
+  std::vector<Extent> extents_;  ///< of the pieces, by the same slots
   std::vector<Piece> scratch_;
 };
 

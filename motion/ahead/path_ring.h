@@ -41,6 +41,7 @@ class PathRing {
     return slots_.size() - static_cast<std::size_t>(tail_.load(std::memory_order_relaxed) -
                                                     head_.load(std::memory_order_acquire));
   }
+  std::size_t capacity() const noexcept { return slots_.size(); }
   std::size_t leg_room() const noexcept { return legs_.room(); }
   Index end() const noexcept { return tail_.load(std::memory_order_relaxed); }
   Index begin() const noexcept { return head_.load(std::memory_order_acquire); }

@@ -109,21 +109,26 @@ ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, 
 }
 
 void append_leg(const RobotModel& robot, const ShapedLeg& leg, double from, double to,
-                std::vector<Piece>& pieces) {
+                double longest, std::vector<Piece>& pieces) {
   if (!(to > from)) return;
-  const double begin = leg.begin + from;
   const auto at = [&](double way) { return leg.at(way); };
   if (leg.motion.path != nullptr) {
-    append_nodes(robot, leg, *leg.motion.path, leg.length(), begin, from, to, at, pieces);
+    append_nodes(robot, leg, *leg.motion.path, leg.length(), leg.begin + from, from, to, at,
+                 pieces);
     return;
   }
-  Piece piece = piece_of(leg, begin, to - from);
-  const PathPoint place = leg.at(from);
-  piece.count = 2;
-  piece.terms[0] = place.q;
-  piece.terms[1] = place.qd;
-  bound_speed(robot, place, piece);
-  pieces.push_back(piece);
+  const double parts = std::max(1.0, std::ceil((to - from) / longest));
+  for (double k = 0; k < parts; ++k) {
+    const double start = from + (to - from) * (k / parts);
+    const double stop = k + 1 < parts ? from + (to - from) * ((k + 1) / parts) : to;
+    const PathPoint place = leg.at(start);
+    Piece piece = piece_of(leg, leg.begin + start, stop - start);
+    piece.count = 2;
+    piece.terms[0] = place.q;
+    piece.terms[1] = place.qd;
+    bound_speed(robot, place, piece);
+    pieces.push_back(piece);
+  }
 }
 
 void append_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,

@@ -30,9 +30,10 @@ struct Turn {
   double fastest = Piece::kAny;  ///< σ' in it, for the sake of the mean that follows
 };
 
-/// The pieces of a leg from one place to a later one, m from its beginning.
+/// The pieces of a leg from one place to a later one, m from its beginning; straight ones no longer
+/// than `longest`.
 void append_leg(const RobotModel& robot, const ShapedLeg& leg, double from, double to,
-                std::vector<Piece>& pieces);
+                double longest, std::vector<Piece>& pieces);
 /// Of a corner, split in its middle: there the pace changes from one leg's to the other's.
 void append_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                  const Turn& turn, std::vector<Piece>& pieces);

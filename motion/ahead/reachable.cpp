@@ -77,17 +77,18 @@ ControlRange control_range(const Piece& piece, const PathPoint& here, const Path
   return {bounds.low.value(x), bounds.high.value(x), bounds.low.axis, bounds.high.axis};
 }
 
-double stopping_control(const Piece& piece, const PathPoint& here, const PathPoint& end,
-                        double x) noexcept {
-  double least = -kAny;
+double even_braking(const Piece& piece, const PathPoint& here, const PathPoint& end,
+                    double x) noexcept {
+  double most = kAny;
   for (int i = 0; i < piece.acceleration.size(); ++i) {
-    const double most = piece.acceleration[i];
+    const bool mean = piece.averaged();
     const double slope =
-        piece.averaged() ? piece.slopes[i] : std::max(std::abs(here.qd[i]), std::abs(end.qd[i]));
-    const double bend = piece.averaged() ? piece.bends[i] : std::abs(here.qdd[i]);
-    if (slope > 0) least = std::max(least, -std::max(most - bend * x, 0.0) / slope);
+        mean ? piece.slopes[i] : std::max(std::abs(here.qd[i]), std::abs(end.qd[i]));
+    const double bend =
+        mean ? piece.bends[i] : std::max(std::abs(here.qdd[i]), std::abs(end.qdd[i]));
+    if (slope > 0) most = std::min(most, std::max(piece.acceleration[i] - bend * x, 0.0) / slope);
   }
-  return least;
+  return most;
 }
 
 StraightControl straight_control(const Piece& piece) noexcept {

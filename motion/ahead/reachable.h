@@ -18,9 +18,10 @@ struct ControlRange {
 ControlRange control_range(const Piece& piece, const PathPoint& here, const PathPoint& end,
                            double rest, double x) noexcept;
 
-/// What brings the axes to rest on the piece, as hard as they can from x at `here`; m/s², below 0.
-double stopping_control(const Piece& piece, const PathPoint& here, const PathPoint& end,
-                        double x) noexcept;
+/// How hard σ' can be braked evenly on all of the rest of a piece, as long as σ'² is at most x;
+/// m/s², not below 0.
+double even_braking(const Piece& piece, const PathPoint& here, const PathPoint& end,
+                    double x) noexcept;
 
 /// The greatest |σ''| on a straight piece, and the axis that sets it.
 struct StraightControl {
