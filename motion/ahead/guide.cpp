@@ -100,9 +100,8 @@ Guide::Choice Guide::choose(const Piece& piece, double rest) const noexcept {
     choice.way = std::min(rest, (line - on.x) / (2 * (choice.control + brakes)));
   if (on.x < top * (1 - kSame) && choice.control > 0)
     choice.way = std::min(choice.way, (top - on.x) / (2 * choice.control));
-  choice.end_rate = root(on.x + 2 * choice.control * choice.way);
-  if (choice.way == rest && end == 0 && choice.end_rate * choice.end_rate <= kSame * on.x)
-    choice.end_rate = 0;
+  const bool meets_end = choice.control == (end - on.x) / (2 * rest) && choice.way == rest;
+  choice.end_rate = meets_end ? std::sqrt(end) : root(on.x + 2 * choice.control * choice.way);
   return choice;
 }
 

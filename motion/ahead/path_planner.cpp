@@ -265,7 +265,8 @@ double PathPlanner::longest_turn(const ShapedLeg& leg) const {
 
 /// Makes pieces of the open leg up to `goal`, m from its beginning; false where the ring is full.
 bool PathPlanner::send(double goal) {
-  while (open_->sent < goal) {
+  constexpr double kNothing = 1e-12;  // of the leg: rounding of what its corners take
+  while (goal - open_->sent > kNothing * open_->length()) {
     if (room() < kSpare) return false;
     const double longest = longest_piece();
     const double most = open_->sent + longest * (kSpare / 4.0);

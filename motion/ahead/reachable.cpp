@@ -55,8 +55,12 @@ struct Bounds {
     if (row.slope == 0) return;
     const double size = std::abs(row.slope);
     const double per = -row.bend / row.slope;
-    const Bound below{-row.most / size, per, row.axis};
-    const Bound above{row.most / size, per, row.axis};
+    // Where a bend asks for just what there is, rounding must not ask for a control without end.
+    constexpr double kRounding = 1 + 1e-9;
+    const double bent = std::abs(row.bend) * x;
+    const double most = bent <= row.most * kRounding ? std::max(row.most, bent) : row.most;
+    const Bound below{-most / size, per, row.axis};
+    const Bound above{most / size, per, row.axis};
     if (below.value(x) > low.value(x)) low = below;
     if (above.value(x) < high.value(x)) high = above;
   }
