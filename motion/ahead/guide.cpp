@@ -10,6 +10,9 @@ namespace {
 /// Relative difference below which two squares of rates are the same: rounding of a few operations.
 constexpr double kSame = 1e-12;
 
+/// The same of a square that has come out of a long division.
+constexpr double kNear = 1e-9;
+
 double root(double square) noexcept { return std::sqrt(std::max(square, 0.0)); }
 
 }  // namespace
@@ -37,7 +40,7 @@ Guide::Part Guide::next_part(double until) noexcept {
   }
   limit_ = choice.limit;
   const double mean = (rate_ + choice.end_rate) / 2;
-  if (!(mean > 0)) {  // it stands
+  if (piece == nullptr || !(mean > 0)) {  // it stands
     part.rate = rate_ = acceleration_ = 0;
     time_ = until;
     return part;
@@ -88,10 +91,12 @@ Guide::Choice Guide::choose(const Piece& piece, double rest) const noexcept {
 
   const double end = ring_.square(index_);
   const double brakes = brakes_on(piece, on.end, top);
-  const double line = end + 2 * brakes * rest;
+  // Where they cannot, one even σ'' has to lead to the end.
+  const double line = brakes > 0 ? end + 2 * brakes * rest : 0;
   Choice choice{range.high, rest, 0, {GuideLimit::Kind::Acceleration, range.high_axis}};
   if (on.x >= line * (1 - kSame)) {
-    choice.control = std::min(range.high, (end - on.x) / (2 * rest));
+    // Above the square, as behind a lowered override, as hard as the axes can.
+    choice.control = std::min(range.high, std::max(range.low, (end - on.x) / (2 * rest)));
   } else if (on.x >= top * (1 - kSame)) {
     choice.control = std::clamp(0.0, std::min(range.low, range.high), range.high);
     if (choice.control == 0) choice.limit = cruising;
@@ -100,8 +105,10 @@ Guide::Choice Guide::choose(const Piece& piece, double rest) const noexcept {
     choice.way = std::min(rest, (line - on.x) / (2 * (choice.control + brakes)));
   if (on.x < top * (1 - kSame) && choice.control > 0)
     choice.way = std::min(choice.way, (top - on.x) / (2 * choice.control));
-  const bool meets_end = choice.control == (end - on.x) / (2 * rest) && choice.way == rest;
-  choice.end_rate = meets_end ? std::sqrt(end) : root(on.x + 2 * choice.control * choice.way);
+  const double after = on.x + 2 * choice.control * choice.way;
+  // Rounding of large numbers that cancel must not leave a speed where the path ends.
+  const bool meets_end = choice.way == rest && std::abs(after - end) <= kNear * on.x;
+  choice.end_rate = root(meets_end ? end : after);
   return choice;
 }
 

@@ -121,6 +121,7 @@ std::optional<Turn> make_parabola(const RobotModel& robot, const ShapedLeg& in,
   const Miss pace = parabola_miss(robot, in, turn, 4);  // of a turn at unit acceleration
   const double reach = std::min(pace.distance > 0 ? zone.miss / pace.distance : kAny,
                                 pace.angle > 0 ? zone.turn / pace.angle : kAny);
+  if (!(reach > 0)) return std::nullopt;
   const double used = std::min(reserve * moved, reach / 2);
   const double part = reach < kAny ? 1 - used / reach : 1;
   Turn made;

@@ -44,6 +44,13 @@ class AheadRun {
   /// What the next legs ask for.
   motion::LegBounds bounds;
 
+  /// Where the axes stand before the first line.
+  void from(double x_mm, double y_mm) {
+    last_[0] = x_mm / 1000;
+    last_[1] = y_mm / 1000;
+    guide_.restart(0, last_);
+  }
+
   /// Straight in the axes to q, m and rad; σ is the way of x and y, or 1 mm a degree.
   void line(const motion::JointVector& q) {
     motion::SegmentDescriptor segment;
@@ -101,8 +108,7 @@ class AheadRun {
     double peak = 0;
     for (std::size_t k = 3; k < references_.size(); ++k) {
       const auto q = [&](std::size_t at) { return references_[at].q[i]; };
-      peak = std::max(peak,
-                      std::abs(q(k) - 3 * q(k - 1) + 3 * q(k - 2) - q(k - 3)) / (t * t * t));
+      peak = std::max(peak, std::abs(q(k) - 3 * q(k - 1) + 3 * q(k - 2) - q(k - 3)) / (t * t * t));
     }
     return peak;
   }
