@@ -83,8 +83,18 @@ class Misses {
       least_[i] = std::min(least_[i], distance_to(path_.places[points_[i]], from, to));
   }
 
-  double greatest() const {
-    return least_.empty() ? 0 : *std::max_element(least_.begin(), least_.end());
+  const std::vector<double>& least() const { return least_; }
+
+  /// What the points before and behind the place where the tool is allow.
+  double allowed(const std::vector<double>& bounds) const {
+    const auto before = [&](double length, std::size_t point) {
+      return length < follower_.length_at(point);
+    };
+    const auto next = static_cast<std::size_t>(
+        std::upper_bound(points_.begin(), points_.end(), follower_.here(), before) -
+        points_.begin());
+    const double behind = next < bounds.size() ? bounds[next] : 0;
+    return next > 0 ? std::max(bounds[next - 1], behind) : behind;
   }
 
  private:
@@ -163,7 +173,24 @@ PathDeviation path_deviation(const std::vector<Vector3d>& curve, const Programme
     found.from_path = std::max(found.from_path, follower.follow(curve[k]));
     misses.pass(curve[k > 0 ? k - 1 : 0], curve[k]);
   }
-  found.miss = misses.greatest();
+  found.miss = *std::max_element(misses.least().begin(), misses.least().end());
+  return found;
+}
+
+PathExcess path_excess(const std::vector<Vector3d>& curve, const ProgrammedPath& path,
+                       const std::vector<double>& bounds, double window) {
+  Follower follower(path.places, window);
+  Misses misses(path, follower, window);
+  PathExcess found;
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    const double distance = follower.follow(curve[k]);
+    found.from_path = std::max(found.from_path, distance - misses.allowed(bounds));
+    misses.pass(curve[k > 0 ? k - 1 : 0], curve[k]);
+  }
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const double excess = misses.least()[i] - bounds[i];
+    if (excess > found.miss) found.miss = excess, found.point = i;
+  }
   return found;
 }
 

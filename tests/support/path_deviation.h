@@ -36,4 +36,16 @@ std::vector<Eigen::Vector3d> tool_curve_of_poses(const TraceFile& trace, int par
 PathDeviation path_deviation(const std::vector<Eigen::Vector3d>& curve, const ProgrammedPath& path,
                              double window);
 
+/// By how much a tool was farther from the path than it might be, mm; 0 and less: nowhere.
+struct PathExcess {
+  double from_path = 0;   ///< beside it
+  double miss = 0;        ///< of a point
+  std::size_t point = 0;  ///< that one: its number among the path's points
+};
+
+/// `bounds`: mm by which each programmed point may be missed. Between two of them the tool may be
+/// beside the path by what the greater allows.
+PathExcess path_excess(const std::vector<Eigen::Vector3d>& curve, const ProgrammedPath& path,
+                       const std::vector<double>& bounds, double window);
+
 }  // namespace rob::test

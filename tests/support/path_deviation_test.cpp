@@ -10,6 +10,7 @@ using Eigen::Vector3d;
 using rob::test::AxisState;
 using rob::test::made_trace;
 using rob::test::path_deviation;
+using rob::test::path_excess;
 using rob::test::PathDeviation;
 using rob::test::ProgrammedPath;
 using rob::test::tool_curve;
@@ -88,7 +89,7 @@ TEST_CASE("between rows the curve is a cubic: rows 2 mm apart on a circle of 50 
 }
 
 TEST_CASE("a line of a hatch that is left out is found, though its neighbours are 1 mm away") {
-  const std::vector<Vector3d> hatch = {{0, 0, 0}, {50, 0, 0}, {50, 1, 0}, {0, 1, 0},
+  const std::vector<Vector3d> hatch = {{0, 0, 0}, {50, 0, 0}, {50, 1, 0}, {1e-9, 1, 1e-9},
                                        {0, 2, 0}, {50, 2, 0}, {50, 3, 0}, {0, 3, 0}};
   const auto followed = [&](double t) { return along(hatch, t); };
   const auto good = tool_curve(made_trace(2.05, 0.001, followed), 2, 1);
@@ -109,4 +110,15 @@ TEST_CASE("a spike of 180 degrees is followed to its tip") {
   const auto found = path_deviation(tool_curve(made_trace(0.39, 0.001, early), 2), {spike}, 3);
   CHECK(found.miss == doctest::Approx(0.5).epsilon(0.01));
   CHECK(found.from_path < 0.02);  // the cubic through the turned speed overshoots a little
+}
+
+TEST_CASE("each point has its own bound, and the path between two of them the greater") {
+  const auto curve = tool_curve(made_trace(0.3, 0.001, parabolic_corner), 2);
+  const ProgrammedPath path{{{-15, 0, 0}, {0, 0, 0}, {0, 15, 0}}};
+  CHECK(path_excess(curve, path, {1e-9, 1.77, 1e-9}, 20).miss <= 0);  // 1.25·√2 = 1.768
+  CHECK(path_excess(curve, path, {1e-9, 1.77, 1e-9}, 20).from_path <= 1e-9);
+  const auto tight = path_excess(curve, path, {1e-9, 1, 1e-9}, 20);
+  CHECK(tight.miss == doctest::Approx(1.25 * std::numbers::sqrt2 - 1).epsilon(1e-6));
+  CHECK(tight.from_path == doctest::Approx(0.25).epsilon(1e-6));
+  CHECK(tight.point == 1);
 }
