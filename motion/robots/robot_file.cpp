@@ -211,6 +211,12 @@ void read_actuators(const TableReader& file, RobotModel& robot) {
   }
 }
 
+/// ISO 841 calls axes a and b that turn about x and y; any other turns about z.
+GantryKinematics::Turn turn_of(std::string_view name) {
+  using Turn = GantryKinematics::Turn;
+  return name == "a" ? Turn::AboutX : name == "b" ? Turn::AboutY : Turn::AboutZ;
+}
+
 void choose_kinematics(const TableReader& file, RobotModel& robot) {
   const auto rotary = [](const Axis& axis) { return axis.kind == AxisKind::Rotary; };
   if (file.choice("kinematics", {"gantry", "arm"}) == 1) {
@@ -220,11 +226,15 @@ void choose_kinematics(const TableReader& file, RobotModel& robot) {
     robot.kinematics = read_arm(file);
     return;
   }
-  const bool fits = robot.axis_count() == 3 && !rotary(robot.axes[0]) && !rotary(robot.axes[1]) &&
-                    rotary(robot.axes[2]);
-  if (!fits) file.fail("kinematics", "a gantry has two linear axes, then a rotary one");
+  const auto first_rotary = std::ranges::find_if(robot.axes, rotary);
+  const auto linear = static_cast<int>(first_rotary - robot.axes.begin());
+  const int turning = robot.axis_count() - linear;
+  const bool fits = (linear == 2 || linear == 3) && turning <= 1;
+  if (!fits)
+    file.fail("kinematics", "a gantry has two or three linear axes, then at most a rotary one");
   if (file.has("arm")) file.fail("arm", "a gantry has none");
-  robot.kinematics = std::make_shared<GantryKinematics>();
+  robot.kinematics = std::make_shared<GantryKinematics>(
+      linear, turning == 0 ? GantryKinematics::Turn::None : turn_of(first_rotary->name));
 }
 
 void choose_mechanics(const TableReader& file, const std::vector<TableReader>& axes,

@@ -293,12 +293,26 @@ TEST_CASE("unknown words are refused with what was probably meant") {
               "is not known; known are \"linear\", \"rotary\"");
 }
 
-TEST_CASE("a gantry has two linear axes and a rotary one") {
+TEST_CASE("a gantry has two or three linear axes, then at most a rotary one") {
+  const std::size_t y = kGood.find("[[axis]]\nname = \"y\"");
   const std::size_t theta = kGood.find("[[axis]]\nname = \"theta\"");
   const std::size_t end = kGood.find("[[signal]]");
-  std::string two = kGood;
-  two.erase(theta, end - theta);
-  check_error(two, 3, "two linear axes, then a rotary one");
+  const std::string axis_y = kGood.substr(y, theta - y);
+  const auto without = [](std::size_t from, std::size_t to) {
+    return std::string(kGood).erase(from, to - from);
+  };
+  check_error(without(y, theta), 3, "two or three linear axes, then at most a rotary one");
+  CHECK(parse_robot_file(without(theta, end), "my.toml").kinematics->axes() == 2);
+  std::string four = without(0, 0);
+  four.insert(theta, std::string(axis_y).replace(axis_y.find("\"y\""), 3, "\"z\""));
+  const RobotModel robot = parse_robot_file(four, "my.toml");
+  CHECK(robot.kinematics->axes() == 4);
+  CHECK(robot.kinematics->coordinate(3) == 5);  // theta turns about z
+  for (const auto& [name, part] : {std::pair{"\"a\"", 3}, std::pair{"\"b\"", 4}}) {
+    std::string turned = four;
+    turned.replace(turned.find("\"theta\""), 7, name);
+    CHECK(parse_robot_file(turned, "my.toml").kinematics->coordinate(3) == part);
+  }
 }
 
 TEST_CASE("tables are written as tables, and axes are few") {
