@@ -73,7 +73,7 @@ RunResult run_one(const LoadedProgram& program, const Options& options,
 std::vector<LoadedProgram> load_programs(const Options& options) {
   std::vector<LoadedProgram> programs;
   for (const std::string& file : options.files)
-    programs.push_back(load_program(file, options.robot));
+    programs.push_back(load_program(file, options.robot, options.law));
   return programs;
 }
 

@@ -30,9 +30,8 @@ double share_of(const std::string& text) {
 }
 
 std::string check_law(const std::string& law) {
-  if (law == "paul") return "";
-  if (law == "lookahead") return "the look-ahead law is not in this version of Rob yet; use paul";
-  return fmt::format("there is no law '{}'; use paul", law);
+  if (law == "paul" || law == "lookahead") return "";
+  return fmt::format("there is no law '{}'; there are paul and lookahead", law);
 }
 
 std::string check_backend(const std::string& backend) {
@@ -45,7 +44,7 @@ struct Parser {
   CLI::App app{"Rob: programs that move robots, exactly where and exactly when they say.", "rob"};
   Options options;
   std::string override_text = "100%";
-  std::string law = "paul";
+  std::string law;
   std::string backend = "sim";
   std::string topic;
 
@@ -55,7 +54,7 @@ struct Parser {
   }
   void add_robot(CLI::App& command) {
     command.add_option("--robot", options.robot, "a robot's name (rob robots), or its file.toml");
-    command.add_option("--law", law, "transition law: paul")->check(check_law);
+    command.add_option("--law", law, "transition law: paul or lookahead")->check(check_law);
   }
   void add_seed(CLI::App& command) {
     command.add_option("--seed", options.seed, "where RANDOM begins: a whole number from 0")
@@ -168,6 +167,8 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
     return CommandLineEnd{ExitCode::Done, out.str(), ""};
   }
   parser.options.override_share = share_of(parser.override_text);
+  if (!parser.law.empty())
+    parser.options.law = parser.law == "paul" ? motion::Law::Paul : motion::Law::LookAhead;
   if (parser.options.command == Options::Command::Help) return help_on(parser);
   if (!parser.options.trace.empty() && parser.options.files.size() > 1) {
     return usage_error("--trace records one program; run the others without it");

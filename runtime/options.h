@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lang/values/random.h"
+#include "motion/robots/robot_model.h"
 #include "runtime/program/run_result.h"
 
 namespace rob::runtime {
@@ -18,6 +19,7 @@ struct Options {
   Command command = Command::Help;
   std::vector<std::string> files;
   std::string robot;  ///< a name, or a file that ends in .toml; empty: the program's own
+  std::optional<motion::Law> law;  ///< without it the program's or the robot's own
   std::string trace;
   std::string signals;  ///< a signal script
   double override_share = 1;

@@ -48,7 +48,7 @@ Outcome test_file(const LoadedProgram& program, const Options& options) {
 ExitCode test_files(const Options& options) {
   std::vector<LoadedProgram> programs;
   for (const std::string& file : options.files)
-    programs.push_back(load_program(file, options.robot));
+    programs.push_back(load_program(file, options.robot, options.law));
   for (LoadedProgram& program : programs) {
     refuse_missing_points(program);
     refuse_what_an_arm_cannot(program);

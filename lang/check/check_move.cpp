@@ -10,11 +10,6 @@
 
 namespace rob::lang {
 
-void MoveChecker::check(const Header& header) {
-  if (header.law && header.look_ahead)
-    checked_.features.push_back({*header.law, MotionFeature::LookAhead});
-}
-
 void MoveChecker::check(const Move& move, Place place, bool guarded) {
   bool sound = check_way(move, place, guarded);
   sound = clauses_.check(move.clauses, place) && check_clauses_of(move) && sound;

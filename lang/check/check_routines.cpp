@@ -13,7 +13,6 @@
 namespace rob::lang {
 
 void StatementChecker::check(Program& program) {
-  moves_.check(program.header);
   scopes_.enter();
   for (const Routine& routine : program.routines) {
     scopes_.enter_file(routine.place.file);

@@ -24,7 +24,6 @@ class MoveChecker {
         diagnostics_(diagnostics),
         checked_(checked) {}
 
-  void check(const Header& header);
   /// `place`: of the statement; `guarded`: UNTIL stands behind it.
   void check(const Move& move, Place place, bool guarded);
   void check(PlainMotions& motions);

@@ -18,6 +18,7 @@ Compilation compile(std::string_view source, const RobotSignature& robot, const 
   RobotSignature signature = robot;
   signature.units = program.used_units;
   CheckedProgram checked = check(std::move(program), signature, points, judge, diagnostics);
+  compilation.law = checked.program.header.law;
   compilation.features = std::move(checked.features);
   compilation.missing_points = std::move(checked.missing_points);
   if (!diagnostics.has_errors()) compilation.chunk = generate(checked, signature, diagnostics);

@@ -18,7 +18,8 @@ namespace rob::lang {
 /// What compiling one source text yields.
 struct Compilation {
   Diagnostics diagnostics;
-  std::optional<Chunk> chunk;  ///< empty if the program has errors
+  std::optional<Chunk> chunk;      ///< empty if the program has errors
+  std::optional<Header::Law> law;  ///< LAW of the program
   std::vector<FeatureUse> features;
   std::vector<MissingPoint> missing_points;  ///< each has had a warning
   std::vector<SourceFile> used;              ///< the files that it USEs, by Place::file from 1

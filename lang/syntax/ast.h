@@ -260,10 +260,13 @@ struct Routine {
 
 /// ROBOT, UNITS and LAW: what holds for the whole program.
 struct Header {
-  bool robot = false;        ///< ROBOT was written; declared_robot() (robot_name.h) tells which
-  std::vector<Unit> units;   ///< UNITS: of bare numbers in targets, at most one of a dimension
-  std::optional<Place> law;  ///< where LAW is
-  bool look_ahead = false;   ///< LAW LOOKAHEAD
+  bool robot = false;       ///< ROBOT was written; declared_robot() (robot_name.h) tells which
+  std::vector<Unit> units;  ///< UNITS: of bare numbers in targets, at most one of a dimension
+  struct Law {
+    Place place;
+    TransitionLaw law = TransitionLaw::Paul;
+  };
+  std::optional<Law> law;
 };
 
 struct Program {

@@ -68,8 +68,7 @@ void Parser::law_header(const Place& place) {
   if (header_.law) {
     report(code::kDuplicateClause, place, "LAW is given twice", "keep one of the two");
   }
-  header_.law = current_.place;
-  header_.look_ahead = look_ahead;
+  header_.law = {current_.place, look_ahead ? TransitionLaw::LookAhead : TransitionLaw::Paul};
   advance();
 }
 

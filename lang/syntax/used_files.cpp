@@ -136,7 +136,7 @@ class Reader {
                          "put it into a PROC, or into the program that USEs this file");
     }
     if (program.header.law) {
-      diagnostics_.error(code::kNotInUsedFile, *program.header.law,
+      diagnostics_.error(code::kNotInUsedFile, program.header.law->place,
                          "a USEd file has no LAW: how the robot moves is up to the program",
                          "move it into the program");
     }

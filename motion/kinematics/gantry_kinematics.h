@@ -4,20 +4,31 @@
 
 namespace rob::motion {
 
-/// S1's gantry: axes x, y (m) and theta (rad) place and turn the tool in the plane z = 0. Linear
-/// in the axes is linear in the world; there are no singularities.
+/// A gantry: two or three linear axes place the tool, one rotary axis behind them may turn it.
+/// Linear in the axes is linear in the world; there are no singularities.
 class GantryKinematics final : public Kinematics {
  public:
-  int axes() const noexcept override { return 3; }
-  /// (x, y, theta) → position (x, y, 0), turned by c = theta about z.
+  enum class Turn : std::uint8_t { AboutX, AboutY, AboutZ, None };
+
+  /// S1's: x, y and theta, which turns about z.
+  GantryKinematics() = default;
+  /// linear: 2 (x, y in the plane z = 0) or 3 (x, y, z).
+  GantryKinematics(int linear, Turn turn) : linear_(linear), turn_(turn) {}
+
+  int axes() const noexcept override { return linear_ + (turn_ == Turn::None ? 0 : 1); }
   Pose forward(const JointVector& q) const noexcept override;
-  /// Poses off the plane z = 0, or turned about another axis than z, have none.
+  /// Poses that need an axis which is not there have none.
   InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept override;
-  /// The flange is on the axis theta.
+  /// The flange is on the rotary axis.
   double lever(int axis, const Eigen::Vector3d& tip) const noexcept override;
-  const char* reach() const noexcept override {
-    return "places its tool in the plane z = 0mm and turns it about z alone";
+  int coordinate(int axis) const noexcept override {
+    return axis < linear_ ? axis : 3 + static_cast<int>(turn_);
   }
+  const char* reach() const noexcept override;
+
+ private:
+  int linear_ = 2;
+  Turn turn_ = Turn::AboutZ;
 };
 
 }  // namespace rob::motion

@@ -53,6 +53,8 @@ class Kinematics {
   /// How far the tip of a tool, seen from the flange (m), can be from the rotary axis `axis` at
   /// most, m; 0 of a linear axis.
   virtual double lever(int axis, const Eigen::Vector3d& tip) const noexcept = 0;
+  /// Of a robot whose coordinates are its axes: which of x, y, z, a, b, c, from 0 on, `axis` moves.
+  virtual int coordinate(int axis) const noexcept { return axis; }
   /// In words, for messages: the singular place that `q` is nearest to; empty where there is none.
   virtual const char* nearest_singularity(const JointVector& /*q*/) const noexcept { return ""; }
   /// rad: how far an arm is from being stretched or folded, where its tool can go on to one side

@@ -2,8 +2,21 @@
 
 namespace rob::motion {
 
-bool can(const RobotModel& robot, Capability /*capability*/) noexcept {
-  return robot.law != Law::Paul;
+bool can(const RobotModel& robot, Capability capability) noexcept {
+  switch (capability) {
+    case Capability::AccelerationBound:
+    case Capability::JerkBound:
+    case Capability::Path:
+      return robot.law == Law::LookAhead;
+    case Capability::LivePace:
+    case Capability::Force:
+      break;
+  }
+  return false;
+}
+
+bool can(const RobotModel& robot, Law law) noexcept {
+  return law == Law::LookAhead || robot.t_acc > 0;
 }
 
 }  // namespace rob::motion

@@ -10,14 +10,16 @@ namespace rob::motion {
 enum class Capability : std::uint8_t {
   AccelerationBound,  ///< of a single motion
   JerkBound,
-  LivePace,   ///< a pace that changes while the motion runs
-  LookAhead,  ///< corners rounded within a length
-  Path,       ///< many motions planned as one
-  Force       ///< a force kept along an axis
+  LivePace,  ///< a pace that changes while the motion runs
+  Path,      ///< many motions planned as one
+  Force      ///< a force kept along an axis
 };
 
-/// Whether motions of this robot have it. Under Paul's law (S1) time alone says how fast motions
-/// begin and end.
+/// Whether motions of this robot have it, under its law. Under Paul's (S1) time alone says how fast
+/// motions begin and end.
 bool can(const RobotModel& robot, Capability capability) noexcept;
+
+/// Whether it can be run under that law: Paul's needs a t_acc, the look-ahead law nothing.
+bool can(const RobotModel& robot, Law law) noexcept;
 
 }  // namespace rob::motion

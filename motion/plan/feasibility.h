@@ -18,6 +18,7 @@ struct Refusal {
     BadPace,       ///< value = the pace, which must be a number above limit = 0
     BadDuration,   ///< value = the duration asked for, which must be a number of at least limit = 0
     BadZone,       ///< value = the zone, which must be a number above limit = 0
+    BadBound,      ///< value = the acceleration or jerk, which must be a number above limit = 0
     TooLong,       ///< value = the duration needed, limit = the longest, s
     // On the way of the tool, at `at` of `way`:
     PathOutOfReach,    ///< the tool cannot be there: `shortfall`

@@ -108,4 +108,34 @@ double least_time(const RobotModel& robot, const JointPath& axes, double change,
   return least;
 }
 
+double pace_time(const RobotModel& robot, const LegDemand& demand,
+                 const MotionRequest& request) noexcept {
+  switch (request.pace) {
+    case MotionRequest::Pace::Unspecified:
+      return 0;
+    case MotionRequest::Pace::ToolSpeed:
+      return demand.pace_way / request.pace_value;
+    case MotionRequest::Pace::AngularSpeed:
+      return demand.pace_turn / request.pace_value;
+    case MotionRequest::Pace::Share:
+      return named_axes_time(robot, demand, request.pace) / request.pace_value;
+  }
+  return 0;
+}
+
+double named_axes_time(const RobotModel& robot, const LegDemand& demand,
+                       MotionRequest::Pace pace) noexcept {
+  using Pace = MotionRequest::Pace;
+  if (pace == Pace::Unspecified) return 0;
+  double least = 0;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    const bool named = pace == Pace::Share || demand.path != nullptr ||
+                       (pace == Pace::ToolSpeed && axis.kind == AxisKind::Linear) ||
+                       (pace == Pace::AngularSpeed && axis.kind == AxisKind::Rotary);
+    if (named) least = std::max(least, demand.rates[i] / axis.v_max);
+  }
+  return least;
+}
+
 }  // namespace rob::motion

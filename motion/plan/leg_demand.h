@@ -4,6 +4,7 @@
 
 #include "motion/path/joint_path.h"
 #include "motion/plan/feasibility.h"
+#include "motion/plan/motion_request.h"
 #include "motion/robots/robot_model.h"
 
 namespace rob::motion {
@@ -12,6 +13,7 @@ namespace rob::motion {
 struct LegDemand {
   JointVector rates;                ///< the greatest |dq/ds| of each axis
   double way = 0;                   ///< of the tip: straight, or along its path
+  double turn = 0;                  ///< of the tool along its path, or of the axis that turns most
   double pace_way = 0;              ///< its greatest speed
   double pace_turn = 0;             ///< the greatest turning speed that AT bounds
   double farthest = 0;              ///< the most that the tip can cover
@@ -47,5 +49,13 @@ ProfileLimits profile_limits(const RobotModel& robot, const JointPath& axes, dou
 /// The least time, s, for a path run evenly, with the axes within a_max while the path's time is
 /// also sped up or slowed down by as much as `change`, 1/s: |q_ss|/T² + |q_s|·change/T <= a_max.
 double least_time(const RobotModel& robot, const JointPath& axes, double change, int& axis);
+
+/// The least time, s, that what AT asks for leaves; 0 without it.
+double pace_time(const RobotModel& robot, const LegDemand& demand,
+                 const MotionRequest& request) noexcept;
+/// The least time of the axes that a pace speaks of: the linear ones for a tool speed, the rotary
+/// ones for an angular speed, all for a share and on a path.
+double named_axes_time(const RobotModel& robot, const LegDemand& demand,
+                       MotionRequest::Pace pace) noexcept;
 
 }  // namespace rob::motion

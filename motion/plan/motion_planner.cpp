@@ -26,14 +26,14 @@ double greatest_tool_speed(const RobotModel& robot) {
 
 MotionPlanner::MotionPlanner(const RobotModel& robot, const JointVector& start) noexcept
     : robot_(robot),
+      usual_t_acc_(robot.law == Law::Paul ? robot.t_acc : 0),
       least_t_acc_(least_t_acc(robot)),
       braking_(time_scale_limits(robot).slope),
       linear_speed_(greatest_tool_speed(robot)),
       tool_speed_(linear_speed_),
       arms_(JointVector::Zero(start.size())),
       commanded_(start),
-      t_acc_before_(robot.t_acc),
-      kept_(static_cast<std::size_t>(robot.look_ahead) + kMostRunning) {
+      kept_(static_cast<std::size_t>(robot.most_ahead()) + kMostRunning) {
   set_tool({});
 }
 
@@ -48,7 +48,14 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request) {
   return take(request, std::move(draft));
 }
 
+/// A profile has its own time under both laws.
 PlanOutcome MotionPlanner::take(const MotionRequest& request, Draft draft) {
+  const bool profiled = request.profile != ProfileShape::None && !draft.no_length;
+  const bool timed = robot_.law == Law::Paul || profiled;
+  return timed ? take_timed(request, std::move(draft)) : take_ahead(request, std::move(draft));
+}
+
+PlanOutcome MotionPlanner::take_timed(const MotionRequest& request, Draft draft) {
   Timing timing = time(draft, request);
   if (robot_.mechanics && !draft.no_length) suit_drives(draft, request, timing);
   if (!(timing.duration <= kLongest))
@@ -112,8 +119,8 @@ PlanOutcome MotionPlanner::jog(Tag tag, JogRates rates) noexcept {
   rates.lasts = std::max(1.0, periods) * robot_.reference_period;
   if (!(rates.lasts <= kLongest)) rates.lasts = JogRates::kAny;
   const double duration = rates.lasts < JogRates::kAny ? rates.lasts : 0;
-  t_acc_before_ = robot_.t_acc;
-  SegmentDescriptor segment = segment_to(commanded_, false, {duration, robot_.t_acc, 0, 0});
+  t_acc_before_ = usual_t_acc_;
+  SegmentDescriptor segment = segment_to(commanded_, false, {duration, usual_t_acc_, 0, 0});
   segment.jog = rates;
   commit(tag, segment);
   exact_ = true;  // nothing is to be made exact behind it
@@ -121,7 +128,7 @@ PlanOutcome MotionPlanner::jog(Tag tag, JogRates rates) noexcept {
 }
 
 SegmentDescriptor MotionPlanner::dwell(Tag tag, double duration) noexcept {
-  SegmentDescriptor segment = segment_to(commanded_, true, Timing{duration, robot_.t_acc, 0, 0});
+  SegmentDescriptor segment = segment_to(commanded_, true, Timing{duration, usual_t_acc_, 0, 0});
   segment.dwell = true;
   return commit(tag, segment);
 }
@@ -134,7 +141,7 @@ void MotionPlanner::retarget(const JointVector& q) noexcept {
 void MotionPlanner::stand_at(const JointVector& q, std::uint32_t number) noexcept {
   commanded_ = q;
   exact_ = true;
-  t_acc_before_ = robot_.t_acc;
+  t_acc_before_ = usual_t_acc_;
   number_ = number;
 }
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "motion/path/follow.h"
@@ -14,7 +13,7 @@
 #include "motion/plan/feasibility.h"
 #include "motion/plan/leg_demand.h"
 #include "motion/plan/motion_request.h"
-#include "motion/plan/planned_leg.h"
+#include "motion/plan/planned_segment.h"
 #include "motion/plan/segment_descriptor.h"
 #include "motion/plan/torque_share.h"
 #include "motion/robots/robot_model.h"
@@ -22,29 +21,12 @@
 
 namespace rob::motion {
 
-/// A motion that can be, and what its asker should be told of it.
-struct PlannedSegment {
-  /// AT asks for more than the axes it names can do; they go as fast as they can.
-  static constexpr std::uint8_t kPaceCut = 1;
-  /// The axes or the corners need longer than OVER asks; segment.duration is the true time.
-  static constexpr std::uint8_t kStretched = 2;
-  /// ZONE asks for a tighter corner than the axes can take; segment.t_acc is the least.
-  static constexpr std::uint8_t kZoneRaised = 4;
-  /// No corner leads from the motion before into this one within what the axes can do: its target
-  /// is reached exactly.
-  static constexpr std::uint8_t kCornerExact = 8;
-
-  SegmentDescriptor segment;
-  std::uint8_t warnings = 0;                ///< kPaceCut | kStretched | kZoneRaised | kCornerExact
-  std::shared_ptr<const PlannedLeg> leg{};  ///< what the segment points into; null: nothing
-};
-
-using PlanOutcome = std::variant<PlannedSegment, Refusal>;
-
-/// Completes, checks and times motions under Paul's law (S1; S2's "interface part").
+/// Completes and checks motions (S2's "interface part"), and says what the generator needs to know
+/// of them: under Paul's law (S1) their time, under the look-ahead law what bounds it
+/// (ahead_leg.h).
 ///
-/// Left-out axes keep the last commanded target. The time of a segment from B to C, whose
-/// transitions take 2·t_B and 2·t_C, is
+/// Left-out axes keep the last commanded target. Under Paul's law the time of a segment from B to
+/// C, whose transitions take 2·t_B and 2·t_C, is
 ///
 ///   T1 = max{ |ΔC_i|/v_i,max ; t_B + t_C ; T_user ; what AT asks for }
 ///
@@ -122,7 +104,8 @@ class MotionPlanner {
   SegmentDescriptor dwell(Tag tag, double duration) noexcept;
 
   /// Override above 1 divides T_user and raises AT from the next segment on, never v_max. Up to
-  /// 1 it is the generator's affair and changes nothing here.
+  /// 1 it is the generator's affair and changes nothing here; under the look-ahead law it always
+  /// is, but for jogs and profiles.
   void set_override(double share) noexcept { boost_ = share > 1 ? share : 1; }
 
   const JointVector& commanded() const noexcept { return commanded_; }
@@ -164,6 +147,7 @@ class MotionPlanner {
                        const std::array<double, kMaxJoints>& wanted) const noexcept;
   Eigen::Vector3d tip(const JointVector& q) const noexcept;
   PlanOutcome take(const MotionRequest& request, Draft draft);
+  PlanOutcome take_timed(const MotionRequest& request, Draft draft);
   SegmentDescriptor segment_to(const JointVector& target, bool no_length,
                                const Timing& timing) const noexcept;
   SegmentDescriptor& commit(Tag tag, SegmentDescriptor& segment) noexcept;
@@ -180,8 +164,10 @@ class MotionPlanner {
   double leaving_speed(const JointVector& target) const noexcept;
   double swing_to(const JointVector& target) const noexcept;
   double greatest_way(const JointVector& target) const noexcept;
-  double pace_time(const LegDemand& demand, const MotionRequest& request) const noexcept;
-  double named_axes_time(const LegDemand& demand, MotionRequest::Pace pace) const noexcept;
+
+  // Under the look-ahead law (motion_planner_ahead.cpp)
+  PlanOutcome take_ahead(const MotionRequest& request, Draft draft);
+  void measure_swing(const JointVector& target, LegDemand& demand) const;
 
   // Gears and drives (motion_planner_drives.cpp)
   void suit_drives(Draft& draft, const MotionRequest& request, Timing& timing) const;
@@ -203,6 +189,7 @@ class MotionPlanner {
   void keep(std::shared_ptr<const PlannedLeg> leg);
 
   const RobotModel& robot_;
+  const double usual_t_acc_;  ///< s; 0 under the look-ahead law
   const double least_t_acc_;
   const double braking_;       ///< 1/s: what a hold may change of the path's rate
   const double linear_speed_;  ///< the greatest that the linear axes make together
@@ -210,9 +197,9 @@ class MotionPlanner {
   Pose tool_;                  ///< its tip, seen from the flange
   JointVector arms_;           ///< how far the tip can be from the rotary axes, m; 0 of linear ones
   JointVector commanded_;
-  double t_acc_before_;  ///< t_B of the next segment
-  bool exact_ = true;    ///< the last target is reached exactly
-  Before before_;        ///< only where it is not
+  double t_acc_before_ = usual_t_acc_;  ///< t_B of the next segment
+  bool exact_ = true;                   ///< the last target is reached exactly
+  Before before_;                       ///< only where it is not
   std::uint32_t number_ = 0;
   std::uint32_t generation_ = 1;
   double boost_ = 1;

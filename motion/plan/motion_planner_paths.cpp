@@ -34,6 +34,7 @@ LegDemand demand_of(const ToolPath& path, const JointPath& axes) {
   demand.path = &axes;
   demand.rates = greatest_rates(axes);
   demand.way = path.way();
+  demand.turn = path.turn();
   demand.pace_way = path.greatest_speed();
   demand.pace_turn = path.greatest_turning();
   demand.farthest = path.way();
@@ -100,7 +101,7 @@ std::optional<Refusal> MotionPlanner::too_slow(const MotionRequest& request, con
                                                const JointPath& axes) const {
   const Slowest slowest = slowest_place(robot_, axes);
   const LegDemand demand = demand_of(path, axes);
-  const double asked = std::max(pace_time(demand, request), request.at_least) / boost_;
+  const double asked = std::max(pace_time(robot_, demand, request), request.at_least) / boost_;
   const double rate = asked > 0 ? std::min(1 / asked, slowest.most) : slowest.most;
   if (slowest.least >= kLeastShare * rate) return std::nullopt;
   Refusal refusal;

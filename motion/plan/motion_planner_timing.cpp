@@ -23,6 +23,7 @@ LegDemand MotionPlanner::straight_demand(const JointVector& target) const noexce
     if (robot_.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
       demand.pace_turn = std::max(demand.pace_turn, demand.rates[i]);
   }
+  demand.turn = demand.pace_turn;
   demand.farthest = greatest_way(target);
   demand.leaving = leaving_speed(target);
   return demand;
@@ -38,10 +39,10 @@ MotionPlanner::Timing MotionPlanner::time(const Draft& draft, const MotionReques
     timing.limit = static_cast<std::uint8_t>(2 + i);
   }
   const double slowest = timing.duration;
-  const double paced = pace_time(demand, request);
+  const double paced = pace_time(robot_, demand, request);
   // The rates along a path are known to a millionth.
   const double sure = demand.path == nullptr ? 1 : 1 - 1e-5;
-  if (longer(named_axes_time(demand, request.pace) * sure, paced))
+  if (longer(named_axes_time(robot_, demand, request.pace) * sure, paced))
     timing.warnings |= PlannedSegment::kPaceCut;
   if (longer(paced / boost_, timing.duration)) timing.limit = 1;
   timing.duration = std::max(timing.duration, paced / boost_);
@@ -86,7 +87,7 @@ void MotionPlanner::time_profile(const Draft& draft, const MotionRequest& reques
   const double asked = request.at_least / boost_;
   timing.profile = ProfileLaw(request.profile, rate, limits.acceleration, asked);
   timing.duration = timing.profile.duration();
-  timing.t_acc = robot_.t_acc;
+  timing.t_acc = usual_t_acc_;
   // What AT adds is no surprise.
   const double least = ProfileLaw(request.profile, limits.rate, limits.acceleration, 0).duration();
   if (request.at_least > 0 && longer(least * boost_, request.at_least))
@@ -98,18 +99,18 @@ double MotionPlanner::corner_time(const LegDemand& demand, double duration,
                                   const MotionRequest& request) const noexcept {
   switch (request.zone) {
     case MotionRequest::Zone::Robots:
-      return robot_.t_acc;
+      return usual_t_acc_;
     case MotionRequest::Zone::Length:
-      return std::min(robot_.t_acc,
+      return std::min(usual_t_acc_,
                       robot_.tool_coordinates
                           ? arm_zone_time(demand.leaving, duration, request.zone_value)
                           : zone_time(demand.farthest, duration, request.zone_value));
     case MotionRequest::Zone::Time:
       return request.zone_value;
     case MotionRequest::Zone::Share:
-      return request.zone_value * robot_.t_acc;
+      return request.zone_value * usual_t_acc_;
   }
-  return robot_.t_acc;
+  return usual_t_acc_;
 }
 
 /// t = K/(v_in + V) with K = 16·z/3. Where the motion lasts as long as its corners, v_in = d/(t_B +
@@ -130,10 +131,10 @@ double MotionPlanner::zone_time(double distance, double duration, double zone) c
 /// both speeds are known, and may be shorter then; never is it too short for the axes here.
 double MotionPlanner::arm_zone_time(double leaving, double duration, double zone) const noexcept {
   const double k = 16 * zone / 3;
-  if (!(leaving > 0)) return robot_.t_acc;
+  if (!(leaving > 0)) return usual_t_acc_;
   double t = k * duration / (2 * leaving);
   if (t_acc_before_ + t > duration)
-    t = 2 * leaving > k ? k * t_acc_before_ / (2 * leaving - k) : robot_.t_acc;
+    t = 2 * leaving > k ? k * t_acc_before_ / (2 * leaving - k) : usual_t_acc_;
   return std::max(t, least_t_acc_);
 }
 
@@ -160,38 +161,6 @@ double MotionPlanner::greatest_way(const JointVector& target) const noexcept {
     if (robot_.axes[static_cast<std::size_t>(i)].kind == AxisKind::Linear) squares += way * way;
   }
   return std::sqrt(squares) + swing_to(target);
-}
-
-double MotionPlanner::pace_time(const LegDemand& demand,
-                                const MotionRequest& request) const noexcept {
-  switch (request.pace) {
-    case MotionRequest::Pace::Unspecified:
-      return 0;
-    case MotionRequest::Pace::ToolSpeed:
-      return demand.pace_way / request.pace_value;
-    case MotionRequest::Pace::AngularSpeed:
-      return demand.pace_turn / request.pace_value;
-    case MotionRequest::Pace::Share:
-      return named_axes_time(demand, request.pace) / request.pace_value;
-  }
-  return 0;
-}
-
-/// The least time of the axes that a pace speaks of: the linear ones for a tool speed, the rotary
-/// ones for an angular speed, all for a share and on a path.
-double MotionPlanner::named_axes_time(const LegDemand& demand,
-                                      MotionRequest::Pace pace) const noexcept {
-  using Pace = MotionRequest::Pace;
-  if (pace == Pace::Unspecified) return 0;
-  double least = 0;
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
-    const bool named = pace == Pace::Share || demand.path != nullptr ||
-                       (pace == Pace::ToolSpeed && axis.kind == AxisKind::Linear) ||
-                       (pace == Pace::AngularSpeed && axis.kind == AxisKind::Rotary);
-    if (named) least = std::max(least, demand.rates[i] / axis.v_max);
-  }
-  return least;
 }
 
 }  // namespace rob::motion

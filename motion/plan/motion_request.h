@@ -15,12 +15,19 @@ using Tag = std::uint32_t;
 struct MotionRequest {
   enum class Pace : std::uint8_t { Unspecified, ToolSpeed, AngularSpeed, Share };
 
-  /// How the corner at the target is bounded.
+  /// How the corner at the target is bounded: under Paul's law, under the look-ahead law.
   enum class Zone : std::uint8_t {
-    Robots,  ///< the robot's own t_acc
-    Length,  ///< m by which the tool may miss the target
-    Time,    ///< s: t_acc
-    Share    ///< of the robot's own t_acc, 1 = 100 %
+    Robots,  ///< the robot's own t_acc; its own zone
+    Length,  ///< m by which the tool may miss the target, under both
+    Time,    ///< s: t_acc; it begins so long before the target would be reached
+    Share    ///< 1 = 100 %: of the robot's own t_acc; of half of each leg
+  };
+
+  /// What an acceleration or a jerk is of.
+  enum class Bound : std::uint8_t {
+    None,
+    Tool,   ///< the tip, m/s², m/s³
+    Rotary  ///< every rotary axis, or on a path of the tool its turning, rad/s², rad/s³
   };
 
   Tag tag = 0;
@@ -31,7 +38,11 @@ struct MotionRequest {
   double pace_value = 0;  ///< m/s, rad/s, or a share of all maxima (1 = 100 %)
   double at_least = 0;    ///< s, lower bound on the duration (S1: T_user)
   Zone zone = Zone::Robots;
-  double zone_value = 0;  ///< above 0 where there is a zone
+  double zone_value = 0;      ///< above 0 where there is a zone
+  Bound accel = Bound::None;  ///< this and `jerk` under the look-ahead law alone
+  double accel_value = 0;
+  Bound jerk = Bound::None;
+  double jerk_value = 0;
   ProfileShape profile = ProfileShape::None;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "motion/kinematics/gantry_kinematics.h"
 #include "motion/robots/arm_file.h"
@@ -21,8 +22,10 @@ constexpr Range kPeriod{1e-4, 1};
 constexpr Range kServoPeriod{5e-5, 1};
 constexpr int kMostServoCycles = 100;  // a reference; above, samples pile up between the tasks
 constexpr Range kHalfTransition{1e-3, 60};
+constexpr Range kZone{1e-6, 1};
+constexpr Range kZoneAngle{1e-6, 1};
 constexpr int kLookAheadMin = 2;
-constexpr int kLookAheadMax = 4096;
+constexpr int kLookAheadMax = 16384;
 constexpr int kChannels = 64;  // bits of ServoCommand::outputs, ServoState::inputs
 constexpr Range kTravelTime{1e-3, 60};
 constexpr Range kResolution{1e-10, 1e-2};
@@ -102,7 +105,8 @@ Axis read_axis(TableReader& file, double& start) {
   if (start < axis.min || start > axis.max) file.fail("start", "must lie from min to max");
   axis.v_max = file.quantity("v_max", rules.speed, rules.speed_range);
   axis.a_max = file.quantity("a_max", rules.acceleration, rules.acceleration_range);
-  axis.j_max = file.quantity("j_max", rules.jerk, rules.jerk_range);
+  axis.j_max = file.has("j_max") ? file.quantity("j_max", rules.jerk, rules.jerk_range)
+                                 : std::numeric_limits<double>::infinity();
   const TableReader drive =
       file.table("drive", {"inertia", "viscous_friction", "coulomb_friction", "force_max",
                            "encoder_resolution", "bandwidth", "following_warn", "following_limit"});
@@ -119,10 +123,17 @@ void read_timing(const TableReader& file, RobotModel& robot) {
   if (robot.reference_period > (kMostServoCycles + 0.5) * robot.servo_period)
     file.fail("servo_period", "reference_period must not be more than " +
                                   std::to_string(kMostServoCycles) + " times as long");
-  robot.t_acc = file.quantity("t_acc", Quantity::Time, kHalfTransition);
-  // A segment lasts at least 2·t_acc: no more than one transition begins in a period.
-  if (robot.t_acc < robot.reference_period)
-    file.fail("t_acc", "must not be less than reference_period");
+  if (file.has("t_acc")) {
+    robot.t_acc = file.quantity("t_acc", Quantity::Time, kHalfTransition);
+    // A segment lasts at least 2·t_acc: no more than one transition begins in a period.
+    if (robot.t_acc < robot.reference_period)
+      file.fail("t_acc", "must not be less than reference_period");
+  } else if (robot.law == Law::Paul) {
+    file.fail("t_acc", "is missing: Paul's law needs it; law = \"lookahead\" does not");
+  }
+  if (file.has("zone")) robot.zone = file.quantity("zone", Quantity::Length, kZone);
+  if (file.has("zone_angle"))
+    robot.zone_angle = file.quantity("zone_angle", Quantity::Angle, kZoneAngle);
   robot.look_ahead = file.integer("look_ahead", kLookAheadMin, kLookAheadMax);
 }
 
@@ -200,6 +211,12 @@ void read_actuators(const TableReader& file, RobotModel& robot) {
   }
 }
 
+/// ISO 841 calls axes a and b that turn about x and y; any other turns about z.
+GantryKinematics::Turn turn_of(std::string_view name) {
+  using Turn = GantryKinematics::Turn;
+  return name == "a" ? Turn::AboutX : name == "b" ? Turn::AboutY : Turn::AboutZ;
+}
+
 void choose_kinematics(const TableReader& file, RobotModel& robot) {
   const auto rotary = [](const Axis& axis) { return axis.kind == AxisKind::Rotary; };
   if (file.choice("kinematics", {"gantry", "arm"}) == 1) {
@@ -209,11 +226,15 @@ void choose_kinematics(const TableReader& file, RobotModel& robot) {
     robot.kinematics = read_arm(file);
     return;
   }
-  const bool fits = robot.axis_count() == 3 && !rotary(robot.axes[0]) && !rotary(robot.axes[1]) &&
-                    rotary(robot.axes[2]);
-  if (!fits) file.fail("kinematics", "a gantry has two linear axes, then a rotary one");
+  const auto first_rotary = std::ranges::find_if(robot.axes, rotary);
+  const auto linear = static_cast<int>(first_rotary - robot.axes.begin());
+  const int turning = robot.axis_count() - linear;
+  const bool fits = (linear == 2 || linear == 3) && turning <= 1;
+  if (!fits)
+    file.fail("kinematics", "a gantry has two or three linear axes, then at most a rotary one");
   if (file.has("arm")) file.fail("arm", "a gantry has none");
-  robot.kinematics = std::make_shared<GantryKinematics>();
+  robot.kinematics = std::make_shared<GantryKinematics>(
+      linear, turning == 0 ? GantryKinematics::Turn::None : turn_of(first_rotary->name));
 }
 
 void choose_mechanics(const TableReader& file, const std::vector<TableReader>& axes,
@@ -264,12 +285,13 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   } catch (const toml::parse_error& error) {
     fail_in_file(file_name, error.source().begin, std::string(error.description()));
   }
-  const TableReader file(
-      table, file_name, "",
-      {"name",           "description",  "kinematics", "law",      "t_acc",      "reference_period",
-       "servo_period",   "look_ahead",   "servo",      "inputs",   "outputs",    "analog_inputs",
-       "analog_outputs", "force_sensor", "arm",        "dynamics", "simulation", "axis",
-       "signal",         "actuator"});
+  const TableReader file(table, file_name, "",
+                         {"name",    "description",      "kinematics",     "law",
+                          "t_acc",   "reference_period", "servo_period",   "look_ahead",
+                          "zone",    "zone_angle",       "servo",          "inputs",
+                          "outputs", "analog_inputs",    "analog_outputs", "force_sensor",
+                          "arm",     "dynamics",         "simulation",     "axis",
+                          "signal",  "actuator"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
@@ -285,7 +307,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   choose_kinematics(file, robot);
   choose_mechanics(file, axes, robot);
   read_servo(file, axes, robot);
-  check_paul(file, axes, robot);
+  if (robot.t_acc > 0) check_paul(file, axes, robot);
   return robot;
 }
 

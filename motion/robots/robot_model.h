@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "motion/dynamics/arm_mechanics.h"
@@ -17,6 +20,11 @@ namespace rob::motion {
 enum class AxisKind : std::uint8_t { Linear, Rotary };
 enum class Law : std::uint8_t { Paul, LookAhead };
 
+/// As robot files, the command line and reports call it.
+constexpr std::string_view law_name(Law law) noexcept {
+  return law == Law::Paul ? "paul" : "lookahead";
+}
+
 /// One axis: SI (m, m/s, … or rad, rad/s, …).
 struct Axis {
   std::string name;
@@ -25,7 +33,7 @@ struct Axis {
   double max = 0;
   double v_max = 0;
   double a_max = 0;
-  double j_max = 0;
+  double j_max = 0;  ///< infinite: unlimited
   DriveData drive;
   PulseDriveData pulses;  ///< where RobotModel::servo sends pulses
 };
@@ -59,10 +67,12 @@ struct RobotModel {
   std::string name;
   std::string description;
   Law law = Law::Paul;
-  double t_acc = 0;             ///< s, half a transition under Paul's law (S1)
-  double reference_period = 0;  ///< s
-  double servo_period = 0;      ///< s, at most reference_period
-  int look_ahead = 0;           ///< segments that the buffer holds
+  double t_acc = 0;    ///< s, half a transition under Paul's law (S1); 0: it has not that law
+  double zone = 1e-3;  ///< m by which look-ahead's corners may miss where no ZONE is written
+  double zone_angle = std::numbers::pi / 180;  ///< rad: the same of orientation and rotary axes
+  double reference_period = 0;                 ///< s
+  double servo_period = 0;                     ///< s, at most reference_period
+  int look_ahead = 0;                          ///< segments that the buffer holds
   std::vector<Axis> axes;
   ServoStructure servo = ServoStructure::Force;
   JointVector start;  ///< m, rad: where the simulated robot stands at power-up
@@ -82,6 +92,9 @@ struct RobotModel {
   SimulatedDeviation deviation;  ///< only with mechanics
 
   int axis_count() const { return static_cast<int>(axes.size()); }
+  /// How many motions can have been commanded that are not done: those in the buffer, and under the
+  /// look-ahead law as many again whose path is planned.
+  int most_ahead() const { return law == Law::LookAhead ? 2 * look_ahead : look_ahead; }
 };
 
 }  // namespace rob::motion

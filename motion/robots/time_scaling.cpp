@@ -6,6 +6,17 @@
 
 namespace rob::motion {
 
+namespace {
+
+/// Where jerk is unlimited r' has its greatest value within a millisecond. [choice] so that r'' is
+/// a number
+TimeScaleLimits bounded(double slope, double bend) noexcept {
+  constexpr double kRise = 1e-3;
+  return {slope, std::isfinite(bend) ? bend : slope / kRise};
+}
+
+}  // namespace
+
 // On a path q(s) run with s' = r (r <= 1) the chain rule gives, with q', q'', q''' along s,
 //
 //   acceleration  q''·r² + q'·r'                   jerk  q'''·r³ + 3·q''·r·r' + q'·r''
@@ -22,11 +33,13 @@ TimeScaleLimits time_scale_limits(const AxisReserve& reserve, double t_acc) noex
   const double acceleration_left = reserve.acceleration - 1.5 / t_acc;
   const double jerk_left = reserve.jerk - 3 / (t_acc * t_acc);
   const double slope = std::min(acceleration_left, jerk_left / 2 / (4.5 / t_acc));
-  return {slope, jerk_left - 4.5 / t_acc * slope};
+  return bounded(slope, jerk_left - 4.5 / t_acc * slope);
 }
 
 TimeScaleLimits time_scale_limits(const RobotModel& robot) {
-  return time_scale_limits(axis_reserve(robot), robot.t_acc);
+  const AxisReserve reserve = axis_reserve(robot);
+  if (robot.law == Law::Paul) return time_scale_limits(reserve, robot.t_acc);
+  return bounded(reserve.acceleration / 2, reserve.jerk / 2);
 }
 
 AxisReserve axis_reserve(const RobotModel& robot) {
@@ -51,6 +64,7 @@ bool leaves_room_to_stop(const AxisReserve& reserve, double t_acc) {
 }
 
 double least_t_acc(const RobotModel& robot) {
+  if (robot.law != Law::Paul) return 0;
   const AxisReserve reserve = axis_reserve(robot);
   // Bisection: longer corners only leave more. 50 halvings come closer than any clock resolves.
   double low = 0;

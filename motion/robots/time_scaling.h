@@ -21,7 +21,9 @@ AxisReserve axis_reserve(const RobotModel& robot);
 /// Where corners take 2·t_acc or longer. Not positive where they alone use up an axis' acceleration
 /// or jerk. May be used in the tick.
 TimeScaleLimits time_scale_limits(const AxisReserve& reserve, double t_acc) noexcept;
-/// With the robot's own corners.
+/// With the robot's own corners under Paul's law. Under the look-ahead law motions with a PROFILE
+/// alone run so, which have no corners: half of what the axes have is for the scale, the rest for
+/// the profile [choice: a hold should not take much longer than the profile itself to end].
 TimeScaleLimits time_scale_limits(const RobotModel& robot);
 
 /// s that r takes from 1 to 0 under these limits.
@@ -34,7 +36,8 @@ inline constexpr double kLongestStop = 1.0;
 /// Whether corners of 2·t_acc leave every axis so much that a motion can be held anywhere.
 bool leaves_room_to_stop(const AxisReserve& reserve, double t_acc);
 
-/// s: the least t_acc, above 0, that leaves room to stop; at most the robot's own, which does.
+/// s: the least t_acc, above 0, that leaves room to stop; at most the robot's own, which does. 0
+/// under the look-ahead law, whose corners have none.
 double least_t_acc(const RobotModel& robot);
 
 }  // namespace rob::motion

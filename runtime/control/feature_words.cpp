@@ -12,7 +12,7 @@ using motion::Capability;
 
 namespace {
 
-/// A feature as the program writes it, why Paul's law has it not, and what to do instead.
+/// A feature as the program writes it, why it is not there, and what to do instead.
 struct Explained {
   Capability capability;
   const char* word;
@@ -25,25 +25,24 @@ Explained explained(MotionFeature feature) {
     case MotionFeature::Accel:
       return {Capability::AccelerationBound, "ACCEL",
               "under Paul's law the acceleration follows from the time of a corner",
-              "a greater ZONE, for example ZONE 2s, turns more gently"};
+              "a greater ZONE, for example ZONE 2s, turns more gently; LAW LOOKAHEAD has ACCEL"};
     case MotionFeature::Jerk:
       return {Capability::JerkBound, "JERK",
               "under Paul's law the jerk follows from the time of a corner",
-              "a greater ZONE, for example ZONE 2s, turns more gently"};
-    case MotionFeature::LookAhead:
-      return {Capability::LookAhead, "LAW LOOKAHEAD", "in this version it knows Paul's law alone",
-              "leave LAW out; ZONE bounds corners under Paul's law, too"};
+              "a greater ZONE, for example ZONE 2s, turns more gently; LAW LOOKAHEAD has JERK"};
     case MotionFeature::LivePace:
       return {Capability::LivePace, "AT LIVE",
-              "under Paul's law the speed of a motion is fixed when it is planned",
+              "the speed of a motion is fixed when it is planned, in this version under both laws",
               "leave LIVE out: the speed is then computed once, when the motion is commanded"};
     case MotionFeature::Path:
-      return {Capability::Path, "PATH", "under Paul's law each corner is planned by itself",
-              "leave PATH and ENDPATH out; AFTER and BEFORE stand behind MOVE … DO"};
+      return {
+          Capability::Path, "PATH", "under Paul's law each corner is planned by itself",
+          "LAW LOOKAHEAD has PATH; without it leave PATH and ENDPATH out: AFTER and BEFORE stand "
+          "behind MOVE … DO"};
     case MotionFeature::Press:
       break;
   }
-  return {Capability::Force, "PRESS", "under Paul's law motions keep their path, not a force",
+  return {Capability::Force, "PRESS", "in this version motions keep their path, not a force",
           "MOVE … UNTIL touched stops where something is met"};
 }
 
@@ -59,6 +58,20 @@ Words words_for(MotionFeature feature, const motion::RobotModel& robot) {
 std::optional<Words> words_against(MotionFeature feature, const motion::RobotModel& robot) {
   if (motion::can(robot, explained(feature).capability)) return std::nullopt;
   return words_for(feature, robot);
+}
+
+Words words_against_paul(const motion::RobotModel& robot) {
+  return {code::kNotPossible,
+          fmt::format("Paul's law is not possible on {}: its file gives no t_acc", robot.name),
+          "LAW LOOKAHEAD needs none; or give the robot file a t_acc"};
+}
+
+Words words_against_look_ahead(const motion::RobotModel& robot) {
+  return {
+      code::kNotPossible,
+      fmt::format("the look-ahead law is not possible on {}: this version has no generator for it",
+                  robot.name),
+      "leave LAW LOOKAHEAD out; ZONE bounds corners under Paul's law, too"};
 }
 
 }  // namespace rob::runtime

@@ -14,4 +14,10 @@ Words words_for(lang::MotionFeature feature, const motion::RobotModel& robot);
 /// Why this robot cannot do what a program asks for; nothing if it can.
 std::optional<Words> words_against(lang::MotionFeature feature, const motion::RobotModel& robot);
 
+/// Why a robot cannot be run under Paul's law.
+Words words_against_paul(const motion::RobotModel& robot);
+
+/// Why not under the look-ahead law: its generator is not in this version.
+Words words_against_look_ahead(const motion::RobotModel& robot);
+
 }  // namespace rob::runtime

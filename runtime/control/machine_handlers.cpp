@@ -119,7 +119,7 @@ Reply RobotMachine::leave_handler(int line) {
 void RobotMachine::remember(Commanded commanded) {
   commanded_.push_back(std::move(commanded));
   // The one that runs, and those of the buffer.
-  if (commanded_.size() > static_cast<std::size_t>(robot_.look_ahead) + 2) commanded_.pop_front();
+  if (commanded_.size() > static_cast<std::size_t>(robot_.most_ahead()) + 2) commanded_.pop_front();
 }
 
 /// The interrupted motion has ended where the axes stand now: what was queued behind it starts from

@@ -16,14 +16,11 @@ using motion::JogRates;
 
 namespace {
 
-/// The six rates of the tool. A robot whose coordinates are its axes names x, y and its turn about
-/// z, c, as the gantry does.
-motion::JointVector tool_rates(const MoveCommand& command) {
+/// The six rates of the tool. A robot whose coordinates are its axes names those that it has.
+motion::JointVector tool_rates(const MoveCommand& command, const motion::Kinematics& kinematics) {
   motion::JointVector rate = motion::JointVector::Zero(6);
-  for (int i = 0; i < command.count; ++i) {
-    const bool turn_in_plane = command.count == 3 && i == 2;
-    rate[turn_in_plane ? 5 : i] = command.target[static_cast<std::size_t>(i)];
-  }
+  for (int i = 0; i < command.count; ++i)
+    rate[kinematics.coordinate(i)] = command.target[static_cast<std::size_t>(i)];
   return rate;
 }
 
@@ -43,7 +40,9 @@ void bound(const MoveCommand& command, JogRates& rates) {
   }
 }
 
-JogRates rates_of(const MoveCommand& command, const lang::ToolValue& tool, int axes) {
+JogRates rates_of(const MoveCommand& command, const lang::ToolValue& tool,
+                  const motion::RobotModel& robot) {
+  const int axes = robot.axis_count();
   JogRates rates;
   if (command.jog == JogFrame::Joint) {
     rates.space = JogRates::Space::Joint;
@@ -51,7 +50,7 @@ JogRates rates_of(const MoveCommand& command, const lang::ToolValue& tool, int a
     for (int i = 0; i < axes; ++i) rates.rate[i] = command.target[static_cast<std::size_t>(i)];
   } else {
     rates.space = command.jog == JogFrame::World ? JogRates::Space::World : JogRates::Space::Tool;
-    rates.rate = tool_rates(command);
+    rates.rate = tool_rates(command, *robot.kinematics);
   }
   rates.tip = to_motion(tool.tip);
   if (command.lasts > 0) rates.lasts = command.lasts;
@@ -77,7 +76,7 @@ Reply RobotMachine::jog(int line, const MoveCommand& asked) {
 
 bool RobotMachine::plan_jog(int line, const MoveCommand& asked,
                             motion::SegmentDescriptor& segment) {
-  const JogRates rates = rates_of(asked, setting_.tool, robot_.axis_count());
+  const JogRates rates = rates_of(asked, setting_.tool, robot_);
   const motion::PlanOutcome outcome = planner_.jog(static_cast<motion::Tag>(line), rates);
   if (const auto* const refusal = std::get_if<motion::Refusal>(&outcome)) {
     refusal_ = words_for(*refusal, robot_);

@@ -41,6 +41,12 @@ motion::ProfileShape profile_of(lang::Profile profile) {
   return motion::ProfileShape::None;
 }
 
+motion::MotionRequest::Bound bound_of(lang::MoveCommand::Bound bound) {
+  using From = lang::MoveCommand::Bound;
+  using To = motion::MotionRequest::Bound;
+  return bound == From::Tool ? To::Tool : bound == From::Rotary ? To::Rotary : To::None;
+}
+
 }  // namespace
 
 motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
@@ -58,6 +64,10 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
   request.pace_value = command.pace_value;
   request.at_least = command.over;
   request.profile = profile_of(command.profile);
+  request.accel = bound_of(command.accel);
+  request.accel_value = command.accel_value;
+  request.jerk = bound_of(command.jerk);
+  request.jerk_value = command.jerk_value;
   if (command.exact()) return request;  // at rest there is no corner to be bounded
   using Zone = motion::MotionRequest::Zone;
   request.zone = command.zone == lang::MoveCommand::Zone::Length  ? Zone::Length
@@ -180,9 +190,15 @@ void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
   }
   if ((planned.warnings & motion::PlannedSegment::kStretched) != 0) {
     log_.found({lang::Severity::Warning, code::kTooShort, place,
-                fmt::format("OVER is too short: this motion takes {} s",
+                fmt::format("OVER is too short: this motion takes {}{} s",
+                            robot_.law == motion::Law::Paul ? "" : "at least ",
                             shown(planned.segment.duration, 3)),
                 "OVER is a lower bound; the axes and the corners need longer here"});
+  }
+  if ((planned.warnings & motion::PlannedSegment::kBoundCut) != 0) {
+    log_.found({lang::Severity::Warning, code::kBoundCut, place,
+                "ACCEL or JERK asks for more than the axes can do",
+                "the motion is as quick as its axes permit"});
   }
   if ((planned.warnings & motion::PlannedSegment::kZoneRaised) != 0) {
     log_.found({lang::Severity::Warning, code::kZoneRaised, place,

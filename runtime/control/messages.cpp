@@ -60,6 +60,10 @@ Words words_for(const Refusal& refusal, const motion::RobotModel& robot) {
       return {code::kZoneRefused,
               fmt::format("ZONE needs a number of zero or more; this is {}", refusal.value),
               "write for example ZONE 5mm"};
+    case Refusal::Kind::BadBound:
+      return {code::kBoundRefused,
+              fmt::format("ACCEL and JERK need a number above zero; this is {}", refusal.value),
+              "write for example ACCEL 100mm/s^2"};
     case Refusal::Kind::PathOutOfReach:
     case Refusal::Kind::PathBelowMinimum:
     case Refusal::Kind::PathAboveMaximum:

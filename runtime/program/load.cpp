@@ -8,6 +8,7 @@
 #include "lang/machine/move_pose.h"
 #include "lang/syntax/robot_name.h"
 #include "lang/text/ascii.h"
+#include "motion/plan/capability.h"
 #include "motion/plan/feasibility.h"
 #include "motion/plan/reach.h"
 #include "motion/robots/robot_file.h"
@@ -76,6 +77,23 @@ void refuse_what_the_robot_cannot(lang::Compilation& compilation, const motion::
   }
 }
 
+void refuse(lang::Compilation& compilation, const Words& words) {
+  const lang::Place place = compilation.law ? compilation.law->place : lang::Place{};
+  compilation.diagnostics.error(words.code, place, words.message, words.help);
+  compilation.chunk.reset();
+}
+
+void settle_law(LoadedProgram& program, std::optional<motion::Law> asked) {
+  using motion::Law;
+  motion::RobotModel& robot = program.robot;
+  if (const auto& written = program.compilation.law; written && !asked)
+    asked = written->law == lang::TransitionLaw::Paul ? Law::Paul : Law::LookAhead;
+  const Law law = asked.value_or(robot.law);
+  if (!motion::can(robot, law)) return refuse(program.compilation, words_against_paul(robot));
+  robot.law = law;
+  if (law == Law::LookAhead) refuse(program.compilation, words_against_look_ahead(robot));
+}
+
 }  // namespace
 
 std::vector<std::string> used_names(const LoadedProgram& program) {
@@ -92,27 +110,21 @@ void place_in(const LoadedProgram& program, Problem& problem) {
 
 motion::RobotModel load_robot(const std::string& name_or_file) {
   const bool is_file = std::string_view(name_or_file).ends_with(".toml");
-  motion::RobotModel robot =
-      is_file ? motion::parse_robot_file(read_file(name_or_file, kMostRobotFile), name_or_file)
-              : motion::embedded_robot(name_or_file);
-  if (robot.law != motion::Law::Paul) {
-    throw motion::RobotFileError(name_or_file +
-                                 ": the look-ahead law is not in this version of Rob yet; write"
-                                 " law = \"paul\"");
-  }
-  return robot;
+  return is_file ? motion::parse_robot_file(read_file(name_or_file, kMostRobotFile), name_or_file)
+                 : motion::embedded_robot(name_or_file);
 }
 
-LoadedProgram load_program(const std::string& file, const std::string& asked) {
-  return compile_program(file, read_file(file, kMostSource), asked, points_file_of(file));
+LoadedProgram load_program(const std::string& file, const std::string& asked,
+                           std::optional<motion::Law> law) {
+  return compile_program(file, read_file(file, kMostSource), asked, points_file_of(file), law);
 }
 
 LoadedProgram compile_program(std::string file, std::string source, const std::string& asked,
-                              const std::string& points_file) {
+                              const std::string& points_file, std::optional<motion::Law> law) {
   const auto declared = lang::declared_robot(source);
   if (!declared) {
     return compile_program(std::move(file), std::move(source),
-                           load_robot(asked.empty() ? kDefaultRobot : asked), points_file);
+                           load_robot(asked.empty() ? kDefaultRobot : asked), points_file, law);
   }
   if (asked.empty() && !is_known_robot(declared->name)) {
     LoadedProgram program{std::move(file), std::move(source), load_robot(kDefaultRobot), {}};
@@ -122,7 +134,7 @@ LoadedProgram compile_program(std::string file, std::string source, const std::s
   }
   LoadedProgram program =
       compile_program(std::move(file), std::move(source),
-                      load_robot(asked.empty() ? declared->name : asked), points_file);
+                      load_robot(asked.empty() ? declared->name : asked), points_file, law);
   if (program.robot.name != declared->name) {
     const Words words = words_for_other_robot(declared->name, program.robot.name);
     program.compilation.diagnostics.error(words.code, declared->place, words.message, words.help);
@@ -140,7 +152,7 @@ SignalScript load_signal_script(const std::string& file, const LoadedProgram& pr
 }
 
 LoadedProgram compile_program(std::string file, std::string source, const motion::RobotModel& robot,
-                              const std::string& points_file) {
+                              const std::string& points_file, std::optional<motion::Law> law) {
   LoadedProgram program{std::move(file), std::move(source), robot, {}};
   const FolderSources sources(program.file);
   const lang::RobotSignature signature = signature_of(robot);
@@ -151,7 +163,8 @@ LoadedProgram compile_program(std::string file, std::string source, const motion
         return refusal_of(command, robot, signature.coordinates);
       },
       &sources);
-  if (!robot.tool_coordinates) refuse_what_the_robot_cannot(program.compilation, robot);
+  settle_law(program, law);
+  if (!robot.tool_coordinates) refuse_what_the_robot_cannot(program.compilation, program.robot);
   return program;
 }
 

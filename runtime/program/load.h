@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 namespace rob::runtime {
 
 /// A program that has been read and compiled for a robot; `compilation` tells all its errors.
+/// `robot` is under the law that the program runs under.
 struct LoadedProgram {
   std::string file;
   std::string source;
@@ -32,18 +34,22 @@ motion::RobotModel load_robot(const std::string& name_or_file);
 
 /// Reads and compiles for the robot that is asked for (a name, a file, or empty), or that ROBOT in
 /// the program names, or the gantry. Where two differ that is an error of the program. Throws as
-/// load_robot() does for what is asked for.
-LoadedProgram load_program(const std::string& file, const std::string& asked);
+/// load_robot() does for what is asked for. `law`: under which it runs, whatever LAW in the program
+/// and the robot file say; of these two LAW counts.
+LoadedProgram load_program(const std::string& file, const std::string& asked,
+                           std::optional<motion::Law> law = {});
 
 /// The same from text: `file` is for messages, and tells where the files are that it USEs.
 /// `points_file`: where its points are; empty for a program without any.
 LoadedProgram compile_program(std::string file, std::string source, const std::string& asked,
-                              const std::string& points_file = "");
+                              const std::string& points_file = "",
+                              std::optional<motion::Law> law = {});
 
 /// Compiles for this robot, whatever the text says; checks the targets that are known beforehand
 /// against the robot, so that nothing moves if one of them cannot be reached.
 LoadedProgram compile_program(std::string file, std::string source, const motion::RobotModel& robot,
-                              const std::string& points_file = "");
+                              const std::string& points_file = "",
+                              std::optional<motion::Law> law = {});
 
 /// Refuses a program that needs points which nobody has taught: for what moves or tests.
 void refuse_missing_points(LoadedProgram& program);

@@ -145,6 +145,7 @@ RunResult refusal(const lang::Diagnostics& diagnostics, const std::string& file,
   result.status = "program-error";
   result.exit_code = ExitCode::ProgramError;
   result.robot = robot.name;
+  result.law = motion::law_name(robot.law);
   for (const lang::Diagnostic& diagnostic : diagnostics.all()) {
     if (diagnostic.severity != lang::Severity::Error) continue;
     result.error = problem_of(diagnostic, file);

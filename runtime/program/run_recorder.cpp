@@ -35,6 +35,7 @@ RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share,
       path_(*robot.kinematics, robot.start),
       reached_(robot.start) {
   result_.robot = robot.name;
+  result_.law = motion::law_name(robot.law);
   for (const motion::Axis& axis : robot.axes) result_.peaks.push_back({axis.name});
 }
 

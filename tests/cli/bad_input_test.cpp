@@ -173,7 +173,7 @@ TEST_CASE("an unknown robot, command or option is a usage error or names what th
   CHECK(rob("run", {"--no-such-option"}).exit_code == 64);
   CHECK(rob("run", {"--override", "0%"}).exit_code == 64);
   CHECK(rob("run", {"--override", "201%"}).exit_code == 64);
-  CHECK(rob("run", {"--law", "lookahead"}).exit_code == 64);
+  CHECK(rob("run", {"--law", "linear"}).exit_code == 64);
 }
 
 TEST_CASE("results that cannot be written are reported, exit code 74, after the run") {

@@ -38,8 +38,8 @@ inline std::unique_ptr<motion::ServoBackend> simulated(const motion::RobotModel&
 /// A program on the gantry, or another robot, in virtual time, on any backend, with what came up
 /// kept for inspection.
 struct SteppedRun {
-  motion::RobotModel robot;
   runtime::LoadedProgram program;
+  motion::RobotModel robot;  ///< under the program's law
   runtime::Controller controller;
   runtime::ProgramTask task;
   std::vector<runtime::Snapshot> rows;
@@ -50,8 +50,8 @@ struct SteppedRun {
                       std::unique_ptr<motion::ServoBackend> backend = nullptr,
                       double override_share = 1,
                       const motion::RobotModel& on = motion::embedded_robot("gantry"))
-      : robot(on),
-        program(runtime::compile_program("test.rob", text, robot)),
+      : program(runtime::compile_program("test.rob", text, on)),
+        robot(program.robot),
         controller(robot, backend ? std::move(backend) : simulated(robot), override_share),
         task(program.compilation.chunk.value(), controller.machine()),
         recorder(robot, override_share, controller.channels(), controller.log(),

@@ -63,6 +63,31 @@ TEST_CASE("a pose above the gantry's plane, or tilted, has no axes") {
   CHECK_FALSE(gantry.inverse(pose, axes(0, 0, 0)).has_value());
 }
 
+TEST_CASE("three linear axes place the tool in space, axis a turns it about x") {
+  const GantryKinematics gantry(3, GantryKinematics::Turn::AboutX);
+  JointVector q(4);
+  q << 0.1, 0.2, 0.3, 0.5;
+  const Pose pose = gantry.forward(q);
+  CHECK(pose.position == Eigen::Vector3d(0.1, 0.2, 0.3));
+  CHECK(fixed_angles(pose.orientation).a == doctest::Approx(0.5));
+  const auto found = gantry.inverse(pose, q);
+  REQUIRE(found.has_value());
+  CHECK((*found - q).cwiseAbs().maxCoeff() < 1e-15);
+  CHECK_FALSE(gantry.inverse({pose.position, orientation_from({0, 0.1, 0})}, q).has_value());
+  // A tip 30 mm along x and 40 mm along y off the axis swings on a circle of 40 mm.
+  CHECK(gantry.lever(3, {0.03, 0.04, 0}) == doctest::Approx(0.04));
+  CHECK(gantry.lever(2, {0.03, 0.04, 0}) == 0);
+  CHECK(gantry.coordinate(2) == 2);
+  CHECK(gantry.coordinate(3) == 3);
+}
+
+TEST_CASE("three linear axes alone do not turn their tool") {
+  const GantryKinematics gantry(3, GantryKinematics::Turn::None);
+  CHECK(gantry.axes() == 3);
+  CHECK(gantry.inverse({{1, 2, 3}, orientation_from({0, 0, 0})}, axes(0, 0, 0)).has_value());
+  CHECK_FALSE(gantry.inverse({{1, 2, 3}, orientation_from({0, 0, 1e-3})}, axes(0, 0, 0)));
+}
+
 TEST_CASE("the gantry's kinematics takes no memory") {
   const GantryKinematics gantry;
   const JointVector q = axes(0.1, 0.2, 0.3);

@@ -110,7 +110,7 @@ TEST_CASE("signs and offsets of an arm are lists of six") {
 
 TEST_CASE("an arm has six rotary axes and a table [arm], a gantry has none") {
   CHECK(error_of("kinematics = \"arm\"", "kinematics = \"gantry\"") ==
-        "kinematics: a gantry has two linear axes, then a rotary one");
+        "kinematics: a gantry has two or three linear axes, then at most a rotary one");
   CHECK(error_of("kind = \"rotary\"", "kind = \"linear\"") != "");
   std::string gantry = file_of("gantry");
   gantry.replace(gantry.find("[[axis]]"), 0, "[arm]\na1 = \"0 mm\"\n\n");

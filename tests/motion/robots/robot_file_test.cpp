@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -161,7 +163,7 @@ TEST_CASE("a double key is refused") {
 
 TEST_CASE("a value of the wrong type is refused") {
   check_error(edit(5, "\"1.375 s\"", "1.375"), 5, "number with its unit, in quotation marks");
-  check_error(edit(8, "64", "\"64\""), 8, "whole number from 2 to 4096");
+  check_error(edit(8, "64", "\"64\""), 8, "whole number from 2 to 16384");
   check_error(edit(8, "64", "64.5"), 8, "whole number");
   check_error(edit(1, "\"table\"", "7"), 1, "text in quotation marks");
   check_error(edit(66, "channel = 0", "channel = true"), 66, "whole number from 0 to 63");
@@ -185,8 +187,8 @@ TEST_CASE("zero, negative and absurd values are refused") {
   check_error(edit(19, "14 kg", "0 kg"), 19, "out of range");
   check_error(edit(20, "30", "-1"), 20, "out of range");
   check_error(edit(23, "1 um", "0 um"), 23, "out of range");
-  check_error(edit(8, "64", "1"), 8, "from 2 to 4096");
-  check_error(edit(8, "64", "100000000000000000"), 8, "from 2 to 4096");
+  check_error(edit(8, "64", "1"), 8, "from 2 to 16384");
+  check_error(edit(8, "64", "100000000000000000"), 8, "from 2 to 16384");
   check_error(edit(79, "0.5 s", "0 s"), 79, "out of range");
 }
 
@@ -205,6 +207,46 @@ TEST_CASE("a servo that is slower than its references, or a hundred times as fas
   check_error(edit(7, "5 ms", "0.05 ms"), 7, "not be more than 100 times as long");
   CHECK(parse_robot_file(edit(7, "5 ms", "0.1 ms"), "my.toml").servo_period == 0.0001);
   check_error(edit(5, "1.375 s", "5 ms"), 5, "less than reference_period");
+}
+
+TEST_CASE("jerk may be left out, and is then unlimited") {
+  const RobotModel robot = parse_robot_file(edit(17, "j_max = \"1000 mm/s^3\"\n", ""), "my.toml");
+  CHECK(std::isinf(robot.axes[0].j_max));
+  CHECK(robot.axes[1].j_max == 1);
+  for (const char* value : {"0 mm/s^3", "inf mm/s^3", "nan mm/s^3"})
+    CHECK(error_of(edit(17, "1000 mm/s^3", value)).starts_with("my.toml:17:"));
+}
+
+TEST_CASE("a robot without t_acc has the look-ahead law alone") {
+  const std::string without = edit(5, "t_acc = \"1.375 s\"\n", "");
+  check_error(without, 1, "t_acc: is missing: Paul's law needs it; law = \"lookahead\" does not");
+  std::string ahead = without;
+  ahead.replace(ahead.find("\"paul\""), 6, "\"lookahead\"");
+  const RobotModel robot = parse_robot_file(ahead, "my.toml");
+  CHECK(robot.law == Law::LookAhead);
+  CHECK(robot.t_acc == 0);
+  // Limits of which Paul's law could make nothing.
+  ahead.replace(ahead.find("100 mm/s^2"), 10, "20 mm/s^2");
+  CHECK(parse_robot_file(ahead, "my.toml").axes[0].a_max == 0.02);
+  // With a t_acc it can be run under both, and has to keep what Paul's needs.
+  std::string both = edit(4, "paul", "lookahead");
+  CHECK(parse_robot_file(both, "my.toml").t_acc == 1.375);
+  both.replace(both.find("100 mm/s^2"), 10, "20 mm/s^2");
+  check_error(both, 16, "Paul's law needs 1.5*v_max/t_acc");
+}
+
+TEST_CASE("look-ahead's corners miss by what the file says, else by 1 mm and 1 deg") {
+  const RobotModel robot = parse_robot_file(kGood, "my.toml");
+  CHECK(robot.zone == 0.001);
+  CHECK(robot.zone_angle == std::numbers::pi / 180);
+  const std::string zoned =
+      edit(1, "look_ahead = 64", "zone = \"5 mm\"\nzone_angle = \"3 deg\"\nlook_ahead = 64");
+  CHECK(parse_robot_file(zoned, "my.toml").zone == 0.005);
+  CHECK(parse_robot_file(zoned, "my.toml").zone_angle == doctest::Approx(std::numbers::pi / 60));
+  for (const char* value : {"0 mm", "-1 mm", "2 m", "5"}) {
+    const std::string line = std::string("zone = \"") + value + "\"\nlook_ahead = 64";
+    CHECK(error_of(edit(1, "look_ahead = 64", line)).starts_with("my.toml:8:8: zone"));
+  }
 }
 
 TEST_CASE("Paul's corners must keep within the acceleration and the jerk of every axis") {
@@ -251,12 +293,26 @@ TEST_CASE("unknown words are refused with what was probably meant") {
               "is not known; known are \"linear\", \"rotary\"");
 }
 
-TEST_CASE("a gantry has two linear axes and a rotary one") {
+TEST_CASE("a gantry has two or three linear axes, then at most a rotary one") {
+  const std::size_t y = kGood.find("[[axis]]\nname = \"y\"");
   const std::size_t theta = kGood.find("[[axis]]\nname = \"theta\"");
   const std::size_t end = kGood.find("[[signal]]");
-  std::string two = kGood;
-  two.erase(theta, end - theta);
-  check_error(two, 3, "two linear axes, then a rotary one");
+  const std::string axis_y = kGood.substr(y, theta - y);
+  const auto without = [](std::size_t from, std::size_t to) {
+    return std::string(kGood).erase(from, to - from);
+  };
+  check_error(without(y, theta), 3, "two or three linear axes, then at most a rotary one");
+  CHECK(parse_robot_file(without(theta, end), "my.toml").kinematics->axes() == 2);
+  std::string four = without(0, 0);
+  four.insert(theta, std::string(axis_y).replace(axis_y.find("\"y\""), 3, "\"z\""));
+  const RobotModel robot = parse_robot_file(four, "my.toml");
+  CHECK(robot.kinematics->axes() == 4);
+  CHECK(robot.kinematics->coordinate(3) == 5);  // theta turns about z
+  for (const auto& [name, part] : {std::pair{"\"a\"", 3}, std::pair{"\"b\"", 4}}) {
+    std::string turned = four;
+    turned.replace(turned.find("\"theta\""), 7, name);
+    CHECK(parse_robot_file(turned, "my.toml").kinematics->coordinate(3) == part);
+  }
 }
 
 TEST_CASE("tables are written as tables, and axes are few") {

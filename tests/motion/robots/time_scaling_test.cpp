@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "motion/robots/robot_library.h"
 
 using namespace rob::motion;
@@ -38,4 +40,22 @@ TEST_CASE("corners that take all of an axis leave nothing for a stop") {
 
 TEST_CASE("a stop that never reaches the greatest slope takes 2/√S") {
   CHECK(stopping_time({100, 16}) == doctest::Approx(0.5));
+}
+
+TEST_CASE("without a limit of jerk a hold takes what the acceleration leaves, and a millisecond") {
+  RobotModel robot = embedded_robot("gantry");
+  for (Axis& axis : robot.axes) axis.j_max = std::numeric_limits<double>::infinity();
+  const TimeScaleLimits limits = time_scale_limits(robot);
+  CHECK(limits.slope == doctest::Approx(5 - 1.5 / 1.375));
+  CHECK(stopping_time(limits) == doctest::Approx(1 / limits.slope + 0.001));
+  CHECK(least_t_acc(robot) < robot.t_acc);
+}
+
+TEST_CASE("under the look-ahead law half of the acceleration and of the jerk hold a profile") {
+  RobotModel robot = embedded_robot("gantry");
+  robot.law = Law::LookAhead;
+  robot.t_acc = 0;
+  CHECK(time_scale_limits(robot).slope == doctest::Approx(2.5));
+  CHECK(time_scale_limits(robot).bend == doctest::Approx(25));
+  CHECK(least_t_acc(robot) == 0);
 }

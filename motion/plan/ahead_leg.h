@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+#include "motion/plan/leg_bounds.h"
+#include "motion/plan/leg_demand.h"
+#include "motion/plan/motion_request.h"
+#include "motion/robots/robot_model.h"
+
+namespace rob::motion {
+
+/// A motion under the look-ahead law: its bounds, and what is known of it before its neighbours
+/// are.
+struct AheadLeg {
+  LegBounds bounds;
+  double duration = 0;        ///< s: the least that it takes at full speed from end to end
+  double alone = 0;           ///< s: the least from rest to rest
+  std::uint8_t warnings = 0;  ///< of PlannedSegment
+};
+
+/// s: the longest average of the references, and so the longest time that ACCEL may take to begin.
+/// [choice] So many references are kept by the tick: at 1 kHz 128 kB of six axes. With less jerk
+/// the acceleration is made smaller, too.
+inline constexpr double kLongestWindow = 2;
+
+/// What a request asks for, per unit of the leg's σ (LegBounds).
+///
+///   AT v, AT ω    the tip's speed, or that of every rotary axis (on a path, of the tool's
+///   turning),
+///                 kept at the leg's fastest place
+///   AT p%         p times the speed of the axis that is slowest on the leg
+///   OVER t        length/t: speeding up and slowing down come on top
+///   ACCEL         a share of every axis' a_max: so much that the tip, or the turning, is
+///                 accelerated by that much where the axes are strongest, along the leg
+///   JERK          T_w = max_i 2·A_i/J_i with A_i that share of a_max, J_i the least of j_max and
+///   of
+///                 JERK. Of a tip that axes of another kind move, 2·σ''/JERK
+///   ZONE          z: miss; t: the corner begins t before the target at the leg's full speed; p%:
+///   of
+///                 half of the legs; without it the robot's. The robot's zone_angle always
+///
+/// Where jerk is low no ramp up to F needs more acceleration than √(F·J): the share is no greater.
+/// `demand`: per unit of the leg's parameter, with the length of the tip's way.
+AheadLeg ahead_leg(const RobotModel& robot, const LegDemand& demand, const MotionRequest& request);
+
+}  // namespace rob::motion

@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "motion/plan/ahead_leg.h"
+#include "motion/plan/motion_planner.h"
+
+/// The part of MotionPlanner that knows the look-ahead law: it says what a motion asks for; how
+/// long it takes is known when its neighbours are.
+namespace rob::motion {
+
+PlanOutcome MotionPlanner::take_ahead(const MotionRequest& request, Draft draft) {
+  PlannedSegment planned;
+  SegmentDescriptor& segment = planned.segment;
+  segment = segment_to(draft.target, false, {});
+  segment.duration = robot_.reference_period;  // of a target that is the last one: it is passed
+  if (!draft.no_length) {
+    if (draft.demand.path == nullptr) measure_swing(draft.target, draft.demand);
+    const AheadLeg leg = ahead_leg(robot_, draft.demand, request);
+    if (!(leg.alone <= kLongest)) return Refusal{Refusal::Kind::TooLong, -1, leg.alone, kLongest};
+    segment.ahead = leg.bounds;
+    if (draft.leg && draft.leg->line) segment.ahead.line = &*draft.leg->line;
+    segment.duration = leg.duration;
+    segment.path = draft.demand.path;
+    planned.warnings = leg.warnings;
+  }
+  segment.ahead.from = commanded_;
+  segment.ahead.tip = tool_;
+  commit(request.tag, segment);
+  planned.leg = std::move(draft.leg);
+  keep(planned.leg);
+  return planned;
+}
+
+/// Where the tip swings beside its straight way: how far it goes, by Simpson's rule, and its
+/// greatest speed, by parabolas through the samples.
+void MotionPlanner::measure_swing(const JointVector& target, LegDemand& demand) const {
+  if (swing_to(target) == 0) return;
+  constexpr double kStep = 1e-4;                           // of the leg, for differences
+  constexpr double kApart = 2.5 * std::numbers::pi / 180;  // [choice] cosines bend little between
+  const JointVector way = target - commanded_;
+  const auto speed = [&](double s) {
+    const JointVector step = way * kStep;
+    const JointVector q = commanded_ + way * s;
+    return (tip(q + step) - tip(q - step)).norm() / (2 * kStep);
+  };
+  const int half = 4 + static_cast<int>(demand.turn / kApart / 2);
+  double a = 0;
+  double b = 0;
+  double sum = 0;
+  double greatest = 0;
+  for (int k = 0; k <= 2 * half; ++k) {
+    const double c = speed(k / (2.0 * half));
+    const bool end = k == 0 || k == 2 * half;
+    sum += c * (end ? 1 : k % 2 == 1 ? 4 : 2);
+    greatest = std::max(greatest, c);
+    if (k >= 2 && b > a && b >= c)
+      greatest = std::max(greatest, b + (a - c) * (a - c) / (8 * (2 * b - a - c)));
+    a = std::exchange(b, c);
+  }
+  demand.way = sum / (6 * half);
+  demand.pace_way = greatest;
+}
+
+}  // namespace rob::motion

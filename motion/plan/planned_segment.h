@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <variant>
+
+#include "motion/plan/feasibility.h"
+#include "motion/plan/planned_leg.h"
+#include "motion/plan/segment_descriptor.h"
+
+namespace rob::motion {
+
+/// A motion that can be, and what its asker should be told of it.
+struct PlannedSegment {
+  /// AT asks for more than the axes it names can do; they go as fast as they can.
+  static constexpr std::uint8_t kPaceCut = 1;
+  /// The axes or the corners need longer than OVER asks; segment.duration is the true time, under
+  /// the look-ahead law the least.
+  static constexpr std::uint8_t kStretched = 2;
+  /// ZONE asks for a tighter corner than the axes can take; segment.t_acc is the least.
+  static constexpr std::uint8_t kZoneRaised = 4;
+  /// No corner leads from the motion before into this one within what the axes can do: its target
+  /// is reached exactly.
+  static constexpr std::uint8_t kCornerExact = 8;
+  /// ACCEL or JERK asks for more than the axes can do.
+  static constexpr std::uint8_t kBoundCut = 16;
+
+  SegmentDescriptor segment;
+  std::uint8_t warnings = 0;                ///< kPaceCut | kStretched | …
+  std::shared_ptr<const PlannedLeg> leg{};  ///< what the segment points into; null: nothing
+};
+
+using PlanOutcome = std::variant<PlannedSegment, Refusal>;
+
+}  // namespace rob::motion

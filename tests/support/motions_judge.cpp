@@ -1,0 +1,91 @@
+#include "tests/support/motions_judge.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+
+namespace rob::test {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/// mm: what an arm's tool may be beside its line, between two nodes of it.
+constexpr double kArmLine = 0.05;
+
+std::vector<Vector3d> curve_of(const TraceFile& trace, const MotionRobot& robot) {
+  if (robot.kind == MotionRobot::Kind::Arm) return tool_curve_of_poses(trace, 4);
+  return tool_curve(trace, robot.kind == MotionRobot::Kind::Gantry ? 2 : 3, 4);
+}
+
+/// From where the tool first stands at the path's beginning.
+std::vector<Vector3d> from_the_beginning(std::vector<Vector3d> curve, const Vector3d& beginning) {
+  const auto begin = std::find_if(curve.begin(), curve.end(),
+                                  [&](const Vector3d& p) { return (p - beginning).norm() < 2e-3; });
+  return {begin, curve.end()};
+}
+
+/// Bounds, none greater than the shorter way to a neighbour: there a corner ends at the latest.
+std::vector<double> cut_to_legs(const ProgrammedPath& path, std::vector<double> bounds) {
+  std::vector<double> length(path.places.size(), 0.0);
+  for (std::size_t i = 1; i < length.size(); ++i)
+    length[i] = length[i - 1] + (path.places[i] - path.places[i - 1]).norm();
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const double here = length[path.points[i]];
+    if (i > 0) bounds[i] = std::min(bounds[i], here - length[path.points[i - 1]]);
+    if (i + 1 < bounds.size()) bounds[i] = std::min(bounds[i], length[path.points[i + 1]] - here);
+    bounds[i] = std::max(bounds[i], 1e-3);
+  }
+  return bounds;
+}
+
+std::string text_of(const char* format, double a, double b) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions, double room,
+               std::vector<std::string>& findings) {
+  const auto curve = from_the_beginning(whole, motions.path.places.front());
+  if (curve.empty()) return findings.push_back("the tool never stood where its way begins");
+  std::vector<double> bounds = cut_to_legs(motions.path, motions.misses);
+  for (double& bound : bounds) bound = 1.01 * bound + room;
+  // A way that is not known is looked at as a whole: each point must have been passed at some time.
+  const double window = motions.known ? 60 : std::numeric_limits<double>::infinity();
+  const PathExcess excess = path_excess(curve, motions.path, bounds, window);
+  if (!(excess.miss <= 0)) {
+    findings.push_back(text_of("point %g is missed by %g mm more than it may be",
+                               static_cast<double>(excess.point), excess.miss));
+  }
+  if (motions.known && !(excess.from_path <= 0))
+    findings.push_back(
+        text_of("beside the path by %g mm more than it may be%.0s", excess.from_path, 0));
+}
+
+}  // namespace
+
+std::vector<std::string> judge_motions(const std::string& rob, const MotionRobot& robot,
+                                       const RandomMotions& motions,
+                                       const std::vector<std::string>& options) {
+  const ScratchFolder scratch;
+  const std::string script = (scratch.path() / "cell.sig").string();
+  std::ofstream(script) << motions.signals;
+  std::vector<std::string> more = options;
+  more.insert(more.end(), {"--signals", script, "--override", motions.override_share});
+  const TracedRun run = run_traced(rob, motions.text, robot.robot, more);
+  if (!run.done()) return {run.trouble()};
+  std::vector<AxisBounds> axes = robot.axes;
+  if (motions.jerk > 0)
+    for (AxisBounds& axis : axes) axis.j = std::min(axis.j, motions.jerk);
+  std::vector<std::string> findings = judge_bounds(run.trace, axes);
+  const auto curve = curve_of(run.trace, robot);
+  const double room = robot.kind == MotionRobot::Kind::Arm ? kArmLine : 0;
+  if (motions.whole) judge_way(curve, motions, room, findings);
+  const double off = (curve.back() - motions.path.places.back()).norm();
+  if (!(off < 1e-6)) findings.push_back(text_of("the end is off by %g mm%.0s", off, 0));
+  return findings;
+}
+
+}  // namespace rob::test

@@ -1,0 +1,111 @@
+// Runs random programs of all kinds of motions through a built `rob` and judges their traces.
+//
+//   motions_judge ROB ROBOT [N [SEED]] [--law LAW]    ROBOT: a built-in one, or a file of three
+//   axes motions_judge ROB ROBOT --show SEED               prints one program and its signal script
+
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "motion/robots/robot_file.h"
+#include "motion/robots/robot_library.h"
+#include "tests/support/motions_judge.h"
+
+namespace {
+
+using namespace rob::test;
+using Kind = MotionRobot::Kind;
+
+AxisBounds bounds_of(const rob::motion::Axis& axis, bool look_ahead) {
+  const bool linear = axis.kind == rob::motion::AxisKind::Linear;
+  const double unit = linear ? 1e3 : 180 / 3.14159265358979323846;
+  // Paul's law bounds no jerk but its own.
+  const double j =
+      look_ahead && axis.j_max > 0 ? axis.j_max * unit : std::numeric_limits<double>::infinity();
+  return {axis.min * unit, axis.max * unit, axis.v_max * unit, axis.a_max * unit, j};
+}
+
+MotionRobot motion_robot(const std::string& name, bool look_ahead) {
+  const rob::motion::RobotModel model =
+      name.ends_with(".toml") ? rob::motion::parse_robot_file(read_whole_file(name), name)
+                              : rob::motion::embedded_robot(name);
+  MotionRobot robot;
+  robot.robot = name;
+  robot.look_ahead = look_ahead;
+  for (const auto& axis : model.axes) robot.axes.push_back(bounds_of(axis, look_ahead));
+  if (model.tool_coordinates) {
+    robot.kind = Kind::Arm;
+    robot.least = {280, -120, 250}, robot.most = {400, 120, 370};  // in front of irb120
+    robot.reach = 120, robot.zone = 1e9;
+    robot.least_speed = 20, robot.most_speed = 400;
+  } else if (model.name == "gantry") {
+    robot.kind = Kind::Gantry;
+    robot.least = {60, 60, 0}, robot.most = {340, 240, 0};
+    robot.reach = 40, robot.zone = 1e9;
+    robot.least_speed = 2, robot.most_speed = 20;
+  } else {
+    robot.least = {-200, -200, -200}, robot.most = {200, 200, 200};
+    robot.reach = 150, robot.zone = 1e9;
+    robot.least_speed = 20, robot.most_speed = 600;
+  }
+  return robot;
+}
+
+void show(const RandomMotions& made) {
+  std::printf("%s\n// --override %s --signals:\n%s", made.text.c_str(), made.override_share.c_str(),
+              made.signals.c_str());
+}
+
+/// How many of the programs failed.
+int judge_all(const std::string& rob, const MotionRobot& robot, std::uint64_t count,
+              std::uint64_t seed, const std::string& law) {
+  int failed = 0;
+  for (std::uint64_t number = seed; number < seed + count; ++number) {
+    const RandomMotions made = random_motions(number, robot);
+    std::vector<std::string> findings;
+    try {
+      findings = judge_motions(rob, robot, made, {"--law", law});
+    } catch (const std::exception& error) {
+      findings = {error.what()};
+    }
+    if (findings.empty()) continue;
+    ++failed;
+    std::printf("program %llu on %s:\n", static_cast<unsigned long long>(number),
+                robot.robot.c_str());
+    for (const std::string& finding : findings) std::printf("  %s\n", finding.c_str());
+    std::fflush(stdout);
+  }
+  std::printf("%llu programs on %s judged, %d failed\n", static_cast<unsigned long long>(count),
+              robot.robot.c_str(), failed);
+  return failed;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  std::vector<std::string> words(arguments + 1, arguments + count);
+  std::string law = "lookahead";
+  if (words.size() > 3 && words[words.size() - 2] == "--law") {
+    law = words.back();
+    words.resize(words.size() - 2);
+  }
+  try {
+    if (words.size() < 2 || words.size() > 4) throw std::invalid_argument("usage");
+    const MotionRobot robot = motion_robot(words[1], law == "lookahead");
+    if (words.size() == 4 && words[2] == "--show")
+      return show(random_motions(std::stoull(words[3]), robot)), 0;
+    const std::uint64_t programs = words.size() > 2 ? std::stoull(words[2]) : 20;
+    const std::uint64_t seed = words.size() > 3 ? std::stoull(words[3]) : 1;
+    return judge_all(words[0], robot, programs, seed, law) == 0 ? 0 : 1;
+  } catch (const std::invalid_argument&) {
+    std::fprintf(stderr, "usage: motions_judge ROB ROBOT [N [SEED] | --show SEED] [--law LAW]\n");
+    return 64;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "motions_judge: %s\n", error.what());
+    return 70;
+  }
+}

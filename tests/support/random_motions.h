@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/support/path_deviation.h"
+#include "tests/support/trace_figures.h"
+
+namespace rob::test {
+
+/// What random motions have to know of a robot: mm, deg, s.
+struct MotionRobot {
+  enum class Kind {
+    Linear,
+    Gantry,
+    Arm
+  };  ///< targets (x, y, z), (x, y, theta), (x, y, z, a, b, c)
+
+  Kind kind = Kind::Linear;
+  std::string robot;                    ///< as --robot takes it
+  std::vector<AxisBounds> axes;         ///< limits of the axes
+  Eigen::Vector3d least, most;          ///< the box in which the tool is led
+  double zone = 0;                      ///< mm: the most that a corner without ZONE misses
+  double reach = 0;                     ///< mm: the longest motion
+  int least_speed = 1, most_speed = 1;  ///< mm/s of AT
+  bool look_ahead = false;              ///< ACCEL and JERK are possible
+};
+
+/// A program of all kinds of motions, and what is known of its way beforehand.
+struct RandomMotions {
+  std::string text;
+  std::string signals;         ///< a signal script: what comes at random instants
+  std::string override_share;  ///< "87%": of --override
+  ProgrammedPath path;         ///< where the tool is led; its points are the targets
+  std::vector<double> misses;  ///< mm: by which each point may be missed
+  double jerk = 0;             ///< mm/s³ that every motion asks for; 0: not every one
+  bool known = true;           ///< the path between the points is that of `path`
+  bool whole = true;           ///< nothing ends a motion before its target
+};
+
+/// The random program number `seed` for that robot: always the same for the same number. Motions of
+/// all kinds, dense runs of short ones, repeated targets, every kind of ZONE, AT, OVER, ACCEL,
+/// JERK, PROFILE, outputs behind and along motions, WAIT, STOP, OVERRIDE; holds (WHEN … HALT) and,
+/// in one program of four, UNTIL, BRAKE and JOG at random instants. The last motion is exact.
+RandomMotions random_motions(std::uint64_t seed, const MotionRobot& robot);
+
+}  // namespace rob::test
