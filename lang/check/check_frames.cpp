@@ -94,39 +94,30 @@ void StatementChecker::check_frame(const Declaration& declaration, Constant& val
                     shortened(declared.name)),
         "no variables and nothing that is read from the robot");
   }
-  if (declaration.mass != nullptr) {
-    expressions_.check(declaration.mass);
-    check_tool_number(*declaration.mass, Type::real(kMass), "MASS needs");
-  }
-  if (declaration.cog != nullptr) {
-    expressions_.check(declaration.cog);
-    check_tool_number(*declaration.cog, Type::vec(kLength), "COG needs");
-  }
-  add_load(declaration, value);
-}
-
-/// MASS and COG become part of a TOOL's value.
-void StatementChecker::add_load(const Declaration& declaration, Constant& value) {
+  const Constant mass = tool_number(declaration.mass, Type::real(kMass), "MASS needs");
+  const Constant cog = tool_number(declaration.cog, Type::vec(kLength), "COG needs");
   auto* const slots = std::get_if<std::vector<double>>(&value);
-  if (slots == nullptr || declaration.mass == nullptr) return;
-  const Constant mass = converted(declaration.mass->constant, Type::real());
+  if (slots == nullptr) return;
   if (const double* const number = std::get_if<double>(&mass)) slots->at(kPoseSlots) = *number;
-  if (declaration.cog == nullptr) return;
-  if (const auto* const cog = std::get_if<std::vector<double>>(&declaration.cog->constant)) {
-    std::copy(cog->begin(), cog->end(), slots->begin() + kPoseSlots + 1);
+  if (const auto* const place = std::get_if<std::vector<double>>(&cog)) {
+    std::ranges::copy(*place, slots->begin() + kPoseSlots + 1);
   }
 }
 
-void StatementChecker::check_tool_number(const Expr& value, const Type& wanted,
-                                         std::string_view needed) {
-  if (!expressions_.accept(value, wanted, needed) || !value.type.known()) return;
-  if (!known(value.constant)) {
-    diagnostics_.error(code::kFrameNotConstant, value.place,
+/// The value of MASS or COG, which becomes part of a TOOL's; unknown where there is none.
+Constant StatementChecker::tool_number(const ExprPtr& value, const Type& wanted,
+                                       std::string_view needed) {
+  if (value == nullptr) return {};
+  expressions_.check(value);
+  if (!expressions_.accept(*value, wanted, needed) || !value->type.known()) return {};
+  if (!known(value->constant)) {
+    diagnostics_.error(code::kFrameNotConstant, value->place,
                        fmt::format("{} a constant value here", needed), "");
-  } else if (const double* const mass = std::get_if<double>(&value.constant);
+  } else if (const double* const mass = std::get_if<double>(&value->constant);
              mass != nullptr && *mass < 0) {
-    diagnostics_.error(code::kFrameNotConstant, value.place, "a mass is 0kg or more", "");
+    diagnostics_.error(code::kFrameNotConstant, value->place, "a mass is 0kg or more", "");
   }
+  return value->constant;
 }
 
 void StatementChecker::check_frame_uses(const Program& program) {

@@ -83,14 +83,16 @@ void StatementChecker::check(Declaration& declaration) {
   Type type = fixed ? expressions_.check_fixed(declaration.value, missed)
                     : expressions_.check(declaration.value);
   Constant value;
+  bool accepted = true;
   if (declaration.type) {
     if (!expressions_.complete(*declaration.type, declaration.names.front().place)) {
       declaration.type = Type{};
     }
     type = *declaration.type;
     if (declaration.value != nullptr) {
-      expressions_.accept(*declaration.value, type,
-                          fmt::format("{} needs", shortened(declaration.names.front().name)));
+      accepted =
+          expressions_.accept(*declaration.value, type,
+                              fmt::format("{} needs", shortened(declaration.names.front().name)));
     } else if (!has_default(type)) {
       diagnostics_.error(code::kValueNeeded, declaration.names.front().place,
                          fmt::format("{} needs a value: it is {}",
@@ -99,7 +101,7 @@ void StatementChecker::check(Declaration& declaration) {
   }
   type = settled(type);
   // A constant text lives in a register: each use of it in the tree would be a copy.
-  if (declaration.constant && declaration.value != nullptr && type != Type::string()) {
+  if (declaration.constant && declaration.value != nullptr && accepted && type != Type::string()) {
     value = converted(known_value(*declaration.value), type);
   }
   if (fixed && type.known() && declaration.value != nullptr) {

@@ -148,8 +148,7 @@ class StatementChecker {
 
   // Frames (check_frames.cpp)
   void check_frame(const Declaration& declaration, Constant& value, bool missed);
-  static void add_load(const Declaration& declaration, Constant& value);
-  void check_tool_number(const Expr& value, const Type& wanted, std::string_view needed);
+  Constant tool_number(const ExprPtr& value, const Type& wanted, std::string_view needed);
   void check_frame_uses(const Program& program);
 
   // USE (check_use.cpp)

@@ -117,6 +117,9 @@ std::string Diagnostics::line_of(const Place& place, const Place& from) const {
 }
 
 void Diagnostics::add(Diagnostic diagnostic) {
+  // A message may quote the source, whatever stands there.
+  diagnostic.message = printable(diagnostic.message);
+  diagnostic.help = printable(diagnostic.help);
   const bool is_error = diagnostic.severity == Severity::Error;
   if (is_error) ++errors_;
   if (all_.size() >= kMost) {

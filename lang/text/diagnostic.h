@@ -64,6 +64,7 @@ class Diagnostics {
   /// A file with thousands of errors is one mistake: after this many the rest is only counted.
   static constexpr std::size_t kMost = 100;
 
+  /// Message and help are kept as a terminal may safely show them.
   void add(Diagnostic diagnostic);
   void error(std::string_view code, Place place, std::string message, std::string help = "");
   void warning(std::string_view code, Place place, std::string message, std::string help = "");

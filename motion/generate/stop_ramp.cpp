@@ -5,46 +5,36 @@
 
 namespace rob::motion {
 
-// The time-optimal motion of a double integrator from (r, r') to (target, 0). It never leaves the
-// interval between the aims it was given: r' can be brought to 0 before the last of them.
+// r is the speed of a path's time. It never leaves the interval between the aims it was given: r'
+// can be brought to 0 before the last of them.
 void StopRamp::aim(double target) noexcept {
-  const auto [slope_max, bend] = limits_;
   target_ = target;
-  // Where r would end if r' were taken back now tells which way to push.
-  const double level = rate_ + slope_ * std::abs(slope_) / (2 * bend);
-  const double sign = target >= level ? 1 : -1;
-  const double distance = sign * (target - rate_);
-  const double start = sign * slope_;
-
-  const double square = std::max(0.0, bend * distance + start * start / 2);
-  const double peak = std::min(std::sqrt(square), slope_max);
-  const double cruise = peak > 0 ? std::max(0.0, square - peak * peak) / (bend * peak) : 0;
-  phases_[0] = {std::max(0.0, (peak - start) / bend), sign * bend};
-  phases_[1] = {cruise, 0};
-  phases_[2] = {peak / bend, -sign * bend};
+  ahead_ = speed_change({0, rate_, slope_}, target, {0, limits_.slope, limits_.bend});
 }
 
 void StopRamp::jump(double target) noexcept {
   rate_ = target_ = target;
   slope_ = 0;
-  phases_ = {};
+  ahead_ = {};
 }
 
 double StopRamp::advance(double dt) noexcept {
   if (remaining() == 0) return rate_ * dt;
-  double gained = 0;
-  for (Phase& phase : phases_) {
+  AxisState state{0, rate_, slope_};
+  for (JerkPhase& phase : ahead_.phases) {
     const double d = std::min(dt, phase.duration);
-    gained += ((phase.bend * d / 3 + slope_) * d / 2 + rate_) * d;
-    rate_ += (phase.bend * d / 2 + slope_) * d;
-    slope_ += phase.bend * d;
+    state = phase.after(state, d);
+    phase.acceleration = state.a;
     phase.duration -= d;
     dt -= d;
+    if (phase.duration > 0) break;
   }
-  if (remaining() > 0) return gained;
+  rate_ = state.v;
+  slope_ = state.a;
+  if (remaining() > 0) return state.q;
   rate_ = target_;  // and not nearly so
   slope_ = 0;
-  return gained + rate_ * dt;
+  return state.q + rate_ * dt;
 }
 
 double StopRamp::time_to_gain(double gain, double within) const noexcept {
@@ -57,10 +47,6 @@ double StopRamp::time_to_gain(double gain, double within) const noexcept {
     (ahead.advance(middle) < gain ? low : high) = middle;
   }
   return high;
-}
-
-double StopRamp::remaining() const noexcept {
-  return phases_[0].duration + phases_[1].duration + phases_[2].duration;
 }
 
 }  // namespace rob::motion

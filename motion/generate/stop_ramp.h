@@ -1,8 +1,7 @@
 #pragma once
 
-#include <array>
-
 #include "motion/robots/time_scaling.h"
+#include "motion/space/speed_change.h"
 
 namespace rob::motion {
 
@@ -36,19 +35,14 @@ class StopRamp {
   double slope() const noexcept { return slope_; }
   double target() const noexcept { return target_; }
   /// s until the aim is reached; 0: steady.
-  double remaining() const noexcept;
+  double remaining() const noexcept { return ahead_.duration(); }
 
  private:
-  struct Phase {
-    double duration = 0;
-    double bend = 0;  ///< r''
-  };
-
   TimeScaleLimits limits_;
   double rate_ = 1;
   double slope_ = 0;
   double target_ = 1;
-  std::array<Phase, 3> phases_{};  ///< what is still to come
+  SpeedChange ahead_;  ///< what is still to come
 };
 
 }  // namespace rob::motion

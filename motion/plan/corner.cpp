@@ -46,22 +46,6 @@ class ToolCorner final : public ToolPath {
 
 JointPath::Node node(double t, const PathPoint& point) { return {t, point.q, point.qd, point.qdd}; }
 
-std::optional<JointPath> axes_of(const RobotModel& robot, const CornerTask& task, double half) {
-  const PathPoint first = task.in.at(task.in.duration - half);
-  const PathPoint last = task.out.at(half);
-  if (task.line_in == nullptr || task.line_out == nullptr) {
-    return JointPath({node(-half, first), node(half, last)});
-  }
-  const ToolLine& in = *task.line_in;
-  const ToolLine& out = *task.line_out;
-  const ToolCorner corner(out.at(0), in.shift() / task.in.duration,
-                          in.rotation() / task.in.duration, out.shift() / task.out.duration,
-                          out.rotation() / task.out.duration, half);
-  Followed followed = follow(robot, corner, task.tip, first.q, &first, &last);
-  if (followed.trouble) return std::nullopt;
-  return std::move(followed.axes);
-}
-
 enum class Finding { Good, Beyond, TooHard };
 
 /// [choice] of speed, acceleration and place: far below what any drive resolves.
@@ -84,8 +68,25 @@ Finding judge(const RobotModel& robot, const Corner& corner, double braking) {
   return finding;
 }
 
-/// By how much the tip misses the point: at the middle and around it.
-double miss_of(const RobotModel& robot, const CornerTask& task, const Corner& corner) {
+}  // namespace
+
+std::optional<JointPath> corner_axes(const RobotModel& robot, const CornerTask& task, double half) {
+  const PathPoint first = task.in.at(task.in.duration - half);
+  const PathPoint last = task.out.at(half);
+  if (task.line_in == nullptr || task.line_out == nullptr) {
+    return JointPath({node(-half, first), node(half, last)});
+  }
+  const ToolLine& in = *task.line_in;
+  const ToolLine& out = *task.line_out;
+  const ToolCorner corner(out.at(0), in.shift() / task.in.duration,
+                          in.rotation() / task.in.duration, out.shift() / task.out.duration,
+                          out.rotation() / task.out.duration, half);
+  Followed followed = follow(robot, corner, task.tip, first.q, &first, &last);
+  if (followed.trouble) return std::nullopt;
+  return std::move(followed.axes);
+}
+
+double corner_miss_of(const RobotModel& robot, const CornerTask& task, const JointPath& axes) {
   const auto place = [&](const JointVector& q) {
     return place_of(task.tip.position, robot.kinematics->forward(q));
   };
@@ -93,13 +94,11 @@ double miss_of(const RobotModel& robot, const CornerTask& task, const Corner& co
   double least = std::numeric_limits<double>::infinity();
   constexpr int kPlaces = 16;
   for (int i = 0; i <= kPlaces; ++i) {
-    const double t = corner.half * (2.0 * i / kPlaces - 1);
-    least = std::min(least, (place(corner.axes.at(t).q) - point).norm());
+    const double t = axes.end() * (2.0 * i / kPlaces - 1);
+    least = std::min(least, (place(axes.at(t).q) - point).norm());
   }
   return least;
 }
-
-}  // namespace
 
 std::optional<Corner> make_corner(const RobotModel& robot, const CornerTask& task) {
   constexpr int kTries = 12;
@@ -109,9 +108,9 @@ std::optional<Corner> make_corner(const RobotModel& robot, const CornerTask& tas
   corner.half = task.longest;
   for (int i = 0; i < kTries; ++i) {
     double shrink = kShrink;
-    if (auto axes = axes_of(robot, task, corner.half)) {
+    if (auto axes = corner_axes(robot, task, corner.half)) {
       corner.axes = std::move(*axes);
-      const double miss = miss_of(robot, task, corner);
+      const double miss = corner_miss_of(robot, task, corner.axes);
       const Finding finding = judge(robot, corner, task.braking);
       if (finding == Finding::TooHard) return std::nullopt;  // shorter would be harder still
       if (finding == Finding::Good && miss <= task.zone) return corner;

@@ -35,4 +35,11 @@ struct CornerTask {
 /// about the orientation in the point. Any other corner is a quintic of the axes.
 std::optional<Corner> make_corner(const RobotModel& robot, const CornerTask& task);
 
+/// The corner's axes for that `half`, whatever they may do; none where the tip cannot be led.
+/// `longest`, `zone` and `braking` do not count.
+std::optional<JointPath> corner_axes(const RobotModel& robot, const CornerTask& task, double half);
+
+/// By how much the tip misses the point at least, m, on the way of corner_axes().
+double corner_miss_of(const RobotModel& robot, const CornerTask& task, const JointPath& axes);
+
 }  // namespace rob::motion

@@ -3,6 +3,10 @@
 #include <cstdint>
 #include <limits>
 
+#include "motion/path/tool_line.h"
+#include "motion/space/joint_vector.h"
+#include "motion/space/pose.h"
+
 namespace rob::motion {
 
 /// What a motion asks of the look-ahead law. The path is measured by σ: the way of the tool's tip,
@@ -10,7 +14,10 @@ namespace rob::motion {
 struct LegBounds {
   static constexpr double kAny = std::numeric_limits<double>::infinity();
 
-  double length = 0;        ///< m of σ from end to end; 0: no length
+  JointVector from;                ///< m, rad: where the axes begin
+  Pose tip;                        ///< of the tool, seen from the flange
+  const ToolLine* line = nullptr;  ///< along which the tip is led; kept as long as the path
+  double length = 0;               ///< m of σ from end to end; 0: no length
   double speed = kAny;      ///< m/s of σ: what AT and OVER ask for, whatever the axes can do
   double acceleration = 1;  ///< share of each axis' a_max that ACCEL leaves, above 0
   double window = 0;        ///< s: of the average that bounds the jerk; 0: it is unbounded

@@ -156,3 +156,10 @@ TEST_CASE("every code has a title, and none is given twice") {
   }
   CHECK(title_of("E999").empty());
 }
+
+TEST_CASE("a message that quotes a control character is kept as a terminal may show it") {
+  Diagnostics diagnostics;
+  diagnostics.error("E160", {1, 7, 3}, "cm\x02 is no unit", "a\tb\xFF");
+  CHECK(diagnostics.all().front().message == "cm? is no unit");
+  CHECK(diagnostics.all().front().help == "a b?");
+}

@@ -1,0 +1,153 @@
+#include "motion/ahead/guide.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rob::motion {
+
+namespace {
+
+/// Relative difference below which two squares of rates are the same: rounding of a few operations.
+constexpr double kSame = 1e-12;
+
+/// The same of a square that has come out of a long division.
+constexpr double kNear = 1e-9;
+
+double root(double square) noexcept { return std::sqrt(std::max(square, 0.0)); }
+
+}  // namespace
+
+bool Guide::at_run_end() const noexcept { return stands() && blocked() && at_ == 0; }
+
+void Guide::restart(PathRing::Index at, const JointVector& q) noexcept {
+  index_ = begun_ = first_ = at;
+  at_ = rate_ = acceleration_ = 0;
+  braking_ = false;
+  limit_ = {};
+  place_.q = q;
+  place_.qd.setZero();
+  place_.qdd.setZero();
+}
+
+Guide::Part Guide::next_part(double until) noexcept {
+  Part part{time_, sigma_, rate_, 0};
+  const Piece* const piece = blocked() ? nullptr : ring_.piece(index_);
+  const double rest = piece == nullptr ? 0 : piece->length - at_;
+  Choice choice;
+  if (piece != nullptr && !(braking_ && rate_ == 0)) {
+    part.sigma = sigma_ = piece->begin + at_;
+    choice = choose(*piece, rest);
+  }
+  limit_ = choice.limit;
+  const double mean = (rate_ + choice.end_rate) / 2;
+  if (piece == nullptr || !(mean > 0)) {  // it stands
+    part.rate = rate_ = acceleration_ = 0;
+    time_ = until;
+    return part;
+  }
+  part.acceleration = acceleration_ = choice.control;
+  const double lasts = choice.way / mean;
+  const double left = until - time_;
+  if (lasts > left) {
+    const double way = std::min((rate_ + acceleration_ * left / 2) * left, choice.way);
+    rate_ = std::max(rate_ + acceleration_ * left, 0.0);
+    at_ += way;
+    time_ = until;
+  } else {
+    rate_ = choice.end_rate;
+    at_ += choice.way;
+    time_ += lasts;
+  }
+  if (choice.way == rest && lasts <= left) {
+    ++index_;
+    at_ = 0;
+    sigma_ = piece->begin + piece->length;
+  } else {
+    sigma_ = piece->begin + at_;
+  }
+  return part;
+}
+
+/// The greatest σ' on the piece apart from what lies ahead.
+double Guide::greatest_rate(const Piece& piece, GuideLimit& limit) const noexcept {
+  const double paced = piece.pace * share_;
+  if (paced > piece.fastest) {
+    limit = {GuideLimit::Kind::Speed, piece.fastest_axis};
+    return piece.fastest;
+  }
+  limit = {share_ < 1 ? GuideLimit::Kind::Override : GuideLimit::Kind::Pace, -1};
+  return paced;
+}
+
+/// As fast as the bounds here and at the end of the piece allow, until it must be braked: where the
+/// axes can brake evenly from here on, the greatest square falls evenly towards the end's.
+Guide::Choice Guide::choose(const Piece& piece, double rest) const noexcept {
+  const Stretch on{piece.point(at_), piece.point(piece.length), rest, rate_ * rate_};
+  const ControlRange range = control_range(piece, on.here, on.end, rest, on.x);
+  GuideLimit cruising;
+  const double top_rate = greatest_rate(piece, cruising);
+  const double top = top_rate * top_rate;
+  if (braking_ || on.x > top * (1 + kSame)) return slow_down(piece, on, range, braking_ ? 0 : top);
+
+  const double end = ring_.square(index_);
+  const double brakes = brakes_on(piece, on.end, top);
+  // Where they cannot, one even σ'' has to lead to the end.
+  const double line = brakes > 0 ? end + 2 * brakes * rest : 0;
+  Choice choice{range.high, rest, 0, {GuideLimit::Kind::Acceleration, range.high_axis}};
+  if (on.x >= line * (1 - kSame)) {
+    // Above the square, as behind a lowered override, as hard as the axes can.
+    choice.control = std::min(range.high, std::max(range.low, (end - on.x) / (2 * rest)));
+  } else if (on.x >= top * (1 - kSame)) {
+    choice.control = std::clamp(0.0, std::min(range.low, range.high), range.high);
+    if (choice.control == 0) choice.limit = cruising;
+  }
+  if (on.x < line * (1 - kSame) && choice.control + brakes > 0)
+    choice.way = std::min(rest, (line - on.x) / (2 * (choice.control + brakes)));
+  if (on.x < top * (1 - kSame) && choice.control > 0)
+    choice.way = std::min(choice.way, (top - on.x) / (2 * choice.control));
+  const double after = on.x + 2 * choice.control * choice.way;
+  // Rounding of large numbers that cancel must not leave a speed where the path ends.
+  const bool meets_end = choice.way == rest && std::abs(after - end) <= kNear * on.x;
+  choice.end_rate = root(meets_end ? end : after);
+  return choice;
+}
+
+/// The same for all of the piece, so that the square from which it has to be braked is one line.
+double Guide::brakes_on(const Piece& piece, const PathPoint& end, double top) const noexcept {
+  const PathPoint begin = piece.point(0);
+  const double before = index_ == first_ ? 0 : ring_.square(index_ - 1);
+  const double rise = 2 * piece.length * even_braking(piece, begin, end, 0);
+  return even_braking(piece, begin, end,
+                      std::min(top, std::max(before, ring_.square(index_)) + rise));
+}
+
+/// With the least control, until the square is down to `floor` or the piece ends.
+Guide::Choice Guide::slow_down(const Piece& piece, const Stretch& on, const ControlRange& range,
+                               double floor) const noexcept {
+  const bool ends = on.x + 2 * range.low * on.rest >= 0;  // before it stands
+  const double least = ends ? range.low : -on.x / (2 * on.rest);
+  Choice choice{std::min(least, -even_braking(piece, on.here, on.end, on.x)),
+                on.rest,
+                0,
+                {GuideLimit::Kind::Braking, range.low_axis}};
+  const double after = on.x + 2 * choice.control * on.rest;
+  choice.end_rate = root(after);
+  if (after < floor || after <= 0) {
+    choice.way = std::min(on.rest, (on.x - floor) / (-2 * choice.control));
+    choice.end_rate = std::sqrt(floor);
+  }
+  return choice;
+}
+
+/// Between two pieces the one that it has left counts: σ'' was chosen on it.
+void Guide::update_place() noexcept {
+  if (at_ == 0) {
+    if (index_ == first_) return;
+    const Piece& last = ring_.written(index_ - 1);
+    place_ = driven(last.point(last.length), rate_, acceleration_);
+    return;
+  }
+  place_ = driven(ring_.written(index_).point(at_), rate_, acceleration_);
+}
+
+}  // namespace rob::motion

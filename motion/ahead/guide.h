@@ -1,0 +1,126 @@
+#pragma once
+
+#include <cstdint>
+
+#include "motion/ahead/path_ring.h"
+#include "motion/ahead/reachable.h"
+
+namespace rob::motion {
+
+/// What holds the guide's speed.
+struct GuideLimit {
+  enum class Kind : std::uint8_t {
+    None,
+    Pace,          ///< what is asked for
+    Override,      ///< the same, at an override below 1
+    Speed,         ///< of an axis
+    Acceleration,  ///< of an axis
+    Braking        ///< by request
+  };
+  Kind kind = Kind::None;
+  int axis = -1;  ///< of Speed and Acceleration
+};
+
+/// The point that runs along the path, as fast as the programmed speed, the axes and what is known
+/// of the path allow: at each instant with the greatest σ'' from which PathRing::square() can be
+/// kept. σ'' is even until a bound is reached or a piece ends, so the way is a parabola of time,
+/// part by part, and exact whatever the period.
+///
+/// m, s. Every call may be used in the tick.
+class Guide {
+ public:
+  /// A stretch of even σ''.
+  struct Part {
+    double time = 0;  ///< s since the start of the run, of its beginning
+    double sigma = 0;
+    double rate = 0;
+    double acceleration = 0;
+  };
+  /// In one step; what is left of the period then is lost, and the path runs later. [choice] The
+  /// planner's pieces take a quarter of a period at least, and some have three parts.
+  static constexpr int kMostParts = 64;
+
+  /// The axes stand at `start`.
+  Guide(PathRing& ring, const JointVector& start) noexcept
+      : ring_(ring),
+        place_{start, JointVector::Zero(start.size()), JointVector::Zero(start.size())} {}
+
+  /// Goes on to `time`. Calls keep(part) for each part, in order.
+  template <typename Keep>
+  void step(double time, Keep&& keep) noexcept {
+    for (int i = 0; i < kMostParts && time_ < time; ++i) keep(next_part(time));
+    time_ = time;
+    update_place();
+  }
+
+  /// Comes to rest on the path as fast as the axes can, and stays there until release().
+  void brake() noexcept { braking_ = true; }
+  void release() noexcept { braking_ = false; }
+  bool braking() const noexcept { return braking_; }
+  /// Of the programmed speed, 0 < share <= 2.
+  void set_share(double share) noexcept { share_ = share; }
+  double share() const noexcept { return share_; }
+
+  bool stands() const noexcept { return rate_ == 0; }
+  /// It stands where the path is meant to come to rest, until begin_run().
+  bool at_run_end() const noexcept;
+  /// It stands at the end of what is known of the path.
+  bool at_path_end() const noexcept { return stands() && ring_.piece(index_) == nullptr; }
+  void begin_run() noexcept { begun_ = index_; }
+  /// The axes stand at q; the path goes on with piece `at`.
+  void restart(PathRing::Index at, const JointVector& q) noexcept;
+
+  double time() const noexcept { return time_; }
+  double sigma() const noexcept { return sigma_; }
+  double rate() const noexcept { return rate_; }
+  double acceleration() const noexcept { return acceleration_; }
+  const GuideLimit& limit() const noexcept { return limit_; }
+  /// Of the piece it is on, or will be on next.
+  PathRing::Index index() const noexcept { return index_; }
+  /// The axes: place, velocity and acceleration in time.
+  const PathPoint& place() const noexcept { return place_; }
+
+ private:
+  /// σ'', and how far it holds.
+  struct Choice {
+    double control = 0;
+    double way = 0;
+    double end_rate = 0;
+    GuideLimit limit;
+  };
+
+  /// From `here` to the end of a piece, entered with σ'² = x.
+  struct Stretch {
+    PathPoint here;
+    PathPoint end;
+    double rest = 0;
+    double x = 0;
+  };
+
+  bool blocked() const noexcept {
+    return index_ > 0 && index_ != begun_ && ring_.run_end(index_ - 1);
+  }
+  Part next_part(double until) noexcept;
+  double greatest_rate(const Piece& piece, GuideLimit& limit) const noexcept;
+  Choice choose(const Piece& piece, double rest) const noexcept;
+  double brakes_on(const Piece& piece, const PathPoint& end, double top) const noexcept;
+  Choice slow_down(const Piece& piece, const Stretch& on, const ControlRange& range,
+                   double floor) const noexcept;
+  void update_place() noexcept;
+
+  PathRing& ring_;
+  PathRing::Index index_ = 0;
+  PathRing::Index begun_ = 0;  ///< piece at which the present run has begun
+  PathRing::Index first_ = 0;  ///< the first behind the last restart
+  double at_ = 0;              ///< σ since the beginning of the piece
+  double time_ = 0;
+  double sigma_ = 0;
+  double rate_ = 0;
+  double acceleration_ = 0;
+  double share_ = 1;
+  bool braking_ = false;
+  GuideLimit limit_;
+  PathPoint place_;
+};
+
+}  // namespace rob::motion

@@ -1,0 +1,391 @@
+#include "motion/ahead/path_planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "motion/ahead/reachable.h"
+
+namespace rob::motion {
+
+namespace {
+
+/// The open leg's successor, and the one behind it.
+constexpr std::size_t kPending = 2;
+
+/// s: so long before the guide would stand short of a target it is led there (motion.md: decision
+/// point); and so long before it would have to brake a corner is made of what is known.
+constexpr double kLastChance = 0.05;
+constexpr double kNear = 0.1;
+
+/// Pieces that a corner, or the way to the next node of a leg, may take.
+constexpr std::size_t kSpare = 512;
+
+constexpr double kAny = std::numeric_limits<double>::infinity();
+
+bool moves(const SegmentDescriptor& segment) {
+  return !segment.no_length && !segment.dwell && !segment.jog.present() &&
+         !segment.profile.present();
+}
+
+bool has_way(const SegmentDescriptor& segment) {
+  return moves(segment) && segment.ahead.length > 0;
+}
+
+/// σ' that the axes allow at a place, and σ'' on a straight line there.
+double speed_of(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place) {
+  double most = leg.segment.ahead.speed;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const double v_max = robot.axes[static_cast<std::size_t>(i)].v_max;
+    if (std::abs(place.qd[i]) * most > v_max) most = v_max / std::abs(place.qd[i]);
+  }
+  return most;
+}
+
+double control_of(const ShapedLeg& leg, const PathPoint& place) {
+  double most = kAny;
+  for (int i = 0; i < place.qd.size(); ++i) {
+    if (std::abs(place.qd[i]) * most > leg.acceleration[i])
+      most = leg.acceleration[i] / std::abs(place.qd[i]);
+  }
+  return most;
+}
+
+double greatest_rotary_slope(const RobotModel& robot, const PathPoint& place) {
+  double most = 0;
+  for (int i = 0; i < robot.axis_count(); ++i)
+    if (robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
+      most = std::max(most, std::abs(place.qd[i]));
+  return most;
+}
+
+/// Where the polynomial of a leg ends that `way` lies on, m from its beginning.
+double next_border(const ShapedLeg& leg, double way) {
+  if (leg.motion.path == nullptr) return leg.length();
+  for (const JointPath::Node& node : leg.motion.path->nodes()) {
+    const double at = node.time * leg.length();
+    if (at > way * (1 + 1e-12) + 1e-12 * leg.length()) return at;
+  }
+  return leg.length();
+}
+
+}  // namespace
+
+bool PathPlanner::work() {
+  const bool dropped = ring_.drop_asked();
+  if (dropped) drop();
+  bool worked = dropped;
+  for (fetch(); advance(); fetch()) worked = true;
+  const double share = ring_.share.load(std::memory_order_relaxed);
+  const bool anew = share != std::exchange(share_, share);
+  if (anew || end_ != ring_.end()) {
+    worked = true;
+    publish(anew);
+  }
+  return worked;
+}
+
+/// All that has been taken, and all that waits, is given up.
+void PathPlanner::drop() {
+  std::uint32_t number = open_ ? open_->segment.number : 0;
+  std::uint32_t generation = open_ ? open_->segment.generation : 0;
+  const auto give_up = [&](const SegmentDescriptor& segment) {
+    number = segment.number;
+    generation = segment.generation;
+  };
+  if (next_) give_up(next_->segment);
+  for (const SegmentDescriptor& segment : pending_) give_up(segment);
+  pending_.clear();
+  while (const SegmentDescriptor* next = buffer_.next_segment()) {
+    give_up(*next);
+    buffer_.pop_segment();
+  }
+  open_.reset();
+  next_.reset();
+  turn_.reset();
+  completing_ = false;
+  ring_.dropped(number, generation);
+}
+
+void PathPlanner::fetch() {
+  while (pending_.size() < kPending) {
+    const SegmentDescriptor* const next = buffer_.next_segment();
+    if (next == nullptr) return;
+    pending_.push_back(*next);
+    buffer_.pop_segment();
+  }
+}
+
+std::size_t PathPlanner::room() const noexcept {
+  return ring_.room() - static_cast<std::size_t>(end_ - ring_.end());
+}
+
+/// One step; false where there is none to be made now.
+bool PathPlanner::advance() {
+  if (room() < kSpare || ring_.leg_room() == 0) return false;
+  if (!open_) return begin_run();
+  if (completing_ || turn_) return go_on();
+  return pending_.empty() ? decide_alone() : join_next();
+}
+
+bool PathPlanner::begin_run() {
+  if (pending_.empty()) return false;
+  const SegmentDescriptor next = pending_.front();
+  pending_.erase(pending_.begin());
+  if (!has_way(next)) {
+    ring_.push({next, known_, known_, known_, 1});
+    return true;
+  }
+  window_ = next.ahead.window;
+  reach_ = 0;
+  open(shaped_leg(robot_, next, known_));
+  return true;
+}
+
+/// The run has one mean: what asks for a longer one accelerates the less.
+void PathPlanner::open(ShapedLeg leg) {
+  open_ = std::move(leg);
+  sent_ = false;
+  const PathPoint end = open_->at(open_->length());
+  const double speed = speed_of(robot_, *open_, end);
+  const double brakes = speed * speed / (2 * control_of(*open_, end));
+  const double periods = std::ceil(window_ / robot_.reference_period - 1e-9);
+  ring_.push({open_->segment, open_->begin, open_->end(),
+              std::max(open_->begin, open_->end() - longest_turn(*open_) - brakes),
+              std::max(1, static_cast<int>(periods))});
+  completing_ = open_->segment.guard.present();
+}
+
+/// Nothing is known behind the open leg.
+bool PathPlanner::decide_alone() {
+  const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
+  if (closed && buffer_.next_segment() == nullptr) {
+    completing_ = true;
+    return true;
+  }
+  if (!sent_) {
+    sent_ = send(open_->length() - longest_turn(*open_));
+    return true;
+  }
+  const bool waits = ring_.end() != end_ && ready() != ring_.end();
+  if (waits || !guide_within(kLastChance, kAny)) return false;
+  ring_.late.fetch_add(1, std::memory_order_relaxed);
+  completing_ = true;
+  return true;
+}
+
+bool PathPlanner::join_next() {
+  const SegmentDescriptor& next = pending_.front();
+  const bool longer_mean = next.ahead.window > window_ && window_ == 0;
+  if (moves(next) && !has_way(next)) {
+    ring_.push({next, open_->end(), open_->end(), open_->end(), 1});
+    pending_.erase(pending_.begin());
+    return true;
+  }
+  if (!moves(next) || next.from_rest || longer_mean) {
+    completing_ = true;
+    return true;
+  }
+  const bool known = pending_.size() > 1 || next.guard.present() || buffer_.closed();
+  const double control = control_of(*open_, open_->at(open_->length()));
+  if (!known && sent_ && !guide_within(kNear, control)) return false;
+  if (!known && !sent_) {
+    sent_ = send(open_->length() - longest_turn(*open_));
+    return true;
+  }
+  next_ = shaped_leg(robot_, next, open_->end());
+  if (next.ahead.window > window_) next_->acceleration *= window_ / next.ahead.window;
+  const TurnBounds bounds{std::min(open_->length() - open_->sent, share_of_next(*next_)), window_,
+                          robot_.tool_coordinates};
+  turn_ = make_turn(robot_, *open_, *next_, bounds);
+  if (!turn_) {
+    next_.reset();
+    completing_ = true;
+  } else {
+    pending_.erase(pending_.begin());
+  }
+  return true;
+}
+
+/// What the corner into the next leg may take of it: what the corner out of it leaves, or half.
+double PathPlanner::share_of_next(const ShapedLeg& next) const {
+  const double length = next.length();
+  if (pending_.size() < 2)
+    return buffer_.closed() || next.segment.guard.present() ? length : length / 2;
+  const SegmentDescriptor& third = pending_[1];
+  if (!has_way(third) || third.from_rest) return moves(third) ? length / 2 : length;
+  const double other = wanted_half(robot_, next, shaped_leg(robot_, third, next.end()));
+  return std::max(length / 2, length - other);
+}
+
+/// The rest of the open leg: to its target, or around its corner.
+bool PathPlanner::go_on() {
+  if (!send(open_->length() - (turn_ ? turn_->half : 0))) return true;
+  if (!turn_) {
+    if (end_ > 0) ring_.set_run_end(end_ - 1, true);
+    open_.reset();
+    completing_ = false;
+    return true;
+  }
+  if (turn_->half > 0) {
+    scratch_.clear();
+    append_turn(robot_, *open_, *next_, *turn_, scratch_);
+    write(scratch_);
+  }
+  next_->sent = turn_->half;
+  turn_.reset();
+  open(std::move(*next_));
+  next_.reset();
+  return true;
+}
+
+/// Whether it stands at the end of what is known, or would `time` after braking so hard; where it
+/// brakes along the path already: whether it will stand so soon.
+bool PathPlanner::guide_within(double time, double deceleration) const {
+  const double rate = ring_.rate.load(std::memory_order_relaxed);
+  const double rest = published_ - ring_.sigma.load(std::memory_order_relaxed);
+  if (rate == 0) return rest <= 1e-9 * (1 + std::abs(known_));
+  if (deceleration == kAny) return 2 * rest <= rate * time;
+  return rest <= rate * rate / (2 * deceleration) + rate * time;
+}
+
+/// The longest leg that a corner at its end can use, whatever follows (motion.md).
+double PathPlanner::longest_turn(const ShapedLeg& leg) const {
+  const LegBounds& zone = leg.segment.ahead;
+  const PathPoint end = leg.at(leg.length());
+  const double rotary = greatest_rotary_slope(robot_, end);
+  const double miss = std::min(zone.miss, rotary > 0 ? zone.turn / rotary : kAny);
+  double longest = std::min(leg.length() - leg.sent, zone.lead);
+  if (zone.share < 1) longest = std::min(longest, zone.share / 2 * leg.length());
+  const double speed = speed_of(robot_, leg, end);
+  if (miss < kAny) longest = std::min(longest, speed * std::sqrt(2 * miss / control_of(leg, end)));
+  return longest;
+}
+
+/// Makes pieces of the open leg up to `goal`, m from its beginning; false where the ring is full.
+bool PathPlanner::send(double goal) {
+  constexpr double kNothing = 1e-12;  // of the leg: rounding of what its corners take
+  while (goal - open_->sent > kNothing * open_->length()) {
+    if (room() < kSpare) return false;
+    const double longest = longest_piece();
+    const double most = open_->sent + longest * (kSpare / 4.0);
+    const double to = std::min({goal, next_border(*open_, open_->sent), most});
+    scratch_.clear();
+    append_leg(robot_, *open_, open_->sent, to, longest, scratch_);
+    write(scratch_);
+    open_->sent = to;
+  }
+  return true;
+}
+
+/// Where places act together, that changes along a straight line, too.
+double PathPlanner::longest_piece() const {
+  if (!averages_sigma()) return kAny;
+  constexpr double kParts = 16;  // [choice] of the way within the mean's time
+  const double speed = speed_of(robot_, *open_, open_->at(open_->sent));
+  return std::max(speed * window_ / kParts, 1e-6);
+}
+
+void PathPlanner::write(const std::vector<Piece>& pieces) {
+  for (const Piece& piece : pieces) {
+    known_ = piece.begin + piece.length;
+    if (averages_sigma()) {
+      reach_ =
+          std::max(reach_, std::sqrt(top_square(piece)) * std::max(1.0, 1 / share_) * window_ / 2);
+      extent(end_) = extent_of(piece);
+    } else if (extends_last(piece)) {
+      Piece& last = ring_.draft(end_ - 1);
+      last.length = known_ - last.begin;
+      continue;
+    }
+    ring_.draft(end_) = piece;
+    ring_.set_square(end_, 0);
+    ring_.set_run_end(end_, false);
+    ++end_;
+  }
+}
+
+/// Straight on from a draft, and bounded alike.
+bool PathPlanner::extends_last(const Piece& piece) const {
+  if (end_ == ring_.end() || !piece.straight()) return false;
+  const Piece& last = ring_.written(end_ - 1);
+  constexpr double kSame = 1e-12;
+  return last.straight() && !ring_.run_end(end_ - 1) && last.pace == piece.pace &&
+         last.acceleration == piece.acceleration &&
+         (last.terms[1] - piece.terms[1]).cwiseAbs().maxCoeff() <= kSame;
+}
+
+double PathPlanner::top_square(const Piece& piece) const noexcept {
+  const double top = std::min(piece.pace * share_, piece.fastest);
+  return top * top;
+}
+
+PathPlanner::Extent PathPlanner::extent_of(const Piece& piece) noexcept {
+  const PathPoint begin = piece.point(0);
+  const PathPoint end = piece.point(piece.length);
+  return {begin.qd.cwiseAbs().cwiseMax(end.qd.cwiseAbs()),
+          begin.qdd.cwiseAbs().cwiseMax(end.qdd.cwiseAbs())};
+}
+
+/// The pieces before this one can be run: what acts together with them is known.
+PathRing::Index PathPlanner::ready() const noexcept {
+  PathRing::Index at = end_;
+  if (!averages_sigma() || at == 0 || ring_.run_end(at - 1)) return at;
+  while (at > ring_.end()) {
+    const Piece& piece = ring_.written(at - 1);
+    if (piece.begin + piece.length <= known_ - reach_) break;
+    --at;
+  }
+  return at;
+}
+
+/// The greatest of all pieces within reach_ of this one in its run.
+void PathPlanner::spread(PathRing::Index at) noexcept {
+  Piece& piece = ring_.draft(at);
+  Extent most = extent(at);
+  const auto take = [&](PathRing::Index other) {
+    most.slopes = most.slopes.cwiseMax(extent(other).slopes);
+    most.bends = most.bends.cwiseMax(extent(other).bends);
+  };
+  for (PathRing::Index i = at; i > ring_.begin() && !ring_.run_end(i - 1); --i) {
+    if (ring_.written(i).begin < piece.begin - reach_) break;
+    take(i - 1);
+  }
+  for (PathRing::Index i = at; i + 1 < end_ && !ring_.run_end(i); ++i) {
+    if (ring_.written(i + 1).begin > piece.begin + piece.length + reach_) break;
+    take(i + 1);
+  }
+  piece.slopes = most.slopes;
+  piece.bends = most.bends;
+}
+
+void PathPlanner::publish(bool anew) {
+  const PathRing::Index until = ready();
+  if (averages_sigma()) {
+    for (PathRing::Index i = ring_.end(); i < until; ++i) spread(i);
+  }
+  pass_back(until, anew);
+  if (until == 0) return;
+  const Piece& last = ring_.written(until - 1);
+  published_ = last.begin + last.length;
+}
+
+/// From the end backwards: new pieces first, which are then published, and those before until
+/// nothing changes.
+void PathPlanner::pass_back(PathRing::Index ready, bool anew) {
+  const PathRing::Index first_new = ring_.end();
+  double square = 0;
+  for (PathRing::Index i = ready; i > ring_.begin() + 1; --i) {
+    const Piece& piece = ring_.written(i - 1);
+    const Piece& before = ring_.written(i - 2);
+    const double cap = std::min(top_square(piece), top_square(before));
+    square = ring_.run_end(i - 2) ? 0 : reachable_square(piece, square, cap);
+    if (i - 1 < first_new && !anew && square == ring_.square(i - 2)) break;
+    if (i - 1 == first_new) ring_.publish(ready);
+    ring_.set_square(i - 2, square);
+  }
+  ring_.publish(ready);
+}
+
+}  // namespace rob::motion

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "motion/ahead/path_ring.h"
+#include "motion/ahead/path_turn.h"
+#include "motion/plan/look_ahead_buffer.h"
+#include "motion/robots/robot_model.h"
+
+namespace rob::motion {
+
+/// Makes the path of look-ahead motion out of what the LookAheadBuffer holds, and says how fast it
+/// may be run: between the program and the tick, in neither.
+///
+/// From one standstill to the next all motions are one path. A corner is made when the motion
+/// behind the next one is known, too, so that both corners of a leg get their share of it; or when
+/// the guide comes near. Of a leg whose corner is not made yet only that part is published which no
+/// corner can use. Where nothing follows, or what follows begins at rest, the leg is completed to
+/// its target; so it is, late, where nothing is known and the guide is about to stand short of it.
+///
+/// Where the mean that bounds the jerk is one of σ, its place and its speed come from all that the
+/// guide has passed in its time. There each piece bounds σ'' by the greatest slopes and bends of
+/// all within half that time around it, which holds for the mean, too; what is nearer than that to
+/// the end of what is known waits.
+///
+/// m, rad, s.
+class PathPlanner {
+ public:
+  PathPlanner(const RobotModel& robot, LookAheadBuffer& buffer, PathRing& ring)
+      : robot_(robot), buffer_(buffer), ring_(ring) {
+    if (robot.tool_coordinates) extents_.resize(ring.capacity());
+  }
+
+  /// Does all that can be done now; whether there was anything.
+  bool work();
+
+ private:
+  void drop();
+  void fetch();
+  bool advance();
+  bool begin_run();
+  void open(ShapedLeg leg);
+  bool join_next();
+  bool decide_alone();
+  bool go_on();
+  double share_of_next(const ShapedLeg& next) const;
+  bool nothing_follows() const;
+  bool guide_within(double time, double deceleration) const;
+  double longest_turn(const ShapedLeg& leg) const;
+  bool send(double goal);
+  double longest_piece() const;
+  void write(const std::vector<Piece>& pieces);
+  bool extends_last(const Piece& piece) const;
+  void publish(bool anew);
+  PathRing::Index ready() const noexcept;
+  void spread(PathRing::Index at) noexcept;
+  void pass_back(PathRing::Index ready, bool anew);
+  double top_square(const Piece& piece) const noexcept;
+  std::size_t room() const noexcept;
+
+  /// The greatest |dq/dσ| and |d²q/dσ²| on a piece.
+  struct Extent {
+    JointVector slopes;
+    JointVector bends;
+  };
+  static Extent extent_of(const Piece& piece) noexcept;
+  Extent& extent(PathRing::Index at) noexcept {
+    return extents_[static_cast<std::size_t>(at % extents_.size())];
+  }
+  bool averages_sigma() const noexcept { return robot_.tool_coordinates && window_ > 0; }
+
+  const RobotModel& robot_;
+  LookAheadBuffer& buffer_;
+  PathRing& ring_;
+  std::vector<SegmentDescriptor> pending_;
+  std::optional<ShapedLeg> open_;  ///< its corner is not made yet, or not yet written
+  bool completing_ = false;        ///< it goes to its target, and comes to rest there
+  std::optional<Turn> turn_;       ///< out of it, into
+  std::optional<ShapedLeg> next_;
+  bool sent_ = false;            ///< all of the open leg that can be known has been published
+  double known_ = 0;             ///< σ at the end of the last piece
+  double window_ = 0;            ///< s of the mean of the present run
+  PathRing::Index end_ = 0;      ///< of the pieces written; those from ring_.end() on are drafts
+  double published_ = 0;         ///< σ at the end of those before
+  double reach_ = 0;             ///< m: how far places of the present run act together in the mean
+  double share_ = 1;             ///< the override that the squares are for
+  std::vector<Extent> extents_;  ///< of the pieces, by the same slots
+  std::vector<Piece> scratch_;
+};
+
+}  // namespace rob::motion

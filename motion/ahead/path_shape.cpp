@@ -1,0 +1,170 @@
+#include "motion/ahead/path_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "motion/space/quintic.h"
+
+namespace rob::motion {
+
+namespace {
+
+/// [choice] rad that an axis turns in a piece at most: what a piece has as one stretch of even σ''
+/// is then as good as the time-optimal within a part in a thousand (tests/motion/ahead).
+constexpr double kMostTurn = std::numbers::pi / 180;
+
+/// [choice] In a corner, on each side: enough for the speed to change on the way.
+constexpr int kMostCornerPieces = 8;
+
+/// What the speeds of the axes leave at a place.
+void bound_speed(const RobotModel& robot, const PathPoint& place, Piece& piece) {
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const double slope = std::abs(place.qd[i]);
+    const double most = robot.axes[static_cast<std::size_t>(i)].v_max;
+    if (slope * piece.fastest <= most) continue;
+    piece.fastest = most / slope;
+    piece.fastest_axis = i;
+  }
+}
+
+Piece piece_of(const ShapedLeg& leg, double begin, double length) {
+  Piece piece;
+  piece.begin = begin;
+  piece.length = length;
+  piece.pace = leg.segment.ahead.speed;
+  piece.acceleration = leg.acceleration;
+  return piece;
+}
+
+/// Through place, slope and bend at both of its ends.
+void fill_quintic(Piece& piece, const PathPoint& a, const PathPoint& b) {
+  const double l = piece.length;
+  const JointVector way = b.q - a.q;
+  const JointVector v0 = a.qd * l;
+  const JointVector v1 = b.qd * l;
+  const JointVector a0 = a.qdd * (l * l);
+  const JointVector a1 = b.qdd * (l * l);
+  piece.count = 6;
+  piece.terms[0] = a.q;
+  piece.terms[1] = a.qd;
+  piece.terms[2] = a.qdd / 2;
+  piece.terms[3] = (10 * way - 6 * v0 - 4 * v1 - 1.5 * a0 + 0.5 * a1) / (l * l * l);
+  piece.terms[4] = (-15 * way + 8 * v0 + 7 * v1 + 1.5 * a0 - a1) / (l * l * l * l);
+  piece.terms[5] = (6 * way - 3 * v0 - 3 * v1 - 0.5 * a0 + 0.5 * a1) / (l * l * l * l * l);
+}
+
+/// `at(way)` gives the path's places, from `from` to `to` in even parts.
+template <typename At>
+void append_curve(const RobotModel& robot, const ShapedLeg& leg, double begin, double from,
+                  double to, int parts, At&& at, std::vector<Piece>& pieces) {
+  PathPoint a = at(from);
+  for (int k = 0; k < parts; ++k) {
+    const double start = from + (to - from) * k / parts;
+    const double stop = k + 1 == parts ? to : from + (to - from) * (k + 1) / parts;
+    const PathPoint b = at(stop);
+    Piece piece = piece_of(leg, begin + (start - from), stop - start);
+    fill_quintic(piece, a, b);
+    bound_speed(robot, a, piece);
+    bound_speed(robot, piece.point(piece.length / 2), piece);
+    bound_speed(robot, b, piece);
+    pieces.push_back(piece);
+    a = b;
+  }
+}
+
+int parts_of(const JointVector& turned, double length) {
+  constexpr double kShortest = 1e-6;  // m. [choice] below what any scale resolves
+  const double wanted = std::ceil(turned.cwiseAbs().maxCoeff() / kMostTurn);
+  return static_cast<int>(std::clamp(wanted, 1.0, std::max(1.0, length / kShortest)));
+}
+
+/// Node by node: between two the axes are one polynomial.
+template <typename At>
+void append_nodes(const RobotModel& robot, const ShapedLeg& leg, const JointPath& path,
+                  double scale, double begin, double from, double to, At&& at,
+                  std::vector<Piece>& pieces) {
+  const std::vector<JointPath::Node>& nodes = path.nodes();
+  double start = from;
+  for (std::size_t i = 0; i + 1 < nodes.size() && start < to; ++i) {
+    const bool last = i + 2 == nodes.size();
+    const double stop = last ? to : std::min(to, nodes[i + 1].time * scale);
+    if (stop - start <= 1e-12 * (to - from)) continue;
+    const JointVector turned = at(stop).q - at(start).q;
+    append_curve(robot, leg, begin + (start - from), start, stop, parts_of(turned, stop - start),
+                 at, pieces);
+    start = stop;
+  }
+}
+
+}  // namespace
+
+ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, double begin) {
+  const LegBounds& bounds = segment.ahead;
+  ShapedLeg leg{segment, {segment.path, bounds.from, segment.target, bounds.length}, begin, 0, {}};
+  leg.acceleration.resize(robot.axis_count());
+  for (int i = 0; i < robot.axis_count(); ++i)
+    leg.acceleration[i] = robot.axes[static_cast<std::size_t>(i)].a_max * bounds.acceleration;
+  return leg;
+}
+
+void append_leg(const RobotModel& robot, const ShapedLeg& leg, double from, double to,
+                double longest, std::vector<Piece>& pieces) {
+  if (!(to > from)) return;
+  const auto at = [&](double way) { return leg.at(way); };
+  if (leg.motion.path != nullptr) {
+    append_nodes(robot, leg, *leg.motion.path, leg.length(), leg.begin + from, from, to, at,
+                 pieces);
+    return;
+  }
+  const double parts = std::max(1.0, std::ceil((to - from) / longest));
+  for (double k = 0; k < parts; ++k) {
+    const double start = from + (to - from) * (k / parts);
+    const double stop = k + 1 < parts ? from + (to - from) * ((k + 1) / parts) : to;
+    const PathPoint place = leg.at(start);
+    Piece piece = piece_of(leg, leg.begin + start, stop - start);
+    piece.count = 2;
+    piece.terms[0] = place.q;
+    piece.terms[1] = place.qd;
+    bound_speed(robot, place, piece);
+    pieces.push_back(piece);
+  }
+}
+
+void append_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                 const Turn& turn, std::vector<Piece>& pieces) {
+  const std::size_t first = pieces.size();
+  const double half = turn.half;
+  if (!turn.axes.nodes().empty()) {
+    const auto at = [&](double way) { return turn.axes.at(way); };
+    append_nodes(robot, in, turn.axes, 1, in.end() - half, -half, 0, at, pieces);
+    append_nodes(robot, out, turn.axes, 1, out.begin, 0, half, at, pieces);
+  } else {
+    const JointVector before = in.at(in.length()).qd;
+    const JointVector after = out.at(0).qd;
+    const JointVector bend = (after - before) / (2 * half);
+    const PathPoint start = in.at(in.length() - half);
+    const double pace = std::min({in.segment.ahead.speed, out.segment.ahead.speed, 1e3});
+    const int parts =
+        std::clamp(static_cast<int>(half / (pace * robot.reference_period)), 1, kMostCornerPieces);
+    for (int k = 0; k < 2 * parts; ++k) {
+      const ShapedLeg& leg = k < parts ? in : out;
+      const double way = half * k / parts;
+      Piece piece = piece_of(leg, in.end() - half + way, half / parts);
+      piece.count = 3;
+      piece.terms[0] = start.q + before * way + bend * (way * way / 2);
+      piece.terms[1] = before + bend * way;
+      piece.terms[2] = bend / 2;
+      bound_speed(robot, piece.point(0), piece);
+      bound_speed(robot, piece.point(piece.length), piece);
+      pieces.push_back(piece);
+    }
+  }
+  for (std::size_t i = first; i < pieces.size(); ++i) {
+    if (turn.fastest >= pieces[i].fastest) continue;
+    pieces[i].fastest = turn.fastest;
+    pieces[i].fastest_axis = -1;
+  }
+}
+
+}  // namespace rob::motion

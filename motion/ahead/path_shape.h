@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/ahead/piece.h"
+#include "motion/plan/leg_motion.h"
+#include "motion/plan/segment_descriptor.h"
+#include "motion/robots/robot_model.h"
+
+namespace rob::motion {
+
+/// A motion as part of a path: from the middle of the corner before it, or from rest.
+struct ShapedLeg {
+  SegmentDescriptor segment;
+  LegMotion motion;  ///< evenly along σ: its `duration` is its length, m
+  double begin = 0;  ///< σ at its beginning
+  double sent = 0;   ///< m from there, up to which it has been made into pieces
+  JointVector acceleration;
+
+  double length() const noexcept { return motion.duration; }
+  double end() const noexcept { return begin + length(); }
+  PathPoint at(double way) const noexcept { return motion.at(way); }
+};
+ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, double begin);
+
+/// The way from one leg into the next around the point between them: `half` m of σ on each side.
+struct Turn {
+  double half = 0;
+  JointPath axes;                ///< of σ from −half to half; none: a parabola of the axes
+  double fastest = Piece::kAny;  ///< σ' in it, for the sake of the mean that follows
+};
+
+/// The pieces of a leg from one place to a later one, m from its beginning; straight ones no longer
+/// than `longest`.
+void append_leg(const RobotModel& robot, const ShapedLeg& leg, double from, double to,
+                double longest, std::vector<Piece>& pieces);
+/// Of a corner, split in its middle: there the pace changes from one leg's to the other's.
+void append_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                 const Turn& turn, std::vector<Piece>& pieces);
+
+}  // namespace rob::motion

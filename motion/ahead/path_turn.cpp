@@ -1,0 +1,190 @@
+#include "motion/ahead/path_turn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "motion/plan/corner.h"
+
+namespace rob::motion {
+
+namespace {
+
+constexpr double kAny = std::numeric_limits<double>::infinity();
+
+/// Slopes that differ by less, per m, are one.
+constexpr double kSameSlope = 1e-9;
+
+/// m: a corner that is shorter is no corner. [choice] a tenth of what any scale resolves
+constexpr double kShortest = 1e-8;
+
+struct Miss {
+  double distance = 0;  ///< m, of the tip
+  double angle = 0;     ///< rad, of the tool and of each rotary axis
+};
+
+Miss miss_between(const RobotModel& robot, const Pose& tip, const JointVector& q,
+                  const JointVector& point) {
+  Miss miss;
+  const Pose a = robot.kinematics->forward(q);
+  const Pose b = robot.kinematics->forward(point);
+  miss.distance = (place_of(tip.position, a) - place_of(tip.position, b)).norm();
+  miss.angle = a.orientation.angularDistance(b.orientation);
+  if (robot.tool_coordinates) return miss;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    if (robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
+      miss.angle = std::max(miss.angle, std::abs(q[i] - point[i]));
+  }
+  return miss;
+}
+
+/// By how much to shrink a corner that misses so much; 1 and more: not at all.
+double shrinking(const Miss& miss, double distance, double angle) {
+  double factor = kAny;
+  if (miss.distance > 0) factor = std::min(factor, distance / miss.distance);
+  if (miss.angle > 0) factor = std::min(factor, angle / miss.angle);
+  return factor;
+}
+
+JointVector turn_of(const ShapedLeg& in, const ShapedLeg& out) {
+  return out.at(0).qd - in.at(in.length()).qd;
+}
+
+/// The greatest |d²σ-free acceleration| of a corner per unit of turn: min A_i/|Δq'_i|.
+double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn) {
+  double least = kAny;
+  for (int i = 0; i < turn.size(); ++i) {
+    const double most = std::min(in.acceleration[i], out.acceleration[i]);
+    if (std::abs(turn[i]) * least > most) least = most / std::abs(turn[i]);
+  }
+  return least;
+}
+
+double greatest_speed(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place) {
+  double most = leg.segment.ahead.speed;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const double slope = std::abs(place.qd[i]);
+    if (slope * most > robot.axes[static_cast<std::size_t>(i)].v_max)
+      most = robot.axes[static_cast<std::size_t>(i)].v_max / slope;
+  }
+  return most;
+}
+
+bool straight(const ShapedLeg& in, const ShapedLeg& out) {
+  return in.motion.path == nullptr && out.motion.path == nullptr;
+}
+
+/// So long that the axes keep the greatest speed of both legs in it.
+double half_for_speed(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out) {
+  const JointVector turn = turn_of(in, out);
+  const double reserve = turning_reserve(in, out, turn);
+  const double speed = std::max(greatest_speed(robot, in, in.at(in.length())),
+                                greatest_speed(robot, out, out.at(0)));
+  const double peak = straight(in, out) && !robot.tool_coordinates ? 1 : 2;  // of a smooth curve
+  return peak * speed * speed / (2 * reserve);
+}
+
+double half_for_zone(const ShapedLeg& in, const ShapedLeg& out) {
+  const LegBounds& bounds = in.segment.ahead;
+  double half = bounds.lead;
+  if (bounds.share < 1)
+    half = std::min(half, bounds.share / 2 * std::min(in.length(), out.length()));
+  return half;
+}
+
+/// The parabola's middle lies Δq'·half/4 from the point.
+Miss parabola_miss(const RobotModel& robot, const ShapedLeg& in, const JointVector& turn,
+                   double half) {
+  const JointVector& point = in.segment.target;
+  return miss_between(robot, in.segment.ahead.tip, point + turn * (half / 4), point);
+}
+
+double half_for_miss(const RobotModel& robot, const ShapedLeg& in, const JointVector& turn,
+                     double half, double distance, double angle) {
+  constexpr int kTries = 6;
+  for (int i = 0; i < kTries; ++i) {
+    const double factor = shrinking(parabola_miss(robot, in, turn, half), distance, angle);
+    if (factor >= 1) break;
+    half *= factor * (1 - 1e-9);
+  }
+  return half;
+}
+
+std::optional<Turn> make_parabola(const RobotModel& robot, const ShapedLeg& in,
+                                  const ShapedLeg& out, const TurnBounds& bounds) {
+  const JointVector turn = turn_of(in, out);
+  const LegBounds& zone = in.segment.ahead;
+  const double reserve = turning_reserve(in, out, turn);
+  // The mean of what accelerates evenly lies a·T²/24 beside it.
+  const double moved = bounds.average * bounds.average / 24;
+  const Miss pace = parabola_miss(robot, in, turn, 4);  // of a turn at unit acceleration
+  const double reach = std::min(pace.distance > 0 ? zone.miss / pace.distance : kAny,
+                                pace.angle > 0 ? zone.turn / pace.angle : kAny);
+  if (!(reach > 0)) return std::nullopt;
+  const double used = std::min(reserve * moved, reach / 2);
+  const double part = reach < kAny ? 1 - used / reach : 1;
+  Turn made;
+  made.half = half_for_miss(robot, in, turn, bounds.longest, zone.miss * part, zone.turn * part);
+  if (made.half < kShortest) return std::nullopt;
+  if (moved > 0 && used < reserve * moved) made.fastest = std::sqrt(used / moved * 2 * made.half);
+  return made;
+}
+
+bool within_limits(const RobotModel& robot, const JointPath& axes) {
+  bool within = true;
+  axes.survey(8, [&](double, const PathPoint& place) {
+    for (int i = 0; i < robot.axis_count(); ++i) {
+      const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+      within = within && place.q[i] >= axis.min - 1e-9 && place.q[i] <= axis.max + 1e-9;
+    }
+  });
+  return within;
+}
+
+std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                               const TurnBounds& bounds) {
+  constexpr int kTries = 16;
+  const LegBounds& zone = in.segment.ahead;
+  const CornerTask task{in.motion, out.motion, zone.line, out.segment.ahead.line, zone.tip};
+  Turn made;
+  made.half = bounds.longest;
+  for (int i = 0; i < kTries && made.half >= kShortest; ++i) {
+    double factor = 0.5;
+    if (auto axes = corner_axes(robot, task, made.half); axes && within_limits(robot, *axes)) {
+      const JointVector middle = axes->at(0).q;
+      Miss miss = miss_between(robot, zone.tip, middle, in.segment.target);
+      miss.distance = std::min(miss.distance, corner_miss_of(robot, task, *axes));
+      factor = shrinking(miss, zone.miss, zone.turn);
+      if (factor >= 1) {
+        made.axes = std::move(*axes);
+        return made;
+      }
+    }
+    made.half *= std::clamp(factor * (1 - 1e-4), 0.05, 0.95);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double wanted_half(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out) {
+  const JointVector turn = turn_of(in, out);
+  if (turn.cwiseAbs().maxCoeff() <= kSameSlope) return 0;
+  const double half =
+      std::min({half_for_zone(in, out), half_for_speed(robot, in, out), in.length(), out.length()});
+  return half_for_miss(robot, in, turn, half, in.segment.ahead.miss, in.segment.ahead.turn);
+}
+
+std::optional<Turn> make_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                              const TurnBounds& bounds) {
+  TurnBounds within = bounds;
+  within.longest =
+      std::min({bounds.longest, half_for_zone(in, out), half_for_speed(robot, in, out)});
+  const JointVector turn = turn_of(in, out);
+  if (turn.cwiseAbs().maxCoeff() <= kSameSlope) return Turn{};
+  if (straight(in, out) && !bounds.of_sigma) return make_parabola(robot, in, out, within);
+  return make_curve(robot, in, out, within);
+}
+
+}  // namespace rob::motion

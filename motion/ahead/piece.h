@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "motion/space/joint_vector.h"
+#include "motion/space/path_point.h"
+
+namespace rob::motion {
+
+/// A part of the path of look-ahead motion: the axes as polynomials of σ, the way along the path.
+///
+///     q(σ) = Σ terms[k]·(σ − begin)^k,   begin <= σ <= begin + length
+///
+/// Straight in the axes: two terms; a parabola: three; a quintic: six. σ in m, q in m or rad.
+struct Piece {
+  static constexpr int kMostTerms = 6;
+  static constexpr double kAny = std::numeric_limits<double>::infinity();
+
+  double begin = 0;   ///< σ of its beginning
+  double length = 0;  ///< above 0
+  int count = 2;      ///< of terms
+  std::array<JointVector, kMostTerms> terms;
+  JointVector acceleration;  ///< what each axis has here: m/s², rad/s²
+  double pace = kAny;        ///< σ' that is asked for, at override 1
+  double fastest = kAny;  ///< σ' that the speeds of the axes allow all along, and what else does
+  int fastest_axis = -1;  ///< that sets it; −1: another reason
+
+  // Where the mean of σ makes the references, places within half its time act together: the
+  // greatest |dq/dσ| and |d²q/dσ²| of the axes around here. Empty: each place acts alone.
+  JointVector slopes;
+  JointVector bends;
+
+  bool straight() const noexcept { return count <= 2; }
+  bool averaged() const noexcept { return slopes.size() != 0; }
+
+  /// `at`: σ − begin. Derivatives with respect to σ.
+  PathPoint point(double at) const noexcept {
+    PathPoint p{terms[count - 1], JointVector::Zero(terms[0].size()),
+                JointVector::Zero(terms[0].size())};
+    for (int k = count - 2; k >= 0; --k) {
+      p.qdd = p.qdd * at + 2 * p.qd;
+      p.qd = p.qd * at + p.q;
+      p.q = p.q * at + terms[k];
+    }
+    return p;
+  }
+};
+
+}  // namespace rob::motion

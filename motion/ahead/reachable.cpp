@@ -1,0 +1,139 @@
+#include "motion/ahead/reachable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rob::motion {
+
+namespace {
+
+constexpr double kAny = Piece::kAny;
+
+/// |slope·u + bend·x| <= most
+struct Row {
+  double slope = 0;
+  double bend = 0;
+  double most = 0;
+  int axis = -1;
+};
+
+/// Calls visit(row) for all that bounds u on the last `rest` of a piece: at its beginning `here`,
+/// and, since x there is x + 2·u·rest, at its end.
+template <typename Visit>
+void each_row(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest,
+              Visit&& visit) noexcept {
+  for (int i = 0; i < piece.acceleration.size(); ++i) {
+    const double most = piece.acceleration[i];
+    if (piece.averaged()) {
+      const double slope = piece.slopes[i];
+      const double bend = piece.bends[i];
+      visit(Row{slope, bend, most, i});
+      visit(Row{-slope, bend, most, i});
+      visit(Row{slope + 2 * rest * bend, bend, most, i});
+      visit(Row{-slope + 2 * rest * bend, bend, most, i});
+      continue;
+    }
+    visit(Row{here.qd[i], here.qdd[i], most, i});
+    if (!piece.straight()) visit(Row{end.qd[i] + 2 * rest * end.qdd[i], end.qdd[i], most, i});
+  }
+}
+
+/// A bound of u that is linear in x: at + per·x.
+struct Bound {
+  double at = 0;
+  double per = 0;
+  int axis = -1;
+  double value(double x) const noexcept { return at + per * x; }
+};
+
+/// Both bounds that are the tightest at x.
+struct Bounds {
+  Bound low{-kAny, 0, -1};
+  Bound high{kAny, 0, -1};
+
+  void take(const Row& row, double x) noexcept {
+    if (row.slope == 0) return;
+    const double size = std::abs(row.slope);
+    const double per = -row.bend / row.slope;
+    // Where a bend asks for just what there is, rounding must not ask for a control without end.
+    constexpr double kRounding = 1 + 1e-9;
+    const double bent = std::abs(row.bend) * x;
+    const double most = bent <= row.most * kRounding ? std::max(row.most, bent) : row.most;
+    const Bound below{-most / size, per, row.axis};
+    const Bound above{most / size, per, row.axis};
+    if (below.value(x) > low.value(x)) low = below;
+    if (above.value(x) < high.value(x)) high = above;
+  }
+};
+
+Bounds bounds_at(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest,
+                 double x) noexcept {
+  Bounds bounds;
+  each_row(piece, here, end, rest, [&](const Row& row) { bounds.take(row, x); });
+  return bounds;
+}
+
+}  // namespace
+
+ControlRange control_range(const Piece& piece, const PathPoint& here, const PathPoint& end,
+                           double rest, double x) noexcept {
+  const Bounds bounds = bounds_at(piece, here, end, rest, x);
+  return {bounds.low.value(x), bounds.high.value(x), bounds.low.axis, bounds.high.axis};
+}
+
+double even_braking(const Piece& piece, const PathPoint& here, const PathPoint& end,
+                    double x) noexcept {
+  double most = kAny;
+  for (int i = 0; i < piece.acceleration.size(); ++i) {
+    const bool mean = piece.averaged();
+    const double slope =
+        mean ? piece.slopes[i] : std::max(std::abs(here.qd[i]), std::abs(end.qd[i]));
+    const double bend =
+        mean ? piece.bends[i] : std::max(std::abs(here.qdd[i]), std::abs(end.qdd[i]));
+    if (slope > 0) most = std::min(most, std::max(piece.acceleration[i] - bend * x, 0.0) / slope);
+  }
+  return most;
+}
+
+StraightControl straight_control(const Piece& piece) noexcept {
+  StraightControl control{kAny, -1};
+  for (int i = 0; i < piece.acceleration.size(); ++i) {
+    const double slope = piece.averaged() ? piece.slopes[i] : std::abs(piece.terms[1][i]);
+    const double most = piece.acceleration[i];
+    if (slope * control.most > most) control = {most / slope, i};
+  }
+  return control;
+}
+
+double reachable_square(const Piece& piece, double end_square, double cap) noexcept {
+  const double length = piece.length;
+  if (piece.straight() && !piece.averaged())
+    return std::min(cap, end_square + 2 * straight_control(piece).most * length);
+  const PathPoint here = piece.point(0);
+  const PathPoint end = piece.point(length);
+  double x = cap;
+  each_row(piece, here, end, length, [&](const Row& row) {
+    if (row.slope == 0 && row.bend != 0) x = std::min(x, row.most / std::abs(row.bend));
+  });
+  // The width of the range of u is concave in x and not below 0 at 0: from the right Newton's steps
+  // lead to the greatest x at which there is a u, and cross one bound at each.
+  constexpr int kMostSteps = 40;
+  for (int step = 0; step < kMostSteps; ++step) {
+    Bounds bounds = bounds_at(piece, here, end, length, x);
+    // x + 2·u·length <= end_square, and not below 0
+    const Bound to_end{end_square / (2 * length), -1 / (2 * length), -1};
+    if (to_end.value(x) < bounds.high.value(x)) bounds.high = to_end;
+    const Bound to_rest{0, -1 / (2 * length), -1};
+    if (to_rest.value(x) > bounds.low.value(x)) bounds.low = to_rest;
+    const double width = bounds.high.value(x) - bounds.low.value(x);
+    if (width >= 0) return x;
+    const double fall = bounds.high.per - bounds.low.per;
+    if (!(fall < 0)) return 0;
+    const double next = x - width / fall;
+    if (!(next < x)) return std::max(next, 0.0);
+    x = std::max(next, 0.0);
+  }
+  return x;
+}
+
+}  // namespace rob::motion
