@@ -28,6 +28,19 @@ void bound_speed(const RobotModel& robot, const PathPoint& place, Piece& piece) 
   }
 }
 
+/// Half of the σ' at which a bend takes all that the axes have: three quarters are left to brake.
+double half_speed(const Piece& piece) {
+  double square = Piece::kAny;
+  for (const double at : {0.0, piece.length / 2, piece.length}) {
+    const JointVector bend = piece.point(at).qdd;
+    for (int i = 0; i < bend.size(); ++i) {
+      if (std::abs(bend[i]) * square > piece.acceleration[i])
+        square = piece.acceleration[i] / std::abs(bend[i]);
+    }
+  }
+  return std::sqrt(square) / 2;
+}
+
 Piece piece_of(const ShapedLeg& leg, double begin, double length) {
   Piece piece;
   piece.begin = begin;
@@ -160,9 +173,11 @@ void append_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& 
       pieces.push_back(piece);
     }
   }
+  const bool guarded = out.segment.guard.present();
   for (std::size_t i = first; i < pieces.size(); ++i) {
-    if (turn.fastest >= pieces[i].fastest) continue;
-    pieces[i].fastest = turn.fastest;
+    const double fastest = std::min(turn.fastest, guarded ? half_speed(pieces[i]) : Piece::kAny);
+    if (fastest >= pieces[i].fastest) continue;
+    pieces[i].fastest = fastest;
     pieces[i].fastest_axis = -1;
   }
 }

@@ -13,16 +13,20 @@ namespace rob::motion {
 PlanOutcome MotionPlanner::take_ahead(const MotionRequest& request, Draft draft) {
   PlannedSegment planned;
   SegmentDescriptor& segment = planned.segment;
-  segment = segment_to(draft.target, draft.no_length, {});
+  segment = segment_to(draft.target, false, {});
+  segment.duration = robot_.reference_period;  // of a target that is the last one: it is passed
   if (!draft.no_length) {
     if (draft.demand.path == nullptr) measure_swing(draft.target, draft.demand);
     const AheadLeg leg = ahead_leg(robot_, draft.demand, request);
     if (!(leg.alone <= kLongest)) return Refusal{Refusal::Kind::TooLong, -1, leg.alone, kLongest};
     segment.ahead = leg.bounds;
+    if (draft.leg && draft.leg->line) segment.ahead.line = &*draft.leg->line;
     segment.duration = leg.duration;
     segment.path = draft.demand.path;
     planned.warnings = leg.warnings;
   }
+  segment.ahead.from = commanded_;
+  segment.ahead.tip = tool_;
   commit(request.tag, segment);
   planned.leg = std::move(draft.leg);
   keep(planned.leg);
