@@ -2,6 +2,8 @@
 /// program whose traces they show.
 
 #include <exception>
+#include <stdexcept>
+#include <string>
 
 #include "tests/support/motion_drawing.h"
 #include "tests/support/svg.h"
@@ -13,16 +15,15 @@ int main(int argc, char** argv) {
     return 64;
   }
   try {
-    const std::pair<const char*, Drawing> drawings[] = {{"corner", corner_drawing()},
-                                                        {"speed", speed_drawing()},
-                                                        {"mean", mean_drawing()},
-                                                        {"triangle", triangle_drawing(argv[2])}};
-    for (const auto& [name, drawing] : drawings) {
+    const auto save = [&](const char* name, const Drawing& drawing) {
       const std::string file = fmt::format("{}/motion_{}.svg", argv[1], name);
-      if (save_svg(file, drawing.width, drawing.height, drawing.content)) continue;
-      fmt::print(stderr, "draw_motion: cannot write {}\n", file);
-      return 74;
-    }
+      if (!save_svg(file, drawing.width, drawing.height, drawing.content))
+        throw std::runtime_error("cannot write " + file);
+    };
+    save("corner", corner_drawing());
+    save("speed", speed_drawing());
+    save("mean", mean_drawing());
+    save("triangle", triangle_drawing(argv[2]));
   } catch (const std::exception& error) {
     fmt::print(stderr, "draw_motion: {}\n", error.what());
     return 70;

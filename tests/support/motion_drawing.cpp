@@ -170,7 +170,7 @@ struct Bang {
 }  // namespace
 
 Drawing mean_drawing() {
-  constexpr double kWindow = 0.04, kEnd = 0.24, kStep = 0.0005;
+  constexpr double kWindow = 0.04, kEnd = 0.238, kStep = 0.0005;
   const Plot speed{{70, 70}, 770, 130, -0.01, kEnd, 0, 100};
   const Plot acceleration{{70, 240}, 770, 150, -0.01, kEnd, -1200, 1200};
   std::vector<Point> guide_v, guide_a, mean_v, mean_a;
