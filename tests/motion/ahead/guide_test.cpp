@@ -21,7 +21,7 @@ void zigzag(AheadRun& run, std::mt19937& random) {
 TEST_CASE(
     "held at any instant the guide comes to rest within the axes' acceleration, and goes on") {
   std::mt19937 random(3);
-  for (int attempt = 0; attempt < 40; ++attempt) {
+  for (int attempt = 0; attempt < 12; ++attempt) {
     AheadRun run;
     run.bounds.speed = 0.3;
     run.bounds.miss = 0.002;
@@ -40,7 +40,7 @@ TEST_CASE(
 
 TEST_CASE("an override changes the speed and no limit; the path is kept") {
   std::mt19937 random(4);
-  for (int attempt = 0; attempt < 20; ++attempt) {
+  for (int attempt = 0; attempt < 8; ++attempt) {
     AheadRun run;
     run.bounds.speed = 0.2;
     run.bounds.miss = 0.002;
