@@ -14,9 +14,13 @@ using Eigen::Vector3d;
 /// mm: what an arm's tool may be beside its line, between two nodes of it.
 constexpr double kArmLine = 0.05;
 
+std::size_t linear_axes(const MotionRobot& robot) {
+  return robot.kind == MotionRobot::Kind::Arm ? 0 : robot.kind == MotionRobot::Kind::Gantry ? 2 : 3;
+}
+
 std::vector<Vector3d> curve_of(const TraceFile& trace, const MotionRobot& robot) {
   if (robot.kind == MotionRobot::Kind::Arm) return tool_curve_of_poses(trace, 4);
-  return tool_curve(trace, robot.kind == MotionRobot::Kind::Gantry ? 2 : 3, 4);
+  return tool_curve(trace, linear_axes(robot), 4);
 }
 
 /// From where the tool first stands at the path's beginning.
@@ -77,8 +81,8 @@ std::vector<std::string> judge_motions(const std::string& rob, const MotionRobot
   const TracedRun run = run_traced(rob, motions.text, robot.robot, more);
   if (!run.done()) return {run.trouble()};
   std::vector<AxisBounds> axes = robot.axes;
-  if (motions.jerk > 0)
-    for (AxisBounds& axis : axes) axis.j = std::min(axis.j, motions.jerk);
+  for (std::size_t i = 0; motions.jerk > 0 && i < linear_axes(robot); ++i)
+    axes[i].j = std::min(axes[i].j, motions.jerk);
   std::vector<std::string> findings = judge_bounds(run.trace, axes);
   const auto curve = curve_of(run.trace, robot);
   const double room = robot.kind == MotionRobot::Kind::Arm ? kArmLine : 0;

@@ -36,20 +36,21 @@ MotionRobot motion_robot(const std::string& name, bool look_ahead) {
   MotionRobot robot;
   robot.robot = name;
   robot.look_ahead = look_ahead;
+  robot.zone = look_ahead ? model.zone * 1e3 : 1e9;
   for (const auto& axis : model.axes) robot.axes.push_back(bounds_of(axis, look_ahead));
   if (model.tool_coordinates) {
     robot.kind = Kind::Arm;
     robot.least = {280, -120, 250}, robot.most = {400, 120, 370};  // in front of irb120
-    robot.reach = 120, robot.zone = 1e9;
+    robot.reach = 120;
     robot.least_speed = 20, robot.most_speed = 400;
   } else if (model.name == "gantry") {
     robot.kind = Kind::Gantry;
     robot.least = {60, 60, 0}, robot.most = {340, 240, 0};
-    robot.reach = 40, robot.zone = 1e9;
+    robot.reach = 40;
     robot.least_speed = 2, robot.most_speed = 20;
   } else {
     robot.least = {-200, -200, -200}, robot.most = {200, 200, 200};
-    robot.reach = 150, robot.zone = 1e9;
+    robot.reach = 150;
     robot.least_speed = 20, robot.most_speed = 600;
   }
   return robot;

@@ -148,6 +148,7 @@ ToppMotion time_optimal(const std::vector<ToppNode>& nodes, const ToppLimits& li
   }
   motion.sigma.push_back(parts.back().sigma + parts.back().length);
   motion.rate.push_back(std::sqrt(x));
+  for (const double square : most) motion.most.push_back(std::sqrt(square));
   return motion;
 }
 

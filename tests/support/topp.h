@@ -26,6 +26,7 @@ struct ToppMotion {
   double time = 0;  ///< s; infinite where the path cannot be gone at all
   std::vector<double> sigma;
   std::vector<double> rate;  ///< dσ/dt there
+  std::vector<double> most;  ///< the greatest from which the rest can be gone
 };
 
 /// Reads what `rob check --path` writes: a header row sigma, q1 … qn, dq1 …, ddq1 …, then the

@@ -70,10 +70,16 @@ class AheadRun {
     line(q);
   }
   void close() { buffer_.close(); }
+  motion::LookAheadBuffer& buffer() { return buffer_; }
 
   /// One period: what the program has commanded, then the tick.
   void step() {
     planner_.work();
+    tick();
+    references_.push_back(average_.mean());
+  }
+  /// The tick alone.
+  void tick() {
     start_run();
     guide_.set_share(ring_.share.load());
     guide_.step(static_cast<double>(++period_) * robot_.reference_period,
@@ -82,17 +88,19 @@ class AheadRun {
     ring_.rate.store(guide_.rate());
     average_.take(guide_);
     ring_.release(std::min(average_.oldest(), guide_.index() > 0 ? guide_.index() - 1 : 0));
-    references_.push_back(average_.mean());
   }
   /// Until the references stand at the end of what was closed; s, or −1 if they never do.
   double run(double at_most = 1000) {
     while (static_cast<double>(period_) * robot_.reference_period < at_most) {
       step();
-      const bool ended = guide_.at_run_end() && ring_.next_leg() == nullptr;
-      if (ended && average_.stands() && ring_.piece(guide_.index()) == nullptr)
-        return static_cast<double>(period_) * robot_.reference_period;
+      if (ended()) return static_cast<double>(period_) * robot_.reference_period;
     }
     return -1;
+  }
+  /// The references stand at the end of all that is known.
+  bool ended() const {
+    return guide_.at_run_end() && ring_.next_leg() == nullptr && average_.stands() &&
+           ring_.piece(guide_.index()) == nullptr;
   }
 
   const std::vector<motion::PathPoint>& references() const { return references_; }

@@ -1,0 +1,31 @@
+/// draw_motion FOLDER ROB: the drawings of docs/motion.md, as FOLDER/motion_*.svg; ROB is the
+/// program whose traces they show.
+
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+#include "tests/support/motion_drawing.h"
+#include "tests/support/svg.h"
+
+int main(int argc, char** argv) {
+  using namespace rob::test;
+  if (argc != 3) {
+    fmt::print(stderr, "usage: draw_motion FOLDER ROB\n");
+    return 64;
+  }
+  try {
+    const auto save = [&](const char* name, const Drawing& drawing) {
+      const std::string file = fmt::format("{}/motion_{}.svg", argv[1], name);
+      if (!save_svg(file, drawing.width, drawing.height, drawing.content))
+        throw std::runtime_error("cannot write " + file);
+    };
+    save("corner", corner_drawing());
+    save("speed", speed_drawing());
+    save("mean", mean_drawing());
+    save("triangle", triangle_drawing(argv[2]));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "draw_motion: {}\n", error.what());
+    return 70;
+  }
+}
