@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,12 +59,14 @@ RunResult run_one(const LoadedProgram& program, const Options& options,
   const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
-  const double planned =
-      isatty(STDERR_FILENO) != 0 ? foretell(program, robot, options.seed, &script).planned : 0;
-  Progress progress(planned / options.override_share, options.override_share, used_names(program));
+  std::optional<RunResult> foretold;
+  if (isatty(STDERR_FILENO) != 0 || robot.law == motion::Law::LookAhead)
+    foretold = foretell(program, robot, options.seed, &script, options.override_share);
+  Progress progress(foretold ? foretold->planned : 0, options.override_share, used_names(program));
   Terminal terminal(options.fast);
   const RunOptions run_options{
-      options.fast, options.override_share, options.trace, options.seed, &script, &terminal};
+      options.fast, options.override_share,         options.trace, options.seed, &script,
+      &terminal,    foretold ? &*foretold : nullptr};
   RunResult result = run(program, robot, run_options, listener_of(options, progress));
   progress.clear();
   return result;

@@ -10,6 +10,8 @@ namespace rob::motion {
 struct MotionEvent {
   enum class Kind : std::uint8_t {
     SegmentStarted,  ///< tag; number
+    DecisionPoint,   ///< tag; number: what follows this motion has to be known by now; told under
+                     ///< the look-ahead law, where it is not known beforehand
     EffectDue,       ///< effect
     LateDecision,    ///< tag: nothing was known at the decision point; the target is made exact
     Finished,        ///< everything commanded has been done; the axes stand

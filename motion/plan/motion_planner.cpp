@@ -145,6 +145,24 @@ void MotionPlanner::stand_at(const JointVector& q, std::uint32_t number) noexcep
   number_ = number;
 }
 
+MotionPlanner::Mark MotionPlanner::mark() const {
+  Mark mark;
+  mark.commanded_ = commanded_;
+  mark.t_acc_before_ = t_acc_before_;
+  mark.exact_ = exact_;
+  mark.before_ = before_;
+  mark.number_ = number_;
+  return mark;
+}
+
+void MotionPlanner::go_back(const Mark& mark) {
+  commanded_ = mark.commanded_;
+  t_acc_before_ = mark.t_acc_before_;
+  exact_ = mark.exact_;
+  before_ = mark.before_;
+  number_ = mark.number_;
+}
+
 /// The given components, measured from the origin.
 std::array<double, kMaxJoints> MotionPlanner::absolute(
     const MotionRequest& request) const noexcept {

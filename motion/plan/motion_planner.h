@@ -108,6 +108,12 @@ class MotionPlanner {
   /// is, but for jogs and profiles.
   void set_override(double share) noexcept { boost_ = share > 1 ? share : 1; }
 
+  /// Where the planner is between two motions. While it is kept what is planned behind it can be
+  /// taken back, as long as none of that is in the buffer.
+  class Mark;
+  Mark mark() const;
+  void go_back(const Mark& mark);
+
   const JointVector& commanded() const noexcept { return commanded_; }
   /// Number of the last segment made; 0: none yet. What an effect behind it carries.
   std::uint32_t last_number() const noexcept { return number_; }
@@ -206,6 +212,15 @@ class MotionPlanner {
   /// Those that segments in the buffer, the running one and the one before it point into.
   std::vector<std::shared_ptr<const PlannedLeg>> kept_;
   std::size_t next_kept_ = 0;
+};
+
+class MotionPlanner::Mark {
+  friend class MotionPlanner;
+  JointVector commanded_;
+  double t_acc_before_ = 0;
+  bool exact_ = true;
+  Before before_;
+  std::uint32_t number_ = 0;
 };
 
 }  // namespace rob::motion

@@ -133,9 +133,13 @@ Reply RobotMachine::leave_path() {
   planner_.stand_at(rest.q, rest.number);
   jogging_ = false;
   const lang::Setting setting = setting_;
-  const bool planned = std::ranges::all_of(behind, [&](Commanded& one) { return plan_anew(one); });
+  const bool planned =
+      std::ranges::all_of(behind, [&](Commanded& one) { return plan_anew(one); }) &&
+      plan_path_anew();
   work_in(0, setting);
   if (!planned) {
+    path_.reset();
+    planner_.stand_at(rest.q, rest.number);
     restart_from(rest.q);
     handlers_->leaving_ = Leaving::Moving;  // all that is left has to be dropped
     return Reply::Refused;
@@ -144,7 +148,14 @@ Reply RobotMachine::leave_path() {
   exact_ = true;
   if (behind.empty() && guarded_) left_ = rest;
   const bool guarded = std::exchange(guarded_, false);  // those that are have their guards
-  for (Commanded& one : behind) queue(std::move(one));
+  for (Commanded& one : behind) {
+    follow(one.segment);
+    send(std::move(one));
+  }
+  if (path_) {
+    path_->exact = exact_;
+    for (const Commanded& one : path_->motions) follow(one.segment);
+  }
   guarded_ = guarded;
   return Reply::Done;
 }

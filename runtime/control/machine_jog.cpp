@@ -109,6 +109,7 @@ void RobotMachine::come_to_rest(const motion::JointVector& q) {
 }
 
 void RobotMachine::restart_from(const motion::JointVector& q) {
+  drop_path();
   planner_.retarget(q);
   exact_ = true;
   jogging_ = false;

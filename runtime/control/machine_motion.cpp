@@ -78,13 +78,17 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
   return request;
 }
 
-/// What is to be exact takes two segments, which are queued together.
+/// What is to be exact takes two segments, which are queued together. In a PATH places wait for its
+/// end.
 Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
   if (asked.kind == MotionKind::Jog) return jog(line, asked);
   if (!rested()) return Reply::Later;
-  if (buffer_.room() < (asked.exact() ? 2U : 1U) + (tip_jumps() ? 1U : 0U)) return Reply::Later;
+  const std::size_t needed = (asked.exact() ? 2U : 1U) + (tip_jumps() ? 1U : 0U);
+  if (!collecting() && buffer_.room() < needed) return Reply::Later;
+  if (collecting() && !path_has_room()) return Reply::Refused;
   const bool stopped = stop_for_tool(line);
-  Commanded commanded{{}, false, stopped, asked, setting_, std::exchange(on_the_way_, {})};
+  Commanded commanded{{}, false, stopped, asked, setting_};
+  if (!collecting()) commanded.events = std::exchange(on_the_way_, {});
   commanded.via = std::exchange(via_, {});
   if (!plan(line, commanded)) return Reply::Refused;
   for (std::size_t i = 0; i < commanded.events.size(); ++i) log_.queued_effect();
@@ -116,40 +120,41 @@ bool RobotMachine::plan_straight(int line, Commanded& commanded) {
   const motion::MotionRequest request = request_of(line, command);
   if (command.kind == MotionKind::Line && planner_.swing(request) > kStraight)
     return plan_along(line, request, commanded);
-  motion::SegmentDescriptor with_events;
-  if (!attach(with_events, commanded.events, planner_.way(request))) return false;
-  return take(line, planner_.plan(request), with_events, commanded);
+  commanded.way = planner_.way(request);
+  commanded.along.reset();
+  return lay_events(commanded) && take(line, planner_.plan(request), commanded);
 }
 
 /// Along a path of the tool.
 bool RobotMachine::plan_along(int line, const motion::MotionRequest& request,
                               Commanded& commanded) {
-  const auto made = tool_path(commanded);
+  auto made = tool_path(commanded);
   if (const auto* const words = std::get_if<Words>(&made)) {
     refusal_ = *words;
     return false;
   }
-  const motion::ToolPath& path = *std::get<std::unique_ptr<motion::ToolPath>>(made);
-  motion::SegmentDescriptor with_events;
-  if (!attach(with_events, commanded.events, path.way())) return false;
-  for (motion::PathEvent& event : with_events.on_the_way)
-    event.share = (path.at_share(event.share) - path.begin()) / (path.end() - path.begin());
-  return take(line, planner_.plan(request, path), with_events, commanded);
+  const std::shared_ptr<const motion::ToolPath> path =
+      std::move(std::get<std::unique_ptr<motion::ToolPath>>(made));
+  commanded.way = path->way();
+  commanded.along = path;
+  const bool planned =
+      lay_events(commanded) && take(line, planner_.plan(request, *path), commanded);
+  if (!collecting()) commanded.along.reset();
+  return planned;
 }
 
-bool RobotMachine::take(int line, const motion::PlanOutcome& outcome,
-                        const motion::SegmentDescriptor& with_events, Commanded& commanded) {
+bool RobotMachine::take(int line, const motion::PlanOutcome& outcome, Commanded& commanded) {
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
     refusal_ = words_for(*refusal, robot_);
     return false;
   }
   const auto& planned = std::get<motion::PlannedSegment>(outcome);
   warn(line, planned);
+  const motion::SegmentDescriptor with_events = std::exchange(commanded.segment, planned.segment);
   motion::SegmentDescriptor& segment = commanded.segment;
-  segment = planned.segment;
-  commanded.leg = planned.leg;
   segment.events = with_events.events;
   segment.on_the_way = with_events.on_the_way;
+  commanded.leg = planned.leg;
   for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
   return true;
 }

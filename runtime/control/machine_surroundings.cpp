@@ -6,8 +6,8 @@
 #include "runtime/control/feature_words.h"
 #include "runtime/control/units.h"
 
-/// The part of RobotMachine that knows what lies around motions: WITH and IN, OVERRIDE, and PATH
-/// and PRESS, which no robot of this version has.
+/// The part of RobotMachine that knows what lies around motions: WITH and IN, OVERRIDE, and PRESS,
+/// which no robot of this version has.
 namespace rob::runtime {
 
 using lang::MotionFeature;
@@ -17,10 +17,6 @@ Reply RobotMachine::refuse(MotionFeature feature) {
   refusal_ = words_for(feature, robot_);
   return Reply::Refused;
 }
-
-Reply RobotMachine::begin_path(int /*line*/) { return refuse(MotionFeature::Path); }
-
-Reply RobotMachine::end_path(int /*line*/) { return refuse(MotionFeature::Path); }
 
 Reply RobotMachine::press(int /*line*/, const lang::PressCommand& /*command*/) {
   return refuse(MotionFeature::Press);

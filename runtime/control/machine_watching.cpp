@@ -105,10 +105,11 @@ Reply RobotMachine::on_the_way(int /*line*/, const lang::PathPlace& place) {
   return Reply::Done;
 }
 
-/// False, and a refusal, where a place lies beyond the leg.
-bool RobotMachine::attach(motion::SegmentDescriptor& segment, const std::vector<OnTheWay>& events,
-                          double way) {
-  for (const OnTheWay& one : events) {
+bool RobotMachine::lay_events(Commanded& commanded) {
+  motion::SegmentDescriptor& segment = commanded.segment;
+  const double way = commanded.way;
+  segment.events = 0;
+  for (const OnTheWay& one : commanded.events) {
     const double distance = one.place.distance;
     const double place = one.place.before ? way - distance : distance;
     if (!(way > 0) || place < -motion::kLimitTolerance || place > way + motion::kLimitTolerance) {
@@ -116,10 +117,18 @@ bool RobotMachine::attach(motion::SegmentDescriptor& segment, const std::vector<
       refusal_.place = one.place.written;
       return false;
     }
+    if (segment.events == segment.on_the_way.size()) {
+      refusal_ = words_for_many_places(segment.on_the_way.size());
+      refusal_.place = one.place.written;
+      return false;
+    }
     motion::PathEvent& event = segment.on_the_way[segment.events++];
     event.share = place / way;
+    if (const motion::ToolPath* const path = commanded.along.get())
+      event.share = (path->at_share(event.share) - path->begin()) / (path->end() - path->begin());
     event.lead = one.place.lead;
     event.effect = one.effect;
+    event.effect.after = segment.number;
   }
   return true;
 }

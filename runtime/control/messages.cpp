@@ -105,6 +105,18 @@ Words words_for_place(double distance, double way) {
           "AFTER counts from the beginning of the motion, BEFORE from its end"};
 }
 
+Words words_for_many_places(std::size_t most) {
+  return {code::kManyPlaces,
+          fmt::format("more than {} places lie on one motion of this PATH", most),
+          "divide that motion by a further target on its way"};
+}
+
+Words words_for_long_path(std::size_t most) {
+  return {
+      code::kManyInPath, fmt::format("this PATH has more than {} motions", most),
+      "motions blend outside of a PATH, too: leave PATH and ENDPATH out, or make several of it"};
+}
+
 Words words_for_condition(lang::ArithmeticError error) {
   const lang::ArithmeticErrorText text = lang::describe(error);
   return {

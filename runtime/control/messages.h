@@ -33,6 +33,9 @@ Words words_for_many_simulations();
 Words words_for_nobody(const char* what);
 /// A path event that lies beyond its motion, m.
 Words words_for_place(double distance, double way);
+/// More places on one motion than it can have; a PATH of more motions than can be planned as one.
+Words words_for_many_places(std::size_t most);
+Words words_for_long_path(std::size_t most);
 /// "axis x follows 2.1 mm behind; 2 mm are permitted here".
 Words words_for(const motion::FollowingFinding& finding, const motion::RobotModel& robot);
 /// Why a jog goes no further: the axis whose way ends there, −1: none.

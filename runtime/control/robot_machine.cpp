@@ -153,6 +153,8 @@ Reply RobotMachine::settle(int line) {
   if (interrupted_by_handler_) {
     if (const Reply reply = drop_interrupted(line); reply != Reply::Done) return reply;
   }
+  if (path_ && path_->closed && end_path(line) != Reply::Done) return Reply::Later;
+  drop_path();
   begun_ = standing_ = guarded_ = consulting_ = false;
   recording_ = nullptr;
   place_.reset();
@@ -181,7 +183,9 @@ bool RobotMachine::settled() const {
          progress_.effects_done.load(std::memory_order_acquire) >= effects_ && !interrupted();
 }
 
+/// A PATH is open only where a loop in it has been given up.
 Reply RobotMachine::end(int line) {
+  if (path_ && end_path(line) == Reply::Later) return Reply::Later;
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
   if (!watched()) return Reply::Later;  // a WHEN may still have something to say
@@ -265,12 +269,23 @@ void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool furt
 void RobotMachine::queue(Commanded commanded) {
   motion::SegmentDescriptor& segment = commanded.segment;
   if (guarded_) segment.guard = until_.handle();
+  follow(segment);
+  if (!collecting()) return send(std::move(commanded));
+  path_->motions.push_back(std::move(commanded));
+}
+
+void RobotMachine::follow(const motion::SegmentDescriptor& segment) {
+  exact_ = segment.ends_at_rest();
+  jogging_ = segment.jog.present();
+}
+
+void RobotMachine::send(Commanded commanded) {
+  const motion::SegmentDescriptor& segment = commanded.segment;
   LoggedSegment logged{segment, commanded.stop, commanded.further, planner_.tool_tip(),
                        commanded.leg};
   if (program_ != nullptr) logged.number += kHandlerNumbers;
   log_.planned(logged);  // before the generator can report it
-  exact_ = segment.ends_at_rest();
-  jogging_ = segment.jog.present();
+  sent_ = segment.number;
   buffer_.push(segment);  // there is room: only this thread fills the buffer
   remember(std::move(commanded));
 }

@@ -189,6 +189,19 @@ class RobotMachine final : public lang::Machine {
     std::vector<OnTheWay> events{};
     std::vector<lang::MoveCommand> via{};  ///< of MOVEC, MOVES
     std::shared_ptr<const motion::PlannedLeg> leg{};
+    double way = 0;                                   ///< of the tool, m
+    std::shared_ptr<const motion::ToolPath> along{};  ///< null: straight in the axes
+  };
+
+  /// A PATH in the making.
+  struct Path {
+    motion::MotionPlanner::Mark before;
+    // As they were before it:
+    bool exact;
+    std::uint32_t brakable;
+    lang::Vector3 moved_tip;
+    std::deque<Commanded> motions{};  ///< that are not queued yet
+    bool closed = false;              ///< it is being queued
   };
 
   bool place_can_be_read() const;
@@ -204,12 +217,23 @@ class RobotMachine final : public lang::Machine {
   lang::PoseValue tool_at(const motion::JointVector& q) const;
   void queue(motion::SegmentDescriptor segment, bool stop, bool further = false);
   void queue(Commanded commanded);
+  /// What comes next comes behind this one.
+  void follow(const motion::SegmentDescriptor& segment);
+  /// Into the buffer, in which there is room.
+  void send(Commanded commanded);
+  // PATH (machine_path.cpp)
+  bool collecting() const { return path_ && !path_->closed; }
+  bool path_has_room();
+  bool lay_places();
+  bool plan_path_anew();
+  void drop_path();
   /// Plans a motion with what is done on its way; false, with a refusal, where it cannot be.
   bool plan(int line, Commanded& commanded);
   bool plan_straight(int line, Commanded& commanded);
   bool plan_along(int line, const motion::MotionRequest& request, Commanded& commanded);
-  bool take(int line, const motion::PlanOutcome& outcome,
-            const motion::SegmentDescriptor& with_events, Commanded& commanded);
+  bool take(int line, const motion::PlanOutcome& outcome, Commanded& commanded);
+  /// False, with a refusal, where an event lies beyond the motion.
+  bool lay_events(Commanded& commanded);
   motion::Pose target_of(const lang::MoveCommand& command) const;
   ToolPathOrWords tool_path(const Commanded& commanded) const;
   // JOG (machine_jog.cpp)
@@ -288,10 +312,11 @@ class RobotMachine final : public lang::Machine {
   WhenPool whens_;
   motion::WatchedAction* recording_ = nullptr;  ///< the WHEN whose action comes next
   // What the next motion does on its way, and the place whose action comes next.
-  bool attach(motion::SegmentDescriptor& segment, const std::vector<OnTheWay>& events, double way);
   std::vector<OnTheWay> on_the_way_;
   std::vector<lang::MoveCommand> via_;  ///< points that the next motion goes through
   std::optional<lang::PathPlace> place_;
+  std::optional<Path> path_;
+  std::uint32_t sent_ = 0;  ///< number of the last segment in the buffer
 
   // Handlers (machine_handlers.cpp)
   void remember(Commanded commanded);

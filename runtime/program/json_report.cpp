@@ -34,11 +34,17 @@ void put_line(Json& json, const std::vector<std::string>& used, int tag) {
   put_line(json, used, lang::tagged_place(tag));
 }
 
+/// Of a line or a run; null where it was not foretold.
+template <typename Result>
+Json planned_seconds(const Result& result) {
+  return result.foretold ? Json(seconds(result.planned)) : Json(nullptr);
+}
+
 Json line_json(const RunResult& result, const LineResult& line, bool measured) {
   Json json;
   put_line(json, result.used, line.line);
   json["starts_s"] = seconds(line.starts);
-  json["planned_s"] = seconds(line.planned);
+  json["planned_s"] = planned_seconds(line);
   if (measured) json["measured_s"] = seconds(line.measured);
   json["decides_s"] = optional_seconds(line.decides);
   if (!line.miss_planned) {
@@ -156,7 +162,7 @@ Json run_json(const RunResult& result) {
           {"robot", result.robot},
           {"law", result.law},
           {"clock", result.clock},
-          {"planned_s", seconds(result.planned)},
+          {"planned_s", planned_seconds(result)},
           {"measured_s", seconds(result.measured)},
           {"cycles", result.cycles},
           {"late_cycles", result.late_cycles},
@@ -180,7 +186,7 @@ Json check_json(const RunResult& result) {
   return {{"status", result.status},
           {"robot", result.robot},
           {"law", result.law},
-          {"planned_s", seconds(result.planned)},
+          {"planned_s", planned_seconds(result)},
           {"lines", lines_json(result, false)},
           {"findings", findings_json(result)},
           {"error", problem_json(result.error)}};

@@ -154,8 +154,6 @@ RunResult refusal(const lang::Diagnostics& diagnostics, const std::string& file,
   return result;
 }
 
-RunResult start_of(const LoadedProgram& program, RunResult result);
-
 RunResult start_of(const LoadedProgram& program, RunResult result) {
   result.file = program.file;
   result.used = used_names(program);
@@ -166,11 +164,27 @@ RunResult start_of(const LoadedProgram& program, RunResult result) {
   return result;
 }
 
+/// What is planned, where motions do not bring their times: what was foretold of the lines that
+/// have run as often.
+void add_foretold(RunResult& result, const RunResult& foretold) {
+  result.planned = foretold.planned;
+  result.foretold = result.lines.size() == foretold.lines.size();
+  for (LineResult& line : result.lines) {
+    const auto same = std::ranges::find(foretold.lines, line.line, &LineResult::line);
+    line.foretold = same != foretold.lines.end() && same->count == line.count;
+    if (line.foretold) line.planned = same->planned;
+    result.foretold = result.foretold && line.foretold;
+  }
+}
+
 }  // namespace
 
 RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
               const RunOptions& options, const RunListener& listener) {
   std::optional<TraceWriter> trace = open_trace(options, program, robot);
+  std::optional<RunResult> own;
+  if (robot.law == motion::Law::LookAhead && options.foretold == nullptr)
+    own = foretell(program, robot, options.seed, options.script, options.override_share);
   Controller controller(robot, simulation_of(robot), options.override_share,
                         rules_of(options.script));
   prepare_panel(controller, options.script);
@@ -203,6 +217,7 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
   RunResult result = recorder.finish();
   result.clock = options.fast ? "virtual" : "system";
   add_timing(result, timing);
+  if (robot.law == motion::Law::LookAhead) add_foretold(result, own ? *own : *options.foretold);
   if (task.failure()) add_failure(result, *task.failure());
   if (Interruption::requested() && !result.error) {
     result.status = "interrupted";
@@ -213,14 +228,14 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
 }
 
 RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
-                   std::uint64_t seed, const SignalScript* script) {
-  Controller controller(robot, simulation_of(robot), 1, rules_of(script));
+                   std::uint64_t seed, const SignalScript* script, double override_share) {
+  Controller controller(robot, simulation_of(robot), override_share, rules_of(script));
   prepare_panel(controller, script);
   ProgramTask task(*program.compilation.chunk, controller.machine(), seed);
   controller.machine().assume(undriven_inputs(program, robot, script));
   task.limit_turns(kForetellTurns);
-  RunRecorder recorder(robot, 1, controller.channels(), controller.log(), names_in(program, robot),
-                       {});
+  RunRecorder recorder(robot, override_share, controller.channels(), controller.log(),
+                       names_in(program, robot), {});
 
   RunLimits limits = kForetellLimits;
   limits.standstill =

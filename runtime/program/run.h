@@ -23,6 +23,9 @@ struct RunOptions {
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
   const SignalScript* script = nullptr;             ///< what drives the inputs, without errors
   Person* person = nullptr;                         ///< who can answer HALT and ASK
+  /// Under the look-ahead law, where times are known of whole paths alone, what is planned is what
+  /// foretell() says for the same override; without it (null) the run is foretold first.
+  const RunResult* foretold = nullptr;
 };
 
 /// How far a run is: source line, s, what motion is doing.
@@ -50,7 +53,7 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
 /// end is given up after an hour of its time, with a finding that says so.
 RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
                    std::uint64_t seed = lang::Random::kDefaultSeed,
-                   const SignalScript* script = nullptr);
+                   const SignalScript* script = nullptr, double override_share = 1);
 
 /// The result of a program that does not compile.
 RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "motion/generate/corner_miss.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/units.h"
 
@@ -14,14 +13,6 @@ namespace rob::runtime {
 
 using motion::Effect;
 using motion::MotionEvent;
-
-namespace {
-
-void raise(std::optional<double>& most, double value) {
-  most = std::max(most.value_or(value), value);
-}
-
-}  // namespace
 
 RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,
                          ProgramLog& log, SignalNames names, Listener listener)
@@ -32,6 +23,7 @@ RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share,
       names_(std::move(names)),
       listener_(std::move(listener)),
       meter_(*robot.kinematics),
+      references_(*robot.kinematics),
       path_(*robot.kinematics, robot.start),
       reached_(robot.start) {
   result_.robot = robot.name;
@@ -58,6 +50,7 @@ void RunRecorder::drain() {
 
 void RunRecorder::take(const Snapshot& snapshot) {
   meter_.measured(snapshot.measured);
+  if (!comes_timed()) references_.measured(snapshot.sample.reference.q);
   const double way = path_.reference(snapshot.sample.reference.q);
   if (running_) line_of(*running_).way += way * kMillimetresPerMetre;
   take_peaks(snapshot);
@@ -70,6 +63,9 @@ void RunRecorder::take(const MotionEvent& event) {
   switch (event.kind) {
     case MotionEvent::Kind::SegmentStarted:
       begin_segment(event);
+      break;
+    case MotionEvent::Kind::DecisionPoint:
+      take_decision(event);
       break;
     case MotionEvent::Kind::EffectDue:
       take_effect(event);
@@ -135,27 +131,9 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   programmed(*planned);
 
   LineResult& line = line_of(*planned);
-  const double duration = planned->span() / (planned->dwell ? 1 : override_share_);
-  running_ = Running{*planned, from_, event.time, event.time + duration, false};
+  running_ = Running{*planned, from_, event.time};
   if (!planned->further && line.count++ == 0) line.starts = event.time;
-  const bool jog = planned->jog.present();
-  // Behind a guarded motion the program goes on when it has ended: nothing is decided before.
-  if (line.count == 1 && !planned->guard.present()) {
-    line.decides = event.time + duration - (jog ? robot_.reference_period : 0);
-  }
-  if (jog) return;  // how long it takes to come to rest shows itself
-  line.planned += duration;
-  result_.planned += duration;
-}
-
-/// The running motion has been made exact for the next one, which begins at rest.
-void RunRecorder::count_stop() {
-  if (!running_ || running_->cut || running_->ends_at_rest()) return;
-  const double duration = 2 * running_->t_acc / override_share_;
-  LineResult& line = line_of(*running_);
-  line.exact = true;
-  line.planned += duration;
-  result_.planned += duration;
+  plan(*planned, event, line);
 }
 
 void RunRecorder::begin_early_end(const MotionEvent& event) {
@@ -208,17 +186,9 @@ void RunRecorder::end_segment(double time, const LoggedSegment* next) {
   if (!running_) return;
   LineResult& line = line_of(*running_);
   line.measured += time - running_->started;
-  if (running_->jog.present()) {  // the references are all that there is of a plan
-    line.planned += time - running_->started;
-    result_.planned += time - running_->started;
-    running_->cut = true;
-  }
+  if (running_->jog.present()) plan_jog(time - running_->started);
   if (running_->cut) return running_.reset();
-  if (!running_->stop) {
-    const double miss = planned_miss(*running_, next);
-    raise(line.miss_planned, miss);
-    result_.deviation = std::max(result_.deviation, miss);
-  }
+  plan_corner(next);
   if (next != nullptr && next->stop) line.exact = true;
   if (next == nullptr && line.count == 1) line.decides.reset();  // nothing follows it
   behind_ = running_;
@@ -227,17 +197,13 @@ void RunRecorder::end_segment(double time, const LoggedSegment* next) {
 
 void RunRecorder::end_corner() {
   if (!behind_) return;
+  measure_corner();
   const std::optional<double> miss = meter_.take(behind_->number);
   if (miss && !behind_->stop) {
-    raise(line_of(*behind_).miss_measured, *miss * kMillimetresPerMetre);
+    std::optional<double>& most = line_of(*behind_).miss_measured;
+    most = std::max(most.value_or(0), *miss * kMillimetresPerMetre);
   }
   behind_.reset();
-}
-
-double RunRecorder::planned_miss(const Running& segment, const LoggedSegment* next) const {
-  if (next == nullptr) return 0;
-  return kMillimetresPerMetre *
-         motion::corner_miss(*robot_.kinematics, segment.from, segment, *next, segment.tip);
 }
 
 void RunRecorder::take_effect(const MotionEvent& event) {
@@ -270,21 +236,6 @@ void RunRecorder::take_note(const MotionEvent& event, Note note) {
       add_event(event.time, "answer", line, note.text);
       return;
   }
-}
-
-/// The rest of the running motion takes longer, or less, than was foretold when it began.
-void RunRecorder::take_override(const MotionEvent& event) {
-  const double before = override_share_;
-  override_share_ = std::min(event.effect.share, 1.0);
-  if (!running_ || running_->dwell || running_->jog.present() || running_->cut ||
-      running_->ends <= event.time)
-    return;
-  const double more = (running_->ends - event.time) * (before / override_share_ - 1);
-  running_->ends += more;
-  LineResult& line = line_of(*running_);
-  line.planned += more;
-  result_.planned += more;
-  if (line.count == 1 && line.decides) *line.decides += more;
 }
 
 void RunRecorder::take_output(const MotionEvent& event) {

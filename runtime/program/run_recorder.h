@@ -48,7 +48,7 @@ class RunRecorder {
   struct Running : LoggedSegment {
     motion::JointVector from;
     double started = 0;
-    double ends = 0;   ///< as planned
+    double ends = 0;   ///< as planned, where motions come timed
     bool cut = false;  ///< it came to rest before its target
   };
   /// A motion that brakes, until it is known where it came to rest.
@@ -67,7 +67,15 @@ class RunRecorder {
   void take(const Snapshot& snapshot);
   void begin_segment(const motion::MotionEvent& event);
   void end_segment(double time, const LoggedSegment* next);
+  // What was planned (run_recorder_planned.cpp)
+  bool comes_timed() const { return robot_.law == motion::Law::Paul; }
+  void plan(const LoggedSegment& planned, const motion::MotionEvent& event, LineResult& line);
+  void take_decision(const motion::MotionEvent& event);
   void count_stop();
+  void plan_jog(double duration);
+  void plan_corner(const LoggedSegment* next);
+  void measure_corner();
+  void add_planned_miss(LineResult& line, double miss);
   void programmed(const LoggedSegment& planned);
   void end_jog(double time);
   void stop_jog(const motion::MotionEvent& event);
@@ -76,7 +84,6 @@ class RunRecorder {
   void locate(const Snapshot& snapshot);
   void stand_still(const motion::MotionEvent& event);
   void end_corner();
-  double planned_miss(const Running& segment, const LoggedSegment* next) const;
   void take_effect(const motion::MotionEvent& event);
   void take_override(const motion::MotionEvent& event);
   void take_note(const motion::MotionEvent& event, Note note);
@@ -96,6 +103,8 @@ class RunRecorder {
   SignalNames names_;
   Listener listener_;
   CornerMeter meter_;
+  CornerMeter references_;                     ///< the same of the references; by law
+  std::map<std::uint32_t, double> decisions_;  ///< s, by number, of motions that have not begun
   PathMeter path_;
   RunResult result_;
   std::map<int, LineResult> lines_;

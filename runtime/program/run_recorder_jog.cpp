@@ -11,6 +11,7 @@ void RunRecorder::programmed(const LoggedSegment& planned) {
   if (path_.is_unprogrammed() && last_) reached_ = last_->sample.reference.q;
   from_ = std::exchange(reached_, planned.target);
   meter_.watch(planned.number, planned.target, planned.tip);
+  if (!comes_timed()) references_.watch(planned.number, planned.target, planned.tip);
   const bool on_line = planned.leg != nullptr && planned.leg->line.has_value();
   path_.programmed({planned.path, from_, planned.target, planned.duration}, on_line, planned.tip);
 }

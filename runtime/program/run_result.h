@@ -29,6 +29,7 @@ struct LineResult {
   std::int64_t count = 0;  ///< how often it ran
   double starts = 0;       ///< when it ran first
   double planned = 0;      ///< how long it takes, the sum over all times
+  bool foretold = true;    ///< `planned` is known
   double measured = 0;
   double way = 0;                 ///< of the tool's reference in it, mm, the sum over all times
   std::optional<double> decides;  ///< when what follows must be known, the first time
@@ -83,8 +84,9 @@ struct RunResult {
   std::string robot;
   std::string law = "paul";
   std::string clock;
-  double planned = 0;   ///< s
-  double measured = 0;  ///< s
+  double planned = 0;    ///< s
+  bool foretold = true;  ///< `planned` is known
+  double measured = 0;   ///< s
   std::int64_t cycles = 0;
   std::int64_t late_cycles = 0;
   double worst_lateness = 0;  ///< s

@@ -12,12 +12,21 @@ std::string miss(const std::optional<double>& mm) {
   return mm ? fmt::format("{:.1f} mm", *mm) : "";
 }
 
+/// Of a line or a run, s; empty where it was not foretold.
+template <typename Result>
+std::string planned(const Result& result) {
+  return result.foretold ? fmt::format("{:.2f}", result.planned) : "";
+}
+
 std::string decides(const LineResult& line) {
   return line.decides ? fmt::format("{:.2f}", *line.decides) : "";
 }
 
+/// mm: what rounding leaves of an exact target.
+constexpr double kNoMiss = 1e-9;
+
 std::string remark(const LineResult& line) {
-  std::string text = line.exact && line.miss_planned == 0.0 ? "   (STOP)" : "";
+  std::string text = line.exact && line.miss_planned.value_or(1) < kNoMiss ? "   (STOP)" : "";
   if (line.count > 1) text += fmt::format("   {} times", line.count);
   return text;
 }
@@ -81,15 +90,15 @@ std::string run_table(const RunResult& result) {
   }
   for (const LineResult& line : result.lines) {
     const std::string row =
-        fmt::format("{:>6}  {:>6.2f}  {:>8.2f} {:>8.2f}  {:>8}  {:>8}{}", line_number(line),
-                    line.starts, line.planned, line.measured, miss(line.miss_planned),
+        fmt::format("{:>6}  {:>6.2f}  {:>8} {:>8.2f}  {:>8}  {:>8}{}", line_number(line),
+                    line.starts, planned(line), line.measured, miss(line.miss_planned),
                     miss(line.miss_measured), remark(line));
     table += file_heading(result, line) + row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
   }
-  table += fmt::format(
-      "{}: planned {:.2f} s, measured {:.2f} s, {} cycles, {} late, worst lateness {:.2f} ms\n",
-      result.status, result.planned, result.measured, result.cycles, result.late_cycles,
-      result.worst_lateness * 1e3);
+  const std::string foretold = result.foretold ? "planned " + planned(result) + " s, " : "";
+  table += fmt::format("{}: {}measured {:.2f} s, {} cycles, {} late, worst lateness {:.2f} ms\n",
+                       result.status, foretold, result.measured, result.cycles, result.late_cycles,
+                       result.worst_lateness * 1e3);
   return table;
 }
 
