@@ -18,7 +18,7 @@ bool MoveChecker::check_value(const Move& move, const ExprPtr& point) {
   if (!type.known()) return false;
   const std::string_view word = word_of(move.kind);
   if (type.is_place() && !move.by) {
-    const Symbol* const taught = bare_point(move, checked_.program);
+    const Symbol* const taught = bare_point(move);
     if (taught != nullptr) checked_.symbols[taught->id].moved_to = true;
     return expressions_.accept(target, Type::pose(), fmt::format("{} needs", word)) &&
            check_frame(move, target);
@@ -81,7 +81,7 @@ void MoveChecker::report_no_target(const Move& move, const Expr& target) {
 
 /// `point`: where the target is a bare POINT.
 void MoveChecker::judge_value(const Expr& target, const Symbol* point) {
-  const bool by_joints = point != nullptr && known(point->value) && !point->joints.empty();
+  const bool by_joints = point != nullptr && known(point->value) && point->flange_joints;
   const Constant value = by_joints ? Constant(point->joints) : known_value(target);
   const auto* const slots = std::get_if<std::vector<double>>(&value);
   if (slots == nullptr) return;

@@ -142,7 +142,7 @@ void MoveChecker::judge_constants(const Move& move) {
   if (move.by || move.target == nullptr || move.kind == MotionKind::Jog) return;
   if (move.axis == nullptr) {
     for (const ExprPtr& point : move.via) judge_target(*point, nullptr);
-    return judge_target(*move.target, bare_point(move, checked_.program));
+    return judge_target(*move.target, bare_point(move));
   }
   const auto number = constant_number(*move.axis);
   if (!number) return;

@@ -34,7 +34,7 @@ void StatementChecker::check(PointDeclaration& declaration) {
     point.declared.symbol = declare(Symbol::Kind::Point, point.declared.name, point.declared.place,
                                     type, taught ? Constant{} : value);
     scopes_.keep(*point.declared.symbol, std::move(value));
-    if (kept != nullptr) scopes_.keep_joints(*point.declared.symbol, kept->joints);
+    if (kept != nullptr) scopes_.keep_joints(*point.declared.symbol, *kept);
     if (taught) {
       scopes_.teach(*point.declared.symbol, *scopes_.hide(expressions_.joints()),
                     *scopes_.hide(Type::boolean()));

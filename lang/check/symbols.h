@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lang/machine/point_table.h"
 #include "lang/machine/reading.h"
 #include "lang/machine/robot_signature.h"
 #include "lang/syntax/ast.h"
@@ -38,6 +39,7 @@ struct Symbol {
   Reading reading{};   ///< of Kind::Reading
   Constant kept{};     ///< of a point: its value when the program starts
   std::vector<double> joints{};        ///< of a point, as the points file has them
+  bool flange_joints = false;          ///< and these surely bring the bare flange to it
   bool moved_to = false;               ///< a point that is by itself the target of a MOVE
   const Symbol* taught = nullptr;      ///< of a point that TEACH changes: its joints, a variable
   const Symbol* has_taught = nullptr;  ///< and a BOOL, whether they are known
@@ -115,8 +117,10 @@ class Scopes {
   void look_from_top(bool only) { top_only_ = only; }
   void refer(const Symbol& symbol) { symbols_[symbol.id].by_reference = true; }
   void keep(const Symbol& point, Constant value) { symbols_[point.id].kept = std::move(value); }
-  void keep_joints(const Symbol& point, const std::vector<double>& joints) {
-    symbols_[point.id].joints = joints;
+  void keep_joints(const Symbol& point, const PointTable::Point& kept) {
+    symbols_[point.id].joints = kept.joints;
+    symbols_[point.id].flange_joints =
+        !kept.joints.empty() && !kept.with_tool && kept.frame.empty();
   }
   void teach(const Symbol& point, const Symbol& joints, const Symbol& known) {
     symbols_[point.id].taught = &joints;

@@ -107,8 +107,7 @@ std::optional<MoveCommand::Zone> zone_of(const Type& type) {
   return std::nullopt;
 }
 
-const Symbol* bare_point(const Move& move, const Program& program) {
-  if (program.surroundings) return nullptr;
+const Symbol* bare_point(const Move& move) {
   if (move.kind != MotionKind::Joint || move.by || move.axis != nullptr) return nullptr;
   const auto* const name = std::get_if<Name>(&move.target->node);
   const bool point =

@@ -56,9 +56,8 @@ std::optional<MoveCommand::Bound> jerk_of(const Type& type);
 std::optional<MoveCommand::Zone> zone_of(const Type& type);
 
 /// The POINT that is by itself the target of a MOVE, which goes to where the joints stood when it
-/// was taught; null for all other motions, and where WITH stands somewhere in the program: another
-/// tool's tip would be elsewhere then.
-const Symbol* bare_point(const Move& move, const Program& program);
+/// was taught, if they still bring the tool to it; null for all other motions.
+const Symbol* bare_point(const Move& move);
 
 /// Whether axes all have one dimension.
 bool alike(const std::vector<RobotSignature::Coordinate>& axes);

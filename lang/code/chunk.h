@@ -184,6 +184,12 @@ struct TaskCode {
   std::uint32_t routine = 0;
 };
 
+/// A TOOL of the program.
+struct NamedTool {
+  std::string name;
+  PoseValue tip;
+};
+
 struct Chunk {
   std::vector<Instruction> code;
   PlaceTable places;  ///< of every word of code: where it comes from
@@ -197,6 +203,7 @@ struct Chunk {
   std::vector<std::string> signals;  ///< names by number; for listings
   std::vector<NamedSignal> named_signals;
   std::vector<SafeValue> safe_values;
+  std::vector<NamedTool> tools;  ///< for TEACH
   std::vector<NamedRegister> names;
   std::vector<RoutineCode> routines;
   std::vector<TestCode> tests;

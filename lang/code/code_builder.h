@@ -99,6 +99,7 @@ class CodeBuilder {
 
   /// Tells reports what the program calls a signal.
   void declare_safe(const SafeValue& value) { chunk_.safe_values.push_back(value); }
+  void name_tool(NamedTool tool) { chunk_.tools.push_back(std::move(tool)); }
   void name_signal(NamedSignal signal) { chunk_.named_signals.push_back(std::move(signal)); }
 
   /// What follows is what every TEST begins with.

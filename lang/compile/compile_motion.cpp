@@ -14,23 +14,41 @@ void StatementCompiler::compile(const Move& move) {
   leave(move.clauses.surroundings, place);
 }
 
-/// Without its surroundings. A point that may have been taught is decided when it comes to it.
+/// Without its surroundings. Whether a point's joints are where MOVE has to go is decided when it
+/// comes to it: with another tool, or in a frame that lies elsewhere now, it goes to the pose.
 void StatementCompiler::compile_motion(const Move& move) {
-  const Symbol* const point = bare_point(move, program_);
-  if (point == nullptr || point->taught == nullptr) {
-    const bool by_joints = point != nullptr && known(point->value) && !point->joints.empty();
-    return compile_motion(move, by_joints ? point : nullptr);
+  const Symbol* const point = bare_point(move);
+  if (point == nullptr || (point->taught == nullptr && point->joints.empty())) {
+    return compile_motion(move, nullptr);
   }
   const Place place = place_;
-  const auto mark = code_.mark();
-  code_.emit(Opcode::if_bool, place, expressions_.variable(*point->has_taught, place), 0);
-  const CodeBuilder::Jump by_pose = code_.jump(place);
-  code_.release(mark);
+  const std::vector<CodeBuilder::Jump> by_pose = unless_at_joints(*point, *move.target);
   compile_motion(move, point);
   const CodeBuilder::Jump done = code_.jump(place);
-  code_.land(by_pose);
+  for (const CodeBuilder::Jump& jump : by_pose) code_.land(jump);
   compile_motion(move, nullptr);
   code_.land(done);
+}
+
+/// The jumps taken where a point's joints are not known, or do not bring the tool of now to it.
+std::vector<CodeBuilder::Jump> StatementCompiler::unless_at_joints(const Symbol& point,
+                                                                   const Expr& target) {
+  const auto mark = code_.mark();
+  std::vector<CodeBuilder::Jump> jumps;
+  const auto unless = [&](Register truth) {
+    code_.emit(Opcode::if_bool, place_, truth, 0);
+    jumps.push_back(code_.jump(place_));
+  };
+  if (point.taught != nullptr) unless(expressions_.variable(*point.has_taught, place_));
+  MoveForm form;
+  const Register same = code_.number_registers();
+  const Register joints = compile_taught(point, form);
+  const auto count = static_cast<std::uint32_t>(form.count);
+  code_.emit(Opcode::at_joints, place_, same, joints, compile_value(target, form));
+  code_.emit(Instruction{count}, place_);
+  unless(same);
+  code_.release(mark);
+  return jumps;
 }
 
 /// To the joints of a point, if that is given.

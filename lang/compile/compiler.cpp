@@ -9,6 +9,7 @@
 #include "lang/check/fold.h"
 #include "lang/compile/statement_compiler.h"
 #include "lang/text/codes.h"
+#include "lang/values/pose_slots.h"
 
 namespace rob::lang {
 namespace {
@@ -78,6 +79,9 @@ void StatementCompiler::name_home(const Symbol& symbol, const Location& home) {
 
 void StatementCompiler::compile(const Declaration& declaration) {
   const Symbol& first = *declaration.names.front().symbol;
+  if (first.type.is(Type::Kind::Tool) && declaration.constant) {
+    code_.name_tool({first.name, lang::load_pose(to_slots(first.value).data())});
+  }
   // Constants that are known live in the code.
   if (declaration.constant && known(first.value)) return;
   const Location home = declare(first);

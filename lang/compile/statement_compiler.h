@@ -44,6 +44,7 @@ class StatementCompiler {
   void compile_motion(const Move& move);
   void compile_motion(const Move& move, const Symbol* taught);
   const Expr* live_pace(const Clauses& clauses) const;
+  std::vector<CodeBuilder::Jump> unless_at_joints(const Symbol& point, const Expr& target);
   Register compile_taught(const Symbol& point, MoveForm& form);
   void compile(const WatchedMotion& watched);
   void compile(const When& when);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "lang/machine/move_command.h"
+#include "lang/machine/point_table.h"
 #include "lang/machine/reading.h"
 #include "lang/text/diagnostic.h"
 #include "lang/values/arithmetic.h"
@@ -127,11 +128,10 @@ class Machine {
   /// was commanded acts. Done when the axes stand and nothing is left to do. Never refused; ends
   /// whatever WAIT was under way.
   virtual Reply settle(int line) = 0;
-  /// TEACH: keeps a pose, in a frame of the program (empty: the world), as a point. The axes stand.
+  /// TEACH: keeps where the axes stand as a point. HERE and JOINTS() have been read just before.
   /// May take as long as a file takes to be written. Refused where it cannot be kept; what was kept
   /// before is still there then.
-  virtual Reply teach(int line, std::string_view point, std::string_view frame,
-                      const PoseValue& pose) = 0;
+  virtual Reply teach(int line, const TaughtPoint& point) = 0;
   /// END, written or implied by the end of the file: stops, and is Done once all that was
   /// commanded has been queued (not: carried out).
   virtual Reply end(int line) = 0;

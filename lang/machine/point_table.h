@@ -16,7 +16,8 @@ struct PointTable {
     std::string name;
     std::string frame;  ///< of the program, that `pose` is in; empty for the world
     PoseValue pose;
-    std::vector<double> joints{};  ///< of the bare flange; empty where they are not known
+    std::vector<double> joints{};  ///< that it was taught with; empty where they are not known
+    bool with_tool = false;        ///< that was on then
   };
   std::vector<Point> points;
 
@@ -27,6 +28,14 @@ struct PointTable {
     }
     return nullptr;
   }
+};
+
+/// What TEACH keeps.
+struct TaughtPoint {
+  std::string_view name;
+  std::string_view frame;  ///< of the program, that `pose` is in; empty for the world
+  std::string_view tool;   ///< of the program, that was on; empty for none
+  PoseValue pose;
 };
 
 }  // namespace rob::lang

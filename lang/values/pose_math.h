@@ -17,6 +17,8 @@ struct Vector3 {
   double x = 0;
   double y = 0;
   double z = 0;
+
+  bool operator==(const Vector3&) const = default;
 };
 
 /// A rotation as a quaternion w + i·i + j·j + k·k, of length 1 but for rounding; q and -q are the
@@ -26,11 +28,15 @@ struct Quaternion {
   double i = 0;
   double j = 0;
   double k = 0;
+
+  bool operator==(const Quaternion&) const = default;
 };
 
 struct PoseValue {
   Vector3 position;
   Quaternion rotation;
+
+  bool operator==(const PoseValue&) const = default;
 };
 
 /// Angles about the fixed axes x, y, z.

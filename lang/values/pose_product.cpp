@@ -77,11 +77,17 @@ bool store_place(const Slot* p, Pair wi, Pair jk, const Slot* v, Slot* result) {
 
 }  // namespace
 
+/// Where it fails, what lies in `result` stays: it may be p or q.
 Error product(const Slot* p, const Slot* q, Slot* result) {
   const Pair wi = pair(p + 3);
   const Pair jk = pair(p + 5);
+  const Pair earlier_wi = pair(result + 3);
+  const Pair earlier_jk = pair(result + 5);
   store_rotation(p + 3, q + 3, result + 3);
-  return store_place(p, wi, jk, q, result) ? Error::None : Error::NotFinite;
+  if (store_place(p, wi, jk, q, result)) return Error::None;
+  store(earlier_wi, result + 3);
+  store(earlier_jk, result + 5);
+  return Error::NotFinite;
 }
 
 }  // namespace rob::lang::pose_functions

@@ -254,13 +254,14 @@ Reply PrintingMachine::write_analog(int line, int signal, double volts) {
   return reply;
 }
 
-Reply PrintingMachine::teach(int line, std::string_view point, std::string_view frame,
-                             const PoseValue& pose) {
+Reply PrintingMachine::teach(int line, const TaughtPoint& point) {
   constexpr double kMillimetres = 1000;  // in 1 m
-  const auto& [p, q] = pose;
-  return note(line, fmt::format("teach {} {:g} {:g} {:g}{}{}", point, p.x * kMillimetres,
-                                p.y * kMillimetres, p.z * kMillimetres, frame.empty() ? "" : " in ",
-                                frame));
+  const Vector3& p = point.pose.position;
+  std::string text = fmt::format("teach {} {:g} {:g} {:g}", point.name, p.x * kMillimetres,
+                                 p.y * kMillimetres, p.z * kMillimetres);
+  if (!point.frame.empty()) text += fmt::format(" in {}", point.frame);
+  if (!point.tool.empty()) text += fmt::format(" with {}", point.tool);
+  return note(line, text);
 }
 
 Reply PrintingMachine::expectation_failed(int line, std::string_view text) {

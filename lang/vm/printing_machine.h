@@ -100,8 +100,7 @@ class PrintingMachine : public Machine {
   Reply publish(int, std::size_t, std::span<const std::string>) override { return ready(); }
   Reply refresh(int, std::size_t, std::span<Slot>) override { return ready(); }
   Reply refresh(int, std::size_t, std::span<std::string>) override { return ready(); }
-  Reply teach(int line, std::string_view point, std::string_view frame,
-              const PoseValue& pose) override;
+  Reply teach(int line, const TaughtPoint& point) override;
   Reply wait(int line, double seconds) override;
   Reply stand(int line, double& now) override;
   bool taken_as_met(int /*line*/) override { return false; }

@@ -179,6 +179,7 @@ class Vm {
   /// Whether the `read` at `pc` is an observation that belongs to the next cycle.
   bool waits_for_cycle(Code pc) const;
   Reply forward(Code pc);
+  Reply at_joints(Code pc);
   Reply inverse(Code pc);
   Reply live_pace(Code pc);
   Reply simulate_force(Code pc);

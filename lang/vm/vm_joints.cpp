@@ -10,6 +10,11 @@
 namespace rob::lang {
 namespace {
 
+/// Whether joints bring the tool to a point. [choice] What a points file loses by its digits is far
+/// less, and a tool or frame that has been measured anew differs by more.
+constexpr double kSamePlace = 1e-6;  // m
+constexpr double kSameTurn = 1e-6;   // rad
+
 using Axes = std::array<double, kMaxCoordinates>;
 
 Axes load_axes(const Slot* slots, std::size_t count) {
@@ -25,6 +30,20 @@ Reply Vm::forward(Code pc) {
   PoseValue pose;
   const Reply reply = machine_->forward(line(pc), {axes.data(), pc->c()}, pose);
   if (reply == Reply::Done) store(pose, &numbers_[pc->a()]);
+  return reply;
+}
+
+Reply Vm::at_joints(Code pc) {
+  using pose_math::operator-;
+  const std::size_t count = (pc + 1)->word;
+  const Axes axes = load_axes(&numbers_[pc->b()], count);
+  const PoseValue asked = load_pose(&numbers_[pc->c()]);
+  PoseValue pose;
+  const Reply reply = machine_->forward(line(pc), {axes.data(), count}, pose);
+  if (reply != Reply::Done) return reply;
+  const bool same = pose_math::length(pose.position - asked.position) <= kSamePlace &&
+                    pose_math::turn(pose, asked) <= kSameTurn;
+  numbers_[pc->a()].integer = same ? 1 : 0;
   return reply;
 }
 

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <string>
 
 #include <fmt/core.h>
 
+#include "lang/machine/move_pose.h"
 #include "lang/machine/seen_from.h"
 #include "lang/text/codes.h"
 #include "lang/values/number_text.h"
@@ -107,8 +109,14 @@ bool Vm::check_pulse(Code pc, double seconds) {
 }
 
 Reply Vm::teach(Code pc) {
-  return machine_->teach(line(pc), chunk_.texts[(pc + 1)->word], chunk_.texts[(pc + 2)->word],
-                         load_pose(&numbers_[pc->a()]));
+  const PoseValue tip = setting().tool.tip;
+  const auto tool =
+      std::ranges::find_if(chunk_.tools, [&](const NamedTool& one) { return one.tip == tip; });
+  const bool named = has_tool(setting()) && tool != chunk_.tools.end();
+  return machine_->teach(line(pc), {.name = chunk_.texts[(pc + 1)->word],
+                                    .frame = chunk_.texts[(pc + 2)->word],
+                                    .tool = named ? std::string_view(tool->name) : "",
+                                    .pose = load_pose(&numbers_[pc->a()])});
 }
 
 /// What cannot be read is asked again, and said why.

@@ -65,6 +65,9 @@ Vm::Step Vm::step(Code pc) {
     case Opcode::forward:
       ROB_ASK(forward(pc), pc);
       return pc + 1;
+    case Opcode::at_joints:
+      ROB_ASK(at_joints(pc), pc);
+      return pc + 2;
     case Opcode::inverse:
       ROB_ASK(inverse(pc), pc);
       return pc + 2;

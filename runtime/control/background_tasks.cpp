@@ -19,7 +19,7 @@ BackgroundTasks::BackgroundTasks(const lang::Chunk& chunk, RobotMachine& machine
       memory_(chunk) {}
 
 std::uint32_t BackgroundTasks::keep(Due due) {
-  if (std::holds_alternative<Start>(due)) ++starting_;
+  if (const auto* const start = std::get_if<Start>(&due)) started_.insert(start->task);
   kept_.emplace(next_, std::move(due));
   return next_++;
 }
@@ -28,27 +28,32 @@ void BackgroundTasks::take_due() {
   Channels::Report report;
   while (channels_.reports.take(report)) {
     auto kept = kept_.extract(report.id);
-    if (std::holds_alternative<Start>(kept.mapped())) --starting_;
     if (report.dropped) continue;
     std::visit([&](const auto& due) { carry_out(due); }, kept.mapped());
   }
 }
 
 void BackgroundTasks::carry_out(const Start& start) {
-  const std::string& name = chunk_.tasks[start.task].name;
-  if (std::ranges::any_of(running_, [&](const Running& one) { return one.task == start.task; })) {
-    lang::RuntimeError error;
-    error.code = lang::code::kTaskRunning;
-    error.place = start.place;
-    error.message = fmt::format("TASK {} runs already", name);
-    error.help = "it may be started again when it has come to its end";
-    return fail(std::move(error));
-  }
   Running running{start.task, lang::line_tag(start.place), std::make_unique<TaskMachine>(machine_),
                   nullptr};
   running.vm = std::make_unique<lang::Vm>(chunk_, *running.machine, start.task, memory_,
                                           seed_ + 1 + start.task);
   running_.push_back(std::move(running));
+}
+
+bool BackgroundTasks::busy(std::uint32_t task) const {
+  const auto is_due = [&](const auto& kept) {
+    const auto* const start = std::get_if<Start>(&kept.second);
+    return start != nullptr && start->task == task;
+  };
+  return std::ranges::any_of(running_, [&](const Running& one) { return one.task == task; }) ||
+         std::ranges::any_of(kept_, is_due);
+}
+
+lang::Refusal BackgroundTasks::runs_already(std::uint32_t task) const {
+  return {std::string(lang::code::kTaskRunning),
+          fmt::format("TASK {} runs already", chunk_.tasks[task].name),
+          "it may be started again when it has come to its end"};
 }
 
 void BackgroundTasks::run_cycle() {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <variant>
@@ -42,8 +43,10 @@ class BackgroundTasks {
   };
   using Due = std::variant<Start, Store<lang::Slot>, Store<std::string>>;
   std::uint32_t keep(Due due);
-  /// Whether a START is on its way: it may turn out to be one too many.
-  bool starting() const { return starting_ > 0; }
+  bool was_started(std::uint32_t task) const { return started_.contains(task); }
+  /// Whether it runs, or its START is on its way.
+  bool busy(std::uint32_t task) const;
+  lang::Refusal runs_already(std::uint32_t task) const;
   /// Whether motion can be given a further one.
   bool full() const { return kept_.size() >= Channels::kReports; }
 
@@ -81,7 +84,7 @@ class BackgroundTasks {
   std::vector<Running> running_;  ///< in the order of their START
   std::map<std::uint32_t, Due> kept_;
   std::uint32_t next_ = 0;
-  int starting_ = 0;  ///< of kept_, those that are a START
+  std::set<std::uint32_t> started_;
   std::optional<lang::RuntimeError> error_;
 };
 

@@ -29,7 +29,17 @@ Reply RobotMachine::report(int line, Due due) {
   return push(effect);
 }
 
+/// A TASK that was started before may run still: that is seen at the decision point, and nothing
+/// behind its START is commanded before.
 Reply RobotMachine::start(const lang::Place& place, std::uint32_t task) {
+  if (tasks_->was_started(task)) {
+    if (!observable()) return Reply::Later;
+    tasks_->take_due();
+    if (tasks_->busy(task)) {
+      refusal_ = tasks_->runs_already(task);
+      return Reply::Refused;
+    }
+  }
   return report(lang::line_tag(place), BackgroundTasks::Start{task, place});
 }
 

@@ -2,10 +2,9 @@
 
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "lang/machine/machine.h"
-#include "lang/values/pose_math.h"
+#include "lang/machine/point_table.h"
 
 namespace rob::runtime {
 
@@ -15,11 +14,9 @@ class PointKeeper {
  public:
   virtual ~PointKeeper() = default;
 
-  /// `frame`: of the program, that `pose` is in; empty for the world. `joints` in the order of the
-  /// axes; none where a tool was on. Why not, if it cannot be kept; what was kept before is still
-  /// there then.
-  virtual std::optional<lang::Refusal> keep(std::string_view point, std::string_view frame,
-                                            const lang::PoseValue& pose,
+  /// `joints` in the order of the axes. Why not, if it cannot be kept; what was kept before is
+  /// still there then.
+  virtual std::optional<lang::Refusal> keep(const lang::TaughtPoint& point,
                                             std::span<const double> joints) = 0;
 };
 

@@ -189,7 +189,6 @@ Reply RobotMachine::end(int line) {
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
   if (!watched()) return Reply::Later;  // a WHEN may still have something to say
-  if (tasks_ != nullptr && tasks_->starting()) return Reply::Later;  // and so may a START
   buffer_.close();
   bar_handlers(true);
   return Reply::Done;

@@ -122,8 +122,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply zero_force(int line) override;
   lang::Reply stop(int line) override;
   lang::Reply brake(int line) override;
-  lang::Reply teach(int line, std::string_view point, std::string_view frame,
-                    const lang::PoseValue& pose) override;
+  lang::Reply teach(int line, const lang::TaughtPoint& point) override;
   lang::Reply halt(int line, std::string_view text) override;
   lang::Reply ask(int line, std::string_view text, std::optional<std::string>& answer) override;
   lang::Reply simulate_go(int line, bool go, double after) override;

@@ -97,15 +97,11 @@ lang::PoseValue RobotMachine::tool_at(const motion::JointVector& q) const {
   return lang::tip_of(to_lang(robot_.kinematics->forward(q)), setting_);
 }
 
-/// HERE was read just before, at rest: the axes are still told to stand where it was. With a tool
-/// they do not tell where MOVE has to go without it, so only the pose is kept.
-Reply RobotMachine::teach(int /*line*/, std::string_view point, std::string_view frame,
-                          const lang::PoseValue& pose) {
+/// HERE was read just before, at rest: the axes are still told to stand where it was.
+Reply RobotMachine::teach(int /*line*/, const lang::TaughtPoint& point) {
   if (keeper_ == nullptr) return Reply::Done;
   const motion::JointVector q = channels_.joints.load();
-  std::span<const double> joints(q.data(), static_cast<std::size_t>(q.size()));
-  if (lang::has_tool(setting_)) joints = {};
-  const auto refusal = keeper_->keep(point, frame, pose, joints);
+  const auto refusal = keeper_->keep(point, {q.data(), static_cast<std::size_t>(q.size())});
   if (!refusal) return Reply::Done;
   refusal_ = *refusal;
   return Reply::Refused;

@@ -74,9 +74,7 @@ class TaskMachine final : public lang::Machine {
   lang::Reply ask(int, std::string_view, std::optional<std::string>&) override {
     return impossible();
   }
-  lang::Reply teach(int, std::string_view, std::string_view, const lang::PoseValue&) override {
-    return impossible();
-  }
+  lang::Reply teach(int, const lang::TaughtPoint&) override { return impossible(); }
   lang::Reply expectation_failed(int, std::string_view) override { return impossible(); }
   lang::Reply simulate(int, int, double, double) override { return impossible(); }
   lang::Reply simulate_force(int, int, double, double) override { return impossible(); }

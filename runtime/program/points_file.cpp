@@ -65,7 +65,8 @@ lang::PointTable Points::table() const {
   lang::PointTable table;
   for (const Point& point : points) {
     table.points.push_back(point.value);
-    if (point.tool.empty()) table.points.back().joints = point.joints;
+    table.points.back().joints = point.joints;
+    table.points.back().with_tool = !point.tool.empty();
   }
   return table;
 }
@@ -102,17 +103,17 @@ Points load_points(const std::string& file, const motion::RobotModel& robot) {
   throw FileError(messages);
 }
 
-std::optional<lang::Refusal> PointsFile::keep(std::string_view point, std::string_view frame,
-                                              const lang::PoseValue& pose,
+std::optional<lang::Refusal> PointsFile::keep(const lang::TaughtPoint& point,
                                               std::span<const double> joints) {
   try {
     Points points = load_points(file_, robot_);
     Points::Point taught;
-    taught.value = {std::string(point), std::string(frame), pose};
+    taught.value = {std::string(point.name), std::string(point.frame), point.pose};
+    taught.tool = point.tool;
     taught.joints.assign(joints.begin(), joints.end());
     taught.taught = now();
     const auto old = std::ranges::find_if(points.points, [&](const Points::Point& one) {
-      return lang::same_word(one.value.name, point);
+      return lang::same_word(one.value.name, point.name);
     });
     if (old == points.points.end()) {
       points.points.push_back(std::move(taught));
@@ -123,7 +124,7 @@ std::optional<lang::Refusal> PointsFile::keep(std::string_view point, std::strin
     save_file(file_, points_text(points, robot_));
   } catch (const FileError& error) {
     return lang::Refusal{code::kPointNotKept,
-                         fmt::format("{} cannot be kept: {}", point, error.what()),
+                         fmt::format("{} cannot be kept: {}", point.name, error.what()),
                          "the points file is as it was"};
   }
   return std::nullopt;

@@ -18,8 +18,7 @@ namespace rob::runtime {
 ///     pick = POSE(40mm, 20mm, 0mm, 0deg, 0deg, 90deg) JOINTS(40mm, 20mm, 90deg) IN world
 ///         TOOL none TAUGHT "2026-11-21 05:40:12 UTC"          (on the same line)
 ///
-/// A point that was taught with a tool, or whose POSE was changed by hand, has no JOINTS and no
-/// TOOL.
+/// A point whose POSE was changed by hand has no JOINTS and no TOOL.
 struct Points {
   /// What people have written beside a line; it stays where the line goes.
   struct Remarks {
@@ -59,8 +58,7 @@ class PointsFile final : public PointKeeper {
   PointsFile(std::string file, const motion::RobotModel& robot)
       : file_(std::move(file)), robot_(robot) {}
 
-  std::optional<lang::Refusal> keep(std::string_view point, std::string_view frame,
-                                    const lang::PoseValue& pose,
+  std::optional<lang::Refusal> keep(const lang::TaughtPoint& point,
                                     std::span<const double> joints) override;
 
  private:

@@ -164,6 +164,26 @@ TEST_CASE("a load that the UMS-7's servo does not know is in its drives") {
   CHECK(std::abs(last.drive[1] + (hand + 9.80665 * 0.8) / 0.9) < 5);
 }
 
+TEST_CASE("rule 13: MOVE takes the joints nearest to where it begins, and none of them wraps") {
+  // -10 and 350 degrees of the last axis are one pose, and both lie within its limits.
+  const json report =
+      run("ROBOT \"irb120\"\n"
+          "VAR low = JOINTS(0deg, 0deg, 0deg, 0deg, 30deg, -10deg)\n"
+          "VAR high = JOINTS(0deg, 0deg, 0deg, 0deg, 30deg, 350deg)\n"
+          "ASSERT DIST(FORWARD(low), FORWARD(high)) < 0.001mm\n"
+          "ASSERT TURN(FORWARD(low), FORWARD(high)) < 0.001deg\n"
+          "VAR j = low\n"
+          "MOVE low FINE\nMOVE FORWARD(high) FINE\nj = JOINTS()\n"
+          "ASSERT ABS(j[6] + 10deg) < 0.001deg\n"
+          "MOVE high FINE\nMOVE FORWARD(low) FINE\nj = JOINTS()\n"
+          "ASSERT ABS(j[6] - 350deg) < 0.001deg\n"
+          // Where the motion before it is under way, from where that will end.
+          "MOVE low\nMOVE high\nMOVE FORWARD(low)\nSTOP\nj = JOINTS()\n"
+          "ASSERT ABS(j[6] - 350deg) < 0.001deg\n");
+  CHECK(report["status"] == "done");
+  CHECK(report["error"].is_null());
+}
+
 TEST_CASE("the UMS-7 follows at full speed through its whole range") {
   const auto trace = traced(
       "ROBOT \"ums7\"\nMOVE JOINTS(150deg, -100deg, 20deg, 170deg, -110deg, 260deg)\n"

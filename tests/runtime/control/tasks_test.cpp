@@ -130,6 +130,23 @@ TEST_CASE("a START of a running TASK is an error also where nothing comes behind
   }
 }
 
+TEST_CASE("what stands behind a START of a running TASK is not commanded") {
+  const RunResult result =
+      run("TASK long\nWAIT 100s\nENDTASK\nSTART long\n"
+          "TRY\nMOVE(40, 0, 0)\nPRINT \"before\"\nSTART long\nPRINT \"behind\"\n"
+          "MOVE(100, 0, 0)\nRESCUE why\nPRINT why, HERE.x\nENDTRY\n");
+  CHECK(result.output == std::vector<std::string>{"before", "E343: TASK long runs already40mm"});
+  CHECK(result.final_joints[0] == 40);
+}
+
+TEST_CASE("a START of a TASK that has ended keeps the blend") {
+  const std::string task = "TASK once\nWAIT 0.1s\nENDTASK\nSTART once\n";
+  const std::string way = "MOVE(40, 40, 0)\nMOVE(140, 40, 0)\n";
+  const RunResult with = run(task + way + "START once\nMOVE(90, 126, 0)\n");
+  CHECK(with.exit_code == ExitCode::Done);
+  CHECK(with.measured == run(way + "MOVE(90, 126, 0)\n").measured);
+}
+
 TEST_CASE("an error of a TASK is one of the program, and a TRY can catch it") {
   const std::string task =
       "SIGNAL torch = DOUT[1] SAFE OFF\nTASK guard\nWAIT DIN[1]\nRAISE \"open\"\nENDTASK\n"

@@ -99,8 +99,8 @@ TEST_CASE("a point that is taught anew keeps its comments") {
   PointsFile keeper(file, gantry());
   const double joints[] = {0.05, 0.06, 0};
   const rob::lang::PoseValue pose{{0.05, 0.06, 0}, {1, 0, 0, 0}};
-  REQUIRE_FALSE(keeper.keep("PICK", "", pose, joints).has_value());
-  REQUIRE_FALSE(keeper.keep("place", "", pose, joints).has_value());
+  REQUIRE_FALSE(keeper.keep({"PICK", "", "", pose}, joints).has_value());
+  REQUIRE_FALSE(keeper.keep({"place", "", "", pose}, joints).has_value());
   const std::string text = read_file(file, 10'000);
   CHECK(text.starts_with("// first\n" + kRobot + "// here // and\nPICK = POSE(50mm, "));
   CHECK(text.find("\nplace = ") != std::string::npos);
@@ -138,24 +138,62 @@ TEST_CASE("points that were taught on a robot of the same name and another geome
   CHECK(first_error(pick("41mm", "90deg", " IN world")).empty());
 }
 
-TEST_CASE("a point that is taught with a tool keeps its pose alone, where MOVE goes to") {
+TEST_CASE("MOVE goes to a point's joints only where they still bring the tool to it") {
   const ScratchFolder folder;
   const std::string program = folder.file("cell.rob");
-  const auto run = [&](const std::string& text) {
-    const auto loaded = rob::runtime::compile_program(program, text, gantry(),
-                                                      rob::runtime::points_file_of(program));
+  const std::string points = rob::runtime::points_file_of(program);
+  const auto run = [&](const std::string& text, std::size_t axis = 0) {
+    const auto loaded = rob::runtime::compile_program(program, text, gantry(), points);
     REQUIRE(loaded.runnable());
     rob::runtime::RunOptions options;
     options.fast = true;
-    return rob::runtime::run(loaded, gantry(), options, {}).final_joints.at(0);
+    return rob::runtime::run(loaded, gantry(), options, {}).final_joints.at(axis);
   };
   // With the tool the axis stands 20 mm before its tip.
   CHECK(run("POINT pick\nTOOL pen = POSE(20mm, 0mm, 0mm)\n"
             "WITH pen DO\nMOVE(60, 0, 0)\nTEACH pick\nENDWITH\n") == doctest::Approx(40));
-  const std::string file = read_file(rob::runtime::points_file_of(program), 10'000);
-  CHECK(file.find("pick = POSE(60mm, 0mm, 0mm, 0deg, 0deg, 0deg) IN world TAUGHT") !=
-        std::string::npos);
+  const Points::Point kept = load_points(points, gantry()).points.at(0);
+  CHECK(kept.tool == "pen");
+  CHECK(kept.joints.at(0) == doctest::Approx(0.040));
+  CHECK(kept.value.pose.position.x == doctest::Approx(0.060));
   CHECK(run("POINT pick\nMOVE pick\n") == doctest::Approx(60));
+  CHECK(run("POINT pick\nTOOL pen = POSE(25mm, 0mm, 0mm)\nMOVE pick WITH pen\n") ==
+        doctest::Approx(35));
+  // Half a turn to either side is the same pose: from 90deg the joints are not the nearest ones.
+  std::ofstream(points) << kRobot + "pick = POSE(40mm, 0mm, 0mm, 0deg, 0deg, 180deg) " +
+                               "JOINTS(50mm, 0mm, -180deg) IN pallet TOOL none TAUGHT \"2026\"\n";
+  const std::string go = "POINT pick\nMOVE(0, 0, 90)\nMOVE pick\n";
+  const std::string as_then = "FRAME pallet = POSE(10mm, 0mm, 0mm)\n" + go;
+  const std::string moved = "FRAME pallet = POSE(15mm, 0mm, 0mm)\n" + go;
+  CHECK(run(as_then) == doctest::Approx(50));
+  CHECK(run(as_then, 2) < 0);
+  CHECK(run(moved) == doctest::Approx(55));
+  CHECK(run(moved, 2) > 0);
+}
+
+TEST_CASE("rule 17: a run uses the points as they were when it was loaded, the next the new ones") {
+  const ScratchFolder folder;
+  const std::string program = folder.file("cell.rob");
+  const std::string points = rob::runtime::points_file_of(program);
+  const auto edited = [&](const std::string& x) {
+    std::ofstream(points) << kRobot + "pick = POSE(" + x + ", 0mm, 0mm, 0deg, 0deg, 0deg) " +
+                                 "IN world TAUGHT \"2026\"\n";
+  };
+  const auto load = [&] {
+    return rob::runtime::compile_program(
+        program, "POINT pick, place\nTEACH place\nMOVE pick\nPRINT pick.x\n", gantry(), points);
+  };
+  const auto end_of = [](const rob::runtime::LoadedProgram& loaded) {
+    rob::runtime::RunOptions options;
+    options.fast = true;
+    return rob::runtime::run(loaded, gantry(), options, {}).final_joints.at(0);
+  };
+  edited("40mm");
+  const auto loaded = load();
+  edited("70mm");
+  // TEACH writes the file while the program runs, and leaves there what was edited.
+  CHECK(end_of(loaded) == doctest::Approx(40));
+  CHECK(end_of(load()) == doctest::Approx(70));
 }
 
 TEST_CASE("all errors of a file are found, not the first alone") {
@@ -169,14 +207,15 @@ TEST_CASE("a point is taught into a file, and what was edited meanwhile stays") 
   const std::string file = folder.file("a.points");
   PointsFile points(file, gantry());
   const double joints[] = {0.040, 0.020, 0};
-  CHECK_FALSE(points.keep("pick", "", {{0.040, 0.020, 0}, {1, 0, 0, 0}}, joints));
+  CHECK_FALSE(points.keep({"pick", "", "", {{0.040, 0.020, 0}, {1, 0, 0, 0}}}, joints));
   std::ofstream(file, std::ios::app) << point("nest");
-  CHECK_FALSE(points.keep("PICK", "pallet", {{0.050, 0.020, 0}, {1, 0, 0, 0}}, joints));
+  CHECK_FALSE(points.keep({"PICK", "pallet", "cup", {{0.050, 0.020, 0}, {1, 0, 0, 0}}}, joints));
   const Points kept = load_points(file, gantry());
   REQUIRE(kept.points.size() == 2);
   CHECK(kept.points[0].value.name == "nest");
   CHECK(kept.points[1].value.name == "PICK");
   CHECK(kept.points[1].value.frame == "pallet");
+  CHECK(kept.points[1].tool == "cup");
   CHECK(kept.points[1].value.pose.position.x == 0.050);
 }
 
@@ -188,7 +227,7 @@ TEST_CASE("a file that cannot be used is not overwritten by TEACH") {
   CHECK(message_of([&] { load_points(file, gantry()); }).find("E547") != std::string::npos);
   PointsFile points(file, gantry());
   const double joints[] = {0, 0, 0};
-  const auto refusal = points.keep("pick", "", {{0, 0, 0}, {1, 0, 0, 0}}, joints);
+  const auto refusal = points.keep({"pick", "", "", {{0, 0, 0}, {1, 0, 0, 0}}}, joints);
   REQUIRE(refusal);
   CHECK(refusal->code == "E549");
   CHECK(read_file(file, 1000) == text);
