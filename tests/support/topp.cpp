@@ -41,11 +41,12 @@ End end_at(const ToppNode& a, const ToppNode& b, double share) {
 
 std::vector<Interval> intervals_of(const std::vector<ToppNode>& nodes, std::size_t grid) {
   constexpr std::size_t kLeast = 8;  // in each piece, however short
+  constexpr double kSame = 1e-12;    // of the path: two nodes at one place, but for rounding
   const double whole = nodes.back().sigma - nodes.front().sigma;
   std::vector<Interval> intervals;
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
     const double length = nodes[k + 1].sigma - nodes[k].sigma;
-    if (length <= 0) continue;
+    if (length <= kSame * whole) continue;
     const double share = static_cast<double>(grid) * length / whole;
     const std::size_t parts = std::max(kLeast, static_cast<std::size_t>(share));
     const auto at = [&](std::size_t j) {
