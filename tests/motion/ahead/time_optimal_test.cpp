@@ -75,8 +75,17 @@ class PathRun {
       limits.v.push_back(axis.v_max);
       limits.a.push_back(axis.a_max);
     }
-    limits.rate = speed_;
     return time_optimal(nodes_, limits, 20'000);
+  }
+
+  /// Of all axes, as a share of what they have.
+  double greatest_acceleration() const {
+    double greatest = 0;
+    for (int i = 0; i < run_.robot().axis_count(); ++i) {
+      const double most = run_.robot().axes[static_cast<std::size_t>(i)].a_max;
+      greatest = std::max(greatest, run_.peak_acceleration(i) / most);
+    }
+    return greatest;
   }
 
  private:
@@ -101,7 +110,7 @@ class PathRun {
       const auto values = [](const JointVector& v) {
         return AxisValues(v.data(), v.data() + v.size());
       };
-      nodes_.push_back({piece.begin + at, values(p.q), values(p.qd), values(p.qdd)});
+      nodes_.push_back({piece.begin + at, values(p.q), values(p.qd), values(p.qdd), piece.pace});
     }
   }
 
@@ -120,6 +129,7 @@ void check_time(PathRun& run) {
   CAPTURE(best);
   CHECK(time <= 1.01 * best);
   CHECK(time >= 0.999 * best);
+  CHECK(run.greatest_acceleration() <= 1.02);
 }
 
 }  // namespace
