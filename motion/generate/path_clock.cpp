@@ -18,11 +18,10 @@ void PathClock::set_override(double share) noexcept {
 }
 
 void PathClock::advance(double stamp, bool at_rest) noexcept {
-  const double goal = holding_ || braking_ ? 0 : override_;
   if (at_rest) {
-    ramp_.jump(goal);
-  } else if (goal < ramp_.target()) {
-    ramp_.aim(goal);
+    jump();
+  } else if (goal() < ramp_.target()) {
+    ramp_.aim(goal());
   }
   ramp_before_ = ramp_;
   stamp_before_ = stamp_;
@@ -34,7 +33,7 @@ void PathClock::advance(double stamp, bool at_rest) noexcept {
     path_ += ramp_.advance(stamp - stamp_before_);
     lag_ = stamp - path_;
   }
-  if (goal > ramp_.target()) ramp_.aim(goal);
+  if (goal() > ramp_.target()) ramp_.aim(goal());
 }
 
 void PathClock::skip(double gap) noexcept {
@@ -55,6 +54,12 @@ double PathClock::run_time(double path_time) const noexcept {
   if (as_planned(ramp_before_)) return path_time + lag_;
   const double gain = path_time - path_before_;
   return stamp_before_ + ramp_before_.time_to_gain(gain, stamp_ - stamp_before_);
+}
+
+double PathClock::path_time_at(double run_time) const noexcept {
+  if (as_planned(ramp_before_)) return run_time - lag_;
+  StopRamp ramp = ramp_before_;
+  return path_before_ + ramp.advance(run_time - stamp_before_);
 }
 
 bool PathClock::as_planned(const StopRamp& ramp) noexcept {

@@ -19,14 +19,11 @@ class PathClock {
 
   void hold() noexcept { holding_ = true; }
   void resume() noexcept { holding_ = false; }
-  /// The same for a motion that is to end: it comes to rest until release().
-  void brake() noexcept { braking_ = true; }
-  void release() noexcept { braking_ = false; }
   /// 0 < share <= 1; what is above counts as 1, what is no positive number changes nothing.
   void set_override(double share) noexcept;
 
   /// The axes stand: what set_override() asks for holds from this stamp on.
-  void jump() noexcept { ramp_.jump(holding_ || braking_ ? 0 : override_); }
+  void jump() noexcept { ramp_.jump(goal()); }
 
   /// Whether the time scale does not change.
   bool steady() const noexcept { return ramp_.remaining() == 0; }
@@ -43,21 +40,18 @@ class PathClock {
   double rate() const noexcept { return ramp_.rate(); }
   double slope() const noexcept { return ramp_.slope(); }
   double override_share() const noexcept { return override_; }
-  bool holding() const noexcept { return holding_; }
-  bool braking() const noexcept { return braking_; }
   /// Holding, and come to rest.
-  bool held() const noexcept { return holding_ && at_rest(); }
-  /// Braking, and come to rest.
-  bool braked() const noexcept { return braking_ && at_rest(); }
+  bool held() const noexcept { return holding_ && ramp_.rate() == 0 && steady(); }
   /// When, within the last advance(), the time scale became steady.
   double steady_since() const noexcept;
   /// The path time that one more period will reach if nothing is asked for.
   double next() const noexcept;
-  /// The run's time at a path time that the last advance() passed.
+  /// The run's time at a path time that the last advance() passed, and the other way round.
   double run_time(double path_time) const noexcept;
+  double path_time_at(double run_time) const noexcept;
 
  private:
-  bool at_rest() const noexcept { return ramp_.rate() == 0 && ramp_.remaining() == 0; }
+  double goal() const noexcept { return holding_ ? 0 : override_; }
   static bool as_planned(const StopRamp& ramp) noexcept;
 
   double period_;
@@ -70,7 +64,6 @@ class PathClock {
   double lag_ = 0;
   double override_ = 1;
   bool holding_ = false;
-  bool braking_ = false;
 };
 
 }  // namespace rob::motion

@@ -9,16 +9,13 @@ Controller::Controller(const motion::RobotModel& robot,
                        const std::vector<SimulationRule>& script)
     : robot_(robot),
       backend_(std::move(backend)),
-      buffer_(static_cast<std::size_t>(robot.look_ahead)),
-      planner_(robot, robot.start),
-      generator_(robot, buffer_, robot.start),
-      handlers_buffer_(static_cast<std::size_t>(robot.look_ahead)),
-      handlers_planner_(robot, robot.start),
-      handlers_generator_(robot, handlers_buffer_, robot.start),
-      machine_(robot, planner_, buffer_, channels_, channels_.program, log_),
-      handlers_machine_(robot, handlers_planner_, handlers_buffer_, channels_, channels_.handler,
-                        log_),
-      motion_task_(robot, generator_, handlers_generator_, override_share, channels_, script),
+      chain_(robot),
+      handlers_chain_(robot),
+      machine_(robot, chain_.planner, chain_.buffer, channels_, channels_.program, log_),
+      handlers_machine_(robot, handlers_chain_.planner, handlers_chain_.buffer, channels_,
+                        channels_.handler, log_),
+      motion_task_(robot, *chain_.generator, *handlers_chain_.generator, override_share, channels_,
+                   script),
       servo_task_(robot, *backend_, channels_) {
   machine_.run_handlers_on(handlers_machine_);
   machine_.set_override(override_share);

@@ -3,12 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "motion/generate/paul_generator.h"
-#include "motion/plan/look_ahead_buffer.h"
-#include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_model.h"
 #include "motion/servo/servo_backend.h"
 #include "runtime/control/channels.h"
+#include "runtime/control/motion_chain.h"
 #include "runtime/control/motion_task.h"
 #include "runtime/control/program_log.h"
 #include "runtime/control/robot_machine.h"
@@ -46,12 +44,8 @@ class Controller {
   std::unique_ptr<motion::ServoBackend> backend_;
   Channels channels_;
   ProgramLog log_;
-  motion::LookAheadBuffer buffer_;
-  motion::MotionPlanner planner_;
-  motion::PaulGenerator generator_;
-  motion::LookAheadBuffer handlers_buffer_;
-  motion::MotionPlanner handlers_planner_;
-  motion::PaulGenerator handlers_generator_;
+  MotionChain chain_;
+  MotionChain handlers_chain_;
   RobotMachine machine_;
   RobotMachine handlers_machine_;
   MotionTask motion_task_;

@@ -1,17 +1,14 @@
 #include <algorithm>
 
-#include "motion/generate/paul_generator.h"
+#include "motion/generate/segment_generator.h"
 
-/// The part of PaulGenerator that ends motions early: guards, braking, and what becomes of all that
-/// was commanded behind.
+/// The part of SegmentGenerator that ends motions early: guards, braking, and what becomes of all
+/// that was commanded behind.
 namespace rob::motion {
 
 using Kind = MotionEvent::Kind;
 
-/// s, as in paul_generator.cpp
-constexpr double kSameInstant = 1e-9;
-
-void PaulGenerator::look(const CycleView& view) noexcept {
+void SegmentGenerator::look(const CycleView& view) noexcept {
   view_ = view;
   untold_ = false;
   if (faulted_) return;
@@ -24,11 +21,11 @@ void PaulGenerator::look(const CycleView& view) noexcept {
       [this](WatchedAction& action, WatchAnswer answer) noexcept {
         return do_watched(action, answer);
       });
-  if (!clock_.braking()) ask_guard();
+  if (!braking_) ask_guard();
 }
 
 /// False where nothing more is to be asked in this cycle.
-bool PaulGenerator::do_watched(WatchedAction& action, WatchAnswer answer) noexcept {
+bool SegmentGenerator::do_watched(WatchedAction& action, WatchAnswer answer) noexcept {
   if (answer == WatchAnswer::Yes && action.kind == WatchedAction::Kind::Act) {
     tell({.kind = Kind::ActionDue, .time = view_.time, .tag = action.tag, .effect = action.effect});
     return true;
@@ -43,7 +40,7 @@ bool PaulGenerator::do_watched(WatchedAction& action, WatchAnswer answer) noexce
   return false;
 }
 
-void PaulGenerator::ask_guard() noexcept {
+void SegmentGenerator::ask_guard() noexcept {
   if (handling()) return;
   const std::uint32_t number = buffer_.to_be_braked();
   if (number != 0 && number <= segment_.number) return trip(Rest::Outcome::Braked);
@@ -52,12 +49,12 @@ void PaulGenerator::ask_guard() noexcept {
   if (answer != WatchAnswer::No) trip(outcome_of(answer));
 }
 
-Rest::Outcome PaulGenerator::outcome_of(WatchAnswer answer) noexcept {
+Rest::Outcome SegmentGenerator::outcome_of(WatchAnswer answer) noexcept {
   return answer == WatchAnswer::Yes ? Rest::Outcome::Hit : Rest::Outcome::Failed;
 }
 
 /// What is known of a Rest before the axes stand; `time`: when it began.
-void PaulGenerator::begin_rest(Rest::Outcome outcome, WatchedAction* by, double time) noexcept {
+void SegmentGenerator::begin_rest(Rest::Outcome outcome, WatchedAction* by, double time) noexcept {
   rest_.outcome = outcome;
   rest_.by = by;
   rest_.generation = segment_.generation;
@@ -68,11 +65,11 @@ void PaulGenerator::begin_rest(Rest::Outcome outcome, WatchedAction* by, double 
 }
 
 /// From now on the axes brake on their path, beyond the end of the segment if need be.
-void PaulGenerator::trip(Rest::Outcome outcome, WatchedAction* by) noexcept {
+void SegmentGenerator::trip(Rest::Outcome outcome, WatchedAction* by) noexcept {
   begin_rest(outcome, by, view_.time);
   // Behind an error nothing acts that has not acted yet; else what stands before the motion does.
   kept_ = by != nullptr ? passed_ : segment_.number - (segment_.number > 0 ? 1 : 0);
-  clock_.brake();
+  braking_ = true;
   tell({.kind = outcome == Rest::Outcome::Hit ? Kind::Hit : Kind::Braking,
         .time = view_.time,
         .tag = segment_.tag,
@@ -80,7 +77,7 @@ void PaulGenerator::trip(Rest::Outcome outcome, WatchedAction* by) noexcept {
 }
 
 /// A guarded motion that would start from standstill while its condition holds does not start.
-bool PaulGenerator::hit_at_start(const SegmentDescriptor& segment, double instant) noexcept {
+bool SegmentGenerator::hit_at_start(const SegmentDescriptor& segment, double instant) noexcept {
   if (!segment.guard.present()) return false;
   const WatchAnswer answer = segment.guard.ask(view_);
   if (answer == WatchAnswer::No) return false;
@@ -88,7 +85,7 @@ bool PaulGenerator::hit_at_start(const SegmentDescriptor& segment, double instan
   segment_.number = segment.number;
   segment_.generation = segment.generation;
   tell({.kind = Kind::SegmentStarted,
-        .time = clock_.run_time(instant),
+        .time = instant,
         .tag = segment.tag,
         .number = segment.number});
   running_ = false;
@@ -98,66 +95,48 @@ bool PaulGenerator::hit_at_start(const SegmentDescriptor& segment, double instan
 
 /// The axes have come to rest after a trip: the path ends here, and with it its generation. What
 /// was commanded before the motion that tripped acts now, since its place is not passed any more.
-void PaulGenerator::end_early(double instant) noexcept {
-  if (jogging()) {
-    segment_.target = standing_place();
-  } else if (running_ && !segment_.dwell) {
-    const double sigma = clock_.path_time() - zero_;
-    segment_.target = path_.sample(sigma).q;
-    segment_.duration = sigma + segment_.t_acc;
-  }
-  stand_at(segment_.target);
+void SegmentGenerator::end_early(double instant) noexcept {
+  stand_at(standing_place());
   ended_ = rest_.generation;
-  passed_ = passing_ = segment_.number;
+  passed_ = segment_.number;
   latest_ = std::max(latest_, instant);
   fire_effects(latest_);
   if (rest_.outcome == Rest::Outcome::Braked) buffer_.braked();
   untold_ = rest_.by != nullptr;
   if (untold_ && handling() && !handled_told_) decline_handler(latest_);
-  clock_.release();
+  braking_ = false;
   rest_.q = segment_.target;
   tell_rest(latest_);
 }
 
 /// A guarded motion has arrived, and its condition never held.
-void PaulGenerator::close_guard() noexcept {
-  if (!segment_.guard.present() || clock_.braking()) return;
+void SegmentGenerator::close_guard(double instant) noexcept {
+  if (!segment_.guard.present() || braking_) return;
   segment_.guard = {};
-  const double time = std::max(latest_, clock_.run_time(end_));
+  const double time = std::max(latest_, instant);
   begin_rest(Rest::Outcome::Reached, nullptr, time);
   rest_.q = segment_.target;
   tell_rest(time);
 }
 
-void PaulGenerator::tell_rest(double time) noexcept {
+void SegmentGenerator::tell_rest(double time) noexcept {
   rest_.time = time;
   rests_.push(rest_);
   tell({.kind = Kind::Rest, .time = time, .tag = rest_.tag, .number = segment_.number});
 }
 
-void PaulGenerator::fire_path_events() noexcept {
-  double due = 0;
-  if (failing()) return;
-  while (const Effect* effect = path_events_.take(clock_.path_time() + kSameInstant, due)) {
-    tell({.kind = Kind::ActionDue,
-          .time = clock_.run_time(due),
-          .tag = effect->tag,
-          .effect = *effect});
-  }
-}
-
 /// A WHEN whose block the program has left is disarmed in any case.
-void PaulGenerator::arm_or_disarm(const Effect& effect, bool dropped) noexcept {
+void SegmentGenerator::arm_or_disarm(const Effect& effect, bool dropped) noexcept {
   if (effect.kind == Effect::Kind::Disarm) watches_.disarm(*effect.watched);
   if (effect.kind == Effect::Kind::Arm && !dropped) watches_.arm(*effect.watched);
 }
 
 /// Motions of a generation that has ended are passed over; the axes stand behind them.
-void PaulGenerator::drop_ended() noexcept {
-  for (const SegmentDescriptor* next = buffer_.next_segment();
-       next != nullptr && next->generation <= ended_; next = buffer_.next_segment()) {
-    segment_.number = passed_ = passing_ = next->number;
-    buffer_.pop_segment();
+void SegmentGenerator::drop_ended() noexcept {
+  for (const SegmentDescriptor* next = next_segment();
+       next != nullptr && next->generation <= ended_; next = next_segment()) {
+    segment_.number = passed_ = next->number;
+    pop_segment();
   }
 }
 
