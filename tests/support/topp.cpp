@@ -19,6 +19,7 @@ struct Interval {
   double sigma = 0;  ///< where it begins
   double length = 0;
   End begin, end;
+  double rate = 0;  ///< the greatest that is asked for
 };
 
 /// First and second derivative at the share s of the quintic between two nodes, for axis i.
@@ -41,11 +42,12 @@ End end_at(const ToppNode& a, const ToppNode& b, double share) {
 
 std::vector<Interval> intervals_of(const std::vector<ToppNode>& nodes, std::size_t grid) {
   constexpr std::size_t kLeast = 8;  // in each piece, however short
+  constexpr double kSame = 1e-12;    // of the path: two nodes at one place, but for rounding
   const double whole = nodes.back().sigma - nodes.front().sigma;
   std::vector<Interval> intervals;
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
     const double length = nodes[k + 1].sigma - nodes[k].sigma;
-    if (length <= 0) continue;
+    if (length <= kSame * whole) continue;
     const double share = static_cast<double>(grid) * length / whole;
     const std::size_t parts = std::max(kLeast, static_cast<std::size_t>(share));
     const auto at = [&](std::size_t j) {
@@ -54,7 +56,7 @@ std::vector<Interval> intervals_of(const std::vector<ToppNode>& nodes, std::size
     for (std::size_t j = 0; j < parts; ++j)
       intervals.push_back({nodes[k].sigma + at(j) * length, length / static_cast<double>(parts),
                            end_at(nodes[k], nodes[k + 1], at(j)),
-                           end_at(nodes[k], nodes[k + 1], at(j + 1))});
+                           end_at(nodes[k], nodes[k + 1], at(j + 1)), nodes[k].rate});
   }
   return intervals;
 }
@@ -89,9 +91,10 @@ Range allowed(const Interval& part, const ToppLimits& limits, double x, double a
   return u;
 }
 
-/// The greatest σ'² that the speeds of the axes and the given rate allow.
-double speed_cap(const End& end, const ToppLimits& limits) {
-  double cap = limits.rate * limits.rate;
+/// The greatest σ'² that the speeds of the axes and the given rates allow at an end of a part.
+double speed_cap(const Interval& part, const End& end, const ToppLimits& limits) {
+  const double rate = std::min(limits.rate, part.rate);
+  double cap = rate * rate;
   for (std::size_t i = 0; i < limits.v.size(); ++i)
     if (end.dq[i] != 0) cap = std::min(cap, std::pow(limits.v[i] / end.dq[i], 2));
   return cap;
@@ -132,8 +135,8 @@ ToppMotion time_optimal(const std::vector<ToppNode>& nodes, const ToppLimits& li
   const double uncapped_x = uncapped(parts, limits);
   std::vector<double> most(count + 1, 0.0);  // σ'² from which the rest can be gone
   for (std::size_t k = count; k-- > 0;) {
-    double cap = std::min(speed_cap(parts[k].begin, limits), uncapped_x);
-    if (k > 0) cap = std::min(cap, speed_cap(parts[k - 1].end, limits));
+    double cap = std::min(speed_cap(parts[k], parts[k].begin, limits), uncapped_x);
+    if (k > 0) cap = std::min(cap, speed_cap(parts[k - 1], parts[k - 1].end, limits));
     most[k] = greatest_entry(parts[k], limits, cap, most[k + 1]);
   }
   ToppMotion motion;

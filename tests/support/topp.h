@@ -13,12 +13,13 @@ namespace rob::test {
 struct ToppNode {
   double sigma = 0;
   AxisValues q, dq, ddq;
+  double rate = std::numeric_limits<double>::infinity();  ///< the greatest from here to the next
 };
 
-/// What the axes may do, per s and s²; `rate`: the greatest of the path's parameter.
+/// What the axes may do, per s and s², and the path's parameter, per s.
 struct ToppLimits {
   AxisValues v, a;
-  double rate = std::numeric_limits<double>::infinity();
+  double rate = std::numeric_limits<double>::infinity();  ///< everywhere
 };
 
 /// The fastest motion along a path, from rest to rest.

@@ -60,6 +60,17 @@ TEST_CASE("the axis that goes farthest bounds a slanted line, the rate bounds wh
         doctest::Approx(100.0 / 50 + 50.0 / 1250).epsilon(1e-5));
 }
 
+TEST_CASE("a part of the path may ask for less speed than the rest") {
+  // 100 mm with 200 mm/s, 100 mm with 100 mm/s: braked from 200 to 100 within 15 mm before them.
+  auto nodes = line({1}, 200);
+  nodes.insert(nodes.begin() + 1, {100, {100}, {1}, {0}, 100});
+  nodes[0].rate = 200;
+  const double first = 0.2 + (100 - 20 - 15) / 200.0 + 0.1;
+  const double second = 95 / 100.0 + 0.1;
+  CHECK(time_optimal(nodes, {{1e3}, {kA}}, 20'000).time ==
+        doctest::Approx(first + second).epsilon(1e-4));
+}
+
 TEST_CASE("speeds of the axes alone: a circle takes ∫ max(|sin|, |cos|) r/v dθ = 4·√2·r/v") {
   constexpr double kRadius = 50, kV = 100;
   const ToppMotion motion = time_optimal(circle(kRadius, 360), {{kV, kV}, {1e9, 1e9}}, 20'000);
