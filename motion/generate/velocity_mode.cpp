@@ -31,23 +31,25 @@ constexpr double kStretched = 0.01;
 /// straight way asks of the axes. [choice] at full speed of an arm about a third.
 constexpr double kForCurvature = 0.7;
 
-/// s: steps of a rest are periods, as many together as this holds. [choice] A fifth of what it
+/// s: a step of a rest is a period, or as many together as this holds. [choice] A tenth of what it
 /// takes an arm to reach its full acceleration, so that a robot at 1 kHz can work out a rest, too.
 constexpr double kRestStep = 0.004;
-/// Of acceleration and jerk at the ends of such a step; the rest is for what lies between them.
-/// [choice] beside singular places the jerk was up to a twentieth more there
+/// Of acceleration and jerk at the ends of a step of several periods, the most that a motion of the
+/// tool may ask; the rest is for what lies between. [choice] 0.9 was a fifth too much beside
+/// singular places, in steps of 8 ms.
 constexpr double kForBetween = 0.8;
-/// A rest that takes longer than so many steps is none. [choice] twice what any takes
+/// Steps of rests that are worked out in a period: its work is bounded. [choice] twice what the
+/// longest rest takes
 constexpr int kMostSteps = 120;
 
-/// Shares of the rates that are tried in a period, at most three, so that the work is bounded: as
-/// parts of what was granted in the period before, but the first at least kLittle; from rest, where
-/// nothing else is left to do, parts of what speeds permit. [choice] By trial: of several, those
-/// that led random jogs farthest; rates that leap by a factor are smoothed by the axes' jerk.
-constexpr std::array kAgain = {2.0, 1.0, 0.5};
+/// Shares of the rates that are tried in a period, as parts of what was granted in the one before;
+/// the first at least kLittle, so that it begins again; none lies above what speeds permit. From
+/// rest, where nothing else is left to do: parts of that. [choice] Of several, those that led
+/// random jogs as far as a closer search did. What leaps by a factor is smoothed by the axes' jerk.
+constexpr std::array kAgain = {4.0, 1.5, 0.5};
 constexpr double kLittle = 1.0 / 64;
 constexpr std::array kFromRest = {1.0, 1.0 / 8, kLittle};
-/// Where none of them is possible the next are sought about this part.
+/// Where none is possible the next are sought about this part.
 constexpr double kLess = 0.8;
 
 constexpr double square(double x) noexcept { return x * x; }
@@ -128,19 +130,23 @@ void VelocityMode::step(double share) noexcept {
     blocked_ = share;
     return;
   }
-  granted_ = share > 0 && asked ? granted_ * kLess : 0;
+  if (share > 0) granted_ = asked ? granted_ * kLess : 0;
   if (!go_on_to_rest()) brake_axes();
 }
 
 /// The step towards as much of the rates as permits to come to rest behind it.
 bool VelocityMode::find_step(double share, const JointVector& asked) noexcept {
   affordable_ = greatest_share(asked);
-  for (std::size_t i = 0; i < kAgain.size(); ++i) {
-    double granted = (stands() ? affordable_ : granted_) * (stands() ? kFromRest : kAgain)[i];
-    if (i == 0) granted = std::clamp(granted, affordable_ * kLittle, affordable_);
+  int steps = kMostSteps;
+  double tried = -1;
+  for (std::size_t i = 0; i < kAgain.size() && steps > 0; ++i) {
+    double granted = stands() ? affordable_ * kFromRest[i] : granted_ * kAgain[i];
+    granted = std::clamp(granted, i == 0 ? affordable_ * kLittle : 0, affordable_);
+    if (granted == tried) continue;
+    tried = granted;
     State next;
     JogLimit limit = go(state_, share * granted, asked, period_, next);
-    if (limit.kind == Kind::None) limit = try_rest(next);
+    if (limit.kind == Kind::None) limit = try_rest(next, steps);
     if (limit.kind == Kind::None) {
       state_ = next;
       rest_periods_ = 0;
@@ -298,17 +304,17 @@ JogLimit VelocityMode::judge(const JointReference& from, const JointReference& t
 }
 
 /// Comes to rest from a state as go_on_to_rest() would.
-JogLimit VelocityMode::try_rest(State state) const noexcept {
+JogLimit VelocityMode::try_rest(State state, int& steps) const noexcept {
   const JointVector none = JointVector::Zero(state.axes.q.size());
   const double time = period_ * periods_a_rest_step_;
   State next;
-  for (int i = 0; i < kMostSteps && !at_rest(state); ++i) {
+  while (!at_rest(state)) {
+    if (steps-- <= 0) return {Kind::Acceleration, -1};
     const JogLimit limit = go(state, 0, none, time, next);
     if (limit.kind != Kind::None) return limit;
     state = next;
   }
-  if (at_rest(state)) return {};
-  return {Kind::Acceleration, -1};
+  return {};
 }
 
 /// The last resort, where rounding has led to a place that the tool cannot be brought to rest from

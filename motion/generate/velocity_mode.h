@@ -30,10 +30,11 @@ struct JogLimit {
 /// Rates change all together (rate_change()), within what every axis may accelerate and jerk; where
 /// the tool moves, so does it straight in its space. No step is taken from which the jog could not
 /// come to rest with every axis within its way, speed, acceleration and jerk: that rest is tried
-/// beforehand, and where it is not possible the rates are asked for in the same direction, but
-/// smaller. So a jog slows down before the end of an axis, the border of its reach and singular
-/// places, stands still short of them, and goes wherever they are not: each axis
-/// alone always back.
+/// beforehand, and where it is not possible smaller rates in the same direction are. Where none of
+/// the few that are tried in a period is possible, the rest behind the step before is gone on
+/// with: so the work of a period is bounded. A jog slows down before the end of an axis, the border
+/// of its reach and singular places, stands still short of them, and goes wherever they are not:
+/// each axis alone always back.
 ///
 ///     asked        ____              slower as long as an axis could not
 ///     made     ___/    ╲______       follow, or not be stopped in time
@@ -82,7 +83,7 @@ class VelocityMode {
   bool follow(const JointVector& near, State& state) const noexcept;
   JogLimit judge(const JointReference& from, const JointReference& to, double time) const noexcept;
   bool leaves_reach(const JointVector& from, const JointVector& to) const noexcept;
-  JogLimit try_rest(State state) const noexcept;
+  JogLimit try_rest(State state, int& steps) const noexcept;
   void brake_axes() noexcept;
 
   const double period_;
