@@ -31,13 +31,28 @@ constexpr double kStretched = 0.01;
 /// straight way asks of the axes. [choice] at full speed of an arm about a third.
 constexpr double kForCurvature = 0.7;
 
-/// A rest that takes longer than so many steps is none. [choice] four times what any takes
+/// s: a step of a rest is a period, or as many together as this holds. [choice] A tenth of what it
+/// takes an arm to reach its full acceleration, so that a robot at 1 kHz can work out a rest, too.
+constexpr double kRestStep = 0.004;
+/// Of acceleration and jerk at the ends of a step of several periods, the most that a motion of the
+/// tool may ask; the rest is for what lies between. [choice] 0.9 was a fifth too much beside
+/// singular places, in steps of 8 ms.
+constexpr double kForBetween = 0.8;
+/// Steps of rests that are worked out in a period: its work is bounded. [choice] twice what the
+/// longest rest takes
 constexpr int kMostSteps = 120;
-/// Where rates are too fast, slower ones are looked for by halving, below so many times what was
-/// granted a period before, or this share of the speed. [choice] finer than it is seen
-constexpr double kMore = 1.5;
+
+/// Shares of the rates that are tried in a period, as parts of what was granted in the one before;
+/// the first at least kLittle, so that it begins again; none lies above what speeds permit. From
+/// rest, where nothing else is left to do: parts of that. [choice] Of several, those that led
+/// random jogs as far as a closer search did. What leaps by a factor is smoothed by the axes' jerk.
+constexpr std::array kAgain = {4.0, 1.5, 0.5};
 constexpr double kLittle = 1.0 / 64;
-constexpr int kHalvings = 4;
+constexpr std::array kFromRest = {1.0, 1.0 / 8, kLittle};
+/// Where none is possible the next are sought about this part.
+constexpr double kLess = 0.8;
+
+constexpr double square(double x) noexcept { return x * x; }
 
 template <typename Get>
 JointVector of_axes(const RobotModel& robot, Get get) {
@@ -52,6 +67,7 @@ JointVector of_axes(const RobotModel& robot, Get get) {
 
 VelocityMode::VelocityMode(const RobotModel& robot)
     : period_(robot.reference_period),
+      periods_a_rest_step_(std::max(1, static_cast<int>(kRestStep / period_ + kRounding))),
       least_(of_axes(robot, [](const Axis& axis) { return axis.min; })),
       most_(of_axes(robot, [](const Axis& axis) { return axis.max; })),
       v_max_(of_axes(robot, [](const Axis& axis) { return axis.v_max; })),
@@ -72,6 +88,7 @@ void VelocityMode::stand_at(const JointVector& q) noexcept {
   asked_.rate = none;
   state_.place = space_.enter(asked_, q);
   state_.rate = state_.acceleration = none;
+  rest_periods_ = 0;
 }
 
 bool VelocityMode::takes(const JogRates& rates) const noexcept {
@@ -79,6 +96,7 @@ bool VelocityMode::takes(const JogRates& rates) const noexcept {
 }
 
 void VelocityMode::aim(const JogRates& rates) noexcept {
+  if (asked_.rate.size() != rates.rate.size() || asked_.rate != rates.rate) granted_ = 1;
   asked_ = rates;
   blocked_ = 0;
   broken_off_ = false;
@@ -106,39 +124,70 @@ void VelocityMode::step(double share) noexcept {
     limit_ = {Kind::Reach, -1};
     affordable_ = 1;
   }
-  State next;
-  if (!asked || !find_step(share, *asked, next)) {
+  if (asked && find_step(share, *asked)) return;
+  if (stands()) {
     granted_ = 0;
-    const JointVector none = JointVector::Zero(state_.axes.q.size());
-    if (stands()) blocked_ = share;
-    if (go(state_, 0, none, next).kind == Kind::Reach) return brake_axes();
+    blocked_ = share;
+    return;
   }
-  state_ = next;
+  if (share > 0) granted_ = asked ? granted_ * kLess : 0;
+  if (!go_on_to_rest()) brake_axes();
 }
 
 /// The step towards as much of the rates as permits to come to rest behind it.
-bool VelocityMode::find_step(double share, const JointVector& asked, State& next) noexcept {
-  const auto possible = [&](double granted, JogLimit& limit) noexcept {
-    State state;
-    limit = go(state_, share * granted, asked, state);
-    if (limit.kind == Kind::None) limit = try_rest(state);
-    if (limit.kind != Kind::None) return false;
-    next = state;
-    granted_ = granted;
-    return true;
-  };
-  const double before = granted_;
-  double high = affordable_ = greatest_share(asked);
-  JogLimit limit;
-  if (possible(high, limit)) return true;
-  limit_ = limit;
-  high = std::min(high, std::max(before * kMore, high * kLittle));
-  double low = 0;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = (low + high) / 2;
-    (possible(middle, limit) ? low : high) = middle;
+bool VelocityMode::find_step(double share, const JointVector& asked) noexcept {
+  affordable_ = greatest_share(asked);
+  int steps = kMostSteps;
+  double tried = -1;
+  for (std::size_t i = 0; i < kAgain.size() && steps > 0; ++i) {
+    double granted = stands() ? affordable_ * kFromRest[i] : granted_ * kAgain[i];
+    granted = std::clamp(granted, i == 0 ? affordable_ * kLittle : 0, affordable_);
+    if (granted == tried) continue;
+    tried = granted;
+    State next;
+    JogLimit limit = go(state_, share * granted, asked, period_, next);
+    if (limit.kind == Kind::None) limit = try_rest(next, steps);
+    if (limit.kind == Kind::None) {
+      state_ = next;
+      rest_periods_ = 0;
+      granted_ = granted;
+      return true;
+    }
+    if (i == 0) limit_ = limit;
   }
-  return low > 0;
+  return false;
+}
+
+/// One period on along the rest that was found possible behind the last step.
+bool VelocityMode::go_on_to_rest() noexcept {
+  if (rest_periods_ == 0) {
+    rest_begin_ = state_;
+    const JointVector none = JointVector::Zero(state_.axes.q.size());
+    const double time = period_ * periods_a_rest_step_;
+    if (go(state_, 0, none, time, rest_end_).kind == Kind::Reach) return false;
+  }
+  if (++rest_periods_ == periods_a_rest_step_) {
+    rest_periods_ = 0;
+    state_ = rest_end_;
+    return true;
+  }
+  const JointVector near = state_.axes.q + state_.axes.qd * period_;
+  const double time = period_ * rest_periods_;
+  State next;
+  next.acceleration =
+      rest_begin_.acceleration + (rest_end_.acceleration - rest_begin_.acceleration) *
+                                     (static_cast<double>(rest_periods_) / periods_a_rest_step_);
+  next.rate = rest_begin_.rate + (rest_begin_.acceleration + next.acceleration) * (time / 2);
+  next.place = moved(rest_begin_, next, time);
+  if (!follow(near, next)) return false;
+  state_ = next;
+  return true;
+}
+
+/// At constant jerk.
+JogPlace VelocityMode::moved(const State& from, const State& to, double time) const noexcept {
+  const JointVector bend = from.acceleration * 2 + to.acceleration;
+  return space_.moved(from.place, from.rate * time + bend * (time * time / 6));
 }
 
 /// What a rate of the coordinates makes of the axes here, m/s or rad/s; none where the arm does not
@@ -178,10 +227,9 @@ double VelocityMode::greatest_share(const JointVector& asked) noexcept {
   return share;
 }
 
-/// One period on, towards a share of the asked rates, which make `asked` of the axes.
-JogLimit VelocityMode::go(const State& from, double share, const JointVector& asked,
+/// A step of some time, towards a share of the asked rates, which make `asked` of the axes.
+JogLimit VelocityMode::go(const State& from, double share, const JointVector& asked, double time,
                           State& to) const noexcept {
-  const double time = period_;
   const double usable = space_.joint() ? 1 : kForCurvature;
   const JointVector missing = asked_.rate * share - from.rate;
   const RateChange change = rate_change(asked * share - from.axes.qd, from.axes.qdd,
@@ -193,11 +241,10 @@ JogLimit VelocityMode::go(const State& from, double share, const JointVector& as
     to.rate.setZero();
     to.acceleration.setZero();
   }
-  to.place = space_.moved(
-      from.place, from.rate * time + (from.acceleration * 2 + to.acceleration) * (time * time / 6));
+  to.place = moved(from, to, time);
   const JointVector near = from.axes.q + from.axes.qd * time + from.axes.qdd * (time * time / 2);
   if (!follow(near, to) || leaves_reach(from.axes.q, to.axes.q)) return {Kind::Reach, -1};
-  return judge(from.axes, to.axes);
+  return judge(from.axes, to.axes, time);
 }
 
 /// The axes, their speed and acceleration for the place of a state and how it moves.
@@ -228,36 +275,46 @@ bool VelocityMode::leaves_reach(const JointVector& from, const JointVector& to) 
 }
 
 /// Whether axes may go from one state to another in that time, and would do so smoothly.
-JogLimit VelocityMode::judge(const JointReference& from, const JointReference& to) const noexcept {
-  const double time = period_;
+JogLimit VelocityMode::judge(const JointReference& from, const JointReference& to,
+                             double time) const noexcept {
   constexpr double kMost = 1 + kRounding;
+  const bool between = time > period_;  // there are periods that are not judged
+  const double forces = between && !space_.joint() ? kForBetween : kMost;
   const JointVector bent = to.qdd - from.qdd;
   // Of an axis whose jerk is constant nothing is left; one that leaps leaves its leap.
   const JointVector left =
       to.q - from.q - (from.qd + to.qd) * (time / 2) + bent * (time * time / 12);
   for (int i = 0; i < to.q.size(); ++i) {
-    const bool out = to.q[i] > high_[i] + kSamePlace || to.q[i] < low_[i] - kSamePlace;
-    if (out) return {Kind::End, i};
+    const auto [least, most] = std::minmax(from.q[i], to.q[i]);
+    // An axis that turns round in between has been farther than both ends, by no more than this.
+    const bool turns = between && from.qd[i] * to.qd[i] < 0;
+    const double more = turns ? time * std::min(std::abs(from.qd[i]), std::abs(to.qd[i])) : 0;
+    const double rounding = kSamePlace - more;
+    if (most > high_[i] + rounding || least < low_[i] - rounding) return {Kind::End, i};
     const double leap = j_max_[i] * time * time * time / 48 + kSamePlace;
     if (std::abs(left[i]) > leap) return {Kind::Reach, -1};
     if (std::abs(to.qd[i]) > v_max_[i] * kMost) return {Kind::Speed, i};
-    const bool bends = std::abs(bent[i]) > j_max_[i] * time * kMost;
-    if (bends || std::abs(to.qdd[i]) > a_max_[i] * kMost) return {Kind::Acceleration, i};
+    const bool peaks = between && from.qdd[i] * to.qdd[i] < 0;
+    const double peak = peaks ? from.qd[i] - square(from.qdd[i]) * time / (2 * bent[i]) : to.qd[i];
+    if (std::abs(peak) > v_max_[i] * kMost) return {Kind::Speed, i};
+    const bool bends = std::abs(bent[i]) > j_max_[i] * time * forces;
+    if (bends || std::abs(to.qdd[i]) > a_max_[i] * forces) return {Kind::Acceleration, i};
   }
   return {};
 }
 
-/// Comes to rest from a state as step(0) would.
-JogLimit VelocityMode::try_rest(State state) const noexcept {
+/// Comes to rest from a state as go_on_to_rest() would.
+JogLimit VelocityMode::try_rest(State state, int& steps) const noexcept {
   const JointVector none = JointVector::Zero(state.axes.q.size());
+  const double time = period_ * periods_a_rest_step_;
   State next;
-  for (int i = 0; i < kMostSteps && !at_rest(state); ++i) {
-    const JogLimit limit = go(state, 0, none, next);
+  while (!at_rest(state)) {
+    if (steps-- <= 0) return {Kind::Acceleration, -1};
+    const JogLimit limit = go(state, 0, none, time, next);
     if (limit.kind != Kind::None) return limit;
     state = next;
   }
-  if (at_rest(state)) return {};
-  return {Kind::Acceleration, -1};
+  return {};
 }
 
 /// The last resort, where rounding has led to a place that the tool cannot be brought to rest from
@@ -271,7 +328,8 @@ void VelocityMode::brake_axes() noexcept {
   state_.place = space_.enter(asked_, axes.q);
   state_.rate = axes.qd;
   state_.acceleration = axes.qdd;
-  go(State(state_), 0, asked_.rate, state_);
+  rest_periods_ = 0;
+  go_on_to_rest();
 }
 
 }  // namespace rob::motion

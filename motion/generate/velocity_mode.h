@@ -30,10 +30,11 @@ struct JogLimit {
 /// Rates change all together (rate_change()), within what every axis may accelerate and jerk; where
 /// the tool moves, so does it straight in its space. No step is taken from which the jog could not
 /// come to rest with every axis within its way, speed, acceleration and jerk: that rest is tried
-/// beforehand, and where it is not possible the rates are asked for in the same direction, but
-/// smaller. So a jog slows down before the end of an axis, the border of its reach and singular
-/// places, stands still short of them, and goes wherever they are not: each axis
-/// alone always back.
+/// beforehand, and where it is not possible smaller rates in the same direction are. Where none of
+/// the few that are tried in a period is possible, the rest behind the step before is gone on
+/// with: so the work of a period is bounded. A jog slows down before the end of an axis, the border
+/// of its reach and singular places, stands still short of them, and goes wherever they are not:
+/// each axis alone always back.
 ///
 ///     asked        ____              slower as long as an axis could not
 ///     made     ___/    ╲______       follow, or not be stopped in time
@@ -72,23 +73,29 @@ class VelocityMode {
   };
 
   static bool at_rest(const State& state) noexcept;
-  bool find_step(double share, const JointVector& asked, State& next) noexcept;
+  bool find_step(double share, const JointVector& asked) noexcept;
+  bool go_on_to_rest() noexcept;
   std::optional<JointVector> image(const JointVector& rate) const noexcept;
   double greatest_share(const JointVector& asked) noexcept;
-  JogLimit go(const State& from, double share, const JointVector& asked, State& to) const noexcept;
+  JogLimit go(const State& from, double share, const JointVector& asked, double time,
+              State& to) const noexcept;
+  JogPlace moved(const State& from, const State& to, double time) const noexcept;
   bool follow(const JointVector& near, State& state) const noexcept;
-  JogLimit judge(const JointReference& from, const JointReference& to) const noexcept;
+  JogLimit judge(const JointReference& from, const JointReference& to, double time) const noexcept;
   bool leaves_reach(const JointVector& from, const JointVector& to) const noexcept;
-  JogLimit try_rest(State state) const noexcept;
+  JogLimit try_rest(State state, int& steps) const noexcept;
   void brake_axes() noexcept;
 
   const double period_;
+  const int periods_a_rest_step_;
   const JointVector least_, most_, v_max_, a_max_, j_max_;  ///< of the axes
   std::array<bool, kMaxJoints> rotary_{};
   JointVector low_, high_;  ///< least_ and most_, or further, where the jog began beyond them
   JogSpace space_;
   JogRates asked_;
   State state_;
+  State rest_begin_, rest_end_;  ///< of the step of a rest that state_ is in
+  int rest_periods_ = 0;         ///< of it, since its beginning; 0: in none
   JogLimit limit_;
   double granted_ = 1;
   bool broken_off_ = false;  ///< the rates were given up, until others are asked for
