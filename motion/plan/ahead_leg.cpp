@@ -20,6 +20,10 @@ constexpr double kSame = 1e-5;
 /// [choice] an axis turns by at most 5° in a piece.
 constexpr int kParts = 8;
 
+/// s: up to here every motion has the axes' full acceleration, so that neighbours have one mean.
+/// [choice] more than any of the robots asks for.
+constexpr double kUsualWindow = 0.25;
+
 /// 1 mm for a degree, where the tip does not move.
 constexpr double kPerRadian = 0.001 * 180 / std::numbers::pi;
 
@@ -140,9 +144,10 @@ AheadLeg ahead_leg(const RobotModel& robot, const LegDemand& demand, const Motio
     leg.warnings |= PlannedSegment::kBoundCut;
   const double top = std::min(give.most_rate, asked > 0 ? 1 / asked : kInfinity);
   if (const double window = std::max(need.axes, need.asked); window > 0) {
+    const double useful = std::sqrt(2 * top / (give.most_acceleration * window));
+    const double longest = std::min(kLongestWindow, kMostPeriods * robot.reference_period);
     bounds.acceleration =
-        std::min({bounds.acceleration, std::sqrt(2 * top / (give.most_acceleration * window)),
-                  kLongestWindow / window});
+        std::min({bounds.acceleration, std::max(useful, kUsualWindow / window), longest / window});
     bounds.window = window * bounds.acceleration;
   }
   const double acceleration = bounds.acceleration * give.most_acceleration;

@@ -18,10 +18,10 @@ struct AheadLeg {
   std::uint8_t warnings = 0;  ///< of PlannedSegment
 };
 
-/// s: the longest average of the references, and so the longest time that ACCEL may take to begin.
-/// [choice] So many references are kept by the tick: at 1 kHz 128 kB of six axes. With less jerk
-/// the acceleration is made smaller, too.
+/// The longest mean of the references: s, and periods. [choice] So many the tick keeps and adds up;
+/// with less jerk the acceleration is made smaller, too.
 inline constexpr double kLongestWindow = 2;
+inline constexpr int kMostPeriods = 4096;
 
 /// What a request asks for, per unit of the leg's σ (LegBounds).
 ///
@@ -39,8 +39,9 @@ inline constexpr double kLongestWindow = 2;
 ///   of
 ///                 half of the legs; without it the robot's. The robot's zone_angle always
 ///
-/// Where jerk is low no ramp up to F needs more acceleration than √(F·J): the share is no greater.
-/// `demand`: per unit of the leg's parameter, with the length of the tip's way.
+/// Where jerk is low, and T_w would be long, no ramp up to F needs more acceleration than √(F·J):
+/// the share is no greater. `demand`: per unit of the leg's parameter, with the length of the tip's
+/// way.
 AheadLeg ahead_leg(const RobotModel& robot, const LegDemand& demand, const MotionRequest& request);
 
 }  // namespace rob::motion

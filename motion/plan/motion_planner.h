@@ -146,6 +146,7 @@ class MotionPlanner {
     std::shared_ptr<const PlannedLeg> leg;
     Pose tool;
     double zone = std::numeric_limits<double>::infinity();  ///< m
+    Tag tag = 0;
   };
 
   std::array<double, kMaxJoints> absolute(const MotionRequest& request) const noexcept;
@@ -173,6 +174,7 @@ class MotionPlanner {
 
   // Under the look-ahead law (motion_planner_ahead.cpp)
   PlanOutcome take_ahead(const MotionRequest& request, Draft draft);
+  void judge_zone(const Draft& draft, PlannedSegment& planned) const;
   void measure_swing(const JointVector& target, LegDemand& demand) const;
 
   // Gears and drives (motion_planner_drives.cpp)

@@ -10,6 +10,13 @@
 /// long it takes is known when its neighbours are.
 namespace rob::motion {
 
+namespace {
+
+/// rad: of a corner that turns by less there is nothing to miss. [choice] 0.1 deg
+constexpr double kStraightOn = 0.1 * std::numbers::pi / 180;
+
+}  // namespace
+
 PlanOutcome MotionPlanner::take_ahead(const MotionRequest& request, Draft draft) {
   PlannedSegment planned;
   SegmentDescriptor& segment = planned.segment;
@@ -24,13 +31,35 @@ PlanOutcome MotionPlanner::take_ahead(const MotionRequest& request, Draft draft)
     segment.duration = leg.duration;
     segment.path = draft.demand.path;
     planned.warnings = leg.warnings;
+    if (!exact_) judge_zone(draft, planned);
   }
   segment.ahead.from = commanded_;
   segment.ahead.tip = tool_;
+  before_ = {{segment.path, commanded_, segment.target, segment.duration}, draft.leg, tool_};
+  if (request.zone == MotionRequest::Zone::Length) before_.zone = request.zone_value;
+  before_.tag = request.tag;
   commit(request.tag, segment);
   planned.leg = std::move(draft.leg);
   keep(planned.leg);
   return planned;
+}
+
+/// A parabola between two straight ways of the tip, along unit vectors u and v, which begins and
+/// ends l away from their point, misses that by l·|v − u|/4.
+void MotionPlanner::judge_zone(const Draft& draft, PlannedSegment& planned) const {
+  const LegMotion& in = before_.motion;
+  const bool straight = !robot_.tool_coordinates && in.path == nullptr &&
+                        draft.demand.path == nullptr && arms_.isZero();
+  if (!straight || !std::isfinite(before_.zone)) return;
+  const Eigen::Vector3d first = tip(in.to) - tip(in.from);
+  const Eigen::Vector3d second = tip(draft.target) - tip(in.to);
+  if (first.isZero() || second.isZero()) return;
+  const double turn = (second.normalized() - first.normalized()).norm();
+  const double left = std::min(first.norm(), second.norm()) * turn / 4;
+  if (turn < kStraightOn || before_.zone <= left) return;
+  planned.warnings |= PlannedSegment::kZoneCut;
+  planned.zone_tag = before_.tag;
+  planned.zone_left = left;
 }
 
 /// Where the tip swings beside its straight way: how far it goes, by Simpson's rule, and its

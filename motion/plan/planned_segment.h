@@ -24,10 +24,15 @@ struct PlannedSegment {
   static constexpr std::uint8_t kCornerExact = 8;
   /// ACCEL or JERK asks for more than the axes can do.
   static constexpr std::uint8_t kBoundCut = 16;
+  /// The ZONE of the motion `zone_tag`, which was before this one, cannot be used in full: one of
+  /// the two is too short for it, and leaves `zone_left` at most.
+  static constexpr std::uint8_t kZoneCut = 32;
 
   SegmentDescriptor segment;
   std::uint8_t warnings = 0;                ///< kPaceCut | kStretched | …
   std::shared_ptr<const PlannedLeg> leg{};  ///< what the segment points into; null: nothing
+  Tag zone_tag = 0;
+  double zone_left = 0;  ///< m
 };
 
 using PlanOutcome = std::variant<PlannedSegment, Refusal>;

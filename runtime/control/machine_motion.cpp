@@ -205,6 +205,19 @@ void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
                 "ACCEL or JERK asks for more than the axes can do",
                 "the motion is as quick as its axes permit"});
   }
+  if ((planned.warnings & motion::PlannedSegment::kZoneCut) != 0) {
+    log_.found({lang::Severity::Warning, code::kZoneCut,
+                lang::tagged_place(static_cast<int>(planned.zone_tag)),
+                fmt::format("ZONE cannot be used in full: the motions that meet here are too short"
+                            " for it, and leave {} at most",
+                            shown(planned.zone_left, motion::AxisKind::Linear)),
+                "a ZONE of that size says so in the program"});
+  }
+  if (robot_.law == motion::Law::LookAhead && planned.segment.no_length && !exact_) {
+    log_.found({lang::Severity::Note, code::kSameTarget, place,
+                "this target is the one before: the robot comes to rest there",
+                "leave the motion out, unless the point is to be reached exactly"});
+  }
   if ((planned.warnings & motion::PlannedSegment::kZoneRaised) != 0) {
     log_.found({lang::Severity::Warning, code::kZoneRaised, place,
                 fmt::format("ZONE asks for a tighter corner than the axes can take; it becomes"

@@ -206,6 +206,28 @@ TEST_CASE("ZONE bounds the corner by a length, by when it begins, or by its shar
   CHECK(p.bounds(zoned(to(30, 40), Zone::Share, 3)).share == 1);
 }
 
+TEST_CASE("a ZONE that the motions on its sides are too short for is told, with what is left") {
+  Planned p;
+  // At a right angle a parabola that begins l before the point misses it by l·√2/4.
+  const double most = std::numbers::sqrt2 / 4;
+  MotionRequest corner = zoned(to(40, 0), Zone::Length, 0.005);
+  corner.tag = 7;
+  CHECK(p.take(corner).warnings == 0);
+  const PlannedSegment cut = p.take(to(40, 10));
+  CHECK(cut.warnings == PlannedSegment::kZoneCut);
+  CHECK(cut.zone_tag == 7);
+  CHECK(cut.zone_left == doctest::Approx(0.010 * most));
+  // Just enough; the robot's own zone is nobody's wish; straight on there is nothing to miss.
+  p.take(zoned(to(0, 10), Zone::Length, 0.01 * most * (1 - 1e-9)));
+  CHECK(p.take(to(0, 0)).warnings == 0);
+  CHECK(p.take(zoned(to(1, 0), Zone::Length, 0.5)).warnings == 0);
+  CHECK(p.take(to(2, 0)).warnings == 0);
+  // Reached exactly, there is no corner.
+  p.take(zoned(to(3, 0), Zone::Length, 0.5));
+  p.planner.stop(1);
+  CHECK(p.take(to(3, 1)).warnings == 0);
+}
+
 TEST_CASE("an override changes nothing of what a motion asks for") {
   Planned p;
   p.planner.set_override(2);
