@@ -8,15 +8,15 @@
 namespace rob::lang {
 
 void StatementChecker::check_body(Block& body) {
-  ++loops_;
+  ++inside_.loops;
   check(body);
-  --loops_;
+  --inside_.loops;
 }
 
 void StatementChecker::check(Loop& loop) { check_body(loop.body); }
 
 void StatementChecker::require_loop(std::string_view word) {
-  if (loops_ > 0) return;
+  if (inside_.loops > 0) return;
   diagnostics_.error(code::kMisplaced, place_,
                      fmt::format("{} can only stand inside LOOP, WHILE or FOR", word));
 }

@@ -15,24 +15,16 @@ void StatementChecker::check_handler(When& when) {
   when.handler = handler.index;
   uses_.called(handler, place);
   const Routine* const outer = uses_.enter(&handler);
-  const Routine* const routine = std::exchange(routine_, &handler);
-  if (around_ == nullptr) around_ = routine;
-  const int loops = std::exchange(loops_, 0);
-  const int rescues = std::exchange(rescues_, 0);
-  const Slots declared = std::exchange(declared_, Slots{});
-  const Slots most = std::exchange(most_declared_, Slots{});
+  const Inside outside = inside_;
+  inside_ = {.routine = &handler,
+             .around = outside.around != nullptr ? outside.around : outside.routine};
   const bool memory = expressions_.take_memory_use();
   uses_.enter_handler(scopes_.declared());
   check(when.action);
   handler.body = std::move(when.action);
   handler.memory = take_memory_use();
   if (memory) expressions_.need_memory();
-  declared_ = declared;
-  most_declared_ = most;
-  rescues_ = rescues;
-  loops_ = loops;
-  routine_ = routine;
-  if (around_ == routine) around_ = nullptr;
+  inside_ = outside;
   uses_.enter(outer);
 }
 

@@ -84,7 +84,7 @@ void StatementChecker::check(Teach& teach) {
     return;
   }
   teach.frame = expressions_.frame_of(symbol->type);
-  missing_.teach(*symbol, routine_ == nullptr && scopes_.at_top_level());
+  missing_.teach(*symbol, inside_.routine == nullptr && scopes_.at_top_level());
 }
 
 void StatementChecker::warn_of_missing_points() {

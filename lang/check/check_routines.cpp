@@ -55,7 +55,7 @@ void StatementChecker::declare(const Routine& routine) {
 
 void StatementChecker::check(Routine& routine) {
   scopes_.enter_file(routine.place.file);
-  routine_ = &routine;
+  inside_.routine = &routine;
   uses_.enter(&routine);
   expressions_.complete_header(routine);
   scopes_.enter();
@@ -64,7 +64,7 @@ void StatementChecker::check(Routine& routine) {
   scopes_.leave();
   routine.memory = take_memory_use();
   uses_.enter(nullptr);
-  routine_ = nullptr;
+  inside_.routine = nullptr;
   if (!routine.function || ending_of(routine.body) != Ending::Surely) return;
   diagnostics_.error(code::kReturnMissing, routine.end,
                      fmt::format("{} comes to its end without RETURN", shortened(routine.name)),
@@ -97,24 +97,25 @@ void StatementChecker::check_parameters(Routine& routine) {
 }
 
 void StatementChecker::check(Return& statement) {
-  if (routine_ != nullptr && routine_->handler) {
+  if (inside_.routine != nullptr && inside_.routine->handler) {
     diagnostics_.error(code::kMisplaced, place_, "RETURN cannot leave the handler of a WHEN",
                        "the program goes on where it was interrupted");
     return;
   }
   expressions_.check(statement.value);
-  const bool wanted = routine_ != nullptr && routine_->function;
+  const bool wanted = inside_.routine != nullptr && inside_.routine->function;
   if (wanted && statement.value != nullptr) {
-    expressions_.accept(*statement.value, routine_->result,
-                        fmt::format("{} returns", shortened(routine_->name)));
+    expressions_.accept(*statement.value, inside_.routine->result,
+                        fmt::format("{} returns", shortened(inside_.routine->name)));
   } else if (wanted) {
-    diagnostics_.error(code::kReturnValue, place_,
-                       fmt::format("RETURN needs the value of {}", shortened(routine_->name)),
-                       "for example RETURN " + example_of(routine_->result.dimension));
+    diagnostics_.error(
+        code::kReturnValue, place_,
+        fmt::format("RETURN needs the value of {}", shortened(inside_.routine->name)),
+        "for example RETURN " + example_of(inside_.routine->result.dimension));
   } else if (statement.value != nullptr) {
     diagnostics_.error(code::kReturnValue, statement.value->place,
-                       routine_ == nullptr ? "the program has no value to return"
-                                           : "a PROC has no value to return",
+                       inside_.routine == nullptr ? "the program has no value to return"
+                                                  : "a PROC has no value to return",
                        "write RETURN alone, or make it a FUNC");
   }
 }

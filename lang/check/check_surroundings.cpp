@@ -70,13 +70,13 @@ void StatementChecker::check(PathBlock& path) {
   check_path_clauses(path.clauses, place);
   const bool outer = in_path_;  // told by the PATH around it
   in_path_ = true;
-  const int loops = std::exchange(loops_, 0);
+  const int loops = std::exchange(inside_.loops, 0);
   moves_.enter_surroundings();
   const bool in_path = uses_.in_path(true);
   check(path.body);
   uses_.in_path(in_path);
   moves_.leave_surroundings();
-  loops_ = loops;
+  inside_.loops = loops;
   in_path_ = outer;
   if (has_motion(path.body)) return;
   diagnostics_.warning(code::kPathWithoutMotion, place, "this PATH has no motion",

@@ -15,7 +15,7 @@ namespace rob::lang {
 
 /// What only a TEST may do: the program itself is run on machines that are there.
 void StatementChecker::require_test(std::string_view word) {
-  const Routine* const routine = around_ != nullptr ? around_ : routine_;
+  const Routine* const routine = inside_.around != nullptr ? inside_.around : inside_.routine;
   if (routine != nullptr && routine->test) return;
   diagnostics_.error(code::kOutsideTest, place_, fmt::format("{} can stand only in a TEST", word),
                      "TEST \"its name\" … ENDTEST holds it; a program has ASSERT and its inputs");

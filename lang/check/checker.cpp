@@ -28,8 +28,8 @@ bool is_definition(Symbol::Kind kind) {
 
 /// Variables of more slots than that may not all find registers beside what is computed.
 bool StatementChecker::take_memory_use() {
-  const auto [numbers, texts] = std::exchange(most_declared_, Slots{});
-  declared_ = {};
+  const auto [numbers, texts] = std::exchange(inside_.most_declared, Slots{});
+  inside_.declared = {};
   const bool many = std::max(numbers, texts) > kVariableRegisters / 2;
   return expressions_.take_memory_use() || many;
 }
@@ -64,9 +64,9 @@ const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& na
   symbol.global = scopes_.at_top_level() && !is_definition(kind);
   // What is known lives in the code.
   const bool takes_slots = !is_definition(kind) && !known(value);
-  if (takes_slots) declared_ = declared_ + slots_of(type);
-  most_declared_ = {std::max(most_declared_.numbers, declared_.numbers),
-                    std::max(most_declared_.texts, declared_.texts)};
+  if (takes_slots) inside_.declared = inside_.declared + slots_of(type);
+  inside_.most_declared = {std::max(inside_.most_declared.numbers, inside_.declared.numbers),
+                           std::max(inside_.most_declared.texts, inside_.declared.texts)};
   symbol.value = std::move(value);
   const Symbol* const declared = scopes_.declare(std::move(symbol));
   if (declared->global) uses_.declared(*declared);
@@ -188,19 +188,19 @@ void StatementChecker::check(If& conditional) {
 
 void StatementChecker::check(While& loop) {
   expressions_.check_condition(loop.condition, "WHILE");
-  ++loops_;
+  ++inside_.loops;
   check_guarded(loop.body, is_constant(loop.condition, false));
-  --loops_;
+  --inside_.loops;
 }
 
 void StatementChecker::check(For& loop) {
   const Type type = check_range(loop);
-  const Slots declared = declared_;
+  const Slots declared = inside_.declared;
   scopes_.enter();
   loop.symbol = declare(Symbol::Kind::LoopVariable, loop.variable, loop.variable_place, type, {});
   check_body(loop.body);
   scopes_.leave();
-  declared_ = declared;
+  inside_.declared = declared;
 }
 
 /// The type of the loop variable: what first value, last value and step have in common.

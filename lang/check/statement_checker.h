@@ -41,14 +41,24 @@ class StatementChecker {
   void check(Program& program);
 
  private:
+  /// What the present statement stands in, up to the routine or handler that it belongs to.
+  struct Inside {
+    const Routine* routine = nullptr;  ///< null at the top level
+    const Routine* around = nullptr;   ///< around the handler, if it is one
+    Slots declared{};                  ///< by the variables of it that are known here
+    Slots most_declared{};             ///< of it
+    int loops = 0;                     ///< open
+    int rescues = 0;                   ///< RESCUE blocks open
+  };
+
   /// A block is a scope: what it declares lives to its end.
   void check(Block& block) {
-    const Slots declared = declared_;
+    const Slots declared = inside_.declared;
     scopes_.enter();
     for (Statement& statement : block) check(statement);
     moves_.warn_of_zones(block);
     scopes_.leave();
-    declared_ = declared;
+    inside_.declared = declared;
   }
   void check(Statement& statement) {
     place_ = statement.place;
@@ -71,9 +81,9 @@ class StatementChecker {
     if (when.handled) return check_handler(when);
     const bool raises =
         !when.action.empty() && std::holds_alternative<Raise>(when.action.front().node);
-    rescues_ += raises ? 1 : 0;  // check_when() tells what RAISE needs here
+    inside_.rescues += raises ? 1 : 0;  // check_when() tells what RAISE needs here
     check(when.action);
-    rescues_ -= raises ? 1 : 0;
+    inside_.rescues -= raises ? 1 : 0;
     watches_.check_when(when);
   }
   // Handlers (check_handlers.cpp)
@@ -128,7 +138,7 @@ class StatementChecker {
     for (const ExprPtr& value : print.values) expressions_.check(value);
   }
   void check(Wait& wait) {
-    waits_.check(wait, routine_);
+    waits_.check(wait, inside_.routine);
     check(wait.otherwise);
   }
   void check(If& conditional);
@@ -204,15 +214,10 @@ class StatementChecker {
   std::map<int, Place> safe_lines_;  ///< where a signal's SAFE value stands, by its number
   std::map<std::string, Place> points_declared_;  ///< of all files, by their names in capitals
   Place place_;                                   ///< of the present statement
-  Slots declared_;         ///< by the variables of the present routine that are known here
-  Slots most_declared_;    ///< of the present routine
-  int loops_ = 0;          ///< open around it
-  int rescues_ = 0;        ///< RESCUE blocks open around it
-  bool in_path_ = false;   ///< inside of PATH
-  bool pressing_ = false;  ///< inside of PRESS
+  Inside inside_;
+  bool in_path_ = false;                  ///< inside of PATH
+  bool pressing_ = false;                 ///< inside of PRESS
   std::vector<const Expr*> path_values_;  ///< what PATHs are computed from
-  const Routine* routine_ = nullptr;      ///< that it belongs to; null at the top level
-  const Routine* around_ = nullptr;       ///< around the handler, if it belongs to one
   std::vector<Routine>& routines_;
 };
 
