@@ -1,13 +1,17 @@
 #!/usr/bin/env bash
-# drawings_test.sh DRAW_ROBOTS PICTURES: the robots' drawings are as their files have them now. To renew
-# them: DRAW_ROBOTS PICTURES.
+# drawings_test.sh PREFIX PICTURES PROGRAM [ARGUMENT…]: the drawings PREFIX_*.svg in the folder PICTURES are
+# those that PROGRAM makes now. To renew them: PROGRAM PICTURES ARGUMENT….
 set -uo pipefail
 
+prefix=$1
+pictures=$2
+program=$3
+shift 3
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-"$1" "$scratch" || exit 1
+"$program" "$scratch" "$@" || exit 1
 failures=0
 for drawing in "$scratch"/*.svg; do
-  cmp "$drawing" "$2/${drawing##*/}" || failures=$((failures + 1))
+  cmp "$drawing" "$pictures/${drawing##*/}" || failures=$((failures + 1))
 done
-[[ $failures -eq 0 && $(ls "$scratch" | wc -l) -eq $(ls "$2" | grep -c '^robot_') ]]
+[[ $failures -eq 0 && $(ls "$scratch" | wc -l) -eq $(ls "$pictures" | grep -c "^${prefix}_") ]]

@@ -365,6 +365,8 @@ void PathPlanner::publish(bool anew) {
   if (averages_sigma()) {
     for (PathRing::Index i = ring_.end(); i < until; ++i) spread(i);
   }
+  for (PathRing::Index i = ring_.end(); listener_ != nullptr && i < until; ++i)
+    listener_->planned(ring_.written(i));
   pass_back(until, anew);
   if (until == 0) return;
   const Piece& last = ring_.written(until - 1);

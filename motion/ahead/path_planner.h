@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "motion/ahead/path_listener.h"
 #include "motion/ahead/path_ring.h"
 #include "motion/ahead/path_turn.h"
 #include "motion/plan/look_ahead_buffer.h"
@@ -36,6 +37,8 @@ class PathPlanner {
 
   /// Does all that can be done now; whether there was anything.
   bool work();
+  /// From here on it is told of what is planned.
+  void tell(PathListener& listener) { listener_ = &listener; }
 
  private:
   void drop();
@@ -75,6 +78,7 @@ class PathPlanner {
   const RobotModel& robot_;
   LookAheadBuffer& buffer_;
   PathRing& ring_;
+  PathListener* listener_ = nullptr;
   std::vector<SegmentDescriptor> pending_;
   std::optional<ShapedLeg> open_;  ///< its corner is not made yet, or not yet written
   bool completing_ = false;        ///< it goes to its target, and comes to rest there

@@ -1,4 +1,4 @@
-/// draw_robots FOLDER: draws each robot that is built in, as FOLDER/robot_NAME.svg
+/// draw_robot FOLDER: draws each robot that is built in, as FOLDER/robot_NAME.svg
 /// (docs/robots.md).
 
 #include <exception>
@@ -9,7 +9,7 @@
 int main(int argc, char** argv) {
   using namespace rob;
   if (argc != 2) {
-    fmt::print(stderr, "usage: draw_robots FOLDER\n");
+    fmt::print(stderr, "usage: draw_robot FOLDER\n");
     return 64;
   }
   try {
@@ -19,11 +19,11 @@ int main(int argc, char** argv) {
           robot.tool_coordinates ? test::arm_drawing(robot) : test::gantry_drawing(robot);
       const std::string file = fmt::format("{}/robot_{}.svg", argv[1], entry.name);
       if (test::save_svg(file, test::kDrawingWidth, test::kDrawingHeight, drawing)) continue;
-      fmt::print(stderr, "draw_robots: cannot write {}\n", file);
+      fmt::print(stderr, "draw_robot: cannot write {}\n", file);
       return 74;
     }
   } catch (const std::exception& error) {
-    fmt::print(stderr, "draw_robots: {}\n", error.what());
+    fmt::print(stderr, "draw_robot: {}\n", error.what());
     return 70;
   }
 }

@@ -1,0 +1,47 @@
+#include "runtime/program/path_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "runtime/control/units.h"
+
+namespace rob::runtime {
+
+PathFile::PathFile(const std::string& path, const motion::RobotModel& robot)
+    : robot_(robot), file_(open_log(path)) {
+  std::string names = "sigma";
+  for (const char* column : {"q", "dq", "ddq"})
+    for (int i = 1; i <= robot_.axis_count(); ++i) names += fmt::format(",{}{}", column, i);
+  put(names + "\n");
+}
+
+void PathFile::planned(const motion::Piece& piece) {
+  put(piece, 0);
+  put(piece, piece.length);
+}
+
+void PathFile::put(const motion::Piece& piece, double at) {
+  constexpr double kMm = 1e-3;
+  const motion::PathPoint point = piece.point(at);
+  sigma_ = std::max(sigma_, (piece.begin + at) / kMm);  // where pieces meet but for rounding
+  std::string row = fmt::format("{:.17g}", sigma_);
+  double per_mm = 1;
+  for (const motion::JointVector* values : {&point.q, &point.qd, &point.qdd}) {
+    for (int i = 0; i < robot_.axis_count(); ++i) {
+      const double shown = shown_per_si(robot_.axes[static_cast<std::size_t>(i)].kind);
+      fmt::format_to(std::back_inserter(row), ",{:.17g}", (*values)[i] * shown * per_mm);
+    }
+    per_mm *= kMm;
+  }
+  put(row + "\n");
+}
+
+void PathFile::put(const std::string& text) {
+  full_ = full_ || std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size();
+}
+
+bool PathFile::close() { return std::fclose(file_.release()) == 0 && !full_; }
+
+}  // namespace rob::runtime
