@@ -74,15 +74,18 @@ double next_border(const ShapedLeg& leg, double way) {
 
 bool PathPlanner::work() {
   const bool dropped = ring_.drop_asked();
+  const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
   if (dropped) drop();
   bool worked = dropped;
   for (fetch(); advance(); fetch()) worked = true;
+  const bool all_here = closed && !open_ && pending_.empty();
   const double share = ring_.share.load(std::memory_order_relaxed);
   const bool anew = share != std::exchange(share_, share);
   if (anew || end_ != ring_.end()) {
     worked = true;
     publish(anew);
   }
+  ring_.closed.store(all_here, std::memory_order_release);
   return worked;
 }
 
@@ -133,7 +136,7 @@ bool PathPlanner::begin_run() {
   if (pending_.empty()) return false;
   const SegmentDescriptor next = pending_.front();
   pending_.erase(pending_.begin());
-  if (!has_way(next)) {
+  if (!has_way(next) || next.generation <= ring_.over()) {
     ring_.push({next, known_, known_, known_, 1});
     return true;
   }

@@ -60,6 +60,8 @@ class PathRing {
   bool drop_asked() const noexcept {
     return asked_.load(std::memory_order_acquire) != done_.load(std::memory_order_relaxed);
   }
+  /// Generations up to this one are over.
+  std::uint32_t over() const noexcept { return over_.load(std::memory_order_relaxed); }
   /// `number`: of the last motion taken from the buffer.
   void dropped(std::uint32_t number, std::uint32_t generation) noexcept {
     last_number_ = number;
@@ -78,8 +80,14 @@ class PathRing {
   /// Pieces before `at` are not looked at any more.
   void release(Index at) noexcept { head_.store(at, std::memory_order_release); }
   const PathLeg* next_leg() const noexcept { return legs_.front(); }
+  /// The i-th behind next_leg(), which is the 0th; null: not known yet.
+  const PathLeg* leg(std::size_t i) const noexcept { return legs_.at(i); }
   void pop_leg() noexcept { legs_.pop(); }
-  void ask_drop() noexcept { asked_.fetch_add(1, std::memory_order_release); }
+  /// `generation`: nothing of it, nor of those before, is path any more, even if it comes late.
+  void ask_drop(std::uint32_t generation) noexcept {
+    over_.store(generation, std::memory_order_relaxed);
+    asked_.fetch_add(1, std::memory_order_release);
+  }
   /// Then nothing comes any more that was commanded before; see skip_dropped().
   bool drop_done() const noexcept {
     return done_.load(std::memory_order_acquire) == asked_.load(std::memory_order_relaxed);
@@ -96,6 +104,7 @@ class PathRing {
 
   // What each has to know of the other, and asks no more often than it works.
   std::atomic<std::uint32_t> late{0};  ///< how often nothing was known of what follows in time
+  std::atomic<bool> closed{false};     ///< all that was commanded is here, and no more will come
   std::atomic<double> share{1};        ///< the override
   std::atomic<double> sigma{0};        ///< where the guide is
   std::atomic<double> rate{0};         ///< its σ'
@@ -117,6 +126,7 @@ class PathRing {
   alignas(64) std::atomic<Index> tail_{0};
   alignas(64) std::atomic<std::uint32_t> asked_{0};
   std::atomic<std::uint32_t> done_{0};
+  std::atomic<std::uint32_t> over_{0};
   std::uint32_t last_number_ = 0;  ///< written before done_
   std::uint32_t last_generation_ = 0;
 };

@@ -97,6 +97,7 @@ bool SegmentGenerator::hit_at_start(const SegmentDescriptor& segment, double ins
 /// was commanded before the motion that tripped acts now, since its place is not passed any more.
 void SegmentGenerator::end_early(double instant) noexcept {
   stand_at(standing_place());
+  drop_path(rest_.generation);
   ended_ = rest_.generation;
   passed_ = segment_.number;
   latest_ = std::max(latest_, instant);
@@ -135,7 +136,7 @@ void SegmentGenerator::arm_or_disarm(const Effect& effect, bool dropped) noexcep
 void SegmentGenerator::drop_ended() noexcept {
   for (const SegmentDescriptor* next = next_segment();
        next != nullptr && next->generation <= ended_; next = next_segment()) {
-    segment_.number = passed_ = next->number;
+    skip_to(next->number);
     pop_segment();
   }
 }

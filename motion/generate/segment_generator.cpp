@@ -128,7 +128,7 @@ const SegmentDescriptor* SegmentGenerator::next_to_begin() const noexcept {
 void SegmentGenerator::follow_from_rest(double instant) noexcept {
   close_guard(instant);
   const SegmentDescriptor* const next = next_to_begin();
-  if (next == nullptr || next->jog.present()) {  // a jog begins at the next stamp
+  if (next == nullptr || begins_at_stamp(*next)) {
     running_ = false;
   } else if (hit_at_start(*next, instant) || take_up(*next, instant)) {
     pop_segment();
@@ -141,7 +141,7 @@ void SegmentGenerator::follow_from_rest(double instant) noexcept {
 bool SegmentGenerator::take_up(const SegmentDescriptor& next, double instant) noexcept {
   const bool timed = std::isfinite(next.duration) && std::isfinite(next.t_acc);
   for (int i = 0; i < segment_.target.size(); ++i) {
-    const double duration = next.dwell ? 1 : next.duration;  // a dwell has no rate
+    const double duration = next.no_length ? 1 : next.duration;  // a stop has no rate
     const double rate = (next.target[i] - segment_.target[i]) / duration;
     if (timed && std::isfinite(rate) && std::isfinite(next.target[i])) continue;
     fail(next, i, instant);

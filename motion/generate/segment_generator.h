@@ -81,6 +81,10 @@ class SegmentGenerator : public TrajectoryGenerator {
   virtual void pop_segment() noexcept { buffer_.pop_segment(); }
   virtual bool fits(const SegmentDescriptor&) const noexcept { return true; }
   virtual bool closed() const noexcept { return buffer_.closed(); }
+  /// Not at the exact end of what comes before it.
+  virtual bool begins_at_stamp(const SegmentDescriptor& next) const noexcept {
+    return next.jog.present();
+  }
 
   // The law. Of these only what is said to be is called while the axes are not on_path().
 
@@ -101,6 +105,8 @@ class SegmentGenerator : public TrajectoryGenerator {
   virtual void begin(const SegmentDescriptor& next, double instant) noexcept = 0;
   /// The axes stand elsewhere than their path leads; in any case.
   virtual void end_path() noexcept = 0;
+  /// So does all that is queued, with its `generation`; 0: it will be queued anew.
+  virtual void drop_path(std::uint32_t) noexcept {}
   /// Where and how fast the axes are at stamp(), sigma, rate and limit.
   virtual void sample_path(GeneratorSample& sample) const noexcept = 0;
   /// The sigma of axes that stand; in any case.
@@ -130,6 +136,8 @@ class SegmentGenerator : public TrajectoryGenerator {
   double override_share() const noexcept { return override_; }
   /// What may begin now; null: nothing.
   const SegmentDescriptor* next_to_begin() const noexcept;
+  /// Motions up to `number` are passed over.
+  void skip_to(std::uint32_t number) noexcept { segment_.number = passed_ = number; }
   /// Effects up to `number` are due at `instant`.
   void pass(std::uint32_t number, double instant) noexcept;
   bool passed(std::uint32_t number) const noexcept { return passed_ >= number; }

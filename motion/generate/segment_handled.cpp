@@ -73,6 +73,7 @@ void SegmentGenerator::leave_path(const JointVector& q, double time, bool all) n
     pop_segment();
   }
   if (all) ended_ = segment_.generation;
+  drop_path(all ? ended_ : 0);
   passed_ = segment_.number;
   latest_ = std::max(latest_, time);
   braking_ = false;

@@ -37,6 +37,13 @@ class SpscRing {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     return head == tail_.load(std::memory_order_acquire) ? nullptr : &slots_[head];
   }
+  /// The i-th behind the front, which is the 0th; null when there are not so many.
+  const T* at(std::size_t i) const noexcept {
+    const std::size_t head = head_.load(std::memory_order_relaxed);
+    const std::size_t tail = tail_.load(std::memory_order_acquire);
+    const std::size_t count = (tail >= head ? tail : tail + slots_.size()) - head;
+    return i < count ? &slots_[(head + i) % slots_.size()] : nullptr;
+  }
   void pop() noexcept {
     head_.store(after(head_.load(std::memory_order_relaxed)), std::memory_order_release);
   }

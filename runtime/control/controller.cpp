@@ -4,13 +4,21 @@
 
 namespace rob::runtime {
 
+namespace {
+
+// [choice] 40 mm of a path in pieces of 5 µm, and what the motions of a handler may need
+constexpr std::size_t kPieces = 8192;
+constexpr std::size_t kHandlersPieces = 2048;
+
+}  // namespace
+
 Controller::Controller(const motion::RobotModel& robot,
                        std::unique_ptr<motion::ServoBackend> backend, double override_share,
                        const std::vector<SimulationRule>& script)
     : robot_(robot),
       backend_(std::move(backend)),
-      chain_(robot),
-      handlers_chain_(robot),
+      chain_(robot, kPieces),
+      handlers_chain_(robot, kHandlersPieces),
       machine_(robot, chain_.planner, chain_.buffer, channels_, channels_.program, log_),
       handlers_machine_(robot, handlers_chain_.planner, handlers_chain_.buffer, channels_,
                         channels_.handler, log_),

@@ -35,6 +35,13 @@ class Controller {
   Channels& channels() { return channels_; }
   ProgramLog& log() { return log_; }
 
+  /// Plans the path ahead, where the law does; beside the program and the tick. Whether there was
+  /// anything to do.
+  bool plan_path() {
+    const bool handlers = handlers_chain_.plan_path();
+    return chain_.plan_path() || handlers;
+  }
+
   /// Slow down on the path to rest, within the limits. From any thread.
   void request_hold() { channels_.hold_requested.store(true, std::memory_order_relaxed); }
   bool holding() const { return channels_.hold_requested.load(std::memory_order_relaxed); }

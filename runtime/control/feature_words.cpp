@@ -66,12 +66,4 @@ Words words_against_paul(const motion::RobotModel& robot) {
           "LAW LOOKAHEAD needs none; or give the robot file a t_acc"};
 }
 
-Words words_against_look_ahead(const motion::RobotModel& robot) {
-  return {
-      code::kNotPossible,
-      fmt::format("the look-ahead law is not possible on {}: this version has no generator for it",
-                  robot.name),
-      "leave LAW LOOKAHEAD out; ZONE bounds corners under Paul's law, too"};
-}
-
 }  // namespace rob::runtime

@@ -17,7 +17,4 @@ std::optional<Words> words_against(lang::MotionFeature feature, const motion::Ro
 /// Why a robot cannot be run under Paul's law.
 Words words_against_paul(const motion::RobotModel& robot);
 
-/// Why not under the look-ahead law: its generator is not in this version.
-Words words_against_look_ahead(const motion::RobotModel& robot);
-
 }  // namespace rob::runtime

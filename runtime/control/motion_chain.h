@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 
+#include "motion/ahead/path_planner.h"
+#include "motion/ahead/path_ring.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/plan/look_ahead_buffer.h"
 #include "motion/plan/motion_planner.h"
@@ -12,11 +16,23 @@ namespace rob::runtime {
 /// What makes references of what one side commands, the program or the handlers of its WHENs, by
 /// the robot's law.
 struct MotionChain {
-  /// The axes stand at the robot's start.
-  explicit MotionChain(const motion::RobotModel& robot);
+  /// Under the look-ahead law: what lies between the buffer and the generator.
+  struct Path {
+    Path(const motion::RobotModel& robot, motion::LookAheadBuffer& buffer, std::size_t pieces);
+
+    motion::PathRing ring;
+    motion::PathPlanner planner;
+  };
+
+  /// The axes stand at the robot's start. `pieces`: that a path ahead may have.
+  MotionChain(const motion::RobotModel& robot, std::size_t pieces);
+
+  /// Plans the path ahead; neither in the tick nor in the program. Whether there was anything.
+  bool plan_path() { return path && path->planner.work(); }
 
   motion::LookAheadBuffer buffer;
   motion::MotionPlanner planner;
+  std::optional<Path> path;
   std::unique_ptr<motion::TrajectoryGenerator> generator;
 };
 

@@ -13,6 +13,8 @@ using motion::MotionEvent;
 
 namespace {
 
+constexpr double kMostShare = 2;  // of an override
+
 constexpr double kInstantTolerance = 1e-9;  // s: an instant on the period's border is in it
 
 }  // namespace
@@ -24,10 +26,12 @@ MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenera
       program_{generator, channels.program},
       handlers_{handlers, channels.handler},
       period_(robot.reference_period),
-      override_share_(std::min(override_share, 1.0)),
+      scales_time_(robot.law == motion::Law::Paul),
+      most_share_(scales_time_ ? 1 : kMostShare),
+      override_share_(std::min(override_share, most_share_)),
       simulated_(script, channels.panel),
       relief_(robot.reference_period) {
-  if (override_share_ < 1) set_override(override_share_);
+  if (override_share_ != 1) set_override(override_share_);
   program_.current.reference.q = robot.start;
 }
 
@@ -310,21 +314,22 @@ void MotionTask::switch_output(int channel, bool on) noexcept {
   channels_.outputs.store(outputs_, std::memory_order_relaxed);
 }
 
-/// Above 1 it is the planner's affair, which has raised what comes from here on.
+/// What the law cannot follow is the planner's affair, which has raised what comes from here on.
 void MotionTask::set_override(double share) noexcept {
-  override_share_ = std::min(share, 1.0);
+  override_share_ = std::min(share, most_share_);
   program_.generator.set_override(path_share());
   handlers_.generator.set_override(path_share());
 }
 
 double MotionTask::path_share() const noexcept {
-  return std::min(override_share_, relief_.share());
+  return relief_.share() < 1 ? std::min(override_share_, relief_.share()) : override_share_;
 }
 
 void MotionTask::relieve_drives() noexcept {
   const double before = path_share();
   const double asked = saturation_;
-  relief_.update(asked, active_->current.rate);
+  const double rate = active_->current.rate;
+  relief_.update(asked, scales_time_ || rate == 0 ? rate : path_share());
   if (path_share() != before) set_override(override_share_);
   if (relief_.share() == 1 || relieved_) return;
   relieved_ = true;

@@ -88,7 +88,9 @@ class MotionTask {
   Track handlers_;
   Track* active_ = &program_;  ///< the one that has the axes
   double period_;
-  double override_share_;  ///< with the program's OVERRIDE, at most 1
+  bool scales_time_;       ///< the rate of a sample is that of the path's time
+  double most_share_;      ///< of an override that the law can follow
+  double override_share_;  ///< with the program's OVERRIDE
 
   bool started_ = false;
   double now_ = 0;  ///< of the present cycle, s

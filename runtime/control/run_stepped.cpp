@@ -40,6 +40,7 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
   controller.servo().enable(clock.now());
   controller.motion().prepare(clock.now());
   auto program_state = program.step(kInstructionsPerCycle);
+  controller.plan_path();
   for (std::int64_t cycle = 0;; ++cycle) {
     servo_cycles(controller, clock, cycle, next_servo);
     controller.motion().cycle(cycle, 0);
@@ -48,11 +49,15 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
       servo_cycles(controller, clock, cycle + 1, next_servo);  // an output due last is written, too
       return timing;
     }
-    if (controller.holding()) continue;  // the program has lost its turn
+    if (controller.holding()) {  // the program has lost its turn
+      controller.plan_path();
+      continue;
+    }
     if (program_state != ProgramTask::State::Over) {
       program_state = program.step(kInstructionsPerCycle);
     }
     program_state = program.run_tasks(program_state);
+    controller.plan_path();
     timing.waits_for_ever = limits.standstill && standstill.is_for_ever(controller, clock.now());
     if (clock.now() >= limits.virtual_time || program.executed() >= limits.instructions ||
         timing.waits_for_ever) {

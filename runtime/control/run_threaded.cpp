@@ -20,6 +20,7 @@ constexpr double kLead = 0.02;                  // s [choice] for every thread t
 constexpr std::int64_t kHeadStart = 1'000'000;  // instructions before the clock starts
 constexpr std::int64_t kSlice = 10'000;         // instructions between looks at the stop flag
 constexpr auto kProgramPause = 1ms;             // [choice] a tenth of a reference period
+constexpr double kPathPeriod = 0.002;           // s [choice] of 50 ms that it may be late at most
 constexpr auto kReportPause = 10ms;             // [choice] what an eye does not notice
 
 /// The program's thread: sleeps while the program has to wait. It works far ahead of the motion,
@@ -65,8 +66,9 @@ Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& 
   controller.servo().enable(-kLead);  // where the clock will begin
   controller.motion().prepare(0);
   const auto program_state = program.step(kHeadStart);
+  controller.plan_path();
   SystemClock clock;
-  StartLine line(2);
+  StartLine line(3);
   PeriodicTask servo(
       clock, robot.servo_period, kServoPriority,
       [&](std::int64_t, double now, double) {
@@ -83,6 +85,13 @@ Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& 
         return !controller.motion().over();
       },
       &line);
+  PeriodicTask path(
+      clock, kPathPeriod, kPathPriority,
+      [&](std::int64_t, double, double) {
+        controller.plan_path();
+        return !servo_stops.load(std::memory_order_relaxed);
+      },
+      &line);
   line.wait_until_ready();
   clock = SystemClock(kLead);
   line.go();
@@ -93,6 +102,7 @@ Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& 
   servo_stops = true;
   program_thread.join();
   motion.join();
+  path.join();
   servo.join();
   if (trouble) std::rethrow_exception(trouble);
   attend();

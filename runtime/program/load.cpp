@@ -91,7 +91,6 @@ void settle_law(LoadedProgram& program, std::optional<motion::Law> asked) {
   const Law law = asked.value_or(robot.law);
   if (!motion::can(robot, law)) return refuse(program.compilation, words_against_paul(robot));
   robot.law = law;
-  if (law == Law::LookAhead) refuse(program.compilation, words_against_look_ahead(robot));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@ namespace rob::runtime {
 /// starves it (S1).
 inline constexpr int kMotionPriority = 80;
 inline constexpr int kServoPriority = 70;
+inline constexpr int kPathPriority = 40;
 
 /// What the system permits of real-time running, tried once by the process: locked memory and
 /// fixed priorities. Empty if all is permitted, else one line for the user that says what is not

@@ -1,0 +1,258 @@
+#include "motion/generate/look_ahead_generator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/generate/limit_numbers.h"
+
+namespace rob::motion {
+
+namespace {
+
+/// [choice] jogs and profiles are slowed by it, the path follows it up to here
+constexpr double kMostShare = 2;
+
+bool has_way(const SegmentDescriptor& segment) noexcept {
+  return segment.ahead.length > 0 && !segment.no_length && !segment.dwell &&
+         !segment.jog.present() && !segment.profile.present();
+}
+
+/// σ that differ by less are one place: rounding of the sum of a path's lengths.
+double rounding(double sigma) noexcept { return 1e-12 * (1 + std::abs(sigma)); }
+
+std::uint8_t number_of(const GuideLimit& limit) noexcept {
+  using namespace limit_number;
+  switch (limit.kind) {
+    case GuideLimit::Kind::Pace:
+      return kPace;
+    case GuideLimit::Kind::Override:
+      return kOverride;
+    case GuideLimit::Kind::Speed:
+      return of_axis(kSpeed, limit.axis);
+    case GuideLimit::Kind::Acceleration:
+    case GuideLimit::Kind::Braking:
+      return limit.axis < 0 ? kNone : of_axis(kAcceleration, limit.axis);
+    case GuideLimit::Kind::None:
+      break;
+  }
+  return kNone;
+}
+
+}  // namespace
+
+LookAheadGenerator::LookAheadGenerator(const RobotModel& robot, LookAheadBuffer& buffer,
+                                       PathRing& ring, const JointVector& start)
+    : SegmentGenerator(robot, buffer, start),
+      ring_(ring),
+      guide_(ring, start),
+      average_(robot.tool_coordinates, ring, start),
+      clock_(time_scale_limits(robot), robot.reference_period) {
+  guide_.brake();
+}
+
+void LookAheadGenerator::set_override(double share) noexcept {
+  SegmentGenerator::set_override(share);
+  clock_.set_override(share);
+  ring_.share.store(std::min(override_share(), kMostShare), std::memory_order_relaxed);
+}
+
+const SegmentDescriptor* LookAheadGenerator::next_segment() const noexcept {
+  const PathLeg* const leg = dropping_ ? nullptr : ring_.next_leg();
+  return leg == nullptr ? nullptr : &leg->segment;
+}
+
+void LookAheadGenerator::pop_segment() noexcept { ring_.pop_leg(); }
+
+bool LookAheadGenerator::begins_at_stamp(const SegmentDescriptor& next) const noexcept {
+  return has_way(next) || next.jog.present() || next.profile.present();
+}
+
+void LookAheadGenerator::skip(double gap) noexcept {
+  skipped_ += gap;
+  clock_.skip(gap);
+}
+
+void LookAheadGenerator::go_on_to_stamp() noexcept {
+  if (dropping_ && ring_.drop_done()) finish_drop();
+  stopping() ? clock_.hold() : clock_.resume();
+  clock_.advance(stamp(), !(on_path() && profiled()));
+  step_guide();
+  const std::uint32_t late = ring_.late.load(std::memory_order_relaxed);
+  for (; late_ != late; ++late_) tell_late_decision(stamp());
+}
+
+/// Where no path is followed it stands, and its time goes on.
+void LookAheadGenerator::step_guide() noexcept {
+  const bool runs = on_run();
+  runs && !stopping() ? guide_.release() : guide_.brake();
+  guide_.set_share(std::min(override_share(), kMostShare));
+  guide_.step(guide_time(), [this](const Guide::Part& part) noexcept { history_.keep(part); });
+  ring_.sigma.store(guide_.sigma(), std::memory_order_relaxed);
+  ring_.rate.store(guide_.rate(), std::memory_order_relaxed);
+  if (!runs) return;
+  average_.take(guide_);
+  history_.forget(guide_time() - lag());
+  const PathRing::Index kept = guide_.index() > 0 ? guide_.index() - 1 : 0;
+  released_ = std::max(released_, std::min(average_.oldest(), kept));
+  ring_.release(released_);
+}
+
+bool LookAheadGenerator::beyond_end() const noexcept { return cursor() > end_ + rounding(end_); }
+
+void LookAheadGenerator::pass_targets() noexcept {
+  const double arrived = end();
+  if (arrived <= stamp() + kSameInstant && !passed(segment().number)) {
+    pass(segment().number, arrived);
+  }
+  while (on_run() && beyond_end()) {
+    const PathLeg* const next = ring_.next_leg();
+    const auto when = history_.when(end_, guide_time() - lag());
+    if (next == nullptr || !when) return;
+    if (!passed(segment().number)) pass(segment().number, told(*when));
+    if (!take_up(next->segment, told(*when))) return;
+    pop_segment();
+  }
+}
+
+/// Of a run: when the references came to rest at its end.
+double LookAheadGenerator::arrival() const noexcept {
+  const bool there = guide_.at_run_end() && average_.stands() && !beyond_end();
+  if (!there) return std::numeric_limits<double>::infinity();
+  return std::min(told(history_.stands_since()) + lag(), stamp());
+}
+
+double LookAheadGenerator::end() const noexcept {
+  if (on_run()) return arrival();
+  if (!profiled()) return arrival_;
+  const double end = zero_ + segment().duration;
+  const bool comes = clock_.path_time() >= end - kSameInstant;
+  return comes ? clock_.run_time(end) : std::numeric_limits<double>::infinity();
+}
+
+/// In the middle of a corner, or from rest.
+void LookAheadGenerator::begin(const SegmentDescriptor& next, double instant) noexcept {
+  const PathLeg leg = *ring_.next_leg();
+  const bool goes_on = on_run() && beyond_end();
+  begin_ = leg.begin;
+  end_ = leg.end;
+  decides_ = leg.decides;
+  arrival_ = instant;
+  if (has_way(next) && !goes_on) begin_run(leg);
+  next.profile.present() ? begin_profile(next) : expect_events(next, instant);
+  segment() = next;
+}
+
+void LookAheadGenerator::begin_profile(const SegmentDescriptor& next) noexcept {
+  moved_ = true;
+  zero_ = clock_.path_time();
+  profile_.begin(next, segment().target, segment().target, 0, true);
+  profile_events_.begin(next, zero_, 0, true, zero_, clock_.override_share());
+}
+
+void LookAheadGenerator::begin_run(const PathLeg& leg) noexcept {
+  if (moved_) guide_.restart(guide_.index(), segment().target);
+  moved_ = false;
+  guide_.begin_run();
+  average_.begin_run(leg.average, guide_);
+  history_.begin(guide_time(), leg.begin);
+}
+
+void LookAheadGenerator::expect_events(const SegmentDescriptor& next, double instant) noexcept {
+  for (std::size_t i = 0; i < next.events; ++i) {
+    const PathEvent& event = next.on_the_way[i];
+    events_.expect(event, begin_ + std::clamp(event.share, 0.0, 1.0) * length(),
+                   instant - skipped_);
+  }
+}
+
+void LookAheadGenerator::end_path() noexcept {
+  moved_ = true;
+  end_ = on_path() ? std::max(begin_, cursor()) : end_;
+  events_.drop();
+  profile_events_.drop();
+}
+
+void LookAheadGenerator::drop_path(std::uint32_t generation) noexcept {
+  dropping_ = true;
+  dropped_ = generation;
+  ring_.ask_drop(generation);
+}
+
+/// The numbers of what was given up are passed over, unless they come again.
+void LookAheadGenerator::finish_drop() noexcept {
+  std::uint32_t last = segment().number;
+  for (const PathLeg* leg = ring_.next_leg(); leg != nullptr; leg = ring_.next_leg()) {
+    last = leg->segment.number;
+    ring_.pop_leg();
+  }
+  last = std::max(last, ring_.last_number());
+  if (dropped_ != 0 && last > segment().number) skip_to(last);
+  released_ = ring_.skip_dropped();
+  guide_.restart(released_, segment().target);
+  dropping_ = false;
+}
+
+void LookAheadGenerator::sample_path(GeneratorSample& sample) const noexcept {
+  PathPoint p = average_.mean();
+  sample.sigma = length() > 0 ? average_.sigma() - begin_ : 0;
+  sample.rate = average_.rate();
+  sample.limit = guide_.at_path_end() ? limit_number::kEndOfBuffer : number_of(guide_.limit());
+  if (profiled()) {
+    sample.sigma = clock_.path_time() - zero_;
+    sample.rate = clock_.rate();
+    p = driven(profile_.sample(sample.sigma), clock_.rate(), clock_.slope());
+    sample.limit = override_share() < 1 ? limit_number::kOverride : segment().limit;
+  } else if (!on_run()) {
+    p = {segment().target, p.qd * 0, p.qdd * 0};
+    sample.rate = 0;
+  }
+  sample.reference.q = p.q;
+  sample.reference.qd = p.qd;
+  sample.reference.qdd = p.qdd;
+}
+
+double LookAheadGenerator::share_done() const noexcept {
+  if (profiled()) return std::min((clock_.path_time() - zero_) / segment().duration, 1.0);
+  return length() > 0 ? std::clamp((cursor() - begin_) / length(), 0.0, 1.0) : 1;
+}
+
+std::optional<double> LookAheadGenerator::stands_since() const noexcept {
+  if (profiled()) {
+    return clock_.held() ? std::optional(clock_.steady_since()) : std::nullopt;
+  }
+  if (!on_run()) return stamp();
+  if (!guide_.stands() || !average_.stands()) return std::nullopt;
+  return std::min(told(history_.stands_since()) + lag(), stamp());
+}
+
+/// The guide is ahead of the references, and may have passed decision points further on.
+std::uint32_t LookAheadGenerator::decided() const noexcept {
+  const std::uint32_t number = segment().number;
+  if (profiled()) {
+    const bool due = clock_.next() > zero_ + segment().duration + kSameInstant;
+    return due ? number : number - 1;
+  }
+  const double next = guide_.sigma() + guide_.rate() * period();
+  if (on_run() && next < decides_ - rounding(decides_)) return number - 1;
+  std::uint32_t decided = number;
+  const PathLeg* leg = ring_.leg(0);
+  for (std::size_t i = 0; leg != nullptr && !dropping_; leg = ring_.leg(++i)) {
+    if (!on_run() || !has_way(leg->segment) || next < leg->decides) break;
+    decided = leg->segment.number;
+  }
+  return decided;
+}
+
+const Effect* LookAheadGenerator::take_path_event(double& due) noexcept {
+  if (const Effect* effect = profile_events_.take(clock_.path_time() + kSameInstant, due)) {
+    due = clock_.run_time(due);
+    return effect;
+  }
+  const Effect* const effect =
+      events_.take(guide_, history_, guide_time() + kSameInstant, lag(), due);
+  if (effect != nullptr) due += skipped_;
+  return effect;
+}
+
+}  // namespace rob::motion
