@@ -70,13 +70,15 @@ Guide::Part Guide::next_part(double until) noexcept {
 
 /// The greatest σ' on the piece apart from what lies ahead.
 double Guide::greatest_rate(const Piece& piece, GuideLimit& limit) const noexcept {
-  const double paced = piece.pace * share_;
-  if (paced > piece.fastest) {
+  const double top = piece.greatest_rate(share_);
+  if (share_ < 1) {
+    limit = {GuideLimit::Kind::Override, -1};
+  } else if (top == piece.fastest) {
     limit = {GuideLimit::Kind::Speed, piece.fastest_axis};
-    return piece.fastest;
+  } else {
+    limit = {GuideLimit::Kind::Pace, -1};
   }
-  limit = {share_ < 1 ? GuideLimit::Kind::Override : GuideLimit::Kind::Pace, -1};
-  return paced;
+  return top;
 }
 
 /// As fast as the bounds here and at the end of the piece allow, until it must be braked: where the

@@ -320,7 +320,7 @@ bool PathPlanner::extends_last(const Piece& piece) const {
 }
 
 double PathPlanner::top_square(const Piece& piece) const noexcept {
-  const double top = std::min(piece.pace * share_, piece.fastest);
+  const double top = piece.greatest_rate(share_);
   return top * top;
 }
 

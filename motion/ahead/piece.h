@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -33,6 +34,12 @@ struct Piece {
 
   bool straight() const noexcept { return count <= 2; }
   bool averaged() const noexcept { return slopes.size() != 0; }
+
+  /// σ' under an override: it slows what would be reached without one, and raises the pace as far
+  /// as the axes go.
+  double greatest_rate(double share) const noexcept {
+    return std::min(std::min(pace, fastest) * share, fastest);
+  }
 
   /// `at`: σ − begin. Derivatives with respect to σ.
   PathPoint point(double at) const noexcept {

@@ -1,0 +1,212 @@
+#include "motion/generate/look_ahead_generator.h"
+
+#include <doctest/doctest.h>
+
+#include "tests/motion/generate/look_ahead_run.h"
+#include "tests/support/no_allocation.h"
+
+using namespace rob::motion;
+using namespace rob::test;
+using Kind = MotionEvent::Kind;
+
+namespace {
+
+/// Rounding, and the guide's own.
+constexpr double kMost = 1 + 1e-6;
+
+void check_limits(const LookAheadRun& run) {
+  const LookAheadRun::Peak peak = run.peak();
+  CHECK(peak.speed <= kMost);
+  CHECK(peak.acceleration <= kMost);
+  CHECK(peak.jerk <= kMost);
+}
+
+/// m from the nearest of the references.
+double distance_from(const LookAheadRun& run, const JointVector& q) {
+  double least = 1;
+  for (const GeneratorSample& sample : run.samples())
+    least = std::min(least, (sample.reference.q - q).head<2>().norm());
+  return least;
+}
+
+double x_mm(const JointVector& q) { return q[0] * 1000; }
+
+WatchAnswer first_input(const void*, const CycleView& view) noexcept {
+  return (view.inputs & 1) != 0 ? WatchAnswer::Yes : WatchAnswer::No;
+}
+constexpr Watch kFirstInput{first_input, nullptr};
+
+}  // namespace
+
+TEST_CASE(
+    "the look-ahead generator arrives exactly, within limits, and starts each motion in turn") {
+  LookAheadRun run;
+  give_published_program(run);
+  run.finish();
+  REQUIRE(run.all(Kind::Finished).size() == 1);
+  CHECK((run.last().q - gantry_q(40, 40, 0)).norm() < 1e-15);
+  CHECK(run.last().qd.norm() == 0);
+  const auto started = run.all(Kind::SegmentStarted);
+  REQUIRE(started.size() == 5);
+  for (std::size_t i = 0; i < started.size(); ++i) CHECK(started[i].number == i + 1);
+  CHECK(run.generator().late_decisions() == 0);
+  check_limits(run);
+}
+
+// v = 20 mm/s, a = 100 mm/s², j = 1000 mm/s³: a mean over 2a/j = 0.2 s of a trapezium.
+TEST_CASE("one line lasts d/v + v/a and the time of the mean") {
+  LookAheadRun run;
+  run.move(100, 0);
+  run.close();
+  run.finish();
+  const double guide = 100.0 / 20 + 20.0 / 100;
+  const double mean = 0.2 - run.robot().reference_period;  // of samples, from first to last
+  const double finished = run.all(Kind::Finished).at(0).time;
+  CHECK(finished >= guide + mean - 1e-9);
+  CHECK(finished <= guide + mean + run.robot().reference_period + 1e-9);
+  check_limits(run);
+}
+
+TEST_CASE("a hold anywhere keeps the axes on their path and within their limits") {
+  LookAheadRun whole;
+  give_published_program(whole);
+  whole.finish();
+  for (int k = 5; k < 1600; k += 97) {
+    LookAheadRun run;
+    give_published_program(run);
+    run.until(k * 0.01);
+    run.generator().hold();
+    run.until(k * 0.01 + 1.5);
+    CAPTURE(k);
+    REQUIRE(run.all(Kind::Held).size() == 1);
+    CHECK(run.last().qd.norm() == 0);
+    // References of the whole run lie 0.2 mm apart; the mean moves a corner by at most a·T²/24.
+    CHECK(distance_from(whole, run.last().q) < 0.0003);
+    run.generator().resume();
+    run.finish();
+    REQUIRE(run.all(Kind::Finished).size() == 1);
+    CHECK((run.last().q - gantry_q(40, 40, 0)).norm() < 1e-15);
+    check_limits(run);
+  }
+}
+
+TEST_CASE("an override stretches a line, and changes within limits") {
+  LookAheadRun run;
+  run.move(100, 0);
+  run.close();
+  run.until(2);
+  run.generator().set_override(0.5);
+  run.until(3);
+  CHECK(run.last().qd[0] == doctest::Approx(0.010));
+  CHECK(run.samples().back().limit == 21);
+  run.generator().set_override(1);
+  run.until(4);
+  CHECK(run.last().qd[0] == doctest::Approx(0.020));
+  run.finish();
+  check_limits(run);
+}
+
+TEST_CASE("an effect in a corner is due where the motion behind it begins") {
+  LookAheadRun run;
+  run.move(40, 0);
+  run.effect(7);
+  run.move(40, 40);
+  run.effect(8);
+  run.close();
+  run.finish();
+  const auto effects = run.all(Kind::EffectDue);
+  REQUIRE(effects.size() == 2);
+  CHECK(effects[0].time == run.all(Kind::SegmentStarted).at(1).time);
+  CHECK(effects[1].time == run.all(Kind::Finished).at(0).time);
+  // Symmetric: both axes are at 20 mm/s before and behind; in the middle they are alike.
+  const double t = effects[0].time;
+  const auto k = static_cast<std::size_t>(t / 0.01);
+  const JointReference& before = run.samples()[k].reference;
+  const JointVector q = before.q + before.qd * (t - before.time);
+  CHECK(40 - q[0] * 1000 == doctest::Approx(q[1] * 1000).epsilon(0.02));
+}
+
+TEST_CASE("a guarded motion brakes where its condition holds, and a new path begins there") {
+  LookAheadRun run;
+  run.move(100, 0, 0, kFirstInput);
+  run.until(3);
+  const double x = x_mm(run.last().q);
+  run.inputs = 1;
+  run.until(5);
+  REQUIRE(run.rests().size() == 1);
+  CHECK(run.rests()[0].outcome == Rest::Outcome::Hit);
+  CHECK(run.rests()[0].q == run.last().q);
+  // From 20 mm/s at 100 mm/s²: 2 mm of the guide, which is ahead of the reference by half the mean.
+  CHECK(x_mm(run.last().q) - x == doctest::Approx(2 + 20 * 0.095).epsilon(0.11));
+  run.inputs = 0;
+  run.planner().retarget(run.rests()[0].q);
+  run.move(0, 50);
+  run.close();
+  run.finish();
+  REQUIRE(run.all(Kind::Finished).size() == 1);
+  CHECK((run.last().q - gantry_q(0, 50, 0)).norm() < 1e-15);
+  check_limits(run);
+}
+
+TEST_CASE("a program that falls silent slows the robot smoothly to a stop, and is counted") {
+  LookAheadRun run;
+  run.move(40, 0);
+  run.until(4);
+  CHECK(run.generator().late_decisions() == 1);
+  CHECK((run.last().q - gantry_q(40, 0, 0)).norm() < 1e-12);
+  run.move(40, 40);
+  run.close();
+  run.finish();
+  CHECK((run.last().q - gantry_q(40, 40, 0)).norm() < 1e-15);
+  check_limits(run);
+}
+
+TEST_CASE("a dwell takes its time, under any override") {
+  LookAheadRun run;
+  run.move(20, 0);
+  run.stop();
+  run.push(run.planner().dwell(0, 0.5));
+  run.move(0, 0);
+  run.close();
+  run.generator().set_override(0.5);
+  run.finish();
+  const auto started = run.all(Kind::SegmentStarted);
+  REQUIRE(started.size() >= 3);
+  const double stood = started.back().time - started[started.size() - 2].time;
+  CHECK(stood >= 0.5 - 1e-9);
+  CHECK(stood <= 0.51 + 1e-9);  // what moves begins at a stamp
+  CHECK((run.last().q - gantry_q(0, 0, 0)).norm() < 1e-15);
+}
+
+TEST_CASE("late ticks of the look-ahead generator have the bits of punctual ones") {
+  LookAheadRun punctual;
+  give_published_program(punctual);
+  punctual.finish();
+  LookAheadRun late;
+  give_published_program(late);
+  for (int k = 0; k < 10; ++k) late.path_planner().work();
+  for (std::int64_t period = 6; period < 1500; period += 7) {
+    const GeneratorSample& sample = late.advance(period);
+    const GeneratorSample& other = punctual.samples()[static_cast<std::size_t>(period)];
+    REQUIRE(sample.reference.q == other.reference.q);
+    REQUIRE(sample.reference.qd == other.reference.qd);
+  }
+}
+
+TEST_CASE("the look-ahead tick takes no memory") {
+  LookAheadRun run;
+  give_published_program(run);
+  run.path_planner().work();
+  std::int64_t taken = 0;
+  MotionEvent event;
+  for (std::int64_t period = 0; period < 1800; ++period) {
+    run.path_planner().work();
+    NoAllocation guard;
+    run.look();
+    run.generator().advance(period);
+    while (run.generator().take_event(event)) {
+    }
+    taken += guard.count();
+  }
+  CHECK(taken == 0);
+}
