@@ -120,6 +120,11 @@ void PathPlanner::fetch() {
   }
 }
 
+/// Where the mean is of σ, bends have a share of the jerk, too.
+double PathPlanner::window_of(const SegmentDescriptor& segment) const noexcept {
+  return segment.ahead.window / (robot_.tool_coordinates ? 1 - kBendsShare : 1);
+}
+
 std::size_t PathPlanner::room() const noexcept {
   return ring_.room() - static_cast<std::size_t>(end_ - ring_.end());
 }
@@ -140,7 +145,7 @@ bool PathPlanner::begin_run() {
     ring_.push({next, known_, known_, known_, 1});
     return true;
   }
-  window_ = next.ahead.window;
+  window_ = window_of(next);
   reach_ = 0;
   open(shaped_leg(robot_, next, known_));
   return true;
@@ -180,7 +185,7 @@ bool PathPlanner::decide_alone() {
 
 bool PathPlanner::join_next() {
   const SegmentDescriptor& next = pending_.front();
-  const bool longer_mean = next.ahead.window > window_ && window_ == 0;
+  const bool longer_mean = window_of(next) > window_ && window_ == 0;
   if (moves(next) && !has_way(next)) {
     ring_.push({next, open_->end(), open_->end(), open_->end(), 1});
     pending_.erase(pending_.begin());
@@ -198,7 +203,7 @@ bool PathPlanner::join_next() {
     return true;
   }
   next_ = shaped_leg(robot_, next, open_->end());
-  if (next.ahead.window > window_) next_->acceleration *= window_ / next.ahead.window;
+  if (window_of(next) > window_) next_->acceleration *= window_ / window_of(next);
   const TurnBounds bounds{std::min(open_->length() - open_->sent, share_of_next(*next_)), window_,
                           robot_.tool_coordinates};
   turn_ = make_turn(robot_, *open_, *next_, bounds);

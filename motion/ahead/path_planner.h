@@ -62,6 +62,7 @@ class PathPlanner {
   void spread(PathRing::Index at) noexcept;
   void pass_back(PathRing::Index ready, bool anew);
   double top_square(const Piece& piece) const noexcept;
+  double window_of(const SegmentDescriptor& segment) const noexcept;
   std::size_t room() const noexcept;
 
   /// The greatest |dq/dσ| and |d²q/dσ²| on a piece.

@@ -71,6 +71,20 @@ void fill_quintic(Piece& piece, const PathPoint& a, const PathPoint& b) {
   piece.terms[5] = (6 * way - 3 * v0 - 3 * v1 - 0.5 * a0 + 0.5 * a1) / (l * l * l * l * l);
 }
 
+/// At even speed σ' a quintic asks for the jerk σ'³ times its third derivative.
+void bound_jerk(const ShapedLeg& leg, Piece& piece) {
+  for (const double at : {0.0, piece.length / 2, piece.length}) {
+    const JointVector third =
+        6 * piece.terms[3] + at * (24 * piece.terms[4] + at * 60 * piece.terms[5]);
+    for (int i = 0; i < third.size(); ++i) {
+      const double fastest = std::cbrt(kBendsShare * leg.jerk[i] / std::abs(third[i]));
+      if (!(fastest < piece.fastest)) continue;
+      piece.fastest = fastest;
+      piece.fastest_axis = -1;
+    }
+  }
+}
+
 /// `at(way)` gives the path's places, from `from` to `to` in even parts.
 template <typename At>
 void append_curve(const RobotModel& robot, const ShapedLeg& leg, double begin, double from,
@@ -85,6 +99,7 @@ void append_curve(const RobotModel& robot, const ShapedLeg& leg, double begin, d
     bound_speed(robot, a, piece);
     bound_speed(robot, piece.point(piece.length / 2), piece);
     bound_speed(robot, b, piece);
+    bound_jerk(leg, piece);
     pieces.push_back(piece);
     a = b;
   }
@@ -120,10 +135,13 @@ void append_nodes(const RobotModel& robot, const ShapedLeg& leg, const JointPath
 
 ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, double begin) {
   const LegBounds& bounds = segment.ahead;
-  ShapedLeg leg{segment, {segment.path, bounds.from, segment.target, bounds.length}, begin, 0, {}};
+  ShapedLeg leg{segment, {segment.path, bounds.from, segment.target, bounds.length}, begin, 0, {},
+                {}};
   leg.acceleration.resize(robot.axis_count());
   for (int i = 0; i < robot.axis_count(); ++i)
     leg.acceleration[i] = robot.axes[static_cast<std::size_t>(i)].a_max * bounds.acceleration;
+  leg.jerk = bounds.window > 0 ? JointVector(2 / bounds.window * leg.acceleration)
+                               : JointVector::Constant(robot.axis_count(), Piece::kAny);
   return leg;
 }
 

@@ -9,6 +9,10 @@
 
 namespace rob::motion {
 
+/// What the bends of an arm's path may ask for of the axes' jerk. [choice] so that corners are
+/// about as slow as their accelerations make them anyhow
+inline constexpr double kBendsShare = 1.0 / 3;
+
 /// A motion as part of a path: from the middle of the corner before it, or from rest.
 struct ShapedLeg {
   SegmentDescriptor segment;
@@ -16,6 +20,7 @@ struct ShapedLeg {
   double begin = 0;  ///< σ at its beginning
   double sent = 0;   ///< m from there, up to which it has been made into pieces
   JointVector acceleration;
+  JointVector jerk;  ///< m/s³, rad/s³; infinite where it is not bounded
 
   double length() const noexcept { return motion.duration; }
   double end() const noexcept { return begin + length(); }
