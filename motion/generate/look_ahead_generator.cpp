@@ -138,7 +138,8 @@ void LookAheadGenerator::begin(const SegmentDescriptor& next, double instant) no
   end_ = leg.end;
   decides_ = leg.decides;
   arrival_ = instant;
-  if (has_way(next) && !goes_on) begin_run(leg);
+  run_ = goes_on || has_way(next);
+  if (run_ && !goes_on) begin_run(leg);
   next.profile.present() ? begin_profile(next) : expect_events(next, instant);
   segment() = next;
 }
@@ -167,8 +168,9 @@ void LookAheadGenerator::expect_events(const SegmentDescriptor& next, double ins
 }
 
 void LookAheadGenerator::end_path() noexcept {
+  if (on_run()) end_ = std::max(begin_, cursor());
   moved_ = true;
-  end_ = on_path() ? std::max(begin_, cursor()) : end_;
+  run_ = false;
   events_.drop();
   profile_events_.drop();
 }

@@ -68,7 +68,7 @@ class LookAheadGenerator final : public SegmentGenerator {
 
   bool profiled() const noexcept { return segment().profile.present(); }
   /// Under way on the path of the guide.
-  bool on_run() const noexcept { return on_path() && !profiled() && length() > 0; }
+  bool on_run() const noexcept { return on_path() && run_; }
   double length() const noexcept { return end_ - begin_; }
   double guide_time() const noexcept { return stamp() - skipped_; }
   /// s by which a reference lags behind the guide.
@@ -89,6 +89,7 @@ class LookAheadGenerator final : public SegmentGenerator {
   ReferenceAverage average_;
   GuideHistory history_;
   PlaceEvents events_;
+  bool run_ = false;    ///< the segment is part of a path from rest to rest
   double skipped_ = 0;  ///< s of the run that the guide's time has not
   double begin_ = 0;    ///< σ of the segment under way
   double end_ = 0;

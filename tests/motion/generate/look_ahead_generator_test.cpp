@@ -126,6 +126,26 @@ TEST_CASE("an effect in a corner is due where the motion behind it begins") {
   CHECK(40 - q[0] * 1000 == doctest::Approx(q[1] * 1000).epsilon(0.02));
 }
 
+TEST_CASE("a target that is given twice is passed without a stop, and its effects with it") {
+  LookAheadRun run;
+  run.move(100, 50, 30);
+  run.move(150, 80, 45);
+  run.effect(7);
+  run.move(150, 80, 45);
+  run.effect(8);
+  run.move(200, 80, 45);
+  run.close();
+  run.finish();
+  const auto started = run.all(Kind::SegmentStarted);
+  REQUIRE(started.size() == 4);
+  const auto effects = run.all(Kind::EffectDue);
+  REQUIRE(effects.size() == 2);
+  CHECK(effects[0].time == started[2].time);
+  CHECK(effects[1].time == started[3].time);
+  CHECK((run.last().q - gantry_q(200, 80, 45)).norm() < 1e-15);
+  check_limits(run);
+}
+
 TEST_CASE("a guarded motion brakes where its condition holds, and a new path begins there") {
   LookAheadRun run;
   run.move(100, 0, 0, kFirstInput);

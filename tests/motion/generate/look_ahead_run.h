@@ -117,6 +117,8 @@ class LookAheadRun {
         const motion::JointReference& before = samples_[k - 1].reference;
         const double jerk = std::abs(r.qdd[i] - before.qdd[i]) / (r.time - before.time);
         peak.jerk = std::max(peak.jerk, jerk / axis.j_max);
+        const double mean_speed = std::abs(r.q[i] - before.q[i]) / (r.time - before.time);
+        peak.speed = std::max(peak.speed, mean_speed / axis.v_max);
       }
     }
     return peak;
