@@ -16,9 +16,11 @@ TracedRun run_traced(const std::string& rob, const std::string& program, const s
   const ScratchFolder scratch;
   const auto file = [&](const char* name) { return (scratch.path() / name).string(); };
   std::ofstream(file("program.rob"), std::ios::binary) << program;
-  std::vector<std::string> arguments{rob,       "run",     file("program.rob"),
-                                     "--robot", robot,     "--fast",
-                                     "--json",  "--trace", file("trace.csv")};
+  // A run that never ends is one that fails: timeout(1) makes its exit code 124.
+  std::vector<std::string> arguments{
+      "/usr/bin/timeout", "300", rob,      "run",    file("program.rob"),
+      "--robot",          robot, "--fast", "--json", "--trace",
+      file("trace.csv")};
   arguments.insert(arguments.end(), more.begin(), more.end());
   TracedRun run;
   run.process = run_process(arguments);
