@@ -92,26 +92,42 @@ Guide::Choice Guide::choose(const Piece& piece, double rest) const noexcept {
   if (braking_ || on.x > top * (1 + kSame)) return slow_down(piece, on, range, braking_ ? 0 : top);
 
   const double end = ring_.square(index_);
-  const double brakes = brakes_on(piece, on.end, top);
-  // Where they cannot, one even σ'' has to lead to the end.
-  const double line = brakes > 0 ? end + 2 * brakes * rest : 0;
+  // Slow enough for half of what the axes have, they can brake evenly wherever they are on it; else
+  // one even σ'' has to lead to the end.
+  const double half = half_bent(piece, on.end);
+  const bool slow = on.x <= half && end <= half;
+  const double most = slow ? std::min(top, half) : top;
+  const double brakes = slow ? brakes_on(piece, on.end, most) : 0;
+  const double line = slow ? end + 2 * brakes * rest : 0;
   Choice choice{range.high, rest, 0, {GuideLimit::Kind::Acceleration, range.high_axis}};
   if (on.x >= line * (1 - kSame)) {
     // Above the square, as behind a lowered override, as hard as the axes can.
     choice.control = std::min(range.high, std::max(range.low, (end - on.x) / (2 * rest)));
-  } else if (on.x >= top * (1 - kSame)) {
+  } else if (on.x >= most * (1 - kSame)) {
     choice.control = std::clamp(0.0, std::min(range.low, range.high), range.high);
     if (choice.control == 0) choice.limit = cruising;
   }
   if (on.x < line * (1 - kSame) && choice.control + brakes > 0)
     choice.way = std::min(rest, (line - on.x) / (2 * (choice.control + brakes)));
-  if (on.x < top * (1 - kSame) && choice.control > 0)
-    choice.way = std::min(choice.way, (top - on.x) / (2 * choice.control));
+  if (on.x < most * (1 - kSame) && choice.control > 0)
+    choice.way = std::min(choice.way, (most - on.x) / (2 * choice.control));
   const double after = on.x + 2 * choice.control * choice.way;
   // Rounding of large numbers that cancel must not leave a speed where the path ends.
   const bool meets_end = choice.way == rest && std::abs(after - end) <= kNear * on.x;
   choice.end_rate = root(meets_end ? end : after);
   return choice;
+}
+
+/// The greatest square at which the bends of a piece leave half of the axes' acceleration.
+double Guide::half_bent(const Piece& piece, const PathPoint& end) const noexcept {
+  const PathPoint begin = piece.point(0);
+  double square = Piece::kAny;
+  for (int i = 0; i < piece.acceleration.size(); ++i) {
+    const double bend =
+        piece.averaged() ? piece.bends[i] : std::max(std::abs(begin.qdd[i]), std::abs(end.qdd[i]));
+    if (2 * bend * square > piece.acceleration[i]) square = piece.acceleration[i] / (2 * bend);
+  }
+  return square;
 }
 
 /// The same for all of the piece, so that the square from which it has to be braked is one line.

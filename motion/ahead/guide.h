@@ -103,6 +103,7 @@ class Guide {
   Part next_part(double until) noexcept;
   double greatest_rate(const Piece& piece, GuideLimit& limit) const noexcept;
   Choice choose(const Piece& piece, double rest) const noexcept;
+  double half_bent(const Piece& piece, const PathPoint& end) const noexcept;
   double brakes_on(const Piece& piece, const PathPoint& end, double top) const noexcept;
   Choice slow_down(const Piece& piece, const Stretch& on, const ControlRange& range,
                    double floor) const noexcept;
