@@ -33,16 +33,7 @@ bool has_way(const SegmentDescriptor& segment) {
   return moves(segment) && segment.ahead.length > 0;
 }
 
-/// σ' that the axes allow at a place, and σ'' on a straight line there.
-double speed_of(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place) {
-  double most = leg.segment.ahead.speed;
-  for (int i = 0; i < robot.axis_count(); ++i) {
-    const double v_max = robot.axes[static_cast<std::size_t>(i)].v_max;
-    if (std::abs(place.qd[i]) * most > v_max) most = v_max / std::abs(place.qd[i]);
-  }
-  return most;
-}
-
+/// σ'' that the axes allow on a straight line at a place.
 double control_of(const ShapedLeg& leg, const PathPoint& place) {
   double most = kAny;
   for (int i = 0; i < place.qd.size(); ++i) {
@@ -156,7 +147,7 @@ void PathPlanner::open(ShapedLeg leg) {
   open_ = std::move(leg);
   sent_ = false;
   const PathPoint end = open_->at(open_->length());
-  const double speed = speed_of(robot_, *open_, end);
+  const double speed = greatest_rate(robot_, *open_, end);
   const double brakes = speed * speed / (2 * control_of(*open_, end));
   const double periods = std::ceil(window_ / robot_.reference_period - 1e-9);
   ring_.push({open_->segment, open_->begin, open_->end(),
@@ -266,7 +257,7 @@ double PathPlanner::longest_turn(const ShapedLeg& leg) const {
   const double miss = std::min(zone.miss, rotary > 0 ? zone.turn / rotary : kAny);
   double longest = std::min(leg.length() - leg.sent, zone.lead);
   if (zone.share < 1) longest = std::min(longest, zone.share / 2 * leg.length());
-  const double speed = speed_of(robot_, leg, end);
+  const double speed = greatest_rate(robot_, leg, end);
   if (miss < kAny) longest = std::min(longest, speed * std::sqrt(2 * miss / control_of(leg, end)));
   return longest;
 }
@@ -291,7 +282,7 @@ bool PathPlanner::send(double goal) {
 double PathPlanner::longest_piece() const {
   if (!averages_sigma()) return kAny;
   constexpr double kParts = 16;  // [choice] of the way within the mean's time
-  const double speed = speed_of(robot_, *open_, open_->at(open_->sent));
+  const double speed = greatest_rate(robot_, *open_, open_->at(open_->sent));
   return std::max(speed * window_ / kParts, 1e-6);
 }
 

@@ -145,6 +145,15 @@ ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, 
   return leg;
 }
 
+double greatest_rate(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place) {
+  double most = leg.segment.ahead.speed;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const double v_max = robot.axes[static_cast<std::size_t>(i)].v_max;
+    if (std::abs(place.qd[i]) * most > v_max) most = v_max / std::abs(place.qd[i]);
+  }
+  return most;
+}
+
 void append_leg(const RobotModel& robot, const ShapedLeg& leg, double from, double to,
                 double longest, std::vector<Piece>& pieces) {
   if (!(to > from)) return;

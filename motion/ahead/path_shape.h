@@ -28,6 +28,9 @@ struct ShapedLeg {
 };
 ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, double begin);
 
+/// σ' that is asked for on a leg, or what the speeds of the axes leave of it at one of its places.
+double greatest_rate(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place);
+
 /// The way from one leg into the next around the point between them: `half` m of σ on each side.
 struct Turn {
   double half = 0;

@@ -61,16 +61,6 @@ double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVec
   return least;
 }
 
-double greatest_speed(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place) {
-  double most = leg.segment.ahead.speed;
-  for (int i = 0; i < robot.axis_count(); ++i) {
-    const double slope = std::abs(place.qd[i]);
-    if (slope * most > robot.axes[static_cast<std::size_t>(i)].v_max)
-      most = robot.axes[static_cast<std::size_t>(i)].v_max / slope;
-  }
-  return most;
-}
-
 bool straight(const ShapedLeg& in, const ShapedLeg& out) {
   return in.motion.path == nullptr && out.motion.path == nullptr;
 }
@@ -79,8 +69,8 @@ bool straight(const ShapedLeg& in, const ShapedLeg& out) {
 double half_for_speed(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out) {
   const JointVector turn = turn_of(in, out);
   const double reserve = turning_reserve(in, out, turn);
-  const double speed = std::max(greatest_speed(robot, in, in.at(in.length())),
-                                greatest_speed(robot, out, out.at(0)));
+  const double speed =
+      std::max(greatest_rate(robot, in, in.at(in.length())), greatest_rate(robot, out, out.at(0)));
   const double peak = straight(in, out) && !robot.tool_coordinates ? 1 : 2;  // of a smooth curve
   return peak * speed * speed / (2 * reserve);
 }

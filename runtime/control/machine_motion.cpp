@@ -213,11 +213,6 @@ void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
                             shown(planned.zone_left, motion::AxisKind::Linear)),
                 "a ZONE of that size says so in the program"});
   }
-  if (robot_.law == motion::Law::LookAhead && planned.segment.no_length && !exact_) {
-    log_.found({lang::Severity::Note, code::kSameTarget, place,
-                "this target is the one before: the robot comes to rest there",
-                "leave the motion out, unless the point is to be reached exactly"});
-  }
   if ((planned.warnings & motion::PlannedSegment::kZoneRaised) != 0) {
     log_.found({lang::Severity::Warning, code::kZoneRaised, place,
                 fmt::format("ZONE asks for a tighter corner than the axes can take; it becomes"
