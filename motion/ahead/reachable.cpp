@@ -38,29 +38,31 @@ void each_row(const Piece& piece, const PathPoint& here, const PathPoint& end, d
   }
 }
 
-/// A bound of u that is linear in x: at + per·x.
+/// A bound of u: slope·u + bend·x = most. One quotient, so that what cancels above a slope of next
+/// to nothing cancels exactly.
 struct Bound {
-  double at = 0;
-  double per = 0;
+  double most = 0;
+  double bend = 0;
+  double slope = 1;
   int axis = -1;
-  double value(double x) const noexcept { return at + per * x; }
+  double value(double x) const noexcept { return (most - bend * x) / slope; }
+  double per() const noexcept { return -bend / slope; }
 };
 
 /// Both bounds that are the tightest at x.
 struct Bounds {
-  Bound low{-kAny, 0, -1};
-  Bound high{kAny, 0, -1};
+  Bound low{-kAny};
+  Bound high{kAny};
 
   void take(const Row& row, double x) noexcept {
     if (row.slope == 0) return;
-    const double size = std::abs(row.slope);
-    const double per = -row.bend / row.slope;
     // Where a bend asks for just what there is, rounding must not ask for a control without end.
     constexpr double kRounding = 1 + 1e-9;
     const double bent = std::abs(row.bend) * x;
     const double most = bent <= row.most * kRounding ? std::max(row.most, bent) : row.most;
-    const Bound below{-most / size, per, row.axis};
-    const Bound above{most / size, per, row.axis};
+    const double up = row.slope > 0 ? most : -most;
+    const Bound below{-up, row.bend, row.slope, row.axis};
+    const Bound above{up, row.bend, row.slope, row.axis};
     if (below.value(x) > low.value(x)) low = below;
     if (above.value(x) < high.value(x)) high = above;
   }
@@ -121,13 +123,13 @@ double reachable_square(const Piece& piece, double end_square, double cap) noexc
   for (int step = 0; step < kMostSteps; ++step) {
     Bounds bounds = bounds_at(piece, here, end, length, x);
     // x + 2·u·length <= end_square, and not below 0
-    const Bound to_end{end_square / (2 * length), -1 / (2 * length), -1};
+    const Bound to_end{end_square, 1, 2 * length};
     if (to_end.value(x) < bounds.high.value(x)) bounds.high = to_end;
-    const Bound to_rest{0, -1 / (2 * length), -1};
+    const Bound to_rest{0, 1, 2 * length};
     if (to_rest.value(x) > bounds.low.value(x)) bounds.low = to_rest;
     const double width = bounds.high.value(x) - bounds.low.value(x);
     if (width >= 0) return x;
-    const double fall = bounds.high.per - bounds.low.per;
+    const double fall = bounds.high.per() - bounds.low.per();
     if (!(fall < 0)) return 0;
     const double next = x - width / fall;
     if (!(next < x)) return std::max(next, 0.0);
