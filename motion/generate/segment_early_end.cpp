@@ -113,6 +113,8 @@ void SegmentGenerator::end_early(double instant) noexcept {
 /// A guarded motion has arrived, and its condition never held.
 void SegmentGenerator::close_guard(double instant) noexcept {
   if (!segment_.guard.present() || braking_) return;
+  const SegmentDescriptor* const next = next_segment();
+  if (next != nullptr && next->no_length && next->guard.present()) return;  // its own exact end
   segment_.guard = {};
   const double time = std::max(latest_, instant);
   begin_rest(Rest::Outcome::Reached, nullptr, time);

@@ -168,6 +168,25 @@ TEST_CASE("a guarded motion brakes where its condition holds, and a new path beg
   check_limits(run);
 }
 
+TEST_CASE("a guarded motion with its exact end rests once, whenever its condition comes") {
+  for (int before = -3; before <= 3; ++before) {
+    LookAheadRun whole;
+    whole.move(20, 0, 0);
+    whole.close();
+    whole.finish();
+    LookAheadRun run;
+    run.move(20, 0, 0, kFirstInput);
+    auto exact = run.planner().stop(0);
+    REQUIRE(exact);
+    exact->guard = kFirstInput;
+    run.push(*exact);
+    run.until(static_cast<double>(whole.period() + before) * run.robot().reference_period);
+    run.inputs = 1;
+    for (int i = 0; i < 200; ++i) run.step();
+    CHECK(run.rests().size() == 1);
+  }
+}
+
 TEST_CASE("a program that falls silent slows the robot smoothly to a stop, and is counted") {
   LookAheadRun run;
   run.move(40, 0);
