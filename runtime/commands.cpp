@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lang/code/disassembler.h"
+#include "motion/plan/capability.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/control/units.h"
 #include "runtime/explain.h"
@@ -181,7 +182,11 @@ std::string describe(const motion::RobotModel& robot) {
   }
   text += signals.empty() ? "" : "    signals:" + signals + "\n";
   if (robot.force_sensor) text += "    measures forces and torques on its tool\n";
-  return text + "    MOVE, MOVEL, MOVEC, MOVES, SPIRAL, JOG under Paul's law; simulated\n";
+  const char* const laws = motion::can(robot, motion::Law::Paul)
+                               ? "Paul's law and the look-ahead law"
+                               : "the look-ahead law";
+  return text +
+         fmt::format("    MOVE, MOVEL, MOVEC, MOVES, SPIRAL, JOG under {}; simulated\n", laws);
 }
 
 ExitCode list_robots() {
