@@ -64,6 +64,7 @@ class LookAheadGenerator final : public SegmentGenerator {
   double share_done() const noexcept override;
   std::optional<double> stands_since() const noexcept override;
   std::uint32_t decided() const noexcept override;
+  bool tells_decisions() const noexcept override { return true; }
   const Effect* take_path_event(double& due) noexcept override;
 
   bool profiled() const noexcept { return segment().profile.present(); }

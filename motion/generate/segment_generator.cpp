@@ -288,6 +288,8 @@ void SegmentGenerator::publish_decidable() noexcept {
   } else if (dwelling() && (stopping() || stamp_ + period_ <= dwell_end_ + kSameInstant)) {
     --number;
   }
+  for (std::uint32_t next = decidable() + 1; tells_decisions() && next <= number; ++next)
+    tell({.kind = Kind::DecisionPoint, .time = stamp_, .tag = segment_.tag, .number = next});
   if (number > decidable()) decidable_.store(number, std::memory_order_release);
 }
 

@@ -117,6 +117,8 @@ class SegmentGenerator : public TrajectoryGenerator {
   virtual std::optional<double> stands_since() const noexcept = 0;
   /// The highest number whose end() comes with the next stamp, or was.
   virtual std::uint32_t decided() const noexcept = 0;
+  /// Whether decision points are not known beforehand, and told when they come; in any case.
+  virtual bool tells_decisions() const noexcept { return false; }
   /// The next path event that is due, and when; null: none. In any case.
   virtual const Effect* take_path_event(double& due) noexcept = 0;
 
