@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "motion/ahead/reachable.h"
-
 namespace rob::motion {
 
 namespace {
@@ -49,6 +47,14 @@ double greatest_rotary_slope(const RobotModel& robot, const PathPoint& place) {
     if (robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
       most = std::max(most, std::abs(place.qd[i]));
   return most;
+}
+
+/// The target is one of two motions: it is passed within both of their zones.
+void keep_within(const LegBounds& other, LegBounds& bounds) {
+  bounds.miss = std::min(bounds.miss, other.miss);
+  bounds.turn = std::min(bounds.turn, other.turn);
+  bounds.lead = std::min(bounds.lead, other.lead);
+  bounds.share = std::min(bounds.share, other.share);
 }
 
 /// Where the polynomial of a leg ends that `way` lies on, m from its beginning.
@@ -179,6 +185,7 @@ bool PathPlanner::join_next() {
   const bool longer_mean = window_of(next) > window_ && window_ == 0;
   if (moves(next) && !has_way(next)) {
     ring_.push({next, open_->end(), open_->end(), open_->end(), 1});
+    keep_within(next.ahead, open_->segment.ahead);
     pending_.erase(pending_.begin());
     return true;
   }
@@ -213,7 +220,8 @@ double PathPlanner::share_of_next(const ShapedLeg& next) const {
   if (pending_.size() < 2)
     return buffer_.closed() || next.segment.guard.present() ? length : length / 2;
   const SegmentDescriptor& third = pending_[1];
-  if (!has_way(third) || third.from_rest) return moves(third) ? length / 2 : length;
+  if (!moves(third) || third.from_rest) return length;  // there is no corner at its end
+  if (!has_way(third)) return length / 2;
   const double other = wanted_half(robot_, next, shaped_leg(robot_, third, next.end()));
   return std::max(length / 2, length - other);
 }
@@ -303,90 +311,6 @@ void PathPlanner::write(const std::vector<Piece>& pieces) {
     ring_.set_run_end(end_, false);
     ++end_;
   }
-}
-
-/// Straight on from a draft, and bounded alike.
-bool PathPlanner::extends_last(const Piece& piece) const {
-  if (end_ == ring_.end() || !piece.straight()) return false;
-  const Piece& last = ring_.written(end_ - 1);
-  constexpr double kSame = 1e-12;
-  return last.straight() && !ring_.run_end(end_ - 1) && last.pace == piece.pace &&
-         last.acceleration == piece.acceleration &&
-         (last.terms[1] - piece.terms[1]).cwiseAbs().maxCoeff() <= kSame;
-}
-
-double PathPlanner::top_square(const Piece& piece) const noexcept {
-  const double top = piece.greatest_rate(share_);
-  return top * top;
-}
-
-PathPlanner::Extent PathPlanner::extent_of(const Piece& piece) noexcept {
-  const PathPoint begin = piece.point(0);
-  const PathPoint end = piece.point(piece.length);
-  return {begin.qd.cwiseAbs().cwiseMax(end.qd.cwiseAbs()),
-          begin.qdd.cwiseAbs().cwiseMax(end.qdd.cwiseAbs())};
-}
-
-/// The pieces before this one can be run: what acts together with them is known.
-PathRing::Index PathPlanner::ready() const noexcept {
-  PathRing::Index at = end_;
-  if (!averages_sigma() || at == 0 || ring_.run_end(at - 1)) return at;
-  while (at > ring_.end()) {
-    const Piece& piece = ring_.written(at - 1);
-    if (piece.begin + piece.length <= known_ - reach_) break;
-    --at;
-  }
-  return at;
-}
-
-/// The greatest of all pieces within reach_ of this one in its run.
-void PathPlanner::spread(PathRing::Index at) noexcept {
-  Piece& piece = ring_.draft(at);
-  Extent most = extent(at);
-  const auto take = [&](PathRing::Index other) {
-    most.slopes = most.slopes.cwiseMax(extent(other).slopes);
-    most.bends = most.bends.cwiseMax(extent(other).bends);
-  };
-  for (PathRing::Index i = at; i > ring_.begin() && !ring_.run_end(i - 1); --i) {
-    if (ring_.written(i).begin < piece.begin - reach_) break;
-    take(i - 1);
-  }
-  for (PathRing::Index i = at; i + 1 < end_ && !ring_.run_end(i); ++i) {
-    if (ring_.written(i + 1).begin > piece.begin + piece.length + reach_) break;
-    take(i + 1);
-  }
-  piece.slopes = most.slopes;
-  piece.bends = most.bends;
-}
-
-void PathPlanner::publish(bool anew) {
-  const PathRing::Index until = ready();
-  if (averages_sigma()) {
-    for (PathRing::Index i = ring_.end(); i < until; ++i) spread(i);
-  }
-  for (PathRing::Index i = ring_.end(); listener_ != nullptr && i < until; ++i)
-    listener_->planned(ring_.written(i));
-  pass_back(until, anew);
-  if (until == 0) return;
-  const Piece& last = ring_.written(until - 1);
-  published_ = last.begin + last.length;
-}
-
-/// From the end backwards: new pieces first, which are then published, and those before until
-/// nothing changes.
-void PathPlanner::pass_back(PathRing::Index ready, bool anew) {
-  const PathRing::Index first_new = ring_.end();
-  double square = 0;
-  for (PathRing::Index i = ready; i > ring_.begin() + 1; --i) {
-    const Piece& piece = ring_.written(i - 1);
-    const Piece& before = ring_.written(i - 2);
-    const double cap = std::min(top_square(piece), top_square(before));
-    square = ring_.run_end(i - 2) ? 0 : reachable_square(piece, square, cap);
-    if (i - 1 < first_new && !anew && square == ring_.square(i - 2)) break;
-    if (i - 1 == first_new) ring_.publish(ready);
-    ring_.set_square(i - 2, square);
-  }
-  ring_.publish(ready);
 }
 
 }  // namespace rob::motion

@@ -50,7 +50,6 @@ class PathPlanner {
   bool decide_alone();
   bool go_on();
   double share_of_next(const ShapedLeg& next) const;
-  bool nothing_follows() const;
   bool guide_within(double time, double deceleration) const;
   double longest_turn(const ShapedLeg& leg) const;
   bool send(double goal);

@@ -13,6 +13,9 @@ namespace {
 /// [choice] rad that an axis turns in a piece at most: what a piece has as one stretch of even σ''
 /// is then as good as the time-optimal within a part in a thousand (tests/motion/ahead).
 constexpr double kMostTurn = std::numbers::pi / 180;
+/// [choice] The same of its direction: what a circle's axes ask for between the ends of a piece is
+/// 1 − cos of half of this above what they ask for there, a third of a thousandth.
+constexpr double kMostBend = 0.05;
 
 /// [choice] In a corner, on each side: enough for the speed to change on the way.
 constexpr int kMostCornerPieces = 8;
@@ -106,11 +109,19 @@ void append_curve(const RobotModel& robot, const ShapedLeg& leg, double begin, d
 }
 
 /// `longest`: m that a part may have.
-int parts_of(const JointVector& turned, double length, double longest) {
+/// `a`, `b`: the ends of a stretch that is one polynomial.
+int parts_of(const RobotModel& robot, const PathPoint& a, const PathPoint& b, double length,
+             double longest) {
   constexpr double kShortest = 1e-6;  // m. [choice] below what any scale resolves
-  const double wanted =
-      std::ceil(std::max(turned.cwiseAbs().maxCoeff() / kMostTurn, length / longest));
-  return static_cast<int>(std::clamp(wanted, 1.0, std::max(1.0, length / kShortest)));
+  constexpr double kMost = 64;        // [choice] a stretch that asks for more is no curve of a tool
+  const double slope = std::max(a.qd.norm(), b.qd.norm());
+  double wanted = slope > 0 ? (b.qd - a.qd).norm() / slope / kMostBend : 1;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    if (robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
+      wanted = std::max(wanted, std::abs(b.q[i] - a.q[i]) / kMostTurn);
+  }
+  wanted = std::max(std::min(wanted, kMost), length / longest);
+  return static_cast<int>(std::clamp(std::ceil(wanted), 1.0, std::max(1.0, length / kShortest)));
 }
 
 /// Node by node: between two the axes are one polynomial.
@@ -124,9 +135,8 @@ void append_nodes(const RobotModel& robot, const ShapedLeg& leg, const JointPath
     const bool last = i + 2 == nodes.size();
     const double stop = last ? to : std::min(to, nodes[i + 1].time * scale);
     if (stop - start <= 1e-12 * (to - from)) continue;
-    const JointVector turned = at(stop).q - at(start).q;
-    append_curve(robot, leg, begin + (start - from), start, stop,
-                 parts_of(turned, stop - start, longest), at, pieces);
+    const int parts = parts_of(robot, at(start), at(stop), stop - start, longest);
+    append_curve(robot, leg, begin + (start - from), start, stop, parts, at, pieces);
     start = stop;
   }
 }

@@ -16,6 +16,10 @@ constexpr double kAny = std::numeric_limits<double>::infinity();
 /// Slopes that differ by less, per m, are one.
 constexpr double kSameSlope = 1e-9;
 
+/// The greatest bend of a smooth corner over that of the parabola: 1.5 of Paul's quartic, 15/8 of a
+/// quintic between even motions.
+constexpr double kPeak = 2;
+
 /// m: a corner that is shorter is no corner. [choice] a tenth of what any scale resolves
 constexpr double kShortest = 1e-8;
 
@@ -71,7 +75,7 @@ double half_for_speed(const RobotModel& robot, const ShapedLeg& in, const Shaped
   const double reserve = turning_reserve(in, out, turn);
   const double speed =
       std::max(greatest_rate(robot, in, in.at(in.length())), greatest_rate(robot, out, out.at(0)));
-  const double peak = straight(in, out) && !robot.tool_coordinates ? 1 : 2;  // of a smooth curve
+  const double peak = straight(in, out) && !robot.tool_coordinates ? 1 : kPeak;
   return peak * speed * speed / (2 * reserve);
 }
 
@@ -101,23 +105,37 @@ double half_for_miss(const RobotModel& robot, const ShapedLeg& in, const JointVe
   return half;
 }
 
+/// What the mean moves a corner inwards is taken off its zone, half of that at most: beyond it the
+/// corner is passed more slowly.
+struct Moved {
+  double part = 1;      ///< of the zone that is left
+  double turns = kAny;  ///< σ'²/2·half that it admits, 1/(1/q') of the turn
+};
+
+/// The mean of what accelerates evenly lies a·T²/24 beside it.
+Moved moved_by_mean(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                    const JointVector& turn, double average) {
+  const double moved = average * average / 24;
+  if (moved == 0) return {};
+  const LegBounds& zone = in.segment.ahead;
+  const Miss pace = parabola_miss(robot, in, turn, 4);  // of a turn at unit acceleration
+  const double reach = std::min(pace.distance > 0 ? zone.miss / pace.distance : kAny,
+                                pace.angle > 0 ? zone.turn / pace.angle : kAny);
+  const double asked = turning_reserve(in, out, turn) * moved;
+  const double used = std::min(asked, reach / 2);
+  return {reach < kAny ? 1 - used / reach : 1, used < asked ? used / moved : kAny};
+}
+
 std::optional<Turn> make_parabola(const RobotModel& robot, const ShapedLeg& in,
                                   const ShapedLeg& out, const TurnBounds& bounds) {
   const JointVector turn = turn_of(in, out);
   const LegBounds& zone = in.segment.ahead;
-  const double reserve = turning_reserve(in, out, turn);
-  // The mean of what accelerates evenly lies a·T²/24 beside it.
-  const double moved = bounds.average * bounds.average / 24;
-  const Miss pace = parabola_miss(robot, in, turn, 4);  // of a turn at unit acceleration
-  const double reach = std::min(pace.distance > 0 ? zone.miss / pace.distance : kAny,
-                                pace.angle > 0 ? zone.turn / pace.angle : kAny);
-  if (!(reach > 0)) return std::nullopt;
-  const double used = std::min(reserve * moved, reach / 2);
-  const double part = reach < kAny ? 1 - used / reach : 1;
+  const Moved moved = moved_by_mean(robot, in, out, turn, bounds.average);
   Turn made;
-  made.half = half_for_miss(robot, in, turn, bounds.longest, zone.miss * part, zone.turn * part);
-  if (made.half < kShortest) return std::nullopt;
-  if (moved > 0 && used < reserve * moved) made.fastest = std::sqrt(used / moved * 2 * made.half);
+  made.half = half_for_miss(robot, in, turn, bounds.longest, zone.miss * moved.part,
+                            zone.turn * moved.part);
+  if (!(made.half >= kShortest)) return std::nullopt;
+  made.fastest = std::sqrt(moved.turns * 2 * made.half);
   return made;
 }
 
@@ -137,6 +155,8 @@ std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, con
   constexpr int kTries = 16;
   const LegBounds& zone = in.segment.ahead;
   const CornerTask task{in.motion, out.motion, zone.line, out.segment.ahead.line, zone.tip};
+  const Moved moved =
+      moved_by_mean(robot, in, out, turn_of(in, out), bounds.of_sigma ? 0 : bounds.average);
   Turn made;
   made.half = bounds.longest;
   for (int i = 0; i < kTries && made.half >= kShortest; ++i) {
@@ -145,9 +165,10 @@ std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, con
       const JointVector middle = axes->at(0).q;
       Miss miss = miss_between(robot, zone.tip, middle, in.segment.target);
       miss.distance = std::min(miss.distance, corner_miss_of(robot, task, *axes));
-      factor = shrinking(miss, zone.miss, zone.turn);
+      factor = shrinking(miss, zone.miss * moved.part, zone.turn * moved.part);
       if (factor >= 1) {
         made.axes = std::move(*axes);
+        made.fastest = std::sqrt(moved.turns * 2 * made.half / kPeak);
         return made;
       }
     }

@@ -68,10 +68,14 @@ struct Bounds {
   }
 };
 
+/// With `given` times the acceleration.
 Bounds bounds_at(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest,
-                 double x) noexcept {
+                 double x, double given = 1) noexcept {
   Bounds bounds;
-  each_row(piece, here, end, rest, [&](const Row& row) { bounds.take(row, x); });
+  each_row(piece, here, end, rest, [&](Row row) {
+    row.most *= given;
+    bounds.take(row, x);
+  });
   return bounds;
 }
 
@@ -79,7 +83,14 @@ Bounds bounds_at(const Piece& piece, const PathPoint& here, const PathPoint& end
 
 ControlRange control_range(const Piece& piece, const PathPoint& here, const PathPoint& end,
                            double rest, double x) noexcept {
-  const Bounds bounds = bounds_at(piece, here, end, rest, x);
+  // Between the ends of a piece a curve can ask for a little more than there. Then all axes give as
+  // little more as will do, lest one that hardly moves asks for a control without end.
+  constexpr double kFirst = 1e-4;
+  constexpr int kTries = 10;
+  Bounds bounds = bounds_at(piece, here, end, rest, x);
+  double more = kFirst;
+  for (int i = 0; i < kTries && bounds.low.value(x) > bounds.high.value(x); ++i, more *= 2)
+    bounds = bounds_at(piece, here, end, rest, x, 1 + more);
   return {bounds.low.value(x), bounds.high.value(x), bounds.low.axis, bounds.high.axis};
 }
 

@@ -96,6 +96,8 @@ Windows windows(const RobotModel& robot, const LegDemand& demand, const MotionRe
   return need;
 }
 
+}  // namespace
+
 void bound_corner(const RobotModel& robot, const MotionRequest& request, double speed,
                   LegBounds& bounds) {
   bounds.turn = robot.zone_angle;
@@ -114,8 +116,6 @@ void bound_corner(const RobotModel& robot, const MotionRequest& request, double 
       return;
   }
 }
-
-}  // namespace
 
 AheadLeg ahead_leg(const RobotModel& robot, const LegDemand& demand, const MotionRequest& request) {
   AheadLeg leg;

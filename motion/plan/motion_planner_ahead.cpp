@@ -22,7 +22,9 @@ PlanOutcome MotionPlanner::take_ahead(const MotionRequest& request, Draft draft)
   SegmentDescriptor& segment = planned.segment;
   segment = segment_to(draft.target, false, {});
   segment.duration = robot_.reference_period;  // of a target that is the last one: it is passed
-  if (!draft.no_length) {
+  if (draft.no_length) {
+    bound_corner(robot_, request, LegBounds::kAny, segment.ahead);
+  } else {
     if (draft.demand.path == nullptr) measure_swing(draft.target, draft.demand);
     const AheadLeg leg = ahead_leg(robot_, draft.demand, request);
     if (!(leg.alone <= kLongest)) return Refusal{Refusal::Kind::TooLong, -1, leg.alone, kLongest};

@@ -253,8 +253,10 @@ void MotionWriter::dense() {
 
 void MotionWriter::repeated() {
   line("MOVEL" + target(here_, false));
-  exact();
-  arrive(here_, kExact);
+  // Paul's law meets it exactly; else it is passed within both zones.
+  const double miss = robot_.look_ahead ? std::min(made_.misses.back(), robot_.zone) : kExact;
+  made_.misses.back() = miss;
+  arrive(here_, miss);
 }
 
 void MotionWriter::profile() {

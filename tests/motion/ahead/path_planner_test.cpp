@@ -119,6 +119,21 @@ TEST_CASE("legs straight on have no corner, points that are one no way") {
   CHECK(run.run() == doctest::Approx(0.1 / 0.3 + 0.3).epsilon(0.003));
 }
 
+TEST_CASE("a point that two motions name is passed within both of their zones") {
+  for (const double second : {5e-4, 5e-3}) {
+    PacedRun run(0.3, 2e-3);
+    run.line(100, 0);
+    run.bounds.miss = second;
+    run.line(100, 0);
+    run.line(100, 100);
+    run.close();
+    CHECK(run.run() > 0);
+    const double zone = std::min(2e-3, second);
+    CHECK(run.miss(100, 0) <= 1.001 * zone);
+    CHECK(run.miss(100, 0) >= 0.9 * zone);
+  }
+}
+
 TEST_CASE("without a zone a point is met exactly") {
   PacedRun run(0.3, 0);
   run.line(100, 0);

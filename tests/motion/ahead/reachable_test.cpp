@@ -87,6 +87,23 @@ TEST_CASE("each smaller square leads there, too") {
   }
 }
 
+TEST_CASE("an axis that hardly moves and is bent a little too much asks for no great control") {
+  Piece piece;
+  piece.count = 3;
+  piece.length = 0.003;
+  for (auto& term : piece.terms) term = JointVector::Zero(2);
+  piece.terms[1] << -1e-4, -0.85;
+  piece.terms[2] << -32, 2;
+  piece.acceleration = JointVector::Constant(2, 1);
+  const double x = 1.001 / 64;  // the first axis is asked for 1.001 of what it has
+  const PathPoint here = piece.point(0);
+  const ControlRange range = control_range(piece, here, piece.point(piece.length), piece.length, x);
+  for (const double u : {range.low, range.high}) {
+    for (int i = 0; i < 2; ++i)
+      CHECK(std::abs(here.qd[i] * u + here.qdd[i] * x) <= 1.01 * piece.acceleration[i]);
+  }
+}
+
 TEST_CASE("braking evenly keeps the axes on all of a piece") {
   std::mt19937 random(9);
   for (int i = 0; i < 40; ++i) {
