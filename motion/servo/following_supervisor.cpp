@@ -47,7 +47,7 @@ void FollowingSupervisor::reset(const JointReference& reference,
   for (int i = 0; i < count_; ++i) {
     AxisWatch& axis = axes_[static_cast<std::size_t>(i)];
     axis.q = measured.q[i];
-    axis.reference_at = reference.q[i];
+    axis.nearest = std::abs(reference.q[i] - measured.q[i]);
     axis.unchanged = 0;
   }
 }
@@ -84,14 +84,14 @@ FollowingFinding FollowingSupervisor::check_axis(int i, double elapsed, double q
   if (!std::isfinite(q + q0 + v0)) return stop(Cause::NotFinite, i, q, 0);
 
   const double moved = std::abs(q - axis.q);
-  const bool frozen = is_frozen(axis, q, q0);
+  const double error = std::abs(q0 - q);
+  const bool frozen = is_frozen(axis, q, error);
   axis.q = q;
   const double credible = kJumpMargin * axis.v_max * elapsed;
   if (moved > credible) return stop(Cause::Jump, i, moved, credible);
 
-  if (frozen) return stop(Cause::Frozen, i, std::abs(q0 - axis.reference_at), axis.frozen_way);
+  if (frozen) return stop(Cause::Frozen, i, error - axis.nearest, axis.frozen_way);
 
-  const double error = std::abs(q0 - q);
   const double limit =
       std::max(axis.limit_at_rest, axis.limit_at_v_max * std::abs(v0) / axis.v_max);
   if (error > limit) return stop(Cause::FollowingError, i, error, limit);
@@ -99,14 +99,15 @@ FollowingFinding FollowingSupervisor::check_axis(int i, double elapsed, double q
   return {};
 }
 
-bool FollowingSupervisor::is_frozen(AxisWatch& axis, double q, double q0) noexcept {
+bool FollowingSupervisor::is_frozen(AxisWatch& axis, double q, double error) noexcept {
   if (q != axis.q) {
-    axis.reference_at = q0;
+    axis.nearest = error;
     axis.unchanged = 0;
     return false;
   }
+  axis.nearest = std::min(axis.nearest, error);
   axis.unchanged = std::min(axis.unchanged + 1, kFrozenCycles);
-  return axis.unchanged == kFrozenCycles && std::abs(q0 - axis.reference_at) > axis.frozen_way;
+  return axis.unchanged == kFrozenCycles && error - axis.nearest > axis.frozen_way;
 }
 
 }  // namespace rob::motion

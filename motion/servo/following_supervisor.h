@@ -16,13 +16,13 @@ struct FollowingFinding {
   enum class Cause : std::uint8_t {
     None,
     FollowingError,  ///< value: |q0 − q|; limit: the stop limit, also for a warning
-    Frozen,          ///< value: way of the reference without a count; limit: the most allowed
-    Jump,            ///< value: |Δq| since the last measurement; limit: what the axis can do
-    NotFinite,       ///< a reference or a measurement is NaN or infinite
-    Silent,          ///< value: cycles without an answer; limit: so many are too many
-    Lost,            ///< the backend is gone
-    Saturated,       ///< value: κ; limit: 1. The path is slowed down. Its task says so
-    Overrun  ///< value: s without a servo cycle; limit: so long is too long. Its task says so
+    Frozen,     ///< value: way of the reference from q without a count; limit: the most allowed
+    Jump,       ///< value: |Δq| since the last measurement; limit: what the axis can do
+    NotFinite,  ///< a reference or a measurement is NaN or infinite
+    Silent,     ///< value: cycles without an answer; limit: so many are too many
+    Lost,       ///< the backend is gone
+    Saturated,  ///< value: κ; limit: 1. The path is slowed down. Its task says so
+    Overrun     ///< value: s without a servo cycle; limit: so long is too long. Its task says so
   };
 
   Verdict verdict = Verdict::None;
@@ -42,10 +42,11 @@ struct FollowingFinding {
 /// low speed, DriveData.following_limit the one at v_max.
 ///
 /// *Frozen*: q has not changed by a single count, in three cycles at least, while the reference
-/// went further than 20 counts + three times the way on which the servo overcomes Coulomb friction
-/// (3·C/kp: a reversal takes two of them). Because it is counted in way, not in time, no slow
-/// motion can raise it. [choice] 20 counts: real encoders miss a few; three cycles: a drive that
-/// answers late repeats itself once.
+/// went away from it further than 20 counts + three times the way on which the servo overcomes
+/// Coulomb friction (3·C/kp: a reversal takes two of them). A reference that comes back to an axis
+/// that lags behind it asks for no count. Because it is counted in way, not in time, no slow motion
+/// can raise it. [choice] 20 counts: real encoders miss a few; three cycles: a drive that answers
+/// late repeats itself once.
 ///
 /// *Jump*: |Δq| > 2·v_max·(time since the last measurement, at least T).
 ///
@@ -77,14 +78,14 @@ class FollowingSupervisor {
     double limit_at_rest = 0;
     double limit_at_v_max = 0;
     double frozen_way = 0;
-    double q = 0;             // last measured
-    double reference_at = 0;  // where the reference was when q last changed
-    int unchanged = 0;        // cycles since then, as far as they count
+    double q = 0;        // last measured
+    double nearest = 0;  // |q0 − q|, the least since q last changed
+    int unchanged = 0;   // cycles since then, as far as they count
   };
 
   FollowingFinding no_answer(DriverStatus status) noexcept;
   FollowingFinding check_axis(int i, double elapsed, double q, double q0, double v0) noexcept;
-  static bool is_frozen(AxisWatch& axis, double q, double q0) noexcept;
+  static bool is_frozen(AxisWatch& axis, double q, double error) noexcept;
 
   std::array<AxisWatch, kMaxJoints> axes_;
   int count_;

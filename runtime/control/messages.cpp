@@ -173,7 +173,7 @@ Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot
               "look for what blocks the axis, or lower the speed"};
     case FollowingFinding::Cause::Frozen:
       return {code::kEncoderFrozen,
-              fmt::format("the encoder of axis {} stands still while the reference went {}",
+              fmt::format("the encoder of axis {} stands still while the reference went away by {}",
                           axis.name, value),
               "check the encoder and its cable, and whether the axis is blocked"};
     case FollowingFinding::Cause::Jump:

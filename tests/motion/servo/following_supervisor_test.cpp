@@ -136,6 +136,21 @@ TEST_CASE("no motion is so slow that it looks like a frozen encoder") {
   }
 }
 
+TEST_CASE("a reference that comes back to an axis that lags behind asks for no count") {
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  const double lag = 240e-6;  // no warning yet
+  CHECK(check(supervisor, kPeriod, both(lag, 0), both(0, 0), both(0, 0)).cause != Cause::Frozen);
+  int k = 2;
+  for (double q0 = lag; q0 > 0; q0 -= 60e-6, ++k) {
+    CHECK(check(supervisor, k * kPeriod, both(q0, 0), both(-0.012, 0), both(1e-6, 0)).verdict ==
+          Verdict::None);
+  }
+  // It then leaves to the other side: what counts is the way from where it met the axis.
+  const FollowingFinding found =
+      check(supervisor, k * kPeriod, both(-97e-6, 0), both(-0.012, 0), both(1e-6, 0));
+  CHECK(found.cause == Cause::Frozen);
+}
+
 TEST_CASE("an axis that is held at rest may stand for ever") {
   FollowingSupervisor supervisor = supervisor_at_rest();
   for (int k = 1; k < 1000; ++k) {
