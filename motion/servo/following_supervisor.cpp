@@ -17,6 +17,8 @@ constexpr double kJumpMargin = 2;   // of what v_max allows
 // Of the way that overcomes Coulomb friction: at a reversal the integral still holds against it
 // from the other side, so twice that way is needed; the third is the margin.
 constexpr double kBreakawayMargin = 3;
+// Of following_warn: what is frozen is found before the error stops it.
+constexpr double kLagShare = 0.25;
 
 FollowingFinding stop(Cause cause, int axis, double value, double limit) noexcept {
   return {Verdict::Stop, cause, axis, value, limit};
@@ -25,7 +27,8 @@ FollowingFinding stop(Cause cause, int axis, double value, double limit) noexcep
 }  // namespace
 
 FollowingSupervisor::FollowingSupervisor(std::span<const DriveData> drives,
-                                         const JointVector& v_max, double servo_period)
+                                         const JointVector& v_max, const JointVector& a_max,
+                                         double servo_period)
     : count_(static_cast<int>(drives.size())), servo_period_(servo_period) {
   assert(drives.size() <= axes_.size());
   for (std::size_t i = 0; i < drives.size(); ++i) {
@@ -34,9 +37,12 @@ FollowingSupervisor::FollowingSupervisor(std::span<const DriveData> drives,
     axis.v_max = v_max[static_cast<Eigen::Index>(i)];
     axis.limit_at_rest = drive.following_warn;
     axis.limit_at_v_max = drive.following_limit;
+    const double omega = servo_bandwidth(drive, servo_period);
     axis.frozen_way =
         kFrozenCounts * drive.encoder_resolution +
-        kBreakawayMargin * drive.coulomb_friction / servo_gains(drive, servo_period).kp;
+        kBreakawayMargin * drive.coulomb_friction / servo_gains(drive, servo_period).kp +
+        std::min(a_max[static_cast<Eigen::Index>(i)] / (omega * omega),
+                 kLagShare * drive.following_warn);
   }
 }
 

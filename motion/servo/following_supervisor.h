@@ -43,10 +43,11 @@ struct FollowingFinding {
 ///
 /// *Frozen*: q has not changed by a single count, in three cycles at least, while the reference
 /// went away from it further than 20 counts + three times the way on which the servo overcomes
-/// Coulomb friction (3·C/kp: a reversal takes two of them). A reference that comes back to an axis
-/// that lags behind it asks for no count. Because it is counted in way, not in time, no slow motion
-/// can raise it. [choice] 20 counts: real encoders miss a few; three cycles: a drive that answers
-/// late repeats itself once.
+/// Coulomb friction (3·C/kp: a reversal takes two of them) + the way by which a loop lags where the
+/// acceleration leaps, a_max/ω² but a quarter of following_warn at most. A reference that comes
+/// back to an axis that lags behind it asks for no count. Because it is counted in way, not in
+/// time, no slow motion can raise it. [choice] 20 counts: real encoders miss a few; three cycles: a
+/// drive that answers late repeats itself once.
 ///
 /// *Jump*: |Δq| > 2·v_max·(time since the last measurement, at least T).
 ///
@@ -62,7 +63,7 @@ class FollowingSupervisor {
 
   /// At most kMaxJoints drives.
   FollowingSupervisor(std::span<const DriveData> drives, const JointVector& v_max,
-                      double servo_period);
+                      const JointVector& a_max, double servo_period);
 
   /// At enable: what is measured now is believed.
   void reset(const JointReference& reference, const JointMeasurement& measured) noexcept;

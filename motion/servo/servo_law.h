@@ -21,8 +21,10 @@ struct ServoGains {
 /// Both error poles at −ω: kp = ω²·H, kv = 2ω·H − Dc, with H the inertia and Dc the viscous
 /// friction, which damps already; kI = 0.1·ω·kp is slow against them.
 ServoGains servo_gains(double omega, double inertia, double viscous_friction) noexcept;
-/// With the drive's own inertia, and ω = min(drive.bandwidth, 0.2/T): a sampled loop with an
-/// estimated velocity has no phase for more.
+/// ω = min(drive.bandwidth, 0.2/T), rad/s: a sampled loop with an estimated velocity has no phase
+/// for more.
+double servo_bandwidth(const DriveData& drive, double servo_period);
+/// With that, and the drive's own inertia.
 ServoGains servo_gains(const DriveData& drive, double servo_period);
 
 /// S2's servo law: feed-forward plus PID, N or Nm.

@@ -53,7 +53,8 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
       interpolator_(robot.reference_period, limits_of(robot, &motion::Axis::v_max),
                     limits_of(robot, &motion::Axis::a_max)),
       servo_(servo_of(robot)),
-      supervisor_(drives_of(robot), limits_of(robot, &motion::Axis::v_max), robot.servo_period),
+      supervisor_(drives_of(robot), limits_of(robot, &motion::Axis::v_max),
+                  limits_of(robot, &motion::Axis::a_max), robot.servo_period),
       reference_period_(robot.reference_period),
       bridged_gap_((motion::ReferenceInterpolator::kLongestGap - 1) * reference_period_),
       longest_gap_(longest_gap(robot)) {

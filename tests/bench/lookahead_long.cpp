@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tests/bench/lookahead_cases.h"
+#include "tests/support/ordered_distance.h"
 #include "tests/support/random_text.h"
 #include "tests/support/rounded_polyline.h"
 #include "tests/support/trace_figures.h"
@@ -77,7 +78,7 @@ bool judge(const std::string& name, rob::bench::LookAheadCase c, double jerk,
                                       jerk > 0 ? jerk : std::numeric_limits<double>::infinity()});
   const auto findings = judge_bounds(run.trace, axes);
   const double time = motion_time(run.trace);
-  const double deviation = path_deviation(tool_curve(run.trace, 3), c.path, 3).greatest();
+  const double deviation = ordered_distance(tool_curve(run.trace, 3), c.path.places, 5 * c.zone);
   const ToppLimits limits{{1000, 1000, 1000}, AxisValues(3, kBenchAcceleration), c.speed};
   const double rounded = time_optimal(rounded_polyline(c.path.places, c.zone), limits).time;
   const TracePeaks peaks = peaks_of(run.trace);

@@ -43,7 +43,7 @@ class GantryBench {
   GantryBench(motion::ServoBackend& machine, const std::vector<motion::DriveData>& drives)
       : machine_(machine),
         law_(drives, kServoPeriod),
-        supervisor_(drives, greatest_speeds(), kServoPeriod) {
+        supervisor_(drives, greatest_speeds(), greatest_accelerations(), kServoPeriod) {
     machine_.open();
     machine_.enable(0);
     machine_.read(0, state_);
@@ -55,6 +55,11 @@ class GantryBench {
     motion::JointVector v(3);
     v << 0.020, 0.020, 0.35;
     return v;
+  }
+  static motion::JointVector greatest_accelerations() {
+    motion::JointVector a(3);
+    a << 0.1, 0.1, 1.75;
+    return a;
   }
   static motion::JointReference standing(const motion::JointVector& q) {
     return {0, q, motion::JointVector::Zero(3), motion::JointVector::Zero(3)};

@@ -19,8 +19,8 @@ using Cause = FollowingFinding::Cause;
 constexpr double kPeriod = 0.005;
 constexpr double kCount = 1e-6;
 
-// 12 kg at 40 rad/s: kp = 19200 N/m; 0.48 N of Coulomb friction are 25 µm. A reference may thus go
-// 20 counts + 75 µm = 95 µm before a count is due.
+// 12 kg at 40 rad/s: kp = 19200 N/m; 0.48 N of Coulomb friction are 25 µm, 40 mm/s² as much. A
+// reference may thus go 20 counts + 75 µm + 25 µm = 120 µm before a count is due.
 DriveData drive() {
   DriveData d;
   d.inertia = 12;
@@ -34,6 +34,7 @@ DriveData drive() {
 }
 
 const JointVector kVMax = JointVector::Constant(2, 0.020);
+const JointVector kAMax = JointVector::Constant(2, 0.040);
 
 JointVector both(double x, double y) {
   JointVector v(2);
@@ -43,7 +44,7 @@ JointVector both(double x, double y) {
 
 // Two axes, both at 0 with their reference at 0, at t = 0.
 FollowingSupervisor supervisor_at_rest() {
-  FollowingSupervisor supervisor(std::vector{drive(), drive()}, kVMax, kPeriod);
+  FollowingSupervisor supervisor(std::vector{drive(), drive()}, kVMax, kAMax, kPeriod);
   const JointVector zero = both(0, 0);
   supervisor.reset({0, zero, zero, zero}, {0, zero, zero});
   return supervisor;
@@ -109,8 +110,8 @@ TEST_CASE("fault 19: an encoder without a count while the reference moves is fro
     CHECK(found.cause == Cause::Frozen);
     CHECK(found.axis == 0);
     const double three_cycles = 3 * speed * kPeriod;
-    CHECK(way > 95e-6 * (1 - 1e-9));
-    CHECK(way <= std::max(95e-6 + speed * kPeriod, three_cycles) * (1 + 1e-9));
+    CHECK(way > 120e-6 * (1 - 1e-9));
+    CHECK(way <= std::max(120e-6 + speed * kPeriod, three_cycles) * (1 + 1e-9));
   }
 }
 
@@ -147,7 +148,7 @@ TEST_CASE("a reference that comes back to an axis that lags behind asks for no c
   }
   // It then leaves to the other side: what counts is the way from where it met the axis.
   const FollowingFinding found =
-      check(supervisor, k * kPeriod, both(-97e-6, 0), both(-0.012, 0), both(1e-6, 0));
+      check(supervisor, k * kPeriod, both(-122e-6, 0), both(-0.012, 0), both(1e-6, 0));
   CHECK(found.cause == Cause::Frozen);
 }
 
