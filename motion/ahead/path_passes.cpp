@@ -35,10 +35,26 @@ PathRing::Index PathPlanner::ready() const noexcept {
   if (!averages_sigma() || at == 0 || ring_.run_end(at - 1)) return at;
   while (at > ring_.end()) {
     const Piece& piece = ring_.written(at - 1);
-    if (piece.begin + piece.length <= known_ - reach_) break;
+    if (piece.begin + piece.length <= known_ - outlook_) break;
     --at;
   }
   return at;
+}
+
+/// Nothing more fits, and no draft can be published: they are made so slow that half of them can,
+/// or the first.
+bool PathPlanner::narrow() noexcept {
+  if (!averages_sigma() || end_ < ring_.end() + 2 || ready() != ring_.end()) return false;
+  const Piece& first = ring_.written(ring_.end());
+  outlook_ = std::min((known_ - first.begin) / 2, (known_ - first.begin - first.length) * 0.999);
+  const double fastest = 2 * outlook_ / window_;
+  for (PathRing::Index i = ring_.end(); i < end_; ++i) {
+    Piece& piece = ring_.draft(i);
+    if (piece.fastest <= fastest) continue;
+    piece.fastest = fastest;
+    piece.fastest_axis = -1;
+  }
+  return true;
 }
 
 /// The greatest of all pieces within reach_ of this one in its run.

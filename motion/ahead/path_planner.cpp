@@ -128,9 +128,11 @@ std::size_t PathPlanner::room() const noexcept {
 
 /// One step; false where there is none to be made now.
 bool PathPlanner::advance() {
-  if (room() < kSpare || ring_.leg_room() == 0) return false;
+  if (room() < kSpare) return narrow();
+  if (completing_) return go_on();
+  if (ring_.leg_room() == 0) return narrow() || give_up_corner();
   if (!open_) return begin_run();
-  if (completing_ || turn_) return go_on();
+  if (turn_) return go_on();
   return pending_.empty() ? decide_alone() : join_next();
 }
 
@@ -143,7 +145,7 @@ bool PathPlanner::begin_run() {
     return true;
   }
   window_ = window_of(next);
-  reach_ = 0;
+  reach_ = outlook_ = 0;
   open(shaped_leg(robot_, next, known_));
   return true;
 }
@@ -160,6 +162,14 @@ void PathPlanner::open(ShapedLeg leg) {
               std::max(open_->begin, open_->end() - longest_turn(*open_) - brakes),
               std::max(1, static_cast<int>(periods))});
   completing_ = open_->segment.guard.present();
+}
+
+/// More motions than are looked ahead over end where the open leg does, without a way: it does,
+/// too.
+bool PathPlanner::give_up_corner() {
+  if (!open_ || turn_ || !guide_within(kLastChance, kAny)) return false;
+  completing_ = true;
+  return true;
 }
 
 /// Nothing is known behind the open leg.
@@ -241,6 +251,7 @@ bool PathPlanner::go_on() {
     write(scratch_);
   }
   next_->sent = turn_->half;
+  next_->beside = std::min(next_->beside, open_->segment.ahead.miss / 2);
   turn_.reset();
   open(std::move(*next_));
   next_.reset();
@@ -263,7 +274,7 @@ double PathPlanner::longest_turn(const ShapedLeg& leg) const {
   const PathPoint end = leg.at(leg.length());
   const double rotary = greatest_rotary_slope(robot_, end);
   const double miss = std::min(zone.miss, rotary > 0 ? zone.turn / rotary : kAny);
-  double longest = std::min(leg.length() - leg.sent, zone.lead);
+  double longest = std::min({leg.length() - leg.sent, zone.lead, zone.last});
   if (zone.share < 1) longest = std::min(longest, zone.share / 2 * leg.length());
   const double speed = greatest_rate(robot_, leg, end);
   if (miss < kAny) longest = std::min(longest, speed * std::sqrt(2 * miss / control_of(leg, end)));
@@ -280,6 +291,8 @@ bool PathPlanner::send(double goal) {
     const double to = std::min({goal, next_border(*open_, open_->sent), most});
     scratch_.clear();
     append_leg(robot_, *open_, open_->sent, to, longest, scratch_);
+    if (open_->motion.path != nullptr && window_ > 0 && !robot_.tool_coordinates)
+      bound_by_mean(robot_, *open_, window_, scratch_);
     write(scratch_);
     open_->sent = to;
   }
@@ -298,8 +311,9 @@ void PathPlanner::write(const std::vector<Piece>& pieces) {
   for (const Piece& piece : pieces) {
     known_ = piece.begin + piece.length;
     if (averages_sigma()) {
-      reach_ =
-          std::max(reach_, std::sqrt(top_square(piece)) * std::max(1.0, 1 / share_) * window_ / 2);
+      const double top = std::sqrt(top_square(piece)) * std::max(1.0, 1 / share_);
+      outlook_ = std::max(outlook_, top * window_ / 2);
+      reach_ = std::max(reach_, outlook_);
       extent(end_) = extent_of(piece);
     } else if (extends_last(piece)) {
       Piece& last = ring_.draft(end_ - 1);

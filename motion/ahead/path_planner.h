@@ -25,7 +25,8 @@ namespace rob::motion {
 /// Where the mean that bounds the jerk is one of σ, its place and its speed come from all that the
 /// guide has passed in its time. There each piece bounds σ'' by the greatest slopes and bends of
 /// all within half that time around it, which holds for the mean, too; what is nearer than that to
-/// the end of what is known waits.
+/// the end of what is known waits. Where no more fits into the ring before that is known, drafts
+/// are slowed until it is.
 ///
 /// m, rad, s.
 class PathPlanner {
@@ -48,6 +49,7 @@ class PathPlanner {
   void open(ShapedLeg leg);
   bool join_next();
   bool decide_alone();
+  bool give_up_corner();
   bool go_on();
   double share_of_next(const ShapedLeg& next) const;
   bool guide_within(double time, double deceleration) const;
@@ -58,6 +60,7 @@ class PathPlanner {
   bool extends_last(const Piece& piece) const;
   void publish(bool anew);
   PathRing::Index ready() const noexcept;
+  bool narrow() noexcept;
   void spread(PathRing::Index at) noexcept;
   void pass_back(PathRing::Index ready, bool anew);
   double top_square(const Piece& piece) const noexcept;
@@ -90,6 +93,7 @@ class PathPlanner {
   PathRing::Index end_ = 0;      ///< of the pieces written; those from ring_.end() on are drafts
   double published_ = 0;         ///< σ at the end of those before
   double reach_ = 0;             ///< m: how far places of the present run act together in the mean
+  double outlook_ = 0;           ///< m: so far from a draft all has to be known
   double share_ = 1;             ///< the override that the squares are for
   std::vector<Extent> extents_;  ///< of the pieces, by the same slots
   std::vector<Piece> scratch_;

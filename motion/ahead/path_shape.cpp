@@ -145,7 +145,12 @@ void append_nodes(const RobotModel& robot, const ShapedLeg& leg, const JointPath
 
 ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, double begin) {
   const LegBounds& bounds = segment.ahead;
-  ShapedLeg leg{segment, {segment.path, bounds.from, segment.target, bounds.length}, begin, 0, {},
+  ShapedLeg leg{segment,
+                {segment.path, bounds.from, segment.target, bounds.length},
+                begin,
+                0,
+                std::min(bounds.miss, robot.zone) / 2,
+                {},
                 {}};
   leg.acceleration.resize(robot.axis_count());
   for (int i = 0; i < robot.axis_count(); ++i)

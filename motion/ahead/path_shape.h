@@ -16,9 +16,10 @@ inline constexpr double kBendsShare = 1.0 / 3;
 /// A motion as part of a path: from the middle of the corner before it, or from rest.
 struct ShapedLeg {
   SegmentDescriptor segment;
-  LegMotion motion;  ///< evenly along σ: its `duration` is its length, m
-  double begin = 0;  ///< σ at its beginning
-  double sent = 0;   ///< m from there, up to which it has been made into pieces
+  LegMotion motion;   ///< evenly along σ: its `duration` is its length, m
+  double begin = 0;   ///< σ at its beginning
+  double sent = 0;    ///< m from there, up to which it has been made into pieces
+  double beside = 0;  ///< m that the mean may lie beside it, where it bends
   JointVector acceleration;
   JointVector jerk;  ///< m/s³, rad/s³; infinite where it is not bounded
 

@@ -81,7 +81,7 @@ double half_for_speed(const RobotModel& robot, const ShapedLeg& in, const Shaped
 
 double half_for_zone(const ShapedLeg& in, const ShapedLeg& out) {
   const LegBounds& bounds = in.segment.ahead;
-  double half = bounds.lead;
+  double half = std::min({bounds.lead, bounds.last, out.segment.ahead.first});
   if (bounds.share < 1)
     half = std::min(half, bounds.share / 2 * std::min(in.length(), out.length()));
   return half;
@@ -122,7 +122,8 @@ Moved moved_by_mean(const RobotModel& robot, const ShapedLeg& in, const ShapedLe
   const double reach = std::min(pace.distance > 0 ? zone.miss / pace.distance : kAny,
                                 pace.angle > 0 ? zone.turn / pace.angle : kAny);
   const double asked = turning_reserve(in, out, turn) * moved;
-  const double used = std::min(asked, reach / 2);
+  // Of a curve's own bends as much is left to the mean as they may ever need.
+  const double used = straight(in, out) ? std::min(asked, reach / 2) : reach / 2;
   return {reach < kAny ? 1 - used / reach : 1, used < asked ? used / moved : kAny};
 }
 
@@ -185,6 +186,25 @@ double wanted_half(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg
   const double half =
       std::min({half_for_zone(in, out), half_for_speed(robot, in, out), in.length(), out.length()});
   return half_for_miss(robot, in, turn, half, in.segment.ahead.miss, in.segment.ahead.turn);
+}
+
+void bound_by_mean(const RobotModel& robot, const ShapedLeg& leg, double average,
+                   std::vector<Piece>& pieces) {
+  constexpr double kStep = 1e-6;  // s²: moves a point by less than any zone
+  const double moved = average * average / 24;
+  for (Piece& piece : pieces) {
+    for (const double at : {0.0, piece.length / 2, piece.length}) {
+      const PathPoint point = piece.point(at);
+      const Pose& tip = leg.segment.ahead.tip;
+      const double unit = kStep / std::max(1.0, point.qdd.norm());
+      const Miss miss = miss_between(robot, tip, point.q + unit * point.qdd, point.q);
+      const double square =
+          shrinking(miss, leg.beside, robot.zone_angle / 2) * unit / moved;  // of σ'
+      if (!(square < piece.fastest * piece.fastest)) continue;
+      piece.fastest = std::sqrt(square);
+      piece.fastest_axis = -1;
+    }
+  }
 }
 
 std::optional<Turn> make_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,

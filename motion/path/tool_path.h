@@ -21,6 +21,9 @@ class ToolPath {
   /// The greatest speeds of both per unit of s.
   virtual double greatest_speed() const noexcept { return way() / (end() - begin()); }
   virtual double greatest_turning() const noexcept { return turn() / (end() - begin()); }
+  /// The first and the last point between its ends that it has to meet; the other end without.
+  virtual double first_point() const noexcept { return end(); }
+  virtual double last_point() const noexcept { return begin(); }
   /// In so many even parts it bends little. [choice] eight at least: then the differences from
   /// which derivatives are made are small, too.
   virtual double parts() const noexcept { return 8; }

@@ -20,6 +20,8 @@ class ToolSpline final : public ToolPath {
   double turn() const noexcept override { return turn_; }
   double greatest_speed() const noexcept override { return greatest_speed_; }
   double greatest_turning() const noexcept override { return greatest_turning_; }
+  double first_point() const noexcept override { return knots_[1]; }
+  double last_point() const noexcept override { return knots_[knots_.size() - 2]; }
   double parts() const noexcept override { return 8 + 2 / shortest_; }
   double at_share(double share) const noexcept override;
   double share_at(double s) const noexcept override;

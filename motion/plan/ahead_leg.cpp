@@ -121,6 +121,8 @@ AheadLeg ahead_leg(const RobotModel& robot, const LegDemand& demand, const Motio
   AheadLeg leg;
   LegBounds& bounds = leg.bounds;
   bounds.length = length_of(demand);
+  bounds.first = demand.first_point * bounds.length;
+  bounds.last = (1 - demand.last_point) * bounds.length;
   const double paced = pace_time(robot, demand, request);
   const double asked = std::max(paced, request.at_least);
   bounds.paced = asked > 0;

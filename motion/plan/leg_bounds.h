@@ -25,6 +25,8 @@ struct LegBounds {
   double turn = kAny;       ///< rad by which the tool's orientation and its rotary axes may
   double lead = kAny;       ///< m before the target from which the corner may begin
   double share = 1;         ///< of half of each leg that a corner at the target may take
+  double first = kAny;      ///< m from its beginning that a corner may take of it
+  double last = kAny;       ///< m before its end that one may
   bool paced = false;       ///< AT or OVER set `speed`
 };
 

@@ -19,6 +19,8 @@ struct LegDemand {
   double farthest = 0;              ///< the most that the tip can cover
   double leaving = 0;               ///< the tip's speed at the end
   const JointPath* path = nullptr;  ///< null: straight in the axes
+  double first_point = 1;           ///< of the path, between its ends, that is to be met
+  double last_point = 0;
 };
 
 /// The greatest |dq/ds| of each axis along a path.

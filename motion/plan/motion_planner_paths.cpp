@@ -39,6 +39,8 @@ LegDemand demand_of(const ToolPath& path, const JointPath& axes) {
   demand.pace_turn = path.greatest_turning();
   demand.farthest = path.way();
   demand.leaving = path.greatest_speed();
+  demand.first_point = (path.first_point() - path.begin()) / (path.end() - path.begin());
+  demand.last_point = (path.last_point() - path.begin()) / (path.end() - path.begin());
   return demand;
 }
 

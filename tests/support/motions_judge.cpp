@@ -31,14 +31,20 @@ std::vector<Vector3d> from_the_beginning(std::vector<Vector3d> curve, const Vect
 }
 
 /// Bounds, none greater than the shorter way to a neighbour: there a corner ends at the latest.
+/// What is named twice is one point.
 std::vector<double> cut_to_legs(const ProgrammedPath& path, std::vector<double> bounds) {
   std::vector<double> length(path.places.size(), 0.0);
   for (std::size_t i = 1; i < length.size(); ++i)
     length[i] = length[i - 1] + (path.places[i] - path.places[i - 1]).norm();
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     const double here = length[path.points[i]];
-    if (i > 0) bounds[i] = std::min(bounds[i], here - length[path.points[i - 1]]);
-    if (i + 1 < bounds.size()) bounds[i] = std::min(bounds[i], length[path.points[i + 1]] - here);
+    std::size_t before = i, behind = i;
+    while (before > 0 && length[path.points[before]] == here) --before;
+    while (behind + 1 < bounds.size() && length[path.points[behind]] == here) ++behind;
+    if (length[path.points[before]] < here)
+      bounds[i] = std::min(bounds[i], here - length[path.points[before]]);
+    if (length[path.points[behind]] > here)
+      bounds[i] = std::min(bounds[i], length[path.points[behind]] - here);
     bounds[i] = std::max(bounds[i], 1e-3);
   }
   return bounds;

@@ -18,7 +18,7 @@ TracedRun run_traced(const std::string& rob, const std::string& program, const s
   std::ofstream(file("program.rob"), std::ios::binary) << program;
   // A run that never ends is one that fails: timeout(1) makes its exit code 124.
   std::vector<std::string> arguments{
-      "/usr/bin/timeout", "300", rob,      "run",    file("program.rob"),
+      "/usr/bin/timeout", "120", rob,      "run",    file("program.rob"),
       "--robot",          robot, "--fast", "--json", "--trace",
       file("trace.csv")};
   arguments.insert(arguments.end(), more.begin(), more.end());
