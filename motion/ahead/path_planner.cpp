@@ -298,9 +298,8 @@ void PathPlanner::write(const std::vector<Piece>& pieces) {
   for (const Piece& piece : pieces) {
     known_ = piece.begin + piece.length;
     if (averages_sigma()) {
-      reach_ =
-          std::max(reach_, std::sqrt(top_square(piece)) * std::max(1.0, 1 / share_) * window_ / 2);
       extent(end_) = extent_of(piece);
+      reach_ = std::max(reach_, extent(end_).fastest * window_ / 2);
     } else if (extends_last(piece)) {
       Piece& last = ring_.draft(end_ - 1);
       last.length = known_ - last.begin;

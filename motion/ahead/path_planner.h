@@ -23,9 +23,9 @@ namespace rob::motion {
 /// its target; so it is, late, where nothing is known and the guide is about to stand short of it.
 ///
 /// Where the mean that bounds the jerk is one of σ, its place and its speed come from all that the
-/// guide has passed in its time. There each piece bounds σ'' by the greatest slopes and bends of
-/// all within half that time around it, which holds for the mean, too; what is nearer than that to
-/// the end of what is known waits.
+/// guide has passed in its time. There each piece bounds σ' and σ'' by the greatest slopes and
+/// bends of all within half that time around it, which holds for the mean, too; what is nearer than
+/// that to the end of what is known waits.
 ///
 /// m, rad, s.
 class PathPlanner {
@@ -64,12 +64,13 @@ class PathPlanner {
   double window_of(const SegmentDescriptor& segment) const noexcept;
   std::size_t room() const noexcept;
 
-  /// The greatest |dq/dσ| and |d²q/dσ²| on a piece.
+  /// The greatest |dq/dσ| and |d²q/dσ²| on a piece, and σ' that it admits by itself.
   struct Extent {
     JointVector slopes;
     JointVector bends;
+    double fastest = 0;
   };
-  static Extent extent_of(const Piece& piece) noexcept;
+  Extent extent_of(const Piece& piece) const noexcept;
   Extent& extent(PathRing::Index at) noexcept {
     return extents_[static_cast<std::size_t>(at % extents_.size())];
   }
