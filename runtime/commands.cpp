@@ -15,8 +15,11 @@
 #include "runtime/explain.h"
 #include "runtime/format_files.h"
 #include "runtime/program/console.h"
+#include "runtime/program/files.h"
+#include "runtime/program/foretell.h"
 #include "runtime/program/json_report.h"
 #include "runtime/program/load.h"
+#include "runtime/program/path_file.h"
 #include "runtime/program/progress.h"
 #include "runtime/program/run.h"
 #include "runtime/program/terminal.h"
@@ -62,7 +65,7 @@ RunResult run_one(const LoadedProgram& program, const Options& options,
   if (script.diagnostics.has_errors()) return refused(script, robot);
   std::optional<RunResult> foretold;
   if (isatty(STDERR_FILENO) != 0 || robot.law == motion::Law::LookAhead)
-    foretold = foretell(program, robot, options.seed, &script, options.override_share);
+    foretold = foretell(program, robot, {options.seed, &script, options.override_share});
   Progress progress(foretold ? foretold->planned : 0, options.override_share, used_names(program));
   Terminal terminal(options.fast);
   const RunOptions run_options{
@@ -126,12 +129,29 @@ ExitCode run_files(const Options& options) {
   return worst;
 }
 
+/// What has errors is told of those first.
+bool plans_a_path(const LoadedProgram& program) {
+  return !program.runnable() || program.robot.law == motion::Law::LookAhead;
+}
+
+/// The file for the path; none asked for, or nothing to be foretold.
+std::optional<PathFile> open_path(const Options& options, const LoadedProgram& program) {
+  if (options.path.empty() || !program.runnable()) return std::nullopt;
+  refuse_overwriting(program, options.path, "path");
+  return std::optional<PathFile>(std::in_place, options.path, program.robot);
+}
+
 RunResult check_one(const LoadedProgram& program, const Options& options,
                     const SignalScript& script) {
   const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
-  return foretell(program, robot, options.seed, &script);
+  std::optional<PathFile> path = open_path(options, program);
+  RunResult result = foretell(program, robot, {options.seed, &script, 1, path ? &*path : nullptr});
+  if (path && !path->close()) {
+    throw FileError(fmt::format("the path in '{}' is incomplete; is the disk full?", options.path));
+  }
+  return result;
 }
 
 ExitCode check_files(const Options& options) {
@@ -140,6 +160,10 @@ ExitCode check_files(const Options& options) {
   std::vector<LoadedProgram> programs = load_programs(options);
   for (LoadedProgram& program : programs) refuse_what_an_arm_cannot(program);
   const std::vector<SignalScript> scripts = load_scripts(options, programs);
+  if (!options.path.empty() && !plans_a_path(programs.front())) {
+    put_message("rob: --path: under Paul's law no path is planned ahead; use --law lookahead\n");
+    return ExitCode::Usage;
+  }
   for (std::size_t i = 0; i < programs.size(); ++i) {
     RunResult result = check_one(programs[i], options, scripts[i]);
     if (result.exit_code != ExitCode::Done) result.exit_code = ExitCode::ProgramError;

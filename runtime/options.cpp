@@ -105,6 +105,8 @@ void Parser::add_check() {
   add_json(check);
   add_seed(check);
   add_signals(check);
+  check.add_option("--path", options.path,
+                   "write the path that the look-ahead law plans to this file");
 }
 
 void Parser::add_test() {
@@ -172,6 +174,9 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
   if (parser.options.command == Options::Command::Help) return help_on(parser);
   if (!parser.options.trace.empty() && parser.options.files.size() > 1) {
     return usage_error("--trace records one program; run the others without it");
+  }
+  if (!parser.options.path.empty() && parser.options.files.size() > 1) {
+    return usage_error("--path is of one program; check the others without it");
   }
   return parser.options;
 }

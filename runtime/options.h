@@ -21,6 +21,7 @@ struct Options {
   std::string robot;  ///< a name, or a file that ends in .toml; empty: the program's own
   std::optional<motion::Law> law;  ///< without it the program's or the robot's own
   std::string trace;
+  std::string path;     ///< of Check: what the planned path is written to
   std::string signals;  ///< a signal script
   double override_share = 1;
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM

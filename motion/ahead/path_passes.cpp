@@ -1,6 +1,7 @@
 // What the PathPlanner publishes: pieces, what acts together with them, and how fast they may be.
 
 #include <algorithm>
+#include <cmath>
 
 #include "motion/ahead/path_planner.h"
 #include "motion/ahead/reachable.h"
@@ -22,11 +23,12 @@ double PathPlanner::top_square(const Piece& piece) const noexcept {
   return top * top;
 }
 
-PathPlanner::Extent PathPlanner::extent_of(const Piece& piece) noexcept {
+PathPlanner::Extent PathPlanner::extent_of(const Piece& piece) const noexcept {
   const PathPoint begin = piece.point(0);
   const PathPoint end = piece.point(piece.length);
   return {begin.qd.cwiseAbs().cwiseMax(end.qd.cwiseAbs()),
-          begin.qdd.cwiseAbs().cwiseMax(end.qdd.cwiseAbs())};
+          begin.qdd.cwiseAbs().cwiseMax(end.qdd.cwiseAbs()),
+          std::sqrt(top_square(piece)) * std::max(1.0, 1 / share_)};
 }
 
 /// The pieces before this one can be run: what acts together with them is known.
@@ -51,30 +53,31 @@ bool PathPlanner::narrow() noexcept {
   for (PathRing::Index i = ring_.end(); i < end_; ++i) {
     Piece& piece = ring_.draft(i);
     if (piece.fastest <= fastest) continue;
-    piece.fastest = fastest;
+    piece.fastest = extent(i).fastest = fastest;
     piece.fastest_axis = -1;
   }
   return true;
 }
 
-/// The greatest of all pieces within reach_ of this one in its run.
+/// The greatest of all pieces of its run that may be as near in time as half of the mean's, which
+/// is the longer the slower they have to be.
 void PathPlanner::spread(PathRing::Index at) noexcept {
   Piece& piece = ring_.draft(at);
   Extent most = extent(at);
-  const auto take = [&](PathRing::Index other) {
+  const auto take = [&](PathRing::Index other, double& left) {
     most.slopes = most.slopes.cwiseMax(extent(other).slopes);
     most.bends = most.bends.cwiseMax(extent(other).bends);
+    left -= ring_.written(other).length / extent(other).fastest;
   };
-  for (PathRing::Index i = at; i > ring_.begin() && !ring_.run_end(i - 1); --i) {
-    if (ring_.written(i).begin < piece.begin - reach_) break;
-    take(i - 1);
-  }
-  for (PathRing::Index i = at; i + 1 < end_ && !ring_.run_end(i); ++i) {
-    if (ring_.written(i + 1).begin > piece.begin + piece.length + reach_) break;
-    take(i + 1);
-  }
+  double left = window_ / 2;
+  for (PathRing::Index i = at; i > ring_.begin() && !ring_.run_end(i - 1) && left >= 0; --i)
+    take(i - 1, left);
+  left = window_ / 2;
+  for (PathRing::Index i = at; i + 1 < end_ && !ring_.run_end(i) && left >= 0; ++i)
+    take(i + 1, left);
   piece.slopes = most.slopes;
   piece.bends = most.bends;
+  bound_speed(robot_, most.slopes, piece);
 }
 
 void PathPlanner::publish(bool anew) {

@@ -145,7 +145,7 @@ bool PathPlanner::begin_run() {
     return true;
   }
   window_ = window_of(next);
-  reach_ = outlook_ = 0;
+  outlook_ = 0;
   open(shaped_leg(robot_, next, known_));
   return true;
 }
@@ -311,10 +311,8 @@ void PathPlanner::write(const std::vector<Piece>& pieces) {
   for (const Piece& piece : pieces) {
     known_ = piece.begin + piece.length;
     if (averages_sigma()) {
-      const double top = std::sqrt(top_square(piece)) * std::max(1.0, 1 / share_);
-      outlook_ = std::max(outlook_, top * window_ / 2);
-      reach_ = std::max(reach_, outlook_);
       extent(end_) = extent_of(piece);
+      outlook_ = std::max(outlook_, extent(end_).fastest * window_ / 2);
     } else if (extends_last(piece)) {
       Piece& last = ring_.draft(end_ - 1);
       last.length = known_ - last.begin;

@@ -23,10 +23,10 @@ namespace rob::motion {
 /// its target; so it is, late, where nothing is known and the guide is about to stand short of it.
 ///
 /// Where the mean that bounds the jerk is one of σ, its place and its speed come from all that the
-/// guide has passed in its time. There each piece bounds σ'' by the greatest slopes and bends of
-/// all within half that time around it, which holds for the mean, too; what is nearer than that to
-/// the end of what is known waits. Where no more fits into the ring before that is known, drafts
-/// are slowed until it is.
+/// guide has passed in its time. There each piece bounds σ' and σ'' by the greatest slopes and
+/// bends of all within half that time around it, which holds for the mean, too; what is nearer than
+/// that to the end of what is known waits. Where no more fits into the ring before that is known,
+/// drafts are slowed until it is.
 ///
 /// m, rad, s.
 class PathPlanner {
@@ -67,12 +67,13 @@ class PathPlanner {
   double window_of(const SegmentDescriptor& segment) const noexcept;
   std::size_t room() const noexcept;
 
-  /// The greatest |dq/dσ| and |d²q/dσ²| on a piece.
+  /// The greatest |dq/dσ| and |d²q/dσ²| on a piece, and σ' that it admits by itself.
   struct Extent {
     JointVector slopes;
     JointVector bends;
+    double fastest = 0;
   };
-  static Extent extent_of(const Piece& piece) noexcept;
+  Extent extent_of(const Piece& piece) const noexcept;
   Extent& extent(PathRing::Index at) noexcept {
     return extents_[static_cast<std::size_t>(at % extents_.size())];
   }
@@ -92,7 +93,6 @@ class PathPlanner {
   double window_ = 0;            ///< s of the mean of the present run
   PathRing::Index end_ = 0;      ///< of the pieces written; those from ring_.end() on are drafts
   double published_ = 0;         ///< σ at the end of those before
-  double reach_ = 0;             ///< m: how far places of the present run act together in the mean
   double outlook_ = 0;           ///< m: so far from a draft all has to be known
   double share_ = 1;             ///< the override that the squares are for
   std::vector<Extent> extents_;  ///< of the pieces, by the same slots

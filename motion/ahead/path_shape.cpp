@@ -24,17 +24,6 @@ constexpr int kMostCornerPieces = 8;
 /// by 2 % between the ends of pieces, where it is held (time_optimal_test).
 constexpr int kTurnPieces = 16;
 
-/// What the speeds of the axes leave at a place.
-void bound_speed(const RobotModel& robot, const PathPoint& place, Piece& piece) {
-  for (int i = 0; i < robot.axis_count(); ++i) {
-    const double slope = std::abs(place.qd[i]);
-    const double most = robot.axes[static_cast<std::size_t>(i)].v_max;
-    if (slope * piece.fastest <= most) continue;
-    piece.fastest = most / slope;
-    piece.fastest_axis = i;
-  }
-}
-
 /// Half of the σ' at which a bend takes all that the axes have: three quarters are left to brake.
 double half_speed(const Piece& piece) {
   double square = Piece::kAny;
@@ -99,9 +88,9 @@ void append_curve(const RobotModel& robot, const ShapedLeg& leg, double begin, d
     const PathPoint b = at(stop);
     Piece piece = piece_of(leg, begin + (start - from), stop - start);
     fill_quintic(piece, a, b);
-    bound_speed(robot, a, piece);
-    bound_speed(robot, piece.point(piece.length / 2), piece);
-    bound_speed(robot, b, piece);
+    bound_speed(robot, a.qd, piece);
+    bound_speed(robot, piece.point(piece.length / 2).qd, piece);
+    bound_speed(robot, b.qd, piece);
     bound_jerk(leg, piece);
     pieces.push_back(piece);
     a = b;
@@ -142,6 +131,16 @@ void append_nodes(const RobotModel& robot, const ShapedLeg& leg, const JointPath
 }
 
 }  // namespace
+
+void bound_speed(const RobotModel& robot, const JointVector& slopes, Piece& piece) {
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const double slope = std::abs(slopes[i]);
+    const double most = robot.axes[static_cast<std::size_t>(i)].v_max;
+    if (slope * piece.fastest <= most) continue;
+    piece.fastest = most / slope;
+    piece.fastest_axis = i;
+  }
+}
 
 ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, double begin) {
   const LegBounds& bounds = segment.ahead;
@@ -187,7 +186,7 @@ void append_leg(const RobotModel& robot, const ShapedLeg& leg, double from, doub
     piece.count = 2;
     piece.terms[0] = place.q;
     piece.terms[1] = place.qd;
-    bound_speed(robot, place, piece);
+    bound_speed(robot, place.qd, piece);
     pieces.push_back(piece);
   }
 }
@@ -218,8 +217,8 @@ void append_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& 
       piece.terms[0] = start.q + before * way + bend * (way * way / 2);
       piece.terms[1] = before + bend * way;
       piece.terms[2] = bend / 2;
-      bound_speed(robot, piece.point(0), piece);
-      bound_speed(robot, piece.point(piece.length), piece);
+      bound_speed(robot, piece.point(0).qd, piece);
+      bound_speed(robot, piece.point(piece.length).qd, piece);
       pieces.push_back(piece);
     }
   }

@@ -32,6 +32,9 @@ ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, 
 /// σ' that is asked for on a leg, or what the speeds of the axes leave of it at one of its places.
 double greatest_rate(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place);
 
+/// Lowers Piece::fastest to what the speeds of the axes leave where they have these slopes, dq/dσ.
+void bound_speed(const RobotModel& robot, const JointVector& slopes, Piece& piece);
+
 /// The way from one leg into the next around the point between them: `half` m of σ on each side.
 struct Turn {
   double half = 0;

@@ -293,13 +293,13 @@ ArmBranch ArmKinematics::branch(const JointVector& q) const noexcept {
   return {ahead(theta) < 0, std::sin(theta[2] + psi_) < 0, std::sin(theta[4]) < 0};
 }
 
-const char* ArmKinematics::nearest_singularity(const JointVector& q) const noexcept {
+SingularPlace ArmKinematics::nearest_singularity(const JointVector& q,
+                                                 double within) const noexcept {
   const SingularityDistances distance = singularities(q);
   const double shoulder = distance.shoulder / (p_.c2 + k_);  // as an angle
-  if (distance.wrist <= shoulder && distance.wrist <= distance.elbow)
-    return "axes 4 and 6 are nearly in line there";
-  if (shoulder <= distance.elbow) return "the wrist is nearly above axis 1 there";
-  return "the arm is nearly stretched or folded there";
+  if (std::min({distance.wrist, shoulder, distance.elbow}) > within) return SingularPlace::None;
+  if (distance.wrist <= shoulder && distance.wrist <= distance.elbow) return SingularPlace::Wrist;
+  return shoulder <= distance.elbow ? SingularPlace::Shoulder : SingularPlace::Elbow;
 }
 
 SingularityDistances ArmKinematics::singularities(const JointVector& q) const noexcept {

@@ -72,7 +72,9 @@ class ArmKinematics final : public Kinematics {
                                      const JointVector& near) const noexcept override;
   Shortfall shortfall(const Pose& pose) const noexcept override;
   double lever(int axis, const Eigen::Vector3d& tip) const noexcept override;
-  const char* nearest_singularity(const JointVector& q) const noexcept override;
+  SingularPlace nearest_singularity(
+      const JointVector& q,
+      double within = std::numeric_limits<double>::infinity()) const noexcept override;
   double stretch(const JointVector& q) const noexcept override { return singularities(q).elbow; }
   const char* reach() const noexcept override {
     return "reaches what its upper arm and its forearm span";

@@ -34,6 +34,14 @@ struct Shortfall {
   double distance = 0;  ///< m
 };
 
+/// Where an arm loses directions of motion.
+enum class SingularPlace : std::uint8_t {
+  None,
+  Wrist,     ///< axes 4 and 6 are in line
+  Shoulder,  ///< the wrist is on axis 1
+  Elbow      ///< stretched or folded
+};
+
 /// From axes to tool. All calls are pure, take no memory and may be used in the tick.
 class Kinematics {
  public:
@@ -55,8 +63,12 @@ class Kinematics {
   virtual double lever(int axis, const Eigen::Vector3d& tip) const noexcept = 0;
   /// Of a robot whose coordinates are its axes: which of x, y, z, a, b, c, from 0 on, `axis` moves.
   virtual int coordinate(int axis) const noexcept { return axis; }
-  /// In words, for messages: the singular place that `q` is nearest to; empty where there is none.
-  virtual const char* nearest_singularity(const JointVector& /*q*/) const noexcept { return ""; }
+  /// The singular place that `q` is nearest to, of those within `within`, rad.
+  virtual SingularPlace nearest_singularity(
+      const JointVector& /*q*/,
+      double /*within*/ = std::numeric_limits<double>::infinity()) const noexcept {
+    return SingularPlace::None;
+  }
   /// rad: how far an arm is from being stretched or folded, where its tool can go on to one side
   /// alone and its axes would have to leap; infinite for robots without such places.
   virtual double stretch(const JointVector& /*q*/) const noexcept {

@@ -42,6 +42,11 @@ class Controller {
     return chain_.plan_path() || handlers;
   }
 
+  /// From here on it is told of the program's path as it is planned; under the look-ahead law.
+  void tell(motion::PathListener& listener) {
+    if (chain_.path) chain_.path->planner.tell(listener);
+  }
+
   /// Slow down on the path to rest, within the limits. From any thread.
   void request_hold() { channels_.hold_requested.store(true, std::memory_order_relaxed); }
   bool holding() const { return channels_.hold_requested.load(std::memory_order_relaxed); }

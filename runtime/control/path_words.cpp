@@ -38,6 +38,20 @@ Words words_for_limit(const Refusal& refusal, const motion::RobotModel& robot) {
               : "shorten the way, or begin it in another posture, to which MOVE leads"};
 }
 
+const char* words_for(motion::SingularPlace place) {
+  switch (place) {
+    case motion::SingularPlace::Wrist:
+      return "axes 4 and 6 are nearly in line there";
+    case motion::SingularPlace::Shoulder:
+      return "the wrist is nearly above axis 1 there";
+    case motion::SingularPlace::Elbow:
+      return "the arm is nearly stretched or folded there";
+    case motion::SingularPlace::None:
+      break;
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string by_how_much(const motion::Shortfall& shortfall) {
@@ -103,7 +117,7 @@ Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
   }
   if (refusal.kind != Refusal::Kind::PathSingular) return words_for_limit(refusal, robot);
   const char* const why =
-      refusal.q.size() > 0 ? robot.kinematics->nearest_singularity(refusal.q) : "";
+      refusal.q.size() > 0 ? words_for(robot.kinematics->nearest_singularity(refusal.q)) : "";
   return {
       code::kPathSingular,
       fmt::format("axis {} would have to turn too fast at {}{}{}",

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "runtime/program/slow_places.h"
+
 namespace rob::runtime {
 
 using Json = nlohmann::ordered_json;
@@ -138,6 +140,34 @@ Json findings_json(const RunResult& result) {
   return findings;
 }
 
+Json slow_places_json(const RunResult& result) {
+  const auto name = [](SlowPlace::Cause cause) {
+    constexpr const char* kNames[] = {"speed", "acceleration", "jerk", "end of path"};
+    return kNames[static_cast<std::size_t>(cause)];
+  };
+  const auto near = [](motion::SingularPlace place) -> Json {
+    constexpr const char* kNames[] = {"", "wrist", "shoulder", "elbow"};
+    if (place == motion::SingularPlace::None) return nullptr;
+    return kNames[static_cast<std::size_t>(place)];
+  };
+  Json places = Json::array();
+  for (const SlowPlace& place : result.slow_places) {
+    Json json;
+    put_line(json, result.used, place.line);
+    json["t"] = seconds(place.time);
+    json["at_mm"] = millimetres(place.at);
+    json["speed_mm_s"] = millimetres(place.speed);
+    json["asked_mm_s"] = millimetres(place.asked);
+    json["limit"] = name(place.cause);
+    json["axis"] = place.axis.empty() ? Json(nullptr) : Json(place.axis);
+    json["corner"] = place.corner;
+    json["near"] = near(place.near);
+    json["text"] = cause_of(place);
+    places.push_back(std::move(json));
+  }
+  return places;
+}
+
 }  // namespace
 
 Json problem_json(const std::optional<Problem>& problem) {
@@ -188,6 +218,7 @@ Json check_json(const RunResult& result) {
           {"law", result.law},
           {"planned_s", planned_seconds(result)},
           {"lines", lines_json(result, false)},
+          {"slow_places", slow_places_json(result)},
           {"findings", findings_json(result)},
           {"error", problem_json(result.error)}};
 }

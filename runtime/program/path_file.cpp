@@ -24,8 +24,10 @@ void PathFile::planned(const motion::Piece& piece) {
 
 void PathFile::put(const motion::Piece& piece, double at) {
   constexpr double kMm = 1e-3;
+  constexpr double kRounding = 1e-12;  // by which pieces that meet may miss each other
   const motion::PathPoint point = piece.point(at);
-  sigma_ = std::max(sigma_, (piece.begin + at) / kMm);  // where pieces meet but for rounding
+  const double sigma = (piece.begin + at) / kMm;
+  if (sigma > sigma_ * (1 + kRounding)) sigma_ = sigma;
   std::string row = fmt::format("{:.17g}", sigma_);
   double per_mm = 1;
   for (const motion::JointVector* values : {&point.q, &point.qd, &point.qdd}) {

@@ -48,13 +48,6 @@ struct RunListener {
 RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
               const RunOptions& options, const RunListener& listener);
 
-/// Runs it in virtual time to learn what it will do: per line start, duration, decision point and
-/// corner miss, and all findings. Nothing moves and nothing is printed; a program that does not
-/// end is given up after an hour of its time, with a finding that says so.
-RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
-                   std::uint64_t seed = lang::Random::kDefaultSeed,
-                   const SignalScript* script = nullptr, double override_share = 1);
-
 /// The result of a program that does not compile.
 RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot);
 /// The result of a program whose signal script has errors.

@@ -25,6 +25,7 @@ RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share,
       meter_(*robot.kinematics),
       references_(*robot.kinematics),
       path_(*robot.kinematics, robot.start),
+      slow_(robot),
       reached_(robot.start) {
   result_.robot = robot.name;
   result_.law = motion::law_name(robot.law);
@@ -53,6 +54,7 @@ void RunRecorder::take(const Snapshot& snapshot) {
   if (!comes_timed()) references_.measured(snapshot.sample.reference.q);
   const double way = path_.reference(snapshot.sample.reference.q);
   if (running_) line_of(*running_).way += way * kMillimetresPerMetre;
+  if (!comes_timed()) slow_.take(snapshot.sample, way);
   take_peaks(snapshot);
   if (early_) locate(snapshot);
   last_ = snapshot;
@@ -130,6 +132,7 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   end_segment(event.time, &*planned);
   programmed(*planned);
 
+  slow_.begin(*planned);
   LineResult& line = line_of(*planned);
   running_ = Running{*planned, from_, event.time};
   if (!planned->further && line.count++ == 0) line.starts = event.time;
@@ -333,6 +336,7 @@ RunResult RunRecorder::finish() {
       static_cast<std::int64_t>(std::ceil(result_.measured / robot_.reference_period - kRounding));
   for (auto& [number, line] : lines_) result_.lines.push_back(line);
   result_.deviation = std::max(result_.deviation, path_.deviation() * kMillimetresPerMetre);
+  result_.slow_places = slow_.finish();
   result_.final_joints = shown_joints();
   const motion::JointVector q = last_ ? last_->sample.reference.q : robot_.start;
   result_.final_pose = shown_pose(robot_.kinematics->forward(q));

@@ -14,6 +14,7 @@
 #include "runtime/program/path_meter.h"
 #include "runtime/program/run_result.h"
 #include "runtime/program/signal_names.h"
+#include "runtime/program/slow_places.h"
 
 namespace rob::runtime {
 
@@ -106,6 +107,7 @@ class RunRecorder {
   CornerMeter references_;                     ///< the same of the references; by law
   std::map<std::uint32_t, double> decisions_;  ///< s, by number, of motions that have not begun
   PathMeter path_;
+  SlowPlaces slow_;
   RunResult result_;
   std::map<int, LineResult> lines_;
   std::optional<Running> running_;

@@ -7,6 +7,7 @@
 
 #include "lang/text/diagnostic.h"
 #include "lang/vm/vm.h"
+#include "motion/kinematics/kinematics.h"
 
 namespace rob::runtime {
 
@@ -64,6 +65,21 @@ struct AxisPeak {
   double j = 0;
 };
 
+/// Where a path under the look-ahead law is much slower than asked for, and why.
+struct SlowPlace {
+  enum class Cause : std::uint8_t { Speed, Acceleration, Jerk, EndOfPath };
+
+  int line = 0;
+  double time = 0;   ///< s
+  double at = 0;     ///< mm from the beginning of the motion
+  double speed = 0;  ///< mm/s
+  double asked = 0;  ///< mm/s
+  Cause cause = Cause::Speed;
+  std::string axis{};  ///< of Speed and Acceleration
+  bool corner = false;
+  motion::SingularPlace near = motion::SingularPlace::None;
+};
+
 /// What went wrong, as JSON and people get it.
 struct Problem {
   std::string code;
@@ -105,6 +121,7 @@ struct RunResult {
   double worst_saturation = 0;       ///< greatest force demanded / what the drive can give
   std::vector<AxisPeak> peaks;
   double deviation = 0;  ///< mm: the greatest distance from the programmed path or points
+  std::vector<SlowPlace> slow_places;  ///< the slowest first
 };
 
 }  // namespace rob::runtime

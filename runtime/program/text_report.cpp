@@ -4,6 +4,9 @@
 
 #include <optional>
 
+#include "runtime/control/units.h"
+#include "runtime/program/slow_places.h"
+
 namespace rob::runtime {
 
 namespace {
@@ -66,6 +69,20 @@ std::string file_heading(const RunResult& result, const LineResult& line) {
 
 std::uint32_t line_number(const LineResult& line) { return lang::tagged_place(line.line).line; }
 
+/// "line 7, 133 mm on: 12 of 200 mm/s; axis j4 speed near the wrist singularity".
+std::string slow_places_text(const RunResult& result) {
+  std::string text;
+  for (const SlowPlace& place : result.slow_places) {
+    const lang::Place line = lang::tagged_place(place.line);
+    text += text.empty() ? "slowest: " : "         ";
+    text += fmt::format("line {}{}, {}{} mm on: {} of {} mm/s; {}\n", line.line,
+                        line.file == 0 ? "" : " of " + result.used[line.file - 1],
+                        place.corner ? "in a corner " : "", shown(place.at, 1),
+                        shown(place.speed, 1), shown(place.asked, 1), cause_of(place));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string check_table(const RunResult& result) {
@@ -79,7 +96,8 @@ std::string check_table(const RunResult& result) {
     }
     table += file_heading(result, line) + row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
   }
-  return result.lines.empty() ? "nothing moves\n" : table;
+  if (result.lines.empty()) return "nothing moves\n";
+  return table + slow_places_text(result);
 }
 
 std::string run_table(const RunResult& result) {

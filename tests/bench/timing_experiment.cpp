@@ -14,7 +14,7 @@
 
 #include "motion/robots/robot_library.h"
 #include "runtime/program/load.h"
-#include "runtime/program/run.h"
+#include "runtime/program/foretell.h"
 #include "tests/bench/busy.h"
 #include "tests/bench/first_organisation.h"
 #include "tests/bench/robs_organisation.h"

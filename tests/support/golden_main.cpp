@@ -7,7 +7,7 @@
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/files.h"
 #include "runtime/program/load.h"
-#include "runtime/program/run.h"
+#include "runtime/program/foretell.h"
 #include "tests/support/golden.h"
 
 namespace {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/program/foretell.h"
 #include "runtime/program/run.h"
 #include "runtime/program/signal_script.h"
 #include "runtime/program/test_runner.h"
@@ -161,7 +162,7 @@ TEST_CASE("HALT and ASK are foretold as answered, with a finding each") {
 
   const auto script =
       runtime::parse_signal_script("a.sig", "at 9s GO = ON\nat 9s ANSWER = \"2\"", gantry(), {});
-  const RunResult scripted = runtime::foretell(program, gantry(), 1, &script);
+  const RunResult scripted = runtime::foretell(program, gantry(), {.seed = 1, .script = &script});
   CHECK(scripted.final_joints[0] == 20);
   CHECK(scripted.findings.size() == 1);
   CHECK(test::line(scripted, 4).starts > 9);

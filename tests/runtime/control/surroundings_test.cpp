@@ -6,7 +6,7 @@
 #include <string>
 
 #include "motion/generate/stop_ramp.h"
-#include "runtime/program/run.h"
+#include "runtime/program/foretell.h"
 #include "tests/support/stepped_run.h"
 
 using rob::runtime::RunResult;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/program/foretell.h"
 #include "runtime/program/run.h"
 #include "runtime/program/signal_script.h"
 #include "runtime/program/test_runner.h"

@@ -2,7 +2,7 @@
 
 #include "motion/robots/robot_library.h"
 #include "runtime/program/load.h"
-#include "runtime/program/run.h"
+#include "runtime/program/foretell.h"
 
 namespace {
 

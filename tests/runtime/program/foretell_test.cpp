@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "motion/robots/robot_library.h"
-#include "runtime/program/run.h"
+#include "runtime/program/foretell.h"
 
 using rob::runtime::RunResult;
 
@@ -21,7 +21,7 @@ RunResult foretold(const std::string& text, const std::string& script_text = "")
   const auto script = rob::runtime::parse_signal_script("t.sig", script_text, robot,
                                                         program.compilation.chunk->named_signals);
   REQUIRE_FALSE(script.diagnostics.has_errors());
-  return rob::runtime::foretell(program, robot, 0, &script);
+  return rob::runtime::foretell(program, robot, {.seed = 0, .script = &script});
 }
 
 /// "3 N631 assumed: …"

@@ -9,6 +9,7 @@
 
 #include "motion/robots/robot_library.h"
 #include "runtime/program/files.h"
+#include "runtime/program/foretell.h"
 #include "runtime/program/load.h"
 #include "runtime/program/run.h"
 #include "tests/support/file_error.h"

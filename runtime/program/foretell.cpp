@@ -1,0 +1,105 @@
+#include "runtime/program/foretell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/control/codes.h"
+#include "runtime/control/controller.h"
+#include "runtime/control/execution.h"
+#include "runtime/control/program_task.h"
+#include "runtime/control/robot_machine.h"
+#include "runtime/program/run_parts.h"
+#include "runtime/program/run_recorder.h"
+#include "runtime/program/simulation.h"
+
+namespace rob::runtime {
+
+namespace {
+
+/// docs/language.md, what `rob check` assumes.
+constexpr RunLimits kForetellLimits{3600, 100'000'000};
+constexpr std::uint32_t kForetellTurns = 1000;
+
+/// By signal number the names of the inputs that neither the simulated machine nor the script
+/// drives; empty for all others.
+std::vector<std::string> undriven_inputs(const LoadedProgram& program,
+                                         const motion::RobotModel& robot,
+                                         const SignalScript* script) {
+  const lang::RobotSignature signature = signature_of(robot);
+  std::vector<std::string> names;
+  for (const lang::RobotSignature::Signal& signal : signature.signals) {
+    const int channel = signal.channel - 1;
+    const bool machine = !signal.analog && std::ranges::any_of(robot.actuators, [&](const auto& a) {
+      return a.input_off == channel || a.input_on == channel;
+    });
+    const auto kind = signal.analog ? WorldSignal::Kind::AnalogInput : WorldSignal::Kind::Input;
+    const bool scripted = std::ranges::any_of(rules_of(script), [&](const SimulationRule& rule) {
+      return rule.setting.place.kind == kind && rule.setting.place.channel == channel;
+    });
+    const bool driven = signal.output || machine || scripted;
+    names.push_back(driven ? "" : lang::shown_name(signal));
+  }
+  for (const lang::NamedSignal& named : program.compilation.chunk->named_signals) {
+    std::string& name = names.at(static_cast<std::size_t>(named.signal));
+    if (!name.empty()) name = named.name;
+  }
+  return names;
+}
+
+/// What stops the program is also a finding, as the errors of the compiler are.
+lang::Diagnostic finding_of(const Problem& problem) {
+  return {lang::Severity::Error, problem.code, problem.place, problem.message, problem.help};
+}
+
+}  // namespace
+
+RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
+                   const ForetellOptions& options) {
+  const SignalScript* const script = options.script;
+  Controller controller(robot, simulation_of(robot), options.override_share, rules_of(script));
+  if (options.path != nullptr) controller.tell(*options.path);
+  prepare_panel(controller, script);
+  ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
+  controller.machine().assume(undriven_inputs(program, robot, script));
+  task.limit_turns(kForetellTurns);
+  RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
+                       names_in(program, robot), {});
+
+  RunLimits limits = kForetellLimits;
+  limits.standstill =
+      !program.compilation.chunk->timed && (script == nullptr || script->rules.empty());
+  const Timing timing = run_stepped(controller, task, limits, [&] { recorder.drain(); });
+  RunResult result = recorder.finish();
+  result.clock = "virtual";
+  // What the simulated run took is what is foretold, with all its waiting.
+  result.planned = result.measured;
+  for (LineResult& line : result.lines) line.planned = line.measured;
+  if (task.failure()) add_failure(result, *task.failure());
+  if (task.circling() != 0) {
+    result.findings.push_back(
+        {lang::Severity::Note, code::kCircling, lang::tagged_place(task.circling()),
+         fmt::format("the loop goes on; it was foretold for {} turns", kForetellTurns), ""});
+  }
+  if (timing.waits_for_ever) {
+    result.findings.push_back(
+        {lang::Severity::Warning, code::kWaitsForEver, task.place(),
+         "the program waits here for ever: it stands, and nothing is left that"
+         " could change an input",
+         "set an output before that brings it about, or limit it: TIMEOUT 5s"});
+  } else if (timing.gave_up) {
+    result.findings.push_back({lang::Severity::Note,
+                               code::kForetoldSoFar,
+                               {},
+                               "the program goes on; it was foretold as far as one hour of its "
+                               "time or 100,000,000 instructions",
+                               ""});
+  }
+  if (result.error) result.findings.push_back(finding_of(*result.error));
+  return of_program(program, std::move(result));
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include "lang/values/random.h"
+#include "motion/ahead/path_listener.h"
+#include "motion/robots/robot_model.h"
+#include "runtime/program/load.h"
+#include "runtime/program/run_result.h"
+#include "runtime/program/signal_script.h"
+
+namespace rob::runtime {
+
+/// Under what a run is foretold.
+struct ForetellOptions {
+  std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
+  const SignalScript* script = nullptr;             ///< what drives the inputs, without errors
+  double override_share = 1;                        ///< 1 = 100 %
+  motion::PathListener* path = nullptr;  ///< is told of the path, under the look-ahead law
+};
+
+/// Runs a program in virtual time to learn what it will do: per line start, duration, decision
+/// point and corner miss, and all findings. Nothing moves and nothing is printed; a program that
+/// does not end is given up after an hour of its time, with a finding that says so.
+RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
+                   const ForetellOptions& options = {});
+
+}  // namespace rob::runtime
