@@ -195,9 +195,10 @@ void Reader::compare_geometry(const lang::Place& place) {
   if (!there) return;
   points_.diagnostics.error(
       code::kPointsOfOther, place,
-      fmt::format("these points were taught on a {} of another geometry: the JOINTS of this line"
-                  " bring the one at hand to {}, not to their POSE",
-                  robot_.name, place_text(*there)),
+      fmt::format(
+          "these points were taught on another geometry than that of this {}: the JOINTS here"
+          " bring its flange to {}, not to their POSE",
+          robot_.name, place_text(*there)),
       "run the program on that robot, or move the file away and teach anew");
 }
 
