@@ -1,9 +1,11 @@
 #include "runtime/commands.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <ctime>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +24,7 @@
 #include "runtime/program/path_file.h"
 #include "runtime/program/progress.h"
 #include "runtime/program/run.h"
+#include "runtime/program/run_mark.h"
 #include "runtime/program/terminal.h"
 #include "runtime/program/text_report.h"
 #include "runtime/test_files.h"
@@ -58,6 +61,27 @@ RunListener listener_of(const Options& options, Progress& progress) {
   return listener;
 }
 
+/// Motion in real time leaves a mark as long as it lasts.
+void mark(std::optional<RunMark>& running, const LoadedProgram& program,
+          const RunListener& listener) {
+  try {
+    running.emplace(fmt::format("{} on {} (process {}, begun {:%Y-%m-%d %H:%M:%S} UTC)",
+                                program.file, program.robot.name, ::getpid(),
+                                fmt::gmtime(std::time(nullptr))));
+  } catch (const FileError& error) {
+    listener.warn(error.what());
+  }
+}
+
+void tell_unclean_ends() {
+  for (const std::string& run : unclean_ends()) {
+    put_message(
+        fmt::format("rob: unclean end: the run of {} was cut off, by kill -9, a crash or the"
+                    " loss of power; look where the robot stands\n",
+                    run));
+  }
+}
+
 RunResult run_one(const LoadedProgram& program, const Options& options,
                   const SignalScript& script) {
   const motion::RobotModel& robot = program.robot;
@@ -71,7 +95,10 @@ RunResult run_one(const LoadedProgram& program, const Options& options,
   const RunOptions run_options{
       options.fast, options.override_share,         options.trace, options.seed, &script,
       &terminal,    foretold ? &*foretold : nullptr};
-  RunResult result = run(program, robot, run_options, listener_of(options, progress));
+  const RunListener listener = listener_of(options, progress);
+  std::optional<RunMark> running;
+  if (!options.fast) mark(running, program, listener);
+  RunResult result = run(program, robot, run_options, listener);
   progress.clear();
   return result;
 }
@@ -105,6 +132,7 @@ std::string problems_text(const RunResult& result, const LoadedProgram& program,
 ExitCode run_files(const Options& options) {
   ExitCode worst = ExitCode::Done;
   std::vector<Json> documents;
+  if (!options.fast) tell_unclean_ends();
   std::vector<LoadedProgram> programs = load_programs(options);
   for (LoadedProgram& program : programs) {
     refuse_missing_points(program);

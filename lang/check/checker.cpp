@@ -8,6 +8,7 @@
 
 #include "lang/check/statement_checker.h"
 #include "lang/code/chunk.h"
+#include "lang/syntax/keywords.h"
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
@@ -56,6 +57,12 @@ void StatementChecker::warn_of_name(Symbol::Kind kind, const std::string& name, 
 const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& name, Place place,
                                         Type type, Constant value) {
   warn_of_name(kind, name, place);
+  if (!is_definition(kind) && elements_of(type) && is_channel_word(name)) {
+    diagnostics_.error(
+        code::kReservedName, place,
+        fmt::format("{0}[1] is a channel of the robot; {0} cannot have elements", to_upper(name)),
+        "choose another name");
+  }
   Symbol symbol;
   symbol.kind = kind;
   symbol.name = name;

@@ -51,6 +51,11 @@ std::string_view spelling(Keyword keyword) { return entry_of(keyword).spelling; 
 
 KeywordRole role(Keyword keyword) { return entry_of(keyword).role; }
 
+bool is_channel_word(std::string_view word) {
+  return same_word(word, "DIN") || same_word(word, "DOUT") || same_word(word, "AIN") ||
+         same_word(word, "AOUT");
+}
+
 std::span<const std::string_view> statement_words() {
   static const std::vector<std::string_view> words = [] {
     std::vector<std::string_view> result;

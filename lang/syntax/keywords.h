@@ -29,6 +29,9 @@ std::optional<Keyword> find_keyword(std::string_view word);
 std::string_view spelling(Keyword keyword);
 KeywordRole role(Keyword keyword);
 
+/// DIN, DOUT, AIN or AOUT, in any case: not reserved, but with an index always a channel.
+bool is_channel_word(std::string_view word);
+
 /// Words that can begin a line, closers included, for suggestions.
 std::span<const std::string_view> statement_words();
 

@@ -7,13 +7,6 @@
 /// The parser's rule for ZERO.
 namespace rob::lang {
 
-/// A variable may be called so, too.
-bool Parser::at_zero() const {
-  return same_word(current_.text, "ZERO") && next_.kind != TokenKind::Assign &&
-         next_.kind != TokenKind::Equal && next_.kind != TokenKind::Dot &&
-         next_.kind != TokenKind::LeftBracket && next_.kind != TokenKind::LeftParen;
-}
-
 // robot = "ZERO" "force" .
 void Parser::zero_statement(Block& block) {
   const Place place = current_.place;

@@ -9,20 +9,6 @@
 /// The parser's rules for FRAME and TOOL, and for poses in a frame.
 namespace rob::lang {
 
-bool Parser::at_frame_declaration() const {
-  if (!at_word("FRAME") && !at_word("TOOL")) return false;
-  switch (next_.kind) {
-    case TokenKind::Assign:
-    case TokenKind::Equal:
-    case TokenKind::Dot:
-    case TokenKind::LeftBracket:
-    case TokenKind::LeftParen:
-      return false;
-    default:
-      return true;
-  }
-}
-
 // decl = "TOOL" IDENT "=" expr [ "MASS" expr [ "COG" expr ] ] eol
 //      | "FRAME" IDENT "=" expr eol .
 void Parser::frame_declaration(Block& block) {

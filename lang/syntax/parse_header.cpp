@@ -14,20 +14,9 @@
 namespace rob::lang {
 namespace {
 
-constexpr std::array<std::string_view, 3> kHeaderWords{"ROBOT", "UNITS", "LAW"};
 constexpr std::array<std::string_view, 2> kLaws{"PAUL", "LOOKAHEAD"};
 
 }  // namespace
-
-/// Known by their place: the first word of a line, and no value behind it begins with it.
-bool Parser::at_header() const {
-  const bool value = next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal ||
-                     next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket ||
-                     next_.kind == TokenKind::LeftParen;
-  return !value && std::ranges::any_of(kHeaderWords, [&](std::string_view word) {
-    return same_word(word, current_.text);
-  });
-}
 
 // "ROBOT" STRING eol | "UNITS" unit { "," unit } eol | "LAW" IDENT eol
 void Parser::header(const Block& block) {

@@ -142,7 +142,7 @@ void Parser::curve(Move& move) {
   const Place place = previous_.place;
   expect_word("VIA", word_of(move.kind), example);
   do {
-    if (at_word("TO")) break;  // behind a comma too many, or where a point is missing
+    if (at_clause_word("TO")) break;  // behind a comma too many, or where a point is missing
     move.via.push_back(target("VIA", true));
   } while (accept(TokenKind::Comma));
   expect_word("TO", "the points of VIA", example);
@@ -184,11 +184,17 @@ void Parser::jog(Move& move) {
   move.target = tuple(place, elements("the rates"));
 }
 
+/// Whether the present word is a whole value, or the beginning of one that goes on: then it is a
+/// name, whatever it means elsewhere. A sign may belong to the value of a clause.
+bool Parser::at_name_of_value() const {
+  const bool ends = next_.kind == TokenKind::EndOfLine || next_.kind == TokenKind::Comma ||
+                    begins_statement(next_) || !clause_word(next_).empty();
+  return ends || (goes_on(next_) && next_.kind != TokenKind::Minus);
+}
+
 /// A word behind MOVE that is not the name of what stands there.
 bool Parser::at_clause_word(std::string_view word) const {
-  const bool value = goes_on(next_) && next_.kind != TokenKind::Minus;
-  return at_word(word) && !value && next_.kind != TokenKind::EndOfLine &&
-         next_.kind != TokenKind::Comma;
+  return at_word(word) && !at_name_of_value();
 }
 
 void Parser::joint_target(Move& move) {
@@ -215,7 +221,7 @@ ExprPtr Parser::target(std::string_view motion, bool in_list) {
 
 /// A token that an expression may begin with, and no clause.
 bool Parser::at_value() const {
-  if (at(TokenKind::Word)) return clause_word(current_).empty();
+  if (at(TokenKind::Word)) return clause_word(current_).empty() || at_name_of_value();
   if (at(TokenKind::Reserved)) return role(current_.keyword) == KeywordRole::Value;
   return at(TokenKind::Number) || at(TokenKind::String) || at(TokenKind::Plus) ||
          at(TokenKind::Minus) || at(TokenKind::LeftBracket);
@@ -325,11 +331,7 @@ void Parser::clause(Clauses& clauses, Clause which, std::string_view word) {
 }
 
 /// LIVE with a value behind it; a variable may be called so, too.
-bool Parser::at_live() const {
-  const bool ends = next_.kind == TokenKind::EndOfLine || next_.kind == TokenKind::EndOfFile ||
-                    begins_statement(next_) || !clause_word(next_).empty();
-  return at_word("LIVE") && !ends && !goes_on(next_);
-}
+bool Parser::at_live() const { return at_clause_word("LIVE"); }
 
 void Parser::profile(Clauses& clauses) {
   if (clauses.profile != Profile::Unspecified) report_twice("PROFILE");

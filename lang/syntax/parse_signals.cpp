@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/syntax/keywords.h"
 #include "lang/syntax/parser_impl.h"
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
@@ -94,8 +95,8 @@ void Parser::pulse(Block& block) {
 }
 
 bool Parser::at_channel() const {
-  const bool word = at_word("DIN") || at_word("DOUT") || at_word("AIN") || at_word("AOUT");
-  return word && next_.kind == TokenKind::LeftBracket;
+  return at(TokenKind::Word) && is_channel_word(current_.text) &&
+         next_.kind == TokenKind::LeftBracket;
 }
 
 // channel = ( "DIN" | "DOUT" | "AIN" | "AOUT" ) "[" expr "]" .

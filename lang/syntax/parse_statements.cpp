@@ -151,8 +151,10 @@ void Parser::simple(Block& block) {
 /// What begins with a word that is not reserved: an assignment, a statement known by its place
 /// at the beginning of a line, or a mistake.
 void Parser::word_statement(Block& block) {
-  if (at_header()) return header(block);
-  if (at_frame_declaration()) return frame_declaration(block);
+  if (at_placed_word("ROBOT") || at_placed_word("UNITS") || at_placed_word("LAW")) {
+    return header(block);
+  }
+  if (at_placed_word("FRAME") || at_placed_word("TOOL")) return frame_declaration(block);
   if (at_placed_word("PATH")) return path_statement(block);
   if (at_placed_word("PRESS")) return press_statement(block);
   if (at_placed_word("OVERRIDE")) return override_statement(block);
@@ -160,7 +162,7 @@ void Parser::word_statement(Block& block) {
     const Place place = current_.place;
     return add(block, place, path_event());
   }
-  if (at_zero()) return zero_statement(block);
+  if (at_placed_word("ZERO")) return zero_statement(block);
   if (at_placed_word("START")) return start_statement(block);
   if (next_.kind == TokenKind::Assign || next_.kind == TokenKind::Equal) return assignment(block);
   if (next_.kind == TokenKind::Dot || next_.kind == TokenKind::LeftBracket) {

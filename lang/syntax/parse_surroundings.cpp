@@ -11,8 +11,9 @@
 /// The parser's rules for WITH and IN, and for the statements PATH, PRESS and OVERRIDE.
 namespace rob::lang {
 
-/// A word that begins a statement by its place alone, and is a name where something is made of it.
-bool Parser::at_placed_word(std::string_view word) const {
+/// A word that begins a statement by its place alone, and is a name where something is made of it:
+/// before a parenthesis, where a routine is called so.
+bool Parser::at_placed_word(std::string_view word) {
   if (!at_word(word)) return false;
   switch (next_.kind) {
     case TokenKind::Assign:
@@ -21,7 +22,7 @@ bool Parser::at_placed_word(std::string_view word) const {
     case TokenKind::LeftBracket:
       return false;
     case TokenKind::LeftParen:
-      return word == "PATH";
+      return !names_routine(word);
     default:
       return true;
   }

@@ -126,7 +126,6 @@ class Parser {
   void declared_names(Declaration& declaration);
   void declared_type_and_value(Declaration& declaration);
   // Frames (parse_frames.cpp)
-  bool at_frame_declaration() const;
   void frame_declaration(Block& block);
 
   // HALT and ASK (parse_operator.cpp)
@@ -145,7 +144,6 @@ class Parser {
   // Points (parse_points.cpp)
   void point_declaration(Block& block);
   void teach_statement(Block& block);
-  bool at_zero() const;
   void zero_statement(Block& block);
 
   Type pose_type();
@@ -168,6 +166,7 @@ class Parser {
   void move(Block& block);
   bool plain_motion(Block& block);
   void target_of(Move& move);
+  bool at_name_of_value() const;
   bool at_clause_word(std::string_view word) const;
   void joint_target(Move& move);
   void curve(Move& move);
@@ -187,7 +186,7 @@ class Parser {
   [[noreturn]] void fail_clause();
 
   // WITH, IN, PATH, PRESS, OVERRIDE (parse_surroundings.cpp)
-  bool at_placed_word(std::string_view word) const;
+  bool at_placed_word(std::string_view word);
   bool in_path() const;
   void with_tool(Surroundings& surroundings);
   void in_frame(Surroundings& surroundings);
@@ -237,7 +236,6 @@ class Parser {
   void header_word(Keyword word, std::string_view behind);
 
   // ROBOT, UNITS, LAW (parse_header.cpp)
-  bool at_header() const;
   void header(const Block& block);
   void robot_header(const Place& place);
   void law_header(const Place& place);

@@ -7,13 +7,16 @@
 #include <algorithm>
 #include <cerrno>
 #include <ctime>
+#include <numbers>
 #include <utility>
 
 #include "lang/machine/robot_signature.h"
 #include "lang/text/ascii.h"
 #include "lang/values/number_text.h"
 #include "runtime/control/codes.h"
+#include "runtime/control/pose_values.h"
 #include "runtime/control/robot_machine.h"
+#include "runtime/control/units.h"
 #include "runtime/program/atomic_file.h"
 #include "runtime/program/files.h"
 
@@ -28,22 +31,49 @@ bool is_there(const std::string& file) {
   return ::lstat(file.c_str(), &status) == 0 || errno != ENOENT;
 }
 
-std::string line_of(const Points::Point& point, const lang::RobotSignature& robot) {
-  const auto& [p, q] = point.value.pose;
+std::string pose_text(const lang::PoseValue& pose) {
+  const auto& [p, q] = pose;
   const lang::FixedAngles angles = lang::pose_math::to_fixed(q);
-  std::string line = point.value.name + " = POSE(";
+  std::string text = "POSE(";
   for (const double length : {p.x, p.y, p.z}) {
-    line += lang::number_text(length, lang::kLength) + ", ";
+    text += lang::number_text(length, lang::kLength) + ", ";
   }
-  line += fmt::format("{}, {}, {})", lang::number_text(angles.a, lang::kAngle),
-                      lang::number_text(angles.b, lang::kAngle),
-                      lang::number_text(angles.c, lang::kAngle));
-  for (std::size_t i = 0; i < point.joints.size(); ++i) {
-    line +=
-        (i == 0 ? " JOINTS(" : ", ") + lang::number_text(point.joints[i], robot.axes[i].dimension);
+  return text + fmt::format("{}, {}, {})", lang::number_text(angles.a, lang::kAngle),
+                            lang::number_text(angles.b, lang::kAngle),
+                            lang::number_text(angles.c, lang::kAngle));
+}
+
+/// With a blank before it; empty where there are none.
+std::string joints_text(const std::vector<double>& joints, const lang::RobotSignature& robot) {
+  std::string text;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    text += (i == 0 ? " JOINTS(" : ", ") + lang::number_text(joints[i], robot.axes[i].dimension);
   }
+  return joints.empty() ? text : text + ")";
+}
+
+/// The robot by its name and, where that is known, by its geometry: where some joints bring it.
+std::string robot_line(const motion::RobotModel& robot) {
+  std::string line = fmt::format("ROBOT \"{}\"", robot.name);
+  if (robot.kinematics == nullptr) return line;
+  std::vector<double> joints;
+  // [choice] all different, and no right angle among them: then every length and sign shows.
+  for (const motion::Axis& axis : robot.axes) {
+    const auto number = static_cast<double>(joints.size() + 1);
+    joints.push_back(axis.kind == motion::AxisKind::Linear
+                         ? number * 100 / kMillimetresPerMetre
+                         : number * 17 * (std::numbers::pi / 180));  // as literals are read
+  }
+  const Eigen::Map<const Eigen::VectorXd> q(joints.data(), robot.axis_count());
+  return line + joints_text(joints, signature_of(robot)) + " " +
+         pose_text(to_lang(robot.kinematics->forward(q)));
+}
+
+std::string line_of(const Points::Point& point, const lang::RobotSignature& robot) {
+  std::string line = fmt::format("{} = {}{}", point.value.name, pose_text(point.value.pose),
+                                 joints_text(point.joints, robot));
   const std::string& frame = point.value.frame;
-  line += fmt::format("{} IN {}", point.joints.empty() ? "" : ")", frame.empty() ? "world" : frame);
+  line += fmt::format(" IN {}", frame.empty() ? "world" : frame);
   if (!point.joints.empty()) {
     line += fmt::format(" TOOL {}", point.tool.empty() ? "none" : point.tool);
   }
@@ -83,7 +113,7 @@ std::string points_text(const Points& points, const motion::RobotModel& robot) {
   for (const Points::Point& point : points.points) sorted.push_back(&point);
   std::ranges::sort(sorted, {},
                     [](const Points::Point* point) { return lang::to_upper(point->value.name); });
-  std::string text = with(points.robot, fmt::format("ROBOT \"{}\"", robot.name));
+  std::string text = with(points.robot, robot_line(robot));
   for (const Points::Point* const point : sorted) {
     text += with(point->remarks, line_of(*point, signature));
   }

@@ -11,10 +11,11 @@
 
 namespace rob::runtime {
 
-/// What a points file (docs/language.md, "Points") holds: behind a line that names the robot, a
-/// point a line, blank lines and `//` comments.
+/// What a points file (docs/language.md, "Points") holds: behind a line that names the robot and
+/// tells its geometry, by where some joints bring its flange, a point a line, blank lines and `//`
+/// comments. Without the geometry (written by hand) the name alone is compared.
 ///
-///     ROBOT "gantry"
+///     ROBOT "gantry" JOINTS(100mm, 200mm, 51deg) POSE(100mm, 200mm, 0mm, 0deg, 0deg, 51deg)
 ///     pick = POSE(40mm, 20mm, 0mm, 0deg, 0deg, 90deg) JOINTS(40mm, 20mm, 90deg) IN world
 ///         TOOL none TAUGHT "2026-11-21 05:40:12 UTC"          (on the same line)
 ///

@@ -64,9 +64,14 @@ class Reader : LineReader {
   double quantity(lang::Dimension dimension);
   std::string name_or(std::string_view nothing);
 
+  /// The first line tells where JOINTS bring the flange.
+  void compare_geometry(const lang::Place& place);
   /// JOINTS lead to another pose than the point's: the robot has another geometry, though the name
   /// is the same, or somebody has changed the pose. In a frame, or with a tool, nothing is known.
   void compare(const Points::Point& point, const lang::Place& place);
+  /// Where the joints bring the flange, if that is not `pose`.
+  std::optional<lang::PoseValue> elsewhere(const std::vector<double>& joints,
+                                           const lang::PoseValue& pose) const;
 
   Points& points_;
   const motion::Kinematics* kinematics_;
@@ -88,6 +93,13 @@ std::size_t comment_of(std::string_view line) {
     }
   }
   return line.size();
+}
+
+/// "(40 mm, 20 mm, 0 mm)"
+std::string place_text(const lang::PoseValue& pose) {
+  constexpr auto kLinear = motion::AxisKind::Linear;
+  const auto& [x, y, z] = pose.position;
+  return fmt::format("({}, {}, {})", shown(x, kLinear), shown(y, kLinear), shown(z, kLinear));
 }
 
 void Reader::take_remarks(std::string_view text) {
@@ -113,13 +125,17 @@ void Reader::take_remarks(std::string_view text) {
   points_.below = above;
 }
 
-// robot = "ROBOT" STRING
+// robot = "ROBOT" STRING [ joints pose ]
 bool Reader::robot() {
   take_word("ROBOT");
   const lang::Place place = token_.place;
   const std::string name = take_text(kText);
-  end_of_line();
-  if (name == robot_.name) return true;
+  if (name == robot_.name) {
+    if (at_word("JOINTS")) compare_geometry(place);
+    end_of_line();
+    return true;
+  }
+  while (token_.kind != TokenKind::EndOfLine && token_.kind != TokenKind::EndOfFile) advance();
   points_.diagnostics.error(
       code::kPointsOfOther, place,
       fmt::format("these points were taught on the robot {}; the program is for {}",
@@ -162,21 +178,38 @@ void Reader::point() {
   points_.points.push_back(std::move(point));
 }
 
-void Reader::compare(const Points::Point& point, const lang::Place& place) {
-  const bool bare = point.value.frame.empty() && point.tool.empty() && !point.joints.empty();
-  if (!bare || kinematics_ == nullptr) return;
-  const Eigen::Map<const Eigen::VectorXd> q(point.joints.data(), kinematics_->axes());
+std::optional<lang::PoseValue> Reader::elsewhere(const std::vector<double>& joints,
+                                                 const lang::PoseValue& pose) const {
+  if (kinematics_ == nullptr) return std::nullopt;
+  const Eigen::Map<const Eigen::VectorXd> q(joints.data(), kinematics_->axes());
   const lang::PoseValue there = to_lang(kinematics_->forward(q));
   using lang::pose_math::operator-;
-  const double beside = lang::pose_math::length(there.position - point.value.pose.position);
-  if (beside <= kSamePlace && lang::pose_math::turn(there, point.value.pose) <= kSameTurn) return;
-  const auto& [x, y, z] = there.position;
-  constexpr auto kLinear = motion::AxisKind::Linear;
+  const bool same = lang::pose_math::length(there.position - pose.position) <= kSamePlace &&
+                    lang::pose_math::turn(there, pose) <= kSameTurn;
+  return same ? std::nullopt : std::optional(there);
+}
+
+void Reader::compare_geometry(const lang::Place& place) {
+  const std::vector<double> at = joints();
+  const auto there = elsewhere(at, pose());
+  if (!there) return;
+  points_.diagnostics.error(
+      code::kPointsOfOther, place,
+      fmt::format(
+          "these points were taught on another geometry than that of this {}: the JOINTS here"
+          " bring its flange to {}, not to their POSE",
+          robot_.name, place_text(*there)),
+      "run the program on that robot, or move the file away and teach anew");
+}
+
+void Reader::compare(const Points::Point& point, const lang::Place& place) {
+  const bool bare = point.value.frame.empty() && point.tool.empty() && !point.joints.empty();
+  const auto there = bare ? elsewhere(point.joints, point.value.pose) : std::nullopt;
+  if (!there) return;
   fail(code::kPointsOfOther, place,
-       fmt::format("the JOINTS of {} bring this {} to ({}, {}, {}), which is not its POSE: it was"
+       fmt::format("the JOINTS of {} bring this {} to {}, which is not its POSE: it was"
                    " taught on one of another geometry, or changed by hand",
-                   point.value.name, robot_.name, runtime::shown(x, kLinear),
-                   runtime::shown(y, kLinear), runtime::shown(z, kLinear)),
+                   point.value.name, robot_.name, place_text(*there)),
        "TEACH the point again; where the POSE is right, leave out JOINTS(…) and TOOL");
 }
 

@@ -215,6 +215,30 @@ TEST_CASE("faults 35 and 36: Ctrl-C, SIGTERM and SIGHUP stop on the path, then e
   }
 }
 
+TEST_CASE("fault 37: the start behind a run that was killed says so, once") {
+  const RobCommand rob(kTriangle);
+  const RobCommand after("PRINT 1\n");
+  const std::string trace = rob.file("t.csv");
+  Process run(rob.line("run", {"--trace", trace}));
+  wait_until_it_moves(trace);
+  CHECK_FALSE(contains(after("run").err, "unclean end"));  // it still runs
+  run.send(SIGKILL);
+  CHECK(run.wait().exit_code == 128 + SIGKILL);
+  const std::string told = after("run").err;
+  CHECK(contains(told, "unclean end: the run of " + rob.program() + " on gantry"));
+  CHECK(contains(told, "look where the robot stands"));
+  CHECK_FALSE(contains(after("run").err, "unclean end"));
+}
+
+TEST_CASE("fault 37: a run that cannot be marked runs, and says so") {
+  const RobCommand rob("PRINT 1\n");
+  std::ofstream(rob.states()) << "a file, no folder";
+  const ProcessResult result = rob("run");
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.err, "should this run be killed, the next start will not say so"));
+  CHECK_FALSE(contains(rob("run", {"--fast"}).err, "killed"));
+}
+
 TEST_CASE("fault 13: an endless loop without motion ends at Ctrl-C") {
   const RobCommand rob("MOVE(10,0,0)\nWHILE TRUE DO\nENDWHILE\n");
   Process run(rob.line("run", {"--json", "--trace", rob.file("t.csv")}));

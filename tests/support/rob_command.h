@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -15,9 +16,12 @@ class RobCommand {
  public:
   explicit RobCommand(const std::string& text) {
     std::ofstream(program(), std::ios::binary) << text;
+    ::setenv("XDG_STATE_HOME", states().c_str(), 1);  // not that of whoever runs the tests
   }
 
   std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
+  /// Where runs in real time leave their marks.
+  std::string states() const { return file("states"); }
   std::string program() const { return file("test.rob"); }
 
   /// "run", "check", … with the program and further arguments.

@@ -2,11 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numbers>
 #include <string>
 
+#include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/program/files.h"
 #include "runtime/program/foretell.h"
@@ -31,6 +33,9 @@ const rob::motion::RobotModel& gantry() {
 }
 
 const std::string kRobot = "ROBOT \"gantry\"\n";
+// As it is written: the gantry's axes are the place of its flange, the third one turns it about z.
+const std::string kWhichRobot =
+    "ROBOT \"gantry\" JOINTS(100mm, 200mm, 51deg) POSE(100mm, 200mm, 0mm, 0deg, 0deg, 51deg)";
 
 std::string point(const std::string& name) {
   return name +
@@ -68,7 +73,7 @@ TEST_CASE("a point is read in metres and radians, with its joints") {
 }
 
 TEST_CASE("what is written is read back the same, sorted by name") {
-  const std::string sorted = kRobot + point("Above") + point("nest") + point("Pick");
+  const std::string sorted = kWhichRobot + "\n" + point("Above") + point("nest") + point("Pick");
   const Points points =
       parse_points(kRobot + point("Pick") + point("nest") + point("Above"), gantry());
   CHECK(points_text(points, gantry()) == sorted);
@@ -80,7 +85,7 @@ TEST_CASE("comments and blank lines stay where their points go") {
   const std::string pick = "// beside the \"left\" box\n// mind the hose\n" + point("pick");
   const std::string at = point("at");
   const std::string remarked = at.substr(0, at.size() - 1) + "  // measured, \"twice\"\n";
-  const std::string robot = "ROBOT \"gantry\"  // the old one\n";
+  const std::string robot = kWhichRobot + "  // the old one\n";
   const Points points =
       parse_points(above + robot + pick + "\n" + remarked + "\n// the end\n", gantry());
   REQUIRE_FALSE(points.diagnostics.has_errors());
@@ -103,7 +108,7 @@ TEST_CASE("a point that is taught anew keeps its comments") {
   REQUIRE_FALSE(keeper.keep({"PICK", "", "", pose}, joints).has_value());
   REQUIRE_FALSE(keeper.keep({"place", "", "", pose}, joints).has_value());
   const std::string text = read_file(file, 10'000);
-  CHECK(text.starts_with("// first\n" + kRobot + "// here // and\nPICK = POSE(50mm, "));
+  CHECK(text.starts_with("// first\n" + kWhichRobot + "\n// here // and\nPICK = POSE(50mm, "));
   CHECK(text.find("\nplace = ") != std::string::npos);
   CHECK(text.ends_with("\"\n// behind all\n"));
 }
@@ -137,6 +142,50 @@ TEST_CASE("points that were taught on a robot of the same name and another geome
   CHECK(first_error(pick("41mm", "90deg", joints + "IN pallet TOOL none")).empty());
   CHECK(first_error(pick("41mm", "90deg", joints + "IN world TOOL cup")).empty());
   CHECK(first_error(pick("41mm", "90deg", " IN world")).empty());
+}
+
+TEST_CASE("fault 55: points in a frame are refused where the file was taught on another geometry") {
+  const std::string in_a_frame =
+      "pick = POSE(1mm, 2mm, 0mm, 0deg, 0deg, 0deg) JOINTS(40mm, 20mm, 0deg) IN pallet TOOL cup "
+      "TAUGHT \"2026\"\n";
+  const auto refused = [&](const std::string& place) {
+    return first_error("ROBOT \"gantry\" JOINTS(100mm, 200mm, 51deg) " + place + "\n" + in_a_frame);
+  };
+  CHECK(refused("POSE(100mm, 200mm, 0mm, 0deg, 0deg, 51deg)").empty());
+  CHECK(refused("POSE(101mm, 200mm, 0mm, 0deg, 0deg, 51deg)") == "1:7 E547");
+  CHECK(refused("POSE(100mm, 200mm, 0mm, 0deg, 0deg, 50deg)") == "1:7 E547");
+  CHECK(refused("POSE(100mm, 200mm, 0mm, 0deg, 0deg)") == "1:78 E546");
+  CHECK(refused("") == "1:44 E546");
+}
+
+TEST_CASE("fault 55: what an arm's file tells of its geometry shows every length, angle and sign") {
+  const auto files = rob::motion::embedded_robots();
+  const auto file = std::ranges::find(files, "irb120", &rob::motion::EmbeddedRobot::name);
+  const std::string_view text = file->text;
+  const std::string header =
+      points_text(Points{}, rob::motion::parse_robot_file(std::string(text), "irb120.toml"));
+  const auto taught_on = [&](const std::string& was, const std::string& is) {
+    std::string other(text);
+    REQUIRE(other.find(was) != std::string::npos);
+    other.replace(other.find(was), was.size(), is);
+    const auto robot = rob::motion::parse_robot_file(other, "irb120.toml");
+    return !parse_points(header, robot).diagnostics.has_errors();
+  };
+  CHECK(taught_on("c2 = \"270 mm\"", "c2 = \"0.27 m\""));
+  for (const char* const length :
+       {"a1 = \"0 mm\"", "a2 = \"-70 mm\"", "b = \"0 mm\"", "c1 = \"290 mm\"", "c2 = \"270 mm\"",
+        "c3 = \"302 mm\"", "c4 = \"72 mm\""}) {
+    CAPTURE(length);
+    const std::string name(length, 2);
+    CHECK_FALSE(taught_on(length, name + (name == "b " ? "= \"1 mm\"" : " = \"281 mm\"")));
+  }
+  for (int axis = 0; axis < 6; ++axis) {
+    CAPTURE(axis);
+    std::string signs = "signs = [1, 1, 1, 1, 1, 1]";
+    signs.insert(signs.find('1') + 3 * static_cast<std::size_t>(axis), "-");
+    CHECK_FALSE(taught_on("signs = [1, 1, 1, 1, 1, 1]", signs));
+  }
+  CHECK_FALSE(taught_on("\"90 deg\", \"0 deg\"", "\"90 deg\", \"1 deg\""));
 }
 
 TEST_CASE("MOVE goes to a point's joints only where they still bring the tool to it") {
