@@ -167,7 +167,7 @@ void PathPlanner::open(ShapedLeg leg) {
 /// More motions than are looked ahead over end where the open leg does, without a way: it does,
 /// too.
 bool PathPlanner::give_up_corner() {
-  if (!open_ || turn_ || !guide_within(kLastChance, kAny)) return false;
+  if (!open_ || turn_ || more_to_publish() || !guide_within(kLastChance, kAny)) return false;
   completing_ = true;
   return true;
 }
@@ -183,8 +183,7 @@ bool PathPlanner::decide_alone() {
     sent_ = send(open_->length() - longest_turn(*open_));
     return true;
   }
-  const bool waits = ring_.end() != end_ && ready() != ring_.end();
-  if (waits || !guide_within(kLastChance, kAny)) return false;
+  if (more_to_publish() || !guide_within(kLastChance, kAny)) return false;
   ring_.late.fetch_add(1, std::memory_order_relaxed);
   completing_ = true;
   return true;

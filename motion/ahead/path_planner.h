@@ -60,6 +60,7 @@ class PathPlanner {
   bool extends_last(const Piece& piece) const;
   void publish(bool anew);
   PathRing::Index ready() const noexcept;
+  bool more_to_publish() const noexcept { return ready() != ring_.end(); }
   bool narrow() noexcept;
   void spread(PathRing::Index at) noexcept;
   void pass_back(PathRing::Index ready, bool anew);
