@@ -8,6 +8,12 @@
 
 namespace rob::motion {
 
+namespace {
+
+constexpr double kRounding = 1e-9;  // m: places that are nearer to each other are one
+
+}  // namespace
+
 /// Straight on from a draft, and bounded alike.
 bool PathPlanner::extends_last(const Piece& piece) const {
   if (end_ == ring_.end() || !piece.straight()) return false;
@@ -34,18 +40,66 @@ PathPlanner::Extent PathPlanner::extent_of(const Piece& piece) const noexcept {
 /// The pieces before this one can be run: what acts together with them is known.
 PathRing::Index PathPlanner::ready() const noexcept {
   PathRing::Index at = end_;
-  if (!averages_sigma() || at == 0 || ring_.run_end(at - 1)) return at;
+  if (at == 0 || ring_.run_end(at - 1)) return at;
+  double sure = known_ - outlook_;
+  if (!averages_sigma()) {
+    if (held_ == 0 || !open_ || completing_) return at;
+    sure = open_->end() - held_ * (1 - 1e-12);
+  }
   while (at > ring_.end()) {
     const Piece& piece = ring_.written(at - 1);
-    if (piece.begin + piece.length <= known_ - outlook_) break;
+    if (piece.begin + piece.length <= sure) break;
     --at;
   }
   return at;
 }
 
+/// Around the corner to come, of the drafts behind and of all that is written from here on; false
+/// where the ring is full.
+bool PathPlanner::calm_corner() {
+  const double middle = open_->end();
+  const double from = middle - turn_->calm_way;
+  if (!send(std::max(open_->sent, from - open_->begin))) return false;
+  const double share = turn_->calm;
+  for (PathRing::Index i = ring_.end(); i < end_; ++i) {
+    const Piece& piece = ring_.written(i);
+    if (piece.begin + piece.length <= from + kRounding) continue;
+    if (piece.begin < from - kRounding && piece.straight()) {
+      split(i, from);
+      continue;
+    }
+    ring_.draft(i).acceleration *= share;
+  }
+  const bool overlaps = calm_.end > from;
+  calm_ = {std::max(calm_.end, middle + turn_->calm_way),
+           overlaps ? std::min(calm_.share, share) : share};
+  turn_->calm = 1;  // that is done
+  return true;
+}
+
+/// A straight draft into two.
+void PathPlanner::split(PathRing::Index at, double sigma) noexcept {
+  for (PathRing::Index i = end_; i > at; --i) {
+    ring_.draft(i) = ring_.written(i - 1);
+    ring_.set_square(i, 0);
+    ring_.set_run_end(i, false);
+  }
+  ++end_;
+  Piece& first = ring_.draft(at);
+  Piece& second = ring_.draft(at + 1);
+  second.terms[0] += second.terms[1] * (sigma - second.begin);
+  second.length -= sigma - second.begin;
+  first.length = sigma - first.begin;
+  second.begin = sigma;
+}
+
 /// Nothing more fits, and no draft can be published: they are made so slow that half of them can,
 /// or the first.
 bool PathPlanner::narrow() noexcept {
+  if (held_ > 0 && !more_to_publish() && end_ > ring_.end()) {
+    held_ = 0;  // the corner then calms what is left
+    return true;
+  }
   if (!averages_sigma() || end_ < ring_.end() + 2 || ready() != ring_.end()) return false;
   const Piece& first = ring_.written(ring_.end());
   outlook_ = std::min((known_ - first.begin) / 2, (known_ - first.begin - first.length) * 0.999);

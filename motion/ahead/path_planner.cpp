@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "motion/ahead/mean_shift.h"
+
 namespace rob::motion {
 
 namespace {
@@ -19,6 +21,9 @@ constexpr double kNear = 0.1;
 
 /// Pieces that a corner, or the way to the next node of a leg, may take.
 constexpr std::size_t kSpare = 512;
+
+/// m: places that are nearer to each other are one.
+constexpr double kRounding = 1e-9;
 
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
@@ -146,6 +151,7 @@ bool PathPlanner::begin_run() {
   }
   window_ = window_of(next);
   outlook_ = 0;
+  calm_ = {};
   open(shaped_leg(robot_, next, known_));
   return true;
 }
@@ -154,6 +160,7 @@ bool PathPlanner::begin_run() {
 void PathPlanner::open(ShapedLeg leg) {
   open_ = std::move(leg);
   sent_ = false;
+  held_ = averages_sigma() ? 0 : longest_calm_way(robot_, *open_, window_);
   const PathPoint end = open_->at(open_->length());
   const double speed = greatest_rate(robot_, *open_, end);
   const double brakes = speed * speed / (2 * control_of(*open_, end));
@@ -237,6 +244,7 @@ double PathPlanner::share_of_next(const ShapedLeg& next) const {
 
 /// The rest of the open leg: to its target, or around its corner.
 bool PathPlanner::go_on() {
+  if (turn_ && turn_->calm < 1 && !calm_corner()) return true;
   if (!send(open_->length() - (turn_ ? turn_->half : 0))) return true;
   if (!turn_) {
     if (end_ > 0) ring_.set_run_end(end_ - 1, true);
@@ -277,7 +285,7 @@ double PathPlanner::longest_turn(const ShapedLeg& leg) const {
   if (zone.share < 1) longest = std::min(longest, zone.share / 2 * leg.length());
   const double speed = greatest_rate(robot_, leg, end);
   if (miss < kAny) longest = std::min(longest, speed * std::sqrt(2 * miss / control_of(leg, end)));
-  return longest;
+  return std::max(longest, std::min(held_, leg.length() - leg.sent));
 }
 
 /// Makes pieces of the open leg up to `goal`, m from its beginning; false where the ring is full.
@@ -287,7 +295,9 @@ bool PathPlanner::send(double goal) {
     if (room() < kSpare) return false;
     const double longest = longest_piece();
     const double most = open_->sent + longest * (kSpare / 4.0);
-    const double to = std::min({goal, next_border(*open_, open_->sent), most});
+    double to = std::min({goal, next_border(*open_, open_->sent), most});
+    const double calm = calm_.end - open_->begin;
+    if (calm > open_->sent + kRounding) to = std::min(to, calm);
     scratch_.clear();
     append_leg(robot_, *open_, open_->sent, to, longest, scratch_);
     if (open_->motion.path != nullptr && window_ > 0 && !robot_.tool_coordinates)
@@ -306,9 +316,10 @@ double PathPlanner::longest_piece() const {
   return std::max(speed * window_ / kParts, 1e-6);
 }
 
-void PathPlanner::write(const std::vector<Piece>& pieces) {
-  for (const Piece& piece : pieces) {
+void PathPlanner::write(std::vector<Piece>& pieces) {
+  for (Piece& piece : pieces) {
     known_ = piece.begin + piece.length;
+    if (piece.begin < calm_.end - kRounding) piece.acceleration *= calm_.share;
     if (averages_sigma()) {
       extent(end_) = extent_of(piece);
       outlook_ = std::max(outlook_, extent(end_).fastest * window_ / 2);

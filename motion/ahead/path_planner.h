@@ -56,12 +56,14 @@ class PathPlanner {
   double longest_turn(const ShapedLeg& leg) const;
   bool send(double goal);
   double longest_piece() const;
-  void write(const std::vector<Piece>& pieces);
+  void write(std::vector<Piece>& pieces);
   bool extends_last(const Piece& piece) const;
   void publish(bool anew);
   PathRing::Index ready() const noexcept;
   bool more_to_publish() const noexcept { return ready() != ring_.end(); }
   bool narrow() noexcept;
+  bool calm_corner();
+  void split(PathRing::Index at, double sigma) noexcept;
   void spread(PathRing::Index at) noexcept;
   void pass_back(PathRing::Index ready, bool anew);
   double top_square(const Piece& piece) const noexcept;
@@ -73,6 +75,11 @@ class PathPlanner {
     JointVector slopes;
     JointVector bends;
     double fastest = 0;
+  };
+  /// Around a corner whose mean would leave its zone: σ up to which the axes give this share.
+  struct Calm {
+    double end = 0;
+    double share = 1;
   };
   Extent extent_of(const Piece& piece) const noexcept;
   Extent& extent(PathRing::Index at) noexcept {
@@ -89,12 +96,14 @@ class PathPlanner {
   bool completing_ = false;        ///< it goes to its target, and comes to rest there
   std::optional<Turn> turn_;       ///< out of it, into
   std::optional<ShapedLeg> next_;
-  bool sent_ = false;            ///< all of the open leg that can be known has been published
-  double known_ = 0;             ///< σ at the end of the last piece
-  double window_ = 0;            ///< s of the mean of the present run
-  PathRing::Index end_ = 0;      ///< of the pieces written; those from ring_.end() on are drafts
-  double published_ = 0;         ///< σ at the end of those before
-  double outlook_ = 0;           ///< m: so far from a draft all has to be known
+  bool sent_ = false;        ///< all of the open leg that can be known has been published
+  double known_ = 0;         ///< σ at the end of the last piece
+  double window_ = 0;        ///< s of the mean of the present run
+  PathRing::Index end_ = 0;  ///< of the pieces written; those from ring_.end() on are drafts
+  double published_ = 0;     ///< σ at the end of those before
+  double outlook_ = 0;       ///< m: so far from a draft all has to be known
+  double held_ = 0;          ///< m before the open leg's end that its corner may yet calm
+  Calm calm_;
   double share_ = 1;             ///< the override that the squares are for
   std::vector<Extent> extents_;  ///< of the pieces, by the same slots
   std::vector<Piece> scratch_;

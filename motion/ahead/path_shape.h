@@ -40,6 +40,8 @@ struct Turn {
   double half = 0;
   JointPath axes;                ///< of σ from −half to half; none: a parabola of the axes
   double fastest = Piece::kAny;  ///< σ' in it, for the sake of the mean that follows
+  double calm = 1;      ///< share of the axes' accelerations to be used around it (MeanShift)
+  double calm_way = 0;  ///< on each side of its middle, m
 };
 
 /// The pieces of a leg from one place to a later one, m from its beginning; straight ones no longer

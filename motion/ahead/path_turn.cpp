@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "motion/ahead/mean_shift.h"
+#include "motion/ahead/miss.h"
 #include "motion/plan/corner.h"
 
 namespace rob::motion {
@@ -23,46 +25,12 @@ constexpr double kPeak = 2;
 /// m: a corner that is shorter is no corner. [choice] a tenth of what any scale resolves
 constexpr double kShortest = 1e-8;
 
-struct Miss {
-  double distance = 0;  ///< m, of the tip
-  double angle = 0;     ///< rad, of the tool and of each rotary axis
-};
-
-Miss miss_between(const RobotModel& robot, const Pose& tip, const JointVector& q,
-                  const JointVector& point) {
-  Miss miss;
-  const Pose a = robot.kinematics->forward(q);
-  const Pose b = robot.kinematics->forward(point);
-  miss.distance = (place_of(tip.position, a) - place_of(tip.position, b)).norm();
-  miss.angle = a.orientation.angularDistance(b.orientation);
-  if (robot.tool_coordinates) return miss;
-  for (int i = 0; i < robot.axis_count(); ++i) {
-    if (robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
-      miss.angle = std::max(miss.angle, std::abs(q[i] - point[i]));
-  }
-  return miss;
-}
-
-/// By how much to shrink a corner that misses so much; 1 and more: not at all.
-double shrinking(const Miss& miss, double distance, double angle) {
-  double factor = kAny;
-  if (miss.distance > 0) factor = std::min(factor, distance / miss.distance);
-  if (miss.angle > 0) factor = std::min(factor, angle / miss.angle);
-  return factor;
-}
+/// [choice] Where less of the accelerations is left around a corner, a stop takes no longer: that
+/// of the mean is its time.
+constexpr double kLeastCalm = 0.1;
 
 JointVector turn_of(const ShapedLeg& in, const ShapedLeg& out) {
   return out.at(0).qd - in.at(in.length()).qd;
-}
-
-/// The greatest |d²σ-free acceleration| of a corner per unit of turn: min A_i/|Δq'_i|.
-double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn) {
-  double least = kAny;
-  for (int i = 0; i < turn.size(); ++i) {
-    const double most = std::min(in.acceleration[i], out.acceleration[i]);
-    if (std::abs(turn[i]) * least > most) least = most / std::abs(turn[i]);
-  }
-  return least;
 }
 
 bool straight(const ShapedLeg& in, const ShapedLeg& out) {
@@ -105,38 +73,28 @@ double half_for_miss(const RobotModel& robot, const ShapedLeg& in, const JointVe
   return half;
 }
 
-/// What the mean moves a corner inwards is taken off its zone, half of that at most: beyond it the
-/// corner is passed more slowly.
-struct Moved {
-  double part = 1;      ///< of the zone that is left
-  double turns = kAny;  ///< σ'²/2·half that it admits, 1/(1/q') of the turn
-};
-
-/// The mean of what accelerates evenly lies a·T²/24 beside it.
-Moved moved_by_mean(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
-                    const JointVector& turn, double average) {
-  const double moved = average * average / 24;
-  if (moved == 0) return {};
-  const LegBounds& zone = in.segment.ahead;
-  const Miss pace = parabola_miss(robot, in, turn, 4);  // of a turn at unit acceleration
-  const double reach = std::min(pace.distance > 0 ? zone.miss / pace.distance : kAny,
-                                pace.angle > 0 ? zone.turn / pace.angle : kAny);
-  const double asked = turning_reserve(in, out, turn) * moved;
-  // Of a curve's own bends as much is left to the mean as they may ever need.
-  const double used = straight(in, out) ? std::min(asked, reach / 2) : reach / 2;
-  return {reach < kAny ? 1 - used / reach : 1, used < asked ? used / moved : kAny};
+/// What is driven around the corner with less than the axes have.
+void calm_down(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn,
+               const MeanShift& shift, double average, Turn& made) {
+  if (shift.calm == 1) return;
+  made.calm = shift.calm;
+  const double square = shift.calm * turning_reserve(in, out, turn) * 2 * made.half;
+  const double rate = std::min(made.fastest, std::sqrt(square));
+  made.calm_way = std::max(made.half, calm_way(in, out, shift.calm, average, rate));
 }
 
 std::optional<Turn> make_parabola(const RobotModel& robot, const ShapedLeg& in,
                                   const ShapedLeg& out, const TurnBounds& bounds) {
   const JointVector turn = turn_of(in, out);
   const LegBounds& zone = in.segment.ahead;
-  const Moved moved = moved_by_mean(robot, in, out, turn, bounds.average);
+  const MeanShift shift = mean_shift(robot, in, out, turn, bounds.average, bounds.longest);
+  if (shift.calm < kLeastCalm) return std::nullopt;
   Turn made;
-  made.half = half_for_miss(robot, in, turn, bounds.longest, zone.miss * moved.part,
-                            zone.turn * moved.part);
+  made.half = half_for_miss(robot, in, turn, bounds.longest, zone.miss * shift.part,
+                            zone.turn * shift.part);
   if (!(made.half >= kShortest)) return std::nullopt;
-  made.fastest = std::sqrt(moved.turns * 2 * made.half);
+  made.fastest = std::sqrt(shift.turns * 2 * made.half);
+  calm_down(in, out, turn, shift, bounds.average, made);
   return made;
 }
 
@@ -156,8 +114,10 @@ std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, con
   constexpr int kTries = 16;
   const LegBounds& zone = in.segment.ahead;
   const CornerTask task{in.motion, out.motion, zone.line, out.segment.ahead.line, zone.tip};
-  const Moved moved =
-      moved_by_mean(robot, in, out, turn_of(in, out), bounds.of_sigma ? 0 : bounds.average);
+  const JointVector turn = turn_of(in, out);
+  const double average = bounds.of_sigma ? 0 : bounds.average;
+  const MeanShift shift = mean_shift(robot, in, out, turn, average, bounds.longest);
+  if (shift.calm < kLeastCalm) return std::nullopt;
   Turn made;
   made.half = bounds.longest;
   for (int i = 0; i < kTries && made.half >= kShortest; ++i) {
@@ -166,10 +126,11 @@ std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, con
       const JointVector middle = axes->at(0).q;
       Miss miss = miss_between(robot, zone.tip, middle, in.segment.target);
       miss.distance = std::min(miss.distance, corner_miss_of(robot, task, *axes));
-      factor = shrinking(miss, zone.miss * moved.part, zone.turn * moved.part);
+      factor = shrinking(miss, zone.miss * shift.part, zone.turn * shift.part);
       if (factor >= 1) {
         made.axes = std::move(*axes);
-        made.fastest = std::sqrt(moved.turns * 2 * made.half / kPeak);
+        made.fastest = std::sqrt(shift.turns * 2 * made.half / kPeak);
+        calm_down(in, out, turn, shift, average, made);
         return made;
       }
     }
@@ -186,25 +147,6 @@ double wanted_half(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg
   const double half =
       std::min({half_for_zone(in, out), half_for_speed(robot, in, out), in.length(), out.length()});
   return half_for_miss(robot, in, turn, half, in.segment.ahead.miss, in.segment.ahead.turn);
-}
-
-void bound_by_mean(const RobotModel& robot, const ShapedLeg& leg, double average,
-                   std::vector<Piece>& pieces) {
-  constexpr double kStep = 1e-6;  // s²: moves a point by less than any zone
-  const double moved = average * average / 24;
-  for (Piece& piece : pieces) {
-    for (const double at : {0.0, piece.length / 2, piece.length}) {
-      const PathPoint point = piece.point(at);
-      const Pose& tip = leg.segment.ahead.tip;
-      const double unit = kStep / std::max(1.0, point.qdd.norm());
-      const Miss miss = miss_between(robot, tip, point.q + unit * point.qdd, point.q);
-      const double square =
-          shrinking(miss, leg.beside, robot.zone_angle / 2) * unit / moved;  // of σ'
-      if (!(square < piece.fastest * piece.fastest)) continue;
-      piece.fastest = std::sqrt(square);
-      piece.fastest_axis = -1;
-    }
-  }
 }
 
 std::optional<Turn> make_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,

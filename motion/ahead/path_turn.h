@@ -26,9 +26,4 @@ double wanted_half(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg
 std::optional<Turn> make_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                               const TurnBounds& bounds);
 
-/// Slows the pieces of a curve of the axes so far that its mean is beside it by half of its zones
-/// at most: a·T²/24 (motion.md).
-void bound_by_mean(const RobotModel& robot, const ShapedLeg& leg, double average,
-                   std::vector<Piece>& pieces);
-
 }  // namespace rob::motion

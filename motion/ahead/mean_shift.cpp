@@ -1,0 +1,169 @@
+#include "motion/ahead/mean_shift.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/ahead/miss.h"
+
+namespace rob::motion {
+
+namespace {
+
+constexpr double kAny = MeanShift::kAny;
+
+/// [choice] A corner that turns by more, of the way, is sharp: 20 degrees.
+constexpr double kSharp = 0.35;
+
+/// [choice] Of the zone, what accelerations along the legs may take around a corner: half where it
+/// is sharp, and nothing else counts; else a quarter, and the bend has the other.
+constexpr double kOfSharp = 0.5;
+constexpr double kOfGentle = 0.25;
+
+/// What moves a corner, of what its zone admits: the bend where the axes give all they have, both
+/// legs, and either together.
+struct Shares {
+  double bend = 0;
+  double legs = 0;
+  double all = 0;
+  bool sharp = false;
+
+  void take(double bend_share, double legs_share, double most) {
+    bend = std::max(bend, bend_share);
+    legs = std::max(legs, legs_share);
+    all = std::max(all, most);
+  }
+};
+
+/// How the tip moves with each axis, m per m or rad: columns of three.
+Eigen::Matrix<double, 3, Eigen::Dynamic> tip_rates(const RobotModel& robot, const Pose& tip,
+                                                   const JointVector& q) {
+  constexpr double kStep = 1e-6;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> rates(3, q.size());
+  const Eigen::Vector3d here = place_of(tip.position, robot.kinematics->forward(q));
+  for (int i = 0; i < q.size(); ++i) {
+    JointVector beside = q;
+    beside[i] += kStep;
+    rates.col(i) = (place_of(tip.position, robot.kinematics->forward(beside)) - here) / kStep;
+  }
+  return rates;
+}
+
+/// σ'' that the axes allow on a straight leg.
+double control_of(const ShapedLeg& leg, const JointVector& slopes) {
+  double most = kAny;
+  for (int i = 0; i < slopes.size(); ++i) {
+    if (std::abs(slopes[i]) * most > leg.acceleration[i])
+      most = leg.acceleration[i] / std::abs(slopes[i]);
+  }
+  return most;
+}
+
+Shares shares_of(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                 const JointVector& turn, double moved) {
+  const LegBounds& zone = in.segment.ahead;
+  const double reserve = turning_reserve(in, out, turn);
+  const JointVector most = in.acceleration.cwiseMax(out.acceleration);
+  const JointVector before = in.at(in.length()).qd;
+  const JointVector after = out.at(0).qd;
+  const JointVector rush_in = control_of(in, before) * before;
+  const JointVector rush_out = control_of(out, after) * after;
+  Shares shares;
+  const auto tip = tip_rates(robot, zone.tip, in.segment.target);
+  const Eigen::Vector3d bend = tip * turn;
+  if (bend.norm() > 0 && zone.miss < kAny) {
+    const double ways = std::max((tip * before).norm(), (tip * after).norm());
+    shares.sharp = bend.norm() > kSharp * ways;
+    const JointVector along = (tip.transpose() * bend.normalized()).eval();
+    const double share = moved / zone.miss;
+    shares.take(share * reserve * bend.norm(),
+                share * std::max(std::abs(along.dot(rush_in)), std::abs(along.dot(rush_out))),
+                share * along.cwiseAbs().dot(most));
+  }
+  for (int i = 0; i < turn.size(); ++i) {
+    const bool rotary = robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary;
+    if (!rotary || turn[i] == 0 || zone.turn == kAny) continue;
+    const double share = moved / zone.turn;
+    shares.take(share * reserve * std::abs(turn[i]),
+                share * std::max(std::abs(rush_in[i]), std::abs(rush_out[i])), share * most[i]);
+  }
+  return shares;
+}
+
+}  // namespace
+
+double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn) {
+  double least = kAny;
+  for (int i = 0; i < turn.size(); ++i) {
+    const double most = std::min(in.acceleration[i], out.acceleration[i]);
+    if (std::abs(turn[i]) * least > most) least = most / std::abs(turn[i]);
+  }
+  return least;
+}
+
+MeanShift mean_shift(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                     const JointVector& turn, double average, double longest) {
+  MeanShift shift;
+  if (average == 0) return shift;
+  const double moved = average * average / 24;
+  const Shares shares = shares_of(robot, in, out, turn, moved);
+  const double around = shares.sharp ? shares.all : std::min(shares.legs, shares.all);
+  const double most = shares.sharp ? kOfSharp : kOfGentle;
+  if (around > most) shift.calm = most / around;
+
+  const JointVector& point = in.segment.target;
+  const Miss unit = miss_between(robot, in.segment.ahead.tip, point + turn, point);
+  const double reach = shrinking(unit, in.segment.ahead.miss, in.segment.ahead.turn);
+  if (reach == kAny) return shift;
+  // What the corner itself can miss, and so what is left.
+  const double left = std::max(0.5, 1 - longest / 4 / reach);
+  const bool curved = in.motion.path != nullptr || out.motion.path != nullptr;
+  const double asked =
+      shift.calm * std::min(shares.all, shares.sharp ? kAny : shares.bend + shares.legs);
+  const double used = curved ? left : std::min(asked, left);
+  shift.part = 1 - used;
+  if (used < asked) shift.turns = (used - shift.calm * around) * reach / moved;
+  return shift;
+}
+
+double calm_way(const ShapedLeg& in, const ShapedLeg& out, double calm, double average,
+                double rate) {
+  const double control =
+      std::max(control_of(in, in.at(in.length()).qd), control_of(out, out.at(0).qd));
+  return average / 2 * (rate + calm * control * average / 4);
+}
+
+double longest_calm_way(const RobotModel& robot, const ShapedLeg& leg, double average) {
+  if (average == 0) return 0;
+  const double moved = average * average / 24;
+  const LegBounds& zone = leg.segment.ahead;
+  const auto tip = tip_rates(robot, zone.tip, leg.segment.target);
+  double most = tip.colwise().norm().dot(leg.acceleration) * moved / zone.miss;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    if (robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
+      most = std::max(most, leg.acceleration[i] * moved / zone.turn);
+  }
+  if (!(most > kOfGentle)) return 0;
+  const PathPoint end = leg.at(leg.length());
+  return average / 2 * (greatest_rate(robot, leg, end) + control_of(leg, end.qd) * average / 4);
+}
+
+void bound_by_mean(const RobotModel& robot, const ShapedLeg& leg, double average,
+                   std::vector<Piece>& pieces) {
+  constexpr double kStep = 1e-6;  // s²: moves a point by less than any zone
+  const double moved = average * average / 24;
+  for (Piece& piece : pieces) {
+    for (const double at : {0.0, piece.length / 2, piece.length}) {
+      const PathPoint point = piece.point(at);
+      const Pose& tip = leg.segment.ahead.tip;
+      const double unit = kStep / std::max(1.0, point.qdd.norm());
+      const Miss miss = miss_between(robot, tip, point.q + unit * point.qdd, point.q);
+      const double square =
+          shrinking(miss, leg.beside, robot.zone_angle / 2) * unit / moved;  // of σ'
+      if (!(square < piece.fastest * piece.fastest)) continue;
+      piece.fastest = std::sqrt(square);
+      piece.fastest_axis = -1;
+    }
+  }
+}
+
+}  // namespace rob::motion
