@@ -89,7 +89,7 @@ std::vector<std::string> judge_motions(const std::string& rob, const MotionRobot
   std::vector<AxisBounds> axes = robot.axes;
   for (std::size_t i = 0; motions.jerk > 0 && i < linear_axes(robot); ++i)
     axes[i].j = std::min(axes[i].j, motions.jerk);
-  std::vector<std::string> findings = judge_bounds(run.trace, axes);
+  std::vector<std::string> findings = judge_bounds(run.trace, axes, motions.leaping);
   const auto curve = curve_of(run.trace, robot);
   const double room = robot.kind == MotionRobot::Kind::Arm ? kArmLine : 0;
   if (motions.whole) judge_way(curve, motions, room, findings);
