@@ -145,13 +145,10 @@ void append_nodes(const RobotModel& robot, const ShapedLeg& leg, const JointPath
 
 ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, double begin) {
   const LegBounds& bounds = segment.ahead;
-  ShapedLeg leg{segment,
-                {segment.path, bounds.from, segment.target, bounds.length},
-                begin,
-                0,
-                std::min(bounds.miss, robot.zone) / 2,
-                {},
-                {}};
+  ShapedLeg leg;
+  leg.segment = segment;
+  leg.motion = {segment.path, bounds.from, segment.target, bounds.length};
+  leg.begin = begin;
   leg.acceleration.resize(robot.axis_count());
   for (int i = 0; i < robot.axis_count(); ++i)
     leg.acceleration[i] = robot.axes[static_cast<std::size_t>(i)].a_max * bounds.acceleration;
@@ -165,6 +162,15 @@ double greatest_rate(const RobotModel& robot, const ShapedLeg& leg, const PathPo
   for (int i = 0; i < robot.axis_count(); ++i) {
     const double v_max = robot.axes[static_cast<std::size_t>(i)].v_max;
     if (std::abs(place.qd[i]) * most > v_max) most = v_max / std::abs(place.qd[i]);
+  }
+  return most;
+}
+
+double greatest_control(const ShapedLeg& leg, const PathPoint& place) {
+  double most = Piece::kAny;
+  for (int i = 0; i < place.qd.size(); ++i) {
+    if (std::abs(place.qd[i]) * most > leg.acceleration[i])
+      most = leg.acceleration[i] / std::abs(place.qd[i]);
   }
   return most;
 }

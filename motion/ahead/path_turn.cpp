@@ -105,38 +105,84 @@ double half_for_miss(const RobotModel& robot, const ShapedLeg& in, const JointVe
   return half;
 }
 
-/// What the mean moves a corner inwards is taken off its zone, half of that at most: beyond it the
-/// corner is passed more slowly.
-struct Moved {
-  double part = 1;      ///< of the zone that is left
-  double turns = kAny;  ///< σ'²/2·half that it admits, 1/(1/q') of the turn
-};
+/// The mean of what accelerates evenly by a lies a·T²/24 beside it. What it moves a corner inwards
+/// is taken off the zone, half of that at most: beyond it the corner is passed more slowly.
+class MovedByMean {
+ public:
+  MovedByMean(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+              const JointVector& turn, double average)
+      : in_(in), out_(out), average_(average), even_(average * average / 24) {
+    if (average == 0) return;
+    unit_ = parabola_miss(robot, in, turn, 4);  // of a turn at unit acceleration
+    reserve_ = turning_reserve(in, out, turn);
+    along_ = std::max(greatest_control(in, in.at(in.length())), greatest_control(out, out.at(0)));
+    const LegBounds& zone = in.segment.ahead;
+    reach_ = shrinking(unit_, zone.miss, zone.turn);
+    // Of a curve's own bends as much is left to the mean as they may ever need.
+    const double asked = straight(in, out) ? reserve_ * even_ : kAny;
+    if (reach_ < kAny) part_ = 1 - std::min(asked / reach_, kUsual);
+  }
 
-/// The mean of what accelerates evenly lies a·T²/24 beside it.
-Moved moved_by_mean(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
-                    const JointVector& turn, double average) {
-  const double moved = average * average / 24;
-  if (moved == 0) return {};
-  const LegBounds& zone = in.segment.ahead;
-  const Miss pace = parabola_miss(robot, in, turn, 4);  // of a turn at unit acceleration
-  const double reach = std::min(pace.distance > 0 ? zone.miss / pace.distance : kAny,
-                                pace.angle > 0 ? zone.turn / pace.angle : kAny);
-  const double asked = turning_reserve(in, out, turn) * moved;
-  // Of a curve's own bends as much is left to the mean as they may ever need.
-  const double used = straight(in, out) ? std::min(asked, reach / 2) : reach / 2;
-  return {reach < kAny ? 1 - used / reach : 1, used < asked ? used / moved : kAny};
-}
+  /// Of the zone, what is left to the corner itself.
+  double part() const { return part_; }
+
+  /// σ' in a corner of that length that bends by `peak`·|turn|/2·half at most.
+  double fastest(double half, double peak) const {
+    constexpr int kHalvings = 30;
+    const double room = std::min(reach_ - half / 4, shared_reach(half) * kUsual);
+    if (room == kAny || moved(half, reserve_) <= room) return kAny;
+    double least = 2 * half / (average_ * average_);  // then it takes as long as the mean
+    if (moved(half, least) >= room) return std::sqrt(room / even_ * 2 * half / peak);
+    double most = reserve_;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = (least + most) / 2;
+      (moved(half, middle) <= room ? least : most) = middle;
+    }
+    return std::sqrt(least * 2 * half / peak);
+  }
+
+ private:
+  static constexpr double kUsual = 0.5;  ///< [choice] of a zone
+
+  /// Of a corner with the acceleration `turns`, per unit of the turn. Where the mean lasts longer
+  /// than the corner, braking before it and speeding up behind it count for a part: by half.
+  double moved(double half, double turns) const {
+    const double beyond = std::max(0.0, 1 - std::sqrt(2 * half / turns) / average_);
+    const double part = beyond * beyond * beyond;
+    return even_ * (turns * (1 - part) + along_ / 2 * part);
+  }
+
+  /// Neighbours whose corners the same mean takes in count with their zones, too.
+  double shared_reach(double half) const {
+    const double speed = std::sqrt(2 * half * reserve_);
+    const double way = (speed + along_ * average_ / 4) * average_ / 2;
+    double miss = kAny;
+    if (in_.length() / 2 <= way) miss = std::min(miss, in_.before);
+    if (out_.length() / 2 <= way) miss = std::min(miss, out_.segment.ahead.miss);
+    return shrinking(unit_, miss, kAny);
+  }
+
+  const ShapedLeg& in_;
+  const ShapedLeg& out_;
+  double average_;
+  double even_;
+  Miss unit_;
+  double reserve_ = 0;
+  double along_ = 0;
+  double reach_ = kAny;
+  double part_ = 1;
+};
 
 std::optional<Turn> make_parabola(const RobotModel& robot, const ShapedLeg& in,
                                   const ShapedLeg& out, const TurnBounds& bounds) {
   const JointVector turn = turn_of(in, out);
   const LegBounds& zone = in.segment.ahead;
-  const Moved moved = moved_by_mean(robot, in, out, turn, bounds.average);
+  const MovedByMean mean(robot, in, out, turn, bounds.average);
   Turn made;
-  made.half = half_for_miss(robot, in, turn, bounds.longest, zone.miss * moved.part,
-                            zone.turn * moved.part);
+  made.half = half_for_miss(robot, in, turn, bounds.longest, zone.miss * mean.part(),
+                            zone.turn * mean.part());
   if (!(made.half >= kShortest)) return std::nullopt;
-  made.fastest = std::sqrt(moved.turns * 2 * made.half);
+  if (bounds.average > 0) made.fastest = mean.fastest(made.half, 1);
   return made;
 }
 
@@ -156,8 +202,8 @@ std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, con
   constexpr int kTries = 16;
   const LegBounds& zone = in.segment.ahead;
   const CornerTask task{in.motion, out.motion, zone.line, out.segment.ahead.line, zone.tip};
-  const Moved moved =
-      moved_by_mean(robot, in, out, turn_of(in, out), bounds.of_sigma ? 0 : bounds.average);
+  const double average = bounds.of_sigma ? 0 : bounds.average;
+  const MovedByMean mean(robot, in, out, turn_of(in, out), average);
   Turn made;
   made.half = bounds.longest;
   for (int i = 0; i < kTries && made.half >= kShortest; ++i) {
@@ -166,10 +212,10 @@ std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, con
       const JointVector middle = axes->at(0).q;
       Miss miss = miss_between(robot, zone.tip, middle, in.segment.target);
       miss.distance = std::min(miss.distance, corner_miss_of(robot, task, *axes));
-      factor = shrinking(miss, zone.miss * moved.part, zone.turn * moved.part);
+      factor = shrinking(miss, zone.miss * mean.part(), zone.turn * mean.part());
       if (factor >= 1) {
         made.axes = std::move(*axes);
-        made.fastest = std::sqrt(moved.turns * 2 * made.half / kPeak);
+        if (average > 0) made.fastest = mean.fastest(made.half, kPeak);
         return made;
       }
     }
@@ -192,14 +238,15 @@ void bound_by_mean(const RobotModel& robot, const ShapedLeg& leg, double average
                    std::vector<Piece>& pieces) {
   constexpr double kStep = 1e-6;  // s²: moves a point by less than any zone
   const double moved = average * average / 24;
+  const double zone = std::min({leg.before, leg.segment.ahead.miss, robot.zone});
   for (Piece& piece : pieces) {
     for (const double at : {0.0, piece.length / 2, piece.length}) {
       const PathPoint point = piece.point(at);
       const Pose& tip = leg.segment.ahead.tip;
       const double unit = kStep / std::max(1.0, point.qdd.norm());
       const Miss miss = miss_between(robot, tip, point.q + unit * point.qdd, point.q);
-      const double square =
-          shrinking(miss, leg.beside, robot.zone_angle / 2) * unit / moved;  // of σ'
+      const double square =  // of σ'
+          shrinking(miss, zone / 2, robot.zone_angle / 2) * unit / moved;
       if (!(square < piece.fastest * piece.fastest)) continue;
       piece.fastest = std::sqrt(square);
       piece.fastest_axis = -1;

@@ -66,8 +66,11 @@ void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions,
   const double window = motions.known ? 60 : std::numeric_limits<double>::infinity();
   const PathExcess excess = path_excess(curve, motions.path, bounds, window);
   if (!(excess.miss <= 0)) {
-    findings.push_back(text_of("point %g is missed by %g mm more than it may be",
-                               static_cast<double>(excess.point), excess.miss));
+    const Vector3d& point = motions.path.places[motions.path.points[excess.point]];
+    char place[80];
+    std::snprintf(place, sizeof place, "(%g, %g, %g)", point.x(), point.y(), point.z());
+    findings.push_back(place + text_of(" is missed by %g mm more than the %g that it may be",
+                                       excess.miss, bounds[excess.point]));
   }
   if (motions.known && !(excess.from_path <= 0))
     findings.push_back(

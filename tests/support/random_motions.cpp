@@ -221,12 +221,12 @@ void MotionWriter::arc() {
 void MotionWriter::spline() {
   std::string motion = "MOVES VIA ";
   const int points = choice_.between(2, 4);
-  Vector3d last = here_;
+  const Vector3d begin = here_;
   std::vector<Vector3d> places;
   for (int k = 0; k < points; ++k) {
+    const Vector3d last = here_;
     here_ = near_place();
-    if ((here_ - last).norm() < 1) return void(here_ = last);
-    last = here_;
+    if ((here_ - last).norm() < 1) return void(here_ = begin);
     places.push_back(here_);
   }
   for (int k = 0; k < points; ++k)
@@ -237,7 +237,12 @@ void MotionWriter::spline() {
   double miss = 0;
   line(motion + clauses(miss));
   made_.known = false;
-  for (const Vector3d& place : places) arrive(place, kExact + 0.01);
+  // The mean for the sake of JERK may cut the curve, by no more than the robot's zone nor by more
+  // than its ends may be missed.
+  const double bend = robot_.look_ahead && robot_.kind != Kind::Arm
+                          ? std::min({robot_.zone, miss, made_.misses.back()})
+                          : 0;
+  for (const Vector3d& place : places) arrive(place, std::max(bend, kExact + 0.01));
   made_.misses.back() = miss;
 }
 
