@@ -131,6 +131,7 @@ double reachable_square(const Piece& piece, double end_square, double cap) noexc
   // The width of the range of u is concave in x and not below 0 at 0: from the right Newton's steps
   // lead to the greatest x at which there is a u, and cross one bound at each.
   constexpr int kMostSteps = 40;
+  constexpr double kBeside = 1 - 1e-9;
   for (int step = 0; step < kMostSteps; ++step) {
     Bounds bounds = bounds_at(piece, here, end, length, x);
     // x + 2·u·length <= end_square, and not below 0
@@ -142,9 +143,8 @@ double reachable_square(const Piece& piece, double end_square, double cap) noexc
     if (width >= 0) return x;
     const double fall = bounds.high.per() - bounds.low.per();
     if (!(fall < 0)) return 0;
-    const double next = x - width / fall;
-    if (!(next < x)) return std::max(next, 0.0);
-    x = std::max(next, 0.0);
+    // Of a slope of next to nothing the bound is as good as upright, and rounding where it stands.
+    x = std::max(std::min(x - width / fall, x * kBeside), 0.0);
   }
   return x;
 }
