@@ -116,10 +116,12 @@ class MovedByMean {
     unit_ = parabola_miss(robot, in, turn, 4);  // of a turn at unit acceleration
     reserve_ = turning_reserve(in, out, turn);
     along_ = std::max(greatest_control(in, in.at(in.length())), greatest_control(out, out.at(0)));
+    bent_ =
+        reserve_ + std::max(spare(in, in.at(in.length()), turn), spare(out, out.at(0), turn)) / 2;
     const LegBounds& zone = in.segment.ahead;
     reach_ = shrinking(unit_, zone.miss, zone.turn);
     // Of a curve's own bends as much is left to the mean as they may ever need.
-    const double asked = straight(in, out) ? reserve_ * even_ : kAny;
+    const double asked = straight(in, out) ? std::max(bent_, along_ / 2) * even_ : kAny;
     if (reach_ < kAny) part_ = 1 - std::min(asked / reach_, kUsual);
   }
 
@@ -130,13 +132,13 @@ class MovedByMean {
   double fastest(double half, double peak) const {
     constexpr int kHalvings = 30;
     const double room = std::min(reach_ - half / 4, shared_reach(half) * kUsual);
-    if (room == kAny || moved(half, reserve_) <= room) return kAny;
+    if (room == kAny || moved(half, reserve_, bent_) <= room) return kAny;
     double least = 2 * half / (average_ * average_);  // then it takes as long as the mean
-    if (moved(half, least) >= room) return std::sqrt(room / even_ * 2 * half / peak);
+    if (moved(half, least, least) >= room) return std::sqrt(room / even_ * 2 * half / peak);
     double most = reserve_;
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = (least + most) / 2;
-      (moved(half, middle) <= room ? least : most) = middle;
+      (moved(half, middle, middle) <= room ? least : most) = middle;
     }
     return std::sqrt(least * 2 * half / peak);
   }
@@ -144,12 +146,24 @@ class MovedByMean {
  private:
   static constexpr double kUsual = 0.5;  ///< [choice] of a zone
 
-  /// Of a corner with the acceleration `turns`, per unit of the turn. Where the mean lasts longer
-  /// than the corner, braking before it and speeding up behind it count for a part: by half.
-  double moved(double half, double turns) const {
+  /// σ'' that the axes have left in a corner taken as fast as can be.
+  double spare(const ShapedLeg& leg, const PathPoint& place, const JointVector& turn) const {
+    double most = kAny;
+    for (int i = 0; i < turn.size(); ++i) {
+      const double left = leg.acceleration[i] - std::abs(turn[i]) * reserve_;
+      const double slope = std::abs(place.qd[i]);
+      if (slope * most > left) most = std::max(left, 0.0) / slope;
+    }
+    return most;
+  }
+
+  /// Of a corner run through at σ'² = 2·half·`turns`, with the acceleration `bent`, per unit of the
+  /// turn. Where the mean lasts longer than the corner, braking before it and speeding up behind it
+  /// count for a part: by half.
+  double moved(double half, double turns, double bent) const {
     const double beyond = std::max(0.0, 1 - std::sqrt(2 * half / turns) / average_);
     const double part = beyond * beyond * beyond;
-    return even_ * (turns * (1 - part) + along_ / 2 * part);
+    return even_ * (bent * (1 - part) + along_ / 2 * part);
   }
 
   /// Neighbours whose corners the same mean takes in count with their zones, too.
@@ -168,6 +182,7 @@ class MovedByMean {
   double even_;
   Miss unit_;
   double reserve_ = 0;
+  double bent_ = 0;
   double along_ = 0;
   double reach_ = kAny;
   double part_ = 1;

@@ -60,7 +60,8 @@ void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions,
                std::vector<std::string>& findings) {
   const auto curve = from_the_beginning(whole, motions.path.places.front());
   if (curve.empty()) return findings.push_back("the tool never stood where its way begins");
-  std::vector<double> bounds = cut_to_legs(motions.path, motions.misses);
+  const bool cut = !motions.averaged;
+  std::vector<double> bounds = cut ? cut_to_legs(motions.path, motions.misses) : motions.misses;
   for (double& bound : bounds) bound = 1.01 * bound + room;
   // A way that is not known is looked at as a whole: each point must have been passed at some time.
   const double window = motions.known ? 60 : std::numeric_limits<double>::infinity();

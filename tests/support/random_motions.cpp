@@ -238,10 +238,10 @@ void MotionWriter::spline() {
   line(motion + clauses(miss));
   made_.known = false;
   // The mean for the sake of JERK may cut the curve, by no more than the robot's zone nor by more
-  // than its ends may be missed.
-  const double bend = robot_.look_ahead && robot_.kind != Kind::Arm
-                          ? std::min({robot_.zone, miss, made_.misses.back()})
-                          : 0;
+  // than the corners at its ends miss theirs.
+  double bend = robot_.look_ahead && robot_.kind != Kind::Arm ? robot_.zone : 0;
+  for (const double end : {miss, made_.misses.back()})
+    if (end > kExact) bend = std::min(bend, end);
   for (const Vector3d& place : places) arrive(place, std::max(bend, kExact + 0.01));
   made_.misses.back() = miss;
 }
@@ -355,6 +355,8 @@ RandomMotions MotionWriter::write() {
   line("MOVE" + target(end, false) + " FINE" + jerk());
   if (robot_.kind == Kind::Arm) made_.known = false;
   arrive(end, kExact);
+  made_.averaged = made_.text.find("JERK") != std::string::npos;
+  for (const AxisBounds& axis : robot_.axes) made_.averaged |= std::isfinite(axis.j);
   return std::move(made_);
 }
 
