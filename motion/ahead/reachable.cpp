@@ -54,12 +54,12 @@ struct Bounds {
   Bound low{-kAny};
   Bound high{kAny};
 
-  void take(const Row& row, double x) noexcept {
+  /// Where a bend asks for just what there is, or for so many times that, u must not come to its
+  /// help: above a slope of next to nothing that would take a control without end.
+  void take(const Row& row, double x, double given) noexcept {
     if (row.slope == 0) return;
-    // Where a bend asks for just what there is, rounding must not ask for a control without end.
-    constexpr double kRounding = 1 + 1e-9;
     const double bent = std::abs(row.bend) * x;
-    const double most = bent <= row.most * kRounding ? std::max(row.most, bent) : row.most;
+    const double most = bent <= row.most * given ? std::max(row.most, bent) : row.most;
     const double up = row.slope > 0 ? most : -most;
     const Bound below{-up, row.bend, row.slope, row.axis};
     const Bound above{up, row.bend, row.slope, row.axis};
@@ -68,13 +68,22 @@ struct Bounds {
   }
 };
 
-/// With `given` times the acceleration.
+constexpr double kRounding = 1 + 1e-9;
+
 Bounds bounds_at(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest,
-                 double x, double given = 1) noexcept {
+                 double x, double given = kRounding) noexcept {
+  Bounds bounds;
+  each_row(piece, here, end, rest, [&](const Row& row) { bounds.take(row, x, given); });
+  return bounds;
+}
+
+/// With `more` times the acceleration.
+Bounds raised_bounds(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest,
+                     double x, double more) noexcept {
   Bounds bounds;
   each_row(piece, here, end, rest, [&](Row row) {
-    row.most *= given;
-    bounds.take(row, x);
+    row.most *= more;
+    bounds.take(row, x, kRounding);
   });
   return bounds;
 }
@@ -83,14 +92,15 @@ Bounds bounds_at(const Piece& piece, const PathPoint& here, const PathPoint& end
 
 ControlRange control_range(const Piece& piece, const PathPoint& here, const PathPoint& end,
                            double rest, double x) noexcept {
-  // Between the ends of a piece a curve can ask for a little more than there. Then all axes give as
-  // little more as will do, lest one that hardly moves asks for a control without end.
+  // Between the ends of a piece a curve can ask for a little more than there: so much is given to
+  // its bends. If that does not do, all axes give as little more as will.
+  constexpr double kBetween = 1 + 2e-3;
   constexpr double kFirst = 1e-4;
   constexpr int kTries = 10;
-  Bounds bounds = bounds_at(piece, here, end, rest, x);
+  Bounds bounds = bounds_at(piece, here, end, rest, x, kBetween);
   double more = kFirst;
   for (int i = 0; i < kTries && bounds.low.value(x) > bounds.high.value(x); ++i, more *= 2)
-    bounds = bounds_at(piece, here, end, rest, x, 1 + more);
+    bounds = raised_bounds(piece, here, end, rest, x, 1 + more);
   return {bounds.low.value(x), bounds.high.value(x), bounds.low.axis, bounds.high.axis};
 }
 
