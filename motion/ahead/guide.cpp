@@ -108,7 +108,7 @@ Guide::Choice Guide::choose(const Piece& piece, double rest) const noexcept {
   const bool brakes_now = on.x >= line * (1 - kSame) || (on.x > 0 && on.x >= line - apart);
   if (brakes_now) {
     // Above the square, as behind a lowered override, as hard as the axes can.
-    choice.control = std::min(range.high, std::max(range.low, (end - on.x) / (2 * rest)));
+    choice.control = std::min(range.high, std::max(range.lowest, (end - on.x) / (2 * rest)));
   } else if (on.x >= most * (1 - kSame)) {
     choice.control = std::clamp(0.0, std::min(range.low, range.high), range.high);
     if (choice.control == 0) choice.limit = cruising;

@@ -115,7 +115,10 @@ int parts_of(const RobotModel& robot, const PathPoint& a, const PathPoint& b, do
   constexpr double kShortest = 1e-6;  // m. [choice] below what any scale resolves
   constexpr double kMost = 64;        // [choice] a stretch that asks for more is no curve of a tool
   const double slope = std::max(a.qd.norm(), b.qd.norm());
-  double wanted = slope > 0 ? (b.qd - a.qd).norm() / slope / kMostBend : 1;
+  // Of a bend at its ends, too: within, it may turn there and back.
+  const double turned =
+      std::max((b.qd - a.qd).norm(), length * std::max(a.qdd.norm(), b.qdd.norm()));
+  double wanted = slope > 0 ? turned / slope / kMostBend : 1;
   for (int i = 0; i < robot.axis_count(); ++i) {
     if (robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
       wanted = std::max(wanted, std::abs(b.q[i] - a.q[i]) / kMostTurn);

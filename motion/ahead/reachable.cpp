@@ -18,10 +18,12 @@ struct Row {
 };
 
 /// Calls visit(row) for all that bounds u on the last `rest` of a piece: at its beginning `here`,
-/// and, since x there is x + 2·u·rest, at its end.
+/// since x there is x + 2·u·rest, at its end, and likewise in the middle of a curve.
 template <typename Visit>
 void each_row(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest,
               Visit&& visit) noexcept {
+  const bool curve = piece.count > 3 && !piece.averaged();
+  const PathPoint middle = curve ? piece.point(piece.length - rest / 2) : here;
   for (int i = 0; i < piece.acceleration.size(); ++i) {
     const double most = piece.acceleration[i];
     if (piece.averaged()) {
@@ -34,6 +36,7 @@ void each_row(const Piece& piece, const PathPoint& here, const PathPoint& end, d
       continue;
     }
     visit(Row{here.qd[i], here.qdd[i], most, i});
+    if (curve) visit(Row{middle.qd[i] + rest * middle.qdd[i], middle.qdd[i], most, i});
     if (!piece.straight()) visit(Row{end.qd[i] + 2 * rest * end.qdd[i], end.qdd[i], most, i});
   }
 }
@@ -101,7 +104,13 @@ ControlRange control_range(const Piece& piece, const PathPoint& here, const Path
   double more = kFirst;
   for (int i = 0; i < kTries && bounds.low.value(x) > bounds.high.value(x); ++i, more *= 2)
     bounds = raised_bounds(piece, here, end, rest, x, 1 + more);
-  return {bounds.low.value(x), bounds.high.value(x), bounds.low.axis, bounds.high.axis};
+  const double low = bounds.low.value(x);
+  ControlRange range{low, bounds.high.value(x), bounds.low.axis, bounds.high.axis, low};
+  if (!piece.straight()) {
+    const Bounds raised = raised_bounds(piece, here, end, rest, x, kBetween);
+    range.lowest = std::min(low, raised.low.value(x));
+  }
+  return range;
 }
 
 double even_braking(const Piece& piece, const PathPoint& here, const PathPoint& end,
