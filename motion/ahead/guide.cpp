@@ -61,7 +61,7 @@ Guide::Part Guide::next_part(double until) noexcept {
     at_ += choice.way;
     time_ += lasts;
   }
-  if (choice.way == rest && lasts <= left) {
+  if ((choice.way == rest && lasts <= left) || at_ >= piece->length) {
     ++index_;
     at_ = 0;
     sigma_ = piece->begin + piece->length;

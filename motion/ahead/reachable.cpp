@@ -97,16 +97,17 @@ ControlRange control_range(const Piece& piece, const PathPoint& here, const Path
                            double rest, double x) noexcept {
   // Between the ends of a piece a curve can ask for a little more than there: so much is given to
   // its bends. If that does not do, all axes give as little more as will.
-  constexpr double kBetween = 1 + 2e-3;
+  constexpr double kBetween = 1 + 5e-4;
   constexpr double kFirst = 1e-4;
   constexpr int kTries = 10;
-  Bounds bounds = bounds_at(piece, here, end, rest, x, kBetween);
+  const bool curve = piece.count > 3;
+  Bounds bounds = bounds_at(piece, here, end, rest, x, curve ? kBetween : kRounding);
   double more = kFirst;
   for (int i = 0; i < kTries && bounds.low.value(x) > bounds.high.value(x); ++i, more *= 2)
     bounds = raised_bounds(piece, here, end, rest, x, 1 + more);
   const double low = bounds.low.value(x);
   ControlRange range{low, bounds.high.value(x), bounds.low.axis, bounds.high.axis, low};
-  if (!piece.straight()) {
+  if (curve) {
     const Bounds raised = raised_bounds(piece, here, end, rest, x, kBetween);
     range.lowest = std::min(low, raised.low.value(x));
   }

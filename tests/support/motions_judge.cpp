@@ -56,6 +56,12 @@ std::string text_of(const char* format, double a, double b) {
   return text;
 }
 
+std::string text_of(const Vector3d& place) {
+  char text[80];
+  std::snprintf(text, sizeof text, "(%g, %g, %g)", place.x(), place.y(), place.z());
+  return text;
+}
+
 void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions, double room,
                std::vector<std::string>& findings) {
   const auto curve = from_the_beginning(whole, motions.path.places.front());
@@ -68,14 +74,15 @@ void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions,
   const PathExcess excess = path_excess(curve, motions.path, bounds, window);
   if (!(excess.miss <= 0)) {
     const Vector3d& point = motions.path.places[motions.path.points[excess.point]];
-    char place[80];
-    std::snprintf(place, sizeof place, "(%g, %g, %g)", point.x(), point.y(), point.z());
-    findings.push_back(place + text_of(" is missed by %g mm more than the %g that it may be",
-                                       excess.miss, bounds[excess.point]));
+    findings.push_back(text_of(point) +
+                       text_of(" is missed by %g mm more than the %g that it may be", excess.miss,
+                               bounds[excess.point]));
   }
-  if (motions.known && !(excess.from_path <= 0))
+  if (motions.known && !(excess.from_path <= 0)) {
     findings.push_back(
-        text_of("beside the path by %g mm more than it may be%.0s", excess.from_path, 0));
+        text_of(excess.place) +
+        text_of(" is beside the path by %g mm more than it may be%.0s", excess.from_path, 0));
+  }
 }
 
 }  // namespace
