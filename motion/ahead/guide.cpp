@@ -13,6 +13,9 @@ constexpr double kSame = 1e-12;
 /// The same of a square that has come out of a long division.
 constexpr double kNear = 1e-9;
 
+/// Of a place on a piece, and of what is left of it: some times that of one operation.
+constexpr double kRounding = 1e-15;
+
 double root(double square) noexcept { return std::sqrt(std::max(square, 0.0)); }
 
 }  // namespace
@@ -58,7 +61,7 @@ Guide::Part Guide::next_part(double until) noexcept {
     at_ += choice.way;
     time_ += lasts;
   }
-  if (choice.way == rest && lasts <= left) {
+  if ((choice.way == rest && lasts <= left) || at_ >= piece->length) {
     ++index_;
     at_ = 0;
     sigma_ = piece->begin + piece->length;
@@ -100,14 +103,17 @@ Guide::Choice Guide::choose(const Piece& piece, double rest) const noexcept {
   const double brakes = slow ? brakes_on(piece, on.end, most) : 0;
   const double line = slow ? end + 2 * brakes * rest : 0;
   Choice choice{range.high, rest, 0, {GuideLimit::Kind::Acceleration, range.high_axis}};
-  if (on.x >= line * (1 - kSame)) {
+  // Nearer to the line than places on the piece lie apart is on it.
+  const double apart = 2 * brakes * (kRounding * piece.length);
+  const bool brakes_now = on.x >= line * (1 - kSame) || (on.x > 0 && on.x >= line - apart);
+  if (brakes_now) {
     // Above the square, as behind a lowered override, as hard as the axes can.
-    choice.control = std::min(range.high, std::max(range.low, (end - on.x) / (2 * rest)));
+    choice.control = std::min(range.high, std::max(range.lowest, (end - on.x) / (2 * rest)));
   } else if (on.x >= most * (1 - kSame)) {
     choice.control = std::clamp(0.0, std::min(range.low, range.high), range.high);
     if (choice.control == 0) choice.limit = cruising;
   }
-  if (on.x < line * (1 - kSame) && choice.control + brakes > 0)
+  if (!brakes_now && choice.control + brakes > 0)
     choice.way = std::min(rest, (line - on.x) / (2 * (choice.control + brakes)));
   if (on.x < most * (1 - kSame) && choice.control > 0)
     choice.way = std::min(choice.way, (most - on.x) / (2 * choice.control));

@@ -48,30 +48,20 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> tip_rates(const RobotModel& robot, cons
   return rates;
 }
 
-/// σ'' that the axes allow on a straight leg.
-double control_of(const ShapedLeg& leg, const JointVector& slopes) {
-  double most = kAny;
-  for (int i = 0; i < slopes.size(); ++i) {
-    if (std::abs(slopes[i]) * most > leg.acceleration[i])
-      most = leg.acceleration[i] / std::abs(slopes[i]);
-  }
-  return most;
-}
-
 Shares shares_of(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                  const JointVector& turn, double moved) {
   const LegBounds& zone = in.segment.ahead;
   const double reserve = turning_reserve(in, out, turn);
   const JointVector most = in.acceleration.cwiseMax(out.acceleration);
-  const JointVector before = in.at(in.length()).qd;
-  const JointVector after = out.at(0).qd;
-  const JointVector rush_in = control_of(in, before) * before;
-  const JointVector rush_out = control_of(out, after) * after;
+  const PathPoint end = in.at(in.length());
+  const PathPoint begin = out.at(0);
+  const JointVector rush_in = greatest_control(in, end) * end.qd;
+  const JointVector rush_out = greatest_control(out, begin) * begin.qd;
   Shares shares;
   const auto tip = tip_rates(robot, zone.tip, in.segment.target);
   const Eigen::Vector3d bend = tip * turn;
   if (bend.norm() > 0 && zone.miss < kAny) {
-    const double ways = std::max((tip * before).norm(), (tip * after).norm());
+    const double ways = std::max((tip * end.qd).norm(), (tip * begin.qd).norm());
     shares.sharp = bend.norm() > kSharp * ways;
     const JointVector along = (tip.transpose() * bend.normalized()).eval();
     const double share = moved / zone.miss;
@@ -128,7 +118,7 @@ MeanShift mean_shift(const RobotModel& robot, const ShapedLeg& in, const ShapedL
 double calm_way(const ShapedLeg& in, const ShapedLeg& out, double calm, double average,
                 double rate) {
   const double control =
-      std::max(control_of(in, in.at(in.length()).qd), control_of(out, out.at(0).qd));
+      std::max(greatest_control(in, in.at(in.length())), greatest_control(out, out.at(0)));
   return average / 2 * (rate + calm * control * average / 4);
 }
 
@@ -144,13 +134,14 @@ double longest_calm_way(const RobotModel& robot, const ShapedLeg& leg, double av
   }
   if (!(most > kOfGentle)) return 0;
   const PathPoint end = leg.at(leg.length());
-  return average / 2 * (greatest_rate(robot, leg, end) + control_of(leg, end.qd) * average / 4);
+  return average / 2 * (greatest_rate(robot, leg, end) + greatest_control(leg, end) * average / 4);
 }
 
 void bound_by_mean(const RobotModel& robot, const ShapedLeg& leg, double average,
                    std::vector<Piece>& pieces) {
   constexpr double kStep = 1e-6;  // s²: moves a point by less than any zone
   const double moved = average * average / 24;
+  const double zone = std::min({leg.before, leg.segment.ahead.miss, robot.zone});
   for (Piece& piece : pieces) {
     for (const double at : {0.0, piece.length / 2, piece.length}) {
       const PathPoint point = piece.point(at);
@@ -158,7 +149,7 @@ void bound_by_mean(const RobotModel& robot, const ShapedLeg& leg, double average
       const double unit = kStep / std::max(1.0, point.qdd.norm());
       const Miss miss = miss_between(robot, tip, point.q + unit * point.qdd, point.q);
       const double square =
-          shrinking(miss, leg.beside, robot.zone_angle / 2) * unit / moved;  // of σ'
+          shrinking(miss, zone / 2, robot.zone_angle / 2) * unit / moved;  // of σ'
       if (!(square < piece.fastest * piece.fastest)) continue;
       piece.fastest = std::sqrt(square);
       piece.fastest_axis = -1;

@@ -36,16 +36,6 @@ bool has_way(const SegmentDescriptor& segment) {
   return moves(segment) && segment.ahead.length > 0;
 }
 
-/// σ'' that the axes allow on a straight line at a place.
-double control_of(const ShapedLeg& leg, const PathPoint& place) {
-  double most = kAny;
-  for (int i = 0; i < place.qd.size(); ++i) {
-    if (std::abs(place.qd[i]) * most > leg.acceleration[i])
-      most = leg.acceleration[i] / std::abs(place.qd[i]);
-  }
-  return most;
-}
-
 double greatest_rotary_slope(const RobotModel& robot, const PathPoint& place) {
   double most = 0;
   for (int i = 0; i < robot.axis_count(); ++i)
@@ -163,7 +153,7 @@ void PathPlanner::open(ShapedLeg leg) {
   held_ = averages_sigma() ? 0 : longest_calm_way(robot_, *open_, window_);
   const PathPoint end = open_->at(open_->length());
   const double speed = greatest_rate(robot_, *open_, end);
-  const double brakes = speed * speed / (2 * control_of(*open_, end));
+  const double brakes = speed * speed / (2 * greatest_control(*open_, end));
   const double periods = std::ceil(window_ / robot_.reference_period - 1e-9);
   ring_.push({open_->segment, open_->begin, open_->end(),
               std::max(open_->begin, open_->end() - longest_turn(*open_) - brakes),
@@ -210,7 +200,7 @@ bool PathPlanner::join_next() {
     return true;
   }
   const bool known = pending_.size() > 1 || next.guard.present() || buffer_.closed();
-  const double control = control_of(*open_, open_->at(open_->length()));
+  const double control = greatest_control(*open_, open_->at(open_->length()));
   if (!known && sent_ && !guide_within(kNear, control)) return false;
   if (!known && !sent_) {
     sent_ = send(open_->length() - longest_turn(*open_));
@@ -258,7 +248,7 @@ bool PathPlanner::go_on() {
     write(scratch_);
   }
   next_->sent = turn_->half;
-  next_->beside = std::min(next_->beside, open_->segment.ahead.miss / 2);
+  next_->before = open_->segment.ahead.miss;
   turn_.reset();
   open(std::move(*next_));
   next_.reset();
@@ -284,7 +274,8 @@ double PathPlanner::longest_turn(const ShapedLeg& leg) const {
   double longest = std::min({leg.length() - leg.sent, zone.lead, zone.last});
   if (zone.share < 1) longest = std::min(longest, zone.share / 2 * leg.length());
   const double speed = greatest_rate(robot_, leg, end);
-  if (miss < kAny) longest = std::min(longest, speed * std::sqrt(2 * miss / control_of(leg, end)));
+  if (miss < kAny)
+    longest = std::min(longest, speed * std::sqrt(2 * miss / greatest_control(leg, end)));
   return std::max(longest, std::min(held_, leg.length() - leg.sent));
 }
 

@@ -104,7 +104,10 @@ int parts_of(const RobotModel& robot, const PathPoint& a, const PathPoint& b, do
   constexpr double kShortest = 1e-6;  // m. [choice] below what any scale resolves
   constexpr double kMost = 64;        // [choice] a stretch that asks for more is no curve of a tool
   const double slope = std::max(a.qd.norm(), b.qd.norm());
-  double wanted = slope > 0 ? (b.qd - a.qd).norm() / slope / kMostBend : 1;
+  // Of a bend at its ends, too: within, it may turn there and back.
+  const double turned =
+      std::max((b.qd - a.qd).norm(), length * std::max(a.qdd.norm(), b.qdd.norm()));
+  double wanted = slope > 0 ? turned / slope / kMostBend : 1;
   for (int i = 0; i < robot.axis_count(); ++i) {
     if (robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
       wanted = std::max(wanted, std::abs(b.q[i] - a.q[i]) / kMostTurn);
@@ -144,13 +147,10 @@ void bound_speed(const RobotModel& robot, const JointVector& slopes, Piece& piec
 
 ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, double begin) {
   const LegBounds& bounds = segment.ahead;
-  ShapedLeg leg{segment,
-                {segment.path, bounds.from, segment.target, bounds.length},
-                begin,
-                0,
-                std::min(bounds.miss, robot.zone) / 2,
-                {},
-                {}};
+  ShapedLeg leg;
+  leg.segment = segment;
+  leg.motion = {segment.path, bounds.from, segment.target, bounds.length};
+  leg.begin = begin;
   leg.acceleration.resize(robot.axis_count());
   for (int i = 0; i < robot.axis_count(); ++i)
     leg.acceleration[i] = robot.axes[static_cast<std::size_t>(i)].a_max * bounds.acceleration;
@@ -164,6 +164,15 @@ double greatest_rate(const RobotModel& robot, const ShapedLeg& leg, const PathPo
   for (int i = 0; i < robot.axis_count(); ++i) {
     const double v_max = robot.axes[static_cast<std::size_t>(i)].v_max;
     if (std::abs(place.qd[i]) * most > v_max) most = v_max / std::abs(place.qd[i]);
+  }
+  return most;
+}
+
+double greatest_control(const ShapedLeg& leg, const PathPoint& place) {
+  double most = Piece::kAny;
+  for (int i = 0; i < place.qd.size(); ++i) {
+    if (std::abs(place.qd[i]) * most > leg.acceleration[i])
+      most = leg.acceleration[i] / std::abs(place.qd[i]);
   }
   return most;
 }

@@ -16,10 +16,10 @@ inline constexpr double kBendsShare = 1.0 / 3;
 /// A motion as part of a path: from the middle of the corner before it, or from rest.
 struct ShapedLeg {
   SegmentDescriptor segment;
-  LegMotion motion;   ///< evenly along σ: its `duration` is its length, m
-  double begin = 0;   ///< σ at its beginning
-  double sent = 0;    ///< m from there, up to which it has been made into pieces
-  double beside = 0;  ///< m that the mean may lie beside it, where it bends
+  LegMotion motion;             ///< evenly along σ: its `duration` is its length, m
+  double begin = 0;             ///< σ at its beginning
+  double sent = 0;              ///< m from there, up to which it has been made into pieces
+  double before = Piece::kAny;  ///< m by which the tip may miss the point before it
   JointVector acceleration;
   JointVector jerk;  ///< m/s³, rad/s³; infinite where it is not bounded
 
@@ -34,6 +34,9 @@ double greatest_rate(const RobotModel& robot, const ShapedLeg& leg, const PathPo
 
 /// Lowers Piece::fastest to what the speeds of the axes leave where they have these slopes, dq/dσ.
 void bound_speed(const RobotModel& robot, const JointVector& slopes, Piece& piece);
+
+/// σ'' that the axes allow at one of its places, as if it were straight.
+double greatest_control(const ShapedLeg& leg, const PathPoint& place);
 
 /// The way from one leg into the next around the point between them: `half` m of σ on each side.
 struct Turn {

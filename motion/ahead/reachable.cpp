@@ -18,10 +18,12 @@ struct Row {
 };
 
 /// Calls visit(row) for all that bounds u on the last `rest` of a piece: at its beginning `here`,
-/// and, since x there is x + 2·u·rest, at its end.
+/// since x there is x + 2·u·rest, at its end, and likewise in the middle of a curve.
 template <typename Visit>
 void each_row(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest,
               Visit&& visit) noexcept {
+  const bool curve = piece.count > 3 && !piece.averaged();
+  const PathPoint middle = curve ? piece.point(piece.length - rest / 2) : here;
   for (int i = 0; i < piece.acceleration.size(); ++i) {
     const double most = piece.acceleration[i];
     if (piece.averaged()) {
@@ -34,6 +36,7 @@ void each_row(const Piece& piece, const PathPoint& here, const PathPoint& end, d
       continue;
     }
     visit(Row{here.qd[i], here.qdd[i], most, i});
+    if (curve) visit(Row{middle.qd[i] + rest * middle.qdd[i], middle.qdd[i], most, i});
     if (!piece.straight()) visit(Row{end.qd[i] + 2 * rest * end.qdd[i], end.qdd[i], most, i});
   }
 }
@@ -54,12 +57,12 @@ struct Bounds {
   Bound low{-kAny};
   Bound high{kAny};
 
-  void take(const Row& row, double x) noexcept {
+  /// Where a bend asks for just what there is, or for so many times that, u must not come to its
+  /// help: above a slope of next to nothing that would take a control without end.
+  void take(const Row& row, double x, double given) noexcept {
     if (row.slope == 0) return;
-    // Where a bend asks for just what there is, rounding must not ask for a control without end.
-    constexpr double kRounding = 1 + 1e-9;
     const double bent = std::abs(row.bend) * x;
-    const double most = bent <= row.most * kRounding ? std::max(row.most, bent) : row.most;
+    const double most = bent <= row.most * given ? std::max(row.most, bent) : row.most;
     const double up = row.slope > 0 ? most : -most;
     const Bound below{-up, row.bend, row.slope, row.axis};
     const Bound above{up, row.bend, row.slope, row.axis};
@@ -68,13 +71,22 @@ struct Bounds {
   }
 };
 
-/// With `given` times the acceleration.
+constexpr double kRounding = 1 + 1e-9;
+
 Bounds bounds_at(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest,
-                 double x, double given = 1) noexcept {
+                 double x, double given = kRounding) noexcept {
+  Bounds bounds;
+  each_row(piece, here, end, rest, [&](const Row& row) { bounds.take(row, x, given); });
+  return bounds;
+}
+
+/// With `more` times the acceleration.
+Bounds raised_bounds(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest,
+                     double x, double more) noexcept {
   Bounds bounds;
   each_row(piece, here, end, rest, [&](Row row) {
-    row.most *= given;
-    bounds.take(row, x);
+    row.most *= more;
+    bounds.take(row, x, kRounding);
   });
   return bounds;
 }
@@ -83,15 +95,23 @@ Bounds bounds_at(const Piece& piece, const PathPoint& here, const PathPoint& end
 
 ControlRange control_range(const Piece& piece, const PathPoint& here, const PathPoint& end,
                            double rest, double x) noexcept {
-  // Between the ends of a piece a curve can ask for a little more than there. Then all axes give as
-  // little more as will do, lest one that hardly moves asks for a control without end.
+  // Between the ends of a piece a curve can ask for a little more than there: so much is given to
+  // its bends. If that does not do, all axes give as little more as will.
+  constexpr double kBetween = 1 + 5e-4;
   constexpr double kFirst = 1e-4;
   constexpr int kTries = 10;
-  Bounds bounds = bounds_at(piece, here, end, rest, x);
+  const bool curve = piece.count > 3;
+  Bounds bounds = bounds_at(piece, here, end, rest, x, curve ? kBetween : kRounding);
   double more = kFirst;
   for (int i = 0; i < kTries && bounds.low.value(x) > bounds.high.value(x); ++i, more *= 2)
-    bounds = bounds_at(piece, here, end, rest, x, 1 + more);
-  return {bounds.low.value(x), bounds.high.value(x), bounds.low.axis, bounds.high.axis};
+    bounds = raised_bounds(piece, here, end, rest, x, 1 + more);
+  const double low = bounds.low.value(x);
+  ControlRange range{low, bounds.high.value(x), bounds.low.axis, bounds.high.axis, low};
+  if (curve) {
+    const Bounds raised = raised_bounds(piece, here, end, rest, x, kBetween);
+    range.lowest = std::min(low, raised.low.value(x));
+  }
+  return range;
 }
 
 double even_braking(const Piece& piece, const PathPoint& here, const PathPoint& end,
@@ -131,6 +151,7 @@ double reachable_square(const Piece& piece, double end_square, double cap) noexc
   // The width of the range of u is concave in x and not below 0 at 0: from the right Newton's steps
   // lead to the greatest x at which there is a u, and cross one bound at each.
   constexpr int kMostSteps = 40;
+  constexpr double kBeside = 1 - 1e-9;
   for (int step = 0; step < kMostSteps; ++step) {
     Bounds bounds = bounds_at(piece, here, end, length, x);
     // x + 2·u·length <= end_square, and not below 0
@@ -142,9 +163,8 @@ double reachable_square(const Piece& piece, double end_square, double cap) noexc
     if (width >= 0) return x;
     const double fall = bounds.high.per() - bounds.low.per();
     if (!(fall < 0)) return 0;
-    const double next = x - width / fall;
-    if (!(next < x)) return std::max(next, 0.0);
-    x = std::max(next, 0.0);
+    // Of a slope of next to nothing the bound is as good as upright, and rounding where it stands.
+    x = std::max(std::min(x - width / fall, x * kBeside), 0.0);
   }
   return x;
 }

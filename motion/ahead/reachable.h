@@ -5,13 +5,14 @@
 namespace rob::motion {
 
 /// How σ'' may be chosen on a stretch of a piece that is entered with σ'² = x, so that every axis
-/// keeps its acceleration q_σ·u + q_σσ·σ'² at both of its ends. On a straight piece or a parabola
-/// that is: everywhere on it. low > high: x is too fast.
+/// keeps its acceleration q_σ·u + q_σσ·σ'² at both of its ends, on a curve in the middle, too. On a
+/// straight piece or a parabola that is: everywhere on it. low > high: x is too fast.
 struct ControlRange {
   double low = 0;   ///< m/s²
   double high = 0;  ///< m/s²
   int low_axis = -1;
   int high_axis = -1;
+  double lowest = 0;  ///< m/s²: what keeps to the squares may use a little more than the axes have
 };
 
 /// From `at` (σ − begin) to the end of the piece. `here`, `end`: the piece there.

@@ -56,22 +56,33 @@ std::string text_of(const char* format, double a, double b) {
   return text;
 }
 
+std::string text_of(const Vector3d& place) {
+  char text[80];
+  std::snprintf(text, sizeof text, "(%g, %g, %g)", place.x(), place.y(), place.z());
+  return text;
+}
+
 void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions, double room,
                std::vector<std::string>& findings) {
   const auto curve = from_the_beginning(whole, motions.path.places.front());
   if (curve.empty()) return findings.push_back("the tool never stood where its way begins");
-  std::vector<double> bounds = cut_to_legs(motions.path, motions.misses);
+  const bool cut = !motions.averaged;
+  std::vector<double> bounds = cut ? cut_to_legs(motions.path, motions.misses) : motions.misses;
   for (double& bound : bounds) bound = 1.01 * bound + room;
   // A way that is not known is looked at as a whole: each point must have been passed at some time.
   const double window = motions.known ? 60 : std::numeric_limits<double>::infinity();
   const PathExcess excess = path_excess(curve, motions.path, bounds, window);
   if (!(excess.miss <= 0)) {
-    findings.push_back(text_of("point %g is missed by %g mm more than it may be",
-                               static_cast<double>(excess.point), excess.miss));
+    const Vector3d& point = motions.path.places[motions.path.points[excess.point]];
+    findings.push_back(text_of(point) +
+                       text_of(" is missed by %g mm more than the %g that it may be", excess.miss,
+                               bounds[excess.point]));
   }
-  if (motions.known && !(excess.from_path <= 0))
+  if (motions.known && !(excess.from_path <= 0)) {
     findings.push_back(
-        text_of("beside the path by %g mm more than it may be%.0s", excess.from_path, 0));
+        text_of(excess.place) +
+        text_of(" is beside the path by %g mm more than it may be%.0s", excess.from_path, 0));
+  }
 }
 
 }  // namespace
@@ -89,7 +100,7 @@ std::vector<std::string> judge_motions(const std::string& rob, const MotionRobot
   std::vector<AxisBounds> axes = robot.axes;
   for (std::size_t i = 0; motions.jerk > 0 && i < linear_axes(robot); ++i)
     axes[i].j = std::min(axes[i].j, motions.jerk);
-  std::vector<std::string> findings = judge_bounds(run.trace, axes);
+  std::vector<std::string> findings = judge_bounds(run.trace, axes, motions.leaping);
   const auto curve = curve_of(run.trace, robot);
   const double room = robot.kind == MotionRobot::Kind::Arm ? kArmLine : 0;
   if (motions.whole) judge_way(curve, motions, room, findings);

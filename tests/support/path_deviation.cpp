@@ -183,8 +183,8 @@ PathExcess path_excess(const std::vector<Vector3d>& curve, const ProgrammedPath&
   Misses misses(path, follower, window);
   PathExcess found;
   for (std::size_t k = 0; k < curve.size(); ++k) {
-    const double distance = follower.follow(curve[k]);
-    found.from_path = std::max(found.from_path, distance - misses.allowed(bounds));
+    const double excess = follower.follow(curve[k]) - misses.allowed(bounds);
+    if (excess > found.from_path) found.from_path = excess, found.place = curve[k];
     misses.pass(curve[k > 0 ? k - 1 : 0], curve[k]);
   }
   for (std::size_t i = 0; i < bounds.size(); ++i) {

@@ -38,8 +38,9 @@ PathDeviation path_deviation(const std::vector<Eigen::Vector3d>& curve, const Pr
 
 /// By how much a tool was farther from the path than it might be, mm; 0 and less: nowhere.
 struct PathExcess {
-  double from_path = 0;   ///< beside it
-  double miss = 0;        ///< of a point
+  double from_path = 0;                             ///< beside it
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< where
+  double miss = 0;                                  ///< of a point
   std::size_t point = 0;  ///< that one: its number among the path's points
 };
 

@@ -42,12 +42,13 @@ class MotionWriter {
   void signals();
 
   // Parts of them.
-  void line(const std::string& text) { made_.text += text + "\n"; }
+  void line(const std::string& text) { made_.text += text + "\n", ++lines_; }
   std::string target(const Vector3d& place, bool turns);
   std::string numbers(const Vector3d& place, int count) const;
   std::string pace();
   std::string zone(double& miss);
   std::string clauses(double& miss);
+  std::string jerk();
   void finish(const std::string& motion, const std::string& clauses);
   std::string seconds(int least_ms, int most_ms) {
     return decimal(choice_.between(least_ms, most_ms), 3) + "s";
@@ -66,6 +67,7 @@ class MotionWriter {
   const MotionRobot& robot_;
   RandomMotions made_;
   Vector3d here_;
+  int lines_ = 0;
   int turn_ = 0;  ///< deg: of the gantry's axis
   bool jerk_all_ = false;
 };
@@ -143,9 +145,14 @@ std::string MotionWriter::clauses(double& miss) {
   if (!robot_.look_ahead) return text;
   if (choice_.percent(10))
     text += " ACCEL " + std::to_string(choice_.between(100, 1000)) + "mm/s^2";
-  if (jerk_all_) return text + " JERK " + decimal(std::llround(made_.jerk), 0) + "mm/s^3";
+  if (jerk_all_) return text + jerk();
   if (choice_.percent(10)) text += " JERK " + std::to_string(choice_.between(2, 100)) + "000mm/s^3";
   return text;
+}
+
+/// What every motion asks for, where all do.
+std::string MotionWriter::jerk() {
+  return jerk_all_ ? " JERK " + decimal(std::llround(made_.jerk), 0) + "mm/s^3" : "";
 }
 
 /// Behind the motion: nothing, a condition that ends it, or outputs on the way.
@@ -214,12 +221,12 @@ void MotionWriter::arc() {
 void MotionWriter::spline() {
   std::string motion = "MOVES VIA ";
   const int points = choice_.between(2, 4);
-  Vector3d last = here_;
+  const Vector3d begin = here_;
   std::vector<Vector3d> places;
   for (int k = 0; k < points; ++k) {
+    const Vector3d last = here_;
     here_ = near_place();
-    if ((here_ - last).norm() < 1) return void(here_ = last);
-    last = here_;
+    if ((here_ - last).norm() < 1) return void(here_ = begin);
     places.push_back(here_);
   }
   for (int k = 0; k < points; ++k)
@@ -230,7 +237,12 @@ void MotionWriter::spline() {
   double miss = 0;
   line(motion + clauses(miss));
   made_.known = false;
-  for (const Vector3d& place : places) arrive(place, kExact + 0.01);
+  // The mean for the sake of JERK may cut the curve, by no more than the robot's zone nor by more
+  // than the corners at its ends miss theirs.
+  double bend = robot_.look_ahead && robot_.kind != Kind::Arm ? robot_.zone : 0;
+  for (const double end : {miss, made_.misses.back()})
+    if (end > kExact) bend = std::min(bend, end);
+  for (const Vector3d& place : places) arrive(place, std::max(bend, kExact + 0.01));
   made_.misses.back() = miss;
 }
 
@@ -252,7 +264,7 @@ void MotionWriter::dense() {
 }
 
 void MotionWriter::repeated() {
-  line("MOVEL" + target(here_, false));
+  line("MOVEL" + target(here_, false) + jerk());
   // Paul's law meets it exactly; else it is passed within both zones.
   const double miss = robot_.look_ahead ? std::min(made_.misses.back(), robot_.zone) : kExact;
   made_.misses.back() = miss;
@@ -266,6 +278,7 @@ void MotionWriter::profile() {
   exact();
   line("MOVEL" + target(to, false) + " AT " + std::to_string(robot_.least_speed) + "mm/s PROFILE " +
        choice_.of(shapes));
+  made_.leaping.push_back(lines_);
   arrive(to, kExact);
 }
 
@@ -339,9 +352,11 @@ RandomMotions MotionWriter::write() {
   line("WHEN DIN[1] : HALT \"held\"");
   for (int k = choice_.between(3, 25); k > 0; --k) statement();
   const Vector3d end = near_place();
-  line("MOVE" + target(end, false) + " FINE");
+  line("MOVE" + target(end, false) + " FINE" + jerk());
   if (robot_.kind == Kind::Arm) made_.known = false;
   arrive(end, kExact);
+  made_.averaged = made_.text.find("JERK") != std::string::npos;
+  for (const AxisBounds& axis : robot_.axes) made_.averaged |= std::isfinite(axis.j);
   return std::move(made_);
 }
 

@@ -35,6 +35,8 @@ struct RandomMotions {
   ProgrammedPath path;         ///< where the tool is led; its points are the targets
   std::vector<double> misses;  ///< mm: by which each point may be missed
   double jerk = 0;             ///< mm/s³ that every motion asks for; 0: not every one
+  std::vector<int> leaping;    ///< lines of the text whose acceleration leaps: they have a PROFILE
+  bool averaged = false;       ///< the jerk is bounded: corners may be longer than their legs
   bool known = true;           ///< the path between the points is that of `path`
   bool whole = true;           ///< nothing ends a motion before its target
 };

@@ -28,7 +28,9 @@ struct AxisBounds {
 /// What is wrong with a trace by itself; empty if nothing is. Every rule tells its first breach.
 /// Positions, speeds, accelerations and jerks within the bounds (accelerations and jerks with 2 and
 /// 10 % of room, as differences of sampled curves need); no leap of position or speed that a
-/// motion within the bounds cannot make; rest at the end.
-std::vector<std::string> judge_bounds(const TraceFile& trace, const std::vector<AxisBounds>& axes);
+/// motion within the bounds cannot make; rest at the end. Of the lines of the program in `leaping`
+/// the jerk is not looked at.
+std::vector<std::string> judge_bounds(const TraceFile& trace, const std::vector<AxisBounds>& axes,
+                                      const std::vector<int>& leaping = {});
 
 }  // namespace rob::test

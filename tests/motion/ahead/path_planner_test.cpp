@@ -109,7 +109,7 @@ TEST_CASE("where a long mean would leave the zone, what is around a corner calms
         stops += way >= 0.09 / most ? way / 0.3 + 0.3 / most : 2 * std::sqrt(way / most);
         stops += window;
       }
-      CHECK(time <= stops + 3 * 0.002);  // periods that are begun
+      CHECK(time <= stops + 3 * 0.0025);  // periods that are begun
     }
   }
 }
