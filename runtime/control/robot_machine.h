@@ -292,6 +292,7 @@ class RobotMachine final : public lang::Machine {
   lang::Refusal refusal_;
   lang::Setting setting_;    ///< of the program's present place
   lang::Vector3 moved_tip_;  ///< of the tool that the last motion was for
+  int line_before_ = 0;      ///< of the last motion that was planned
   double operators_override_ = 1;
   PointKeeper* keeper_ = nullptr;
   BackgroundTasks* tasks_ = nullptr;
