@@ -22,8 +22,13 @@ Error pose_mix(Arguments a, Slot& r);     ///< MIX(p, q, t): OppositePoses
 Error seen_from(Arguments a, Slot& r);    ///< TO_FRAME(p, f), both in the world
 Error frame_three(Arguments a, Slot& r);  ///< FRAME3(origin, on_x, on_xy): CollinearPlaces
 
-/// p * q, p * v, and the angle a, b or c (0, 1, 2) of p.
-Error product(const Slot* p, const Slot* q, Slot* result);
+/// p * q, in the way that the processor at hand has; all ways give the same bits.
+extern Error (*const product)(const Slot* p, const Slot* q, Slot* result);
+Error product_in_pairs(const Slot* p, const Slot* q, Slot* result);
+#if defined(__x86_64__)
+Error product_in_fours(const Slot* p, const Slot* q, Slot* result);  ///< needs AVX2
+#endif
+/// p * v, and the angle a, b or c (0, 1, 2) of p.
 Error transformed(const Slot* p, const Slot* v, Slot* result);
 void angle(const Slot* p, int which, Slot& result);
 

@@ -162,8 +162,8 @@ Vector3 rotate(const Quaternion& q, const Vector3& v) {
   const double wj = q.w * q.j;
   const double wk = q.w * q.k;
   return {(1 - (jj + kk) * s) * v.x + (ij - wk) * s * v.y + (ik + wj) * s * v.z + 0.0,
-          (ij + wk) * s * v.x + (1 - (ii + kk) * s) * v.y + (jk - wi) * s * v.z + 0.0,
-          (ik - wj) * s * v.x + (jk + wi) * s * v.y + (1 - (ii + jj) * s) * v.z + 0.0};
+          (1 - (kk + ii) * s) * v.y + (jk - wi) * s * v.z + (ij + wk) * s * v.x + 0.0,
+          (1 - (ii + jj) * s) * v.z + (ik - wj) * s * v.x + (jk + wi) * s * v.y + 0.0};
 }
 
 PoseValue compose(const PoseValue& a_t_b, const PoseValue& b_t_c) {

@@ -63,9 +63,9 @@ bool store_place(const Slot* p, Pair wi, Pair jk, const Slot* v, Slot* result) {
   const double zy = (jk_product + wi_product) * s[0];
   const double xx = 1 - added(squares) * s[0];
   const double x = p[0].real + (xx * v[0].real + differences[0] * v[1].real + sums[1] * v[2].real);
-  const Pair across = pair(p + 1) + (Pair{sums[0], differences[1]} * twice(v[0].real) +
-                                     Pair{diagonal[0], zy} * twice(v[1].real) +
-                                     Pair{yz, diagonal[1]} * twice(v[2].real));
+  const Pair across = pair(p + 1) + (diagonal * pair(v + 1) +
+                                     Pair{yz, differences[1]} * Pair{v[2].real, v[0].real} +
+                                     Pair{sums[0], zy} * pair(v));
   if (!std::isfinite(x + across[0] + across[1]) &&
       !(std::isfinite(x) && std::isfinite(across[0]) && std::isfinite(across[1]))) {
     return false;
@@ -78,7 +78,7 @@ bool store_place(const Slot* p, Pair wi, Pair jk, const Slot* v, Slot* result) {
 }  // namespace
 
 /// Where it fails, what lies in `result` stays: it may be p or q.
-Error product(const Slot* p, const Slot* q, Slot* result) {
+Error product_in_pairs(const Slot* p, const Slot* q, Slot* result) {
   const Pair wi = pair(p + 3);
   const Pair jk = pair(p + 5);
   const Pair earlier_wi = pair(result + 3);
@@ -89,5 +89,13 @@ Error product(const Slot* p, const Slot* q, Slot* result) {
   store(earlier_jk, result + 5);
   return Error::NotFinite;
 }
+
+#if defined(__x86_64__)
+Error (*const product)(const Slot*, const Slot*, Slot*) = __builtin_cpu_supports("avx2") != 0
+                                                              ? product_in_fours
+                                                              : product_in_pairs;
+#else
+Error (*const product)(const Slot*, const Slot*, Slot*) = product_in_pairs;
+#endif
 
 }  // namespace rob::lang::pose_functions

@@ -31,11 +31,8 @@ std::optional<RobotMachine::Handled> RobotMachine::take_handled() {
     return std::nullopt;
   }
   const bool stops = rest->by->kind == motion::WatchedAction::Kind::Handle;
-  if (stops) {
-    interrupted_by_handler_ = true;
-    handlers_->begin_handler(*rest, *this);
-  }
-  called_ = !stops;
+  handler_ = stops ? Handler::HasAxes : Handler::LetsThemGoOn;
+  if (stops) handlers_->begin_handler(*rest, *this);
   rest->by->fired.store(false, std::memory_order_relaxed);
   progress_.rests.pop();
   return Handled{id, stops};
@@ -44,7 +41,9 @@ std::optional<RobotMachine::Handled> RobotMachine::take_handled() {
 lang::Machine& RobotMachine::handlers() { return *handlers_; }
 
 void RobotMachine::end_call() {
-  if (std::exchange(called_, false)) channels_.after_handler.store(AfterHandler::GoOn);
+  if (handler_ != Handler::LetsThemGoOn) return;
+  handler_ = Handler::None;
+  channels_.after_handler.store(AfterHandler::GoOn);
 }
 
 /// One that has been told and not taken comes back when handlers may begin again.
@@ -62,10 +61,7 @@ void RobotMachine::decline() {
 }
 
 void RobotMachine::begin_handler(const Rest& rest, RobotMachine& program) {
-  program_ = &program;
-  home_ = rest.q;
-  abandons_ = false;
-  leaving_ = Leaving::No;
+  errand_ = Errand{.program = &program, .home = rest.q};
   restart_from(rest.q);
   brakable_ = 0;
 }
@@ -73,14 +69,14 @@ void RobotMachine::begin_handler(const Rest& rest, RobotMachine& program) {
 /// Back to where the path was left, from rest to rest; nothing where the axes have not moved.
 Reply RobotMachine::move_back(int line) {
   if (buffer_.room() < 2) return Reply::Later;
-  if ((planner_.commanded() - home_).cwiseAbs().maxCoeff() <= motion::kLimitTolerance) {
+  if ((planner_.commanded() - errand_->home).cwiseAbs().maxCoeff() <= motion::kLimitTolerance) {
     return Reply::Done;
   }
   motion::MotionRequest request;
   request.tag = static_cast<motion::Tag>(line);
   request.given = lang::given_all(robot_.axis_count());
   for (int i = 0; i < robot_.axis_count(); ++i) {
-    request.target[static_cast<std::size_t>(i)] = home_[i];
+    request.target[static_cast<std::size_t>(i)] = errand_->home[i];
   }
   const motion::PlanOutcome outcome = planner_.plan(request);
   if (const auto* const refusal = std::get_if<motion::Refusal>(&outcome)) {
@@ -92,27 +88,29 @@ Reply RobotMachine::move_back(int line) {
 }
 
 Reply RobotMachine::leave_handler(int line) {
-  if (leaving_ == Leaving::No) {
+  using Leaving = Errand::Leaving;
+  auto& [program, home, returns, leaving] = *errand_;
+  if (leaving == Leaving::No) {
     if (stop(line) != Reply::Done) return Reply::Later;
-    leaving_ = Leaving::Stopping;
+    leaving = Leaving::Stopping;
   }
-  if (leaving_ == Leaving::Stopping) {
-    if (!abandons_) {
+  if (leaving == Leaving::Stopping) {
+    if (returns) {
       if (const Reply reply = move_back(line); reply != Reply::Done) return reply;
     }
-    leaving_ = Leaving::Moving;
+    leaving = Leaving::Moving;
   }
-  if (leaving_ == Leaving::Moving) {
+  if (leaving == Leaving::Moving) {
     if (!settled()) return Reply::Later;
-    channels_.after_handler.store(abandons_ ? AfterHandler::Leave : AfterHandler::GoOn);
-    leaving_ = Leaving::Asked;
+    channels_.after_handler.store(returns ? AfterHandler::GoOn : AfterHandler::Leave);
+    leaving = Leaving::Asked;
   }
-  if (abandons_) {
-    const Reply reply = program_->leave_path();
-    if (reply == Reply::Refused) refusal_ = program_->refusal_;
+  if (!returns) {
+    const Reply reply = program->leave_path();
+    if (reply == Reply::Refused) refusal_ = program->refusal_;
     return reply;
   }
-  program_->interrupted_by_handler_ = false;
+  program->handler_ = Handler::None;
   return Reply::Done;
 }
 
@@ -141,10 +139,10 @@ Reply RobotMachine::leave_path() {
     path_.reset();
     planner_.stand_at(rest.q, rest.number);
     restart_from(rest.q);
-    handlers_->leaving_ = Leaving::Moving;  // all that is left has to be dropped
+    handlers_->errand_->leaving = Errand::Leaving::Moving;  // all that is left has to be dropped
     return Reply::Refused;
   }
-  interrupted_by_handler_ = false;
+  handler_ = Handler::None;
   exact_ = true;
   if (behind.empty() && guarded_) left_ = rest;
   const bool guarded = std::exchange(guarded_, false);  // those that are have their guards
@@ -183,14 +181,14 @@ bool RobotMachine::plan_anew(Commanded& commanded) {
 
 /// What has gone wrong in a handler ends it and all that it has interrupted.
 Reply RobotMachine::drop_interrupted(int line) {
-  if (handlers_->leaving_ != Leaving::Asked) {
+  if (handlers_->errand_->leaving != Errand::Leaving::Asked) {
     if (const Reply reply = handlers_->settle(line); reply != Reply::Done) return reply;
     channels_.after_handler.store(AfterHandler::LeaveAll);
-    handlers_->leaving_ = Leaving::Asked;
+    handlers_->errand_->leaving = Errand::Leaving::Asked;
   }
   Rest rest;
   if (!take_rest(rest)) return Reply::Later;
-  interrupted_by_handler_ = false;
+  handler_ = Handler::None;
   restart_from(rest.q);
   left_.reset();
   return Reply::Done;

@@ -47,6 +47,14 @@ motion::MotionRequest::Bound bound_of(lang::MoveCommand::Bound bound) {
   return bound == From::Tool ? To::Tool : bound == From::Rotary ? To::Rotary : To::None;
 }
 
+/// The two lines that a corner belongs to.
+std::string meeting(int before, int line) {
+  const std::uint32_t first = lang::tagged_place(before).line;
+  const std::uint32_t second = lang::tagged_place(line).line;
+  return first == second ? fmt::format("two motions of line {}, which meet here,", first)
+                         : fmt::format("lines {} and {}, which meet here,", first, second);
+}
+
 }  // namespace
 
 motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
@@ -150,6 +158,7 @@ bool RobotMachine::take(int line, const motion::PlanOutcome& outcome, Commanded&
   }
   const auto& planned = std::get<motion::PlannedSegment>(outcome);
   warn(line, planned);
+  line_before_ = line;
   const motion::SegmentDescriptor with_events = std::exchange(commanded.segment, planned.segment);
   motion::SegmentDescriptor& segment = commanded.segment;
   segment.events = with_events.events;
@@ -208,8 +217,9 @@ void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
   if ((planned.warnings & motion::PlannedSegment::kZoneCut) != 0) {
     log_.found({lang::Severity::Warning, code::kZoneCut,
                 lang::tagged_place(static_cast<int>(planned.zone_tag)),
-                fmt::format("ZONE cannot be used in full: the motions that meet here are too short"
-                            " for it, and leave {} at most",
+                fmt::format("ZONE cannot be used in full: {} are too short for it, and leave {} at"
+                            " most",
+                            meeting(static_cast<int>(planned.zone_tag), line),
                             shown(planned.zone_left, motion::AxisKind::Linear)),
                 "a ZONE of that size says so in the program"});
   }
@@ -222,8 +232,9 @@ void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
   }
   if ((planned.warnings & motion::PlannedSegment::kCornerExact) != 0) {
     log_.found({lang::Severity::Warning, code::kCornerExact, place,
-                "no corner leads into this motion within what the axes can do: the target before is"
-                " reached exactly",
+                fmt::format("{} have no corner within what the axes can do: the target between them"
+                            " is reached exactly",
+                            meeting(line_before_, line)),
                 "FINE at that target says so; a slower AT or a greater ZONE leaves room for it"});
   }
 }

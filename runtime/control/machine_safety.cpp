@@ -22,7 +22,7 @@ void RobotMachine::declare_safe(const std::vector<lang::SafeValue>& values) {
 Reply RobotMachine::fail(int line) {
   bar_handlers(true);
   if (collecting()) drop_path();
-  if (channels_.safe.empty() && !interrupted_by_handler_) return end(line);
+  if (channels_.safe.empty() && handler_ != Handler::HasAxes) return end(line);
   take_interruption();  // the first error is the one to mend
   const Reply reply = settle(line);
   if (reply != Reply::Done) return reply;

@@ -44,11 +44,12 @@ bool RobotMachine::stop_for_tool(int line) {
   const bool jumps = tip_jumps();
   if (jumps) {
     const double jump = lang::pose_math::length(setting_.tool.tip.position - moved_tip_);
-    log_.found({lang::Severity::Warning, code::kToolJumps, lang::tagged_place(line),
-                fmt::format("another tool begins here, whose tip is {} away: the corner before it"
-                            " is exact",
-                            shown(jump, motion::AxisKind::Linear)),
-                "FINE at the target before, or STOP, says so in the program"});
+    log_.found(
+        {lang::Severity::Warning, code::kToolJumps, lang::tagged_place(line),
+         fmt::format("another tool begins here, whose tip is {} away: the target of line {}"
+                     " is reached exactly",
+                     shown(jump, motion::AxisKind::Linear), lang::tagged_place(line_before_).line),
+         "FINE at the target before, or STOP, says so in the program"});
     if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) queue(*segment, true);
   }
   moved_tip_ = setting_.tool.tip.position;

@@ -46,6 +46,7 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   const motion::CycleView seen = view(now_);
   program_.generator.look(seen);
   if (handling()) handlers_.generator.look(seen);
+  release_actions();
   if (!started_) advance(number);
   started_ = true;
   collect_events();
@@ -177,6 +178,20 @@ void MotionTask::collect_events() noexcept {
   MotionEvent event;
   for (Track* const track : {&program_, &handlers_}) {
     while (track->generator.take_event(event)) track->pending.push(event);
+  }
+}
+
+/// What WHENs have done in this cycle comes before what is due in it by the clock.
+void MotionTask::release_actions() noexcept {
+  MotionEvent event;
+  for (Track* const track : {&program_, &handlers_}) {
+    while (track->generator.take_event(event)) {
+      if (event.kind == MotionEvent::Kind::ActionDue) {
+        release(*track, event, now_);
+      } else {
+        track->pending.push(event);
+      }
+    }
   }
 }
 

@@ -60,6 +60,7 @@ class MotionTask {
   bool handling() const noexcept { return active_ == &handlers_; }
   void publish(const motion::GeneratorSample& sample) noexcept;
   void collect_events() noexcept;
+  void release_actions() noexcept;
   void release_events(double until) noexcept;
   void release(Track& track, motion::MotionEvent event, double cycle_time) noexcept;
   void hold() noexcept;

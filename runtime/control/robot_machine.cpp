@@ -77,8 +77,10 @@ Reply RobotMachine::stop(int line) {
 /// What STOP, WAIT or UNTIL has brought to rest is not braked: that it be reached was promised.
 /// Of a handler it is the interrupted motion that ends.
 Reply RobotMachine::brake(int /*line*/) {
-  abandons_ = program_ != nullptr;
-  if (abandons_) return Reply::Done;
+  if (errand_) {
+    errand_->returns = false;
+    return Reply::Done;
+  }
   if (brakable_ == 0) return Reply::Done;
   if (!braking_) {
     const bool arrived =
@@ -150,7 +152,7 @@ Reply RobotMachine::leave_block(int /*line*/) { return decided() ? Reply::Done :
 
 Reply RobotMachine::settle(int line) {
   bar_handlers(true);
-  if (interrupted_by_handler_) {
+  if (handler_ == Handler::HasAxes) {
     if (const Reply reply = drop_interrupted(line); reply != Reply::Done) return reply;
   }
   if (path_ && path_->closed && end_path(line) != Reply::Done) return Reply::Later;
@@ -282,7 +284,7 @@ void RobotMachine::send(Commanded commanded) {
   const motion::SegmentDescriptor& segment = commanded.segment;
   LoggedSegment logged{segment, commanded.stop, commanded.further, planner_.tool_tip(),
                        commanded.leg};
-  if (program_ != nullptr) logged.number += kHandlerNumbers;
+  if (errand_) logged.number += kHandlerNumbers;
   log_.planned(logged);  // before the generator can report it
   sent_ = segment.number;
   buffer_.push(segment);  // there is room: only this thread fills the buffer

@@ -292,6 +292,7 @@ class RobotMachine final : public lang::Machine {
   lang::Refusal refusal_;
   lang::Setting setting_;    ///< of the program's present place
   lang::Vector3 moved_tip_;  ///< of the tool that the last motion was for
+  int line_before_ = 0;      ///< of the last motion that was planned
   double operators_override_ = 1;
   PointKeeper* keeper_ = nullptr;
   BackgroundTasks* tasks_ = nullptr;
@@ -325,14 +326,19 @@ class RobotMachine final : public lang::Machine {
   lang::Reply drop_interrupted(int line);
   bool plan_anew(Commanded& commanded);
   void decline();
+  /// Of a program: what the present handler lets the axes do.
+  enum class Handler : std::uint8_t { None, HasAxes, LetsThemGoOn };
+  /// Of the machine that handlers command: the one that has the axes.
+  struct Errand {
+    RobotMachine* program;     ///< that it has interrupted
+    motion::JointVector home;  ///< where it has found the axes
+    bool returns = true;
+    enum class Leaving : std::uint8_t { No, Stopping, Moving, Asked };
+    Leaving leaving = Leaving::No;
+  };
   RobotMachine* handlers_ = nullptr;  ///< of a program
-  RobotMachine* program_ = nullptr;   ///< of a handler: what it has interrupted; else null
-  bool interrupted_by_handler_ = false;
-  bool called_ = false;       ///< a handler runs, and the axes go on
-  motion::JointVector home_;  ///< where the handler has found the axes
-  bool abandons_ = false;     ///< the handler does not come back
-  enum class Leaving : std::uint8_t { No, Stopping, Moving, Asked };
-  Leaving leaving_ = Leaving::No;
+  Handler handler_ = Handler::None;
+  std::optional<Errand> errand_;      ///< the last one
   std::deque<Commanded> commanded_;   ///< the last ones, at least all that are in the buffer
   std::optional<motion::Rest> left_;  ///< how the guarded motion has ended, by a handler
 

@@ -96,13 +96,15 @@ TEST_CASE("the product that the Vm computes is compose(), to the bit") {
     return std::bit_cast<std::array<std::uint64_t, kPoseSlots>>(pose);
   };
   const auto checked = [&](const PoseValue& p, const PoseValue& q) {
-    std::array<Slot, 2 * kPoseSlots> slots{};
-    store(p, slots.data());
-    store(q, &slots[kPoseSlots]);
-    // Into its own first operand, as p = p * q does.
-    REQUIRE(pose_functions::product(slots.data(), &slots[kPoseSlots], slots.data()) ==
-            ArithmeticError::None);
-    REQUIRE(bits(load_pose(slots.data())) == bits(compose(p, q)));
+    // The way of this processor, and that of all.
+    for (const auto product : {pose_functions::product, pose_functions::product_in_pairs}) {
+      std::array<Slot, 2 * kPoseSlots> slots{};
+      store(p, slots.data());
+      store(q, &slots[kPoseSlots]);
+      // Into its own first operand, as p = p * q does.
+      REQUIRE(product(slots.data(), &slots[kPoseSlots], slots.data()) == ArithmeticError::None);
+      REQUIRE(bits(load_pose(slots.data())) == bits(compose(p, q)));
+    }
   };
   const PoseValue none;
   const PoseValue quarter{{0, 0.5, 0}, from_fixed({0, 0, degrees("90")})};
@@ -113,17 +115,21 @@ TEST_CASE("the product that the Vm computes is compose(), to the bit") {
 }
 
 TEST_CASE("a product whose place is too large for a number is an error") {
-  std::array<Slot, 2 * kPoseSlots> slots{};
-  const PoseValue far{{1.5e308, 0, 0}, {}};
-  store(far, slots.data());
-  store(far, &slots[kPoseSlots]);
-  CHECK(pose_functions::product(slots.data(), &slots[kPoseSlots], slots.data()) ==
-        ArithmeticError::NotFinite);
-  // The sum of the coordinates alone may overflow.
-  store(PoseValue{{1.5e308, 1.5e308, 1.5e308}, {}}, slots.data());
-  store(PoseValue{}, &slots[kPoseSlots]);
-  CHECK(pose_functions::product(slots.data(), &slots[kPoseSlots], slots.data()) ==
-        ArithmeticError::None);
+  for (const auto product : {pose_functions::product, pose_functions::product_in_pairs}) {
+    for (const Vector3& far : {Vector3{1.5e308, 0, 0}, {0, 1.5e308, 0}, {0, 0, 1.5e308}}) {
+      const PoseValue moved{far, {}};
+      std::array<Slot, 2 * kPoseSlots> slots{};
+      store(moved, slots.data());
+      store(moved, &slots[kPoseSlots]);
+      CHECK(product(slots.data(), &slots[kPoseSlots], slots.data()) == ArithmeticError::NotFinite);
+      CHECK(load_pose(slots.data()).position.x == far.x);  // as it was
+    }
+    // The sum of the coordinates alone may overflow.
+    std::array<Slot, 2 * kPoseSlots> slots{};
+    store(PoseValue{{1.5e308, 1.5e308, 1.5e308}, {}}, slots.data());
+    store(PoseValue{}, &slots[kPoseSlots]);
+    CHECK(product(slots.data(), &slots[kPoseSlots], slots.data()) == ArithmeticError::None);
+  }
 }
 
 TEST_CASE("angles written to 1e-12 degrees come back to the bit") {
