@@ -74,6 +74,9 @@ bool ClauseChecker::check(Clause clause, const Expr& value) {
       return check_bound(value, "JERK", "a jerk", "1000mm/s^3", jerk_of(value.type).has_value());
     case Clause::Zone:
       return check_zone(value);
+    case Clause::ZoneAngle:
+      return expressions_.accept(value, Type::real(kAngle), "behind its first value ZONE needs") &&
+             check_positive(value, "the angle of ZONE");
     case Clause::For:
       return expressions_.accept(value, Type::real(kTime), "FOR needs") &&
              check_positive(value, "FOR");

@@ -92,6 +92,7 @@ struct MoveForm {
   MoveCommand::Bound accel = MoveCommand::Bound::Unspecified;
   MoveCommand::Bound jerk = MoveCommand::Bound::Unspecified;
   MoveCommand::Zone zone = MoveCommand::Zone::Unspecified;
+  bool zone_angle = false;
   bool lasts = false;  ///< FOR
   bool fine = false;
   Profile profile = Profile::Unspecified;

@@ -186,7 +186,7 @@ void Line::add_move(std::size_t index) {
   if (form.over) remark("OVER");
   if (form.accel != MoveCommand::Bound::Unspecified) remark("ACCEL");
   if (form.jerk != MoveCommand::Bound::Unspecified) remark("JERK");
-  if (form.zone != MoveCommand::Zone::Unspecified) remark("ZONE");
+  if (form.zone != MoveCommand::Zone::Unspecified) remark(form.zone_angle ? "ZONE, angle" : "ZONE");
   if (form.lasts) remark("FOR");
   if (form.fine) remark("FINE");
   if (form.profile != Profile::Unspecified) remark("PROFILE");

@@ -197,12 +197,15 @@ void StatementCompiler::compile_clause(Clause clause, const Expr& said, Register
 void StatementCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) {
   const bool zoned = clauses[Clause::Zone] != nullptr;
   form.fine = clauses.fine || (path_ != nullptr && path_->clauses.fine && !zoned);
+  const auto settled_by_own = [&](std::size_t i) {
+    const auto clause = static_cast<Clause>(i);
+    return (clause == Clause::Zone || clause == Clause::ZoneAngle) && (clauses.fine || zoned);
+  };
   form.profile = clauses.profile;
   std::array<const Expr*, kClauses> settled{};
   for (std::size_t i = 0; i < kClauses; ++i) {
     settled[i] = clauses.values[i].get();
-    const bool missing = settled[i] == nullptr && path_ != nullptr &&
-                         !(clauses.fine && i == static_cast<std::size_t>(Clause::Zone));
+    const bool missing = settled[i] == nullptr && path_ != nullptr && !settled_by_own(i);
     if (missing) settled[i] = path_->clauses.values[i].get();
     if (settled[i] == live_pace(clauses)) settled[i] = nullptr;
     if (settled[i] == nullptr) continue;
@@ -219,6 +222,7 @@ void StatementCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) 
   if (of(Clause::Accel) != nullptr) form.accel = *accel_of(of(Clause::Accel)->type);
   if (of(Clause::Jerk) != nullptr) form.jerk = *jerk_of(of(Clause::Jerk)->type);
   if (of(Clause::Zone) != nullptr) form.zone = *zone_of(of(Clause::Zone)->type);
+  form.zone_angle = of(Clause::ZoneAngle) != nullptr;
   form.lasts = of(Clause::For) != nullptr;
 }
 

@@ -49,6 +49,7 @@ struct MoveCommand {
   double over = 0;  ///< OVER: lower bound on the duration, s; 0 where it was left out
   Zone zone = Zone::Unspecified;
   double zone_value = 0;  ///< 0: the target is reached exactly, as with FINE
+  double zone_angle = 0;  ///< ZONE 5mm 2deg: rad by which the tool may turn off; 0: the robot's
   bool fine = false;
   Bound accel = Bound::Unspecified;
   double accel_value = 0;

@@ -282,7 +282,8 @@ void Parser::fail_target(std::string_view motion) {
 }
 
 // clause = "AT" [ "LIVE" ] expr | "OVER" expr | "ACCEL" expr | "JERK" expr | "PROFILE" IDENT
-//        | "ZONE" expr | "FINE" | "IN" refframe | "WITH" IDENT | "FOR" expr .
+//        | "ZONE" expr [ NUMBER | QUANTITY | NAME ] | "FINE" | "IN" refframe
+//        | "WITH" IDENT | "FOR" expr .
 void Parser::clauses(Clauses& clauses) {
   while (!at_line_end() && !at(Keyword::Else) && !at(Keyword::Until) && !at(Keyword::Do)) {
     const auto* const valued =
@@ -328,6 +329,14 @@ void Parser::clause(Clauses& clauses, Clause which, std::string_view word) {
   }
   ExprPtr value = expression();
   if (!slot) slot = std::move(value);
+  if (which == Clause::Zone && at_zone_angle()) clauses[Clause::ZoneAngle] = primary();
+}
+
+/// A word that is nearly one of a clause is taken for a slip.
+bool Parser::at_zone_angle() const {
+  const bool name = at(TokenKind::Word) && clause_word(current_).empty() &&
+                    suggest(current_.text, kClauseWords).empty();
+  return name || at(TokenKind::Number);
 }
 
 /// LIVE with a value behind it; a variable may be called so, too.

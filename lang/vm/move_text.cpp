@@ -36,6 +36,10 @@ std::string zone_text(const MoveCommand& command) {
   return "";
 }
 
+std::string zone_angle_text(const MoveCommand& command) {
+  return command.zone_angle > 0 ? ' ' + number_text(command.zone_angle, kAngle) : "";
+}
+
 std::string bound_text(std::string_view word, MoveCommand::Bound bound, double value,
                        Dimension tool, Dimension rotary) {
   if (bound == MoveCommand::Bound::Unspecified) return "";
@@ -135,7 +139,7 @@ std::string move_text(const RobotSignature& robot, const MoveCommand& command) {
   text += bound_text(" accel ", command.accel, command.accel_value, kAcceleration,
                      kAngularAcceleration);
   text += bound_text(" jerk ", command.jerk, command.jerk_value, kJerk, kAngularJerk);
-  text += zone_text(command);
+  text += zone_text(command) + zone_angle_text(command);
   if (command.fine) text += " fine";
   return text + profile_text(command.profile);
 }

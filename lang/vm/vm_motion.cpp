@@ -117,6 +117,10 @@ bool Vm::build_clauses(Code pc, const MoveForm& form, const Slot* next, MoveComm
     command.zone_value = (next++)->real;
     if (!check_zone(pc, command.zone_value, dimension_of(form.zone))) return false;
   }
+  if (form.zone_angle) {
+    command.zone_angle = (next++)->real;
+    if (!check_positive(pc, "the angle of ZONE", command.zone_angle, kAngle)) return false;
+  }
   if (!form.lasts) return true;
   command.lasts = next->real;
   return check_positive(pc, "FOR", command.lasts, kTime);

@@ -34,7 +34,8 @@ inline constexpr int kMostPeriods = 4096;
 ///   JERK          T_w = max_i 2·A_i/J_i with A_i that share of a_max, J_i the least of j_max
 ///                 and of JERK. Of a tip that axes of another kind move, 2·σ''/JERK
 ///   ZONE          z: miss; t: the corner begins t before the target at the leg's full speed;
-///                 p%: of half of the legs; without it the robot's. The robot's zone_angle always
+///                 p%: of half of the legs; without it the robot's. Its angle, or the
+///                 robot's zone_angle, always
 ///
 /// Where jerk is low, and T_w would be long, no ramp up to F needs more acceleration than √(F·J):
 /// the share is no greater. `demand`: per unit of the leg's parameter, with the length of the tip's

@@ -39,6 +39,7 @@ struct MotionRequest {
   double at_least = 0;    ///< s, lower bound on the duration (S1: T_user)
   Zone zone = Zone::Robots;
   double zone_value = 0;      ///< above 0 where there is a zone
+  double zone_angle = 0;      ///< rad; 0: the robot's. Paul's law does not look at it
   Bound accel = Bound::None;  ///< this and `jerk` under the look-ahead law alone
   double accel_value = 0;
   Bound jerk = Bound::None;

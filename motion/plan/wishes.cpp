@@ -14,6 +14,8 @@ std::optional<Refusal> check_wishes(const MotionRequest& request) noexcept {
   const bool zoned = request.zone != MotionRequest::Zone::Robots;
   if (zoned && !(std::isfinite(request.zone_value) && request.zone_value > 0))
     return Refusal{Kind::BadZone, -1, request.zone_value, 0};
+  if (!(std::isfinite(request.zone_angle) && request.zone_angle >= 0))
+    return Refusal{Kind::BadZone, -1, request.zone_angle, 0};
   const auto bad = [](MotionRequest::Bound bound, double value) {
     return bound != MotionRequest::Bound::None && !(std::isfinite(value) && value > 0);
   };

@@ -83,6 +83,7 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
                  : command.zone == lang::MoveCommand::Zone::Share ? Zone::Share
                                                                   : Zone::Robots;
   request.zone_value = command.zone_value;
+  request.zone_angle = command.zone_angle;
   return request;
 }
 
@@ -157,8 +158,8 @@ bool RobotMachine::take(int line, const motion::PlanOutcome& outcome, Commanded&
     return false;
   }
   const auto& planned = std::get<motion::PlannedSegment>(outcome);
-  warn(line, planned);
-  line_before_ = line;
+    warn(line, commanded, planned);
+    line_before_ = line;
   const motion::SegmentDescriptor with_events = std::exchange(commanded.segment, planned.segment);
   motion::SegmentDescriptor& segment = commanded.segment;
   segment.events = with_events.events;
@@ -195,8 +196,15 @@ ToolPathOrWords RobotMachine::tool_path(const Commanded& commanded) const {
   return path_through(asked.kind, points);
 }
 
-void RobotMachine::warn(int line, const motion::PlannedSegment& planned) {
+void RobotMachine::warn(int line, const Commanded& commanded,
+                        const motion::PlannedSegment& planned) {
   const lang::Place place = lang::tagged_place(line);
+  const bool angle = commanded.move && commanded.move->zone_angle > 0 && !commanded.move->exact();
+  if (angle && robot_.law == motion::Law::Paul) {
+    log_.found({lang::Severity::Warning, code::kZoneAngleUnused, place,
+                "under Paul's law the angle of a ZONE bounds nothing",
+                "leave it out, or write LAW LOOKAHEAD"});
+  }
   if ((planned.warnings & motion::PlannedSegment::kPaceCut) != 0) {
     log_.found({lang::Severity::Warning, code::kAboveAxes, place,
                 "AT asks for more than the axes can do",

@@ -279,7 +279,7 @@ class RobotMachine final : public lang::Machine {
   bool take_rest(motion::Rest& rest);
   /// Whether the decision point of the last motion has come.
   bool decided() const;
-  void warn(int line, const motion::PlannedSegment& planned);
+  void warn(int line, const Commanded& commanded, const motion::PlannedSegment& planned);
 
   const motion::RobotModel& robot_;
   const lang::RobotSignature signature_;
