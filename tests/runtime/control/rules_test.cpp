@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/program/foretell.h"
 #include "runtime/program/run.h"
 #include "runtime/program/signal_script.h"
 #include "tests/support/stepped_run.h"
