@@ -66,7 +66,11 @@ class Guide {
   bool at_run_end() const noexcept;
   /// It stands at the end of what is known of the path.
   bool at_path_end() const noexcept { return stands() && ring_.piece(index_) == nullptr; }
-  void begin_run() noexcept { begun_ = index_; }
+  /// `sigma`: where the run begins, which is elsewhere where path has been dropped before.
+  void begin_run(double sigma) noexcept {
+    begun_ = index_;
+    sigma_ = sigma;
+  }
   /// The axes stand at q; the path goes on with piece `at`.
   void restart(PathRing::Index at, const JointVector& q) noexcept;
 

@@ -32,9 +32,20 @@ double PathPlanner::top_square(const Piece& piece) const noexcept {
 PathPlanner::Extent PathPlanner::extent_of(const Piece& piece) const noexcept {
   const PathPoint begin = piece.point(0);
   const PathPoint end = piece.point(piece.length);
-  return {begin.qd.cwiseAbs().cwiseMax(end.qd.cwiseAbs()),
-          begin.qdd.cwiseAbs().cwiseMax(end.qdd.cwiseAbs()),
-          std::sqrt(top_square(piece)) * std::max(1.0, 1 / share_)};
+  Extent extent;
+  extent.slopes = begin.qd.cwiseAbs().cwiseMax(end.qd.cwiseAbs());
+  extent.bends = begin.qdd.cwiseAbs().cwiseMax(end.qdd.cwiseAbs());
+  extent.asked = std::sqrt(top_square(piece)) * std::max(1.0, 1 / share_);
+  extent.fastest = piece.fastest;
+  extent.fastest_axis = piece.fastest_axis;
+  // q = q(σ) has the jerk q'''·σ'³ + 3·q''·σ'·σ'' + q'·σ'''. Piece::fastest leaves to the first
+  // what kBendsShare says. Of the mean, |σ'''| <= 2·u/T where |σ''| <= u: with σ'' so small that
+  // (|q'| + 1.5·T·|q''|·σ')·u <= A, the others take 2A/T, which is the rest.
+  double square = extent.asked * extent.asked;
+  for (int i = 0; i < extent.bends.size(); ++i)
+    square = std::min(square, piece.acceleration[i] / extent.bends[i]);
+  extent.swings = extent.slopes + 1.5 * window_ * std::sqrt(square) * extent.bends;
+  return extent;
 }
 
 /// The pieces before this one can be run: what acts together with them is known.
@@ -107,7 +118,8 @@ bool PathPlanner::narrow() noexcept {
   for (PathRing::Index i = ring_.end(); i < end_; ++i) {
     Piece& piece = ring_.draft(i);
     if (piece.fastest <= fastest) continue;
-    piece.fastest = extent(i).fastest = fastest;
+    piece.fastest = fastest;
+    extent(i).asked = std::min(extent(i).asked, fastest);
     piece.fastest_axis = -1;
   }
   return true;
@@ -121,7 +133,12 @@ void PathPlanner::spread(PathRing::Index at) noexcept {
   const auto take = [&](PathRing::Index other, double& left) {
     most.slopes = most.slopes.cwiseMax(extent(other).slopes);
     most.bends = most.bends.cwiseMax(extent(other).bends);
-    left -= ring_.written(other).length / extent(other).fastest;
+    most.swings = most.swings.cwiseMax(extent(other).swings);
+    if (extent(other).fastest < piece.fastest) {
+      piece.fastest = extent(other).fastest;
+      piece.fastest_axis = extent(other).fastest_axis;
+    }
+    left -= ring_.written(other).length / extent(other).asked;
   };
   double left = window_ / 2;
   for (PathRing::Index i = at; i > ring_.begin() && !ring_.run_end(i - 1) && left >= 0; --i)
@@ -131,7 +148,7 @@ void PathPlanner::spread(PathRing::Index at) noexcept {
     take(i + 1, left);
   piece.slopes = most.slopes;
   piece.bends = most.bends;
-  bound_speed(robot_, most.slopes, piece);
+  piece.swings = most.swings;
 }
 
 void PathPlanner::publish(bool anew) {

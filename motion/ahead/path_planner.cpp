@@ -313,7 +313,7 @@ void PathPlanner::write(std::vector<Piece>& pieces) {
     if (piece.begin < calm_.end - kRounding) piece.acceleration *= calm_.share;
     if (averages_sigma()) {
       extent(end_) = extent_of(piece);
-      outlook_ = std::max(outlook_, extent(end_).fastest * window_ / 2);
+      outlook_ = std::max(outlook_, extent(end_).asked * window_ / 2);
     } else if (extends_last(piece)) {
       Piece& last = ring_.draft(end_ - 1);
       last.length = known_ - last.begin;

@@ -70,11 +70,15 @@ class PathPlanner {
   double window_of(const SegmentDescriptor& segment) const noexcept;
   std::size_t room() const noexcept;
 
-  /// The greatest |dq/dσ| and |d²q/dσ²| on a piece, and σ' that it admits by itself.
+  /// The greatest |dq/dσ| and |d²q/dσ²| on a piece, what the jerk makes of them, and σ' that is
+  /// asked for there.
   struct Extent {
     JointVector slopes;
     JointVector bends;
-    double fastest = 0;
+    JointVector swings;
+    double asked = 0;
+    double fastest = 0;  ///< that the axes and their jerk admit, by itself
+    int fastest_axis = -1;
   };
   /// Around a corner whose mean would leave its zone: σ up to which the axes give this share.
   struct Calm {

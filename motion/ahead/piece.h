@@ -28,9 +28,11 @@ struct Piece {
   int fastest_axis = -1;  ///< that sets it; −1: another reason
 
   // Where the mean of σ makes the references, places within half its time act together: the
-  // greatest |dq/dσ| and |d²q/dσ²| of the axes around here. Empty: each place acts alone.
+  // greatest |dq/dσ| and |d²q/dσ²| of the axes around here, and the slope that in their place
+  // bounds σ'' for the sake of the jerk. Empty: each place acts alone.
   JointVector slopes;
   JointVector bends;
+  JointVector swings;
 
   bool straight() const noexcept { return count <= 2; }
   bool averaged() const noexcept { return slopes.size() != 0; }

@@ -33,6 +33,7 @@ void each_row(const Piece& piece, const PathPoint& here, const PathPoint& end, d
       visit(Row{-slope, bend, most, i});
       visit(Row{slope + 2 * rest * bend, bend, most, i});
       visit(Row{-slope + 2 * rest * bend, bend, most, i});
+      visit(Row{piece.swings[i], 0, most, i});
       continue;
     }
     visit(Row{here.qd[i], here.qdd[i], most, i});
@@ -124,6 +125,8 @@ double even_braking(const Piece& piece, const PathPoint& here, const PathPoint& 
     const double bend =
         mean ? piece.bends[i] : std::max(std::abs(here.qdd[i]), std::abs(end.qdd[i]));
     if (slope > 0) most = std::min(most, std::max(piece.acceleration[i] - bend * x, 0.0) / slope);
+    if (mean && piece.swings[i] * most > piece.acceleration[i])
+      most = piece.acceleration[i] / piece.swings[i];
   }
   return most;
 }
@@ -131,7 +134,7 @@ double even_braking(const Piece& piece, const PathPoint& here, const PathPoint& 
 StraightControl straight_control(const Piece& piece) noexcept {
   StraightControl control{kAny, -1};
   for (int i = 0; i < piece.acceleration.size(); ++i) {
-    const double slope = piece.averaged() ? piece.slopes[i] : std::abs(piece.terms[1][i]);
+    const double slope = piece.averaged() ? piece.swings[i] : std::abs(piece.terms[1][i]);
     const double most = piece.acceleration[i];
     if (slope * control.most > most) control = {most / slope, i};
   }

@@ -154,7 +154,7 @@ void LookAheadGenerator::begin_profile(const SegmentDescriptor& next) noexcept {
 void LookAheadGenerator::begin_run(const PathLeg& leg) noexcept {
   if (moved_) guide_.restart(guide_.index(), segment().target);
   moved_ = false;
-  guide_.begin_run();
+  guide_.begin_run(leg.begin);
   average_.begin_run(leg.average, guide_);
   history_.begin(guide_time(), leg.begin);
 }
