@@ -157,6 +157,16 @@ TEST_CASE("a run-time error tells its line, exit code 70, behind what was comman
   CHECK(report["final"]["joints"][0] == 10.0);
 }
 
+TEST_CASE("a run-time error tells the calls that led to it, and where the robot stands") {
+  const RobCommand rob("PROC go(n: INT)\nMOVE(100, 50, 90)\nPRINT 1 / n\nENDPROC\ngo(0)\n");
+  const std::string run = rob("run", {"--fast"}).err;
+  CHECK(contains(run, "  in go, called in line 5\n"));
+  CHECK(contains(run, "  the robot stands at x 100 mm, y 50 mm, theta 90 deg\n"));
+  const std::string check = rob("check").err;
+  CHECK(contains(check, "  in go, called in line 5\n"));
+  CHECK_FALSE(contains(check, "the robot stands"));
+}
+
 TEST_CASE(
     "an error that shows only in the computation is foretold, and is a finding of the check") {
   const ProcessResult result =
