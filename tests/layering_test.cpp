@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -271,4 +272,25 @@ TEST_CASE("the rules admit what the architecture allows") {
 
 TEST_CASE("what is no include is not taken for one") {
   CHECK(includes_of("// #include \"runtime/main.h\"\nint include;\n#include\n").empty());
+}
+
+TEST_CASE("the tables of tests/programs name tests that are there") {
+  std::string cases;
+  for (const SourceFile& file : sources_in({"tests"})) cases += file.text;
+  cases = std::regex_replace(cases, std::regex(R"(TEST_CASE\(\s*")"), "TEST_CASE(\"");
+  const fs::path folder = fs::path(ROB_SOURCE_DIR) / "tests" / "programs";
+  std::ifstream tables(folder / "README.md");
+  int named = 0;
+  for (std::string line; std::getline(tables, line);) {
+    if (!line.starts_with("| ")) continue;
+    static const std::regex name("`([a-z_/]+\\.rob)`|\"([^\"]+)\"");
+    for (std::sregex_iterator at(line.begin(), line.end(), name), end; at != end; ++at, ++named) {
+      const std::string file = (*at)[1];
+      const bool there = file.empty()
+                             ? cases.find("TEST_CASE(\"" + (*at)[2].str() + "\"") != cases.npos
+                             : fs::exists(folder / file);
+      CHECK_MESSAGE(there, "there is no test " << at->str());
+    }
+  }
+  CHECK(named > 150);
 }

@@ -132,7 +132,10 @@ void ExpressionChecker::check_condition(const ExprPtr& condition, std::string_vi
   const Type type = check(condition);
   if (type.kind == Type::Kind::Unknown || type == Type::boolean()) return;
   std::string help = "compare it, for example x > 0";
-  if (known(condition->constant)) help = fmt::format("write {} TRUE", word);
+  if (known(condition->constant)) {
+    help = word == "WHILE" ? "write WHILE TRUE"
+                           : fmt::format("compare something, or name a signal: {} part_here", word);
+  }
   if (type == Type::string()) help = "compare it, for example s == \"done\"";
   diagnostics_.error(
       code::kConditionExpected, condition->place,

@@ -1,3 +1,4 @@
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +10,13 @@
 
 /// The parser's rules for statements on one line, and what becomes of unknown ones.
 namespace rob::lang {
+namespace {
+
+/// Not reserved, and known at the beginning of a line.
+constexpr std::array<std::string_view, 10> kPlacedWords{
+    "FRAME", "LAW", "OVERRIDE", "PATH", "PRESS", "ROBOT", "START", "TOOL", "UNITS", "ZERO"};
+
+}  // namespace
 
 /// One statement, or what an error left of it.
 void Parser::statement(Block& block) {
@@ -194,8 +202,10 @@ void Parser::unknown_word(Block& block) {
   }
   const std::string_view meant = statement_meant();
   if (meant.empty()) {
+    const std::string_view placed = suggest(current_.text, kPlacedWords);
     fail_here(code::kUnknownStatement, message,
-              "a line begins with a statement's word, or with a name and '='");
+              placed.empty() ? "a line begins with a statement's word, or with a name and '='"
+                             : did_you_mean(placed));
   }
   report(code::kUnknownStatement, current_.place, message, did_you_mean(meant));
   muted_line_ = current_.place.line;

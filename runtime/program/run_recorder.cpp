@@ -320,6 +320,16 @@ std::vector<double> RunRecorder::shown_joints() const {
   return shown;
 }
 
+std::string RunRecorder::stands() const {
+  const motion::JointVector& q = last_ ? last_->sample.reference.q : robot_.start;
+  std::string text;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    const motion::Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", axis.name, shown(q[i], axis.kind));
+  }
+  return text;
+}
+
 LineResult& RunRecorder::line_of(const LoggedSegment& segment) {
   LineResult& result = lines_[static_cast<int>(segment.tag)];
   result.line = static_cast<int>(segment.tag);
@@ -338,6 +348,7 @@ RunResult RunRecorder::finish() {
   result_.deviation = std::max(result_.deviation, path_.deviation() * kMillimetresPerMetre);
   result_.slow_places = slow_.finish();
   result_.final_joints = shown_joints();
+  result_.stands = stands();
   const motion::JointVector q = last_ ? last_->sample.reference.q : robot_.start;
   result_.final_pose = shown_pose(robot_.kinematics->forward(q));
   return std::move(result_);

@@ -93,6 +93,7 @@ class RunRecorder {
   void add_analog(const motion::MotionEvent& event);
   void take_peaks(const Snapshot& snapshot);
   std::vector<double> shown_joints() const;
+  std::string stands() const;
   void add_event(double time, const char* kind, int line, std::string text);
   void fail(double time, const char* kind, Words words);
   LineResult& line_of(const LoggedSegment& segment);

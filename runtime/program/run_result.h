@@ -108,6 +108,7 @@ struct RunResult {
   double worst_lateness = 0;  ///< s
   std::vector<LineResult> lines;
   std::vector<double> final_joints;  ///< mm, deg
+  std::string stands;                ///< the same for people: "x 100 mm, theta 90 deg"
   std::vector<double> final_pose;    ///< x, y, z in mm, a, b, c in deg
   std::vector<SignalChange> signals;
   std::vector<std::string> output;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "runtime/program/json_report.h"
+#include "runtime/program/text_report.h"
 
 namespace rob::runtime {
 
@@ -31,6 +33,8 @@ std::string details(const std::string& file, const TestResult& result) {
     text += fmt::format("        {}:{}: error[{}]: {}\n", error.file, error.place.line, error.code,
                         error.message);
     if (!error.help.empty()) text += fmt::format("        help: {}\n", error.help);
+    std::istringstream calls(calls_text(error));
+    for (std::string line; std::getline(calls, line);) text += fmt::format("      {}\n", line);
   }
   for (const std::string& line : result.output) text += fmt::format("        printed: {}\n", line);
   return text;

@@ -37,6 +37,11 @@ TestResult run_test(const LoadedProgram& program, const motion::RobotModel& robo
     result.error =
         Problem{failure.code, "", failure.place, failure.message, failure.help, failure.calls};
   }
+  // The outermost call is the TEST itself.
+  if (result.error && !result.error->calls.empty() &&
+      result.error->calls.back().routine == test.name) {
+    result.error->calls.pop_back();
+  }
   if (!result.error && timing.gave_up) {
     result.error = Problem{code::kTestWithoutEnd, "", test.place,
                            "this TEST has not ended within one hour of its time or 100,000,000"

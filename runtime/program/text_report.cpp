@@ -45,7 +45,8 @@ std::string calling(const lang::CallSite& site) {
   }
 }
 
-/// The routines that an error happened in. [choice] ten of them: a recursion may be 1000 deep.
+}  // namespace
+
 std::string calls_text(const Problem& problem) {
   const std::vector<lang::CallSite>& calls = problem.calls;
   constexpr std::size_t kMost = 10;
@@ -58,6 +59,8 @@ std::string calls_text(const Problem& problem) {
   if (calls.size() > kMost) text += fmt::format("  and {} calls more\n", calls.size() - kMost);
   return text;
 }
+
+namespace {
 
 /// Above the first line of a USEd file stands its name.
 std::string file_heading(const RunResult& result, const LineResult& line) {
@@ -135,7 +138,10 @@ std::string problems_text(const RunResult& result, std::string_view source,
     const Problem& e = *result.error;
     text += lang::render({lang::Severity::Error, e.code, e.place, e.message, e.help}, result.file,
                          source, used);
-    text += calls_text(e);
+  }
+  if (result.error) text += calls_text(*result.error);
+  if (result.error && !told && !result.stands.empty()) {
+    text += fmt::format("  the robot stands at {}\n", result.stands);
   }
   return text;
 }

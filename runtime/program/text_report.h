@@ -13,6 +13,9 @@ std::string check_table(const RunResult& result);
 /// What `rob run` prints at the end: the same with what was measured beside it, and the totals.
 std::string run_table(const RunResult& result);
 
+/// The routines that an error happened in. [choice] ten of them: a recursion may be 1000 deep.
+std::string calls_text(const Problem& problem);
+
 /// The findings and the error of a result, each as lang::render writes it.
 /// `source`: of the program; `used`: what it USEs.
 std::string problems_text(const RunResult& result, std::string_view source,

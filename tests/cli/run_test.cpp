@@ -78,6 +78,20 @@ TEST_CASE("two runs on the virtual clock write the same trace, byte for byte") {
   CHECK(lines_in(rob.file("a.csv")) == 1912);  // header and 1911 rows
 }
 
+TEST_CASE("--law counts before LAW, and LAW before the robot's file") {
+  const auto law_of = [](const std::string& text, const std::vector<std::string>& option = {}) {
+    std::vector<std::string> options{"--fast", "--json"};
+    options.insert(options.end(), option.begin(), option.end());
+    const json report = json::parse(RobCommand(text)("run", options).out);
+    return report["law"].get<std::string>();
+  };
+  const std::string move = "MOVE(10, 0, 0)\n";
+  CHECK(law_of(move) == "paul");  // the gantry's
+  CHECK(law_of("LAW LOOKAHEAD\n" + move) == "lookahead");
+  CHECK(law_of(move, {"--law", "lookahead"}) == "lookahead");
+  CHECK(law_of("LAW LOOKAHEAD\n" + move, {"--law", "paul"}) == "paul");
+}
+
 TEST_CASE("RANDOM is the same in every run with the same --seed, and another with another") {
   const RobCommand rob("PRINT RANDOM(1, 1000000)\n");
   const std::string drawn = rob("run", {"--fast", "--seed", "7"}).out;
@@ -141,6 +155,16 @@ TEST_CASE("a run-time error tells its line, exit code 70, behind what was comman
   CHECK(report["output"] == json::array({"before"}));
   CHECK(report["error"]["line"] == 4);
   CHECK(report["final"]["joints"][0] == 10.0);
+}
+
+TEST_CASE("a run-time error tells the calls that led to it, and where the robot stands") {
+  const RobCommand rob("PROC go(n: INT)\nMOVE(100, 50, 90)\nPRINT 1 / n\nENDPROC\ngo(0)\n");
+  const std::string run = rob("run", {"--fast"}).err;
+  CHECK(contains(run, "  in go, called in line 5\n"));
+  CHECK(contains(run, "  the robot stands at x 100 mm, y 50 mm, theta 90 deg\n"));
+  const std::string check = rob("check").err;
+  CHECK(contains(check, "  in go, called in line 5\n"));
+  CHECK_FALSE(contains(check, "the robot stands"));
 }
 
 TEST_CASE(

@@ -75,6 +75,17 @@ TEST_CASE("what fails is told with its line, and what was printed with it") {
   CHECK(json["tests"][1]["status"] == "ok");
 }
 
+TEST_CASE("an error in a TEST tells the calls that led to it, which the TEST is not") {
+  const auto results = tests_of(
+      "VAR n = 0\nPROC deep()\nPRINT 1 / n\nENDPROC\nTEST \"a\"\ndeep()\nENDTEST\n"
+      "TEST \"b\"\nPRINT 1 / n\nENDTEST");
+  const std::string text = rob::runtime::test_text("t.rob", results);
+  CHECK(text.find("        in deep, called in line 6\n") != std::string::npos);
+  REQUIRE(results.size() == 2);
+  CHECK(results[0].error.value().calls.size() == 1);
+  CHECK(results[1].error.value().calls.empty());
+}
+
 TEST_CASE("a TEST that waits for ever has failed") {
   const auto results = tests_of("TEST \"a\"\nWAIT DIN[1]\nENDTEST");
   REQUIRE(results.size() == 1);
