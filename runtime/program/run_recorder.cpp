@@ -329,6 +329,7 @@ LineResult& RunRecorder::line_of(const LoggedSegment& segment) {
 RunResult RunRecorder::finish() {
   result_.dropped_effects += log_.effects();
   result_.findings = log_.findings();
+  result_.findings_left_out = log_.findings_left_out();
   result_.lost_rows = channels_.lost.load();
   // An instant that is a whole number of periods must not become one cycle more by rounding.
   constexpr double kRounding = 1e-7;

@@ -41,8 +41,8 @@ void SlowPlaces::take(const motion::GeneratorSample& sample, double way) {
   const std::optional<Leg>& leg = begun_ ? begun_ : leg_;
   const bool along = leg && leg->bounds.length > 0;
   Passed next{sample, along && sample.state == motion::MotionState::Running};
-  next.moves = next.moves && sample.rate > kStands &&
-               way > kTurning * sample.rate * robot_.reference_period;
+  next.moves =
+      next.moves && sample.rate > kStands && way > kTurning * sample.rate * robot_.reference_period;
   judge(next);
   if (begun_) {
     close_leg();
