@@ -85,6 +85,9 @@ void RunRecorder::take(const MotionEvent& event) {
       add_event(event.time, "late-decision", static_cast<int>(event.tag),
                 "the next motion was not known in time; the target was made exact");
       break;
+    case MotionEvent::Kind::LeadMissed:
+      add_event(event.time, "lead", static_cast<int>(event.tag), text_for_missed_lead(event.value));
+      break;
     case MotionEvent::Kind::Hit:
     case MotionEvent::Kind::Braking:
       begin_early_end(event);

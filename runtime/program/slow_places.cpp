@@ -76,7 +76,9 @@ SlowPlace SlowPlaces::describe() const {
   place.time = sample.reference.time;
   place.at = std::clamp(sample.sigma, 0.0, length) * kMillimetresPerMetre;
   place.speed = sample.rate * kMillimetresPerMetre;
-  place.corner = sample.sigma <= corner_behind_ || sample.sigma >= length - corner_of(leg_->bounds);
+  const double step = sample.rate * robot_.reference_period;  // the least speed lies in between
+  place.corner = sample.sigma <= corner_behind_ + step ||
+                 sample.sigma >= length - corner_of(leg_->bounds) - step;
   place.near = robot_.kinematics->nearest_singularity(sample.reference.q, kNear);
   return place;
 }
