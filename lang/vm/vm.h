@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -94,8 +95,8 @@ class Vm {
   /// Instead of the program: its declarations, then one of Chunk::tests. Before the first run().
   void choose_test(std::size_t test);
 
-  /// Lets no loop turn more often than that, counted from where it was begun: circling() then
-  /// tells, and the program does not go on. Before the first run(); takes memory.
+  /// Lets no LOOP or WHILE turn more often than that without a motion, counted from where it was
+  /// begun: circling() then tells, and the program does not go on. A FOR ends by itself.
   void limit_turns(std::uint32_t most);
   /// The line of the loop that has turned too often; 0 if there is none.
   int circling() const { return circling_; }
@@ -301,10 +302,15 @@ class Vm {
   };
   static std::vector<Callee> callees_of(const Chunk& chunk);
   std::vector<Callee> callees_;
-  std::int64_t cycle_ = 1;            ///< counts whenever time may have passed
-  std::uint32_t test_ = 0;            ///< its routine
-  std::vector<std::uint32_t> turns_;  ///< by the first instruction of a loop; empty: no limit
-  std::uint32_t most_turns_ = 0;
+  std::int64_t cycle_ = 1;  ///< counts whenever time may have passed
+  std::uint32_t test_ = 0;  ///< its routine
+  struct Turns {
+    std::uint32_t count = 0;
+    std::uint64_t motions = 0;  ///< motions_ then
+  };
+  std::map<std::size_t, Turns> turns_;  ///< by the first instruction of a loop
+  std::uint32_t most_turns_ = 0;        ///< 0: no limit
+  std::uint64_t motions_ = 0;           ///< commanded so far
   int circling_ = 0;
   State state_ = State::Running;
   RuntimeError error_;

@@ -27,7 +27,7 @@ Vm::Step Vm::fill(Code pc, Slot value) {
   if (which >= length) return fail_index(pc, loop[0].integer, length);
   Slot* element = place_of(numbers_[pc->c()], (pc + 1)->word) + which;
   *element = value;
-  if (most_turns_ != 0 || loop[1].integer == 0) return pc + 3;
+  if (loop[1].integer == 0) return pc + 3;
   const std::int64_t step = loop[2].integer;
   const std::int64_t paid = (limit_ - address(pc) - 1) / (kWordsATurn * kWord);
   const std::int64_t turns = std::max<std::int64_t>(

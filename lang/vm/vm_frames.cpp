@@ -113,16 +113,16 @@ Vm::State Vm::leave(Code pc, Code resume, State state) {
   return state;
 }
 
-void Vm::limit_turns(std::uint32_t most) {
-  turns_.assign(chunk_.code.size(), 0);
-  most_turns_ = most;
-}
+void Vm::limit_turns(std::uint32_t most) { most_turns_ = most; }
 
 /// The loops inside this one begin anew with each of its turns.
 bool Vm::count_turn(Code pc, Code target) {
-  const auto first = turns_.begin() + (target - chunk_.code.data());
-  std::fill(first + 1, turns_.begin() + (pc - chunk_.code.data()), 0U);
-  if (++*first < most_turns_) return true;
+  const Opcode before = (pc - 2)->opcode();  // `pc` is behind the jump
+  if (before == Opcode::for_next_int || before == Opcode::for_next_real) return true;
+  turns_.erase(turns_.upper_bound(index(target)), turns_.lower_bound(index(pc)));
+  Turns& turns = turns_[index(target)];
+  if (turns.motions != motions_) turns = {0, motions_};
+  if (++turns.count < most_turns_) return true;
   circling_ = line(target);
   return false;
 }

@@ -73,7 +73,7 @@ Reply Vm::feel(Code pc) {
 }
 
 Reply Vm::stand(Code pc) {
-  if (!turns_.empty()) turns_[index(pc)] = 0;  // a WAIT that looks again is no loop
+  turns_.erase(index(pc));  // a WAIT that looks again is no loop
   const Reply reply = machine_->stand(line(pc), numbers_[pc->a()].real);
   if (reply == Reply::Done) {
     observed_ = true;

@@ -169,11 +169,13 @@ Vm::Step Vm::step(Code pc) {
       MoveCommand command;
       if (!build(pc, command)) return fail(pc, std::move(error_));
       ROB_ASK(machine_->move(line(pc), command), pc);
+      ++motions_;
       return pc + 1;
     }
     case Opcode::move_to: {
       const MoveCommand command = build_plain(pc);
       ROB_ASK(machine_->move(line(pc), command), pc);
+      ++motions_;
       return pc + 1 + 2 * std::popcount(command.given);
     }
     case Opcode::live_pace:

@@ -109,6 +109,7 @@ Guide::Choice Guide::choose(const Piece& piece, double rest) const noexcept {
   if (brakes_now) {
     // Above the square, as behind a lowered override, as hard as the axes can.
     choice.control = std::min(range.high, std::max(range.lowest, (end - on.x) / (2 * rest)));
+    if (ring_.cut(index_)) choice.limit = {GuideLimit::Kind::EndOfPath, -1};
   } else if (on.x >= most * (1 - kSame)) {
     choice.control = std::clamp(0.0, std::min(range.low, range.high), range.high);
     if (choice.control == 0) choice.limit = cruising;

@@ -15,6 +15,7 @@ struct GuideLimit {
     Override,      ///< the same, at an override below 1
     Speed,         ///< of an axis
     Acceleration,  ///< of an axis
+    EndOfPath,     ///< what is known ends too soon
     Braking        ///< by request
   };
   Kind kind = Kind::None;

@@ -169,13 +169,19 @@ void PathPlanner::publish(bool anew) {
 void PathPlanner::pass_back(PathRing::Index ready, bool anew) {
   const PathRing::Index first_new = ring_.end();
   double square = 0;
+  bool cut = ready > 0 && !ring_.run_end(ready - 1);
+  if (ready > 0) ring_.set_cut(ready - 1, cut);
   for (PathRing::Index i = ready; i > ring_.begin() + 1; --i) {
     const Piece& piece = ring_.written(i - 1);
     const Piece& before = ring_.written(i - 2);
     const double cap = std::min(top_square(piece), top_square(before));
-    square = ring_.run_end(i - 2) ? 0 : reachable_square(piece, square, cap);
-    if (i - 1 < first_new && !anew && square == ring_.square(i - 2)) break;
+    const bool rests = ring_.run_end(i - 2);
+    square = rests ? 0 : reachable_square(piece, square, cap);
+    cut = cut && !rests && square < cap;
+    const bool same = square == ring_.square(i - 2) && cut == ring_.cut(i - 2);
+    if (i - 1 < first_new && !anew && same) break;
     if (i - 1 == first_new) ring_.publish(ready);
+    ring_.set_cut(i - 2, cut);
     ring_.set_square(i - 2, square);
   }
   ring_.publish(ready);

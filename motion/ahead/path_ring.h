@@ -51,6 +51,8 @@ class PathRing {
   void set_square(Index at, double square) noexcept {
     slot(at).square.store(square, std::memory_order_release);
   }
+  /// Whether the square is so small only since nothing is known behind the last piece.
+  void set_cut(Index at, bool is) noexcept { slot(at).cut.store(is, std::memory_order_relaxed); }
   void set_run_end(Index at, bool is) noexcept {
     slot(at).run_end.store(is, std::memory_order_release);
   }
@@ -75,6 +77,7 @@ class PathRing {
     return at < tail_.load(std::memory_order_acquire) ? &slot(at).piece : nullptr;
   }
   double square(Index at) const noexcept { return slot(at).square.load(std::memory_order_acquire); }
+  bool cut(Index at) const noexcept { return slot(at).cut.load(std::memory_order_relaxed); }
   /// Whether the path comes to rest at the end of the piece, as planned.
   bool run_end(Index at) const noexcept { return slot(at).run_end.load(std::memory_order_acquire); }
   /// Pieces before `at` are not looked at any more.
@@ -114,6 +117,7 @@ class PathRing {
     Piece piece;
     std::atomic<double> square{0};
     std::atomic<bool> run_end{false};
+    std::atomic<bool> cut{false};
   };
   Slot& slot(Index at) noexcept { return slots_[static_cast<std::size_t>(at % slots_.size())]; }
   const Slot& slot(Index at) const noexcept {

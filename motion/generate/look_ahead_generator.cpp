@@ -28,8 +28,10 @@ std::uint8_t number_of(const GuideLimit& limit) noexcept {
       return kPace;
     case GuideLimit::Kind::Override:
       return kOverride;
+    case GuideLimit::Kind::EndOfPath:
+      return kEndOfBuffer;
     case GuideLimit::Kind::Speed:
-      return of_axis(kSpeed, limit.axis);
+      return limit.axis < 0 ? kNone : of_axis(kSpeed, limit.axis);
     case GuideLimit::Kind::Acceleration:
     case GuideLimit::Kind::Braking:
       return limit.axis < 0 ? kNone : of_axis(kAcceleration, limit.axis);
@@ -92,10 +94,20 @@ void LookAheadGenerator::step_guide() noexcept {
   ring_.rate.store(guide_.rate(), std::memory_order_relaxed);
   if (!runs) return;
   average_.take(guide_);
-  history_.forget(guide_time() - lag());
+  tell_missed_leads();
+  history_.forget(guide_time() - lag() - period());  // what was passed in this period is kept
   const PathRing::Index kept = guide_.index() > 0 ? guide_.index() - 1 : 0;
   released_ = std::max(released_, std::min(average_.oldest(), kept));
   ring_.release(released_);
+}
+
+void LookAheadGenerator::tell_missed_leads() noexcept {
+  while (const auto missed = events_.take_missed(history_, guide_time(), lag(), period())) {
+    tell({.kind = MotionEvent::Kind::LeadMissed,
+          .time = missed->time + skipped_,
+          .tag = missed->tag,
+          .value = missed->error});
+  }
 }
 
 bool LookAheadGenerator::beyond_end() const noexcept { return cursor() > end_ + rounding(end_); }
@@ -157,6 +169,7 @@ void LookAheadGenerator::begin_run(const PathLeg& leg) noexcept {
   guide_.begin_run(leg.begin);
   average_.begin_run(leg.average, guide_);
   history_.begin(guide_time(), leg.begin);
+  events_.begin_run();
 }
 
 void LookAheadGenerator::expect_events(const SegmentDescriptor& next, double instant) noexcept {
@@ -199,7 +212,8 @@ void LookAheadGenerator::sample_path(GeneratorSample& sample) const noexcept {
   PathPoint p = average_.mean();
   sample.sigma = length() > 0 ? average_.sigma() - begin_ : 0;
   sample.rate = average_.rate();
-  sample.limit = guide_.at_path_end() ? limit_number::kEndOfBuffer : number_of(guide_.limit());
+  const bool stopped_short = guide_.at_path_end() && !guide_.at_run_end();
+  sample.limit = stopped_short ? limit_number::kEndOfBuffer : number_of(guide_.limit());
   if (profiled()) {
     sample.sigma = clock_.path_time() - zero_;
     sample.rate = clock_.rate();

@@ -80,6 +80,7 @@ class LookAheadGenerator final : public SegmentGenerator {
   bool beyond_end() const noexcept;
   double arrival() const noexcept;
   void step_guide() noexcept;
+  void tell_missed_leads() noexcept;
   void finish_drop() noexcept;
   void begin_run(const PathLeg& leg) noexcept;
   void begin_profile(const SegmentDescriptor& next) noexcept;

@@ -14,6 +14,7 @@ struct MotionEvent {
                      ///< the look-ahead law, where it is not known beforehand
     EffectDue,       ///< effect
     LateDecision,    ///< tag: nothing was known at the decision point; the target is made exact
+    LeadMissed,      ///< tag; value: s by which a path event came too early, below 0 too late
     Finished,        ///< everything commanded has been done; the axes stand
     Hit,             ///< tag; number: the guard of this motion holds; it brakes
     Braking,         ///< tag; number: it brakes, since it was asked to or its guard has no answer

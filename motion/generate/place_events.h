@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "motion/generate/guide_history.h"
 #include "motion/plan/segment_descriptor.h"
@@ -23,7 +24,18 @@ class PlaceEvents {
   /// What is due at `now`, the earliest first, where references lag by `lag`; null: nothing.
   const Effect* take(const Guide& guide, const GuideHistory& history, double now, double lag,
                      double& due) noexcept;
-  void drop() noexcept { count_ = 0; }
+  /// A LEAD that was not kept: what the guide did was not what had been foreseen.
+  struct Missed {
+    Tag tag = 0;
+    double time = 0;   ///< the references passed the place
+    double error = 0;  ///< s by which the event came too early; below 0: too late
+  };
+  /// One at a time; those by less than `tolerance`, s, count as kept.
+  std::optional<Missed> take_missed(const GuideHistory& history, double now, double lag,
+                                    double tolerance) noexcept;
+  void drop() noexcept { count_ = led_count_ = 0; }
+  /// The history begins anew.
+  void begin_run() noexcept { led_count_ = 0; }
 
  private:
   struct Entry {
@@ -37,6 +49,19 @@ class PlaceEvents {
   /// [choice] the events of eight legs, whose lags may overlap
   static constexpr std::size_t kMost = 8 * SegmentDescriptor::kMostEvents;
 
+  /// What came before its place, until that is passed.
+  struct Led {
+    Tag tag = 0;
+    double sigma = 0;
+    double lead = 0;
+    double came = 0;
+  };
+  void remember(const Entry& entry, double due, double now) noexcept;
+
+  std::array<Led, kMost> led_;
+  std::size_t led_count_ = 0;
+  double looked_ = 0;  ///< the last look, and the one before
+  double before_ = 0;
   std::array<Entry, kMost> entries_;
   std::size_t count_ = 0;
   Effect taken_;

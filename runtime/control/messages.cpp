@@ -194,6 +194,11 @@ std::string text_for_stopped_jog(int axis, const motion::RobotModel& robot) {
                      axis_of(robot, axis).name);
 }
 
+std::string text_for_missed_lead(double error) {
+  return fmt::format("a path event with LEAD came {} s too {}", shown(std::abs(error), 3),
+                     error > 0 ? "early" : "late");
+}
+
 Words words_for_overrun(double lateness) {
   return {code::kOverrun,
           fmt::format("motion control came {:.0f} ms late, more than can be made up; the robot was"

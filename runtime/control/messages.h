@@ -40,6 +40,8 @@ Words words_for_long_path(std::size_t most);
 Words words_for(const motion::FollowingFinding& finding, const motion::RobotModel& robot);
 /// Why a jog goes no further: the axis whose way ends there, −1: none.
 std::string text_for_stopped_jog(int axis, const motion::RobotModel& robot);
+/// A path event that came too early by so many s; below 0: too late.
+std::string text_for_missed_lead(double error);
 /// The motion task was so late that the path could not be made up.
 Words words_for_overrun(double lateness);
 /// A reference that is no number was about to be sent.

@@ -1,6 +1,5 @@
 #include "runtime/control/program_log.h"
 
-#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -26,10 +25,10 @@ std::uint32_t ProgramLog::keep(Note note) {
 
 void ProgramLog::found(lang::Diagnostic finding) {
   const std::scoped_lock lock(mutex_);
-  const bool known = std::any_of(findings_.begin(), findings_.end(), [&](const auto& other) {
-    return other.code == finding.code && other.place == finding.place;
-  });
-  if (!known) findings_.push_back(std::move(finding));  // a loop finds it only once
+  const lang::Place& place = finding.place;
+  if (!found_.insert({finding.code, place.file, place.line, place.column}).second)
+    return;  // a loop finds it only once
+  if (findings_.size() < lang::Diagnostics::kMost) findings_.push_back(std::move(finding));
 }
 
 void ProgramLog::expect_failed(FailedExpect failure) {
@@ -73,6 +72,11 @@ Note ProgramLog::take_note(std::uint32_t id) {
 std::vector<lang::Diagnostic> ProgramLog::findings() const {
   const std::scoped_lock lock(mutex_);
   return findings_;
+}
+
+std::size_t ProgramLog::findings_left_out() const {
+  const std::scoped_lock lock(mutex_);
+  return found_.size() - findings_.size();
 }
 
 std::int64_t ProgramLog::effects() const {

@@ -5,7 +5,9 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "lang/text/diagnostic.h"
@@ -58,7 +60,9 @@ class ProgramLog {
   std::optional<LoggedSegment> take_planned(std::uint32_t number);
   /// Once.
   Note take_note(std::uint32_t id);
+  /// The first of them, one for each code and place; of the others the number.
   std::vector<lang::Diagnostic> findings() const;
+  std::size_t findings_left_out() const;
   std::int64_t effects() const;
   /// The first of them; a loop could make any number.
   std::vector<FailedExpect> failed_expects() const;
@@ -70,6 +74,8 @@ class ProgramLog {
   std::map<std::uint32_t, Note> notes_;             ///< by number
   std::uint32_t next_note_ = 0;
   std::vector<lang::Diagnostic> findings_;
+  using Found = std::tuple<std::string, std::uint32_t, std::uint32_t, std::uint32_t>;
+  std::set<Found> found_;  ///< code, file, line, column
   std::int64_t effects_ = 0;
   static constexpr std::size_t kMostFailedExpects = 100;
   std::vector<FailedExpect> failed_expects_;

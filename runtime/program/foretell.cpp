@@ -22,7 +22,7 @@ namespace {
 
 /// docs/language.md, what `rob check` assumes.
 constexpr RunLimits kForetellLimits{3600, 100'000'000};
-constexpr std::uint32_t kForetellTurns = 1000;
+constexpr std::uint32_t kForetellTurns = 10'000;
 
 /// By signal number the names of the inputs that neither the simulated machine nor the script
 /// drives; empty for all others.
@@ -82,7 +82,9 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   if (task.circling() != 0) {
     result.findings.push_back(
         {lang::Severity::Note, code::kCircling, lang::tagged_place(task.circling()),
-         fmt::format("the loop goes on; it was foretold for {} turns", kForetellTurns), ""});
+         fmt::format("the loop goes on; it was foretold for {} turns without a motion",
+                     kForetellTurns),
+         ""});
   }
   if (timing.waits_for_ever) {
     result.findings.push_back(

@@ -79,8 +79,9 @@ void add_foretold(RunResult& result, const RunResult& foretold) {
   result.planned = foretold.planned;
   result.foretold = result.lines.size() == foretold.lines.size();
   for (LineResult& line : result.lines) {
-    const auto same = std::ranges::find(foretold.lines, line.line, &LineResult::line);
-    line.foretold = same != foretold.lines.end() && same->count == line.count;
+    const auto same = std::ranges::lower_bound(foretold.lines, line.line, {}, &LineResult::line);
+    line.foretold =
+        same != foretold.lines.end() && same->line == line.line && same->count == line.count;
     if (line.foretold) line.planned = same->planned;
     result.foretold = result.foretold && line.foretold;
   }

@@ -46,7 +46,7 @@ RunResult of_program(const LoadedProgram& program, RunResult result) {
   result.file = program.file;
   result.used = used_names(program);
   if (result.error) place_in(program, *result.error);
-  result.findings_left_out = program.compilation.diagnostics.left_out();
+  result.findings_left_out += program.compilation.diagnostics.left_out();
   const auto& found = program.compilation.diagnostics.all();
   result.findings.insert(result.findings.begin(), found.begin(), found.end());
   return result;

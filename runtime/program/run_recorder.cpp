@@ -85,6 +85,9 @@ void RunRecorder::take(const MotionEvent& event) {
       add_event(event.time, "late-decision", static_cast<int>(event.tag),
                 "the next motion was not known in time; the target was made exact");
       break;
+    case MotionEvent::Kind::LeadMissed:
+      add_event(event.time, "lead", static_cast<int>(event.tag), text_for_missed_lead(event.value));
+      break;
     case MotionEvent::Kind::Hit:
     case MotionEvent::Kind::Braking:
       begin_early_end(event);
@@ -339,6 +342,7 @@ LineResult& RunRecorder::line_of(const LoggedSegment& segment) {
 RunResult RunRecorder::finish() {
   result_.dropped_effects += log_.effects();
   result_.findings = log_.findings();
+  result_.findings_left_out = log_.findings_left_out();
   result_.lost_rows = channels_.lost.load();
   // An instant that is a whole number of periods must not become one cycle more by rounding.
   constexpr double kRounding = 1e-7;

@@ -41,8 +41,8 @@ void SlowPlaces::take(const motion::GeneratorSample& sample, double way) {
   const std::optional<Leg>& leg = begun_ ? begun_ : leg_;
   const bool along = leg && leg->bounds.length > 0;
   Passed next{sample, along && sample.state == motion::MotionState::Running};
-  next.moves = next.moves && sample.rate > kStands &&
-               way > kTurning * sample.rate * robot_.reference_period;
+  next.moves =
+      next.moves && sample.rate > kStands && way > kTurning * sample.rate * robot_.reference_period;
   judge(next);
   if (begun_) {
     close_leg();
@@ -76,7 +76,9 @@ SlowPlace SlowPlaces::describe() const {
   place.time = sample.reference.time;
   place.at = std::clamp(sample.sigma, 0.0, length) * kMillimetresPerMetre;
   place.speed = sample.rate * kMillimetresPerMetre;
-  place.corner = sample.sigma <= corner_behind_ || sample.sigma >= length - corner_of(leg_->bounds);
+  const double step = sample.rate * robot_.reference_period;  // the least speed lies in between
+  place.corner = sample.sigma <= corner_behind_ + step ||
+                 sample.sigma >= length - corner_of(leg_->bounds) - step;
   place.near = robot_.kinematics->nearest_singularity(sample.reference.q, kNear);
   return place;
 }

@@ -200,6 +200,67 @@ TEST_CASE("a program that falls silent slows the robot smoothly to a stop, and i
   check_limits(run);
 }
 
+TEST_CASE("the end of what is known is told where the guide brakes for it, and only there") {
+  const auto told = [](const LookAheadRun& run) {
+    std::vector<double> times;
+    for (const GeneratorSample& sample : run.samples())
+      if (sample.limit == 20) times.push_back(sample.reference.time);
+    return times;
+  };
+  LookAheadRun known;
+  known.move(40, 0);
+  known.move(40, 40);
+  known.close();
+  known.finish();
+  CHECK(told(known).empty());
+
+  LookAheadRun silent;
+  silent.move(40, 0);
+  silent.until(4);
+  const std::vector<double> times = told(silent);
+  // 40 mm at 20 mm/s and 100 mm/s²: the guide speeds up for 0.2 s, and brakes from 2 s on, less
+  // what a corner there could take.
+  REQUIRE(times.size() > 3);
+  CHECK(times.front() > 1.5);
+  CHECK(times.front() < 2);
+  CHECK(times.back() < 2.3);
+}
+
+TEST_CASE("a LEAD is kept while the override stays, and else tells by how much it was not") {
+  constexpr double kLead = 0.4;
+  for (const double later : {1.0, 0.5}) {
+    CAPTURE(later);
+    LookAheadRun run;
+    SegmentDescriptor segment =
+        std::get<PlannedSegment>(run.planner().plan(move_to(gantry_q(100, 0, 0)))).segment;
+    segment.events = 1;
+    segment.on_the_way[0].share = 0.5;
+    segment.on_the_way[0].lead = kLead;
+    run.push(segment);
+    run.close();
+    while (run.all(Kind::ActionDue).empty()) run.step();
+    const double came = run.all(Kind::ActionDue)[0].time;
+    run.generator().set_override(later);
+    run.finish();
+    // The line's middle, at even speed: where the references are between two samples.
+    double passed = 0;
+    for (const GeneratorSample& sample : run.samples()) {
+      const JointReference& r = sample.reference;
+      if (r.q[0] < 0.05) passed = r.time + (0.05 - r.q[0]) / r.qd[0];
+    }
+    const auto missed = run.all(Kind::LeadMissed);
+    if (later == 1) {
+      CHECK(missed.empty());
+      CHECK(passed - came == doctest::Approx(kLead).epsilon(1e-9));
+      continue;
+    }
+    REQUIRE(missed.size() == 1);
+    CHECK(missed[0].time == doctest::Approx(passed));
+    CHECK(missed[0].value == doctest::Approx(passed - came - kLead));
+    CHECK(missed[0].value > 0.1);
+  }
+}
+
 TEST_CASE("a dwell takes its time, under any override") {
   LookAheadRun run;
   run.move(20, 0);

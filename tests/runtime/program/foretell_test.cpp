@@ -63,15 +63,43 @@ TEST_CASE("what the simulated robot or the script drives is not assumed") {
   CHECK(result.planned >= 2);
 }
 
-TEST_CASE("a loop is followed for a thousand turns, and what it commanded is foretold") {
+TEST_CASE(
+    "a loop without a motion is followed for ten thousand turns, and what it did is foretold") {
   const RunResult endless = foretold("PRINT 0\nLOOP\nPRINT 1\nENDLOOP");
-  CHECK(findings(endless) == Texts{"3 N632 the loop goes on; it was foretold for 1000 turns"});
-  CHECK(endless.output.size() == 1001);
+  CHECK(findings(endless) ==
+        Texts{"3 N632 the loop goes on; it was foretold for 10000 turns without a motion"});
+  CHECK(endless.output.size() == 10'001);
   CHECK(endless.status == "done");
   const RunResult nested = foretold(
-      "VAR n = 0\nFOR i = 1 TO 30 DO\nFOR j = 1 TO 900 DO\nn = n + 1\nENDFOR\nENDFOR\nPRINT n");
+      "VAR n = 0\nVAR i = 0\nVAR j = 0\nWHILE i < 30 DO\ni = i + 1\nj = 0\nWHILE j < 9000 DO\n"
+      "j = j + 1\nn = n + 1\nENDWHILE\nENDWHILE\nPRINT n");
   CHECK(findings(nested).empty());
-  CHECK(nested.output == Texts{"27000"});
+  CHECK(nested.output == Texts{"270000"});
+}
+
+TEST_CASE("a FOR is followed to its end, and so is every loop that moves, an hour long at most") {
+  const RunResult counted =
+      foretold("VAR n = 0\nFOR i = 1 TO 20000 DO\nn = n + i\nENDFOR\nPRINT n");
+  CHECK(findings(counted).empty());
+  CHECK(counted.output == Texts{"200010000"});
+  // By S1 each of the 1200 motions takes 2·t_acc = 2.75 s, and the stop as much.
+  const RunResult moving = foretold(
+      "VAR n = 0\nWHILE n < 600 DO\nMOVE(1, 0, 0)\nn = n + 1\nMOVE(0, 0, 0)\nENDWHILE\nPRINT n");
+  CHECK(findings(moving).empty());
+  CHECK(moving.planned == doctest::Approx(1201 * 2.75));
+  const RunResult endless = foretold("LOOP\nMOVE(1, 0, 0)\nMOVE(0, 0, 0)\nENDLOOP");
+  REQUIRE(endless.findings.size() == 1);
+  CHECK(endless.findings[0].code == "N603");
+  CHECK(endless.planned == doctest::Approx(3600).epsilon(0.001));
+}
+
+TEST_CASE("of many findings the first hundred are told, and the number of the others") {
+  std::string text;
+  for (int i = 1; i <= 300; ++i) text += "MOVE(" + std::to_string(i % 2) + ", 0, 0) OVER 1s\n";
+  const RunResult result = foretold("FOR k = 1 TO 2 DO\n" + text + "ENDFOR");
+  CHECK(result.findings.size() == 100);
+  CHECK(result.findings_left_out == 200);
+  CHECK(findings(result)[99].starts_with("101 W602"));
 }
 
 TEST_CASE("a WAIT that looks again and again is no loop") {
