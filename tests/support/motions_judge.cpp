@@ -67,11 +67,14 @@ void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions,
   const auto curve = from_the_beginning(whole, motions.path.places.front());
   if (curve.empty()) return findings.push_back("the tool never stood where its way begins");
   const bool cut = !motions.averaged;
-  std::vector<double> bounds = cut ? cut_to_legs(motions.path, motions.misses) : motions.misses;
+  PathBounds allowed{cut ? cut_to_legs(motions.path, motions.misses) : motions.misses,
+                     motions.besides};
+  std::vector<double>& bounds = allowed.misses;
   for (double& bound : bounds) bound = 1.01 * bound + room;
+  for (double& bound : allowed.besides) bound = 1.01 * bound + room;
   // A way that is not known is looked at as a whole: each point must have been passed at some time.
   const double window = motions.known ? 60 : std::numeric_limits<double>::infinity();
-  const PathExcess excess = path_excess(curve, motions.path, bounds, window);
+  const PathExcess excess = path_excess(curve, motions.path, allowed, window);
   if (!(excess.miss <= 0)) {
     const Vector3d& point = motions.path.places[motions.path.points[excess.point]];
     findings.push_back(text_of(point) +

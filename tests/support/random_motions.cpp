@@ -60,7 +60,8 @@ class MotionWriter {
     return (p.array() >= robot_.least.array()).all() && (p.array() <= robot_.most.array()).all();
   }
   Vector3d round(const Vector3d& p) const { return (p * 100).array().round() / 100; }
-  void arrive(const Vector3d& place, double miss);
+  void arrive(const Vector3d& place, double miss, double beside = 0);
+  double bend(double miss) const;
   void exact() { made_.misses.back() = kExact; }
 
   Choice choice_;
@@ -72,11 +73,21 @@ class MotionWriter {
   bool jerk_all_ = false;
 };
 
-void MotionWriter::arrive(const Vector3d& place, double miss) {
+void MotionWriter::arrive(const Vector3d& place, double miss, double beside) {
   made_.path.places.push_back(place);
   made_.path.points.push_back(made_.path.places.size() - 1);
   made_.misses.push_back(miss);
+  made_.besides.push_back(beside);
   here_ = place;
+}
+
+/// The mean for the sake of JERK may cut a curve, by no more than the robot's zone nor by more than
+/// the corners at its ends miss theirs.
+double MotionWriter::bend(double miss) const {
+  double bend = robot_.look_ahead && robot_.kind != Kind::Arm ? robot_.zone : 0;
+  for (const double end : {miss, made_.misses.back()})
+    if (end > kExact) bend = std::min(bend, end);
+  return bend;
 }
 
 std::string MotionWriter::numbers(const Vector3d& place, int count) const {
@@ -214,8 +225,9 @@ void MotionWriter::arc() {
   double miss = 0;
   const std::string motion = "MOVEC VIA " + target(via, false) + " TO " + target(to, false);
   finish(motion, clauses(miss));
+  const double beside = bend(miss);
   made_.path.places.insert(made_.path.places.end(), places.begin(), places.end());
-  arrive(to, miss);
+  arrive(to, miss, beside);
 }
 
 void MotionWriter::spline() {
@@ -237,12 +249,8 @@ void MotionWriter::spline() {
   double miss = 0;
   line(motion + clauses(miss));
   made_.known = false;
-  // The mean for the sake of JERK may cut the curve, by no more than the robot's zone nor by more
-  // than the corners at its ends miss theirs.
-  double bend = robot_.look_ahead && robot_.kind != Kind::Arm ? robot_.zone : 0;
-  for (const double end : {miss, made_.misses.back()})
-    if (end > kExact) bend = std::min(bend, end);
-  for (const Vector3d& place : places) arrive(place, std::max(bend, kExact + 0.01));
+  const double beside = bend(miss);
+  for (const Vector3d& place : places) arrive(place, std::max(beside, kExact + 0.01));
   made_.misses.back() = miss;
 }
 

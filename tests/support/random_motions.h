@@ -30,15 +30,16 @@ struct MotionRobot {
 /// A program of all kinds of motions, and what is known of its way beforehand.
 struct RandomMotions {
   std::string text;
-  std::string signals;         ///< a signal script: what comes at random instants
-  std::string override_share;  ///< "87%": of --override
-  ProgrammedPath path;         ///< where the tool is led; its points are the targets
-  std::vector<double> misses;  ///< mm: by which each point may be missed
-  double jerk = 0;             ///< mm/s³ that every motion asks for; 0: not every one
-  std::vector<int> leaping;    ///< lines of the text whose acceleration leaps: they have a PROFILE
-  bool averaged = false;       ///< the jerk is bounded: corners may be longer than their legs
-  bool known = true;           ///< the path between the points is that of `path`
-  bool whole = true;           ///< nothing ends a motion before its target
+  std::string signals;          ///< a signal script: what comes at random instants
+  std::string override_share;   ///< "87%": of --override
+  ProgrammedPath path;          ///< where the tool is led; its points are the targets
+  std::vector<double> misses;   ///< mm: by which each point may be missed
+  std::vector<double> besides;  ///< mm: by which the tool may be beside the way to it
+  double jerk = 0;              ///< mm/s³ that every motion asks for; 0: not every one
+  std::vector<int> leaping;     ///< lines of the text whose acceleration leaps: they have a PROFILE
+  bool averaged = false;        ///< the jerk is bounded: corners may be longer than their legs
+  bool known = true;            ///< the path between the points is that of `path`
+  bool whole = true;            ///< nothing ends a motion before its target
 };
 
 /// The random program number `seed` for that robot: always the same for the same number. Motions of
