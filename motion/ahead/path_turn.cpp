@@ -131,10 +131,13 @@ class MovedByMean {
   /// σ' in a corner of that length that bends by `peak`·|turn|/2·half at most.
   double fastest(double half, double peak) const {
     constexpr int kHalvings = 30;
-    const double room = std::min(reach_ - half / 4, shared_reach(half) * kUsual);
-    if (room == kAny || moved(half, reserve_, bent_) <= room) return kAny;
+    const Neighbours near = neighbours(half);
+    const double room = std::min(reach_ - half / 4, shrinking(unit_, near.miss, kAny) * kUsual);
+    const bool crowd = near.in || near.out;
+    if (room == kAny || (crowd ? bent_ * even_ : moved(half, reserve_, bent_)) <= room) return kAny;
     double least = 2 * half / (average_ * average_);  // then it takes as long as the mean
-    if (moved(half, least, least) >= room) return std::sqrt(room / even_ * 2 * half / peak);
+    if (crowd || moved(half, least, least) >= room)
+      return std::sqrt(room / even_ * 2 * half / peak);
     double most = reserve_;
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = (least + most) / 2;
@@ -166,14 +169,20 @@ class MovedByMean {
     return even_ * (bent * (1 - part) + along_ / 2 * part);
   }
 
-  /// Neighbours whose corners the same mean takes in count with their zones, too.
-  double shared_reach(double half) const {
+  /// Corners at the other ends of the legs that the same mean takes in: their zones count, too,
+  /// and they bend where this one does not.
+  struct Neighbours {
+    bool in = false;
+    bool out = false;
+    double miss = kAny;
+  };
+  Neighbours neighbours(double half) const {
     const double speed = std::sqrt(2 * half * reserve_);
     const double way = (speed + along_ * average_ / 4) * average_ / 2;
-    double miss = kAny;
-    if (in_.length() / 2 <= way) miss = std::min(miss, in_.before);
-    if (out_.length() / 2 <= way) miss = std::min(miss, out_.segment.ahead.miss);
-    return shrinking(unit_, miss, kAny);
+    Neighbours near{in_.length() / 2 <= way, out_.length() / 2 <= way};
+    if (near.in) near.miss = std::min(near.miss, in_.before);
+    if (near.out) near.miss = std::min(near.miss, out_.segment.ahead.miss);
+    return near;
   }
 
   const ShapedLeg& in_;
