@@ -153,9 +153,9 @@ class MovedByMean {
   double spare(const ShapedLeg& leg, const PathPoint& place, const JointVector& turn) const {
     double most = kAny;
     for (int i = 0; i < turn.size(); ++i) {
-      const double left = leg.acceleration[i] - std::abs(turn[i]) * reserve_;
+      const double left = std::max(leg.acceleration[i] - std::abs(turn[i]) * reserve_, 0.0);
       const double slope = std::abs(place.qd[i]);
-      if (slope * most > left) most = std::max(left, 0.0) / slope;
+      if (slope * most > left) most = left / slope;
     }
     return most;
   }
