@@ -16,6 +16,7 @@ using Kind = MotionRobot::Kind;
 
 constexpr double kExact = 1e-3;  ///< mm: what a target that is reached may be missed by
 constexpr double kAny = 1e9;
+const Vector3d kFrame{10, -20, 0};  ///< mm: where the frame `shifted` stands
 
 /// Writes a program and follows its way.
 class MotionWriter {
@@ -37,8 +38,11 @@ class MotionWriter {
   void spline();
   void dense();
   void repeated();
+  void reversal();
+  void single_axis();
   void profile();
   void jog();
+  void handler();
   void signals();
 
   // Parts of them.
@@ -49,7 +53,8 @@ class MotionWriter {
   std::string zone(double& miss);
   std::string clauses(double& miss);
   std::string jerk();
-  void finish(const std::string& motion, const std::string& clauses);
+  void finish(const std::string& motion, const std::string& clauses, double length);
+  void mark(double length);
   std::string seconds(int least_ms, int most_ms) {
     return decimal(choice_.between(least_ms, most_ms), 3) + "s";
   }
@@ -71,6 +76,7 @@ class MotionWriter {
   int lines_ = 0;
   int turn_ = 0;  ///< deg: of the gantry's axis
   bool jerk_all_ = false;
+  bool marked_ = false;  ///< DOUT[8] is on
 };
 
 void MotionWriter::arrive(const Vector3d& place, double miss, double beside) {
@@ -167,21 +173,33 @@ std::string MotionWriter::jerk() {
 }
 
 /// Behind the motion: nothing, a condition that ends it, or outputs on the way.
-void MotionWriter::finish(const std::string& motion, const std::string& clauses) {
+void MotionWriter::finish(const std::string& motion, const std::string& clauses, double length) {
   if (!made_.whole && choice_.percent(20))
     return line(motion + clauses + " UNTIL DIN[" + std::to_string(choice_.between(2, 4)) + "]");
-  if (!choice_.percent(10)) return line(motion + clauses);
+  if (length < 0.5 || !choice_.percent(15)) return line(motion + clauses);
   line(motion + clauses + " DO");
-  line(std::string("  ") + (choice_.percent(50) ? "AFTER" : "BEFORE") + " 0.1mm : DOUT[" +
-       std::to_string(choice_.between(1, 7)) + "] = " + (choice_.percent(50) ? "ON" : "OFF"));
+  mark(length);
   line("ENDMOVE");
+}
+
+void MotionWriter::mark(double length) {
+  const int hundredths = choice_.between(10, static_cast<int>(std::min(length, 20.0) * 100) - 1);
+  const bool after = choice_.percent(50);
+  const int lag_ms = choice_.percent(30) ? choice_.between(1, 100) : 0;
+  marked_ = !marked_;
+  const double place = after ? hundredths / 100.0 : length - hundredths / 100.0;
+  made_.marks.push_back({lines_, place, lag_ms / 1000.0});
+  line(std::string(after ? "  AFTER " : "  BEFORE ") + decimal(hundredths, 2) + "mm" +
+       (lag_ms > 0 ? " LAG " + decimal(lag_ms, 3) + "s" : "") +
+       " : DOUT[8] = " + (marked_ ? "ON" : "OFF"));
 }
 
 void MotionWriter::straight(const std::string& word, const Vector3d& to) {
   double miss = 0;
-  const std::string motion = word + target(to, true);
-  const std::string how = clauses(miss);
-  finish(motion, how);
+  const bool framed = word == "MOVEL" && robot_.kind != Kind::Arm && choice_.percent(15);
+  const std::string motion = word + target(framed ? to - kFrame : to, true);
+  const std::string how = (framed ? " IN shifted" : "") + clauses(miss);
+  finish(motion, how, (to - here_).norm());
   if (word == "MOVE" && robot_.kind == Kind::Arm) made_.known = false;
   arrive(to, miss);
 }
@@ -192,7 +210,7 @@ void MotionWriter::relative() {
   if (!made_.whole) return straight("MOVEL", to);
   double miss = 0;
   const std::string motion = "MOVEL BY (" + numbers(to - here_, 3) + ")";
-  finish(motion, clauses(miss));
+  finish(motion, clauses(miss), (to - here_).norm());
   arrive(to, miss);
 }
 
@@ -224,7 +242,7 @@ void MotionWriter::arc() {
   }
   double miss = 0;
   const std::string motion = "MOVEC VIA " + target(via, false) + " TO " + target(to, false);
-  finish(motion, clauses(miss));
+  finish(motion, clauses(miss), std::abs(whole) * (here_ - centre).norm());
   const double beside = bend(miss);
   made_.path.places.insert(made_.path.places.end(), places.begin(), places.end());
   arrive(to, miss, beside);
@@ -279,6 +297,25 @@ void MotionWriter::repeated() {
   arrive(here_, miss);
 }
 
+/// Back the way it came, or a part of it.
+void MotionWriter::reversal() {
+  if (made_.path.places.size() < 2) return;
+  const Vector3d from = made_.path.places[made_.path.places.size() - 2];
+  const Vector3d to = round(here_ + choice_.between(20, 100) / 100.0 * (from - here_));
+  if ((to - here_).norm() >= 0.1) straight("MOVEL", to);
+}
+
+void MotionWriter::single_axis() {
+  if (robot_.kind == Kind::Arm || !made_.whole) return straight("MOVE", near_place());
+  const int axis = choice_.between(0, 1);
+  Vector3d to = near_place();
+  to[1 - axis] = here_[1 - axis], to.z() = here_.z();
+  double miss = 0;
+  line("MOVE JOINT " + std::to_string(axis + 1) + " TO " +
+       decimal(std::llround(to[axis] * 100), 2) + "mm" + clauses(miss));
+  arrive(to, miss);
+}
+
 void MotionWriter::profile() {
   static const std::vector<std::string> shapes = {"RECTANGULAR", "TRAPEZOIDAL", "PARABOLIC",
                                                   "COSINE"};
@@ -313,7 +350,9 @@ void MotionWriter::still() {
 
 void MotionWriter::motion() {
   const int kind = choice_.below(100);
-  if (kind < 35) return straight("MOVE", near_place());
+  if (kind < 28) return straight("MOVE", near_place());
+  if (kind < 32) return reversal();
+  if (kind < 35) return single_axis();
   if (kind < 60) return straight("MOVEL", near_place());
   if (kind < 68) return relative();
   if (kind < 80) return arc();
@@ -325,6 +364,14 @@ void MotionWriter::motion() {
 }
 
 void MotionWriter::statement() { choice_.percent(75) ? motion() : still(); }
+
+/// Leaves the path, and comes back to where it was left.
+void MotionWriter::handler() {
+  line("WHEN DIN[5] DO");
+  line("  MOVEL BY (1, 1, 0)");
+  line("  WAIT " + seconds(0, 100));
+  line("ENDWHEN");
+}
 
 /// Exactly to where the way begins.
 void MotionWriter::first() {
@@ -346,7 +393,7 @@ void MotionWriter::signals() {
         "at " + decimal(ms, 3) + "s DIN[1] = OFF\nat " + decimal(ms, 3) + "s GO = ON\n";
   }
   if (made_.whole) return;
-  for (int input = 2; input <= 4; ++input)
+  for (int input = 2; input <= 5; ++input)
     made_.signals += "at " + seconds(100, 6000) + " DIN[" + std::to_string(input) + "] = ON\n";
 }
 
@@ -356,8 +403,10 @@ RandomMotions MotionWriter::write() {
   if (jerk_all_) made_.jerk = 1000.0 * choice_.between(2, 100);
   made_.override_share = std::to_string(choice_.percent(60) ? 100 : choice_.between(10, 200)) + "%";
   signals();
+  if (robot_.kind != Kind::Arm) line("FRAME shifted = POSE(10mm, -20mm, 0mm, 0deg, 0deg, 0deg)");
   first();
   line("WHEN DIN[1] : HALT \"held\"");
+  if (!made_.whole && choice_.percent(50)) handler();
   for (int k = choice_.between(3, 25); k > 0; --k) statement();
   const Vector3d end = near_place();
   line("MOVE" + target(end, false) + " FINE" + jerk());

@@ -27,6 +27,13 @@ struct MotionRobot {
   bool look_ahead = false;              ///< ACCEL and JERK are possible
 };
 
+/// An output on the way of a motion: the next change of DOUT[8].
+struct PathMark {
+  int line = 0;      ///< of the motion, in the text
+  double place = 0;  ///< mm from its beginning
+  double lag = 0;    ///< s later
+};
+
 /// A program of all kinds of motions, and what is known of its way beforehand.
 struct RandomMotions {
   std::string text;
@@ -35,6 +42,7 @@ struct RandomMotions {
   ProgrammedPath path;          ///< where the tool is led; its points are the targets
   std::vector<double> misses;   ///< mm: by which each point may be missed
   std::vector<double> besides;  ///< mm: by which the tool may be beside the way to it
+  std::vector<PathMark> marks;  ///< where nothing ends a motion early: in order
   double jerk = 0;              ///< mm/s³ that every motion asks for; 0: not every one
   std::vector<int> leaping;     ///< lines of the text whose acceleration leaps: they have a PROFILE
   bool averaged = false;        ///< the jerk is bounded: corners may be longer than their legs
@@ -44,8 +52,9 @@ struct RandomMotions {
 
 /// The random program number `seed` for that robot: always the same for the same number. Motions of
 /// all kinds, dense runs of short ones, repeated targets, every kind of ZONE, AT, OVER, ACCEL,
-/// JERK, PROFILE, outputs behind and along motions, WAIT, STOP, OVERRIDE; holds (WHEN … HALT) and,
-/// in one program of four, UNTIL, BRAKE and JOG at random instants. The last motion is exact.
+/// JERK, PROFILE, reversals, single axes, targets in a frame, outputs behind and along motions,
+/// WAIT, STOP, OVERRIDE; holds (WHEN … HALT) and, in one program of four, UNTIL, BRAKE, JOG and a
+/// handler that moves, at random instants. The last motion is exact.
 RandomMotions random_motions(std::uint64_t seed, const MotionRobot& robot);
 
 }  // namespace rob::test
