@@ -91,9 +91,19 @@ void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions,
   }
 }
 
-/// Each change of DOUT[8] has to come where the sigma of its motion is what was asked for.
+/// s: the longest mean of the references.
+double longest_mean(const MotionRobot& robot, const RandomMotions& motions) {
+  double longest = 0;
+  for (const AxisBounds& axis : robot.axes) longest = std::max(longest, 2 * axis.a / axis.j);
+  if (motions.least_jerk > 0)
+    longest = std::max(longest, 2 * robot.axes.front().a / motions.least_jerk);
+  return std::min(longest, 2.0);
+}
+
+/// Each change of DOUT[8] has to come where the sigma of its motion is what was asked for: half of
+/// the mean's time T after the guide, which the references are a·T²/24 away from.
 void judge_marks(const TracedRun& run, const RandomMotions& motions, double acceleration,
-                 std::vector<std::string>& findings) {
+                 double mean, std::vector<std::string>& findings) {
   constexpr double kMm = 1000;  // sigma of a trace is in m
   std::vector<double> times;
   for (const auto& change : run.report["signals"])
@@ -110,7 +120,7 @@ void judge_marks(const TracedRun& run, const RandomMotions& motions, double acce
       const double since = times[i] - mark.lag - row.t;
       return row.line == mark.line && std::abs(since) <= 1.001 * period &&
              std::abs((row.sigma + row.rate * since) * kMm - mark.place) <=
-                 acceleration * period * period + 1e-3;
+                 acceleration * (period * period + mean * mean / 24) + 1e-3;
     };
     if (std::none_of(rows.begin(), rows.end(), near))
       findings.push_back(
@@ -138,7 +148,8 @@ std::vector<std::string> judge_motions(const std::string& rob, const MotionRobot
   const double room = robot.kind == MotionRobot::Kind::Arm ? kArmLine : 0;
   if (motions.whole) judge_way(curve, motions, room, findings);
   if (motions.whole && linear_axes(robot) > 0)
-    judge_marks(run, motions, std::sqrt(3) * axes.front().a, findings);
+    judge_marks(run, motions, std::sqrt(3) * axes.front().a, longest_mean(robot, motions),
+                findings);
   const double off = (curve.back() - motions.path.places.back()).norm();
   if (!(off < 1e-6)) findings.push_back(text_of("the end is off by %g mm%.0s", off, 0));
   return findings;

@@ -163,8 +163,11 @@ std::string MotionWriter::clauses(double& miss) {
   if (choice_.percent(10))
     text += " ACCEL " + std::to_string(choice_.between(100, 1000)) + "mm/s^2";
   if (jerk_all_) return text + jerk();
-  if (choice_.percent(10)) text += " JERK " + std::to_string(choice_.between(2, 100)) + "000mm/s^3";
-  return text;
+  if (!choice_.percent(10)) return text;
+  const int thousands = choice_.between(2, 100);
+  const double jerk = 1000.0 * thousands;
+  made_.least_jerk = made_.least_jerk > 0 ? std::min(made_.least_jerk, jerk) : jerk;
+  return text + " JERK " + std::to_string(thousands) + "000mm/s^3";
 }
 
 /// What every motion asks for, where all do.
@@ -400,7 +403,7 @@ void MotionWriter::signals() {
 RandomMotions MotionWriter::write() {
   made_.whole = choice_.percent(75);
   jerk_all_ = robot_.look_ahead && choice_.percent(30);
-  if (jerk_all_) made_.jerk = 1000.0 * choice_.between(2, 100);
+  if (jerk_all_) made_.jerk = made_.least_jerk = 1000.0 * choice_.between(2, 100);
   made_.override_share = std::to_string(choice_.percent(60) ? 100 : choice_.between(10, 200)) + "%";
   signals();
   if (robot_.kind != Kind::Arm) line("FRAME shifted = POSE(10mm, -20mm, 0mm, 0deg, 0deg, 0deg)");

@@ -43,6 +43,7 @@ struct RandomMotions {
   std::vector<double> misses;   ///< mm: by which each point may be missed
   std::vector<double> besides;  ///< mm: by which the tool may be beside the way to it
   std::vector<PathMark> marks;  ///< where nothing ends a motion early: in order
+  double least_jerk = 0;        ///< mm/s³ that any motion asks for; 0: none does
   double jerk = 0;              ///< mm/s³ that every motion asks for; 0: not every one
   std::vector<int> leaping;     ///< lines of the text whose acceleration leaps: they have a PROFILE
   bool averaged = false;        ///< the jerk is bounded: corners may be longer than their legs
