@@ -27,7 +27,7 @@ std::vector<Vector3d> curve_of(const TraceFile& trace, const MotionRobot& robot)
 /// From where the tool first stands at the path's beginning.
 std::vector<Vector3d> from_the_beginning(std::vector<Vector3d> curve, const Vector3d& beginning) {
   const auto begin = std::find_if(curve.begin(), curve.end(),
-                                  [&](const Vector3d& p) { return (p - beginning).norm() < 2e-3; });
+                                  [&](const Vector3d& p) { return (p - beginning).norm() < 1e-4; });
   return {begin, curve.end()};
 }
 

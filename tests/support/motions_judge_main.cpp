@@ -55,6 +55,7 @@ MotionRobot motion_robot(const std::string& name, bool look_ahead) {
     robot.least_speed = 2, robot.most_speed = 20;
   } else {
     robot.least = {-200, -200, -200}, robot.most = {200, 200, 200};
+    robot.turning = model.axes.size() > 3;
     robot.reach = 150;
     robot.least_speed = 20, robot.most_speed = 600;
   }

@@ -24,6 +24,7 @@ struct MotionRobot {
   double zone = 0;                      ///< mm: the most that a corner without ZONE misses
   double reach = 0;                     ///< mm: the longest motion
   int least_speed = 1, most_speed = 1;  ///< mm/s of AT
+  bool turning = false;                 ///< a linear one with an axis that turns, too
   bool look_ahead = false;              ///< ACCEL and JERK are possible
 };
 
