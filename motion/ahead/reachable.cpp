@@ -107,6 +107,11 @@ ControlRange control_range(const Piece& piece, const PathPoint& here, const Path
   for (int i = 0; i < kTries && bounds.low.value(x) > bounds.high.value(x); ++i, more *= kMore)
     bounds = raised_bounds(piece, here, end, rest, x, 1 + more);
   const double low = bounds.low.value(x);
+  if (low > bounds.high.value(x)) {  // then no axis more than it has for σ'' alone
+    const double most = even_braking(piece, here, end, 0);
+    const double u = std::clamp((low + bounds.high.value(x)) / 2, -most, most);
+    return {u, u, bounds.low.axis, bounds.high.axis, u};
+  }
   ControlRange range{low, bounds.high.value(x), bounds.low.axis, bounds.high.axis, low};
   if (curve) {
     const Bounds raised = raised_bounds(piece, here, end, rest, x, kBetween);

@@ -73,7 +73,8 @@ void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions,
   std::vector<double>& bounds = allowed.misses;
   // A corner that is braked in, too, is moved by the mean a little farther than it should be.
   const double more = motions.averaged ? 1.1 : 1.01;
-  for (double& bound : bounds) bound = more * bound + room;
+  constexpr double kTraced = 1e-3;  // mm: between two rows the curve is a cubic
+  for (double& bound : bounds) bound = more * bound + room + kTraced;
   for (double& bound : allowed.besides) bound = more * bound + room;
   // A way that is not known is looked at as a whole: each point must have been passed at some time.
   const double window = motions.known ? 60 : std::numeric_limits<double>::infinity();

@@ -188,6 +188,7 @@ void MotionWriter::handler() {
   line("  MOVEL BY " + way({1, 1, 0}) + jerk());
   line("  WAIT " + seconds(0, 100));
   line("ENDWHEN");
+  made_.leaping.push_back(lines_);  // the way back asks for no JERK
 }
 
 /// Exactly to where the way begins.
