@@ -65,14 +65,16 @@ PathRing::Index PathPlanner::ready() const noexcept {
   return at;
 }
 
-/// Around the corner to come, of the drafts behind and of all that is written from here on; false
+/// Around the corner to come, of the run's drafts behind and of all that is written from here on; false
 /// where the ring is full.
 bool PathPlanner::calm_corner() {
   const double middle = open_->end();
   const double from = middle - turn_->calm_way;
   if (!send(std::max(open_->sent, from - open_->begin))) return false;
   const double share = turn_->calm;
-  for (PathRing::Index i = ring_.end(); i < end_; ++i) {
+  PathRing::Index first = end_;
+  while (first > ring_.end() && !ring_.run_end(first - 1)) --first;
+  for (PathRing::Index i = first; i < end_; ++i) {
     const Piece& piece = ring_.written(i);
     if (piece.begin + piece.length <= from + kRounding) continue;
     if (piece.begin < from - kRounding && piece.straight()) {

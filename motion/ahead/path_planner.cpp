@@ -117,6 +117,11 @@ double PathPlanner::window_of(const SegmentDescriptor& segment) const noexcept {
   return segment.ahead.window / (robot_.tool_coordinates ? 1 - kBendsShare : 1);
 }
 
+/// s of the mean of the present run: whole periods.
+double PathPlanner::mean_time() const noexcept {
+  return std::ceil(window_ / robot_.reference_period - 1e-9) * robot_.reference_period;
+}
+
 std::size_t PathPlanner::room() const noexcept {
   return ring_.room() - static_cast<std::size_t>(end_ - ring_.end());
 }
@@ -154,10 +159,9 @@ void PathPlanner::open(ShapedLeg leg) {
   const PathPoint end = open_->at(open_->length());
   const double speed = greatest_rate(robot_, *open_, end);
   const double brakes = speed * speed / (2 * greatest_control(*open_, end));
-  const double periods = std::ceil(window_ / robot_.reference_period - 1e-9);
   ring_.push({open_->segment, open_->begin, open_->end(),
               std::max(open_->begin, open_->end() - longest_turn(*open_) - brakes),
-              std::max(1, static_cast<int>(periods))});
+              std::max(1, static_cast<int>(std::lround(mean_time() / robot_.reference_period)))});
   completing_ = open_->segment.guard.present();
 }
 
@@ -208,8 +212,8 @@ bool PathPlanner::join_next() {
   }
   next_ = shaped_leg(robot_, next, open_->end());
   if (window_of(next) > window_) next_->acceleration *= window_ / window_of(next);
-  const TurnBounds bounds{std::min(open_->length() - open_->sent, share_of_next(*next_)), window_,
-                          robot_.tool_coordinates};
+  const TurnBounds bounds{std::min(open_->length() - open_->sent, share_of_next(*next_)),
+                          mean_time(), robot_.tool_coordinates};
   turn_ = make_turn(robot_, *open_, *next_, bounds);
   if (!turn_) {
     next_.reset();
@@ -292,7 +296,7 @@ bool PathPlanner::send(double goal) {
     scratch_.clear();
     append_leg(robot_, *open_, open_->sent, to, longest, scratch_);
     if (open_->motion.path != nullptr && window_ > 0 && !robot_.tool_coordinates)
-      bound_by_mean(robot_, *open_, window_, scratch_);
+      bound_by_mean(robot_, *open_, mean_time(), scratch_);
     write(scratch_);
     open_->sent = to;
   }

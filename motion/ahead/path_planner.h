@@ -68,6 +68,7 @@ class PathPlanner {
   void pass_back(PathRing::Index ready, bool anew);
   double top_square(const Piece& piece) const noexcept;
   double window_of(const SegmentDescriptor& segment) const noexcept;
+  double mean_time() const noexcept;
   std::size_t room() const noexcept;
 
   /// The greatest |dq/dσ| and |d²q/dσ²| on a piece, what the jerk makes of them, and σ' that is

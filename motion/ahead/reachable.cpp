@@ -100,13 +100,19 @@ ControlRange control_range(const Piece& piece, const PathPoint& here, const Path
   // its bends. If that does not do, all axes give as little more as will.
   constexpr double kBetween = 1 + 5e-4;
   constexpr double kFirst = 1e-4;
-  constexpr int kTries = 10;
+  constexpr double kMore = 1.5;
+  constexpr int kTries = 16;
   const bool curve = piece.count > 3;
   Bounds bounds = bounds_at(piece, here, end, rest, x, curve ? kBetween : kRounding);
   double more = kFirst;
-  for (int i = 0; i < kTries && bounds.low.value(x) > bounds.high.value(x); ++i, more *= 2)
+  for (int i = 0; i < kTries && bounds.low.value(x) > bounds.high.value(x); ++i, more *= kMore)
     bounds = raised_bounds(piece, here, end, rest, x, 1 + more);
   const double low = bounds.low.value(x);
+  if (low > bounds.high.value(x)) {  // then no axis more than it has for σ'' alone
+    const double most = even_braking(piece, here, end, 0);
+    const double u = std::clamp((low + bounds.high.value(x)) / 2, -most, most);
+    return {u, u, bounds.low.axis, bounds.high.axis, u};
+  }
   ControlRange range{low, bounds.high.value(x), bounds.low.axis, bounds.high.axis, low};
   if (curve) {
     const Bounds raised = raised_bounds(piece, here, end, rest, x, kBetween);

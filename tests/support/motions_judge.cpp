@@ -1,6 +1,7 @@
 #include "tests/support/motions_judge.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <limits>
@@ -26,7 +27,7 @@ std::vector<Vector3d> curve_of(const TraceFile& trace, const MotionRobot& robot)
 /// From where the tool first stands at the path's beginning.
 std::vector<Vector3d> from_the_beginning(std::vector<Vector3d> curve, const Vector3d& beginning) {
   const auto begin = std::find_if(curve.begin(), curve.end(),
-                                  [&](const Vector3d& p) { return (p - beginning).norm() < 2e-3; });
+                                  [&](const Vector3d& p) { return (p - beginning).norm() < 1e-4; });
   return {begin, curve.end()};
 }
 
@@ -67,11 +68,17 @@ void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions,
   const auto curve = from_the_beginning(whole, motions.path.places.front());
   if (curve.empty()) return findings.push_back("the tool never stood where its way begins");
   const bool cut = !motions.averaged;
-  std::vector<double> bounds = cut ? cut_to_legs(motions.path, motions.misses) : motions.misses;
-  for (double& bound : bounds) bound = 1.01 * bound + room;
+  PathBounds allowed{cut ? cut_to_legs(motions.path, motions.misses) : motions.misses,
+                     motions.besides};
+  std::vector<double>& bounds = allowed.misses;
+  // A corner that is braked in, too, is moved by the mean a little farther than it should be.
+  const double more = motions.averaged ? 1.1 : 1.01;
+  constexpr double kTraced = 1e-3;  // mm: between two rows the curve is a cubic
+  for (double& bound : bounds) bound = more * bound + room + kTraced;
+  for (double& bound : allowed.besides) bound = more * bound + room;
   // A way that is not known is looked at as a whole: each point must have been passed at some time.
   const double window = motions.known ? 60 : std::numeric_limits<double>::infinity();
-  const PathExcess excess = path_excess(curve, motions.path, bounds, window);
+  const PathExcess excess = path_excess(curve, motions.path, allowed, window);
   if (!(excess.miss <= 0)) {
     const Vector3d& point = motions.path.places[motions.path.points[excess.point]];
     findings.push_back(text_of(point) +
@@ -82,6 +89,43 @@ void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions,
     findings.push_back(
         text_of(excess.place) +
         text_of(" is beside the path by %g mm more than it may be%.0s", excess.from_path, 0));
+  }
+}
+
+/// s: the longest mean of the references.
+double longest_mean(const MotionRobot& robot, const RandomMotions& motions) {
+  double longest = 0;
+  for (const AxisBounds& axis : robot.axes) longest = std::max(longest, 2 * axis.a / axis.j);
+  if (motions.least_jerk > 0)
+    longest = std::max(longest, 2 * robot.axes.front().a / motions.least_jerk);
+  return std::min(longest, 2.0);
+}
+
+/// Each change of DOUT[8] has to come where the sigma of its motion is what was asked for: half of
+/// the mean's time T after the guide, which the references are a·T²/24 away from.
+void judge_marks(const TracedRun& run, const RandomMotions& motions, double acceleration,
+                 double mean, std::vector<std::string>& findings) {
+  constexpr double kMm = 1000;  // sigma of a trace is in m
+  std::vector<double> times;
+  for (const auto& change : run.report["signals"])
+    if (change["name"] == "DOUT[8]") times.push_back(change["t"].get<double>());
+  if (times.size() != motions.marks.size())
+    return findings.push_back(text_of("%g outputs on the way came, and not %g",
+                                      static_cast<double>(times.size()),
+                                      static_cast<double>(motions.marks.size())));
+  const auto& rows = run.trace.rows;
+  const double period = rows[1].t - rows[0].t;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const PathMark& mark = motions.marks[i];
+    const auto near = [&](const TraceRow& row) {
+      const double since = times[i] - mark.lag - row.t;
+      return row.line == mark.line && std::abs(since) <= 1.001 * period &&
+             std::abs((row.sigma + row.rate * since) * kMm - mark.place) <=
+                 acceleration * (period * period + mean * mean / 24) + 1e-3;
+    };
+    if (std::none_of(rows.begin(), rows.end(), near))
+      findings.push_back(
+          text_of("the output on the way of line %g came at %g s, elsewhere", mark.line, times[i]));
   }
 }
 
@@ -104,6 +148,9 @@ std::vector<std::string> judge_motions(const std::string& rob, const MotionRobot
   const auto curve = curve_of(run.trace, robot);
   const double room = robot.kind == MotionRobot::Kind::Arm ? kArmLine : 0;
   if (motions.whole) judge_way(curve, motions, room, findings);
+  if (motions.whole && linear_axes(robot) > 0)
+    judge_marks(run, motions, std::sqrt(3) * axes.front().a, longest_mean(robot, motions),
+                findings);
   const double off = (curve.back() - motions.path.places.back()).norm();
   if (!(off < 1e-6)) findings.push_back(text_of("the end is off by %g mm%.0s", off, 0));
   return findings;

@@ -20,6 +20,10 @@ namespace {
 using namespace rob::test;
 using Kind = MotionRobot::Kind;
 
+/// An arm's path bends in its axes, and the mean is of σ: up to twice their jerk has been measured
+/// in short corners (docs/motion.md).
+constexpr double kArmsJerk = 2.2;
+
 AxisBounds bounds_of(const rob::motion::Axis& axis, bool look_ahead) {
   const bool linear = axis.kind == rob::motion::AxisKind::Linear;
   const double unit = linear ? 1e3 : 180 / 3.14159265358979323846;
@@ -40,6 +44,7 @@ MotionRobot motion_robot(const std::string& name, bool look_ahead) {
   for (const auto& axis : model.axes) robot.axes.push_back(bounds_of(axis, look_ahead));
   if (model.tool_coordinates) {
     robot.kind = Kind::Arm;
+    for (AxisBounds& axis : robot.axes) axis.j *= kArmsJerk;
     robot.least = {280, -120, 250}, robot.most = {400, 120, 370};  // in front of irb120
     robot.reach = 120;
     robot.least_speed = 20, robot.most_speed = 400;
@@ -50,6 +55,7 @@ MotionRobot motion_robot(const std::string& name, bool look_ahead) {
     robot.least_speed = 2, robot.most_speed = 20;
   } else {
     robot.least = {-200, -200, -200}, robot.most = {200, 200, 200};
+    robot.turning = model.axes.size() > 3;
     robot.reach = 150;
     robot.least_speed = 20, robot.most_speed = 600;
   }

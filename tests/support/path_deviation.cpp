@@ -45,6 +45,21 @@ class Follower {
     return least;
   }
 
+  /// The least of what allowed(length along the path) leaves of the distances near there: a tool
+  /// that is within what is allowed of one part of the path may be nearer to another one.
+  template <typename Allowed>
+  double excess(const Vector3d& p, Allowed&& allowed) const {
+    double least = std::numeric_limits<double>::infinity();
+    const double to = here_ + window_;
+    for (std::size_t i = piece_at(here_ - window_); i + 1 < places_.size() && length_[i] <= to;
+         ++i) {
+      const double share = nearest_share(p, places_[i], places_[i + 1]);
+      const double distance = (p - places_[i] - share * (places_[i + 1] - places_[i])).norm();
+      least = std::min(least, distance - allowed((length_[i] + length_[i + 1]) / 2));
+    }
+    return least;
+  }
+
   double here() const { return here_; }
   double length_at(std::size_t place) const { return length_[place]; }
 
@@ -85,16 +100,17 @@ class Misses {
 
   const std::vector<double>& least() const { return least_; }
 
-  /// What the points before and behind the place where the tool is allow.
-  double allowed(const std::vector<double>& bounds) const {
-    const auto before = [&](double length, std::size_t point) {
-      return length < follower_.length_at(point);
+  /// What the points before and behind a place so far along the path allow, and the way between.
+  double allowed(const PathBounds& bounds, double length) const {
+    const auto before = [&](double at, std::size_t point) {
+      return at < follower_.length_at(point);
     };
     const auto next = static_cast<std::size_t>(
-        std::upper_bound(points_.begin(), points_.end(), follower_.here(), before) -
-        points_.begin());
-    const double behind = next < bounds.size() ? bounds[next] : 0;
-    return next > 0 ? std::max(bounds[next - 1], behind) : behind;
+        std::upper_bound(points_.begin(), points_.end(), length, before) - points_.begin());
+    if (next == bounds.misses.size()) return bounds.misses.back();
+    const double beside = bounds.besides.empty() ? 0 : bounds.besides[next];
+    const double behind = std::max(beside, bounds.misses[next]);
+    return next > 0 ? std::max(bounds.misses[next - 1], behind) : behind;
   }
 
  private:
@@ -178,17 +194,19 @@ PathDeviation path_deviation(const std::vector<Vector3d>& curve, const Programme
 }
 
 PathExcess path_excess(const std::vector<Vector3d>& curve, const ProgrammedPath& path,
-                       const std::vector<double>& bounds, double window) {
+                       const PathBounds& bounds, double window) {
   Follower follower(path.places, window);
   Misses misses(path, follower, window);
   PathExcess found;
   for (std::size_t k = 0; k < curve.size(); ++k) {
-    const double excess = follower.follow(curve[k]) - misses.allowed(bounds);
+    follower.follow(curve[k]);
+    const double excess =
+        follower.excess(curve[k], [&](double length) { return misses.allowed(bounds, length); });
     if (excess > found.from_path) found.from_path = excess, found.place = curve[k];
     misses.pass(curve[k > 0 ? k - 1 : 0], curve[k]);
   }
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    const double excess = misses.least()[i] - bounds[i];
+  for (std::size_t i = 0; i < bounds.misses.size(); ++i) {
+    const double excess = misses.least()[i] - bounds.misses[i];
     if (excess > found.miss) found.miss = excess, found.point = i;
   }
   return found;

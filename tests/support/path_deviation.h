@@ -44,9 +44,14 @@ struct PathExcess {
   std::size_t point = 0;  ///< that one: its number among the path's points
 };
 
-/// `bounds`: mm by which each programmed point may be missed. Between two of them the tool may be
-/// beside the path by what the greater allows.
+/// mm by which each programmed point may be missed, and by which the tool may be beside the way to
+/// it (empty: not at all). Between two points it may be beside the path by what is the greatest.
+struct PathBounds {
+  std::vector<double> misses;
+  std::vector<double> besides{};
+};
+
 PathExcess path_excess(const std::vector<Eigen::Vector3d>& curve, const ProgrammedPath& path,
-                       const std::vector<double>& bounds, double window);
+                       const PathBounds& bounds, double window);
 
 }  // namespace rob::test

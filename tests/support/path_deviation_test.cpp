@@ -11,6 +11,7 @@ using rob::test::AxisState;
 using rob::test::made_trace;
 using rob::test::path_deviation;
 using rob::test::path_excess;
+using rob::test::PathBounds;
 using rob::test::PathDeviation;
 using rob::test::ProgrammedPath;
 using rob::test::tool_curve;
@@ -115,10 +116,21 @@ TEST_CASE("a spike of 180 degrees is followed to its tip") {
 TEST_CASE("each point has its own bound, and the path between two of them the greater") {
   const auto curve = tool_curve(made_trace(0.3, 0.001, parabolic_corner), 2);
   const ProgrammedPath path{{{-15, 0, 0}, {0, 0, 0}, {0, 15, 0}}};
-  CHECK(path_excess(curve, path, {1e-9, 1.77, 1e-9}, 20).miss <= 0);  // 1.25·√2 = 1.768
-  CHECK(path_excess(curve, path, {1e-9, 1.77, 1e-9}, 20).from_path <= 1e-9);
-  const auto tight = path_excess(curve, path, {1e-9, 1, 1e-9}, 20);
+  CHECK(path_excess(curve, path, PathBounds{{1e-9, 1.77, 1e-9}}, 20).miss <= 0);  // 1.25·√2 = 1.768
+  CHECK(path_excess(curve, path, PathBounds{{1e-9, 1.77, 1e-9}}, 20).from_path <= 1e-9);
+  const auto tight = path_excess(curve, path, PathBounds{{1e-9, 1, 1e-9}}, 20);
   CHECK(tight.miss == doctest::Approx(1.25 * std::numbers::sqrt2 - 1).epsilon(1e-6));
   CHECK(tight.from_path == doctest::Approx(0.25).epsilon(1e-6));
   CHECK(tight.point == 1);
+}
+
+TEST_CASE("near another part of the path a tool still has what is allowed of its own") {
+  // There, 5 mm aside, and back: 2 mm beside the way out is 3 mm beside the way back.
+  const std::vector<Vector3d> path = {{0, 0, 0}, {20, 0, 0}, {20, 5, 0}, {0, 5, 0}};
+  const std::vector<Vector3d> beside = {{0, 0, 0},  {5, 3, 0},  {15, 3, 0},
+                                        {20, 0, 0}, {20, 5, 0}, {0, 5, 0}};
+  const PathBounds bounds{{1e-9, 1e-9, 1e-9, 1e-9}, {0, 3, 0, 0}};
+  CHECK(path_excess(beside, {path}, bounds, 60).from_path <= 1e-9);
+  const PathBounds tight{{1e-9, 1e-9, 1e-9, 1e-9}, {0, 0, 0, 0}};
+  CHECK(path_excess(beside, {path}, tight, 60).from_path == doctest::Approx(2));
 }

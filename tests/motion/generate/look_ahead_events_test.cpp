@@ -1,0 +1,199 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests/motion/generate/jog_bench.h"
+#include "tests/motion/generate/look_ahead_run.h"
+
+using namespace rob::motion;
+using namespace rob::test;
+using Kind = MotionEvent::Kind;
+using Space = JogRates::Space;
+
+namespace {
+
+constexpr double kPeriod = 0.01;  // s, of the gantry
+constexpr double kLag = 0.095;    // s: half of its mean of 20 periods, from first to last
+constexpr double kRounding = 1e-9;
+
+SegmentDescriptor line(LookAheadRun& run, double x_mm, double y_mm) {
+  auto outcome = run.planner().plan(move_to(gantry_q(x_mm, y_mm, 0)));
+  return std::get<PlannedSegment>(outcome).segment;
+}
+
+/// An output so far along the motion, s sooner or (below 0) later.
+void on_the_way(SegmentDescriptor& segment, double share, double lead, std::uint32_t id) {
+  PathEvent& event = segment.on_the_way[segment.events++];
+  event.share = share;
+  event.lead = lead;
+  event.effect.id = id;
+  event.effect.after = segment.number;
+}
+
+void check_limits(const LookAheadRun& run) {
+  const LookAheadRun::Peak peak = run.peak();
+  CHECK(peak.speed <= 1 + 1e-6);
+  CHECK(peak.acceleration <= 1 + 1e-6);
+  CHECK(peak.jerk <= 1 + 1e-6);
+}
+
+}  // namespace
+
+// 20 mm/s after 0.2 s and 2 mm: s mm are passed at 0.2 + (s − 2)/20, told half of the mean later.
+TEST_CASE("an output on the way comes at its place, before it with LEAD, behind it with LAG") {
+  LookAheadRun run;
+  SegmentDescriptor segment = line(run, 100, 0);
+  on_the_way(segment, 0.5, 0, 1);
+  on_the_way(segment, 0.6, 0.1, 2);
+  on_the_way(segment, 0.7, -0.1, 3);
+  run.push(segment);
+  run.close();
+  run.finish();
+  const auto due = run.all(Kind::ActionDue);
+  REQUIRE(due.size() == 3);
+  CHECK(due[0].time == doctest::Approx(0.2 + 48.0 / 20 + kLag).epsilon(kRounding));
+  CHECK(due[1].time == doctest::Approx(0.2 + 58.0 / 20 - 0.1 + kLag).epsilon(kRounding));
+  CHECK(due[2].time == doctest::Approx(0.2 + 68.0 / 20 + 0.1 + kLag).epsilon(kRounding));
+}
+
+TEST_CASE("under an override of a half an output on the way comes at the same place") {
+  LookAheadRun run;
+  SegmentDescriptor segment = line(run, 100, 0);
+  on_the_way(segment, 0.5, 0, 1);
+  run.push(segment);
+  run.close();
+  run.generator().set_override(0.5);
+  run.finish();
+  // 10 mm/s after 0.1 s and 0.5 mm.
+  REQUIRE(run.all(Kind::ActionDue).size() == 1);
+  CHECK(run.all(Kind::ActionDue)[0].time ==
+        doctest::Approx(0.1 + 49.5 / 10 + kLag).epsilon(kRounding));
+}
+
+TEST_CASE("a jog between two motions begins and ends at rest, and the path goes on from there") {
+  LookAheadRun run;
+  run.move(20, 0);
+  JogRates rates = jog_rates(Space::Joint, {0, 0.01, 0});
+  rates.lasts = 1;
+  run.push(std::get<PlannedSegment>(run.planner().jog(0, rates)).segment);
+  for (int i = 0; i < 600 && run.rests().empty(); ++i) run.step();
+  REQUIRE(run.rests().size() == 1);
+  // 10 mm/s for 1 s: as far as it would go without ramps.
+  CHECK((run.rests()[0].q - gantry_q(20, 10, 0)).norm() < 1e-9);
+  run.planner().retarget(run.rests()[0].q);
+  run.move(0, 0);
+  run.close();
+  run.finish();
+  CHECK((run.last().q - gantry_q(0, 0, 0)).norm() < 1e-15);
+  check_limits(run);
+}
+
+// The planner says how long the profile lasts, and the generator takes so long.
+TEST_CASE("a motion with a profile takes its time between two motions that it leaves at rest") {
+  LookAheadRun run;
+  run.move(20, 0);
+  MotionRequest request = move_to(gantry_q(20, 60, 0));
+  request.profile = ProfileShape::Cosine;
+  const SegmentDescriptor segment = std::get<PlannedSegment>(run.planner().plan(request)).segment;
+  run.push(segment);
+  run.move(0, 60);
+  run.close();
+  run.finish();
+  const auto started = run.all(Kind::SegmentStarted);
+  REQUIRE(started.size() == 3);
+  const double lasted = started[2].time - started[1].time;
+  CHECK(lasted >= segment.duration - kRounding);
+  CHECK(lasted <= segment.duration + kPeriod + kRounding);  // a path begins at a stamp
+  CHECK((run.last().q - gantry_q(0, 60, 0)).norm() < 1e-15);
+  check_limits(run);
+}
+
+TEST_CASE("braked, a motion ends on its way, and what is behind it is dropped") {
+  LookAheadRun run;
+  run.move(100, 0);
+  run.move(100, 100);
+  run.until(2);
+  const double x = run.last().q[0];
+  run.generator().brake();
+  run.until(3);
+  REQUIRE(run.rests().size() == 1);
+  CHECK(run.last().qd.norm() == 0);
+  CHECK(run.last().q == run.rests()[0].q);
+  // 2 mm of the guide, which is ahead by half the mean at 20 mm/s.
+  CHECK(run.last().q[0] - x == doctest::Approx(0.002 + 0.02 * kLag).epsilon(0.11));
+  CHECK(std::abs(run.last().q[1]) < 1e-15);
+  run.planner().retarget(run.rests()[0].q);
+  run.move(0, 0);
+  run.close();
+  run.finish();
+  CHECK((run.last().q - gantry_q(0, 0, 0)).norm() < 1e-15);
+  check_limits(run);
+}
+
+TEST_CASE("more motions to one place than are looked ahead over end there, and the path goes on") {
+  LookAheadRun run;
+  run.move(10, 0);
+  int given = 0;
+  for (int i = 0; i < 20'000 && run.all(Kind::Finished).empty(); ++i) {
+    while (given < 200 && run.buffer().room() > 1) {
+      run.move(20, 0);
+      ++given;
+    }
+    if (given == 200 && run.buffer().room() > 1) {
+      run.move(20, 20);
+      run.close();
+      ++given;
+    }
+    run.step();
+  }
+  REQUIRE(run.all(Kind::Finished).size() == 1);
+  CHECK((run.last().q - gantry_q(20, 20, 0)).norm() < 1e-15);
+  check_limits(run);
+}
+
+TEST_CASE("a slow motion of next to no length arrives") {
+  for (int k = 1; k <= 60; ++k) {
+    LookAheadRun run;
+    run.move(40.28, 92.72);
+    run.stop();
+    MotionRequest request = move_to(gantry_q(40.28 + 0.0007 * k, 92.72 - 0.0003 * k, 0));
+    request.at_least = 0.1 * k;
+    run.push(std::get<PlannedSegment>(run.planner().plan(request)).segment);
+    run.close();
+    run.finish(3000);
+    CAPTURE(k);
+    REQUIRE(run.all(Kind::Finished).size() == 1);
+  }
+}
+
+// 13,000 mm/s³ on a table of 1000 mm/s² is a mean over T = 0.154 s: what it moves a corner inwards,
+// and what braking and speeding up do, has to stay within the zone; without a bound it would be
+// a·T²/24·√2/2 = 0.7 mm even of a corner that is passed at no speed.
+TEST_CASE("a corner keeps its zone however long the mean of its references") {
+  for (const double zone_mm : {0.02, 0.06, 0.2, 0.5, 1.0, 3.0}) {
+    RobotModel table = gantry_looking_ahead();
+    table.reference_period = table.servo_period = 0.001;
+    for (int i = 0; i < 2; ++i) {
+      Axis& axis = table.axes[static_cast<std::size_t>(i)];
+      axis.v_max = axis.a_max = 1;
+      axis.j_max = 13;
+    }
+    table.axes[2].a_max = table.axes[2].j_max * 0.05;
+    LookAheadRun run(table);
+    MotionRequest first = move_to(gantry_q(50, 0, 0));
+    first.zone = MotionRequest::Zone::Length;
+    first.zone_value = zone_mm / 1000;
+    run.push(std::get<PlannedSegment>(run.planner().plan(first)).segment);
+    run.move(50, 50);
+    run.close();
+    run.finish();
+    double miss = 1;
+    for (const GeneratorSample& sample : run.samples())
+      miss = std::min(miss, (sample.reference.q - gantry_q(50, 0, 0)).norm());
+    CAPTURE(zone_mm);
+    CHECK(miss <= 1.01 * zone_mm / 1000);
+    // Where the mean asks for more than the zone ten times over, a stop takes no longer.
+    CHECK((miss > 0.5 * zone_mm / 1000 || zone_mm < 0.3));
+    check_limits(run);
+  }
+}
