@@ -43,25 +43,33 @@ PathRing::Index PathPlanner::ready() const noexcept {
   return at;
 }
 
-/// The greatest of all pieces of its run that may be as near in time as half of the mean's, which
-/// is the longer the slower they have to be.
+/// The greatest of all pieces within reach_ of this one in its run. For its speed those count that
+/// may be as near in time as half of the mean's, which is the longer the slower they have to be.
 void PathPlanner::spread(PathRing::Index at) noexcept {
   Piece& piece = ring_.draft(at);
   Extent most = extent(at);
-  const auto take = [&](PathRing::Index other, double& left) {
+  JointVector fast = most.slopes;
+  double left = 0;
+  const auto take = [&](PathRing::Index other) {
     most.slopes = most.slopes.cwiseMax(extent(other).slopes);
     most.bends = most.bends.cwiseMax(extent(other).bends);
+    if (left < 0) return;
+    fast = fast.cwiseMax(extent(other).slopes);
     left -= ring_.written(other).length / extent(other).fastest;
   };
-  double left = window_ / 2;
-  for (PathRing::Index i = at; i > ring_.begin() && !ring_.run_end(i - 1) && left >= 0; --i)
-    take(i - 1, left);
   left = window_ / 2;
-  for (PathRing::Index i = at; i + 1 < end_ && !ring_.run_end(i) && left >= 0; ++i)
-    take(i + 1, left);
+  for (PathRing::Index i = at; i > ring_.begin() && !ring_.run_end(i - 1); --i) {
+    if (ring_.written(i).begin < piece.begin - reach_) break;
+    take(i - 1);
+  }
+  left = window_ / 2;
+  for (PathRing::Index i = at; i + 1 < end_ && !ring_.run_end(i); ++i) {
+    if (ring_.written(i + 1).begin > piece.begin + piece.length + reach_) break;
+    take(i + 1);
+  }
   piece.slopes = most.slopes;
   piece.bends = most.bends;
-  bound_speed(robot_, most.slopes, piece);
+  bound_speed(robot_, fast, piece);
 }
 
 void PathPlanner::publish(bool anew) {
