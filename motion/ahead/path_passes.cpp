@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "motion/ahead/path_planner.h"
 #include "motion/ahead/reachable.h"
@@ -11,6 +12,7 @@ namespace rob::motion {
 namespace {
 
 constexpr double kRounding = 1e-9;  // m: places that are nearer to each other are one
+constexpr double kAny = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -65,7 +67,8 @@ PathRing::Index PathPlanner::ready() const noexcept {
   return at;
 }
 
-/// Around the corner to come, of the run's drafts behind and of all that is written from here on; false
+/// Around the corner to come, of the drafts of its run behind and of all that is written from here
+/// on; false
 /// where the ring is full.
 bool PathPlanner::calm_corner() {
   const double middle = open_->end();
@@ -109,6 +112,7 @@ void PathPlanner::split(PathRing::Index at, double sigma) noexcept {
 /// Nothing more fits, and no draft can be published: they are made so slow that half of them can,
 /// or the first.
 bool PathPlanner::narrow() noexcept {
+  if (!guide_within(kLastChance, kAny)) return false;  // it makes room
   if (held_ > 0 && !more_to_publish() && end_ > ring_.end()) {
     held_ = 0;  // the corner then calms what is left
     return true;
@@ -127,30 +131,38 @@ bool PathPlanner::narrow() noexcept {
   return true;
 }
 
-/// The greatest of all pieces of its run that may be as near in time as half of the mean's, which
-/// is the longer the slower they have to be.
+/// The greatest of all pieces of its run around this one that the guide can be on while the mean is
+/// on this: from a mean over T of speeds up to v no place is farther than v·T/2.
 void PathPlanner::spread(PathRing::Index at) noexcept {
   Piece& piece = ring_.draft(at);
   Extent most = extent(at);
-  const auto take = [&](PathRing::Index other, double& left) {
-    most.slopes = most.slopes.cwiseMax(extent(other).slopes);
-    most.bends = most.bends.cwiseMax(extent(other).bends);
-    most.swings = most.swings.cwiseMax(extent(other).swings);
-    if (extent(other).fastest < piece.fastest) {
-      piece.fastest = extent(other).fastest;
-      piece.fastest_axis = extent(other).fastest_axis;
-    }
-    left -= ring_.written(other).length / extent(other).asked;
+  const auto take = [&](PathRing::Index other) {
+    const Extent& its = extent(other);
+    most.slopes = most.slopes.cwiseMax(its.slopes);
+    most.bends = most.bends.cwiseMax(its.bends);
+    most.swings = most.swings.cwiseMax(its.swings);
+    most.asked = std::max(most.asked, its.asked);
+    if (its.fastest >= most.fastest) return;
+    most.fastest = its.fastest;
+    most.fastest_axis = its.fastest_axis;
   };
-  double left = window_ / 2;
-  for (PathRing::Index i = at; i > ring_.begin() && !ring_.run_end(i - 1) && left >= 0; --i)
-    take(i - 1, left);
-  left = window_ / 2;
-  for (PathRing::Index i = at; i + 1 < end_ && !ring_.run_end(i) && left >= 0; ++i)
-    take(i + 1, left);
+  PathRing::Index first = at;
+  PathRing::Index last = at;
+  for (double reach = -1; reach < most.asked * window_ / 2;) {
+    reach = most.asked * window_ / 2;
+    const double from = piece.begin - reach;
+    const double to = piece.begin + piece.length + reach;
+    for (; first > ring_.begin() && !ring_.run_end(first - 1); take(--first))
+      if (ring_.written(first).begin < from) break;
+    for (; last + 1 < end_ && !ring_.run_end(last); take(++last))
+      if (ring_.written(last + 1).begin > to) break;
+  }
   piece.slopes = most.slopes;
   piece.bends = most.bends;
   piece.swings = most.swings;
+  if (most.fastest >= piece.fastest) return;
+  piece.fastest = most.fastest;
+  piece.fastest_axis = most.fastest_axis;
 }
 
 void PathPlanner::publish(bool anew) {

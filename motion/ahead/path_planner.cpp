@@ -14,9 +14,7 @@ namespace {
 /// The open leg's successor, and the one behind it.
 constexpr std::size_t kPending = 2;
 
-/// s: so long before the guide would stand short of a target it is led there (motion.md: decision
-/// point); and so long before it would have to brake a corner is made of what is known.
-constexpr double kLastChance = 0.05;
+/// s: so long before it would have to brake a corner is made of what is known.
 constexpr double kNear = 0.1;
 
 /// Pieces that a corner, or the way to the next node of a leg, may take.

@@ -42,6 +42,10 @@ class PathPlanner {
   void tell(PathListener& listener) { listener_ = &listener; }
 
  private:
+  /// s: so long before the guide would stand short of a target it is led there (motion.md: decision
+  /// point).
+  static constexpr double kLastChance = 0.05;
+
   void drop();
   void fetch();
   bool advance();
