@@ -46,9 +46,19 @@ Piece piece_of(const ShapedLeg& leg, double begin, double length) {
   return piece;
 }
 
-/// Through place, slope and bend at both of its ends.
+/// Through place, slope and bend at both of its ends. Of a sliver, as rounding leaves between two
+/// nodes, those at its beginning say all: its higher terms would be rounding divided by next to
+/// nothing.
 void fill_quintic(Piece& piece, const PathPoint& a, const PathPoint& b) {
+  constexpr double kSliver = 1e-6;  // m. [choice] on which no axis leaves the parabola by 1e-12
   const double l = piece.length;
+  if (l < kSliver) {
+    piece.count = 3;
+    piece.terms[0] = a.q;
+    piece.terms[1] = a.qd;
+    piece.terms[2] = a.qdd / 2;
+    return;
+  }
   const JointVector way = b.q - a.q;
   const JointVector v0 = a.qd * l;
   const JointVector v1 = b.qd * l;
@@ -65,6 +75,7 @@ void fill_quintic(Piece& piece, const PathPoint& a, const PathPoint& b) {
 
 /// At even speed σ' a quintic asks for the jerk σ'³ times its third derivative.
 void bound_jerk(const ShapedLeg& leg, Piece& piece) {
+  if (piece.count < 6) return;
   for (const double at : {0.0, piece.length / 2, piece.length}) {
     const JointVector third =
         6 * piece.terms[3] + at * (24 * piece.terms[4] + at * 60 * piece.terms[5]);

@@ -71,8 +71,7 @@ void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions,
   PathBounds allowed{cut ? cut_to_legs(motions.path, motions.misses) : motions.misses,
                      motions.besides};
   std::vector<double>& bounds = allowed.misses;
-  // A corner that is braked in, too, is moved by the mean a little farther than it should be.
-  const double more = motions.averaged ? 1.1 : 1.01;
+  constexpr double more = 1.01;
   constexpr double kTraced = 1e-3;  // mm: between two rows the curve is a cubic
   for (double& bound : bounds) bound = more * bound + room + kTraced;
   for (double& bound : allowed.besides) bound = more * bound + room;

@@ -20,10 +20,6 @@ namespace {
 using namespace rob::test;
 using Kind = MotionRobot::Kind;
 
-/// An arm's path bends in its axes, and the mean is of σ: up to twice their jerk has been measured
-/// in short corners (docs/motion.md).
-constexpr double kArmsJerk = 2.2;
-
 AxisBounds bounds_of(const rob::motion::Axis& axis, bool look_ahead) {
   const bool linear = axis.kind == rob::motion::AxisKind::Linear;
   const double unit = linear ? 1e3 : 180 / 3.14159265358979323846;
@@ -44,7 +40,6 @@ MotionRobot motion_robot(const std::string& name, bool look_ahead) {
   for (const auto& axis : model.axes) robot.axes.push_back(bounds_of(axis, look_ahead));
   if (model.tool_coordinates) {
     robot.kind = Kind::Arm;
-    for (AxisBounds& axis : robot.axes) axis.j *= kArmsJerk;
     robot.least = {280, -120, 250}, robot.most = {400, 120, 370};  // in front of irb120
     robot.reach = 120;
     robot.least_speed = 20, robot.most_speed = 400;
