@@ -104,8 +104,8 @@ WordUse StatementWords::use_of_word(const Token& word, TokenKind behind) {
 /// A statement that is known by its place only, at the beginning of a line.
 bool StatementWords::begins_as_keyword(const Token& word, TokenKind behind) const {
   if (!at_begin_ || !among(kFirstWords, word.text)) return false;
-  if (behind == TokenKind::LeftParen) return same_word(word.text, "PATH");
-  return behind != TokenKind::Assign && !goes_on(behind) && behind != TokenKind::LeftBracket;
+  return behind != TokenKind::Assign && !goes_on(behind) && behind != TokenKind::LeftBracket &&
+         behind != TokenKind::LeftParen;
 }
 
 bool StatementWords::is_clause(const Token& word, TokenKind behind) const {

@@ -102,6 +102,13 @@ TEST_CASE("keywords become capital, names are spelled as declared, blanks are se
   CHECK(laid_out("MOVE(140,,)\n") == "MOVE(140, , )\n");
 }
 
+TEST_CASE("a routine that is called like a word of a place is spelled as declared") {
+  CHECK(
+      laid_out(
+          "proc Path(n:INT)\nendproc\nPATH (1)\nif TRUE then path(2)\npath at 50% do\nendpath\n") ==
+      "PROC Path(n: INT)\nENDPROC\nPath(1)\nIF TRUE THEN Path(2)\nPATH AT 50% DO\nENDPATH\n");
+}
+
 TEST_CASE("a unit stays as it is written, whatever else its letters could mean") {
   CHECK(laid_out("var s: [ in ]\nVAR v:[N * m / s^2]\nvar f: [1 / s]\n") ==
         "VAR s: [in]\nVAR v: [N*m/s^2]\nVAR f: [1/s]\n");
