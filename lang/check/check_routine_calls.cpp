@@ -90,10 +90,10 @@ bool ExpressionChecker::bind(Call& call, Place place, const Routine& routine) {
       }
     }
     if (at >= parameters.size()) {
-      return refuse(code::kArgumentCount, place,
-                    fmt::format("{} has {} parameter{}; here are {} arguments",
-                                shortened(routine.name), parameters.size(),
-                                parameters.size() == 1 ? "" : "s", call.arguments.size()));
+      return refuse(
+          code::kArgumentCount, place,
+          fmt::format("{} has {} parameter{}; here are {} arguments", shortened(routine.name),
+                      parameters.size(), parameters.size() == 1 ? "" : "s", call.arguments.size()));
     }
     if (call.bound[at] != nullptr) {
       return refuse(code::kArgumentName, argument.place,

@@ -158,8 +158,8 @@ bool RobotMachine::take(int line, const motion::PlanOutcome& outcome, Commanded&
     return false;
   }
   const auto& planned = std::get<motion::PlannedSegment>(outcome);
-    warn(line, commanded, planned);
-    line_before_ = line;
+  warn(line, commanded, planned);
+  line_before_ = line;
   const motion::SegmentDescriptor with_events = std::exchange(commanded.segment, planned.segment);
   motion::SegmentDescriptor& segment = commanded.segment;
   segment.events = with_events.events;

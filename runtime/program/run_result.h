@@ -105,8 +105,8 @@ struct RunResult {
   double measured = 0;   ///< s
   std::int64_t cycles = 0;
   std::int64_t late_cycles = 0;
-  double worst_lateness = 0;  ///< s
-  std::vector<LineResult> lines;  ///< in the order of their tags
+  double worst_lateness = 0;         ///< s
+  std::vector<LineResult> lines;     ///< in the order of their tags
   std::vector<double> final_joints;  ///< mm, deg
   std::string stands;                ///< the same for people: "x 100 mm, theta 90 deg"
   std::vector<double> final_pose;    ///< x, y, z in mm, a, b, c in deg

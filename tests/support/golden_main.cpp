@@ -6,8 +6,8 @@
 #include "lang/text/diagnostic.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/files.h"
-#include "runtime/program/load.h"
 #include "runtime/program/foretell.h"
+#include "runtime/program/load.h"
 #include "tests/support/golden.h"
 
 namespace {

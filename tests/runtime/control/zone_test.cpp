@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
 #include "motion/robots/robot_library.h"
-#include "runtime/program/load.h"
 #include "runtime/program/foretell.h"
+#include "runtime/program/load.h"
 
 namespace {
 
