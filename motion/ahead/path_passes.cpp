@@ -84,7 +84,7 @@ bool PathPlanner::calm_corner() {
       split(i, from);
       continue;
     }
-    ring_.draft(i).acceleration *= share;
+    ring_.draft(i).calm_down(share);
   }
   const bool overlaps = calm_.end > from;
   calm_ = {std::max(calm_.end, middle + turn_->calm_way),

@@ -312,7 +312,7 @@ double PathPlanner::longest_piece() const {
 void PathPlanner::write(std::vector<Piece>& pieces) {
   for (Piece& piece : pieces) {
     known_ = piece.begin + piece.length;
-    if (piece.begin < calm_.end - kRounding) piece.acceleration *= calm_.share;
+    if (piece.begin < calm_.end - kRounding) piece.calm_down(calm_.share);
     if (averages_sigma()) {
       extent(end_) = extent_of(piece);
       outlook_ = std::max(outlook_, extent(end_).asked * window_ / 2);

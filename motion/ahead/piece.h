@@ -23,6 +23,7 @@ struct Piece {
   int count = 2;      ///< of terms
   std::array<JointVector, kMostTerms> terms;
   JointVector acceleration;  ///< what each axis has here: m/s², rad/s²
+  double calm = 1;           ///< that share of what the leg asks for, at most
   double pace = kAny;        ///< σ' that is asked for, at override 1
   double fastest = kAny;  ///< σ' that the speeds of the axes allow all along, and what else does
   int fastest_axis = -1;  ///< that sets it; −1: another reason
@@ -33,6 +34,13 @@ struct Piece {
   JointVector slopes;
   JointVector bends;
   JointVector swings;
+
+  /// No more than that share, however many corners ask for one.
+  void calm_down(double share) noexcept {
+    if (share >= calm) return;
+    acceleration *= share / calm;
+    calm = share;
+  }
 
   bool straight() const noexcept { return count <= 2; }
   bool averaged() const noexcept { return slopes.size() != 0; }

@@ -114,6 +114,17 @@ TEST_CASE("where a long mean would leave the zone, what is around a corner calms
   }
 }
 
+TEST_CASE("however many corners ask for calm, the axes keep the least share of them") {
+  // Corners of 90 degrees every 0.2 mm, all within the same mean.
+  PacedRun run(0.3, 1e-4, 0.05);
+  constexpr int kCorners = 60;
+  for (int k = 0; k < kCorners; ++k) run.line(0.2 * (k / 2 + 1), 0.2 * ((k + 1) / 2));
+  run.close();
+  // A stop at each end of a leg and the mean each time would take longer.
+  CHECK(run.run() < kCorners * (2 * std::sqrt(2e-4) + 0.05));
+  check_limits(run);
+}
+
 TEST_CASE("a circle of a thousand chords is one path") {
   for (const double window : {0.0, 0.02}) {
     PacedRun run(0.3, 1e-4, window);
