@@ -115,13 +115,13 @@ TEST_CASE("where a long mean would leave the zone, what is around a corner calms
 }
 
 TEST_CASE("however many corners ask for calm, the axes keep the least share of them") {
-  // Corners of 90 degrees every 0.2 mm, all within the same mean.
+  // Corners of 90 degrees every 0.02 mm, many within the same mean.
   PacedRun run(0.3, 1e-4, 0.05);
-  constexpr int kCorners = 60;
-  for (int k = 0; k < kCorners; ++k) run.line(0.2 * (k / 2 + 1), 0.2 * ((k + 1) / 2));
+  constexpr int kCorners = 300;
+  for (int k = 0; k < kCorners; ++k) run.line(0.02 * (k / 2 + 1), 0.02 * ((k + 1) / 2));
   run.close();
-  // A stop at each end of a leg and the mean each time would take longer.
-  CHECK(run.run() < kCorners * (2 * std::sqrt(2e-4) + 0.05));
+  // A stop at each end of a leg, and the mean each time, would take five times as long and more.
+  CHECK(run.run() < kCorners * (2 * std::sqrt(2e-5) + 0.05) / 5);
   check_limits(run);
 }
 
