@@ -176,7 +176,12 @@ void SegmentGenerator::start_from_rest() noexcept {
   if (braking_) return;
   if (hit_at_start(*next, stamp_)) return pop_segment();
   if (next->jog.present()) return begin_jog(*next, stamp_);
-  if (take_up(*next, stamp_)) pop_segment();
+  if (!take_up(*next, stamp_)) return;
+  pop_segment();
+  while (dwelling() && segment_.duration == 0) {
+    pass_by();
+    follow_from_rest(dwell_end_);
+  }
 }
 
 void SegmentGenerator::finish_if_done() noexcept {

@@ -83,9 +83,7 @@ Reply RobotMachine::brake(int /*line*/) {
   }
   if (brakable_ == 0) return Reply::Done;
   if (!braking_) {
-    const bool arrived =
-        progress_.settled.load(std::memory_order_acquire) >= planner_.last_number();
-    if (arrived) return settled() ? Reply::Done : Reply::Later;
+    if (stands()) return settled() ? Reply::Done : Reply::Later;
     buffer_.brake(brakable_);
     braking_ = true;
   }
@@ -125,16 +123,14 @@ Reply RobotMachine::dwell(int line, double seconds) {
 }
 
 /// A dwell of no length marks in the buffer where the waiting begins, and another where it ends:
-/// so the time between belongs to the line that waits.
+/// so the time between belongs to the line that waits. No mark is waited for.
 Reply RobotMachine::stand(int line, double& now) {
   if (!standing_) {
     const Reply reply = dwell(line, 0);
     if (reply != Reply::Done) return reply;
     standing_ = true;
   }
-  if (progress_.settled.load(std::memory_order_acquire) < planner_.last_number()) {
-    return Reply::Later;
-  }
+  if (!has_acted()) return Reply::Later;
   const std::int64_t cycle = channels_.cycle.load(std::memory_order_relaxed);
   assumed_read_ = -1;
   now = motion::cycle_instant(cycle, robot_.reference_period);
@@ -180,10 +176,17 @@ void RobotMachine::forget_rests() {
   braking_ = false;
 }
 
-bool RobotMachine::settled() const {
-  return progress_.settled.load(std::memory_order_acquire) >= planner_.last_number() &&
-         progress_.effects_done.load(std::memory_order_acquire) >= effects_ && !interrupted();
+std::uint32_t RobotMachine::awaited() const { return std::min(awaited_, planner_.last_number()); }
+
+bool RobotMachine::stands() const {
+  return progress_.settled.load(std::memory_order_acquire) >= awaited();
 }
+
+bool RobotMachine::has_acted() const {
+  return stands() && progress_.effects_done.load(std::memory_order_acquire) >= effects_;
+}
+
+bool RobotMachine::settled() const { return has_acted() && !interrupted(); }
 
 /// A PATH is open only where a loop in it has been given up.
 Reply RobotMachine::end(int line) {
@@ -249,11 +252,10 @@ Reply RobotMachine::read_signal(int line, int signal, bool& value) {
   return Reply::Done;
 }
 
-/// Program and motion share the number of the last segment: its decision point has come once the
-/// generator names it.
+/// Program and motion share the numbers of segments: a decision point has come once the generator
+/// names it.
 bool RobotMachine::decided() const {
-  return progress_.decidable.load(std::memory_order_acquire) >= planner_.last_number() &&
-         !interrupted();
+  return progress_.decidable.load(std::memory_order_acquire) >= awaited() && !interrupted();
 }
 
 Reply RobotMachine::read_analog(int line, int signal, double& volts) {
@@ -278,6 +280,7 @@ void RobotMachine::queue(Commanded commanded) {
 void RobotMachine::follow(const motion::SegmentDescriptor& segment) {
   exact_ = segment.ends_at_rest();
   jogging_ = segment.jog.present();
+  if (!segment.dwell || segment.duration > 0) awaited_ = segment.number;
 }
 
 void RobotMachine::send(Commanded commanded) {

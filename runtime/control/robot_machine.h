@@ -135,9 +135,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
   /// A WAIT looks at its condition again and again, and all that was commanded has acted.
-  bool waits_at_rest() const {
-    return standing_ && progress_.settled.load() >= planner_.last_number();
-  }
+  bool waits_at_rest() const { return standing_ && has_acted(); }
   bool taken_as_met(int line) override;
   lang::Reply waited(int line) override;
   lang::Reply leave_block(int line) override;
@@ -270,7 +268,13 @@ class RobotMachine final : public lang::Machine {
   void note_assumed(int line, int signal);
   /// Whether the world may be read now.
   bool observable() const;
-  /// Whether the axes stand, and all effects have acted.
+  /// Number of the last segment that is waited for: marks behind it are not.
+  std::uint32_t awaited() const;
+  /// Whether the axes stand behind all that was commanded.
+  bool stands() const;
+  /// Whether they do, and all effects have acted.
+  bool has_acted() const;
+  /// Whether that is so, and no WHEN has interrupted it.
   bool settled() const;
   /// A WHEN has ended all that was commanded, and the program has still to learn of it.
   bool interrupted() const;
@@ -316,7 +320,8 @@ class RobotMachine final : public lang::Machine {
   std::vector<lang::MoveCommand> via_;  ///< points that the next motion goes through
   std::optional<lang::PathPlace> place_;
   std::optional<Path> path_;
-  std::uint32_t sent_ = 0;  ///< number of the last segment in the buffer
+  std::uint32_t sent_ = 0;     ///< number of the last segment in the buffer
+  std::uint32_t awaited_ = 0;  ///< see awaited()
 
   // Handlers (machine_handlers.cpp)
   void remember(Commanded commanded);

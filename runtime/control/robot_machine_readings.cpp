@@ -49,10 +49,7 @@ std::optional<Words> settle_on_axes(const motion::RobotModel& robot, const lang:
 
 /// Behind an exact motion no blend is lost by waiting until the axes stand, and only then are they
 /// where the program sent them.
-bool RobotMachine::place_can_be_read() const {
-  const bool stands = progress_.settled.load(std::memory_order_acquire) >= planner_.last_number();
-  return observable() && (!exact_ || stands);
-}
+bool RobotMachine::place_can_be_read() const { return observable() && (!exact_ || stands()); }
 
 Reply RobotMachine::read(int /*line*/, Reading what, lang::Slot* value) {
   if (is_observation(what) && !place_can_be_read()) return Reply::Later;

@@ -27,6 +27,12 @@ TEST_CASE("CLOCK behind an exact motion is read in the first cycle of standstill
   CHECK(printed_by("MOVE(40,0,0)\nSTOP\nPRINT CLOCK") == std::vector<std::string>{"5.51s"});
 }
 
+TEST_CASE("WAITs for what holds already are answered in one cycle of standstill") {
+  CHECK(printed_by("MOVE(40,0,0)\nWAIT NOT DIN[1]\nVAR t = CLOCK\nWAIT NOT DIN[1]\n"
+                   "WAIT NOT DIN[2]\nPRINT t, \" \", CLOCK") ==
+        std::vector<std::string>{"5.51s 5.51s"});
+}
+
 TEST_CASE("CLOCK behind a motion that is not exact is that of its decision point") {
   // The line ends at 2.75 + 5 s; its successor is fetched at 7.75 s, and the world is read in the
   // last cycle that begins a period of 10 ms before.
