@@ -27,6 +27,7 @@
 #include "runtime/program/run_mark.h"
 #include "runtime/program/terminal.h"
 #include "runtime/program/text_report.h"
+#include "runtime/prompt/prompt.h"
 #include "runtime/test_files.h"
 
 namespace rob::runtime {
@@ -252,6 +253,8 @@ ExitCode list_robots() {
 
 ExitCode carry_out(const Options& options) {
   switch (options.command) {
+    case Options::Command::Prompt:
+      return run_prompt(options);
     case Options::Command::Run:
       return run_files(options);
     case Options::Command::Check:

@@ -15,15 +15,6 @@ namespace rob::runtime {
 
 namespace {
 
-std::string all_texts(const std::string& word) {
-  for (const CodeText& code : all_codes()) {
-    if (lang::same_word(code.code, word)) {
-      return lang::help_text({code.code, code.title, code.explanation});
-    }
-  }
-  return lang::help_on(word);
-}
-
 std::string suggestion(const std::string& word) {
   std::vector<std::string_view> topics = lang::help_topics();
   for (const CodeText& code : all_codes()) topics.push_back(code.code);
@@ -32,8 +23,17 @@ std::string suggestion(const std::string& word) {
 
 }  // namespace
 
+std::string explanation_of(const std::string& word) {
+  for (const CodeText& code : all_codes()) {
+    if (lang::same_word(code.code, word)) {
+      return lang::help_text({code.code, code.title, code.explanation});
+    }
+  }
+  return lang::help_on(word);
+}
+
 ExitCode explain(const std::string& word) {
-  const std::string text = all_texts(word);
+  const std::string text = explanation_of(word);
   if (!text.empty()) {
     put_result(text);
     return ExitCode::Done;

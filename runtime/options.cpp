@@ -13,20 +13,9 @@ namespace {
 constexpr const char* kVersion = "rob 0.1.0";
 constexpr double kMostOverride = 200;  // % (docs/cli.md)
 
-/// "50%" or "50": a share of the programmed speed.
 std::string check_override(const std::string& text) {
-  double percent = 0;
-  const char* end = text.data() + text.size() - (text.ends_with('%') ? 1 : 0);
-  const auto [rest, error] = std::from_chars(text.data(), end, percent);
-  const bool number = error == std::errc() && rest == end;
-  if (number && percent > 0 && percent <= kMostOverride) return "";
+  if (override_of(text)) return "";
   return fmt::format("takes a share from above 0% to {}%, not '{}'", kMostOverride, text);
-}
-
-double share_of(const std::string& text) {
-  double percent = 100;
-  std::from_chars(text.data(), text.data() + text.size(), percent);
-  return percent / 100;
 }
 
 std::string check_law(const std::string& law) {
@@ -63,9 +52,18 @@ struct Parser {
   void add_signals(CLI::App& command) {
     command.add_option("--signals", options.signals, "a script that drives the simulated inputs");
   }
+  void add_motion(CLI::App& command) {
+    command.add_option("--backend", backend, "what moves: sim")->check(check_backend);
+    command.add_flag("--fast", options.fast, "on the virtual clock, as fast as possible");
+    command.add_option("--trace", options.trace,
+                       "write a row for each reference period to this file");
+    command.add_option("--override", override_text, "share of the programmed speed, such as 50%")
+        ->check(check_override);
+  }
   void add_json(CLI::App& command) {
     command.add_flag("--json", options.json, "print one JSON document, and nothing else");
   }
+  void add_prompt();
   void add_run();
   void add_check();
   void add_test();
@@ -76,10 +74,18 @@ Parser::Parser() {
   app.set_version_flag("--version", kVersion);
   app.require_subcommand(0, 1);
   app.footer("Start with: rob run examples/01_triangle.rob");
+  add_prompt();
   add_run();
   add_check();
   add_test();
   add_others();
+}
+
+/// Without a command: the prompt, or statements from a pipe.
+void Parser::add_prompt() {
+  add_robot(app);
+  add_seed(app);
+  add_motion(app);
 }
 
 void Parser::add_run() {
@@ -90,11 +96,7 @@ void Parser::add_run() {
   add_json(run);
   add_seed(run);
   add_signals(run);
-  run.add_option("--backend", backend, "what moves: sim")->check(check_backend);
-  run.add_flag("--fast", options.fast, "on the virtual clock, as fast as possible");
-  run.add_option("--trace", options.trace, "write a row for each reference period to this file");
-  run.add_option("--override", override_text, "share of the programmed speed, such as 50%")
-      ->check(check_override);
+  add_motion(run);
 }
 
 void Parser::add_check() {
@@ -134,6 +136,7 @@ void Parser::add_others() {
     options.command = Options::Command::Robots;
   });
   CLI::App& help = *app.add_subcommand("help", "explain a command or a word of the language");
+  help.callback([this] { options.command = Options::Command::Help; });
   help.add_option("WORD", topic, "a command, a statement, a clause, a unit, a function, or a code");
 }
 
@@ -158,6 +161,15 @@ std::variant<Options, CommandLineEnd> help_on(Parser& parser) {
 
 }  // namespace
 
+std::optional<double> override_of(const std::string& text) {
+  double percent = 0;
+  const char* end = text.data() + text.size() - (text.ends_with('%') ? 1 : 0);
+  const auto [rest, error] = std::from_chars(text.data(), end, percent);
+  const bool number = error == std::errc() && rest == end;
+  if (!number || !(percent > 0) || percent > kMostOverride) return std::nullopt;
+  return percent / 100;
+}
+
 std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* const* argv) {
   Parser parser;
   try {
@@ -168,7 +180,7 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
     parser.app.exit(error, out, out);
     return CommandLineEnd{ExitCode::Done, out.str(), ""};
   }
-  parser.options.override_share = share_of(parser.override_text);
+  parser.options.override_share = *override_of(parser.override_text);
   if (!parser.law.empty())
     parser.options.law = parser.law == "paul" ? motion::Law::Paul : motion::Law::LookAhead;
   if (parser.options.command == Options::Command::Help) return help_on(parser);

@@ -14,9 +14,9 @@ namespace rob::runtime {
 
 /// The command line of `rob`, understood (docs/cli.md).
 struct Options {
-  enum class Command { Run, Check, Test, Compile, Format, Robots, Help, Explain };
+  enum class Command { Prompt, Run, Check, Test, Compile, Format, Robots, Help, Explain };
 
-  Command command = Command::Help;
+  Command command = Command::Prompt;
   std::vector<std::string> files;
   std::string robot;  ///< a name, or a file that ends in .toml; empty: the program's own
   std::optional<motion::Law> law;  ///< without it the program's or the robot's own
@@ -39,6 +39,9 @@ struct CommandLineEnd {
   std::string to_stdout;
   std::string to_stderr;
 };
+
+/// "50%" or "50": a share of the programmed speed; none if it is not from above 0 to 200 %.
+std::optional<double> override_of(const std::string& text);
 
 std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* const* argv);
 

@@ -30,14 +30,15 @@ void StatementChecker::check(PointDeclaration& declaration) {
       value = known_value(*declaration.value);
     }
     if (!declaration.sound) type = Type{};
-    const bool taught = taught_.contains(to_upper(point.declared.name));
+    // What comes behind an entry of the prompt may teach any of them.
+    const bool taught = entry_ != 0 || taught_.contains(to_upper(point.declared.name));
     point.declared.symbol = declare(Symbol::Kind::Point, point.declared.name, point.declared.place,
                                     type, taught ? Constant{} : value);
     scopes_.keep(*point.declared.symbol, std::move(value));
     if (kept != nullptr) scopes_.keep_joints(*point.declared.symbol, *kept);
     if (taught) {
       scopes_.teach(*point.declared.symbol, *scopes_.hide(expressions_.joints()),
-                    *scopes_.hide(Type::boolean()));
+                    *scopes_.hide(Type::boolean()), entry_ != 0);
     }
     if (kept == nullptr && !has_value && declaration.sound) {
       missing_.declare(*point.declared.symbol);

@@ -41,7 +41,8 @@ void StatementChecker::check(Program& program) {
 }
 
 void StatementChecker::declare(const Routine& routine) {
-  if (const Symbol* const earlier = scopes_.find_innermost(routine.name)) {
+  const Symbol* const earlier = scopes_.find_innermost(routine.name);
+  if (earlier != nullptr && !may_be_anew()) {
     diagnostics_.error(code::kDeclaredTwice, routine.name_place,
                        fmt::format("{} is already declared, in line {}", shortened(routine.name),
                                    earlier->place.line),

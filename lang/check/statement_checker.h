@@ -35,7 +35,8 @@ class StatementChecker {
         taught_(checked.program.taught),
         missing_points_(checked.missing_points),
         diagnostics_(diagnostics),
-        routines_(checked.program.routines) {}
+        routines_(checked.program.routines),
+        entry_(checked.program.entry) {}
 
   /// The top level first, then the routines, which see all its names.
   void check(Program& program);
@@ -51,6 +52,8 @@ class StatementChecker {
     int rescues = 0;                   ///< RESCUE blocks open
   };
 
+  /// At the prompt what is declared last holds.
+  bool may_be_anew() const { return entry_ != 0 && scopes_.at_top_level(); }
   /// A block is a scope: what it declares lives to its end.
   void check(Block& block) {
     const Slots declared = inside_.declared;
@@ -219,6 +222,7 @@ class StatementChecker {
   bool pressing_ = false;                 ///< inside of PRESS
   std::vector<const Expr*> path_values_;  ///< what PATHs are computed from
   std::vector<Routine>& routines_;
+  std::uint32_t entry_;  ///< as Program::entry
 };
 
 }  // namespace rob::lang

@@ -122,7 +122,8 @@ class Scopes {
     symbols_[point.id].flange_joints =
         !kept.joints.empty() && !kept.with_tool && kept.frame.empty();
   }
-  void teach(const Symbol& point, const Symbol& joints, const Symbol& known) {
+  void teach(const Symbol& point, const Symbol& joints, const Symbol& known, bool moved_to) {
+    symbols_[point.id].moved_to = moved_to;
     symbols_[point.id].taught = &joints;
     symbols_[point.id].has_taught = &known;
   }

@@ -32,12 +32,12 @@ StatementCompiler::StatementCompiler(const CheckedProgram& checked, const RobotS
 
 std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnostics& diagnostics) {
   const auto mark = code_.mark();
-  if (program.memory) code_.open_memory(program.end);
+  if (program.memory || program.entry != 0) code_.open_memory(program.end);
   for (const Routine& routine : program.routines) {
     if (routine.task) task_numbers_.emplace(routine.index, task_numbers_.size());
   }
   // A WHEN outside of all blocks is armed until the program has ended.
-  for (const Statement& statement : program.statements) compile(statement);
+  compile_top_level(program);
   code_.release(mark);
   code_.land(returns_);
   code_.emit(Opcode::end, program.end);
@@ -48,6 +48,18 @@ std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnost
   if (code_.failed() == CodeBuilder::Limit::None) return code_.finish();
   report_limit(diagnostics);
   return std::nullopt;
+}
+
+/// An entry of the prompt jumps over what has been executed: of that the names and their homes
+/// stay.
+void StatementCompiler::compile_top_level(const Program& program) {
+  CodeBuilder::Jumps over;
+  if (program.entry != 0) over.push_back(code_.jump(program.end));
+  for (const Statement& statement : program.statements) {
+    if (statement.place.line >= program.entry) code_.land(std::exchange(over, {}));
+    compile(statement);
+  }
+  code_.land(over);
 }
 
 Location StatementCompiler::declare(const Symbol& symbol) {

@@ -25,6 +25,7 @@ class StatementCompiler {
   std::optional<Chunk> compile(const Program& program, Diagnostics& diagnostics);
 
  private:
+  void compile_top_level(const Program& program);
   /// What a block declares is given back at its end.
   void compile(const Block& block) {
     const auto mark = code_.mark();

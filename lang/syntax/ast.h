@@ -296,6 +296,9 @@ struct Program {
   Place end;
   std::size_t nodes = 0;                        ///< statements and expressions read so far
   bool whole = true;                            ///< all that it USEs could be read
+  /// From this line on it is an entry of the prompt: what stands before has been executed, and its
+  /// names may be declared anew. 0: it is a program.
+  std::uint32_t entry = 0;
   std::vector<Program> used{};                  ///< what is left of the files that it USEs
   std::vector<std::vector<Unit>> used_units{};  ///< UNITS of each file, its own first
 };

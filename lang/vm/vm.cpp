@@ -71,7 +71,7 @@ Vm::State Vm::execute(Code pc) {
   const void* const* labels = kLabels;
   asm("" : "+r"(labels));  // else the address of the table is made anew for each instruction
   Slot* n = numbers_;
-  const Slot* const constants = chunk_.constants.data();
+  const Slot* const constants = chunk_->constants.data();
   std::intptr_t limit = limit_;
   struct {
     Code at = nullptr;

@@ -47,11 +47,9 @@ inline constexpr std::size_t kMostText = 65536;
 
 /// How deep calls may be nested. [choice] a recursion that goes deeper has most probably no end.
 inline constexpr std::size_t kMostCalls = 1000;
-/// What the budget gives for one instruction on long blocks. [choice] copying them takes about as
-/// long as an instruction does.
+/// What the budget gives for an instruction on long blocks. [choice] copying them takes as long.
 inline constexpr std::uint32_t kSlotsAnInstruction = 16;
-/// WHENs that can be armed at once. [choice] more than a person keeps in mind; all are looked at in
-/// every control cycle.
+/// WHENs that can be armed at once, and are looked at in every cycle. [choice] more than needed.
 inline constexpr std::size_t kMostWhens = 16;
 /// TRY blocks that can be open, those whose RESCUE runs included. [choice] one a call.
 inline constexpr std::size_t kMostTries = kMostCalls;
@@ -71,7 +69,7 @@ inline constexpr std::size_t kMostTries = kMostCalls;
 /// Errors take effect in motion order: with a TRY block open, the machine first settles what was
 /// commanded before; then the RESCUE goes on in the frame of its TRY.
 ///
-/// Arithmetic, loops, calls, motions and observations take no memory. Texts and TRY blocks do.
+/// Arithmetic, loops, calls, motions, observations take no memory. Texts and TRY blocks do.
 class Vm {
  public:
   enum class State : std::uint8_t {
@@ -89,8 +87,16 @@ class Vm {
   /// are for it as for a program.
   Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memory,
      std::uint64_t seed);
+  /// For entries of the prompt: it is done until go_on_with() gives it one.
+  explicit Vm(Machine& machine, std::uint64_t seed = Random::kDefaultSeed);
   Vm(const Vm&) = delete;
   Vm& operator=(const Vm&) = delete;
+
+  /// The next entry of the prompt, compiled behind all that it can name: variables keep their
+  /// values, and WHENs of the top level stay armed. The entry before is done; its chunk stays, too.
+  void go_on_with(const Chunk& chunk);
+  /// Behind an entry that has Failed, until Done: leaves all that it has opened.
+  Reply give_up_entry();
 
   /// Instead of the program: its declarations, then one of Chunk::tests. Before the first run().
   void choose_test(std::size_t test);
@@ -101,13 +107,11 @@ class Vm {
   /// The line of the loop that has turned too often; 0 if there is none.
   int circling() const { return circling_; }
 
-  /// Executes until the program has to wait or is over, or until `budget` instructions are spent.
-  /// The budget is looked at where a loop turns, so a run may exceed it by the length of the code,
-  /// but no program can run on for ever.
+  /// Executes until the program has to wait or is over, or `budget` instructions are spent.
+  /// The budget is looked at where a loop turns: a run may exceed it by the length of the code.
   State run(std::int64_t budget);
 
-  /// Something went wrong while the program was waiting or between two of its instructions: the
-  /// program fails with this error where it is.
+  /// Something went wrong while the program was waiting: it fails with this error where it is.
   void interrupt(RuntimeError error);
 
   /// A WHEN, as its Machine has numbered it, has come true: its handler begins, before the program
@@ -116,7 +120,6 @@ class Vm {
   /// Whether a handler may begin: none is running, and the program neither is over nor goes wrong.
   bool takes_handlers() const;
   bool handling() const { return handling_; }
-
   State state() const { return state_; }
   /// Of the instruction that comes next.
   Place place() const { return place(next_); }
@@ -135,6 +138,7 @@ class Vm {
     State left = State::Running;
   };
 
+  static const Chunk& nothing();
   /// The dispatch loop (vm.cpp).
   State execute(Code pc);
   /// An instruction that the loop hands over (vm_step.cpp).
@@ -177,7 +181,7 @@ class Vm {
   Reply observe_analog(Code pc);
   Reply read(Code pc);
   Reply feel(Code pc);
-  /// Whether the `read` at `pc` is an observation that belongs to the next cycle.
+  /// Whether the `read` at `pc` is an observation of the next cycle.
   bool waits_for_cycle(Code pc) const;
   Reply forward(Code pc);
   Reply at_joints(Code pc);
@@ -247,14 +251,16 @@ class Vm {
   }
   State fail_assertion_at(Code pc);
 
-  Place place(Code pc) const { return chunk_.places[index(pc)]; }
+  Place place(Code pc) const { return chunk_->places[index(pc)]; }
   int line(Code pc) const { return line_tag(place(pc)); }
-  std::size_t index(Code pc) const { return static_cast<std::size_t>(pc - chunk_.code.data()); }
+  std::size_t index(Code pc) const { return static_cast<std::size_t>(pc - chunk_->code.data()); }
 
   static constexpr std::intptr_t kWord = sizeof(Instruction);
 
-  const Chunk& chunk_;
+  const Chunk* chunk_;
   Machine* machine_;
+  bool entries_ = false;        ///< of the prompt
+  std::size_t kept_whens_ = 0;  ///< armed before the present one
   /// What a call comes back to.
   struct Frame {
     Code back;

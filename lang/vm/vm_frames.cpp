@@ -26,7 +26,7 @@ Slots memory_of(const Chunk& chunk) { return takes_memory(chunk) ? kMemory : chu
 }  // namespace
 
 Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
-    : chunk_(chunk),
+    : chunk_(&chunk),
       machine_(&machine),
       own_numbers_(static_cast<std::size_t>((registers_of(chunk) + memory_of(chunk)).numbers)),
       own_texts_(static_cast<std::size_t>((registers_of(chunk) + memory_of(chunk)).texts)),
@@ -73,7 +73,7 @@ bool Vm::reserve(Code pc) {
 bool Vm::append_memory(Code pc) {
   std::string& text = texts_[pc->a()];
   const std::size_t before = text.size();
-  const Type& type = chunk_.types[(pc + 1)->word];
+  const Type& type = chunk_->types[(pc + 1)->word];
   const Slots slots = slots_of(type);
   const bool fits =
       append_value_text(text, type, slots.numbers > 0 ? place_of(numbers_[pc->b()], 0) : nullptr,
@@ -128,8 +128,8 @@ bool Vm::count_turn(Code pc, Code target) {
 }
 
 void Vm::choose_test(std::size_t test) {
-  test_ = chunk_.tests.at(test).routine;
-  next_ = chunk_.code.data() + chunk_.test_entry;
+  test_ = chunk_->tests.at(test).routine;
+  next_ = chunk_->code.data() + chunk_->test_entry;
   latch_ = next_;
 }
 
@@ -137,7 +137,7 @@ Vm::State Vm::fail(Code pc, RuntimeError error) {
   error_ = std::move(error);
   for (const Frame* frame = frame_; frame != frames_.data();) {
     --frame;
-    const RoutineCode& routine = chunk_.routines[frame->routine];
+    const RoutineCode& routine = chunk_->routines[frame->routine];
     if (routine.handler) {
       error_.calls.push_back({routine.name, line_tag(routine.place), CallSite::By::When});
     } else {
@@ -184,7 +184,7 @@ Vm::State Vm::fail_no_value(Code pc) {
   return fail(pc, {.code = std::string(code::kEndedWithoutReturn),
                    .place = place(pc),
                    .message = fmt::format("{} came to its end without RETURN",
-                                          chunk_.routines[frame_[-1].routine].name),
+                                          chunk_->routines[frame_[-1].routine].name),
                    .help = "RETURN a value on every way through it"});
 }
 
@@ -199,7 +199,7 @@ Vm::State Vm::fail_index(Code pc, std::int64_t index, std::uint32_t count) {
 Vm::State Vm::fail_assertion_at(Code pc) {
   return fail(pc, {.code = std::string(code::kAssertionFailed),
                    .place = place(pc),
-                   .message = fmt::format("ASSERT {} does not hold", chunk_.texts[(pc + 1)->word]),
+                   .message = fmt::format("ASSERT {} does not hold", chunk_->texts[(pc + 1)->word]),
                    .help = ""});
 }
 

@@ -18,8 +18,8 @@ Reply Vm::when_handle(Code pc) {
 }
 
 bool Vm::takes_handlers() const {
-  return !handling_ && !rescuing_ && circling_ == 0 && state_ != State::Done &&
-         state_ != State::Failed;
+  const bool over = state_ == State::Done && !entries_;
+  return !handling_ && !rescuing_ && circling_ == 0 && !over && state_ != State::Failed;
 }
 
 void Vm::handle(int when, Machine& machine) {
@@ -27,14 +27,15 @@ void Vm::handle(int when, Machine& machine) {
   const auto armed =
       std::find_if(armed_.begin(), end, [&](const Armed& one) { return one.id == when; });
   const bool top = depth() == 0;
-  const RoutineCode* const routine = top ? nullptr : &chunk_.routines[(frame_ - 1)->routine];
+  const RoutineCode* const routine = top ? nullptr : &chunk_->routines[(frame_ - 1)->routine];
   const std::uint32_t number = (armed->handler + 1)->word;
   interrupted_ = {machine_,         next_, latch_,  latched_random_, turned_, guards_.size(),
                   settings_.size(), hit_,  guarded_};
   machine_ = &machine;
   handling_ = true;
-  Slot* const numbers = numbers_ + (top ? chunk_.registers : routine->registers);
-  std::string* const texts = texts_ + (top ? chunk_.text_registers : routine->text_registers);
+  if (state_ == State::Done) state_ = State::Running;
+  Slot* const numbers = numbers_ + (top ? chunk_->registers : routine->registers);
+  std::string* const texts = texts_ + (top ? chunk_->text_registers : routine->text_registers);
   if (!enter(numbers, texts, number, next_)) {
     abandon_handler();
     state_ = fail_calls_too_deep(armed->handler);

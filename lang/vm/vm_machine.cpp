@@ -111,17 +111,17 @@ bool Vm::check_pulse(Code pc, double seconds) {
 Reply Vm::teach(Code pc) {
   const PoseValue tip = setting().tool.tip;
   const auto tool =
-      std::ranges::find_if(chunk_.tools, [&](const NamedTool& one) { return one.tip == tip; });
-  const bool named = has_tool(setting()) && tool != chunk_.tools.end();
-  return machine_->teach(line(pc), {.name = chunk_.texts[(pc + 1)->word],
-                                    .frame = chunk_.texts[(pc + 2)->word],
+      std::ranges::find_if(chunk_->tools, [&](const NamedTool& one) { return one.tip == tip; });
+  const bool named = has_tool(setting()) && tool != chunk_->tools.end();
+  return machine_->teach(line(pc), {.name = chunk_->texts[(pc + 1)->word],
+                                    .frame = chunk_->texts[(pc + 2)->word],
                                     .tool = named ? std::string_view(tool->name) : "",
                                     .pose = load_pose(&numbers_[pc->a()])});
 }
 
 /// What cannot be read is asked again, and said why.
 Reply Vm::ask(Code pc) {
-  const Type& type = chunk_.types[(pc + 1)->word];
+  const Type& type = chunk_->types[(pc + 1)->word];
   std::string text = texts_[pc->a()];
   if (!misread_.empty()) text = fmt::format("{}; {}", misread_, text);
   std::optional<std::string> answer;

@@ -36,7 +36,7 @@ Dimension dimension_of(MoveCommand::Zone zone) {
 }  // namespace
 
 bool Vm::build(Code pc, MoveCommand& command) {
-  const MoveForm& form = chunk_.moves[pc->x()];
+  const MoveForm& form = chunk_->moves[pc->x()];
   const Slot* next = &numbers_[pc->a()];
   command.kind = form.kind;
   command.jog = form.jog;
@@ -61,7 +61,7 @@ bool Vm::build(Code pc, MoveCommand& command) {
 }
 
 MoveCommand Vm::build_plain(Code pc) const {
-  const MoveForm& form = chunk_.moves[pc->x()];
+  const MoveForm& form = chunk_->moves[pc->x()];
   MoveCommand command{.kind = form.kind, .count = form.count, .given = form.given};
   Code next = pc + 1;
   for (int i = 0; i < form.count; ++i) {

@@ -54,7 +54,7 @@ Vm::Step Vm::step(Code pc) {
   Slot* const n = numbers_;
   switch (pc->opcode()) {
     case Opcode::load_constant_wide:
-      n[pc->a()] = chunk_.constants[(pc + 1)->word];
+      n[pc->a()] = chunk_->constants[(pc + 1)->word];
       return pc + 2;
     case Opcode::call_text:
       ROB_CHECKED(builtins()[pc->c()].text(&n[pc->a()], &texts_[pc->b()]));
@@ -100,7 +100,7 @@ Vm::Step Vm::step(Code pc) {
       n[pc->a()].integer = texts_[pc->b()] <= texts_[pc->c()] ? 1 : 0;
       return pc + 1;
     case Opcode::load_text:
-      texts_[pc->a()] = chunk_.texts[(pc + 1)->word];
+      texts_[pc->a()] = chunk_->texts[(pc + 1)->word];
       return pc + 2;
     case Opcode::copy_text:
       texts_[pc->a()] = texts_[pc->b()];
@@ -112,7 +112,7 @@ Vm::Step Vm::step(Code pc) {
       if (!append(pc->a(), std::to_string(n[pc->b()].integer))) return fail_too_long(pc);
       return pc + 1;
     case Opcode::append_real:
-      if (!append(pc->a(), number_text(n[pc->b()].real, chunk_.dimensions[pc->c()]))) {
+      if (!append(pc->a(), number_text(n[pc->b()].real, chunk_->dimensions[pc->c()]))) {
         return fail_too_long(pc);
       }
       return pc + 1;
@@ -120,7 +120,7 @@ Vm::Step Vm::step(Code pc) {
       if (!append(pc->a(), text_of(n[pc->b()].integer != 0))) return fail_too_long(pc);
       return pc + 1;
     case Opcode::append_value:
-      if (!append_value_text(texts_[pc->a()], chunk_.types[(pc + 1)->word], &n[pc->b()], nullptr,
+      if (!append_value_text(texts_[pc->a()], chunk_->types[(pc + 1)->word], &n[pc->b()], nullptr,
                              kMostText)) {
         return fail_too_long(pc);
       }
@@ -281,7 +281,7 @@ Vm::Step Vm::step(Code pc) {
     case Opcode::raise_again:
       return raise_again(pc);
     case Opcode::end:
-      ROB_ASK(machine_->end(line(pc)), pc);
+      if (!entries_) ROB_ASK(machine_->end(line(pc)), pc);
       return leave(pc + 1, pc, State::Done);
     default:  // of the dispatch loop
       return pc;

@@ -5,7 +5,7 @@ namespace rob::lang {
 
 Vm::Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memory,
        std::uint64_t seed)
-    : chunk_(chunk),
+    : chunk_(&chunk),
       machine_(&machine),
       number_stack_(memory.numbers(task)),
       text_stack_(memory.texts(task)),

@@ -15,8 +15,8 @@ namespace rob::lang {
 
 Watch Vm::watch_of(Code pc) const {
   Watch watch;
-  watch.chunk = &chunk_;
-  watch.form = chunk_.watches[pc->x()];
+  watch.chunk = chunk_;
+  watch.form = chunk_->watches[pc->x()];
   std::copy_n(numbers_ + pc->a(), watch.form.values, watch.values.begin());
   watch.setting = setting();
   return watch;

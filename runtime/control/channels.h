@@ -112,8 +112,12 @@ struct Channels {
   OperatorPanel panel;  ///< motion → program: what a signal script does in the operator's place
   /// Before the run: what outputs become when it goes wrong.
   std::vector<motion::Effect> safe;
-  std::atomic<bool> hold_requested{false};  ///< main → motion
-  std::atomic<std::int64_t> lost{0};        ///< snapshots that found their ring full
+  std::atomic<bool> hold_requested{false};  ///< main → motion: for good
+  // At a prompt, main → motion:
+  std::atomic<bool> pause_requested{false};  ///< stand on the path until it is withdrawn
+  std::atomic<bool> stop_requested{false};   ///< brake, and drop all that was commanded
+  std::atomic<double> override_asked{0};     ///< once each; 0: none
+  std::atomic<std::int64_t> lost{0};         ///< snapshots that found their ring full
 };
 
 }  // namespace rob::runtime

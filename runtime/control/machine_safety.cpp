@@ -30,6 +30,7 @@ Reply RobotMachine::fail(int line) {
   for (; safe_queued_ < channels_.safe.size(); ++safe_queued_) {
     if (queue(channels_.safe[safe_queued_]) != Reply::Done) return Reply::Later;
   }
+  if (stays_) safe_queued_ = 0;
   return end(line);
 }
 

@@ -146,7 +146,7 @@ bool RobotMachine::take_rest(motion::Rest& rest) {
 std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
   const motion::Rest* const rest = progress_.rests.front();
   if (rest == nullptr || !rest->failure()) return std::nullopt;
-  lang::RuntimeError error = whens_.error_of(*rest);
+  lang::RuntimeError error = rest->by == &stopping_ ? stopped() : whens_.error_of(*rest);
   restart_from(rest->q);
   buffer_.braked();
   begun_ = standing_ = guarded_ = braking_ = consulting_ = false;

@@ -116,6 +116,17 @@ void MotionTask::take_finding(const ServoSample& sample) noexcept {
 
 void MotionTask::take_requests() noexcept {
   if (channels_.hold_requested.load(std::memory_order_relaxed)) hold();
+  pause(channels_.pause_requested.load(std::memory_order_relaxed));
+  if (const double share = channels_.override_asked.exchange(0, std::memory_order_relaxed))
+    set_override(share);
+}
+
+/// A fault, and a hold for good, go before.
+void MotionTask::pause(bool asked) noexcept {
+  if (asked == paused_ || safe_) return;
+  paused_ = asked;
+  for (const Track* const track : {&program_, &handlers_})
+    asked ? track->generator.hold() : track->generator.resume();
 }
 
 void MotionTask::hold() noexcept {
@@ -245,6 +256,7 @@ void MotionTask::release(Track& track, MotionEvent event, double cycle_time) noe
       break;
     case MotionEvent::Kind::Held:
       if (&track != active_) return;  // the other one's axes do not stand yet
+      if (paused_ && !safe_) break;
       finished_ = true;
       end_pulses(std::numeric_limits<double>::infinity());  // nobody will be there to end them
       break;

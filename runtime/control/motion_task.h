@@ -52,6 +52,7 @@ class MotionTask {
   void latch_inputs(double now) noexcept;
   void take_finding(const ServoSample& sample) noexcept;
   void take_requests() noexcept;
+  void pause(bool asked) noexcept;
   motion::CycleView view(double now) const noexcept;
   // Handlers (motion_task_handlers.cpp)
   void take_after_handler() noexcept;
@@ -111,6 +112,7 @@ class MotionTask {
   bool relieved_ = false;  ///< once at least; it has been said
   bool warned_ = false;
   bool faulted_ = false;
+  bool paused_ = false;
 
   /// The servo's last samples: what was measured at the stamp of a reference is looked up here.
   static constexpr std::size_t kHistory = 64;

@@ -191,6 +191,7 @@ bool RobotMachine::settled() const { return has_acted() && !interrupted(); }
 /// A PATH is open only where a loop in it has been given up.
 Reply RobotMachine::end(int line) {
   if (path_ && end_path(line) == Reply::Later) return Reply::Later;
+  if (stays_) return disarm_all(line) ? settle(line) : Reply::Later;
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
   if (!watched()) return Reply::Later;  // a WHEN may still have something to say
@@ -271,7 +272,7 @@ void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool furt
 
 void RobotMachine::queue(Commanded commanded) {
   motion::SegmentDescriptor& segment = commanded.segment;
-  if (guarded_) segment.guard = until_.handle();
+  if (guarded_) segment.guard = held_.present() ? held_ : until_.handle();
   follow(segment);
   if (!collecting()) return send(std::move(commanded));
   path_->motions.push_back(std::move(commanded));

@@ -73,6 +73,16 @@ class RobotMachine final : public lang::Machine {
     if (handlers_ != nullptr) handlers_->keep_points(keeper);
     keeper_ = keeper;
   }
+  /// Whether the axes stand, all effects have acted, and no WHEN has interrupted that.
+  bool settled() const;
+
+  // At a prompt (machine_prompt.cpp)
+  /// The robot stays under control behind the end of a program; and Channels::stop_requested is
+  /// obeyed as a WHEN that raises. Before anything else is commanded.
+  void stay();
+  /// A jog for as long as `held` says No, in the tick; ended() tells when it has come to rest.
+  lang::Reply jog_while(int line, const lang::MoveCommand& command, const motion::Watch& held);
+
   /// The program's TASKs; they must outlive the run.
   void run_beside(BackgroundTasks& tasks) {
     if (handlers_ != nullptr) handlers_->run_beside(tasks);
@@ -274,8 +284,6 @@ class RobotMachine final : public lang::Machine {
   bool stands() const;
   /// Whether they do, and all effects have acted.
   bool has_acted() const;
-  /// Whether that is so, and no WHEN has interrupted it.
-  bool settled() const;
   /// A WHEN has ended all that was commanded, and the program has still to learn of it.
   bool interrupted() const;
   void forget_rests();
@@ -354,6 +362,13 @@ class RobotMachine final : public lang::Machine {
   bool guarded_ = false;             ///< what is queued now ends early if until_ holds
   std::size_t safe_queued_ = 0;      ///< SAFE values that have been queued
   bool standing_ = false;            ///< the present WAIT for a condition has queued all it needs
+
+  // At a prompt
+  lang::RuntimeError stopped();
+  bool disarm_all(int line);
+  bool stays_ = false;
+  motion::WatchedAction stopping_;  ///< Channels::stop_requested
+  motion::Watch held_;              ///< of the jog that is queued now, instead of until_
 };
 
 }  // namespace rob::runtime

@@ -18,6 +18,15 @@ std::string shown(double si, motion::AxisKind kind) {
   return shown(si * shown_per_si(kind), kDecimals) + " " + unit_name(kind);
 }
 
+std::string axes_text(const motion::RobotModel& robot, const motion::JointVector& q) {
+  std::string text;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const motion::Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", axis.name, shown(q[i], axis.kind));
+  }
+  return text;
+}
+
 std::vector<double> shown_pose(const motion::Pose& pose) {
   const Eigen::Vector3d mm = pose.position * kMillimetresPerMetre;
   const motion::FixedAngles angles = motion::fixed_angles(pose.orientation);

@@ -38,6 +38,14 @@ motion::WatchedAction* WhenPool::set_up(int line, const lang::Watch& condition, 
   return &place->action;
 }
 
+motion::WatchedAction* WhenPool::first_in_use() {
+  const auto place = std::ranges::find_if(places_, [](const Place& one) {
+    return one.action.armed.load(std::memory_order_acquire) &&
+           !one.action.retired.load(std::memory_order_relaxed);
+  });
+  return place == places_.end() ? nullptr : &place->action;
+}
+
 int WhenPool::id_of(const motion::WatchedAction& action) const {
   const auto place =
       std::ranges::find_if(places_, [&](const Place& one) { return &one.action == &action; });

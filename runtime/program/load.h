@@ -48,10 +48,11 @@ LoadedProgram compile_program(std::string file, std::string source, const std::s
                               std::optional<motion::Law> law = {});
 
 /// Compiles for this robot, whatever the text says; checks the targets that are known beforehand
-/// against the robot, so that nothing moves if one of them cannot be reached.
+/// against the robot, so that nothing moves if one of them cannot be reached. `entry`: as of
+/// lang::compile().
 LoadedProgram compile_program(std::string file, std::string source, const motion::RobotModel& robot,
                               const std::string& points_file = "",
-                              std::optional<motion::Law> law = {});
+                              std::optional<motion::Law> law = {}, std::uint32_t entry = 0);
 
 /// Refuses a program that needs points which nobody has taught: for what moves or tests.
 void refuse_missing_points(LoadedProgram& program);

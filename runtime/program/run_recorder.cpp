@@ -324,13 +324,7 @@ std::vector<double> RunRecorder::shown_joints() const {
 }
 
 std::string RunRecorder::stands() const {
-  const motion::JointVector& q = last_ ? last_->sample.reference.q : robot_.start;
-  std::string text;
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    const motion::Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
-    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", axis.name, shown(q[i], axis.kind));
-  }
-  return text;
+  return axes_text(robot_, last_ ? last_->sample.reference.q : robot_.start);
 }
 
 LineResult& RunRecorder::line_of(const LoggedSegment& segment) {

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include "runtime/control/signal_access.h"
+#include "runtime/control/units.h"
+#include "runtime/options.h"
+#include "runtime/prompt/commands.h"
+#include "runtime/prompt/session.h"
+
+/// The commands that ask where the robot is, and how it moves.
+namespace rob::runtime::command {
+
+namespace {
+
+std::string pose_text(const std::vector<double>& pose) {
+  return fmt::format("POSE({}mm, {}mm, {}mm, {}deg, {}deg, {}deg)", shown(pose[0], 3),
+                     shown(pose[1], 3), shown(pose[2], 3), shown(pose[3], 3), shown(pose[4], 3),
+                     shown(pose[5], 3));
+}
+
+}  // namespace
+
+void where(Session& session, const Words&) {
+  const LiveRobot& live = session.robot();
+  const auto& last = live.reports().last();
+  const motion::RobotModel& robot = live.robot();
+  const motion::JointVector q = last ? last->measured : robot.start;
+  session.screen().result(fmt::format("{}\n{}\n", axes_text(robot, q),
+                                      pose_text(shown_pose(robot.kinematics->forward(q)))));
+}
+
+void signals(Session& session, const Words&) {
+  const Channels& channels = session.robot().channels();
+  for (const auto& signal : signature_of(session.robot().robot()).signals) {
+    const std::string value = signal.analog
+                                  ? fmt::format("{} V", shown(analog_value(channels, signal), 3))
+                                  : (digital_value(channels, signal) ? "ON" : "OFF");
+    session.screen().result(fmt::format("  {:<16} {:<6} {}\n", shown_name(signal),
+                                        signal.output ? "out" : "in", value));
+  }
+}
+
+void override_speed(Session& session, const Words& words) {
+  LiveRobot& robot = session.robot();
+  if (words.empty()) {
+    return session.screen().result(fmt::format("{} %\n", shown(robot.override_share() * 100, 3)));
+  }
+  const auto share = override_of(words.front());
+  if (!share) {
+    return session.fail(
+        fmt::format(":override takes a share from above 0% to 200%, not '{}'", words.front()),
+        "for example :override 50%", ExitCode::Usage);
+  }
+  robot.set_override(*share);
+}
+
+void hold(Session& session, const Words&) { session.robot().pause(true); }
+
+void resume(Session& session, const Words&) {
+  if (session.robot().paused()) return session.robot().pause(false);
+  session.go_on();
+}
+
+void stop(Session& session, const Words&) { session.interrupt(); }
+
+void reset(Session& session, const Words&) { session.reset(); }
+
+void robot(Session& session, const Words& words) {
+  if (!words.empty()) return session.choose_robot(words.front(), std::nullopt);
+  const motion::RobotModel& model = session.robot().robot();
+  session.screen().result(fmt::format("{}, law {}\n", model.name, motion::law_name(model.law)));
+}
+
+void law(Session& session, const Words& words) {
+  if (words.size() != 1 || (words[0] != "paul" && words[0] != "lookahead")) {
+    return session.fail(":law takes paul or lookahead", "", ExitCode::Usage);
+  }
+  session.choose_robot(session.robot().robot().name,
+                       words[0] == "paul" ? motion::Law::Paul : motion::Law::LookAhead);
+}
+
+}  // namespace rob::runtime::command

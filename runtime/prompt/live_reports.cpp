@@ -1,0 +1,73 @@
+#include "runtime/prompt/live_reports.h"
+
+#include <fmt/format.h>
+
+namespace rob::runtime {
+
+using motion::Effect;
+using motion::MotionEvent;
+
+void LiveReports::drain() {
+  Channels& channels = controller_.channels();
+  Snapshot snapshot;
+  while (channels.snapshots.take(snapshot)) {
+    const MotionEvent* event = nullptr;
+    while ((event = channels.events.front()) != nullptr &&
+           event->time <= snapshot.sample.reference.time) {
+      take(*event);
+      channels.events.pop();
+    }
+    last_ = snapshot;
+    if (listener_.snapshot) listener_.snapshot(snapshot);
+  }
+  MotionEvent event;
+  while (channels.events.take(event)) take(event);
+  ServoNotice notice;
+  while (channels.notices.take(notice)) {
+    const Words words = words_for(notice.finding, controller_.robot());
+    const bool stops = notice.finding.verdict == motion::FollowingFinding::Verdict::Stop;
+    if (!stops) {
+      tell(fmt::format("warning: {}", words.message));
+    } else if (listener_.fault) {
+      listener_.fault(line_, words);
+    }
+  }
+}
+
+void LiveReports::take(const MotionEvent& event) {
+  using Kind = MotionEvent::Kind;
+  const motion::RobotModel& robot = controller_.robot();
+  const int line = static_cast<int>(event.tag);
+  switch (event.kind) {
+    case Kind::SegmentStarted:
+      controller_.log().take_planned(event.number);  // nobody asks for it any more
+      line_ = line;
+      return;
+    case Kind::EffectDue:
+      if (event.effect.kind == Effect::Kind::Note)
+        take_note(controller_.log().take_note(event.effect.id));
+      return;
+    case Kind::Hit:
+      return tell(fmt::format("line {}: hit", line));
+    case Kind::JogStopped:
+      return tell(text_for_stopped_jog(event.axis, robot));
+    case Kind::Overrun:
+      if (listener_.fault) listener_.fault(line, words_for_overrun(event.value));
+      return;
+    case Kind::Fault:
+      if (listener_.fault) listener_.fault(line, words_for_not_finite(event.axis, robot));
+      return;
+    default:
+      return;
+  }
+}
+
+void LiveReports::take_note(const Note& note) {
+  if (note.kind != Note::Kind::Print) {
+    if (listener_.consult) listener_.consult(note);
+  } else if (listener_.print) {
+    listener_.print(note.text);
+  }
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "runtime/control/controller.h"
+#include "runtime/control/messages.h"
+
+namespace rob::runtime {
+
+/// Takes what motion tells of a robot at a prompt, and puts it into words as it comes.
+class LiveReports {
+ public:
+  /// All are called from drain(), in motion order; each may be empty.
+  struct Listener {
+    std::function<void(const std::string& text)> print;  ///< of PRINT
+    std::function<void(const std::string& text)> tell;   ///< for people
+    std::function<void(const Note& note)> consult;       ///< HALT, ASK, the answer
+    std::function<void(int line, const Words& words)> fault;
+    std::function<void(const Snapshot& snapshot)> snapshot;
+  };
+
+  LiveReports(Controller& controller, Listener listener)
+      : controller_(controller), listener_(std::move(listener)) {}
+
+  void drain();
+  /// Of the last cycle; none before the first.
+  const std::optional<Snapshot>& last() const { return last_; }
+  /// The line under way or done last; 0 before the first.
+  int line() const { return line_; }
+
+ private:
+  void take(const motion::MotionEvent& event);
+  void take_note(const Note& note);
+  void tell(const std::string& text) {
+    if (listener_.tell) listener_.tell(text);
+  }
+
+  Controller& controller_;
+  Listener listener_;
+  std::optional<Snapshot> last_;
+  int line_ = 0;
+};
+
+}  // namespace rob::runtime

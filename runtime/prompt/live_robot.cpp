@@ -1,0 +1,123 @@
+#include "runtime/prompt/live_robot.h"
+
+#include <chrono>
+#include <utility>
+
+#include "runtime/program/simulation.h"
+
+namespace rob::runtime {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::int64_t kSlice = 10'000;  // instructions between looks at the stop flag
+constexpr auto kProgramPause = 1ms;      // [choice] a tenth of a reference period
+/// Instructions of a cycle of virtual time (docs/language.md).
+constexpr std::int64_t kInstructionsPerCycle = 1'000'000;
+
+}  // namespace
+
+LiveRobot::LiveRobot(motion::RobotModel robot, LiveOptions options, LiveReports::Listener listener,
+                     Person* person)
+    : robot_(std::move(robot)),
+      options_(std::move(options)),
+      listener_(std::move(listener)),
+      person_(person) {
+  if (!options_.points_file.empty()) points_.emplace(options_.points_file, robot_);
+  if (!options_.trace.empty()) trace_.emplace(options_.trace, robot_, std::vector<std::string>{});
+  begin();
+}
+
+LiveRobot::~LiveRobot() { end(); }
+
+void LiveRobot::begin() {
+  controller_ =
+      std::make_unique<Controller>(robot_, simulation_of(robot_), options_.override_share);
+  controller_->channels().panel.seat(person_);
+  controller_->machine().keep_points(points_ ? &*points_ : nullptr);
+  entries_ = std::make_unique<EntryTask>(controller_->machine(), options_.seed);
+  LiveReports::Listener listener = listener_;
+  listener.snapshot = [this](const Snapshot& snapshot) {
+    if (trace_) trace_->write(snapshot);
+    if (listener_.snapshot) listener_.snapshot(snapshot);
+  };
+  reports_ = std::make_unique<LiveReports>(*controller_, std::move(listener));
+  ending_ = false;
+  if (options_.fast) {
+    stepper_ = std::make_unique<Stepper>(*controller_);
+    return;
+  }
+  controller_->servo().enable(-kThreadLead);
+  controller_->motion().prepare(0);
+  threads_ = std::make_unique<ControlThreads>(*controller_);
+  program_ = std::thread([this] { run_entries(); });
+}
+
+/// The robot comes to rest on its path first.
+void LiveRobot::end() {
+  controller_->request_hold();
+  ending_ = true;
+  if (program_.joinable()) program_.join();
+  threads_.reset();
+  while (stepper_ && !controller_->motion().over()) {
+    stepper_->cycle();
+    controller_->plan_path();
+  }
+  stepper_.reset();
+  reports_->drain();
+}
+
+void LiveRobot::run_entries() {
+  ProgramTask::State state = ProgramTask::State::Over;
+  while (!ending_.load(std::memory_order_relaxed)) {
+    look_for_end();
+    state = entries_->run_tasks(entries_->step(kSlice));
+    if (state != ProgramTask::State::Busy) std::this_thread::sleep_for(kProgramPause);
+  }
+}
+
+void LiveRobot::work() {
+  if (!stepper_) return;
+  ProgramTask::State state = ProgramTask::State::Busy;
+  for (std::int64_t left = kInstructionsPerCycle; state == ProgramTask::State::Busy && left > 0;
+       left -= kSlice) {
+    state = entries_->run_tasks(entries_->step(kSlice));
+  }
+  controller_->plan_path();
+}
+
+void LiveRobot::let_pass() {
+  if (stepper_) {
+    look_for_end();
+    stepper_->cycle();
+    work();
+  }
+  reports_->drain();
+}
+
+void LiveRobot::look_for_end() {
+  if (options_.ended != nullptr && options_.ended->load(std::memory_order_relaxed))
+    controller_->request_hold();
+}
+
+void LiveRobot::stop() {
+  pause(false);
+  channels().stop_requested.store(true, std::memory_order_relaxed);
+}
+
+void LiveRobot::set_override(double share) {
+  options_.override_share = share;
+  channels().override_asked.store(share, std::memory_order_relaxed);
+}
+
+void LiveRobot::reset() {
+  end();
+  robot_.start = controller_->channels().joints.load();
+  reports_.reset();
+  entries_.reset();
+  controller_.reset();
+  begin();
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "motion/robots/robot_model.h"
+#include "runtime/control/control_threads.h"
+#include "runtime/control/controller.h"
+#include "runtime/control/entry_task.h"
+#include "runtime/control/stepper.h"
+#include "runtime/program/points_file.h"
+#include "runtime/program/trace_writer.h"
+#include "runtime/prompt/live_reports.h"
+
+namespace rob::runtime {
+
+/// How a robot is kept under control while a prompt lasts.
+struct LiveOptions {
+  bool fast = false;  ///< on the virtual clock, where time passes in let_pass() only
+  double override_share = 1;
+  std::uint64_t seed = lang::Random::kDefaultSeed;
+  std::string points_file;  ///< where TEACH keeps points; empty: nowhere
+  std::string trace;        ///< empty: none
+  /// Set by a signal of the system: the robot comes to rest for good. Null: none.
+  const std::atomic<bool>* ended = nullptr;
+};
+
+/// A simulated robot under control from one entry to the next. In real time its threads go on by
+/// themselves. All calls come from the thread that reads.
+class LiveRobot {
+ public:
+  /// Throws motion::DriverError, FileError (of the trace).
+  LiveRobot(motion::RobotModel robot, LiveOptions options, LiveReports::Listener listener,
+            Person* person);
+  ~LiveRobot();
+  LiveRobot(const LiveRobot&) = delete;
+  LiveRobot& operator=(const LiveRobot&) = delete;
+
+  const motion::RobotModel& robot() const { return robot_; }
+  void submit(EntryTask::Entry entry) { entries_->submit(std::move(entry)); }
+  std::optional<EntryTask::Failure> take_failure() { return entries_->take_failure(); }
+  /// Entries that are not done yet.
+  std::size_t open() const { return entries_->open(); }
+  /// Nothing is open, and the robot stands.
+  bool idle() const { return entries_->settled(); }
+  /// Motion is over for good: a fault, or hold_for_good().
+  bool over() const { return controller_->motion().over(); }
+
+  /// On the virtual clock: the program works until it has to wait.
+  void work();
+  /// Takes what there is to report; on the virtual clock a cycle passes before.
+  void let_pass();
+
+  void pause(bool on) { channels().pause_requested.store(on, std::memory_order_relaxed); }
+  bool paused() const { return channels().pause_requested.load(std::memory_order_relaxed); }
+  /// Brakes on the path and drops all that was commanded.
+  void stop();
+  void set_override(double share);
+  double override_share() const { return options_.override_share; }
+  /// After a fault: under control anew, where the axes stand.
+  void reset();
+
+  const LiveReports& reports() const { return *reports_; }
+  Channels& channels() { return controller_->channels(); }
+  const Channels& channels() const { return controller_->channels(); }
+
+ private:
+  void begin();
+  void end();
+  void run_entries();
+  void look_for_end();
+
+  motion::RobotModel robot_;
+  LiveOptions options_;
+  LiveReports::Listener listener_;
+  Person* person_;
+  std::optional<PointsFile> points_;
+  std::optional<TraceWriter> trace_;
+  std::unique_ptr<Controller> controller_;
+  std::unique_ptr<EntryTask> entries_;
+  std::unique_ptr<LiveReports> reports_;
+  std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<ControlThreads> threads_;
+  std::atomic<bool> ending_{false};
+  std::thread program_;
+};
+
+}  // namespace rob::runtime

@@ -1,0 +1,246 @@
+#include "runtime/prompt/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "lang/text/ascii.h"
+#include "lang/text/codes.h"
+#include "runtime/control/units.h"
+#include "runtime/program/text_report.h"
+#include "runtime/prompt/commands.h"
+
+namespace rob::runtime {
+
+namespace {
+
+motion::RobotModel chosen(const SessionOptions& options) {
+  motion::RobotModel robot = load_robot(options.robot.empty() ? "gantry" : options.robot);
+  if (options.law) robot.law = *options.law;
+  return robot;
+}
+
+/// Brackets that are open at the end; texts and comments do not count.
+bool bracket_is_open(std::string_view text) {
+  int open = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\n') quoted = false;
+    if (c == '"' && (i == 0 || text[i - 1] != '\\')) quoted = !quoted;
+    if (quoted) continue;
+    if (text.substr(i).starts_with("//")) i = std::min(text.find('\n', i), text.size()) - 1;
+    if (c == '(' || c == '[') ++open;
+    if (c == ')' || c == ']') --open;
+  }
+  return open > 0;
+}
+
+bool is_incomplete(const std::string& entry, const LoadedProgram& compiled) {
+  if (compiled.runnable()) return false;
+  if (bracket_is_open(entry)) return true;
+  return std::ranges::any_of(
+      compiled.compilation.diagnostics.all(), [](const lang::Diagnostic& one) {
+        return one.code == lang::code::kUnclosedBlock || one.code == lang::code::kRescueMissing;
+      });
+}
+
+const char* name_of(motion::MotionState state) {
+  switch (state) {
+    case motion::MotionState::Idle:
+      return "idle";
+    case motion::MotionState::Running:
+      return "moving";
+    case motion::MotionState::Held:
+      return "held";
+    case motion::MotionState::Stopping:
+      return "stopping";
+    case motion::MotionState::Jogging:
+      return "jogging";
+    default:
+      return "busy";
+  }
+}
+
+}  // namespace
+
+Session::Session(SessionOptions options, Screen& screen)
+    : options_(std::move(options)), screen_(screen) {
+  const motion::RobotModel robot = chosen(options_);
+  text_.emplace(robot, options_.points_file);
+  robot_ = live(robot, options_.trace);
+}
+
+std::unique_ptr<LiveRobot> Session::live(const motion::RobotModel& robot, std::string trace) {
+  LiveOptions options;
+  options.fast = options_.fast;
+  options.override_share = options_.override_share;
+  options.seed = options_.seed;
+  options.points_file = options_.points_file;
+  options.trace = std::move(trace);
+  options.ended = options_.ended;
+  return std::make_unique<LiveRobot>(robot, std::move(options), listener(), this);
+}
+
+LiveReports::Listener Session::listener() {
+  LiveReports::Listener listener;
+  listener.print = [this](const std::string& text) { screen_.result(text + "\n"); };
+  listener.tell = [this](const std::string& text) { screen_.message(text + "\n"); };
+  listener.consult = [this](const Note& note) {
+    asks_ = note.kind != Note::Kind::Answer;
+    if (asks_) screen_.message(note.text.empty() ? "HALT: Enter goes on\n" : note.text + "\n");
+  };
+  listener.fault = [this](int line, const Words& words) {
+    screen_.message(fmt::format("line {}: fault[{}]: {}\nhelp: {}\n", line, words.code,
+                                words.message, words.help));
+    screen_.message("the robot has stopped; :reset takes it under control again\n");
+    if (worst_ == ExitCode::Done) worst_ = ExitCode::Fault;
+  };
+  return listener;
+}
+
+Session::Taken Session::enter(const std::string& text, bool last) {
+  if (asks_) {
+    answer(text);
+    return Taken::Done;
+  }
+  const std::size_t first = text.find_first_not_of(" \t\n");
+  if (first == std::string::npos) return Taken::Done;
+  if (text[first] == ':') {
+    carry_out_command(*this, text.substr(first + 1));
+    return Taken::Done;
+  }
+  // END at the prompt is STOP: there is more to come.
+  const std::string entry = lang::same_word(text.substr(first), "END") ? "STOP" : text;
+  LoadedProgram compiled = text_->compile(entry);
+  if (!last && is_incomplete(entry, compiled)) return Taken::Incomplete;
+  carry_out(entry, std::move(compiled));
+  return Taken::Done;
+}
+
+void Session::carry_out(const std::string& entry, LoadedProgram compiled) {
+  refuse_missing_points(compiled);
+  refuse_what_an_arm_cannot(compiled);
+  const std::uint32_t line = text_->line();
+  text_->keep(entry, compiled);
+  sources_ += entry + "\n";
+  tell(compiled, line);
+  if (!compiled.runnable()) {
+    if (worst_ == ExitCode::Done) worst_ = ExitCode::ProgramError;
+    return;
+  }
+  if (robot_->over()) return fail("the robot has stopped for good", ":reset takes it up again");
+  auto chunk = std::make_shared<const lang::Chunk>(std::move(*compiled.compilation.chunk));
+  robot_->submit({line, EntryTask::Statements{std::move(chunk)}});
+}
+
+/// What is said of the entry that begins there; of those before it has been said.
+void Session::tell(const LoadedProgram& compiled, std::uint32_t line) {
+  for (const lang::Diagnostic& finding : compiled.compilation.diagnostics.all()) {
+    const bool before = finding.severity != lang::Severity::Error && finding.place.file == 0 &&
+                        finding.place.line < line;
+    if (before) continue;
+    screen_.message(
+        lang::render(finding, compiled.file, compiled.source, compiled.compilation.used));
+  }
+}
+
+void Session::let_pass() {
+  robot_->let_pass();
+  take_failures();
+}
+
+void Session::take_failures() {
+  while (const auto failure = robot_->take_failure()) {
+    const lang::RuntimeError& error = failure->error;
+    screen_.message(
+        lang::render({lang::Severity::Error, error.code, error.place, error.message, error.help},
+                     "prompt", sources_));
+    text_->forget_from(failure->line == 0 ? text_->line() : failure->line);
+    if (worst_ == ExitCode::Done) worst_ = ExitCode::Fault;
+  }
+}
+
+void Session::wait_while(const std::function<bool()>& waits) {
+  using namespace std::chrono_literals;
+  robot_->work();
+  while (!robot_->over() && !asks_ && waits()) {
+    let_pass();
+    if (!options_.fast) std::this_thread::sleep_for(5ms);
+  }
+}
+
+void Session::carry_out_entries(std::size_t most) {
+  wait_while([&] { return robot_->open() > most; });
+}
+
+void Session::finish() {
+  wait_while([&] { return !robot_->idle(); });
+  let_pass();
+}
+
+bool Session::interrupt() {
+  if (robot_->idle() || robot_->over()) return false;
+  robot_->stop();
+  return true;
+}
+
+void Session::fail(const std::string& message, const std::string& help, ExitCode code) {
+  screen_.message(fmt::format("error: {}\n", message));
+  if (!help.empty()) screen_.message(fmt::format("help: {}\n", help));
+  if (worst_ == ExitCode::Done) worst_ = code;
+}
+
+std::string Session::state_text() const {
+  const auto& last = robot_->reports().last();
+  const motion::RobotModel& model = robot_->robot();
+  std::string text = model.name;
+  if (!last) return text;
+  text += fmt::format(" {} (", robot_->over() ? "fault" : name_of(last->sample.state));
+  for (int i = 0; i < model.axis_count(); ++i) {
+    const motion::Axis& axis = model.axes[static_cast<std::size_t>(i)];
+    text += fmt::format("{}{}", i == 0 ? "" : ", ",
+                        shown(last->measured[i] * shown_per_si(axis.kind), 1));
+  }
+  return text + ")";
+}
+
+void Session::choose_robot(const std::string& robot, std::optional<motion::Law> law) {
+  SessionOptions options = options_;
+  options.robot = robot;
+  options.law = law;
+  const motion::RobotModel model = chosen(options);  // throws before anything is lost
+  robot_.reset();
+  options_ = options;
+  text_.emplace(model, options_.points_file);
+  sources_.clear();
+  robot_ = live(model, "");
+}
+
+void Session::reset() { robot_->reset(); }
+
+void Session::go_on() {
+  if (asks_) answer("");
+}
+
+void Session::listen() {
+  const std::lock_guard lock(mutex_);
+  answers_.clear();
+}
+
+std::optional<std::string> Session::line() {
+  const std::lock_guard lock(mutex_);
+  if (answers_.empty()) return std::nullopt;
+  std::string text = std::move(answers_.front());
+  answers_.pop_front();
+  return text;
+}
+
+void Session::answer(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  answers_.push_back(text);
+}
+
+}  // namespace rob::runtime

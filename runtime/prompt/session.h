@@ -1,0 +1,101 @@
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "runtime/prompt/live_robot.h"
+#include "runtime/prompt/screen.h"
+#include "runtime/prompt/session_text.h"
+
+namespace rob::runtime {
+
+struct SessionOptions {
+  std::string robot;  ///< a name or a file; empty: the gantry
+  std::optional<motion::Law> law;
+  bool fast = false;
+  double override_share = 1;
+  std::uint64_t seed = lang::Random::kDefaultSeed;
+  std::string trace;
+  std::string points_file = "prompt.points";  ///< empty: points are kept for the session only
+  const std::atomic<bool>* ended = nullptr;   ///< as of LiveOptions
+};
+
+/// What a prompt works on: a robot under control, and what has been typed. Statements act at once;
+/// lines that begin with a colon command the workshop (commands.h).
+class Session final : public Person {
+ public:
+  enum class Taken : std::uint8_t {
+    Done,       ///< it is on its way, or refused and told so
+    Incomplete  ///< a block or a bracket is open: more lines belong to it
+  };
+
+  /// Throws as load_robot() and LiveRobot do.
+  Session(SessionOptions options, Screen& screen);
+
+  /// What was typed: a statement, a block, or a colon command; a line at least. `last`: no more
+  /// lines will come.
+  Taken enter(const std::string& text, bool last = false);
+  /// Takes what there is to report; on the virtual clock a cycle passes.
+  void let_pass();
+  /// Until no entry is open, or `most` of them.
+  void carry_out_entries(std::size_t most = 0);
+  /// Lets pass what is needed until every entry has been carried out and the robot stands.
+  void finish();
+  /// Ctrl-C, while the robot moves or an entry is open; false where there is nothing to stop.
+  bool interrupt();
+
+  bool over() const { return over_; }
+  /// HALT or ASK waits: the next line is the answer.
+  bool asks() const { return asks_; }
+  /// The first error that there was, as an exit code.
+  ExitCode worst() const { return worst_; }
+  /// "gantry idle (0, 0, 0)": robot, state, position.
+  std::string state_text() const;
+
+  // For commands.
+  LiveRobot& robot() { return *robot_; }
+  const LiveRobot& robot() const { return *robot_; }
+  const SessionText& text() const { return *text_; }
+  Screen& screen() { return screen_; }
+  void quit() { over_ = true; }
+  /// "error: …" and the way out; counts as one of the session.
+  void fail(const std::string& message, const std::string& help = "",
+            ExitCode code = ExitCode::ProgramError);
+  /// Another robot, or the same one under another law: only while this one stands.
+  void choose_robot(const std::string& robot, std::optional<motion::Law> law);
+  void reset();
+  /// Enter, where HALT waits.
+  void go_on();
+
+ private:
+  // Person
+  bool present() override { return true; }
+  void listen() override;
+  std::optional<std::string> line() override;
+
+  void carry_out(const std::string& entry, LoadedProgram compiled);
+  void answer(const std::string& text);
+  void wait_while(const std::function<bool()>& waits);
+  LiveReports::Listener listener();
+  std::unique_ptr<LiveRobot> live(const motion::RobotModel& robot, std::string trace);
+  void take_failures();
+  void tell(const LoadedProgram& compiled, std::uint32_t line);
+
+  SessionOptions options_;
+  Screen& screen_;
+  std::optional<SessionText> text_;
+  std::unique_ptr<LiveRobot> robot_;
+  std::string sources_;  ///< of all entries, for messages
+  ExitCode worst_ = ExitCode::Done;
+  bool over_ = false;
+  std::atomic<bool> asks_{false};
+  std::mutex mutex_;  ///< of what the operator has typed
+  std::deque<std::string> answers_;
+};
+
+}  // namespace rob::runtime

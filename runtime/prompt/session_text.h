@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/program/load.h"
+
+namespace rob::runtime {
+
+/// All that has been typed at a prompt, as the text in front of the next entry: what declares
+/// something or arms a WHEN stays, of all else its line is left blank. So each entry is compiled
+/// with the names of those before, and every message tells the line in which it was typed, from 1.
+class SessionText {
+ public:
+  /// `points_file`: where TEACH keeps points; empty: nowhere.
+  SessionText(motion::RobotModel robot, std::string points_file)
+      : robot_(std::move(robot)), points_file_(std::move(points_file)) {}
+
+  /// Compiled behind all that stays; nothing is kept of it before keep().
+  LoadedProgram compile(std::string_view entry) const;
+  /// The entry has been taken, or refused: the next one begins on the line behind it.
+  void keep(std::string_view entry, const LoadedProgram& compiled);
+  /// What was declared from this line on is forgotten: its entry has not been carried out.
+  void forget_from(std::uint32_t line);
+
+  /// The line on which the next entry begins.
+  std::uint32_t line() const { return static_cast<std::uint32_t>(lines_.size()) + 1; }
+  /// The names that entries have declared.
+  const std::vector<lang::DeclaredName>& names() const { return names_; }
+
+ private:
+  motion::RobotModel robot_;
+  std::string points_file_;
+  std::vector<std::string> lines_;
+  std::vector<lang::DeclaredName> names_;
+};
+
+}  // namespace rob::runtime

@@ -1,0 +1,157 @@
+// The prompt without a terminal, on the virtual clock: what statements and commands do.
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "runtime/prompt/session.h"
+
+using namespace rob::runtime;
+
+namespace {
+
+class WrittenScreen final : public Screen {
+ public:
+  void result(std::string_view text) override { results += text; }
+  void message(std::string_view text) override { messages += text; }
+  std::string results;
+  std::string messages;
+};
+
+/// A prompt on the gantry, or another robot.
+struct Prompt {
+  explicit Prompt(const std::string& robot = "gantry") : session(options(robot), screen) {}
+  static SessionOptions options(const std::string& robot) {
+    SessionOptions options;
+    options.robot = robot;
+    options.fast = true;
+    options.points_file.clear();
+    return options;
+  }
+  /// Enters each, and carries it out; what was printed.
+  std::string enter(const std::vector<std::string>& entries) {
+    const std::size_t before = screen.results.size();
+    for (const std::string& entry : entries) {
+      REQUIRE(session.enter(entry) == Session::Taken::Done);
+      session.carry_out_entries();
+    }
+    session.finish();
+    return screen.results.substr(before);
+  }
+  double time() const { return session.robot().reports().last()->sample.reference.time; }
+
+  WrittenScreen screen;
+  Session session;
+};
+
+}  // namespace
+
+TEST_CASE("statements act at once, and the next one finds the robot where it is") {
+  Prompt prompt;
+  CHECK(prompt.enter({"MOVE(40,40,0)", "STOP", "PRINT HERE"}) ==
+        "POSE(40mm, 40mm, 0mm, 0deg, 0deg, 0deg)\n");
+  CHECK(prompt.session.worst() == ExitCode::Done);
+}
+
+TEST_CASE("successive MOVEs join without stopping, as in a program") {
+  // docs/motion.md: a program of MOVE(40,40,0), MOVE(140,40,0) takes 2.75 + 5 + 2.75 s and the
+  // clearing of the last corner; with a stop between it is 2.75 s more. Entries come a cycle apart.
+  Prompt prompt;
+  prompt.enter({"MOVE(40,40,0)", "MOVE(140,40,0)", "STOP"});
+  const double joined = prompt.time();
+  Prompt apart;
+  apart.enter({"MOVE(40,40,0)"});
+  apart.enter({"MOVE(140,40,0)", "STOP"});
+  CHECK(apart.time() - joined == doctest::Approx(2.75).epsilon(0.02));
+}
+
+TEST_CASE("an error in an entry is told with its line, and nothing of it moves") {
+  Prompt prompt;
+  prompt.enter({"MOVE(40,40,0)", "MOVE(9000,0,0)", "STOP"});
+  CHECK(prompt.screen.messages.starts_with(
+      "prompt:2:5: error[E401]: axis x: 9000 mm is beyond 400 mm\n  MOVE(9000,0,0)\n"));
+  CHECK(prompt.session.worst() == ExitCode::ProgramError);
+  CHECK(prompt.session.state_text() == "gantry idle (40, 40, 0)");
+}
+
+TEST_CASE("an entry that fails drops the entries typed ahead, and the prompt goes on") {
+  Prompt prompt;
+  prompt.session.enter("MOVE(40,40,0)");
+  prompt.session.enter("RAISE \"enough\"");
+  prompt.session.enter("MOVE(140,40,0)");
+  prompt.session.finish();
+  CHECK(prompt.screen.messages.find("error[E") != std::string::npos);
+  CHECK(prompt.screen.messages.find("enough") != std::string::npos);
+  CHECK(prompt.session.worst() == ExitCode::Fault);
+  CHECK(prompt.session.state_text() == "gantry idle (40, 40, 0)");
+  CHECK(prompt.enter({"PRINT 1 + 1"}) == "2\n");
+}
+
+TEST_CASE("a block takes lines until it is closed") {
+  Prompt prompt;
+  CHECK(prompt.session.enter("FOR i = 1 TO 2 DO") == Session::Taken::Incomplete);
+  CHECK(prompt.session.enter("FOR i = 1 TO 2 DO\n  PRINT i") == Session::Taken::Incomplete);
+  CHECK(prompt.enter({"FOR i = 1 TO 2 DO\n  PRINT i\nENDFOR"}) == "1\n2\n");
+  CHECK(prompt.session.enter("MOVE(40,") == Session::Taken::Incomplete);
+  CHECK(prompt.session.enter("PRINT \"(\"") == Session::Taken::Done);
+  CHECK(prompt.session.enter("PRINT 1 // (") == Session::Taken::Done);
+}
+
+TEST_CASE("the operator's stop brakes on the path, and drops what was typed ahead") {
+  Prompt prompt;
+  prompt.session.enter("MOVE(400,0,0)");
+  prompt.session.enter("MOVE(400,400,0)");
+  for (int i = 0; i < 500; ++i) prompt.session.let_pass();  // 5 s of 20 s
+  CHECK(prompt.session.interrupt());
+  prompt.session.finish();
+  // Under Paul's law the gantry stops within 0.26 s; at 20 mm/s that is less than 6 mm.
+  const auto& last = prompt.session.robot().reports().last();
+  CHECK(last->sample.reference.q[0] < 0.11);
+  CHECK(last->sample.reference.q[0] > 0.04);
+  CHECK(last->sample.reference.q[1] == 0);
+  CHECK(prompt.screen.messages.find("stopped by the operator") != std::string::npos);
+  CHECK(!prompt.session.interrupt());
+  prompt.enter({"MOVE(0,0,0)", "STOP"});
+  CHECK(prompt.session.state_text() == "gantry idle (0, 0, 0)");
+}
+
+TEST_CASE(":hold stands on the path, and :resume goes on to the end") {
+  Prompt prompt;
+  prompt.session.enter("MOVE(100,0,0)");
+  for (int i = 0; i < 300; ++i) prompt.session.let_pass();
+  prompt.session.enter(":hold");
+  for (int i = 0; i < 300; ++i) prompt.session.let_pass();
+  const double held = prompt.session.robot().reports().last()->sample.reference.q[0];
+  CHECK(prompt.session.state_text().starts_with("gantry held"));
+  for (int i = 0; i < 100; ++i) prompt.session.let_pass();
+  CHECK(prompt.session.robot().reports().last()->sample.reference.q[0] == held);
+  CHECK(held < 0.09);
+  prompt.session.enter(":resume");
+  prompt.session.finish();
+  CHECK(prompt.session.state_text() == "gantry idle (100, 0, 0)");
+}
+
+TEST_CASE(":override halves the speed of what moves") {
+  // 100 mm at 20 mm/s and 2·t_acc: 5 + 2.75 s; at half the speed twice that.
+  Prompt whole;
+  whole.enter({"MOVE(100,0,0)"});
+  Prompt half;
+  half.session.enter(":override 50%");
+  half.enter({"MOVE(100,0,0)"});
+  CHECK(half.time() == doctest::Approx(2 * whole.time()).epsilon(0.01));
+  half.session.enter(":override 500%");
+  CHECK(half.screen.messages.starts_with("error: :override takes a share from above 0% to 200%"));
+}
+
+TEST_CASE("a WHEN of the prompt stays armed from entry to entry") {
+  Prompt prompt;
+  prompt.enter({"WHEN DOUT[1] : DOUT[2] = ON", "DOUT[1] = ON", "WAIT 0.1s"});
+  CHECK(prompt.enter({"PRINT DOUT[2]"}) == "TRUE\n");
+}
+
+TEST_CASE("an unknown command is told with the nearest one") {
+  Prompt prompt;
+  prompt.session.enter(":wher");
+  CHECK(prompt.screen.messages == "error: there is no command :wher\nhelp: did you mean :where?\n");
+}
