@@ -314,8 +314,10 @@ void PathPlanner::write(std::vector<Piece>& pieces) {
     known_ = piece.begin + piece.length;
     if (piece.begin < calm_.end - kRounding) piece.calm_down(calm_.share);
     if (averages_sigma()) {
-      extent(end_) = extent_of(piece);
-      outlook_ = std::max(outlook_, extent(end_).asked * window_ / 2);
+      const Extent extent = extent_of(piece);
+      const bool begins = end_ == 0 || ring_.run_end(end_ - 1);
+      extents_.write(end_, piece.begin, begins ? end_ : extents_.run(end_ - 1), extent);
+      outlook_ = std::max(outlook_, extent.asked * window_ / 2);
     } else if (extends_last(piece)) {
       Piece& last = ring_.draft(end_ - 1);
       last.length = known_ - last.begin;
