@@ -2,19 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "motion/ahead/path_planner.h"
 #include "motion/ahead/reachable.h"
 
 namespace rob::motion {
-
-namespace {
-
-constexpr double kRounding = 1e-9;  // m: places that are nearer to each other are one
-constexpr double kAny = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 /// Straight on from a draft, and bounded alike.
 bool PathPlanner::extends_last(const Piece& piece) const {
@@ -52,24 +44,27 @@ Extent PathPlanner::extent_of(const Piece& piece) const noexcept {
 
 /// The pieces before this one can be run: what acts together with them is known.
 PathRing::Index PathPlanner::ready() const noexcept {
-  PathRing::Index at = end_;
-  if (at == 0 || ring_.run_end(at - 1)) return at;
+  if (end_ == 0 || ring_.run_end(end_ - 1)) return end_;
   double sure = known_ - outlook_;
   if (!averages_sigma()) {
-    if (held_ == 0 || !open_ || completing_) return at;
+    if (held_ == 0 || !open_ || completing_) return end_;
     sure = open_->end() - held_ * (1 - 1e-12);
   }
-  while (at > ring_.end()) {
-    const Piece& piece = ring_.written(at - 1);
-    if (piece.begin + piece.length <= sure) break;
-    --at;
+  PathRing::Index first = ring_.end();
+  for (PathRing::Index unsure = end_; first < unsure;) {
+    const PathRing::Index middle = first + (unsure - first) / 2;
+    const Piece& piece = ring_.written(middle);
+    if (piece.begin + piece.length <= sure) {
+      first = middle + 1;
+    } else {
+      unsure = middle;
+    }
   }
-  return at;
+  return first;
 }
 
 /// Around the corner to come, of the drafts of its run behind and of all that is written from here
-/// on; false
-/// where the ring is full.
+/// on; false where the ring is full.
 bool PathPlanner::calm_corner() {
   const double middle = open_->end();
   const double from = middle - turn_->calm_way;

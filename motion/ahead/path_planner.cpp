@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "motion/ahead/mean_shift.h"
@@ -19,11 +18,6 @@ constexpr double kNear = 0.1;
 
 /// Pieces that a corner, or the way to the next node of a leg, may take.
 constexpr std::size_t kSpare = 512;
-
-/// m: places that are nearer to each other are one.
-constexpr double kRounding = 1e-9;
-
-constexpr double kAny = std::numeric_limits<double>::infinity();
 
 bool moves(const SegmentDescriptor& segment) {
   return !segment.no_length && !segment.dwell && !segment.jog.present() &&

@@ -47,6 +47,9 @@ class PathPlanner {
   /// s: so long before the guide would stand short of a target it is led there (motion.md: decision
   /// point).
   static constexpr double kLastChance = 0.05;
+  /// m: places that are nearer to each other are one.
+  static constexpr double kRounding = 1e-9;
+  static constexpr double kAny = Piece::kAny;
 
   void drop();
   void fetch();
