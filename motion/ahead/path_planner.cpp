@@ -92,6 +92,7 @@ void PathPlanner::drop() {
   next_.reset();
   turn_.reset();
   completing_ = false;
+  end_ = ring_.end();  // drafts are not path
   ring_.dropped(number, generation);
 }
 
@@ -136,6 +137,7 @@ bool PathPlanner::begin_run() {
     ring_.push({next, known_, known_, known_, 1});
     return true;
   }
+  if (end_ != ring_.end()) publish(false);  // the run before has a mean of its own
   window_ = window_of(next);
   outlook_ = 0;
   calm_ = {};
