@@ -146,8 +146,8 @@ bool PathPlanner::begin_run() {
 }
 
 /// The run has one mean: what asks for a longer one accelerates the less.
-void PathPlanner::open(ShapedLeg leg) {
-  open_ = std::move(leg);
+void PathPlanner::open(const ShapedLeg& leg) {
+  open_ = leg;
   sent_ = false;
   held_ = averages_sigma() ? 0 : longest_calm_way(robot_, *open_, window_);
   const PathPoint end = open_->at(open_->length());
@@ -248,7 +248,7 @@ bool PathPlanner::go_on() {
   next_->sent = turn_->half;
   next_->before = open_->segment.ahead.miss;
   turn_.reset();
-  open(std::move(*next_));
+  open(*next_);
   next_.reset();
   return true;
 }

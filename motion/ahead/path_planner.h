@@ -55,7 +55,7 @@ class PathPlanner {
   void fetch();
   bool advance();
   bool begin_run();
-  void open(ShapedLeg leg);
+  void open(const ShapedLeg& leg);
   bool join_next();
   bool decide_alone();
   bool give_up_corner();
