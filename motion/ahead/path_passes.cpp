@@ -2,19 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "motion/ahead/path_planner.h"
 #include "motion/ahead/reachable.h"
 
 namespace rob::motion {
-
-namespace {
-
-constexpr double kRounding = 1e-9;  // m: places that are nearer to each other are one
-constexpr double kAny = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 /// Straight on from a draft, and bounded alike.
 bool PathPlanner::extends_last(const Piece& piece) const {
@@ -31,12 +23,13 @@ double PathPlanner::top_square(const Piece& piece) const noexcept {
   return top * top;
 }
 
-PathPlanner::Extent PathPlanner::extent_of(const Piece& piece) const noexcept {
+Extent PathPlanner::extent_of(const Piece& piece) const noexcept {
   const PathPoint begin = piece.point(0);
   const PathPoint end = piece.point(piece.length);
   Extent extent;
-  extent.slopes = begin.qd.cwiseAbs().cwiseMax(end.qd.cwiseAbs());
-  extent.bends = begin.qdd.cwiseAbs().cwiseMax(end.qdd.cwiseAbs());
+  const auto axes = piece.acceleration.size();
+  extent.slopes.head(axes) = begin.qd.cwiseAbs().cwiseMax(end.qd.cwiseAbs());
+  extent.bends.head(axes) = begin.qdd.cwiseAbs().cwiseMax(end.qdd.cwiseAbs());
   extent.asked = std::sqrt(top_square(piece)) * std::max(1.0, 1 / share_);
   extent.fastest = piece.fastest;
   extent.fastest_axis = piece.fastest_axis;
@@ -44,32 +37,34 @@ PathPlanner::Extent PathPlanner::extent_of(const Piece& piece) const noexcept {
   // what kBendsShare says. Of the mean, |σ'''| <= 2·u/T where |σ''| <= u: with σ'' so small that
   // (|q'| + 1.5·T·|q''|·σ')·u <= A, the others take 2A/T, which is the rest.
   double square = extent.asked * extent.asked;
-  for (int i = 0; i < extent.bends.size(); ++i)
-    square = std::min(square, piece.acceleration[i] / extent.bends[i]);
+  for (int i = 0; i < axes; ++i) square = std::min(square, piece.acceleration[i] / extent.bends[i]);
   extent.swings = extent.slopes + 1.5 * window_ * std::sqrt(square) * extent.bends;
   return extent;
 }
 
 /// The pieces before this one can be run: what acts together with them is known.
 PathRing::Index PathPlanner::ready() const noexcept {
-  PathRing::Index at = end_;
-  if (at == 0 || ring_.run_end(at - 1)) return at;
+  if (end_ == 0 || ring_.run_end(end_ - 1)) return end_;
   double sure = known_ - outlook_;
   if (!averages_sigma()) {
-    if (held_ == 0 || !open_ || completing_) return at;
+    if (held_ == 0 || !open_ || completing_) return end_;
     sure = open_->end() - held_ * (1 - 1e-12);
   }
-  while (at > ring_.end()) {
-    const Piece& piece = ring_.written(at - 1);
-    if (piece.begin + piece.length <= sure) break;
-    --at;
+  PathRing::Index first = ring_.end();
+  for (PathRing::Index unsure = end_; first < unsure;) {
+    const PathRing::Index middle = first + (unsure - first) / 2;
+    const Piece& piece = ring_.written(middle);
+    if (piece.begin + piece.length <= sure) {
+      first = middle + 1;
+    } else {
+      unsure = middle;
+    }
   }
-  return at;
+  return first;
 }
 
 /// Around the corner to come, of the drafts of its run behind and of all that is written from here
-/// on; false
-/// where the ring is full.
+/// on; false where the ring is full.
 bool PathPlanner::calm_corner() {
   const double middle = open_->end();
   const double from = middle - turn_->calm_way;
@@ -125,7 +120,7 @@ bool PathPlanner::narrow() noexcept {
     Piece& piece = ring_.draft(i);
     if (piece.fastest <= fastest) continue;
     piece.fastest = fastest;
-    extent(i).asked = std::min(extent(i).asked, fastest);
+    extents_.limit_asked(i, fastest);
     piece.fastest_axis = -1;
   }
   return true;
@@ -135,31 +130,21 @@ bool PathPlanner::narrow() noexcept {
 /// on this: from a mean over T of speeds up to v no place is farther than v·T/2.
 void PathPlanner::spread(PathRing::Index at) noexcept {
   Piece& piece = ring_.draft(at);
-  Extent most = extent(at);
-  const auto take = [&](PathRing::Index other) {
-    const Extent& its = extent(other);
-    most.slopes = most.slopes.cwiseMax(its.slopes);
-    most.bends = most.bends.cwiseMax(its.bends);
-    most.swings = most.swings.cwiseMax(its.swings);
-    most.asked = std::max(most.asked, its.asked);
-    if (its.fastest >= most.fastest) return;
-    most.fastest = its.fastest;
-    most.fastest_axis = its.fastest_axis;
-  };
+  const PathRing::Index lowest = std::max(ring_.begin(), extents_.run(at));
+  Extent most = extents_.of(at);
   PathRing::Index first = at;
   PathRing::Index last = at;
   for (double reach = -1; reach < most.asked * window_ / 2;) {
     reach = most.asked * window_ / 2;
-    const double from = piece.begin - reach;
-    const double to = piece.begin + piece.length + reach;
-    for (; first > ring_.begin() && !ring_.run_end(first - 1); take(--first))
-      if (ring_.written(first).begin < from) break;
-    for (; last + 1 < end_ && !ring_.run_end(last); take(++last))
-      if (ring_.written(last + 1).begin > to) break;
+    first = extents_.last_before(piece.begin - reach, lowest, first);
+    last = extents_.last_up_to(piece.begin + piece.length + reach, last, end_);
+    most.asked = extents_.greatest_asked(first, last);
   }
-  piece.slopes = most.slopes;
-  piece.bends = most.bends;
-  piece.swings = most.swings;
+  most.take(extents_.greatest(first, last));
+  const auto axes = piece.acceleration.size();
+  piece.slopes = most.slopes.head(axes);
+  piece.bends = most.bends.head(axes);
+  piece.swings = most.swings.head(axes);
   if (most.fastest >= piece.fastest) return;
   piece.fastest = most.fastest;
   piece.fastest_axis = most.fastest_axis;

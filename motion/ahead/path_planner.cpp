@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "motion/ahead/mean_shift.h"
@@ -19,11 +18,6 @@ constexpr double kNear = 0.1;
 
 /// Pieces that a corner, or the way to the next node of a leg, may take.
 constexpr std::size_t kSpare = 512;
-
-/// m: places that are nearer to each other are one.
-constexpr double kRounding = 1e-9;
-
-constexpr double kAny = std::numeric_limits<double>::infinity();
 
 bool moves(const SegmentDescriptor& segment) {
   return !segment.no_length && !segment.dwell && !segment.jog.present() &&
@@ -98,6 +92,7 @@ void PathPlanner::drop() {
   next_.reset();
   turn_.reset();
   completing_ = false;
+  end_ = ring_.end();  // drafts are not path
   ring_.dropped(number, generation);
 }
 
@@ -142,6 +137,7 @@ bool PathPlanner::begin_run() {
     ring_.push({next, known_, known_, known_, 1});
     return true;
   }
+  if (end_ != ring_.end()) publish(false);  // the run before has a mean of its own
   window_ = window_of(next);
   outlook_ = 0;
   calm_ = {};
@@ -150,8 +146,8 @@ bool PathPlanner::begin_run() {
 }
 
 /// The run has one mean: what asks for a longer one accelerates the less.
-void PathPlanner::open(ShapedLeg leg) {
-  open_ = std::move(leg);
+void PathPlanner::open(const ShapedLeg& leg) {
+  open_ = leg;
   sent_ = false;
   held_ = averages_sigma() ? 0 : longest_calm_way(robot_, *open_, window_);
   const PathPoint end = open_->at(open_->length());
@@ -252,7 +248,7 @@ bool PathPlanner::go_on() {
   next_->sent = turn_->half;
   next_->before = open_->segment.ahead.miss;
   turn_.reset();
-  open(std::move(*next_));
+  open(*next_);
   next_.reset();
   return true;
 }
@@ -314,8 +310,10 @@ void PathPlanner::write(std::vector<Piece>& pieces) {
     known_ = piece.begin + piece.length;
     if (piece.begin < calm_.end - kRounding) piece.calm_down(calm_.share);
     if (averages_sigma()) {
-      extent(end_) = extent_of(piece);
-      outlook_ = std::max(outlook_, extent(end_).asked * window_ / 2);
+      const Extent extent = extent_of(piece);
+      const bool begins = end_ == 0 || ring_.run_end(end_ - 1);
+      extents_.write(end_, piece.begin, begins ? end_ : extents_.run(end_ - 1), extent);
+      outlook_ = std::max(outlook_, extent.asked * window_ / 2);
     } else if (extends_last(piece)) {
       Piece& last = ring_.draft(end_ - 1);
       last.length = known_ - last.begin;

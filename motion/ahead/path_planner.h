@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "motion/ahead/extents.h"
 #include "motion/ahead/path_listener.h"
 #include "motion/ahead/path_ring.h"
 #include "motion/ahead/path_turn.h"
@@ -32,9 +33,10 @@ namespace rob::motion {
 class PathPlanner {
  public:
   PathPlanner(const RobotModel& robot, LookAheadBuffer& buffer, PathRing& ring)
-      : robot_(robot), buffer_(buffer), ring_(ring) {
-    if (robot.tool_coordinates) extents_.resize(ring.capacity());
-  }
+      : robot_(robot),
+        buffer_(buffer),
+        ring_(ring),
+        extents_(robot.tool_coordinates ? ring.capacity() : 0) {}
 
   /// Does all that can be done now; whether there was anything.
   bool work();
@@ -45,12 +47,15 @@ class PathPlanner {
   /// s: so long before the guide would stand short of a target it is led there (motion.md: decision
   /// point).
   static constexpr double kLastChance = 0.05;
+  /// m: places that are nearer to each other are one.
+  static constexpr double kRounding = 1e-9;
+  static constexpr double kAny = Piece::kAny;
 
   void drop();
   void fetch();
   bool advance();
   bool begin_run();
-  void open(ShapedLeg leg);
+  void open(const ShapedLeg& leg);
   bool join_next();
   bool decide_alone();
   bool give_up_corner();
@@ -75,25 +80,12 @@ class PathPlanner {
   double mean_time() const noexcept;
   std::size_t room() const noexcept;
 
-  /// The greatest |dq/dσ| and |d²q/dσ²| on a piece, what the jerk makes of them, and σ' that is
-  /// asked for there.
-  struct Extent {
-    JointVector slopes;
-    JointVector bends;
-    JointVector swings;
-    double asked = 0;
-    double fastest = 0;  ///< that the axes and their jerk admit, by itself
-    int fastest_axis = -1;
-  };
   /// Around a corner whose mean would leave its zone: σ up to which the axes give this share.
   struct Calm {
     double end = 0;
     double share = 1;
   };
   Extent extent_of(const Piece& piece) const noexcept;
-  Extent& extent(PathRing::Index at) noexcept {
-    return extents_[static_cast<std::size_t>(at % extents_.size())];
-  }
   bool averages_sigma() const noexcept { return robot_.tool_coordinates && window_ > 0; }
 
   const RobotModel& robot_;
@@ -113,8 +105,8 @@ class PathPlanner {
   double outlook_ = 0;       ///< m: so far from a draft all has to be known
   double held_ = 0;          ///< m before the open leg's end that its corner may yet calm
   Calm calm_;
-  double share_ = 1;             ///< the override that the squares are for
-  std::vector<Extent> extents_;  ///< of the pieces, by the same slots
+  double share_ = 1;  ///< the override that the squares are for
+  Extents extents_;   ///< where the mean is of σ
   std::vector<Piece> scratch_;
 };
 

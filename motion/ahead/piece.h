@@ -53,12 +53,20 @@ struct Piece {
 
   /// `at`: σ − begin. Derivatives with respect to σ.
   PathPoint point(double at) const noexcept {
-    PathPoint p{terms[count - 1], JointVector::Zero(terms[0].size()),
-                JointVector::Zero(terms[0].size())};
-    for (int k = count - 2; k >= 0; --k) {
-      p.qdd = p.qdd * at + 2 * p.qd;
-      p.qd = p.qd * at + p.q;
-      p.q = p.q * at + terms[k];
+    const Eigen::Index axes = terms[0].size();
+    PathPoint p{JointVector(axes), JointVector(axes), JointVector(axes)};
+    for (Eigen::Index i = 0; i < axes; ++i) {
+      double q = terms[static_cast<std::size_t>(count - 1)][i];
+      double qd = 0;
+      double qdd = 0;
+      for (int k = count - 2; k >= 0; --k) {
+        qdd = qdd * at + 2 * qd;
+        qd = qd * at + q;
+        q = q * at + terms[static_cast<std::size_t>(k)][i];
+      }
+      p.q[i] = q;
+      p.qd[i] = qd;
+      p.qdd[i] = qdd;
     }
     return p;
   }
