@@ -17,6 +17,7 @@ void help(Session& session, const Command::Words& words);
 void quit(Session& session, const Command::Words&) { session.quit(); }
 
 constexpr std::array kCommands = {
+    Command{"jog", "", "the terminal as a pendant", command::jog},
     Command{"where", "", "the robot's place: axes, pose, state", command::where},
     Command{"signals", "", "all inputs and outputs", command::signals},
     Command{"override", "[SHARE%]", "share of the programmed speed, at once",

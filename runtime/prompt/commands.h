@@ -37,6 +37,7 @@ void stop(Session& session, const Words& words);
 void reset(Session& session, const Words& words);
 void robot(Session& session, const Words& words);
 void law(Session& session, const Words& words);
+void jog(Session& session, const Words& words);
 }  // namespace command
 
 }  // namespace rob::runtime

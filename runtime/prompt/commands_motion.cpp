@@ -53,6 +53,8 @@ void override_speed(Session& session, const Words& words) {
   robot.set_override(*share);
 }
 
+void jog(Session& session, const Words&) { session.ask_for_pendant(); }
+
 void hold(Session& session, const Words&) { session.robot().pause(true); }
 
 void resume(Session& session, const Words&) {

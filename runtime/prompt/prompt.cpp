@@ -30,6 +30,7 @@ ExitCode filter(Session& session, bool fast) {
     entry += entry.empty() ? line : "\n" + line;
     if (session.enter(entry) == Session::Taken::Incomplete) continue;
     entry.clear();
+    if (session.take_pendant()) session.fail("the pendant needs a terminal", "", ExitCode::Usage);
     session.carry_out_entries(fast ? 0 : kAhead);
   }
   if (!entry.empty()) session.enter(entry, true);

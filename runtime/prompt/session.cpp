@@ -67,7 +67,7 @@ const char* name_of(motion::MotionState state) {
 }  // namespace
 
 Session::Session(SessionOptions options, Screen& screen)
-    : options_(std::move(options)), screen_(screen) {
+    : options_(std::move(options)), screen_(&screen) {
   const motion::RobotModel robot = chosen(options_);
   text_.emplace(robot, options_.points_file);
   robot_ = live(robot, options_.trace);
@@ -86,16 +86,16 @@ std::unique_ptr<LiveRobot> Session::live(const motion::RobotModel& robot, std::s
 
 LiveReports::Listener Session::listener() {
   LiveReports::Listener listener;
-  listener.print = [this](const std::string& text) { screen_.result(text + "\n"); };
-  listener.tell = [this](const std::string& text) { screen_.message(text + "\n"); };
+  listener.print = [this](const std::string& text) { screen_->result(text + "\n"); };
+  listener.tell = [this](const std::string& text) { screen_->message(text + "\n"); };
   listener.consult = [this](const Note& note) {
     asks_ = note.kind != Note::Kind::Answer;
-    if (asks_) screen_.message(note.text.empty() ? "HALT: Enter goes on\n" : note.text + "\n");
+    if (asks_) screen_->message(note.text.empty() ? "HALT: Enter goes on\n" : note.text + "\n");
   };
   listener.fault = [this](int line, const Words& words) {
-    screen_.message(fmt::format("line {}: fault[{}]: {}\nhelp: {}\n", line, words.code,
-                                words.message, words.help));
-    screen_.message("the robot has stopped; :reset takes it under control again\n");
+    screen_->message(fmt::format("line {}: fault[{}]: {}\nhelp: {}\n", line, words.code,
+                                 words.message, words.help));
+    screen_->message("the robot has stopped; :reset takes it under control again\n");
     if (worst_ == ExitCode::Done) worst_ = ExitCode::Fault;
   };
   return listener;
@@ -142,7 +142,7 @@ void Session::tell(const LoadedProgram& compiled, std::uint32_t line) {
     const bool before = finding.severity != lang::Severity::Error && finding.place.file == 0 &&
                         finding.place.line < line;
     if (before) continue;
-    screen_.message(
+    screen_->message(
         lang::render(finding, compiled.file, compiled.source, compiled.compilation.used));
   }
 }
@@ -155,7 +155,7 @@ void Session::let_pass() {
 void Session::take_failures() {
   while (const auto failure = robot_->take_failure()) {
     const lang::RuntimeError& error = failure->error;
-    screen_.message(
+    screen_->message(
         lang::render({lang::Severity::Error, error.code, error.place, error.message, error.help},
                      "prompt", sources_));
     text_->forget_from(failure->line == 0 ? text_->line() : failure->line);
@@ -188,8 +188,8 @@ bool Session::interrupt() {
 }
 
 void Session::fail(const std::string& message, const std::string& help, ExitCode code) {
-  screen_.message(fmt::format("error: {}\n", message));
-  if (!help.empty()) screen_.message(fmt::format("help: {}\n", help));
+  screen_->message(fmt::format("error: {}\n", message));
+  if (!help.empty()) screen_->message(fmt::format("help: {}\n", help));
   if (worst_ == ExitCode::Done) worst_ = code;
 }
 
@@ -217,6 +217,16 @@ void Session::choose_robot(const std::string& robot, std::optional<motion::Law> 
   text_.emplace(model, options_.points_file);
   sources_.clear();
   robot_ = live(model, "");
+}
+
+void Session::jog(const lang::MoveCommand& command, const motion::Watch& held) {
+  if (robot_->over()) return fail("the robot has stopped for good", ":reset takes it up again");
+  robot_->submit({text_->line(), EntryTask::Jog{command, held}});
+}
+
+double Session::time() const {
+  const auto& last = robot_->reports().last();
+  return last ? last->sample.reference.time : 0;
 }
 
 void Session::reset() { robot_->reset(); }

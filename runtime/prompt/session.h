@@ -7,7 +7,9 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "runtime/prompt/dead_man.h"
 #include "runtime/prompt/live_robot.h"
 #include "runtime/prompt/screen.h"
 #include "runtime/prompt/session_text.h"
@@ -49,7 +51,14 @@ class Session final : public Person {
   /// Ctrl-C, while the robot moves or an entry is open; false where there is nothing to stop.
   bool interrupt();
 
+  /// A jog as long as `held` says No; it begins when the robot stands.
+  void jog(const lang::MoveCommand& command, const motion::Watch& held);
+  /// s of the run, of the last cycle that has been reported.
+  double time() const;
+
   bool over() const { return over_; }
+  /// `:jog` has asked for the pendant; once.
+  bool take_pendant() { return std::exchange(pendant_, false); }
   /// HALT or ASK waits: the next line is the answer.
   bool asks() const { return asks_; }
   /// The first error that there was, as an exit code.
@@ -61,8 +70,13 @@ class Session final : public Person {
   LiveRobot& robot() { return *robot_; }
   const LiveRobot& robot() const { return *robot_; }
   const SessionText& text() const { return *text_; }
-  Screen& screen() { return screen_; }
+  Screen& screen() { return *screen_; }
+  /// From here on it writes there; returns where it wrote before.
+  Screen& write_to(Screen& screen) { return *std::exchange(screen_, &screen); }
   void quit() { over_ = true; }
+  void ask_for_pendant() { pendant_ = true; }
+  /// Of the jogs of this session.
+  DeadMan& dead_man() { return dead_man_; }
   /// "error: …" and the way out; counts as one of the session.
   void fail(const std::string& message, const std::string& help = "",
             ExitCode code = ExitCode::ProgramError);
@@ -87,12 +101,14 @@ class Session final : public Person {
   void tell(const LoadedProgram& compiled, std::uint32_t line);
 
   SessionOptions options_;
-  Screen& screen_;
+  Screen* screen_;
   std::optional<SessionText> text_;
+  DeadMan dead_man_;
   std::unique_ptr<LiveRobot> robot_;
   std::string sources_;  ///< of all entries, for messages
   ExitCode worst_ = ExitCode::Done;
   bool over_ = false;
+  bool pendant_ = false;
   std::atomic<bool> asks_{false};
   std::mutex mutex_;  ///< of what the operator has typed
   std::deque<std::string> answers_;

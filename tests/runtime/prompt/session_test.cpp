@@ -2,50 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include <string>
-#include <vector>
-
-#include "runtime/prompt/session.h"
+#include "tests/runtime/prompt/virtual_prompt.h"
 
 using namespace rob::runtime;
-
-namespace {
-
-class WrittenScreen final : public Screen {
- public:
-  void result(std::string_view text) override { results += text; }
-  void message(std::string_view text) override { messages += text; }
-  std::string results;
-  std::string messages;
-};
-
-/// A prompt on the gantry, or another robot.
-struct Prompt {
-  explicit Prompt(const std::string& robot = "gantry") : session(options(robot), screen) {}
-  static SessionOptions options(const std::string& robot) {
-    SessionOptions options;
-    options.robot = robot;
-    options.fast = true;
-    options.points_file.clear();
-    return options;
-  }
-  /// Enters each, and carries it out; what was printed.
-  std::string enter(const std::vector<std::string>& entries) {
-    const std::size_t before = screen.results.size();
-    for (const std::string& entry : entries) {
-      REQUIRE(session.enter(entry) == Session::Taken::Done);
-      session.carry_out_entries();
-    }
-    session.finish();
-    return screen.results.substr(before);
-  }
-  double time() const { return session.robot().reports().last()->sample.reference.time; }
-
-  WrittenScreen screen;
-  Session session;
-};
-
-}  // namespace
+using Prompt = rob::test::VirtualPrompt;
 
 TEST_CASE("statements act at once, and the next one finds the robot where it is") {
   Prompt prompt;

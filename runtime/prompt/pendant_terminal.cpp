@@ -1,0 +1,94 @@
+#include "runtime/prompt/pendant_terminal.h"
+
+#include "runtime/program/files.h"
+#include "runtime/prompt/pendant.h"
+#include "runtime/prompt/pendant_view.h"
+#include "runtime/prompt/raw_terminal.h"
+
+namespace rob::runtime {
+
+namespace {
+
+// [choice] ms: a key is taken at once; the display is drawn twenty times a second, faster than a
+// person reads.
+constexpr int kPause = 10;
+constexpr int kPausesOfAFrame = 5;
+/// ms to wait for what the terminal says of itself, over a slow line.
+constexpr int kAnswer = 500;
+
+/// Keeps what is written while the screen is the pendant's; its last line is shown there.
+class KeptScreen final : public Screen {
+ public:
+  void result(std::string_view text) override { keep(text); }
+  void message(std::string_view text) override { keep(text); }
+  const std::string& last() const { return last_; }
+  const std::string& all() const { return all_; }
+
+ private:
+  void keep(std::string_view text) {
+    all_ += text;
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (!line.empty()) last_ = line;
+  }
+
+  std::string all_;
+  std::string last_;
+};
+
+/// Whether the terminal tells releases, as it answers; what has been typed meanwhile is kept.
+bool ask_for_releases(RawTerminal& terminal, KeyReader& keys) {
+  terminal.write(kAskKeyboard);
+  for (int waited = 0; waited < kAnswer && !keys.answered(); waited += kPause) {
+    const auto bytes = terminal.read(kPause);
+    if (!bytes) return false;
+    keys.feed(*bytes);
+    while (keys.next()) continue;
+  }
+  if (!keys.tells_releases()) return false;
+  terminal.write(kTellReleases);
+  return true;
+}
+
+void show_pendant(Session& session, const KeptScreen& kept) {
+  RawTerminal terminal;
+  KeyReader keys;
+  Pendant pendant(session, session.dead_man(), ask_for_releases(terminal, keys));
+  std::string shown;
+  int quiet = 0;
+  for (int pause = 0; !pendant.over() && !session.over(); ++pause) {
+    const auto bytes = terminal.read(kPause);
+    if (!bytes) {
+      session.quit();  // the terminal is gone
+      break;
+    }
+    quiet = bytes->empty() ? quiet + 1 : 0;
+    keys.feed(*bytes);
+    while (const auto key = keys.next()) pendant.press(*key);
+    if (quiet > kPausesOfAFrame) {
+      if (const auto escape = keys.lone_escape()) pendant.press(*escape);
+    }
+    session.let_pass();
+    pendant.go_on();
+    if (pause % kPausesOfAFrame != 0) continue;
+    std::string view = pendant_view(pendant, kept.last(), terminal.columns(), terminal.rows());
+    if (view != shown) terminal.show(view);
+    shown = std::move(view);
+  }
+  pendant.stop();
+}
+
+}  // namespace
+
+void run_pendant(Session& session) {
+  KeptScreen kept;
+  Screen& before = session.write_to(kept);
+  try {
+    show_pendant(session, kept);
+  } catch (const FileError& error) {
+    session.fail(error.what(), "", ExitCode::Usage);
+  }
+  session.write_to(before);
+  before.message(kept.all());
+}
+
+}  // namespace rob::runtime

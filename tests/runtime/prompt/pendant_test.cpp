@@ -1,0 +1,190 @@
+// The pendant on the virtual clock: what keys do to the robot.
+
+#include "runtime/prompt/pendant.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "runtime/prompt/pendant_view.h"
+#include "tests/runtime/prompt/virtual_prompt.h"
+
+using namespace rob::runtime;
+using rob::test::VirtualPrompt;
+using Event = Key::Event;
+
+namespace {
+
+constexpr Key kRight{Key::Kind::Right};
+constexpr Key kUp{Key::Kind::Up};
+
+Key letter(char c, Event event = Event::Press) {
+  return {Key::Kind::Character, static_cast<char32_t>(c), event};
+}
+
+Key with(Key key, Event event) {
+  key.event = event;
+  return key;
+}
+
+struct Held : VirtualPrompt {
+  explicit Held(bool releases, const std::string& robot = "gantry")
+      : VirtualPrompt(robot), pendant(session, session.dead_man(), releases) {
+    session.let_pass();
+  }
+  void pass(double seconds) {
+    const double until = time() + seconds;
+    while (time() < until - 1e-9) {
+      session.let_pass();
+      pendant.go_on();
+    }
+  }
+  /// Until the robot stands.
+  void rest() {
+    do pass(0.02);
+    while (!session.robot().idle());
+    pendant.go_on();
+  }
+  const rob::motion::GeneratorSample& sample() const {
+    return session.robot().reports().last()->sample;
+  }
+  double q(int axis) const { return sample().reference.q[axis]; }
+  double speed(int axis) const { return sample().reference.qd[axis]; }
+
+  Pendant pendant;
+};
+
+}  // namespace
+
+TEST_CASE("a key that is held moves its axis at the share of its speed") {
+  Held held(true);
+  held.pendant.press(kRight);
+  held.pass(0.7);
+  // 10 % of 20 mm/s.
+  CHECK(held.speed(0) == doctest::Approx(0.002));
+  CHECK(held.speed(1) == 0);
+}
+
+TEST_CASE("the stop begins within 50 ms of the release") {
+  Held held(true);
+  held.pendant.press(letter(']'));
+  held.pendant.press(kRight);
+  held.pass(0.6);
+  const double moving = held.speed(0);
+  CHECK(moving == doctest::Approx(0.005));
+  held.pendant.press(with(kRight, Event::Release));
+  held.pass(0.05);
+  CHECK(held.speed(0) < moving);
+  held.rest();
+  CHECK(held.speed(0) == 0);
+}
+
+TEST_CASE("a key whose repeats stop coming moves no further") {
+  // A held key is good for 0.75 s, its repeats for 0.3 s each.
+  Held held(true);
+  held.pendant.press(kRight);
+  for (int i = 0; i < 20; ++i) {
+    held.pass(0.1);
+    held.pendant.press(with(kRight, Event::Repeat));
+  }
+  CHECK(held.speed(0) > 0);
+  held.pass(0.3 + 0.4);  // and the time that braking takes
+  CHECK(held.speed(0) == 0);
+}
+
+TEST_CASE("a step is as long as it says") {
+  Held held(false);
+  CHECK(held.pendant.style() == Pendant::Style::Step);
+  held.pendant.press(kRight);
+  held.rest();
+  CHECK(held.q(0) == doctest::Approx(0.001).epsilon(1e-6));  // 1 mm
+  held.pendant.press(letter('.'));
+  held.pendant.press(kUp);
+  held.rest();
+  CHECK(held.q(1) == doctest::Approx(0.010).epsilon(1e-6));
+}
+
+TEST_CASE("never more than one step is pending") {
+  Held held(false);
+  for (int i = 0; i < 10; ++i) held.pendant.press(kRight);
+  for (int i = 0; i < 5; ++i) held.rest();
+  CHECK(held.q(0) == doctest::Approx(0.002).epsilon(1e-6));
+}
+
+TEST_CASE("a pulse moves for 0.3 s, its repeats prolong it, and any other key stops it") {
+  Held held(false);
+  held.pendant.press(letter('m'));
+  CHECK(held.pendant.style() == Pendant::Style::Pulse);
+  held.pendant.press(kRight);
+  held.rest();
+  const double one = held.q(0);
+  CHECK(one > 0);
+  CHECK(one < 0.002 * 0.75);  // 10 % of 20 mm/s for 0.3 s, and what it takes to come to rest
+  held.pendant.press(kRight);
+  for (int i = 0; i < 10; ++i) {
+    held.pass(0.1);
+    held.pendant.press(kRight);
+  }
+  CHECK(held.speed(0) == doctest::Approx(0.002));
+  held.pendant.press(letter('w'));
+  CHECK(held.pendant.frame() == rob::lang::JogFrame::Joint);  // it did nothing else
+  held.pass(0.05);
+  CHECK(held.speed(0) < 0.002);
+}
+
+TEST_CASE("a jog stops short of a limit without an error, and may go back") {
+  Held held(true);  // x from 0 to 400 mm, and it stands at 0
+  const Key left{Key::Kind::Left};
+  held.pendant.press(left);
+  held.pass(0.5);
+  held.pendant.press(with(left, Event::Release));
+  held.rest();
+  CHECK(held.q(0) >= 0);
+  CHECK(held.session.worst() == ExitCode::Done);
+  held.pendant.press(kRight);
+  held.pass(0.5);
+  CHECK(held.speed(0) > 0);
+}
+
+TEST_CASE("an arm jogs in the world and in its tool") {
+  Held held(true, "lwa4p");
+  held.pendant.press(letter('w'));
+  CHECK(held.pendant.coordinates() == std::vector<std::string>{"x", "y", "z", "a", "b", "c"});
+  const auto place = [&] {
+    return held.session.robot().robot().kinematics->forward(held.sample().reference.q).position;
+  };
+  const Eigen::Vector3d before = place();
+  held.pendant.press(Key{Key::Kind::PageUp});
+  held.pass(0.7);
+  held.pendant.press(with(Key{Key::Kind::PageUp}, Event::Release));
+  held.rest();
+  const Eigen::Vector3d moved = place() - before;
+  CHECK(moved.z() > 0.005);
+  CHECK(moved.head<2>().norm() < 1e-6);
+}
+
+TEST_CASE("outputs are toggled, and Esc leaves") {
+  Held held(false);
+  held.pendant.press(letter('g'));
+  held.rest();
+  CHECK(held.enter({"PRINT gripper"}) == "TRUE\n");
+  held.pendant.press(letter('o'));
+  held.pendant.press(letter('3'));
+  held.rest();
+  CHECK(held.enter({"PRINT DOUT[3]"}) == "TRUE\n");
+  held.pendant.press(Key{Key::Kind::Escape});
+  CHECK(held.pendant.over());
+}
+
+TEST_CASE("the view shows place, mode and keys within the size of the terminal") {
+  Held held(false);
+  held.pendant.press(kRight);
+  held.rest();
+  const std::string view = pendant_view(held.pendant, "hello", 80, 24);
+  CHECK(view.starts_with("  gantry idle (1, 0, 0)"));
+  const double shown = held.session.robot().reports().last()->measured[0] * 1000;
+  CHECK(view.find(fmt::format("> x       {:>12.3f} mm", shown)) != std::string::npos);
+  CHECK(view.find("hello") != std::string::npos);
+  const std::string small = pendant_view(held.pendant, "", 10, 3);
+  CHECK(std::ranges::count(small, '\n') == 2);
+  CHECK(small.find("  gantry i\n") != std::string::npos);
+}
