@@ -177,9 +177,7 @@ RunResult check_one(const LoadedProgram& program, const Options& options,
   if (script.diagnostics.has_errors()) return refused(script, robot);
   std::optional<PathFile> path = open_path(options, program);
   RunResult result = foretell(program, robot, {options.seed, &script, 1, path ? &*path : nullptr});
-  if (path && !path->close()) {
-    throw FileError(fmt::format("the path in '{}' is incomplete; is the disk full?", options.path));
-  }
+  if (path) path->save();
   return result;
 }
 

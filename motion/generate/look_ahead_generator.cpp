@@ -94,6 +94,7 @@ void LookAheadGenerator::step_guide() noexcept {
   ring_.rate.store(guide_.rate(), std::memory_order_relaxed);
   if (!runs) return;
   average_.take(guide_);
+  events_.go_on({guide_time(), average_.sigma(), average_.rate()});
   tell_missed_leads();
   history_.forget(guide_time() - lag() - period());  // what was passed in this period is kept
   const PathRing::Index kept = guide_.index() > 0 ? guide_.index() - 1 : 0;
@@ -102,7 +103,7 @@ void LookAheadGenerator::step_guide() noexcept {
 }
 
 void LookAheadGenerator::tell_missed_leads() noexcept {
-  while (const auto missed = events_.take_missed(history_, guide_time(), lag(), period())) {
+  while (const auto missed = events_.take_missed(period())) {
     tell({.kind = MotionEvent::Kind::LeadMissed,
           .time = missed->time + skipped_,
           .tag = missed->tag,
@@ -169,7 +170,7 @@ void LookAheadGenerator::begin_run(const PathLeg& leg) noexcept {
   guide_.begin_run(leg.begin);
   average_.begin_run(leg.average, guide_);
   history_.begin(guide_time(), leg.begin);
-  events_.begin_run();
+  events_.begin_run({guide_time(), leg.begin, 0});
 }
 
 void LookAheadGenerator::expect_events(const SegmentDescriptor& next, double instant) noexcept {
@@ -263,11 +264,13 @@ std::uint32_t LookAheadGenerator::decided() const noexcept {
 const Effect* LookAheadGenerator::take_path_event(double& due) noexcept {
   if (const Effect* effect = profile_events_.take(clock_.path_time() + kSameInstant, due)) {
     due = clock_.run_time(due);
+    tell_cut_lead(*effect, due, profile_events_.cut());
     return effect;
   }
-  const Effect* const effect =
-      events_.take(guide_, history_, guide_time() + kSameInstant, lag(), due);
-  if (effect != nullptr) due += skipped_;
+  const Effect* const effect = events_.take(guide_, history_, lag(), due);
+  if (effect == nullptr) return nullptr;
+  due += skipped_;
+  tell_cut_lead(*effect, due, events_.cut());
   return effect;
 }
 

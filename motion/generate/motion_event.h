@@ -15,6 +15,8 @@ struct MotionEvent {
     EffectDue,       ///< effect
     LateDecision,    ///< tag: nothing was known at the decision point; the target is made exact
     LeadMissed,      ///< tag; value: s by which a path event came too early, below 0 too late
+    LeadCut,         ///< tag; value: s by which a path event comes later than its LEAD asked for,
+                     ///< since its motion does not take so long to its place
     Finished,        ///< everything commanded has been done; the axes stand
     Hit,             ///< tag; number: the guard of this motion holds; it brakes
     Braking,         ///< tag; number: it brakes, since it was asked to or its guard has no answer

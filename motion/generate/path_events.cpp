@@ -32,7 +32,9 @@ void PathEvents::begin(const SegmentDescriptor& leg, double zero, double t_befor
     if (!leg.profile.present() && from_rest && t < t_before)
       t = (2 * corner_place(t / t_before) - 1) * t_before;
     const double shift = event.lead * rate;
-    entries_[count_++] = {std::max(instant, zero + t - shift), share, shift, event.effect};
+    const double wish = zero + t - shift;
+    const double cut = shift > 0 ? std::max(instant - wish, 0.0) : 0;
+    entries_[count_++] = {std::max(instant, wish), share, shift, cut, event.effect};
   }
 }
 
@@ -42,7 +44,9 @@ void PathEvents::stop(double t_acc) noexcept {
     const double left = (1 - entry.share) * leg_duration_;
     if (left >= t_acc || entry.effect.after != leg_) continue;
     const double t = (1 - 2 * corner_place(left / t_acc)) * t_acc;
-    entry.due = std::max(entry.due, leg_zero_ + leg_duration_ + t - entry.shift);
+    const double wish = leg_zero_ + leg_duration_ + t - entry.shift;
+    entry.cut = std::max(entry.cut - std::max(wish - (entry.due - entry.cut), 0.0), 0.0);
+    entry.due = std::max(entry.due, wish);
   }
 }
 
@@ -52,6 +56,7 @@ const Effect* PathEvents::take(double path_time, double& due) noexcept {
                                       [](const Entry& a, const Entry& b) { return a.due < b.due; });
   if (first == end || first->due > path_time) return nullptr;
   taken_ = first->effect;
+  cut_ = first->cut;
   due = first->due;
   std::move(first + 1, end, first);
   --count_;

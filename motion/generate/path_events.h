@@ -26,6 +26,9 @@ class PathEvents {
   void stop(double t_acc) noexcept;
   /// What is due at `path_time`, the earliest first; null when there is nothing.
   const Effect* take(double path_time, double& due) noexcept;
+  /// s by which what was taken last came later than its LEAD asked for, since it cannot come before
+  /// its motion begins; 0: it did not.
+  double cut() const noexcept { return cut_; }
   /// What is not due yet is never done.
   void drop() noexcept { count_ = 0; }
 
@@ -34,6 +37,7 @@ class PathEvents {
     double due = 0;
     double share = 0;
     double shift = 0;  ///< path time by which it is due before its place
+    double cut = 0;    ///< by which it is due later than that
     Effect effect;
   };
 
@@ -43,6 +47,7 @@ class PathEvents {
   std::array<Entry, kMost> entries_;
   std::size_t count_ = 0;
   Effect taken_;
+  double cut_ = 0;
   double leg_zero_ = 0;
   double leg_duration_ = 0;
   std::uint32_t leg_ = 0;  ///< its number

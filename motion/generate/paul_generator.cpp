@@ -157,7 +157,9 @@ std::uint32_t PaulGenerator::decided() const noexcept {
 
 const Effect* PaulGenerator::take_path_event(double& due) noexcept {
   const Effect* const effect = path_events_.take(clock_.path_time() + kSameInstant, due);
-  if (effect != nullptr) due = clock_.run_time(due);
+  if (effect == nullptr) return nullptr;
+  due = clock_.run_time(due);
+  tell_cut_lead(*effect, due, path_events_.cut());
   return effect;
 }
 

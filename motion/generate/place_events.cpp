@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
+
+#include "motion/generate/segment_generator.h"
 
 namespace rob::motion {
 
@@ -21,57 +22,110 @@ std::optional<double> foreseen(Guide guide, double sigma, double until) noexcept
   return found;
 }
 
+/// σ on the cubic through both marks, at a share of their time.
+double between(const PlaceEvents::Mark& a, const PlaceEvents::Mark& b, double share) noexcept {
+  const double T = b.time - a.time;
+  const double left = 1 - share;
+  return a.sigma + share * share * (3 - 2 * share) * (b.sigma - a.sigma) +
+         share * left * T * (left * a.rate - share * b.rate);
+}
+
 }  // namespace
 
 void PlaceEvents::expect(const PathEvent& event, double sigma, double earliest) noexcept {
   if (count_ < kMost) entries_[count_++] = {sigma, event.lead, earliest, false, 0, event.effect};
 }
 
-/// What comes at the motion's beginning cannot keep its lead; what was foreseen too late comes now.
-void PlaceEvents::remember(const Entry& entry, double due, double now) noexcept {
-  if (due > entry.when - entry.lead || led_count_ == kMost) return;
-  led_[led_count_++] = {entry.effect.tag, entry.sigma, entry.lead, due > before_ ? due : now};
+void PlaceEvents::begin_run(const Mark& mark) noexcept {
+  before_ = now_ = mark;
+  led_count_ = 0;
 }
 
-std::optional<PlaceEvents::Missed> PlaceEvents::take_missed(const GuideHistory& history, double now,
-                                                            double lag, double tolerance) noexcept {
+void PlaceEvents::go_on(const Mark& mark) noexcept {
+  before_ = now_;
+  now_ = mark;
+  for (std::size_t i = 0; i < count_; ++i) {
+    Entry& entry = entries_[i];
+    if (entry.passed || !reached(entry.sigma)) continue;
+    entry.passed = true;
+    entry.when = passing(entry.sigma);
+  }
+}
+
+/// But for the rounding of sums of lengths.
+bool PlaceEvents::reached(double sigma) const noexcept {
+  return now_.sigma >= sigma - 1e-12 * (1 + std::abs(sigma));
+}
+
+/// When the references passed, in the last period, a place that they have reached.
+double PlaceEvents::passing(double sigma) const noexcept {
+  if (before_.sigma >= sigma) return before_.time;
+  double low = 0;
+  double high = 1;
+  for (int i = 0; i < 50; ++i) {  // 50 halvings: below 1e-15
+    const double middle = (low + high) / 2;
+    (between(before_, now_, middle) < sigma ? low : high) = middle;
+  }
+  return before_.time + high * (now_.time - before_.time);
+}
+
+std::optional<double> PlaceEvents::when(Entry& entry, const Guide& guide,
+                                        const GuideHistory& history, double lag) const noexcept {
+  if (!entry.passed && reached(entry.sigma)) {  // before it was expected
+    entry.passed = true;
+    entry.when = passing(entry.sigma);
+  }
+  if (entry.passed) return entry.when;
+  if (entry.lead <= 0) return std::nullopt;
+  const double ahead = std::min(entry.lead - lag, kFurthest);
+  auto passes = history.when(entry.sigma, now_.time);
+  if (!passes && ahead > 0) passes = foreseen(guide, entry.sigma, now_.time + ahead);
+  // Half of the mean's time after the guide; but they have not been there by now.
+  return passes ? std::optional(std::max(*passes + lag, now_.time)) : std::nullopt;
+}
+
+/// What comes at the motion's beginning cannot keep its lead; what was foreseen too late comes now.
+void PlaceEvents::remember(const Entry& entry, double due) noexcept {
+  if (cut_ > 0 || led_count_ == kMost) return;
+  const double came = due > before_.time ? due : now_.time;
+  led_[led_count_++] = {entry.effect.tag, entry.sigma, entry.lead, came};
+}
+
+std::optional<PlaceEvents::Missed> PlaceEvents::take_missed(double tolerance) noexcept {
   for (std::size_t i = 0; i < led_count_;) {
     const Led led = led_[i];
-    const auto when = history.when(led.sigma, now - lag);
-    if (!when) {
+    if (!reached(led.sigma)) {
       ++i;
       continue;
     }
     led_[i] = led_[--led_count_];
-    const double error = *when + lag - led.lead - led.came;
-    if (std::abs(error) > tolerance) return Missed{led.tag, *when + lag, error};
+    const double when = passing(led.sigma);
+    const double error = when - led.lead - led.came;
+    if (std::abs(error) > tolerance) return Missed{led.tag, when, error};
   }
   return std::nullopt;
 }
 
-const Effect* PlaceEvents::take(const Guide& guide, const GuideHistory& history, double now,
-                                double lag, double& due) noexcept {
-  if (now > looked_) before_ = std::exchange(looked_, now);
+const Effect* PlaceEvents::take(const Guide& guide, const GuideHistory& history, double lag,
+                                double& due) noexcept {
   std::size_t first = kMost;
+  double wanted = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     Entry& entry = entries_[i];
-    std::optional<double> when;
-    if (!entry.passed) {
-      when = history.when(entry.sigma, now);
-      entry.passed = when.has_value();
-      const double ahead = std::min(entry.lead - lag, kFurthest);
-      if (!when && ahead > 0) when = foreseen(guide, entry.sigma, now + ahead);
-      if (when) entry.when = *when + lag;
-    }
-    if (!entry.passed && !when) continue;
-    const double at = std::max(entry.earliest, entry.when - entry.lead);
-    if (at > now || (first < kMost && at >= due)) continue;
+    const auto passes = when(entry, guide, history, lag);
+    if (!passes) continue;
+    const double wish = *passes - entry.lead;
+    const double at = std::max(entry.earliest, wish);
+    if (at > now_.time + kSameInstant || (first < kMost && at >= due)) continue;
     due = at;
+    wanted = wish;
     first = i;
   }
   if (first == kMost) return nullptr;
-  taken_ = entries_[first].effect;
-  if (!entries_[first].passed) remember(entries_[first], due, now);
+  const Entry& entry = entries_[first];
+  taken_ = entry.effect;
+  cut_ = entry.lead > 0 ? due - wanted : 0;
+  if (!entry.passed) remember(entry, due);
   std::move(entries_.begin() + static_cast<std::ptrdiff_t>(first) + 1,
             entries_.begin() + static_cast<std::ptrdiff_t>(count_),
             entries_.begin() + static_cast<std::ptrdiff_t>(first));

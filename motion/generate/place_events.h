@@ -10,8 +10,9 @@
 namespace rob::motion {
 
 /// The path events of look-ahead motion: each is due when the references pass its place, or `lead`
-/// before that. What the guide will do until then is found by stepping a second guide on; exact
-/// while override and what is known stay as they are.
+/// before that. Where they pass it is known from their own σ, the mean of the guide's. What they
+/// will pass is found by stepping a second guide on, half the mean's time behind which they follow:
+/// exact while override and what is known stay as they are, and the speed is even.
 ///
 /// Times are the guide's, s. Every call may be used in the tick.
 class PlaceEvents {
@@ -19,11 +20,26 @@ class PlaceEvents {
   /// The furthest that a second guide looks, s.
   static constexpr double kFurthest = 0.5;
 
+  /// σ of the references at an instant, and its rate.
+  struct Mark {
+    double time = 0;
+    double sigma = 0;
+    double rate = 0;
+  };
+
   /// `sigma`: the place; `earliest`: not before.
   void expect(const PathEvent& event, double sigma, double earliest) noexcept;
-  /// What is due at `now`, the earliest first, where references lag by `lag`; null: nothing.
-  const Effect* take(const Guide& guide, const GuideHistory& history, double now, double lag,
+  /// A run begins: the references stand at the mark.
+  void begin_run(const Mark& mark) noexcept;
+  /// Once a period: the references have come to the mark.
+  void go_on(const Mark& mark) noexcept;
+  /// What is due by now, the earliest first; null: nothing. References lag behind the guide by
+  /// `lag`.
+  const Effect* take(const Guide& guide, const GuideHistory& history, double lag,
                      double& due) noexcept;
+  /// s by which what was taken last came later than its LEAD asked for, since its motion does not
+  /// take so long to its place; 0: it did not.
+  double cut() const noexcept { return cut_; }
   /// A LEAD that was not kept: what the guide did was not what had been foreseen.
   struct Missed {
     Tag tag = 0;
@@ -31,11 +47,8 @@ class PlaceEvents {
     double error = 0;  ///< s by which the event came too early; below 0: too late
   };
   /// One at a time; those by less than `tolerance`, s, count as kept.
-  std::optional<Missed> take_missed(const GuideHistory& history, double now, double lag,
-                                    double tolerance) noexcept;
+  std::optional<Missed> take_missed(double tolerance) noexcept;
   void drop() noexcept { count_ = led_count_ = 0; }
-  /// The history begins anew.
-  void begin_run() noexcept { led_count_ = 0; }
 
  private:
   struct Entry {
@@ -56,15 +69,20 @@ class PlaceEvents {
     double lead = 0;
     double came = 0;
   };
-  void remember(const Entry& entry, double due, double now) noexcept;
+  bool reached(double sigma) const noexcept;
+  double passing(double sigma) const noexcept;
+  std::optional<double> when(Entry& entry, const Guide& guide, const GuideHistory& history,
+                             double lag) const noexcept;
+  void remember(const Entry& entry, double due) noexcept;
 
+  Mark before_;  ///< at the last two periods
+  Mark now_;
   std::array<Led, kMost> led_;
   std::size_t led_count_ = 0;
-  double looked_ = 0;  ///< the last look, and the one before
-  double before_ = 0;
   std::array<Entry, kMost> entries_;
   std::size_t count_ = 0;
   Effect taken_;
+  double cut_ = 0;
 };
 
 }  // namespace rob::motion

@@ -307,6 +307,11 @@ void SegmentGenerator::tell_late_decision(double instant) noexcept {
         .number = segment_.number});
 }
 
+void SegmentGenerator::tell_cut_lead(const Effect& effect, double due, double by) noexcept {
+  if (by <= period_) return;
+  tell({.kind = Kind::LeadCut, .time = due, .tag = effect.tag, .value = by});
+}
+
 void SegmentGenerator::tell(MotionEvent event) noexcept {
   event.time = latest_ = std::max(latest_, event.time);
   events_.push(event);

@@ -150,6 +150,8 @@ class SegmentGenerator : public TrajectoryGenerator {
   void close_guard(double instant) noexcept;
   /// Nothing is known that could follow, and something will.
   void tell_late_decision(double instant) noexcept;
+  /// A path event comes s later than its LEAD asked for; what is less than a period is nothing.
+  void tell_cut_lead(const Effect& effect, double due, double by) noexcept;
   void tell(MotionEvent event) noexcept;
 
  private:

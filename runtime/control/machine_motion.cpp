@@ -226,7 +226,7 @@ void RobotMachine::warn(int line, const Commanded& commanded,
     log_.found({lang::Severity::Warning, code::kZoneCut,
                 lang::tagged_place(static_cast<int>(planned.zone_tag)),
                 fmt::format("ZONE cannot be used in full: {} are too short for it, and leave {} at"
-                            " most",
+                            " most, and what a bound on jerk adds to that",
                             meeting(static_cast<int>(planned.zone_tag), line),
                             shown(planned.zone_left, motion::AxisKind::Linear)),
                 "a ZONE of that size says so in the program"});

@@ -199,6 +199,14 @@ std::string text_for_missed_lead(double error) {
                      error > 0 ? "early" : "late");
 }
 
+Words words_for_cut_lead(double late) {
+  return {code::kLeadCut,
+          fmt::format("the motion does not take as long to this place as LEAD asks for: the event"
+                      " comes as the motion begins, {} s late",
+                      shown(late, 3)),
+          "make LEAD shorter, or set the output before the motion and WAIT"};
+}
+
 Words words_for_overrun(double lateness) {
   return {code::kOverrun,
           fmt::format("motion control came {:.0f} ms late, more than can be made up; the robot was"

@@ -42,6 +42,8 @@ Words words_for(const motion::FollowingFinding& finding, const motion::RobotMode
 std::string text_for_stopped_jog(int axis, const motion::RobotModel& robot);
 /// A path event that came too early by so many s; below 0: too late.
 std::string text_for_missed_lead(double error);
+/// `late`: s by which the event comes later than its LEAD asks for.
+Words words_for_cut_lead(double late);
 /// The motion task was so late that the path could not be made up.
 Words words_for_overrun(double lateness);
 /// A reference that is no number was about to be sent.

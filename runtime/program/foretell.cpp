@@ -96,9 +96,12 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
     result.findings.push_back({lang::Severity::Note,
                                code::kForetoldSoFar,
                                {},
-                               "the program goes on; it was foretold as far as one hour of its "
-                               "time or 100,000,000 instructions",
-                               ""});
+                               fmt::format("the program goes on beyond the {:.0f} s that were "
+                                           "foretold: rob check follows it for one hour of its "
+                                           "time or 100,000,000 instructions",
+                                           result.measured),
+                               "times and findings are those up to there, and not of the whole "
+                               "program"});
   }
   if (result.error) result.findings.push_back(finding_of(*result.error));
   return of_program(program, std::move(result));

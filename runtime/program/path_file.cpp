@@ -10,11 +10,11 @@
 namespace rob::runtime {
 
 PathFile::PathFile(const std::string& path, const motion::RobotModel& robot)
-    : robot_(robot), file_(open_log(path)) {
+    : robot_(robot), path_(path) {
   std::string names = "sigma";
   for (const char* column : {"q", "dq", "ddq"})
     for (int i = 1; i <= robot_.axis_count(); ++i) names += fmt::format(",{}{}", column, i);
-  put(names + "\n");
+  text_ = names + "\n";
 }
 
 void PathFile::planned(const motion::Piece& piece) {
@@ -37,13 +37,7 @@ void PathFile::put(const motion::Piece& piece, double at) {
     }
     per_mm *= kMm;
   }
-  put(row + "\n");
+  text_ += row + "\n";
 }
-
-void PathFile::put(const std::string& text) {
-  full_ = full_ || std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size();
-}
-
-bool PathFile::close() { return std::fclose(file_.release()) == 0 && !full_; }
 
 }  // namespace rob::runtime

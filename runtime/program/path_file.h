@@ -4,7 +4,7 @@
 
 #include "motion/ahead/path_listener.h"
 #include "motion/robots/robot_model.h"
-#include "runtime/program/files.h"
+#include "runtime/program/atomic_file.h"
 
 namespace rob::runtime {
 
@@ -14,21 +14,20 @@ namespace rob::runtime {
 /// derivatives leap one sigma has two rows. mm and deg, 17 significant digits.
 class PathFile final : public motion::PathListener {
  public:
-  /// Opens the file at once: throws FileError.
+  /// `path`: where it will stand.
   PathFile(const std::string& path, const motion::RobotModel& robot);
 
   void planned(const motion::Piece& piece) override;
-  /// Flushes; false if not all rows are in the file.
-  bool close();
+  /// Saves it, whole (save_file()): throws FileError, and then nothing has changed.
+  void save() const { save_file(path_, text_); }
 
  private:
   void put(const motion::Piece& piece, double at);
-  void put(const std::string& text);
 
   const motion::RobotModel& robot_;
-  FileHandle file_;
+  std::string path_;
+  std::string text_;
   double sigma_ = 0;  ///< mm, of the last row
-  bool full_ = false;
 };
 
 }  // namespace rob::runtime

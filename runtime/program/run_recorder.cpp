@@ -88,6 +88,12 @@ void RunRecorder::take(const MotionEvent& event) {
     case MotionEvent::Kind::LeadMissed:
       add_event(event.time, "lead", static_cast<int>(event.tag), text_for_missed_lead(event.value));
       break;
+    case MotionEvent::Kind::LeadCut: {
+      const Words words = words_for_cut_lead(event.value);
+      log_.found({lang::Severity::Warning, words.code,
+                  lang::tagged_place(static_cast<int>(event.tag)), words.message, words.help});
+      break;
+    }
     case MotionEvent::Kind::Hit:
     case MotionEvent::Kind::Braking:
       begin_early_end(event);

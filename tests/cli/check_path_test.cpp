@@ -112,12 +112,29 @@ TEST_CASE("a path that cannot be written, or is not planned, is refused with the
   CHECK(nowhere.exit_code == 74);
   CHECK(contains(nowhere.err, "check the name and the folder"));
 
-  const ProcessResult full = refusal({"--path", "/dev/full"});
-  CHECK(full.exit_code == 74);
-  CHECK(contains(full.err, "is incomplete; is the disk full?"));
+  const ProcessResult device = refusal({"--path", "/dev/full"});
+  CHECK(device.exit_code == 74);
+  CHECK(contains(device.err, "it is no regular file; name a file"));
 
   const ProcessResult wrong =
       RobCommand("LAW LOOKAHEAD\nMOVE(1, 2\n")("check", {"--path", "/dev/full"});
   CHECK(wrong.exit_code == 65);
   CHECK_FALSE(contains(wrong.err, "/dev/full"));
+}
+
+TEST_CASE("a path is saved whole: until then, and after a refusal, the file is the old one") {
+  const RobCommand rob(kCorner);
+  const std::string file = rob.file("path.csv");
+  std::ofstream(file) << "old";
+  // What a crash has left behind is in nobody's way; a folder of that name is.
+  const std::string temporary = rob.file(".path.csv.saving");
+  std::filesystem::create_directory(temporary);
+  const ProcessResult refused = rob("check", {"--path", file});
+  CHECK(refused.exit_code == 74);
+  CHECK(rob::test::read_whole_file(file) == "old");
+  std::filesystem::remove(temporary);
+  std::ofstream(temporary) << "left behind";
+  CHECK(rob("check", {"--path", file}).exit_code == 0);
+  CHECK(rob::test::read_whole_file(file).starts_with("sigma,q1,"));
+  CHECK_FALSE(std::filesystem::exists(temporary));
 }

@@ -10,6 +10,7 @@ using Eigen::Vector3d;
 void MotionWriter::arrive(const Vector3d& place, double miss, double beside) {
   made_.path.places.push_back(place);
   made_.path.points.push_back(made_.path.places.size() - 1);
+  made_.lines.push_back(lines_);
   made_.misses.push_back(miss);
   made_.besides.push_back(beside);
   here_ = place;
@@ -113,7 +114,8 @@ std::string MotionWriter::jerk() {
 void MotionWriter::finish(const std::string& motion, const std::string& clauses, double length) {
   if (!made_.whole && choice_.percent(20))
     return line(motion + clauses + " UNTIL DIN[" + std::to_string(choice_.between(2, 4)) + "]");
-  if (!made_.whole || length < 0.5 || !choice_.percent(15)) return line(motion + clauses);
+  if (!made_.whole || in_path_ || length < 0.5 || !choice_.percent(15))
+    return line(motion + clauses);
   line(motion + clauses + " DO");
   mark(length);
   line("ENDMOVE");
@@ -125,7 +127,7 @@ void MotionWriter::mark(double length) {
   const int lag_ms = choice_.percent(30) ? choice_.between(1, 100) : 0;
   marked_ = !marked_;
   const double place = after ? hundredths / 100.0 : length - hundredths / 100.0;
-  made_.marks.push_back({lines_, place, lag_ms / 1000.0});
+  made_.marks.push_back({lines_, place, lag_ms / 1000.0, length});
   line(std::string(after ? "  AFTER " : "  BEFORE ") + decimal(hundredths, 2) + "mm" +
        (lag_ms > 0 ? " LAG " + decimal(lag_ms, 3) + "s" : "") +
        " : DOUT[8] = " + (marked_ ? "ON" : "OFF"));

@@ -37,6 +37,7 @@ class MotionWriter {
   void reversal();
   void single_axis();
   void profile();
+  void path();
   void jog();
   void handler();
   void signals();
@@ -73,7 +74,8 @@ class MotionWriter {
   int lines_ = 0;
   int turn_ = 0;  ///< deg: of the gantry's axis
   bool jerk_all_ = false;
-  bool marked_ = false;  ///< DOUT[8] is on
+  bool in_path_ = false;  ///< between PATH and ENDPATH
+  bool marked_ = false;   ///< DOUT[8] is on
 };
 
 }  // namespace rob::test

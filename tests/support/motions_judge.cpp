@@ -15,20 +15,46 @@ using Eigen::Vector3d;
 /// mm: what an arm's tool may be beside its line, between two nodes of it.
 constexpr double kArmLine = 0.05;
 
+constexpr int kPartsOfRow = 4;
+
 std::size_t linear_axes(const MotionRobot& robot) {
   return robot.kind == MotionRobot::Kind::Arm ? 0 : robot.kind == MotionRobot::Kind::Gantry ? 2 : 3;
 }
 
 std::vector<Vector3d> curve_of(const TraceFile& trace, const MotionRobot& robot) {
-  if (robot.kind == MotionRobot::Kind::Arm) return tool_curve_of_poses(trace, 4);
-  return tool_curve(trace, linear_axes(robot), 4);
+  if (robot.kind == MotionRobot::Kind::Arm) return tool_curve_of_poses(trace, kPartsOfRow);
+  return tool_curve(trace, linear_axes(robot), kPartsOfRow);
+}
+
+/// A curve, and where on the path the tool was there.
+struct Followed {
+  std::vector<Vector3d> curve;
+  std::vector<PathStretch> where;
+};
+
+/// The points between which a motion of that line leads; those of a spline have one line.
+PathStretch stretch_of(int line, const std::vector<int>& lines) {
+  const auto first = std::lower_bound(lines.begin(), lines.end() - 1, line);
+  const auto last = std::upper_bound(first, lines.end(), *first);
+  const auto to = static_cast<std::size_t>(last - lines.begin()) - 1;
+  const auto from = static_cast<std::size_t>(first - lines.begin());
+  return {from > 0 ? from - 1 : 0, to};
 }
 
 /// From where the tool first stands at the path's beginning.
-std::vector<Vector3d> from_the_beginning(std::vector<Vector3d> curve, const Vector3d& beginning) {
-  const auto begin = std::find_if(curve.begin(), curve.end(),
-                                  [&](const Vector3d& p) { return (p - beginning).norm() < 1e-4; });
-  return {begin, curve.end()};
+Followed from_the_beginning(const std::vector<Vector3d>& curve, const TraceFile& trace,
+                            const RandomMotions& motions) {
+  const Vector3d& beginning = motions.path.places.front();
+  Followed followed;
+  int line = 0;
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    if (followed.curve.empty() && (curve[k] - beginning).norm() >= 1e-4) continue;
+    const std::size_t row = (k + kPartsOfRow - 1) / kPartsOfRow;
+    followed.curve.push_back(curve[k]);
+    line = std::max(line, trace.rows[row].line);  // a WHEN has its own, and it only holds
+    followed.where.push_back(stretch_of(line, motions.lines));
+  }
+  return followed;
 }
 
 /// Bounds, none greater than the shorter way to a neighbour: there a corner ends at the latest.
@@ -63,10 +89,11 @@ std::string text_of(const Vector3d& place) {
   return text;
 }
 
-void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions, double room,
-               std::vector<std::string>& findings) {
-  const auto curve = from_the_beginning(whole, motions.path.places.front());
-  if (curve.empty()) return findings.push_back("the tool never stood where its way begins");
+void judge_way(const std::vector<Vector3d>& whole, const TraceFile& trace,
+               const RandomMotions& motions, double room, std::vector<std::string>& findings) {
+  const Followed followed = from_the_beginning(whole, trace, motions);
+  if (followed.curve.empty())
+    return findings.push_back("the tool never stood where its way begins");
   const bool cut = !motions.averaged;
   PathBounds allowed{cut ? cut_to_legs(motions.path, motions.misses) : motions.misses,
                      motions.besides};
@@ -77,7 +104,8 @@ void judge_way(const std::vector<Vector3d>& whole, const RandomMotions& motions,
   for (double& bound : allowed.besides) bound = more * bound + room;
   // A way that is not known is looked at as a whole: each point must have been passed at some time.
   const double window = motions.known ? 60 : std::numeric_limits<double>::infinity();
-  const PathExcess excess = path_excess(curve, motions.path, allowed, window);
+  const PathExcess excess =
+      path_excess(followed.curve, motions.path, allowed, window, followed.where);
   if (!(excess.miss <= 0)) {
     const Vector3d& point = motions.path.places[motions.path.points[excess.point]];
     findings.push_back(text_of(point) +
@@ -100,8 +128,9 @@ double longest_mean(const MotionRobot& robot, const RandomMotions& motions) {
   return std::min(longest, 2.0);
 }
 
-/// Each change of DOUT[8] has to come where the sigma of its motion is what was asked for: half of
-/// the mean's time T after the guide, which the references are a·T²/24 away from.
+/// Each change of DOUT[8] has to come where the sigma of its motion is what was asked for. Motions
+/// begin and end by the guide, which the references are up to a·T²/24 away from, T the mean's time:
+/// so near to its ends a place may be passed outside of them.
 void judge_marks(const TracedRun& run, const RandomMotions& motions, double acceleration,
                  double mean, std::vector<std::string>& findings) {
   constexpr double kMm = 1000;  // sigma of a trace is in m
@@ -116,11 +145,14 @@ void judge_marks(const TracedRun& run, const RandomMotions& motions, double acce
   const double period = rows[1].t - rows[0].t;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const PathMark& mark = motions.marks[i];
+    const double blurred = acceleration * mean * mean / 24;
+    const bool at_end = std::min(mark.place, mark.length - mark.place) <= blurred;
+    const double most = acceleration * period * period + (at_end ? blurred : 0) + 1e-3;
     const auto near = [&](const TraceRow& row) {
       const double since = times[i] - mark.lag - row.t;
-      return row.line == mark.line && std::abs(since) <= 1.001 * period &&
-             std::abs((row.sigma + row.rate * since) * kMm - mark.place) <=
-                 acceleration * (period * period + mean * mean / 24) + 1e-3;
+      const double before = at_end && row.line > mark.line ? mark.length : 0;
+      return (row.line == mark.line || before > 0) && std::abs(since) <= 1.001 * period &&
+             std::abs((row.sigma + row.rate * since) * kMm + before - mark.place) <= most;
     };
     if (std::none_of(rows.begin(), rows.end(), near))
       findings.push_back(
@@ -146,7 +178,7 @@ std::vector<std::string> judge_motions(const std::string& rob, const MotionRobot
   std::vector<std::string> findings = judge_bounds(run.trace, axes, motions.leaping);
   const auto curve = curve_of(run.trace, robot);
   const double room = robot.kind == MotionRobot::Kind::Arm ? kArmLine : 0;
-  if (motions.whole) judge_way(curve, motions, room, findings);
+  if (motions.whole) judge_way(curve, run.trace, motions, room, findings);
   if (motions.whole && linear_axes(robot) > 0)
     judge_marks(run, motions, std::sqrt(3) * axes.front().a, longest_mean(robot, motions),
                 findings);

@@ -22,6 +22,12 @@ double distance_to(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   return (p - a - nearest_share(p, a, b) * (b - a)).norm();
 }
 
+/// mm along the path.
+struct Range {
+  double from = 0;
+  double to = 0;
+};
+
 /// The place on the path where the tool is, going along with it.
 class Follower {
  public:
@@ -34,7 +40,7 @@ class Follower {
   /// The distance of p from the path near where it was last; goes on to the nearest place.
   double follow(const Vector3d& p) {
     double least = std::numeric_limits<double>::infinity();
-    const double from = here_ - window_, to = here_ + window_;
+    const auto [from, to] = range();
     for (std::size_t i = piece_at(from); i + 1 < places_.size() && length_[i] <= to; ++i) {
       const double share = nearest_share(p, places_[i], places_[i + 1]);
       const double distance = (p - places_[i] - share * (places_[i + 1] - places_[i])).norm();
@@ -45,13 +51,12 @@ class Follower {
     return least;
   }
 
-  /// The least of what allowed(length along the path) leaves of the distances near there: a tool
-  /// that is within what is allowed of one part of the path may be nearer to another one.
+  /// The least of what allowed(length along the path) leaves of the distances there: a tool that is
+  /// within what is allowed of one part of the path may be nearer to another one.
   template <typename Allowed>
-  double excess(const Vector3d& p, Allowed&& allowed) const {
+  double excess(const Vector3d& p, const Range& range, Allowed&& allowed) const {
     double least = std::numeric_limits<double>::infinity();
-    const double to = here_ + window_;
-    for (std::size_t i = piece_at(here_ - window_); i + 1 < places_.size() && length_[i] <= to;
+    for (std::size_t i = piece_at(range.from); i + 1 < places_.size() && length_[i] <= range.to;
          ++i) {
       const double share = nearest_share(p, places_[i], places_[i + 1]);
       const double distance = (p - places_[i] - share * (places_[i + 1] - places_[i])).norm();
@@ -60,7 +65,7 @@ class Follower {
     return least;
   }
 
-  double here() const { return here_; }
+  Range range() const { return {here_ - window_, here_ + window_}; }
   double length_at(std::size_t place) const { return length_[place]; }
 
  private:
@@ -78,8 +83,8 @@ class Follower {
 /// The least distance that the curve comes to each programmed point while it is near it.
 class Misses {
  public:
-  Misses(const ProgrammedPath& path, const Follower& follower, double window)
-      : path_(path), follower_(follower), window_(window), points_(path.points) {
+  Misses(const ProgrammedPath& path, const Follower& follower)
+      : path_(path), follower_(follower), points_(path.points) {
     if (points_.empty()) {
       points_.resize(path.places.size());
       std::iota(points_.begin(), points_.end(), std::size_t{0});
@@ -87,18 +92,22 @@ class Misses {
     least_.assign(points_.size(), std::numeric_limits<double>::infinity());
   }
 
-  void pass(const Vector3d& from, const Vector3d& to) {
-    const double here = follower_.here();
+  void pass(const Vector3d& from, const Vector3d& to, const Range& range) {
     const auto before = [&](std::size_t point, double length) {
       return follower_.length_at(point) < length;
     };
-    const auto begin = std::lower_bound(points_.begin(), points_.end(), here - window_, before);
+    const auto begin = std::lower_bound(points_.begin(), points_.end(), range.from, before);
     for (auto i = static_cast<std::size_t>(begin - points_.begin());
-         i < points_.size() && follower_.length_at(points_[i]) <= here + window_; ++i)
+         i < points_.size() && follower_.length_at(points_[i]) <= range.to; ++i)
       least_[i] = std::min(least_[i], distance_to(path_.places[points_[i]], from, to));
   }
 
   const std::vector<double>& least() const { return least_; }
+
+  Range range(const PathStretch& stretch, double window) const {
+    return {follower_.length_at(points_[stretch.from]) - window,
+            follower_.length_at(points_[stretch.to]) + window};
+  }
 
   /// What the points before and behind a place so far along the path allow, and the way between.
   double allowed(const PathBounds& bounds, double length) const {
@@ -116,7 +125,6 @@ class Misses {
  private:
   const ProgrammedPath& path_;
   const Follower& follower_;
-  double window_;
   std::vector<std::size_t> points_;
   std::vector<double> least_;
 };
@@ -183,27 +191,29 @@ std::vector<Vector3d> tool_curve_of_poses(const TraceFile& trace, int parts) {
 PathDeviation path_deviation(const std::vector<Vector3d>& curve, const ProgrammedPath& path,
                              double window) {
   Follower follower(path.places, window);
-  Misses misses(path, follower, window);
+  Misses misses(path, follower);
   PathDeviation found;
   for (std::size_t k = 0; k < curve.size(); ++k) {
     found.from_path = std::max(found.from_path, follower.follow(curve[k]));
-    misses.pass(curve[k > 0 ? k - 1 : 0], curve[k]);
+    misses.pass(curve[k > 0 ? k - 1 : 0], curve[k], follower.range());
   }
   found.miss = *std::max_element(misses.least().begin(), misses.least().end());
   return found;
 }
 
 PathExcess path_excess(const std::vector<Vector3d>& curve, const ProgrammedPath& path,
-                       const PathBounds& bounds, double window) {
+                       const PathBounds& bounds, double window,
+                       const std::vector<PathStretch>& where) {
   Follower follower(path.places, window);
-  Misses misses(path, follower, window);
+  Misses misses(path, follower);
   PathExcess found;
   for (std::size_t k = 0; k < curve.size(); ++k) {
-    follower.follow(curve[k]);
-    const double excess =
-        follower.excess(curve[k], [&](double length) { return misses.allowed(bounds, length); });
+    if (where.empty()) follower.follow(curve[k]);
+    const Range range = where.empty() ? follower.range() : misses.range(where[k], window);
+    const double excess = follower.excess(
+        curve[k], range, [&](double length) { return misses.allowed(bounds, length); });
     if (excess > found.from_path) found.from_path = excess, found.place = curve[k];
-    misses.pass(curve[k > 0 ? k - 1 : 0], curve[k]);
+    misses.pass(curve[k > 0 ? k - 1 : 0], curve[k], range);
   }
   for (std::size_t i = 0; i < bounds.misses.size(); ++i) {
     const double excess = misses.least()[i] - bounds.misses[i];

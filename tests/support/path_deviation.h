@@ -51,7 +51,17 @@ struct PathBounds {
   std::vector<double> besides{};
 };
 
+/// The part of the path between two of its points.
+struct PathStretch {
+  std::size_t from = 0;
+  std::size_t to = 0;
+};
+
+/// `where`: of each place of the curve the stretch that the tool was on, as its trace says; the
+/// window counts from there. Empty: as path_deviation() follows it, which a path that crosses
+/// itself can lead astray.
 PathExcess path_excess(const std::vector<Eigen::Vector3d>& curve, const ProgrammedPath& path,
-                       const PathBounds& bounds, double window);
+                       const PathBounds& bounds, double window,
+                       const std::vector<PathStretch>& where = {});
 
 }  // namespace rob::test

@@ -144,6 +144,24 @@ void MotionWriter::profile() {
   arrive(to, kExact);
 }
 
+/// Several motions that are planned as one.
+void MotionWriter::path() {
+  in_path_ = true;
+  line("PATH DO");
+  for (int k = choice_.between(2, 8); k > 0; --k) {
+    const int kind = choice_.below(100);
+    if (kind < 50) {
+      straight("MOVEL", near_place());
+    } else if (kind < 75) {
+      arc();
+    } else {
+      dense();
+    }
+  }
+  line("ENDPATH");
+  in_path_ = false;
+}
+
 /// Where it leads is not followed; the next motion has an absolute target.
 void MotionWriter::jog() {
   const int speed = choice_.between(1, robot_.least_speed);
@@ -180,7 +198,10 @@ void MotionWriter::motion() {
   jog();
 }
 
-void MotionWriter::statement() { choice_.percent(75) ? motion() : still(); }
+void MotionWriter::statement() {
+  if (robot_.look_ahead && made_.whole && choice_.percent(5)) return path();
+  choice_.percent(75) ? motion() : still();
+}
 
 /// Leaves the path, and comes back to where it was left.
 void MotionWriter::handler() {

@@ -30,9 +30,10 @@ struct MotionRobot {
 
 /// An output on the way of a motion: the next change of DOUT[8].
 struct PathMark {
-  int line = 0;      ///< of the motion, in the text
-  double place = 0;  ///< mm from its beginning
-  double lag = 0;    ///< s later
+  int line = 0;       ///< of the motion, in the text
+  double place = 0;   ///< mm from its beginning
+  double lag = 0;     ///< s later
+  double length = 0;  ///< mm: of the motion
 };
 
 /// A program of all kinds of motions, and what is known of its way beforehand.
@@ -41,6 +42,7 @@ struct RandomMotions {
   std::string signals;          ///< a signal script: what comes at random instants
   std::string override_share;   ///< "87%": of --override
   ProgrammedPath path;          ///< where the tool is led; its points are the targets
+  std::vector<int> lines;       ///< of each point: that of its motion, or the last behind it
   std::vector<double> misses;   ///< mm: by which each point may be missed
   std::vector<double> besides;  ///< mm: by which the tool may be beside the way to it
   std::vector<PathMark> marks;  ///< where nothing ends a motion early: in order

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "tests/motion/generate/jog_bench.h"
 #include "tests/motion/generate/look_ahead_run.h"
@@ -54,6 +56,65 @@ TEST_CASE("an output on the way comes at its place, before it with LEAD, behind 
   CHECK(due[0].time == doctest::Approx(0.2 + 48.0 / 20 + kLag).epsilon(kRounding));
   CHECK(due[1].time == doctest::Approx(0.2 + 58.0 / 20 - 0.1 + kLag).epsilon(kRounding));
   CHECK(due[2].time == doctest::Approx(0.2 + 68.0 / 20 + 0.1 + kLag).epsilon(kRounding));
+}
+
+// The references between two samples: by the last one's speed and acceleration, off by j·T³/6, and
+// the cubic by which the instant is found by no more.
+TEST_CASE("under low jerk an output comes where the references are, not where the guide would be") {
+  RobotModel robot = gantry_looking_ahead();
+  robot.axes[0].v_max = 0.5;
+  robot.axes[0].a_max = 1;
+  robot.axes[0].j_max = 5;  // a mean of 0.4 s: the references are up to 1·0.4²/24 m off the guide
+  LookAheadRun run(robot);
+  SegmentDescriptor segment = line(run, 300, 0);
+  const double shares[] = {0.002, 0.02, 0.1, 0.3, 0.5, 0.8, 0.95, 0.999};
+  for (const double share : shares)
+    on_the_way(segment, share, 0, static_cast<std::uint32_t>(1000 * share));
+  run.push(segment);
+  run.close();
+  run.finish();
+  const auto due = run.all(Kind::ActionDue);
+  REQUIRE(due.size() == std::size(shares));
+  for (std::size_t i = 0; i < due.size(); ++i) {
+    const auto after = std::ranges::find_if(run.samples(), [&](const GeneratorSample& sample) {
+      return sample.reference.time + kPeriod > due[i].time;
+    });
+    const JointReference& r = after->reference;
+    const double t = due[i].time - r.time;
+    CAPTURE(shares[i]);
+    CHECK(std::abs(r.q[0] + (r.qd[0] + r.qdd[0] * t / 2) * t - 0.3 * shares[i]) <
+          2 * 5 * kPeriod * kPeriod * kPeriod / 6);
+  }
+}
+
+TEST_CASE("an output at the end comes when the references rest there") {
+  LookAheadRun run;
+  SegmentDescriptor segment = line(run, 100, 0);
+  on_the_way(segment, 1, 0, 1);
+  run.push(segment);
+  run.close();
+  run.finish();
+  // d/v + v/a and, of the mean of 20 periods, from its first to its last: 5 + 0.2 + 0.19 s.
+  REQUIRE(run.all(Kind::ActionDue).size() == 1);
+  CHECK(run.all(Kind::ActionDue)[0].time == doctest::Approx(5.39).epsilon(1e-6));
+}
+
+TEST_CASE("a LEAD that is longer than the way from rest comes at the beginning, and is told") {
+  LookAheadRun run;
+  SegmentDescriptor segment = line(run, 100, 0);
+  on_the_way(segment, 0.02, 0.5, 1);
+  on_the_way(segment, 0.2, 0.5, 2);
+  run.push(segment);
+  run.close();
+  run.finish();
+  const auto due = run.all(Kind::ActionDue);
+  REQUIRE(due.size() == 2);
+  CHECK(due[0].time == doctest::Approx(0));
+  CHECK(due[1].time == doctest::Approx(0.2 + 18.0 / 20 + kLag - 0.5).epsilon(kRounding));
+  // 2 mm: the guide is there after 0.2 s.
+  const auto cut = run.all(Kind::LeadCut);
+  REQUIRE(cut.size() == 1);
+  CHECK(cut[0].value == doctest::Approx(0.5 - 0.2 - kLag).epsilon(1e-6));
 }
 
 TEST_CASE("under an override of a half an output on the way comes at the same place") {

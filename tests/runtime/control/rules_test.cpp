@@ -109,6 +109,18 @@ TEST_CASE("under the look-ahead law a corner is half of the line before it, half
   }
 }
 
+TEST_CASE("a LEAD longer than the way from standstill to its place is a finding, under both laws") {
+  for (const char* law : {"LAW PAUL\n", "LAW LOOKAHEAD\n"}) {
+    const std::string head = std::string(law) + "MOVE(100, 0, 0) DO\n";
+    const RunResult early = run(head + "AFTER 0.01mm LEAD 0.5s : DOUT[1] = ON\nENDMOVE\n");
+    CHECK(found(early, "W646", "as the motion begins"));
+    REQUIRE(early.signals.size() == 1);
+    CHECK(early.signals[0].time == doctest::Approx(0));
+    const RunResult kept = run(head + "AFTER 50mm LEAD 0.5s : DOUT[1] = ON\nENDMOVE\n");
+    CHECK(kept.findings.empty());
+  }
+}
+
 TEST_CASE("a warning of a corner names both its lines") {
   const RunResult cut = run("LAW LOOKAHEAD\nMOVE(100, 0, 0) ZONE 80mm\nMOVE(100, 100, 0)\n");
   CHECK(found(cut, "W644", "lines 2 and 3, which meet here,"));
