@@ -146,15 +146,19 @@ double Guide::brakes_on(const Piece& piece, const PathPoint& end, double top) co
                       std::min(top, std::max(before, ring_.square(index_)) + rise));
 }
 
-/// With the least control, until the square is down to `floor` or the piece ends.
+/// With the least control, until the square is down to `floor` or the piece ends. Where a bend asks
+/// for speed the guide takes it on as far as the end of the path stays in reach.
 Guide::Choice Guide::slow_down(const Piece& piece, const Stretch& on, const ControlRange& range,
                                double floor) const noexcept {
   const bool ends = on.x + 2 * range.low * on.rest >= 0;  // before it stands
   const double least = ends ? range.low : -on.x / (2 * on.rest);
-  Choice choice{std::min(least, -even_braking(piece, on.here, on.end, on.x)),
-                on.rest,
-                0,
-                {GuideLimit::Kind::Braking, range.low_axis}};
+  const double even = -even_braking(piece, on.here, on.end, on.x);
+  const double in_reach = (ring_.square(index_) - on.x) / (2 * on.rest);
+  Choice choice{
+      range.low > 0 ? std::min(range.low, std::max(even, in_reach)) : std::min(least, even),
+      on.rest,
+      0,
+      {GuideLimit::Kind::Braking, range.low_axis}};
   const double after = on.x + 2 * choice.control * on.rest;
   choice.end_rate = root(after);
   if (after < floor || after <= 0) {

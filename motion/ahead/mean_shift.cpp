@@ -35,10 +35,10 @@ struct Shares {
 };
 
 /// How the tip moves with each axis, m per m or rad: columns of three.
-Eigen::Matrix<double, 3, Eigen::Dynamic> tip_rates(const RobotModel& robot, const Pose& tip,
-                                                   const JointVector& q) {
+using TipRates = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMaxJoints>;
+TipRates tip_rates(const RobotModel& robot, const Pose& tip, const JointVector& q) {
   constexpr double kStep = 1e-6;
-  Eigen::Matrix<double, 3, Eigen::Dynamic> rates(3, q.size());
+  TipRates rates(3, q.size());
   const Eigen::Vector3d here = place_of(tip.position, robot.kinematics->forward(q));
   for (int i = 0; i < q.size(); ++i) {
     JointVector beside = q;
@@ -81,13 +81,12 @@ Shares shares_of(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& 
 
 }  // namespace
 
-double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn) {
-  double least = kAny;
-  for (int i = 0; i < turn.size(); ++i) {
-    const double most = std::min(in.acceleration[i], out.acceleration[i]);
-    if (std::abs(turn[i]) * least > most) least = most / std::abs(turn[i]);
-  }
-  return least;
+double turns_in_zone(const RobotModel& robot, const ShapedLeg& in, const JointVector& turn,
+                     double average) {
+  const JointVector& point = in.segment.target;
+  const Miss unit = miss_between(robot, in.segment.ahead.tip, point + turn, point);
+  const double moved = average * average / 24;
+  return shrinking(unit, in.segment.ahead.miss, in.segment.ahead.turn) / moved;
 }
 
 MeanShift mean_shift(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,

@@ -26,6 +26,11 @@ struct MeanShift {
 MeanShift mean_shift(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                      const JointVector& turn, double average, double longest);
 
+/// m/s² per unit of turn: of an even bend that the mean moves by the whole zone. Infinite where
+/// there is no mean.
+double turns_in_zone(const RobotModel& robot, const ShapedLeg& in, const JointVector& turn,
+                     double average);
+
 /// m of σ on each side of a corner's middle that can be passed within T/2 of it: there the calm
 /// accelerations hold. `rate`: σ' at the middle.
 double calm_way(const ShapedLeg& in, const ShapedLeg& out, double calm, double average,
@@ -39,8 +44,5 @@ double longest_calm_way(const RobotModel& robot, const ShapedLeg& leg, double av
 /// at most.
 void bound_by_mean(const RobotModel& robot, const ShapedLeg& leg, double average,
                    std::vector<Piece>& pieces);
-
-/// The greatest u with which all axes can take on u times `turn`: min A_i/|turn_i|.
-double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn);
 
 }  // namespace rob::motion

@@ -141,8 +141,28 @@ bool PathPlanner::begin_run() {
   window_ = window_of(next);
   outlook_ = 0;
   calm_ = {};
-  open(shaped_leg(robot_, next, known_));
+  ShapedLeg leg = shaped_leg(robot_, next, known_);
+  const bool ends = stands_behind(leg);
+  if (ends) {
+    const double share = share_alone(leg, window_);
+    leg.acceleration *= share;
+    window_ *= share;
+  }
+  open(leg);
+  completing_ = completing_ || ends;
   return true;
+}
+
+/// Whether it is known already that a run begins and ends with this leg.
+bool PathPlanner::stands_behind(const ShapedLeg& leg) const {
+  if (leg.segment.guard.present() || leg.motion.path != nullptr) return false;
+  if (pending_.empty()) return false;
+  const SegmentDescriptor& next = pending_.front();
+  if (!moves(next) || next.from_rest) return true;
+  if (!has_way(next)) return false;
+  const TurnBounds bounds{std::min(leg.length(), share_of_next(shaped_leg(robot_, next, 0))),
+                          mean_time(), robot_.tool_coordinates};
+  return !make_turn(robot_, leg, shaped_leg(robot_, next, leg.end()), bounds);
 }
 
 /// The run has one mean: what asks for a longer one accelerates the less.

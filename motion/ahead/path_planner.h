@@ -55,6 +55,7 @@ class PathPlanner {
   void fetch();
   bool advance();
   bool begin_run();
+  bool stands_behind(const ShapedLeg& leg) const;
   void open(const ShapedLeg& leg);
   bool join_next();
   bool decide_alone();

@@ -188,6 +188,25 @@ double greatest_control(const ShapedLeg& leg, const PathPoint& place) {
   return most;
 }
 
+double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn) {
+  double least = Piece::kAny;
+  for (int i = 0; i < turn.size(); ++i) {
+    const double most = std::min(in.acceleration[i], out.acceleration[i]);
+    if (std::abs(turn[i]) * least > most) least = most / std::abs(turn[i]);
+  }
+  return least;
+}
+
+/// A share s takes d/v + v/(s·u) + s·T where it reaches the speed, else 2·√(d/(s·u)) + s·T: the
+/// least of either lies where it holds, and below that of the other.
+double share_alone(const ShapedLeg& leg, double window) {
+  if (window == 0) return 1;
+  const double control = greatest_control(leg, leg.at(0));
+  const double speed = leg.segment.ahead.speed;
+  return std::min({1.0, std::sqrt(speed / (control * window)),
+                   std::cbrt(leg.length() / (control * window * window))});
+}
+
 void append_leg(const RobotModel& robot, const ShapedLeg& leg, double from, double to,
                 double longest, std::vector<Piece>& pieces) {
   if (!(to > from)) return;

@@ -38,6 +38,13 @@ void bound_speed(const RobotModel& robot, const JointVector& slopes, Piece& piec
 /// σ'' that the axes allow at one of its places, as if it were straight.
 double greatest_control(const ShapedLeg& leg, const PathPoint& place);
 
+/// The greatest u with which all axes can take on u times `turn`: min A_i/|turn_i|.
+double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn);
+
+/// Of its accelerations, and of the mean's time with them, the share with which a straight leg
+/// takes the least time from rest to rest. `window`: s, with all of them.
+double share_alone(const ShapedLeg& leg, double window);
+
 /// The way from one leg into the next around the point between them: `half` m of σ on each side.
 struct Turn {
   double half = 0;

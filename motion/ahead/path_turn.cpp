@@ -25,10 +25,6 @@ constexpr double kPeak = 2;
 /// m: a corner that is shorter is no corner. [choice] a tenth of what any scale resolves
 constexpr double kShortest = 1e-8;
 
-/// [choice] Where less of the accelerations is left around a corner, a stop takes no longer: that
-/// of the mean is its time.
-constexpr double kLeastCalm = 0.1;
-
 JointVector turn_of(const ShapedLeg& in, const ShapedLeg& out) {
   return out.at(0).qd - in.at(in.length()).qd;
 }
@@ -37,13 +33,16 @@ bool straight(const ShapedLeg& in, const ShapedLeg& out) {
   return in.motion.path == nullptr && out.motion.path == nullptr;
 }
 
-/// So long that the axes keep the greatest speed of both legs in it.
+/// So long that at the greatest speed of both legs the axes keep it, and that the mean of so even
+/// a bend keeps the zone.
 double half_for_speed(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out) {
   const JointVector turn = turn_of(in, out);
-  const double reserve = turning_reserve(in, out, turn);
+  double reserve = turning_reserve(in, out, turn);
   const double speed =
       std::max(greatest_rate(robot, in, in.at(in.length())), greatest_rate(robot, out, out.at(0)));
   const double peak = straight(in, out) && !robot.tool_coordinates ? 1 : kPeak;
+  if (!robot.tool_coordinates)
+    reserve = std::min(reserve, turns_in_zone(robot, in, turn, in.segment.ahead.window) / 2);
   return peak * speed * speed / (2 * reserve);
 }
 
@@ -79,8 +78,24 @@ void calm_down(const ShapedLeg& in, const ShapedLeg& out, const JointVector& tur
   if (shift.calm == 1) return;
   made.calm = shift.calm;
   const double square = shift.calm * turning_reserve(in, out, turn) * 2 * made.half;
-  const double rate = std::min(made.fastest, std::sqrt(square));
-  made.calm_way = std::max(made.half, calm_way(in, out, shift.calm, average, rate));
+  made.fastest = std::min(made.fastest, std::sqrt(square));
+  made.calm_way = std::max(made.half, calm_way(in, out, shift.calm, average, made.fastest));
+}
+
+/// Whether a stop would take no longer than so calm a corner. Beside a point that is passed at full
+/// speed, either costs on each side what speeding up takes; the stop the mean's time, too.
+bool stops_as_fast(const RobotModel& robot, const ShapedLeg& out, const Turn& made,
+                   double average) {
+  if (made.calm == 1) return false;
+  const PathPoint point = out.at(0);
+  const double control = greatest_control(out, point);
+  const double full = greatest_rate(robot, out, point);
+  const double rate = std::min(made.fastest, full);
+  const double way = made.calm_way - made.half;
+  const double after = std::min(full, std::sqrt(rate * rate + 2 * made.calm * control * way));
+  const double around = made.half / rate + 2 * way / (rate + after);
+  const double ramp = (full - after) * (full - after) / (2 * control * full);
+  return around - made.calm_way / full + ramp >= full / (2 * control) + average / 2;
 }
 
 std::optional<Turn> make_parabola(const RobotModel& robot, const ShapedLeg& in,
@@ -88,13 +103,13 @@ std::optional<Turn> make_parabola(const RobotModel& robot, const ShapedLeg& in,
   const JointVector turn = turn_of(in, out);
   const LegBounds& zone = in.segment.ahead;
   const MeanShift shift = mean_shift(robot, in, out, turn, bounds.average, bounds.longest);
-  if (shift.calm < kLeastCalm) return std::nullopt;
   Turn made;
   made.half = half_for_miss(robot, in, turn, bounds.longest, zone.miss * shift.part,
                             zone.turn * shift.part);
   if (!(made.half >= kShortest)) return std::nullopt;
   made.fastest = std::sqrt(shift.turns * 2 * made.half);
   calm_down(in, out, turn, shift, bounds.average, made);
+  if (stops_as_fast(robot, out, made, bounds.average)) return std::nullopt;
   return made;
 }
 
@@ -117,7 +132,6 @@ std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, con
   const JointVector turn = turn_of(in, out);
   const double average = bounds.of_sigma ? 0 : bounds.average;
   const MeanShift shift = mean_shift(robot, in, out, turn, average, bounds.longest);
-  if (shift.calm < kLeastCalm) return std::nullopt;
   Turn made;
   made.half = bounds.longest;
   for (int i = 0; i < kTries && made.half >= kShortest; ++i) {
@@ -131,6 +145,7 @@ std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, con
         made.axes = std::move(*axes);
         made.fastest = std::sqrt(shift.turns * 2 * made.half / kPeak);
         calm_down(in, out, turn, shift, average, made);
+        if (stops_as_fast(robot, out, made, average)) return std::nullopt;
         return made;
       }
     }

@@ -99,6 +99,8 @@ ControlRange control_range(const Piece& piece, const PathPoint& here, const Path
   // Between the ends of a piece a curve can ask for a little more than there: so much is given to
   // its bends. If that does not do, all axes give as little more as will.
   constexpr double kBetween = 1 + 5e-4;
+  // To stay where the end can be reached from, so much: beyond, a bend asks for ever more.
+  constexpr double kToStay = 1.01;
   constexpr double kFirst = 1e-4;
   constexpr double kMore = 1.5;
   constexpr int kTries = 16;
@@ -115,7 +117,7 @@ ControlRange control_range(const Piece& piece, const PathPoint& here, const Path
   }
   ControlRange range{low, bounds.high.value(x), bounds.low.axis, bounds.high.axis, low};
   if (curve) {
-    const Bounds raised = raised_bounds(piece, here, end, rest, x, kBetween);
+    const Bounds raised = raised_bounds(piece, here, end, rest, x, kToStay);
     range.lowest = std::min(low, raised.low.value(x));
   }
   return range;

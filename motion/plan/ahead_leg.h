@@ -37,9 +37,9 @@ inline constexpr int kMostPeriods = 4096;
 ///                 p%: of half of the legs; without it the robot's. Its angle, or the
 ///                 robot's zone_angle, always
 ///
-/// Where jerk is low, and T_w would be long, no ramp up to F needs more acceleration than √(F·J):
-/// the share is no greater. `demand`: per unit of the leg's parameter, with the length of the tip's
-/// way.
+/// Where jerk is low, and T_w would be long, the share is √(F·J)/2: a ramp up to F, of F/A + 2A/J,
+/// takes as long as with √(F·J), and the mean moves corners by an eighth. `demand`: per unit of the
+/// leg's parameter, with the length of the tip's way.
 AheadLeg ahead_leg(const RobotModel& robot, const LegDemand& demand, const MotionRequest& request);
 
 /// What the ZONE of a request, or the robot's, lets the corner at its target be; `speed`: m/s of σ

@@ -136,6 +136,7 @@ class AheadRun {
  private:
   void start_run() {
     while (const motion::PathLeg* leg = ring_.next_leg()) {
+      if (guide_.at_run_end() && !average_.stands()) break;
       if (guide_.at_run_end() && average_.stands() && ring_.piece(guide_.index()) != nullptr) {
         guide_.begin_run(leg->begin);
         average_.begin_run(leg->average, guide_);

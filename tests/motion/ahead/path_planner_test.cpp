@@ -125,6 +125,46 @@ TEST_CASE("however many corners ask for calm, the axes keep the least share of t
   check_limits(run);
 }
 
+TEST_CASE("a mean moves a dense circle inwards by v²·T²/24r, and no more slows it") {
+  // 1000 chords of r = 50 mm, zone 0.1 mm. What the mean leaves of v: √(24·r·zone)/T, where of the
+  // zone a·T²/24·sin(θ/2) is for accelerations along chords that turn by θ; beside that the circle
+  // takes v/a to speed up and slow down, and T once.
+  constexpr double kRadius = 0.05;
+  constexpr double kZone = 1e-4;
+  for (const double window : {0.1, 0.2, 0.4}) {
+    PacedRun run(0.1, kZone, window);
+    circle(run, 1000);
+    const double zone = kZone - window * window / 24 * std::sin(std::numbers::pi / 1000);
+    const double fastest = std::min(0.1, std::sqrt(24 * kRadius * zone) / window);
+    const double time = 2 * std::numbers::pi * kRadius / fastest + fastest + window;
+    const double taken = run.run();
+    CHECK(taken == doctest::Approx(time).epsilon(0.02));
+    check_limits(run);
+    double deepest = 0;
+    for (const auto& point : run.references())
+      deepest = std::max(deepest, kRadius - std::hypot(point.q[0] - kRadius, point.q[1]));
+    CHECK(deepest <= 1.01 * kZone);
+    CHECK(deepest >= 0.98 * fastest * fastest * window * window / (24 * kRadius));
+  }
+}
+
+TEST_CASE("a leg between two stops has the accelerations that are the best for its length") {
+  // With 1 m/s³: 2·√(d/A) + 2A/J is least at A = ∛(J²·d/4). Of the last leg it is not known that
+  // nothing follows.
+  constexpr double kJerk = 1;
+  constexpr double kWindow = 2;  // of 1 m/s²
+  for (const double way : {0.001, 0.02}) {
+    PacedRun run(1, 1e-4, kWindow);
+    for (const double end : {way, 0.0, way}) run.line(1000 * end, 0);
+    run.close();
+    const double best = std::cbrt(kJerk * kJerk * way / 4);
+    const double alone = 2 * std::sqrt(way / best) + 2 * best / kJerk;
+    const double last = 2 * std::sqrt(way) + kWindow;
+    CHECK(run.run() == doctest::Approx(2 * alone + last).epsilon(0.01));
+    check_limits(run);
+  }
+}
+
 TEST_CASE("a circle of a thousand chords is one path") {
   for (const double window : {0.0, 0.02}) {
     PacedRun run(0.3, 1e-4, window);
