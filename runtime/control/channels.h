@@ -3,7 +3,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "motion/generate/trajectory_generator.h"
 #include "motion/servo/following_supervisor.h"
@@ -13,6 +12,7 @@
 #include "runtime/control/analog_cells.h"
 #include "runtime/control/latest_joints.h"
 #include "runtime/control/operator_panel.h"
+#include "runtime/control/safe_values.h"
 
 namespace rob::runtime {
 
@@ -110,8 +110,7 @@ struct Channels {
   LatestJoints joints;  ///< motion → program: the references of the present cycle
   std::atomic<std::int64_t> simulations_done{0};  ///< motion → program: SIMULATEs that have acted
   OperatorPanel panel;  ///< motion → program: what a signal script does in the operator's place
-  /// Before the run: what outputs become when it goes wrong.
-  std::vector<motion::Effect> safe;
+  SafeValues safe;
   std::atomic<bool> hold_requested{false};  ///< main → motion: for good
   // At a prompt, main → motion:
   std::atomic<bool> pause_requested{false};  ///< stand on the path until it is withdrawn

@@ -60,6 +60,7 @@ bool EntryTask::begin_next() {
 void EntryTask::begin(const Statements& statements) {
   if (!statements.chunk->watches.empty()) watching_.push_back(statements.chunk);
   present_ = statements.chunk;
+  machine_.declare_safe_behind(statements.chunk->safe_values);
   vm_.go_on_with(*statements.chunk);
 }
 
@@ -92,7 +93,8 @@ EntryTask::State EntryTask::go_on(const Program& program, std::int64_t budget) {
   if (state != State::Over) return state;
   failing_ = program_->failure();
   program_.reset();
-  present_ = program.chunk;  // a guard may point into it
+  run_last_ = program.chunk;  // a guard may point into it
+  machine_.declare_safe(present_ ? present_->safe_values : std::vector<lang::SafeValue>{});
   given_up_ = true;
   return failing_ ? end_failed() : end();
 }
@@ -121,6 +123,7 @@ EntryTask::State EntryTask::end_failed() {
     given_up_ = true;
   }
   if (machine_.settle(line) != Reply::Done) return State::Waiting;
+  if (machine_.take_safe_values() != Reply::Done) return State::Waiting;
   const std::lock_guard lock(mutex_);
   failures_.push_back({static_cast<std::uint32_t>(line), std::move(*failing_)});
   failing_.reset();

@@ -89,6 +89,7 @@ class EntryTask {
   TaskMachine beside_;  ///< of handlers that do not stop the axes
   lang::Vm vm_;
   std::shared_ptr<const lang::Chunk> present_;                ///< what vm_ executes
+  std::shared_ptr<const lang::Chunk> run_last_;               ///< of the last program
   std::vector<std::shared_ptr<const lang::Chunk>> watching_;  ///< what WHENs point into
   std::optional<ProgramTask> program_;
   std::optional<Entry> entry_;

@@ -80,6 +80,10 @@ class RobotMachine final : public lang::Machine {
   /// The robot stays under control behind the end of a program; and Channels::stop_requested is
   /// obeyed as a WHEN that raises. Before anything else is commanded.
   void stay();
+  /// Further ones, behind those that have been declared.
+  void declare_safe_behind(std::span<const lang::SafeValue> values);
+  /// An entry has failed: outputs take them.
+  lang::Reply take_safe_values();
   /// A jog for as long as `held` says No, in the tick; ended() tells when it has come to rest.
   lang::Reply jog_while(int line, const lang::MoveCommand& command, const motion::Watch& held);
 

@@ -6,7 +6,10 @@
 #include <array>
 
 #include "lang/text/suggest.h"
+#include "motion/robots/robot_file.h"
+#include "motion/servo/servo_backend.h"
 #include "runtime/explain.h"
+#include "runtime/program/files.h"
 #include "runtime/prompt/session.h"
 
 namespace rob::runtime {
@@ -57,6 +60,19 @@ Command::Words words_of(std::string_view line) {
   return words;
 }
 
+/// What cannot be read, opened or known is an error of the command, not the end of the prompt.
+void carry_out(Session& session, const Command& command, const Command::Words& words) {
+  try {
+    command.carry_out(session, words);
+  } catch (const FileError& error) {
+    session.fail(error.what(), "", ExitCode::InputOutput);
+  } catch (const motion::RobotFileError& error) {
+    session.fail(error.what());
+  } catch (const motion::DriverError& error) {
+    session.fail(error.what(), "", ExitCode::InputOutput);
+  }
+}
+
 }  // namespace
 
 std::span<const Command> commands() { return kCommands; }
@@ -66,7 +82,7 @@ void carry_out_command(Session& session, std::string_view line) {
   const std::string name = words.empty() ? "help" : words.front();
   if (!words.empty()) words.erase(words.begin());
   const auto command = std::ranges::find(kCommands, name, &Command::name);
-  if (command != kCommands.end()) return command->carry_out(session, words);
+  if (command != kCommands.end()) return carry_out(session, *command, words);
   std::vector<std::string_view> names;
   for (const Command& one : kCommands) names.push_back(one.name);
   const std::string_view meant = lang::suggest(name, names);

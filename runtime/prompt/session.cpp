@@ -123,6 +123,10 @@ Session::Taken Session::enter(const std::string& text, bool last) {
 void Session::carry_out(const std::string& entry, LoadedProgram compiled) {
   refuse_missing_points(compiled);
   refuse_what_an_arm_cannot(compiled);
+  if (compiled.runnable() && !compiled.compilation.chunk->tasks.empty()) {
+    return fail("a TASK runs beside a program, not at the prompt",
+                "put it into a program; :load and :run it");
+  }
   const std::uint32_t line = text_->line();
   text_->keep(entry, compiled);
   sources_ += entry + "\n";

@@ -115,3 +115,21 @@ TEST_CASE("an unknown command is told with the nearest one") {
   prompt.session.enter(":wher");
   CHECK(prompt.screen.messages == "error: there is no command :wher\nhelp: did you mean :where?\n");
 }
+
+TEST_CASE("SAFE values are taken where an entry fails, and may be set again") {
+  Prompt prompt;
+  prompt.enter({"SIGNAL torch = DOUT[1] SAFE OFF", "torch = ON"});
+  CHECK(prompt.enter({"PRINT torch"}) == "TRUE\n");
+  prompt.enter({"RAISE \"out of gas\""});
+  CHECK(prompt.enter({"PRINT torch"}) == "FALSE\n");
+  prompt.enter({"torch = ON"});
+  CHECK(prompt.enter({"PRINT torch"}) == "TRUE\n");
+}
+
+TEST_CASE("a TASK is refused with the way out") {
+  Prompt prompt;
+  prompt.session.enter("TASK blink\n  WAIT 1s\nENDTASK");
+  CHECK(prompt.screen.messages ==
+        "error: a TASK runs beside a program, not at the prompt\n"
+        "help: put it into a program; :load and :run it\n");
+}

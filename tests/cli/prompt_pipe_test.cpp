@@ -1,0 +1,64 @@
+// `rob` as a filter: statements from standard input, on the virtual clock.
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/support/rob_command.h"
+
+using rob::test::ProcessResult;
+using rob::test::RobCommand;
+using rob::test::run_process;
+
+namespace {
+
+/// In a folder of its own: that is where TEACH keeps points.
+ProcessResult piped(const std::string& text, const std::string& options = "--fast") {
+  const RobCommand command(text);
+  return run_process(
+      {"/bin/sh", "-c",
+       "cd \"" + command.file("") + "\" && exec \"" ROB_BINARY "\" " + options + " < test.rob"});
+}
+
+}  // namespace
+
+TEST_CASE("statements of a pipe are carried out, and its end is the end of the program") {
+  const ProcessResult result = piped("MOVE(40,40,0)\nSTOP\nPRINT HERE\nMOVE(0,0,0)");
+  CHECK(result.exit_code == 0);
+  CHECK(result.out == "POSE(40mm, 40mm, 0mm, 0deg, 0deg, 0deg)\n");
+  CHECK(result.err == "");
+}
+
+TEST_CASE(
+    "an error of a pipe is told, the lines behind it are carried out, and the exit code stays") {
+  const ProcessResult wrong = piped("MOVE(9000,0,0)\nPRINT 1\n");
+  CHECK(wrong.exit_code == 65);
+  CHECK(wrong.out == "1\n");
+  CHECK(wrong.err.find("E401") != std::string::npos);
+  CHECK(wrong.err.find('\x1b') == std::string::npos);  // no colours
+
+  const ProcessResult failed = piped("RAISE \"enough\"\nPRINT 2\n");
+  CHECK(failed.exit_code == 70);
+  CHECK(failed.out == "2\n");
+}
+
+TEST_CASE("a block that a pipe leaves open is an error") {
+  const ProcessResult result = piped("FOR i = 1 TO 3 DO\n  PRINT i\n");
+  CHECK(result.exit_code == 65);
+  CHECK(result.out == "");
+  CHECK(result.err.find("the FOR of line 1 is not closed") != std::string::npos);
+}
+
+TEST_CASE("END in a pipe is STOP, and :quit leaves the rest unread") {
+  CHECK(piped("MOVE(40,0,0)\nEND\nPRINT 1\n:quit\nPRINT 2\n").out == "1\n");
+}
+
+TEST_CASE("a pipe runs under the robot and the law that it is given") {
+  const ProcessResult result = piped(":robot\n", "--fast --robot irb120");
+  CHECK(result.out == "irb120, law paul\n");
+  CHECK(piped(":law lookahead\n:robot\n").out == "gantry, law lookahead\n");
+  CHECK(piped("PRINT 1\n", "--fast --robot nobody").exit_code == 65);
+  const ProcessResult other = piped(":robot nobody\nPRINT 1\n");
+  CHECK(other.out == "1\n");
+  CHECK(other.err.starts_with("error: "));
+}
