@@ -65,6 +65,7 @@ void EntryTask::begin(const Statements& statements) {
 
 void EntryTask::begin(const Program& program) {
   program_.emplace(*program.chunk, machine_, program.seed);
+  machine_.channels().hold_points.begin_behind(machine_.last_number());
 }
 
 EntryTask::State EntryTask::go_on(const Statements&, std::int64_t budget) { return run_vm(budget); }
@@ -92,6 +93,7 @@ EntryTask::State EntryTask::go_on(const Program& program, std::int64_t budget) {
   if (state != State::Over) return state;
   failing_ = program_->failure();
   program_.reset();
+  machine_.channels().hold_points.end_with(machine_.last_number());
   present_ = program.chunk;  // a guard may point into it
   given_up_ = true;
   return failing_ ? end_failed() : end();
