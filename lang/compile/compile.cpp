@@ -66,22 +66,33 @@ bool lasts(const Program& program) {
          });
 }
 
+/// The line of the first statement that a program is carried out from.
+std::uint32_t begin_of(const Program& program) {
+  const auto begin = std::ranges::find_if(program.statements, [&](const Statement& one) {
+    return one.place.file == 0 && one.place.line >= program.from;
+  });
+  return begin == program.statements.end() ? 0 : begin->place.line;
+}
+
 }  // namespace
 
 Compilation compile(std::string_view source, const RobotSignature& robot, const PointTable& points,
-                    const TargetJudge& judge, const Sources* sources, std::uint32_t entry) {
+                    const TargetJudge& judge, const Sources* sources, std::uint32_t entry,
+                    std::uint32_t from) {
   Compilation compilation;
   Diagnostics& diagnostics = compilation.diagnostics;
   Program program = read_program(source, sources, robot, diagnostics, compilation.used);
   // Without one of its files nearly every name would be unknown.
   if (!program.whole) return compilation;
   program.entry = entry;
+  program.from = from;
   RobotSignature signature = robot;
   signature.units = program.used_units;
   CheckedProgram checked = check(std::move(program), signature, points, judge, diagnostics);
   compilation.law = checked.program.header.law;
   compilation.features = std::move(checked.features);
   compilation.missing_points = std::move(checked.missing_points);
+  if (from != 0) compilation.begins = begin_of(checked.program);
   if (entry != 0) {
     compilation.lasts = lasts(checked.program);
     compilation.names = names_of(checked);

@@ -34,6 +34,7 @@ struct Compilation {
   std::vector<FeatureUse> features;
   std::vector<MissingPoint> missing_points;  ///< each has had a warning
   std::vector<SourceFile> used;              ///< the files that it USEs, by Place::file from 1
+  std::uint32_t begins = 0;  ///< asked for `from`: the line of the first statement; 0: none is left
   // Of an entry of the prompt:
   bool lasts = false;               ///< it declares a name or arms a WHEN
   std::vector<DeclaredName> names;  ///< that the next entry can use, those declared anew once
@@ -43,9 +44,11 @@ struct Compilation {
 /// what a text may contain. `points`: what the program's POINTs are worth. A target that `judge`
 /// refuses is an error of the program. `sources`: where the files are that it USEs; null: there
 /// are none. `entry`: the line from which the text is an entry of the prompt, to be executed by
-/// Vm::go_on_with(); 0: it is a program.
+/// Vm::go_on_with(); 0: it is a program. `from`: the line at which a program begins; of what stands
+/// before at its top level only the declarations are executed.
 Compilation compile(std::string_view source, const RobotSignature& robot,
                     const PointTable& points = {}, const TargetJudge& judge = {},
-                    const Sources* sources = nullptr, std::uint32_t entry = 0);
+                    const Sources* sources = nullptr, std::uint32_t entry = 0,
+                    std::uint32_t from = 0);
 
 }  // namespace rob::lang

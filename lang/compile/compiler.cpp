@@ -1,6 +1,7 @@
 #include "lang/compile/compiler.h"
 
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,16 @@ std::vector<std::string> signal_names(const RobotSignature& robot) {
   std::vector<std::string> names;
   for (const RobotSignature::Signal& signal : robot.signals) names.push_back(shown_name(signal));
   return names;
+}
+
+bool declares(const Statement& statement) {
+  return std::visit(
+      []<typename Node>(const Node&) {
+        return std::is_same_v<Node, Declaration> || std::is_same_v<Node, SignalDeclaration> ||
+               std::is_same_v<Node, PointDeclaration> || std::is_same_v<Node, Use> ||
+               std::is_same_v<Node, RecordDeclaration>;
+      },
+      statement.node);
 }
 
 }  // namespace
@@ -51,12 +62,14 @@ std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnost
 }
 
 /// An entry of the prompt jumps over what has been executed: of that the names and their homes
-/// stay.
+/// stay. Of a program that begins further down the declarations are executed.
 void StatementCompiler::compile_top_level(const Program& program) {
   CodeBuilder::Jumps over;
   if (program.entry != 0) over.push_back(code_.jump(program.end));
   for (const Statement& statement : program.statements) {
     if (statement.place.line >= program.entry) code_.land(std::exchange(over, {}));
+    const bool before = statement.place.file == 0 && statement.place.line < program.from;
+    if (before && !declares(statement)) continue;
     compile(statement);
   }
   code_.land(over);

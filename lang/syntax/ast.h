@@ -299,6 +299,8 @@ struct Program {
   /// From this line on it is an entry of the prompt: what stands before has been executed, and its
   /// names may be declared anew. 0: it is a program.
   std::uint32_t entry = 0;
+  /// It begins at this line: of the statements before only the declarations are executed.
+  std::uint32_t from = 0;
   std::vector<Program> used{};                  ///< what is left of the files that it USEs
   std::vector<std::vector<Unit>> used_units{};  ///< UNITS of each file, its own first
 };

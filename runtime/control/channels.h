@@ -10,6 +10,7 @@
 #include "motion/space/joint_vector.h"
 #include "motion/space/spsc_ring.h"
 #include "runtime/control/analog_cells.h"
+#include "runtime/control/hold_points.h"
 #include "runtime/control/latest_joints.h"
 #include "runtime/control/operator_panel.h"
 #include "runtime/control/safe_values.h"
@@ -114,6 +115,7 @@ struct Channels {
   std::atomic<bool> hold_requested{false};  ///< main → motion: for good
   // At a prompt, main → motion:
   std::atomic<bool> pause_requested{false};  ///< stand on the path until it is withdrawn
+  HoldPoints hold_points;                    ///< where motion asks for that by itself
   std::atomic<bool> stop_requested{false};   ///< brake, and drop all that was commanded
   std::atomic<double> override_asked{0};     ///< once each; 0: none
   std::atomic<std::int64_t> lost{0};         ///< snapshots that found their ring full

@@ -66,6 +66,7 @@ void EntryTask::begin(const Statements& statements) {
 
 void EntryTask::begin(const Program& program) {
   program_.emplace(*program.chunk, machine_, program.seed);
+  machine_.channels().hold_points.begin_behind(machine_.last_number());
 }
 
 EntryTask::State EntryTask::go_on(const Statements&, std::int64_t budget) { return run_vm(budget); }
@@ -95,6 +96,7 @@ EntryTask::State EntryTask::go_on(const Program& program, std::int64_t budget) {
   program_.reset();
   run_last_ = program.chunk;  // a guard may point into it
   machine_.declare_safe(present_ ? present_->safe_values : std::vector<lang::SafeValue>{});
+  machine_.channels().hold_points.end_with(machine_.last_number());
   given_up_ = true;
   return failing_ ? end_failed() : end();
 }

@@ -223,6 +223,10 @@ void MotionTask::release(Track& track, MotionEvent event, double cycle_time) noe
   std::atomic<std::int64_t>& effects_done = track.progress.effects_done;
   if (&track == &handlers_) event.number += kHandlerNumbers;
   switch (event.kind) {
+    case MotionEvent::Kind::SegmentStarted:
+      if (&track == &program_ && channels_.hold_points.holds(event.tag, event.number))
+        channels_.pause_requested.store(true, std::memory_order_relaxed);
+      break;
     case MotionEvent::Kind::EffectDue:
       if (faulted_) return;  // a fault drops what is behind it
       if (locked(event.effect)) {

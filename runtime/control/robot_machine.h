@@ -86,6 +86,8 @@ class RobotMachine final : public lang::Machine {
   lang::Reply take_safe_values();
   /// A jog for as long as `held` says No, in the tick; ended() tells when it has come to rest.
   lang::Reply jog_while(int line, const lang::MoveCommand& command, const motion::Watch& held);
+  /// Number of the last motion that was planned.
+  std::uint32_t last_number() const { return planner_.last_number(); }
 
   /// The program's TASKs; they must outlive the run.
   void run_beside(BackgroundTasks& tasks) {

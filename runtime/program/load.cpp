@@ -170,7 +170,7 @@ SignalScript load_signal_script(const std::string& file, const LoadedProgram& pr
 
 LoadedProgram compile_program(std::string file, std::string source, const motion::RobotModel& robot,
                               const std::string& points_file, std::optional<motion::Law> law,
-                              std::uint32_t entry) {
+                              std::uint32_t entry, std::uint32_t from) {
   LoadedProgram program{std::move(file), std::move(source), robot, {}};
   const FolderSources sources(program.file);
   const lang::RobotSignature signature = signature_of(robot);
@@ -180,7 +180,7 @@ LoadedProgram compile_program(std::string file, std::string source, const motion
       [&](const lang::MoveCommand& command) {
         return refusal_of(command, robot, signature.coordinates);
       },
-      &sources, entry);
+      &sources, entry, from);
   settle_law(program, law);
   if (!robot.tool_coordinates) refuse_what_the_robot_cannot(program.compilation, program.robot);
   return program;

@@ -48,11 +48,12 @@ LoadedProgram compile_program(std::string file, std::string source, const std::s
                               std::optional<motion::Law> law = {});
 
 /// Compiles for this robot, whatever the text says; checks the targets that are known beforehand
-/// against the robot, so that nothing moves if one of them cannot be reached. `entry`: as of
-/// lang::compile().
+/// against the robot, so that nothing moves if one of them cannot be reached. `entry`, `from`: as
+/// of lang::compile().
 LoadedProgram compile_program(std::string file, std::string source, const motion::RobotModel& robot,
                               const std::string& points_file = "",
-                              std::optional<motion::Law> law = {}, std::uint32_t entry = 0);
+                              std::optional<motion::Law> law = {}, std::uint32_t entry = 0,
+                              std::uint32_t from = 0);
 
 /// Refuses a program that needs points which nobody has taught: for what moves or tests.
 void refuse_missing_points(LoadedProgram& program);

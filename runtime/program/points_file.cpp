@@ -89,6 +89,12 @@ std::string now() {
   return fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
 }
 
+auto find(Points& points, std::string_view name) {
+  return std::ranges::find_if(points.points, [&](const Points::Point& one) {
+    return lang::same_word(one.value.name, name);
+  });
+}
+
 }  // namespace
 
 lang::PointTable Points::table() const {
@@ -105,6 +111,10 @@ std::string points_file_of(const std::string& program_file) {
   constexpr std::string_view kProgram = ".rob";
   const bool program = program_file.ends_with(kProgram);
   return program_file.substr(0, program_file.size() - (program ? kProgram.size() : 0)) + ".points";
+}
+
+std::string point_text(const Points::Point& point, const motion::RobotModel& robot) {
+  return line_of(point, signature_of(robot));
 }
 
 std::string points_text(const Points& points, const motion::RobotModel& robot) {
@@ -135,29 +145,77 @@ Points load_points(const std::string& file, const motion::RobotModel& robot) {
 
 std::optional<lang::Refusal> PointsFile::keep(const lang::TaughtPoint& point,
                                               std::span<const double> joints) {
+  Points::Point taught;
+  taught.value = {std::string(point.name), std::string(point.frame), point.pose};
+  taught.tool = point.tool;
+  taught.joints.assign(joints.begin(), joints.end());
+  taught.taught = now();
   try {
-    Points points = load_points(file_, robot_);
-    Points::Point taught;
-    taught.value = {std::string(point.name), std::string(point.frame), point.pose};
-    taught.tool = point.tool;
-    taught.joints.assign(joints.begin(), joints.end());
-    taught.taught = now();
-    const auto old = std::ranges::find_if(points.points, [&](const Points::Point& one) {
-      return lang::same_word(one.value.name, point.name);
+    change([&](Points& points) {
+      const auto old = find(points, point.name);
+      if (old == points.points.end()) {
+        points.points.push_back(std::move(taught));
+      } else {
+        taught.remarks = std::move(old->remarks);
+        *old = std::move(taught);
+      }
+      return true;
     });
-    if (old == points.points.end()) {
-      points.points.push_back(std::move(taught));
-    } else {
-      taught.remarks = std::move(old->remarks);
-      *old = std::move(taught);
-    }
-    save_file(file_, points_text(points, robot_));
   } catch (const FileError& error) {
     return lang::Refusal{code::kPointNotKept,
                          fmt::format("{} cannot be kept: {}", point.name, error.what()),
                          "the points file is as it was"};
   }
   return std::nullopt;
+}
+
+bool PointsFile::rename(std::string_view name, const std::string& new_name) {
+  return change([&](Points& points) {
+    const auto old = find(points, name);
+    if (old == points.points.end()) return false;
+    const auto other = find(points, new_name);
+    if (other != points.points.end() && other != old)
+      throw FileError(fmt::format("there is a point {} already", new_name));
+    old->value.name = new_name;
+    return true;
+  });
+}
+
+bool PointsFile::forget(std::string_view name) {
+  return change([&](Points& points) {
+    const auto old = find(points, name);
+    if (old == points.points.end()) return false;
+    points.points.erase(old);
+    return true;
+  });
+}
+
+bool PointsFile::change(const std::function<bool(Points&)>& edit) {
+  const std::lock_guard lock(mutex_);
+  std::string before = is_there(file_) ? read_file(file_, kMostBytes) : "";
+  Points points = load_points(file_, robot_);
+  if (!edit(points)) return false;
+  std::string after = points_text(points, robot_);
+  save_file(file_, after);
+  changes_.push_back({std::move(before), std::move(after)});
+  return true;
+}
+
+bool PointsFile::undo() {
+  const std::lock_guard lock(mutex_);
+  if (changes_.empty()) return false;
+  if (!is_there(file_) || read_file(file_, kMostBytes) != changes_.back().after)
+    throw FileError(fmt::format("'{}' has been changed by others since", file_));
+  const std::string& before = changes_.back().before;
+  save_file(file_, before.empty() ? points_text({}, robot_) : before);
+  changes_.pop_back();
+  return true;
+}
+
+void PointsFile::move_to(std::string file) {
+  const std::lock_guard lock(mutex_);
+  file_ = std::move(file);
+  changes_.clear();
 }
 
 }  // namespace rob::runtime

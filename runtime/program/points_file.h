@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +47,8 @@ struct Points {
 std::string points_file_of(const std::string& program_file);
 
 Points parse_points(std::string_view text, const motion::RobotModel& robot);
+/// The line of one point, without what people have written beside it.
+std::string point_text(const Points::Point& point, const motion::RobotModel& robot);
 /// Sorted by name, so that it always looks the same; parse_points() reads it back.
 std::string points_text(const Points& points, const motion::RobotModel& robot);
 
@@ -53,6 +57,7 @@ std::string points_text(const Points& points, const motion::RobotModel& robot);
 Points load_points(const std::string& file, const motion::RobotModel& robot);
 
 /// Keeps what is taught in a file, which is read again each time: what was edited meanwhile stays.
+/// All may be called from several threads.
 class PointsFile final : public PointKeeper {
  public:
   /// `robot` must outlive it.
@@ -62,9 +67,30 @@ class PointsFile final : public PointKeeper {
   std::optional<lang::Refusal> keep(const lang::TaughtPoint& point,
                                     std::span<const double> joints) override;
 
+  // The following throw FileError, with the file as it was.
+  /// False if there is no such point. Throws also if there is one of the new name.
+  bool rename(std::string_view name, const std::string& new_name);
+  /// False if there is no such point.
+  bool forget(std::string_view name);
+  /// Takes back the last change made here that was not taken back yet; false if there is none.
+  /// Throws also if others have changed the file since.
+  bool undo();
+
+  /// From now on they are kept there; changes of before stay as they are.
+  void move_to(std::string file);
+
  private:
+  struct Change {
+    std::string before;  ///< the text of the file, empty if it was not there
+    std::string after;
+  };
+  /// False, and nothing is written, if `edit` says so.
+  bool change(const std::function<bool(Points&)>& edit);
+
+  std::mutex mutex_;
   std::string file_;
   const motion::RobotModel& robot_;
+  std::vector<Change> changes_;
 };
 
 }  // namespace rob::runtime

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "lang/text/suggest.h"
 #include "motion/robots/robot_file.h"
@@ -31,6 +32,32 @@ constexpr std::array kCommands = {
     Command{"reset", "", "after a fault: take the robot under control again", command::reset},
     Command{"robot", "[NAME|FILE.toml]", "the robot, or another one", command::robot},
     Command{"law", "paul|lookahead", "the law of transitions", command::law},
+    Command{"record", "[on|off]", "keep what is executed as the program in memory",
+            command::record},
+    Command{"list", "[FROM [TO]]", "the program in memory", command::list},
+    Command{"edit", "LINE TEXT", "another text for a line", command::edit, 1},
+    Command{"insert", "LINE TEXT", "a line before this one", command::insert, 1},
+    Command{"delete", "LINE [TO]", "take lines out", command::erase},
+    Command{"undo", "", "take back the last edit of the program", command::undo},
+    Command{"redo", "", "do again what :undo took back", command::redo},
+    Command{"new", "", "begin another program", command::begin_new},
+    Command{"run", "[from LINE]", "the program in memory, whole or from a line on", command::run},
+    Command{"step", "", "run as far as to where the next line's motion begins", command::step},
+    Command{"break", "[LINE | off [LINE]]", "hold where this line's motion begins; the list",
+            command::breakpoints},
+    Command{"check", "", "foretell the program from here: times and findings", command::check},
+    Command{"time", "", "foretell the program from here: times", command::time},
+    Command{"save", "[FILE]", "the program and its points", command::save, 0},
+    Command{"save!", "[FILE]", "the same, over a file that is there", command::save_over, 0},
+    Command{"load", "FILE", "a program and its points", command::load, 0},
+    Command{"archive", "", "the versions that saving has replaced", command::archive},
+    Command{"compare", "VERSION", "what has changed since this version", command::compare},
+    Command{"restore", "VERSION", "this version becomes the program in memory", command::restore},
+    Command{"vars", "", "the variables declared at the prompt", command::variables},
+    Command{"teach", "POINT", "the present place becomes this point", command::teach},
+    Command{"points", "[undo]", "all points; take back the last change of them", command::points},
+    Command{"rename", "POINT NAME", "another name for a point", command::rename},
+    Command{"forget", "POINT", "take a point out of the points file", command::forget},
     Command{"help", "[WORD]", "these commands, or a word of the language", help},
     Command{"quit", "", "leave; a moving robot comes to rest first", quit},
 };
@@ -48,15 +75,25 @@ void help(Session& session, const Command::Words& words) {
   }
 }
 
-Command::Words words_of(std::string_view line) {
+/// Takes the first word from what is left of a line; empty if there is none.
+std::string take_word(std::string_view& line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+  std::string word(line.substr(0, end));
+  line.remove_prefix(end);
+  return word;
+}
+
+/// What is behind the plain words begins after one blank.
+Command::Words words_of(std::string_view line, std::size_t plain) {
   Command::Words words;
-  for (std::size_t begin = line.find_first_not_of(" \t"); begin != std::string_view::npos;
-       begin = line.find_first_not_of(" \t")) {
-    line.remove_prefix(begin);
-    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
-    words.emplace_back(line.substr(0, end));
-    line.remove_prefix(end);
+  while (words.size() < plain) {
+    std::string word = take_word(line);
+    if (word.empty()) return words;
+    words.push_back(std::move(word));
   }
+  if (!line.empty()) line.remove_prefix(1);
+  if (!line.empty()) words.emplace_back(line);
   return words;
 }
 
@@ -78,11 +115,11 @@ void carry_out(Session& session, const Command& command, const Command::Words& w
 std::span<const Command> commands() { return kCommands; }
 
 void carry_out_command(Session& session, std::string_view line) {
-  Command::Words words = words_of(line);
-  const std::string name = words.empty() ? "help" : words.front();
-  if (!words.empty()) words.erase(words.begin());
+  std::string name = take_word(line);
+  if (name.empty()) name = "help";
   const auto command = std::ranges::find(kCommands, name, &Command::name);
-  if (command != kCommands.end()) return carry_out(session, *command, words);
+  if (command != kCommands.end())
+    return carry_out(session, *command, words_of(line, command->plain_words));
   std::vector<std::string_view> names;
   for (const Command& one : kCommands) names.push_back(one.name);
   const std::string_view meant = lang::suggest(name, names);

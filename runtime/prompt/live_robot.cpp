@@ -106,6 +106,13 @@ void LiveRobot::stop() {
   channels().stop_requested.store(true, std::memory_order_relaxed);
 }
 
+bool LiveRobot::held() const {
+  using motion::MotionState;
+  const auto& last = reports_->last();
+  if (!paused() || !last) return false;
+  return last->sample.state == MotionState::Held || last->sample.state == MotionState::Idle;
+}
+
 void LiveRobot::set_override(double share) {
   options_.override_share = share;
   channels().override_asked.store(share, std::memory_order_relaxed);

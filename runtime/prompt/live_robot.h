@@ -57,6 +57,10 @@ class LiveRobot {
 
   void pause(bool on) { channels().pause_requested.store(on, std::memory_order_relaxed); }
   bool paused() const { return channels().pause_requested.load(std::memory_order_relaxed); }
+  /// It stands on its path, and will until pause(false).
+  bool held() const;
+  /// Where TEACH keeps points; null: nowhere.
+  PointsFile* points() { return points_ ? &*points_ : nullptr; }
   /// Brakes on the path and drops all that was commanded.
   void stop();
   void set_override(double share);

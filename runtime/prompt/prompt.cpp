@@ -51,6 +51,7 @@ ExitCode run_prompt(const Options& options) {
   session_options.override_share = options.override_share;
   session_options.seed = options.seed;
   session_options.trace = options.trace;
+  session_options.waits = true;
   session_options.ended = &ended;
   Session session(std::move(session_options), screen);
   return filter(session, options.fast);

@@ -8,6 +8,7 @@
 
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
+#include "motion/robots/robot_file.h"
 #include "runtime/control/units.h"
 #include "runtime/program/text_report.h"
 #include "runtime/prompt/commands.h"
@@ -67,10 +68,22 @@ const char* name_of(motion::MotionState state) {
 }  // namespace
 
 Session::Session(SessionOptions options, Screen& screen)
-    : options_(std::move(options)), screen_(&screen) {
+    : options_(std::move(options)),
+      screen_(&screen),
+      workshop_(options_.archive.empty() ? Archive::default_folder() : options_.archive) {
   const motion::RobotModel robot = chosen(options_);
-  text_.emplace(robot, options_.points_file);
+  forget_unusable_points(robot);
+  begin_text(robot);
   robot_ = live(robot, options_.trace);
+  take_points();
+}
+
+/// As if nothing had been typed yet.
+void Session::begin_text(const motion::RobotModel& robot) {
+  text_.emplace(robot, options_.points_file);
+  sources_.clear();
+  runs_.clear();
+  points_.clear();
 }
 
 std::unique_ptr<LiveRobot> Session::live(const motion::RobotModel& robot, std::string trace) {
@@ -101,7 +114,7 @@ LiveReports::Listener Session::listener() {
   return listener;
 }
 
-Session::Taken Session::enter(const std::string& text, bool last) {
+Session::Taken Session::enter(const std::string& text, bool last) try {
   if (asks_) {
     answer(text);
     return Taken::Done;
@@ -114,14 +127,23 @@ Session::Taken Session::enter(const std::string& text, bool last) {
   }
   // END at the prompt is STOP: there is more to come.
   const std::string entry = lang::same_word(text.substr(first), "END") ? "STOP" : text;
+  take_points();
   LoadedProgram compiled = text_->compile(entry);
   if (!last && is_incomplete(entry, compiled)) return Taken::Incomplete;
-  carry_out(entry, std::move(compiled));
+  const std::uint32_t line = text_->line();
+  if (submit(entry, std::move(compiled)) && workshop_.records) record(entry, line);
+  return Taken::Done;
+} catch (const FileError& error) {
+  fail(error.what(), "", ExitCode::InputOutput);
+  return Taken::Done;
+} catch (const motion::RobotFileError& error) {
+  fail(error.what());
   return Taken::Done;
 }
 
-void Session::carry_out(const std::string& entry, LoadedProgram compiled) {
-  refuse_missing_points(compiled);
+/// False if it has been refused.
+bool Session::submit(const std::string& entry, LoadedProgram compiled) {
+  refuse_untaught(compiled);
   refuse_what_an_arm_cannot(compiled);
   if (compiled.runnable() && !compiled.compilation.chunk->tasks.empty()) {
     return fail("a TASK runs beside a program, not at the prompt",
@@ -133,11 +155,15 @@ void Session::carry_out(const std::string& entry, LoadedProgram compiled) {
   tell(compiled, line);
   if (!compiled.runnable()) {
     if (worst_ == ExitCode::Done) worst_ = ExitCode::ProgramError;
-    return;
+    return false;
   }
-  if (robot_->over()) return fail("the robot has stopped for good", ":reset takes it up again");
+  if (robot_->over()) {
+    fail("the robot has stopped for good", ":reset takes it up again");
+    return false;
+  }
   auto chunk = std::make_shared<const lang::Chunk>(std::move(*compiled.compilation.chunk));
   robot_->submit({line, EntryTask::Statements{std::move(chunk)}});
+  return true;
 }
 
 /// What is said of the entry that begins there; of those before it has been said.
@@ -154,15 +180,22 @@ void Session::tell(const LoadedProgram& compiled, std::uint32_t line) {
 void Session::let_pass() {
   robot_->let_pass();
   take_failures();
+  tell_held();
 }
 
 void Session::take_failures() {
   while (const auto failure = robot_->take_failure()) {
     const lang::RuntimeError& error = failure->error;
-    screen_->message(
-        lang::render({lang::Severity::Error, error.code, error.place, error.message, error.help},
-                     "prompt", sources_));
-    text_->forget_from(failure->line == 0 ? text_->line() : failure->line);
+    const lang::Diagnostic told{lang::Severity::Error, error.code, error.place, error.message,
+                                error.help};
+    const auto run = runs_.find(failure->line);
+    screen_->message(run == runs_.end() ? lang::render(told, "prompt", sources_)
+                                        : lang::render(told, run->second.file, run->second.source,
+                                                       run->second.used));
+    const std::uint32_t line = failure->line == 0 ? text_->line() : failure->line;
+    text_->forget_from(line);
+    workshop_.program.take_back(line);
+    points_.clear();  // some may not have been declared
     if (worst_ == ExitCode::Done) worst_ = ExitCode::Fault;
   }
 }
@@ -170,7 +203,7 @@ void Session::take_failures() {
 void Session::wait_while(const std::function<bool()>& waits) {
   using namespace std::chrono_literals;
   robot_->work();
-  while (!robot_->over() && !asks_ && waits()) {
+  while (!robot_->over() && !robot_->held() && !asks_ && waits()) {
     let_pass();
     if (!options_.fast) std::this_thread::sleep_for(5ms);
   }
@@ -218,9 +251,10 @@ void Session::choose_robot(const std::string& robot, std::optional<motion::Law> 
   const motion::RobotModel model = chosen(options);  // throws before anything is lost
   robot_.reset();
   options_ = options;
-  text_.emplace(model, options_.points_file);
-  sources_.clear();
+  forget_unusable_points(model);
+  begin_text(model);
   robot_ = live(model, "");
+  take_points();
 }
 
 void Session::jog(const lang::MoveCommand& command, const motion::Watch& held) {
@@ -233,7 +267,12 @@ double Session::time() const {
   return last ? last->sample.reference.time : 0;
 }
 
-void Session::reset() { robot_->reset(); }
+/// The variables have gone with what executed them, and so have their names.
+void Session::reset() {
+  robot_->reset();
+  begin_text(robot_->robot());
+  take_points();
+}
 
 void Session::go_on() {
   if (asks_) answer("");

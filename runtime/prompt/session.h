@@ -3,16 +3,20 @@
 #include <atomic>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "runtime/prompt/dead_man.h"
 #include "runtime/prompt/live_robot.h"
 #include "runtime/prompt/screen.h"
+#include "runtime/prompt/session_points.h"
 #include "runtime/prompt/session_text.h"
+#include "runtime/prompt/workshop.h"
 
 namespace rob::runtime {
 
@@ -24,7 +28,11 @@ struct SessionOptions {
   std::uint64_t seed = lang::Random::kDefaultSeed;
   std::string trace;
   std::string points_file = "prompt.points";  ///< empty: points are kept for the session only
-  const std::atomic<bool>* ended = nullptr;   ///< as of LiveOptions
+  std::string archive;                        ///< of saved programs; empty: the user's own
+  /// Nobody types meanwhile: commands that need a robot at rest wait for it, and those that run a
+  /// program wait for its end or a breakpoint. Otherwise such commands are refused.
+  bool waits = false;
+  const std::atomic<bool>* ended = nullptr;  ///< as of LiveOptions
 };
 
 /// What a prompt works on: a robot under control, and what has been typed. Statements act at once;
@@ -86,13 +94,40 @@ class Session final : public Person {
   /// Enter, where HALT waits.
   void go_on();
 
+  // For the commands that build programs and points (session_workshop.cpp).
+  Workshop& workshop() { return workshop_; }
+  /// Whether the robot stands and nothing is open; if not, that is told as an error of `command`.
+  bool stands(const char* command);
+  /// Carries out the program in memory, from a line on.
+  void run(LoadedProgram program);
+  /// Goes on from where it is held.
+  void leave_hold();
+  /// Statements of a command, as if they had been typed; not recorded. What they declare stays.
+  void declare(const std::string& entry);
+  /// Statements of a command that leave nothing behind.
+  void carry_out_aside(LoadedProgram compiled);
+  /// Where points are kept; empty: nowhere.
+  const std::string& points_file() const { return options_.points_file; }
+  /// From now on they are kept there, and those that are there can be used. Throws FileError, with
+  /// all as it was, if the file cannot be used.
+  void follow_points(const std::string& file);
+  /// Points that have changed in the file are so at the prompt.
+  void take_points();
+  /// TEACH, of a point that need not be declared.
+  void teach(const std::string& point);
+
  private:
   // Person
   bool present() override { return true; }
   void listen() override;
   std::optional<std::string> line() override;
 
-  void carry_out(const std::string& entry, LoadedProgram compiled);
+  bool submit(const std::string& entry, LoadedProgram compiled);
+  void record(const std::string& entry, std::uint32_t line);
+  void refuse_untaught(LoadedProgram& compiled) const;
+  void forget_unusable_points(const motion::RobotModel& robot);
+  void tell_held();
+  void begin_text(const motion::RobotModel& robot);
   void answer(const std::string& text);
   void wait_while(const std::function<bool()>& waits);
   LiveReports::Listener listener();
@@ -106,6 +141,15 @@ class Session final : public Person {
   DeadMan dead_man_;
   std::unique_ptr<LiveRobot> robot_;
   std::string sources_;  ///< of all entries, for messages
+  /// A program that was run, for messages.
+  struct Run {
+    std::string file;
+    std::string source;
+    std::vector<lang::SourceFile> used;
+  };
+  std::map<std::uint32_t, Run> runs_;  ///< by the line of its :run
+  Workshop workshop_;
+  SessionPoints points_;
   ExitCode worst_ = ExitCode::Done;
   bool over_ = false;
   bool pendant_ = false;

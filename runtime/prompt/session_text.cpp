@@ -1,6 +1,10 @@
 #include "runtime/prompt/session_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "lang/text/ascii.h"
 
 namespace rob::runtime {
 
@@ -21,6 +25,20 @@ std::vector<std::string> lines_of(std::string_view text) {
 
 }  // namespace
 
+std::size_t find_word(std::string_view line, std::string_view word, std::size_t begin) {
+  for (std::size_t i = begin; i < line.size();) {
+    if (!lang::in_word(line[i])) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < line.size() && lang::in_word(line[end])) ++end;
+    if (lang::same_word(line.substr(i, end - i), word)) return i;
+    i = end;
+  }
+  return std::string_view::npos;
+}
+
 LoadedProgram SessionText::compile(std::string_view entry) const {
   std::string source;
   for (const std::string& line : lines_) source.append(line).push_back('\n');
@@ -39,6 +57,23 @@ void SessionText::forget_from(std::uint32_t line) {
   std::for_each(lines_.begin() + std::min<std::ptrdiff_t>(line - 1, std::ssize(lines_)),
                 lines_.end(), [](std::string& one) { one.clear(); });
   std::erase_if(names_, [&](const lang::DeclaredName& one) { return one.place.line >= line; });
+}
+
+/// Its line goes on declaring something under another name: what is declared behind keeps its place
+/// in the memory of the variables.
+bool SessionText::forget_name(const std::string& name) {
+  const auto declares = [&](const std::string& line) {
+    return find_word(line, "POINT") == line.find_first_not_of(" \t") && has_word(line, name);
+  };
+  const bool used = std::ranges::any_of(
+      lines_, [&](const std::string& one) { return has_word(one, name) && !declares(one); });
+  if (used) return false;
+  for (std::string& line : lines_) {
+    if (declares(line))
+      line.replace(find_word(line, name), name.size(), fmt::format("forgotten_{}", ++forgotten_));
+  }
+  std::erase_if(names_, [&](const auto& one) { return lang::same_word(one.name, name); });
+  return true;
 }
 
 }  // namespace rob::runtime

@@ -1,0 +1,124 @@
+// Teaching at the prompt.
+
+#include <fstream>
+
+#include "runtime/program/files.h"
+#include "tests/runtime/prompt/prompt_fixture.h"
+
+using namespace rob::runtime;
+using rob::test::PipedPrompt;
+using rob::test::ScratchFolder;
+
+namespace {
+
+std::string kept(const ScratchFolder& folder) {
+  return read_file(folder.file("prompt.points"), 1'000'000);
+}
+
+}  // namespace
+
+TEST_CASE(":teach declares the point and keeps it; MOVE goes there, also in the next session") {
+  const ScratchFolder folder;
+  {
+    PipedPrompt prompt(folder);
+    prompt.enter({"MOVE(40,20,90)", ":teach pick", "MOVE(0,0,0)", "MOVE pick"});
+    CHECK(prompt.session.worst() == ExitCode::Done);
+    CHECK(prompt.session.state_text() == "gantry idle (40, 20, 90)");
+  }
+  PipedPrompt next(folder);
+  next.enter({"MOVE pick"});
+  CHECK(next.session.worst() == ExitCode::Done);
+  CHECK(next.session.state_text() == "gantry idle (40, 20, 90)");
+}
+
+TEST_CASE("teaching again moves the point for all that comes, programs included") {
+  const ScratchFolder folder;
+  PipedPrompt prompt(folder);
+  prompt.enter({"MOVE(40,20,0)", ":teach pick", "VAR n = 7", "MOVE(60,20,0)", ":teach pick",
+                "MOVE(0,0,0)", "MOVE pick"});
+  CHECK(prompt.session.state_text() == "gantry idle (60, 20, 0)");
+  prompt.enter({"MOVE(0,0,0)", ":insert 1 POINT pick", ":insert 2 MOVE pick", ":run"});
+  CHECK(prompt.session.state_text() == "gantry idle (60, 20, 0)");
+  CHECK(prompt.enter({"PRINT n"}) == "7\n");
+}
+
+TEST_CASE(":points lists pose, joints and the distance from here") {
+  const ScratchFolder folder;
+  PipedPrompt prompt(folder);
+  prompt.enter({"MOVE(30,40,0)", ":teach pick", "MOVE(0,0,0)"});
+  CHECK(prompt.enter({":points"}) ==
+        "pick = POSE(30mm, 40mm, 0mm, 0deg, 0deg, 0deg) JOINTS(30mm, 40mm, 0deg) IN world TOOL "
+        "none  50 mm from here\n");  // 3-4-5
+}
+
+TEST_CASE("a point is renamed and forgotten, and the old name means nothing any more") {
+  const ScratchFolder folder;
+  PipedPrompt prompt(folder);
+  prompt.enter({"MOVE(30,40,0)", ":teach pick", ":teach other", "VAR n = 7", ":rename pick place",
+                "MOVE(0,0,0)", "MOVE place"});
+  CHECK(prompt.session.state_text() == "gantry idle (30, 40, 0)");
+  CHECK(kept(folder).find("pick") == std::string::npos);
+  prompt.said();
+  prompt.enter({"MOVE pick"});
+  CHECK(prompt.said().find("unknown name pick") != std::string::npos);
+  prompt.enter({":forget place"});
+  CHECK(kept(folder).find("place") == std::string::npos);
+  prompt.enter({"MOVE place"});
+  CHECK(prompt.said().find("unknown name place") != std::string::npos);
+  CHECK(prompt.enter({"PRINT n"}) == "7\n");
+  prompt.enter({"MOVE(0,0,0)", "MOVE other"});
+  CHECK(prompt.session.state_text() == "gantry idle (30, 40, 0)");
+  prompt.said();
+  prompt.enter({":forget nobody"});
+  CHECK(prompt.said() == "error: there is no point nobody\nhelp: :points lists them\n");
+}
+
+TEST_CASE(":points undo takes back what was taught, renamed or forgotten last") {
+  const ScratchFolder folder;
+  PipedPrompt prompt(folder);
+  prompt.enter({"MOVE(40,20,0)", ":teach pick"});
+  const std::string first = kept(folder);
+  prompt.enter({"MOVE(60,20,0)", ":teach pick"});
+  const std::string second = kept(folder);
+  prompt.enter({":forget pick", ":points undo"});
+  CHECK(kept(folder) == second);
+  prompt.enter({":points undo"});
+  CHECK(kept(folder) == first);
+  prompt.enter({"MOVE(0,0,0)", "MOVE pick"});
+  CHECK(prompt.session.state_text() == "gantry idle (40, 20, 0)");
+  prompt.enter({":points undo", ":points undo"});
+  CHECK(prompt.said().ends_with("error: no change of a point is left to take back\n"));
+}
+
+TEST_CASE("what others have written into the points file since is not undone") {
+  const ScratchFolder folder;
+  PipedPrompt prompt(folder);
+  prompt.enter({"MOVE(40,20,0)", ":teach pick"});
+  std::ofstream(folder.file("prompt.points"), std::ios::app) << "// by hand\n";
+  prompt.enter({":points undo"});
+  CHECK(prompt.said().find("has been changed by others since") != std::string::npos);
+  CHECK(kept(folder).ends_with("// by hand\n"));
+}
+
+TEST_CASE("points of another robot leave the prompt usable, without points") {
+  const ScratchFolder folder;
+  std::ofstream(folder.file("prompt.points")) << "ROBOT \"ums7\"\n";
+  PipedPrompt prompt(folder);
+  CHECK(prompt.said().find("points are not kept at this prompt") != std::string::npos);
+  CHECK(prompt.enter({"PRINT 1"}) == "1\n");
+}
+
+TEST_CASE("a taught and recorded program is saved with its points, and runs in the next session") {
+  const ScratchFolder folder;
+  const std::string file = folder.file("cell.rob");
+  {
+    PipedPrompt prompt(folder);
+    prompt.enter({"MOVE(40,20,0)", ":teach pick", "MOVE(0,0,0)", ":record on", "MOVE pick", "STOP",
+                  "PRINT HERE", ":record off", ":save " + file});
+    CHECK(read_file(file, 1000) == "POINT pick\nMOVE pick\nSTOP\nPRINT HERE\n");
+    CHECK(prompt.session.points_file() == folder.file("cell.points"));
+  }
+  PipedPrompt next(folder);
+  CHECK(next.enter({":load " + file, ":run"}) == "POSE(40mm, 20mm, 0mm, 0deg, 0deg, 0deg)\n");
+  CHECK(next.session.worst() == ExitCode::Done);
+}
