@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "lang/syntax/clause_words.h"
 #include "lang/syntax/parser_impl.h"
 #include "lang/syntax/plain_motion.h"
 #include "lang/text/ascii.h"
@@ -18,8 +19,6 @@ namespace {
 
 /// By Clause.
 constexpr std::array<std::string_view, 5> kValuedClauses{"AT", "OVER", "ACCEL", "JERK", "ZONE"};
-constexpr std::array<std::string_view, 7> kClauseWords{"AT",   "OVER", "ACCEL",  "JERK",
-                                                       "ZONE", "FINE", "PROFILE"};
 
 /// `keyword`: of a motion.
 MotionKind motion_kind(Keyword keyword) {
@@ -45,7 +44,7 @@ bool goes_on(const Token& token) {
 
 std::string_view clause_word(const Token& token) {
   if (token.kind == TokenKind::Word) {
-    for (const std::string_view word : kClauseWords) {
+    for (const std::string_view word : kMotionClauseWords) {
       if (same_word(word, token.text)) return word;
     }
   }
@@ -335,7 +334,7 @@ void Parser::clause(Clauses& clauses, Clause which, std::string_view word) {
 /// A word that is nearly one of a clause is taken for a slip.
 bool Parser::at_zone_angle() const {
   const bool name = at(TokenKind::Word) && clause_word(current_).empty() &&
-                    suggest(current_.text, kClauseWords).empty();
+                    suggest(current_.text, kMotionClauseWords).empty();
   return name || at(TokenKind::Number);
 }
 
@@ -356,7 +355,7 @@ void Parser::profile(Clauses& clauses) {
 }
 
 void Parser::fail_clause() {
-  const std::string meant = did_you_mean(suggest(current_.text, kClauseWords));
+  const std::string meant = did_you_mean(suggest(current_.text, kMotionClauseWords));
   if (!at(TokenKind::Word) || (meant.empty() && !remedy().empty())) end_of_line();
   fail_here(code::kUnknownClause, fmt::format("{} is no clause of a motion", described(current_)),
             meant);

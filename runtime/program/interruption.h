@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 
 #include "runtime/program/run_result.h"
 
@@ -13,13 +14,19 @@ namespace rob::runtime {
 /// somebody to read what it wrote.
 class Interruption {
  public:
-  explicit Interruption(std::atomic<bool>& hold);
+  enum class CtrlC : std::uint8_t {
+    Ends,   ///< as the others do
+    IsTold  ///< by ctrl_c_pressed(), and changes nothing else
+  };
+  explicit Interruption(std::atomic<bool>& hold, CtrlC ctrl_c = CtrlC::Ends);
   ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
   /// Since the object was made.
   static bool requested();
+  /// Since the last call.
+  static bool ctrl_c_pressed();
   /// Of the first request: 130, 143 or 129.
   static ExitCode exit_code();
 };

@@ -7,12 +7,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
 
 #include "runtime/program/files.h"
+#include "runtime/program/state_folder.h"
 
 namespace rob::runtime {
 namespace {
@@ -21,15 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kMark = "run-";
 constexpr std::size_t kMostBytes = 4096;  // [choice] of a line
-
-/// Empty where the user has none.
-fs::path folder() {
-  const char* const state = std::getenv("XDG_STATE_HOME");
-  if (state != nullptr && *state == '/') return fs::path(state) / "rob";
-  const char* const home = std::getenv("HOME");
-  if (home == nullptr || *home != '/') return {};
-  return fs::path(home) / ".local" / "state" / "rob";
-}
 
 FileError not_marked(const fs::path& file, int error) {
   return FileError(fmt::format(
@@ -59,7 +50,7 @@ std::string take(const fs::path& file) {
 
 /// It gets its name when it is locked: never is there one of a living run without lock.
 RunMark::RunMark(const std::string& run) {
-  const fs::path in = folder();
+  const fs::path in = state_folder();
   if (in.empty()) return;
   std::error_code error;
   fs::create_directories(in, error);
@@ -90,7 +81,7 @@ RunMark::~RunMark() {
 std::vector<std::string> unclean_ends() {
   std::vector<std::string> runs;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder(), error)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(state_folder(), error)) {
     if (!entry.path().filename().string().starts_with(kMark)) continue;
     if (std::string run = take(entry.path()); !run.empty()) runs.push_back(std::move(run));
   }

@@ -7,10 +7,7 @@
 #include <utility>
 
 #include "lang/text/suggest.h"
-#include "motion/robots/robot_file.h"
-#include "motion/servo/servo_backend.h"
 #include "runtime/explain.h"
-#include "runtime/program/files.h"
 #include "runtime/prompt/session.h"
 
 namespace rob::runtime {
@@ -97,19 +94,6 @@ Command::Words words_of(std::string_view line, std::size_t plain) {
   return words;
 }
 
-/// What cannot be read, opened or known is an error of the command, not the end of the prompt.
-void carry_out(Session& session, const Command& command, const Command::Words& words) {
-  try {
-    command.carry_out(session, words);
-  } catch (const FileError& error) {
-    session.fail(error.what(), "", ExitCode::InputOutput);
-  } catch (const motion::RobotFileError& error) {
-    session.fail(error.what());
-  } catch (const motion::DriverError& error) {
-    session.fail(error.what(), "", ExitCode::InputOutput);
-  }
-}
-
 }  // namespace
 
 std::span<const Command> commands() { return kCommands; }
@@ -119,7 +103,7 @@ void carry_out_command(Session& session, std::string_view line) {
   if (name.empty()) name = "help";
   const auto command = std::ranges::find(kCommands, name, &Command::name);
   if (command != kCommands.end())
-    return carry_out(session, *command, words_of(line, command->plain_words));
+    return command->carry_out(session, words_of(line, command->plain_words));
   std::vector<std::string_view> names;
   for (const Command& one : kCommands) names.push_back(one.name);
   const std::string_view meant = lang::suggest(name, names);

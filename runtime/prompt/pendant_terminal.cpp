@@ -1,6 +1,7 @@
 #include "runtime/prompt/pendant_terminal.h"
 
 #include "runtime/program/files.h"
+#include "runtime/program/interruption.h"
 #include "runtime/prompt/pendant.h"
 #include "runtime/prompt/pendant_view.h"
 #include "runtime/prompt/raw_terminal.h"
@@ -67,6 +68,8 @@ void show_pendant(Session& session, const KeptScreen& kept) {
     if (quiet > kPausesOfAFrame) {
       if (const auto escape = keys.lone_escape()) pendant.press(*escape);
     }
+    if (Interruption::ctrl_c_pressed()) pendant.stop();
+    if (Interruption::requested()) break;
     session.let_pass();
     pendant.go_on();
     if (pause % kPausesOfAFrame != 0) continue;

@@ -1,5 +1,7 @@
 #include "runtime/prompt/prompt.h"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <iostream>
 #include <string>
@@ -8,6 +10,7 @@
 #include "runtime/program/console.h"
 #include "runtime/program/interruption.h"
 #include "runtime/prompt/session.h"
+#include "runtime/prompt/terminal_prompt.h"
 
 namespace rob::runtime {
 
@@ -38,23 +41,29 @@ ExitCode filter(Session& session, bool fast) {
   return Interruption::requested() ? Interruption::exit_code() : session.worst();
 }
 
-}  // namespace
-
-ExitCode run_prompt(const Options& options) {
+ExitCode filter(SessionOptions options) {
   std::atomic<bool> ended{false};
   const Interruption interruption(ended);
   PlainScreen screen;
-  SessionOptions session_options;
-  session_options.robot = options.robot;
-  session_options.law = options.law;
-  session_options.fast = options.fast;
-  session_options.override_share = options.override_share;
-  session_options.seed = options.seed;
-  session_options.trace = options.trace;
-  session_options.waits = true;
-  session_options.ended = &ended;
-  Session session(std::move(session_options), screen);
-  return filter(session, options.fast);
+  const bool fast = options.fast;
+  options.ended = &ended;
+  options.waits = true;
+  Session session(std::move(options), screen);
+  return filter(session, fast);
+}
+
+}  // namespace
+
+ExitCode run_prompt(const Options& options) {
+  SessionOptions session;
+  session.robot = options.robot;
+  session.law = options.law;
+  session.fast = options.fast;
+  session.override_share = options.override_share;
+  session.seed = options.seed;
+  session.trace = options.trace;
+  const bool person = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+  return person ? talk(std::move(session)) : filter(std::move(session));
 }
 
 }  // namespace rob::runtime

@@ -9,6 +9,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 #include "motion/robots/robot_file.h"
+#include "runtime/control/codes.h"
 #include "runtime/control/units.h"
 #include "runtime/program/text_report.h"
 #include "runtime/prompt/commands.h"
@@ -103,9 +104,13 @@ LiveReports::Listener Session::listener() {
   listener.tell = [this](const std::string& text) { screen_->message(text + "\n"); };
   listener.consult = [this](const Note& note) {
     asks_ = note.kind != Note::Kind::Answer;
-    if (asks_) screen_->message(note.text.empty() ? "HALT: Enter goes on\n" : note.text + "\n");
+    if (note.kind == Note::Kind::Ask) screen_->message(note.text + "\n");
+    if (note.kind == Note::Kind::Halt)
+      screen_->message(
+          fmt::format("HALT{}{}: Enter goes on\n", note.text.empty() ? "" : " ", note.text));
   };
   listener.fault = [this](int line, const Words& words) {
+    asks_ = false;
     screen_->message(fmt::format("line {}: fault[{}]: {}\nhelp: {}\n", line, words.code,
                                  words.message, words.help));
     screen_->message("the robot has stopped; :reset takes it under control again\n");
@@ -115,11 +120,11 @@ LiveReports::Listener Session::listener() {
 }
 
 Session::Taken Session::enter(const std::string& text, bool last) try {
-  if (asks_) {
+  const std::size_t first = text.find_first_not_of(" \t\n");
+  if (asks_ && (first == std::string::npos || text[first] != ':')) {
     answer(text);
     return Taken::Done;
   }
-  const std::size_t first = text.find_first_not_of(" \t\n");
   if (first == std::string::npos) return Taken::Done;
   if (text[first] == ':') {
     carry_out_command(*this, text.substr(first + 1));
@@ -185,18 +190,23 @@ void Session::let_pass() {
 
 void Session::take_failures() {
   while (const auto failure = robot_->take_failure()) {
+    asks_ = false;  // whatever asked has ended
     const lang::RuntimeError& error = failure->error;
+    const std::uint32_t line = failure->line == 0 ? text_->line() : failure->line;
+    text_->forget_from(line);
+    workshop_.program.take_back(line);
+    points_.clear();  // some may not have been declared
+    if (worst_ == ExitCode::Done) worst_ = ExitCode::Fault;
+    if (error.code == code::kStopped) {
+      screen_->message(error.message + "; what was typed ahead is dropped\n");
+      continue;
+    }
     const lang::Diagnostic told{lang::Severity::Error, error.code, error.place, error.message,
                                 error.help};
     const auto run = runs_.find(failure->line);
     screen_->message(run == runs_.end() ? lang::render(told, "prompt", sources_)
                                         : lang::render(told, run->second.file, run->second.source,
                                                        run->second.used));
-    const std::uint32_t line = failure->line == 0 ? text_->line() : failure->line;
-    text_->forget_from(line);
-    workshop_.program.take_back(line);
-    points_.clear();  // some may not have been declared
-    if (worst_ == ExitCode::Done) worst_ = ExitCode::Fault;
   }
 }
 
@@ -292,6 +302,7 @@ std::optional<std::string> Session::line() {
 }
 
 void Session::answer(const std::string& text) {
+  asks_ = false;  // the line behind this one is none
   const std::lock_guard lock(mutex_);
   answers_.push_back(text);
 }

@@ -1,0 +1,189 @@
+#include "runtime/prompt/line_editor.h"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <cstdio>  // readline's header needs it
+
+#include <readline/history.h>
+#include <readline/readline.h>
+
+#include <clocale>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace rob::runtime {
+
+namespace {
+
+constexpr int kMostLines = 1000;  // [choice] of the history: months of work
+
+LineEditor* living = nullptr;                 // readline calls functions without an object
+std::vector<std::string>* offered = nullptr;  // what complete() has found
+volatile std::sig_atomic_t window_changed = 0;
+
+void note_window(int) { window_changed = 1; }
+
+/// Readline frees what it is given.
+char* next_offered(const char*, int number) {
+  const auto index = static_cast<std::size_t>(number);
+  return index < offered->size() ? strdup((*offered)[index].c_str()) : nullptr;
+}
+
+/// Each candidate as readline sees it: from `begin`, where its own word begins.
+std::vector<std::string> from(std::size_t begin, std::string_view before,
+                              const Completions& found) {
+  std::vector<std::string> words;
+  for (const std::string& word : found.words) {
+    const std::string whole = std::string(before.substr(0, found.begin)) + word;
+    if (whole.size() >= begin) words.push_back(whole.substr(begin));
+  }
+  return words;
+}
+
+/// Nothing in readline may wait for a key of its own: the robot goes on.
+void set_up_readline() {
+  rl_catch_signals = 0;
+  rl_catch_sigwinch = 0;
+  rl_change_environment = 0;
+  rl_completion_query_items = -1;
+  rl_variable_bind("page-completions", "off");
+  rl_variable_bind("completion-ignore-case", "on");
+  rl_variable_bind("show-all-if-ambiguous", "on");
+  rl_variable_bind("blink-matching-paren", "on");
+  rl_completer_word_break_characters = " \t\n\"(),=:;[]";
+  rl_readline_name = "rob";  // for the user's .inputrc
+}
+
+}  // namespace
+
+LineEditor::LineEditor(Completer completer, std::string history)
+    : completer_(std::move(completer)), history_(std::move(history)) {
+  std::setlocale(LC_CTYPE, "");  // of what is typed
+  living = this;
+  set_up_readline();
+  rl_attempted_completion_function = &LineEditor::complete;
+  rl_startup_hook = &LineEditor::put_in;
+  // The terminal stays as it is from line to line: what is typed ahead is not echoed twice.
+  rl_deprep_term_function = [] {};
+  struct sigaction action {};
+  action.sa_handler = note_window;
+  sigaction(SIGWINCH, &action, nullptr);
+  using_history();
+  stifle_history(kMostLines);
+  if (history_.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(std::filesystem::path(history_).parent_path(), error);
+  read_history(history_.c_str());
+}
+
+LineEditor::~LineEditor() {
+  if (editing_) rl_callback_handler_remove();
+  rl_deprep_terminal();
+  std::signal(SIGWINCH, SIG_DFL);
+  if (!history_.empty()) history_truncate_file(history_.c_str(), kMostLines);
+  living = nullptr;
+}
+
+void LineEditor::begin(const std::string& prompt, const std::string& typed) {
+  typed_ = typed;
+  line_.reset();
+  editing_ = true;
+  hidden_ = false;
+  rl_callback_handler_install(prompt.c_str(), &LineEditor::accept);
+}
+
+int LineEditor::put_in() {
+  if (!living->typed_.empty()) rl_insert_text(living->typed_.c_str());
+  return 0;
+}
+
+void LineEditor::change_prompt(const std::string& prompt) {
+  if (!editing_ || RL_ISSTATE(RL_STATE_ISEARCH | RL_STATE_NSEARCH)) return;
+  // As a whole: the prompt's length changes, and part of it may take no room.
+  if (!hidden_) rl_clear_visible_line();
+  rl_set_prompt(prompt.c_str());
+  if (hidden_) return;
+  rl_on_new_line();
+  rl_redisplay();
+}
+
+void LineEditor::read() {
+  if (std::exchange(window_changed, 0) != 0) rl_resize_terminal();
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  while (editing_ && poll(&input, 1, 0) > 0 && (input.revents & POLLIN) != 0) {
+    show();
+    rl_callback_read_char();
+  }
+}
+
+/// Leaves nothing of readline's behind, so that what is done with the line may fail in any way.
+void LineEditor::accept(char* line) {
+  rl_callback_handler_remove();
+  living->editing_ = false;
+  if (line == nullptr) {
+    living->ended_ = true;
+    return;
+  }
+  living->line_ = line;
+  std::free(line);
+  living->keep(*living->line_);
+}
+
+std::optional<std::string> LineEditor::take_line() { return std::exchange(line_, std::nullopt); }
+
+/// At once in the file too: it is there whatever ends the session.
+void LineEditor::keep(const std::string& line) {
+  if (line.find_first_not_of(" \t\n") == std::string::npos) return;
+  const HIST_ENTRY* const last = history_get(history_base + history_length - 1);
+  if (last != nullptr && line == last->line) return;
+  add_history(line.c_str());
+  if (history_.empty()) return;
+  if (append_history(1, history_.c_str()) != 0) write_history(history_.c_str());
+}
+
+void LineEditor::drop() {
+  if (!editing_) return;
+  show();
+  rl_callback_sigcleanup();
+  rl_free_line_state();
+  rl_replace_line("", 1);
+  rl_callback_handler_remove();
+  editing_ = false;
+  std::fputs("^C\n", rl_outstream);
+  std::fflush(rl_outstream);
+}
+
+bool LineEditor::empty() const { return rl_end == 0; }
+
+void LineEditor::hide() {
+  if (!editing_ || hidden_) return;
+  rl_clear_visible_line();
+  std::fflush(rl_outstream);
+  hidden_ = true;
+}
+
+void LineEditor::show() {
+  if (!editing_ || !hidden_) return;
+  hidden_ = false;
+  rl_on_new_line();
+  rl_redisplay();
+}
+
+char** LineEditor::complete(const char* word, int begin, int end) {
+  rl_attempted_completion_over = 1;  // never readline's own file names
+  const std::string_view before(rl_line_buffer, static_cast<std::size_t>(end));
+  const Completions found = living->completer_(before);
+  std::vector<std::string> words = from(static_cast<std::size_t>(begin), before, found);
+  rl_completion_append_character = found.whole ? ' ' : '\0';
+  offered = &words;
+  char** const matches = rl_completion_matches(word, next_offered);
+  offered = nullptr;
+  return matches;
+}
+
+}  // namespace rob::runtime

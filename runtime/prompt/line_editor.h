@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "runtime/prompt/completion.h"
+
+namespace rob::runtime {
+
+/// The line that is being typed at the terminal: editing, completion and history by GNU readline.
+/// It never waits, so that a robot can report meanwhile. One object at a time; the terminal is its
+/// own while it lives.
+class LineEditor {
+ public:
+  /// Of what stands left of the cursor.
+  using Completer = std::function<Completions(std::string_view before)>;
+
+  /// `history`: where lines are kept from one start to the next; empty: nowhere.
+  LineEditor(Completer completer, std::string history);
+  ~LineEditor();
+  LineEditor(const LineEditor&) = delete;
+  LineEditor& operator=(const LineEditor&) = delete;
+
+  /// A new line, behind the prompt; `typed` stands in it already.
+  void begin(const std::string& prompt, const std::string& typed = "");
+  /// Of the line under way; what has been typed and the cursor stay.
+  void change_prompt(const std::string& prompt);
+  /// Takes what has been typed until there is no more, or a line is complete.
+  void read();
+  /// The line that read() has completed, once.
+  std::optional<std::string> take_line();
+  /// Ctrl-D at the beginning of a line.
+  bool ended() const { return ended_; }
+  /// The line under way is dropped; begin() has to follow.
+  void drop();
+  /// Nothing stands in the line under way.
+  bool empty() const;
+
+  /// For output: takes the line off the screen, and puts it back.
+  void hide();
+  void show();
+
+ private:
+  static void accept(char* line);
+  static char** complete(const char* word, int begin, int end);
+  static int put_in();
+  void keep(const std::string& line);
+  void forget_line();
+
+  Completer completer_;
+  std::string history_;
+  std::string typed_;  ///< at the beginning of the line
+  std::optional<std::string> line_;
+  bool editing_ = false;
+  bool hidden_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace rob::runtime

@@ -1,0 +1,57 @@
+#include "runtime/prompt/terminal_guard.h"
+
+#include <termios.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <string_view>
+
+namespace rob::runtime {
+
+namespace {
+
+constexpr int kCrashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
+
+// A signal handler can reach nothing but these.
+termios found{};
+volatile std::sig_atomic_t changed = 0;
+
+void give_back() {
+  if (changed == 0) return;
+  changed = 0;
+  tcsetattr(STDIN_FILENO, TCSANOW, &found);
+}
+
+/// The signal does then what it does without a handler.
+void give_back_and_die(int signal) {
+  const bool was_changed = changed != 0;
+  give_back();
+  if (was_changed) {
+    // A paste is no longer marked; the shell goes on in a line of its own.
+    constexpr std::string_view kPlain = "\033[?2004l\r\n";
+    if (write(STDOUT_FILENO, kPlain.data(), kPlain.size()) < 0) changed = 0;
+  }
+  raise(signal);
+}
+
+}  // namespace
+
+TerminalGuard::TerminalGuard() {
+  changed = tcgetattr(STDIN_FILENO, &found) == 0 ? 1 : 0;
+  static const int registered = std::atexit(give_back);
+  static_cast<void>(registered);
+  struct sigaction action {};
+  action.sa_handler = give_back_and_die;
+  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_NODEFER;
+  for (const int signal : kCrashes) sigaction(signal, &action, nullptr);
+  std::signal(SIGTSTP, SIG_IGN);
+}
+
+TerminalGuard::~TerminalGuard() {
+  give_back();
+  for (const int signal : kCrashes) std::signal(signal, SIG_DFL);
+  std::signal(SIGTSTP, SIG_DFL);
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,260 @@
+#include "runtime/prompt/terminal_prompt.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "lang/text/ascii.h"
+#include "motion/robots/robot_library.h"
+#include "runtime/control/units.h"
+#include "runtime/program/console.h"
+#include "runtime/program/interruption.h"
+#include "runtime/program/state_folder.h"
+#include "runtime/prompt/line_editor.h"
+#include "runtime/prompt/pendant_terminal.h"
+#include "runtime/prompt/terminal_guard.h"
+
+namespace rob::runtime {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+constexpr int kLookMs = 20;          // [choice] two reference periods between looks at the robot
+constexpr auto kStateEvery = 200ms;  // [choice] figures that change faster cannot be read
+constexpr const char* kContinues = "\u2026 ";
+constexpr const char* kAsks = "? ";
+
+/// Output stands above the line that is being typed.
+class TerminalScreen final : public Screen {
+ public:
+  explicit TerminalScreen(LineEditor& editor) : editor_(editor) {}
+  void result(std::string_view text) override {
+    editor_.hide();
+    put_result(text);
+  }
+  void message(std::string_view text) override {
+    editor_.hide();
+    put_message(text);
+  }
+
+ private:
+  LineEditor& editor_;
+};
+
+bool is_set(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+/// It can move its cursor.
+bool draws() { return is_set("TERM") && std::string_view(std::getenv("TERM")) != "dumb"; }
+
+std::string history_file() {
+  const std::filesystem::path folder = state_folder();
+  return folder.empty() ? "" : (folder / "history").string();
+}
+
+std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  const std::filesystem::path path = folder.empty() ? "." : folder;
+  for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
+    const bool is_folder = entry.is_directory(error);
+    names.push_back(entry.path().filename().string() + (is_folder ? "/" : ""));
+  }
+  return names;
+}
+
+/// As many blanks as the last line begins with, and two more behind a line that opens a block.
+std::string indent_behind(std::string_view block) {
+  const std::size_t begin = block.rfind('\n') + 1;  // 0 on the first line
+  const std::string_view line = block.substr(begin);
+  const std::size_t blanks = std::min(line.find_first_not_of(' '), line.size());
+  const std::string_view word = line.substr(line.find_last_of(' ') + 1);
+  const bool opens = begin == 0 || lang::same_word(word, "DO") || lang::same_word(word, "THEN");
+  return std::string(blanks + (opens ? 2 : 0), ' ');
+}
+
+class TerminalPrompt {
+ public:
+  explicit TerminalPrompt(SessionOptions options);
+  ExitCode run();
+
+ private:
+  Vocabulary vocabulary() const;
+  std::string state_prompt();
+  std::string prompt_text();
+  void begin_line();
+  bool wait() const;
+  void take_typed();
+  void enter(const std::string& line);
+  void show_state();
+  void stop_or_drop();
+  void come_to_rest();
+
+  std::atomic<bool> ended_{false};
+  Interruption interruption_{ended_, Interruption::CtrlC::IsTold};
+  TerminalGuard guard_;
+  LineEditor editor_;
+  TerminalScreen screen_{editor_};
+  bool fast_;
+  Session session_;
+  bool draws_ = draws();
+  bool colours_ = draws_ && !is_set("NO_COLOR");
+  std::string entry_;          ///< lines of a block that is open
+  std::size_t width_ = 0;      ///< of the state in the prompt
+  std::string prompt_;         ///< as it is shown
+  Clock::time_point shown_{};  ///< when
+};
+
+SessionOptions with(SessionOptions options, const std::atomic<bool>& ended) {
+  options.ended = &ended;
+  return options;
+}
+
+TerminalPrompt::TerminalPrompt(SessionOptions options)
+    : editor_([this](std::string_view before) { return complete(before, vocabulary()); },
+              history_file()),
+      fast_(options.fast),
+      session_(with(std::move(options), ended_), screen_) {}
+
+Vocabulary TerminalPrompt::vocabulary() const {
+  Vocabulary known;
+  for (const lang::DeclaredName& declared : session_.text().names())
+    known.names.push_back(declared.name);
+  for (const auto& signal : signature_of(session_.robot().robot()).signals) {
+    if (!signal.name.empty()) known.names.push_back(signal.name);
+  }
+  for (const std::string_view name : motion::robot_names()) known.robots.emplace_back(name);
+  known.files = files_in;
+  return known;
+}
+
+/// It never gets narrower under a line that is being typed.
+std::string TerminalPrompt::state_prompt() {
+  std::string text = session_.state_text();
+  if (!editor_.empty() && text.size() < width_) text.append(width_ - text.size(), ' ');
+  width_ = text.size();
+  // \001 and \002 enclose for readline what takes no room.
+  return colours_ ? fmt::format("\001\033[2m\002{}\001\033[0m\002> ", text) : text + "> ";
+}
+
+std::string TerminalPrompt::prompt_text() {
+  if (session_.asks()) return kAsks;
+  return entry_.empty() ? state_prompt() : kContinues;
+}
+
+void TerminalPrompt::begin_line() {
+  width_ = 0;
+  prompt_ = prompt_text();
+  shown_ = Clock::now();
+  editor_.begin(prompt_, entry_.empty() || session_.asks() ? "" : indent_behind(entry_));
+}
+
+/// For a key, but not longer than until the robot may have something to report. False when the
+/// terminal has gone.
+bool TerminalPrompt::wait() const {
+  const bool hurries = fast_ && !session_.robot().idle() && !session_.asks();
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  if (poll(&input, 1, hurries ? 0 : kLookMs) <= 0) return true;
+  return (input.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
+}
+
+/// What was pasted may be several lines.
+void TerminalPrompt::take_typed() {
+  const auto typed = editor_.take_line();
+  if (editor_.ended()) {
+    screen_.result("\n");
+    session_.quit();
+  }
+  if (!typed) return;
+  for (std::string_view rest = *typed; !session_.over();) {
+    const std::size_t end = rest.find('\n');
+    enter(std::string(rest.substr(0, end)));
+    if (end == std::string_view::npos) break;
+    rest.remove_prefix(end + 1);
+  }
+  if (session_.take_pendant()) run_pendant(session_);
+  if (!session_.over()) begin_line();
+}
+
+void TerminalPrompt::enter(const std::string& line) {
+  if (session_.asks()) {
+    session_.enter(line);
+    return;
+  }
+  entry_ += entry_.empty() ? line : "\n" + line;
+  if (session_.enter(entry_) == Session::Taken::Incomplete) return;
+  entry_.clear();
+}
+
+void TerminalPrompt::show_state() {
+  if (!draws_ || Clock::now() - shown_ < kStateEvery) return;
+  shown_ = Clock::now();
+  std::string now = prompt_text();
+  if (now == prompt_) return;
+  prompt_ = std::move(now);
+  editor_.change_prompt(prompt_);
+}
+
+/// Ctrl-C: the robot first, then the line and the block that it belongs to.
+void TerminalPrompt::stop_or_drop() {
+  if (session_.interrupt()) return;
+  const bool nothing = editor_.empty() && entry_.empty();
+  editor_.drop();
+  entry_.clear();
+  if (nothing) screen_.message("nothing moves; Ctrl-D or :quit leaves\n");
+  begin_line();
+}
+
+void TerminalPrompt::come_to_rest() {
+  if (!session_.interrupt()) return;
+  screen_.message("the robot comes to rest first\n");
+  session_.finish();
+}
+
+ExitCode TerminalPrompt::run() {
+  screen_.message(
+      "Statements act at once. :help lists the commands, Ctrl-C stops, Ctrl-D leaves.\n");
+  while (!session_.robot().reports().last() && !session_.robot().over()) {  // a cycle or two
+    session_.let_pass();
+    std::this_thread::sleep_for(1ms);
+  }
+  begin_line();
+  while (!session_.over()) {
+    if (Interruption::requested()) break;
+    if (Interruption::ctrl_c_pressed()) stop_or_drop();
+    if (!wait()) {
+      ended_ = true;
+      return Interruption::requested() ? Interruption::exit_code() : ExitCode::HungUp;
+    }
+    editor_.read();
+    session_.let_pass();
+    take_typed();
+    show_state();
+    editor_.show();
+  }
+  if (!Interruption::requested()) come_to_rest();
+  if (!Interruption::requested()) return ExitCode::Done;
+  screen_.message("the robot stops on its path\n");
+  return Interruption::exit_code();
+}
+
+}  // namespace
+
+ExitCode talk(SessionOptions options) { return TerminalPrompt(std::move(options)).run(); }
+
+}  // namespace rob::runtime

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <atomic>
+
+#include "runtime/prompt/session.h"
+
+namespace rob::runtime {
+
+/// A person at the terminal that is standard input and output. `options.ended` is not needed.
+ExitCode talk(SessionOptions options);
+
+}  // namespace rob::runtime

@@ -1,0 +1,261 @@
+// The prompt on a terminal, in real time, as a person sees it.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/support/process.h"
+#include "tests/support/pseudo_terminal.h"
+#include "tests/support/scratch_folder.h"
+
+using namespace rob::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr const char* kCtrlC = "\x03";
+constexpr const char* kCtrlD = "\x04";
+constexpr const char* kLeft = "\033[D";
+constexpr const char* kUp = "\033[A";
+constexpr const char* kAtRest = "gantry idle (0, 0, 0)> ";
+
+/// Prompts on the gantry that share a folder, one after another.
+struct Desk {
+  PseudoTerminal::Options options(const std::string& term = "vt100") const {
+    return {folder.path().string(),
+            {{"TERM", term},
+             {"LC_ALL", "C.UTF-8"},
+             {"NO_COLOR", "1"},
+             {"XDG_STATE_HOME", (folder.path() / "states").string()}}};
+  }
+  PseudoTerminal::Options coloured() const {
+    PseudoTerminal::Options more = options();
+    more.environment["NO_COLOR"] = "";
+    return more;
+  }
+  ScratchFolder folder;
+};
+
+bool matches(const std::string& text, const char* pattern) {
+  return std::regex_match(text, std::regex(pattern));
+}
+
+std::ptrdiff_t lines_with(const PseudoTerminal& terminal, const std::string& part) {
+  return std::ranges::count_if(terminal.screen(), [&](const std::string& line) {
+    return line.find(part) != std::string::npos;
+  });
+}
+
+/// The place of a line; the number of lines if it is not there.
+std::size_t line_of(const std::vector<std::string>& lines, const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::find(lines, text) - lines.begin());
+}
+
+}  // namespace
+
+TEST_CASE("a line is typed while the robot moves; Ctrl-C stops the robot, then drops the line") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("MOVE(100,0,0)\r");
+  REQUIRE(terminal.expect("gantry moving"));
+  terminal.send("PRINT 1 + 1");
+  REQUIRE(terminal.expect("PRINT 1 + 1"));
+  terminal.watch(700ms);
+  CHECK_MESSAGE(matches(terminal.last_line(), R"(gantry moving \([0-9.]+, 0, 0\) *> PRINT 1 \+ 1)"),
+                terminal.last_line());
+  CHECK(lines_with(terminal, "PRINT 1 + 1") == 1);
+
+  terminal.send(kCtrlC);
+  REQUIRE(terminal.expect("stopped by the operator"));
+  REQUIRE(terminal.expect("idle"));
+  terminal.watch(100ms);
+  CHECK_MESSAGE(matches(terminal.last_line(), R"(gantry idle \([0-9.]+, 0, 0\) *> PRINT 1 \+ 1)"),
+                terminal.last_line());
+  terminal.send(kCtrlC);
+  REQUIRE(terminal.expect("^C"));
+  REQUIRE(terminal.expect("> "));
+  CHECK_MESSAGE(matches(terminal.last_line(), R"(gantry idle \([0-9.]+, 0, 0\)>)"),
+                terminal.last_line());
+  terminal.send(kCtrlD);
+  CHECK(terminal.wait() == 0);
+  CHECK(terminal.modes_as_found());
+}
+
+TEST_CASE("what a program prints stands above the line that is being typed") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("LOOP\rWAIT 0.1s\rPRINT \"tick\"\rENDLOOP\r");
+  REQUIRE(terminal.expect("tick\r\n"));
+  terminal.send("abc");
+  REQUIRE(terminal.expect("tick"));
+  REQUIRE(terminal.expect("tick"));
+  terminal.send(std::string(kLeft) + kLeft + "X");
+  REQUIRE(terminal.expect("tick"));
+  terminal.watch(50ms);
+  CHECK_MESSAGE(terminal.last_line().ends_with("> aXbc"), terminal.last_line());
+  CHECK(lines_with(terminal, "aXbc") == 1);
+  // The word in the entry's own line aside, every tick has a line for itself.
+  const std::vector<std::string> lines = terminal.screen();
+  CHECK(std::ranges::count(lines, "tick") >= 4);
+  CHECK(lines_with(terminal, "tick") == std::ranges::count(lines, "tick") + 1);
+  terminal.send(kCtrlC);
+  CHECK(terminal.expect("stopped by the operator"));
+}
+
+TEST_CASE("an error appears under what was typed, with a caret; a block can be dropped") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("MOVE(9000,0,0)\r");
+  REQUIRE(terminal.expect("help: "));
+  REQUIRE(terminal.expect(kAtRest));
+  std::vector<std::string> lines = terminal.screen();
+  const std::size_t typed = line_of(lines, std::string(kAtRest) + "MOVE(9000,0,0)");
+  REQUIRE(typed + 3 < lines.size());
+  CHECK(lines[typed + 1] == "prompt:1:5: error[E401]: axis x: 9000 mm is beyond 400 mm");
+  CHECK(lines[typed + 2] == "  MOVE(9000,0,0)");
+  CHECK(lines[typed + 3] == "      ^");
+
+  terminal.send("FOR i = 1 TO 2 DO\rPRINT i\r");
+  REQUIRE(terminal.expect("PRINT i"));
+  REQUIRE(terminal.expect("\u2026"));
+  terminal.send(kCtrlC);
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("PRINT 40 + 2\r");
+  REQUIRE(terminal.expect("42\r\n"));
+  REQUIRE(terminal.expect(kAtRest));
+  lines = terminal.screen();
+  CHECK(line_of(lines, "42") < lines.size());
+  CHECK(line_of(lines, "1") == lines.size());
+}
+
+TEST_CASE("Tab completes what may stand there, and lists what is ambiguous") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send(":whe\t");
+  REQUIRE(terminal.expect("re "));
+  terminal.send("\r");
+  REQUIRE(terminal.expect("x 0 mm, y 0 mm, theta 0 deg"));
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("spi\t");
+  REQUIRE(terminal.expect("SPIRAL "));
+  terminal.send(kCtrlC);
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("MOVE(10,0,0) A\t");
+  REQUIRE(terminal.expect("ACCEL  AT"));
+  REQUIRE(terminal.expect("MOVE(10,0,0) A"));
+}
+
+TEST_CASE("HALT and ASK take the next line; a colon command is none") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("VAR n : INT\rASK \"how many?\" INTO n\r");
+  REQUIRE(terminal.expect("how many?\r\n"));
+  REQUIRE(terminal.expect("? "));
+  terminal.send(":law\r");
+  REQUIRE(terminal.expect(":law takes paul or lookahead"));
+  REQUIRE(terminal.expect("? "));
+  terminal.send("20\r");
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("PRINT n + 1\rHALT\r");
+  REQUIRE(terminal.expect("21\r\n"));
+  REQUIRE(terminal.expect("Enter goes on"));
+  terminal.send("\rPRINT 7 * 7\r");
+  CHECK(terminal.expect("49\r\n"));
+}
+
+TEST_CASE("the history lasts from one session to the next") {
+  const Desk desk;
+  {
+    PseudoTerminal terminal({ROB_BINARY}, desk.options());
+    INFO(terminal.raw());
+    REQUIRE(terminal.expect(kAtRest));
+    terminal.send("PRINT 100 + 11\r");
+    REQUIRE(terminal.expect("111\r\n"));
+    terminal.send(":quit\r");
+    CHECK(terminal.wait() == 0);
+    CHECK(terminal.modes_as_found());
+  }
+  CHECK(read_whole_file(desk.folder.path() / "states" / "rob" / "history") ==
+        "PRINT 100 + 11\n:quit\n");
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send(std::string(kUp) + kUp);
+  REQUIRE(terminal.expect("PRINT 100 + 11"));
+  terminal.send("\r");
+  CHECK(terminal.expect("111\r\n"));
+}
+
+TEST_CASE("Ctrl-D in motion: the robot comes to rest first") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("MOVE(100,0,0)\r");
+  REQUIRE(terminal.expect("gantry moving"));
+  terminal.send(kCtrlD);
+  CHECK(terminal.expect("the robot comes to rest first"));
+  CHECK(terminal.wait() == 0);
+  CHECK(terminal.modes_as_found());
+}
+
+TEST_CASE("whatever ends the prompt, the exit code tells it and the terminal is as it was") {
+  struct End {
+    int signal;
+    int exit_code;
+  };
+  for (const End end : {End{SIGTERM, 143}, End{SIGHUP, 129}, End{SIGSEGV, 128 + SIGSEGV}}) {
+    CAPTURE(end.signal);
+    const Desk desk;
+    PseudoTerminal terminal({ROB_BINARY}, desk.options());
+    INFO(terminal.raw());
+    REQUIRE(terminal.expect(kAtRest));
+    CHECK(!terminal.modes_as_found());
+    terminal.send("MOVE(100,0,0)\r");
+    REQUIRE(terminal.expect("gantry moving"));
+    terminal.signal(end.signal);
+    CHECK(terminal.wait() == end.exit_code);
+    CHECK(terminal.modes_as_found());
+  }
+}
+
+TEST_CASE("a terminal that goes away in motion is a hang-up") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("MOVE(100,0,0)\r");
+  REQUIRE(terminal.expect("gantry moving"));
+  terminal.hang_up();
+  CHECK(terminal.wait() == 129);
+}
+
+TEST_CASE("no colours where they are not wanted, and no control sequences on a dumb terminal") {
+  const Desk desk;
+  const auto session = [&](const PseudoTerminal::Options& options) {
+    PseudoTerminal terminal({ROB_BINARY}, options);
+    REQUIRE(terminal.expect("gantry idle (0, 0, 0)"));
+    terminal.send("PRINT 1000 + 1\r");
+    REQUIRE(terminal.expect("1001\r\n"));
+    terminal.send(kCtrlD);
+    CHECK(terminal.wait() == 0);
+    return terminal.raw();
+  };
+  CHECK(session(desk.coloured()).find("\033[2m") != std::string::npos);
+  CHECK(session(desk.options()).find("\033[2m") == std::string::npos);
+  CHECK(session(desk.options("dumb")).find('\033') == std::string::npos);
+}
