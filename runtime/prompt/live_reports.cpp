@@ -40,7 +40,8 @@ void LiveReports::take(const MotionEvent& event) {
   const int line = static_cast<int>(event.tag);
   switch (event.kind) {
     case Kind::SegmentStarted:
-      controller_.log().take_planned(event.number);  // nobody asks for it any more
+      if (const auto planned = controller_.log().take_planned(event.number))
+        jogging_ = planned->jog.present();
       line_ = line;
       return;
     case Kind::EffectDue:
@@ -48,7 +49,7 @@ void LiveReports::take(const MotionEvent& event) {
         take_note(controller_.log().take_note(event.effect.id));
       return;
     case Kind::Hit:
-      return tell(fmt::format("line {}: hit", line));
+      return jogging_ ? void() : tell(fmt::format("line {}: hit", line));
     case Kind::JogStopped:
       return tell(text_for_stopped_jog(event.axis, robot));
     case Kind::Overrun:

@@ -41,6 +41,7 @@ class LiveReports {
   Listener listener_;
   std::optional<Snapshot> last_;
   int line_ = 0;
+  bool jogging_ = false;  ///< that a jog ends is no news
 };
 
 }  // namespace rob::runtime
