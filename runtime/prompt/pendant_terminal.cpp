@@ -57,11 +57,6 @@ void show_pendant(Session& session, const KeptScreen& kept) {
   std::string shown;
   int quiet = 0;
   for (int pause = 0; !pendant.over() && !session.over(); ++pause) {
-    if (Interruption::requested()) break;
-    if (Interruption::ctrl_c_pressed()) {
-      pendant.stop();
-      session.interrupt();
-    }
     const auto bytes = terminal.read(kPause);
     if (!bytes) {
       session.quit();  // the terminal is gone
