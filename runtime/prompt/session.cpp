@@ -151,8 +151,9 @@ bool Session::submit(const std::string& entry, LoadedProgram compiled) {
   refuse_untaught(compiled);
   refuse_what_an_arm_cannot(compiled);
   if (compiled.runnable() && !compiled.compilation.chunk->tasks.empty()) {
-    return fail("a TASK runs beside a program, not at the prompt",
-                "put it into a program; :load and :run it");
+    fail("a TASK runs beside a program, not at the prompt",
+         "put it into a program; :load and :run it");
+    return false;
   }
   const std::uint32_t line = text_->line();
   text_->keep(entry, compiled);
