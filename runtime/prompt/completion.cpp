@@ -100,13 +100,16 @@ Completions argument_of(const Command& command, std::string_view before, const V
   std::vector<std::string> named_files;
   for (const std::string_view word : alternatives(command.takes)) {
     if (word.starts_with("FILE")) {
-      const auto found = files(before, begin, word.substr(4), known).words;
+      const std::string_view ending = word.substr(4);
+      const auto found = files(before, begin, ending.empty() ? ".rob" : ending, known).words;
       named_files.insert(named_files.end(), found.begin(), found.end());
     } else if (word == "WORD") {
       choice.add_all(lang::help_topics());
       for (const CodeText& code : all_codes()) choice.add(code.code);
-    } else if (word == "NAME") {
-      choice.add_all(std::string_view(command.name) == "robot" ? known.robots : known.names);
+    } else if (word == "POINT") {
+      choice.add_all(known.names);
+    } else if (word == "NAME" && std::string_view(command.name) == "robot") {
+      choice.add_all(known.robots);
     } else if (std::ranges::all_of(word, [](char c) { return c >= 'a' && c <= 'z'; })) {
       choice.add(word);
     }

@@ -113,7 +113,10 @@ void LineEditor::change_prompt(const std::string& prompt) {
 }
 
 void LineEditor::read() {
-  if (std::exchange(window_changed, 0) != 0) rl_resize_terminal();
+  if (editing_ && std::exchange(window_changed, 0) != 0) {
+    show();
+    rl_resize_terminal();
+  }
   pollfd input{STDIN_FILENO, POLLIN, 0};
   while (editing_ && poll(&input, 1, 0) > 0 && (input.revents & POLLIN) != 0) {
     show();

@@ -39,10 +39,12 @@ void give_back() {
   ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &before);
 }
 
-/// What it calls may be called in a handler.
+/// What it calls may be called in a handler. Who was there before has the signal next.
 void give_back_and_end(int signal) {
   give_back();
-  std::signal(signal, SIG_DFL);
+  for (std::size_t i = 0; i < kCrashes.size(); ++i) {
+    if (kCrashes[i] == signal) ::sigaction(signal, &handlers_before[i], nullptr);
+  }
   std::raise(signal);
 }
 

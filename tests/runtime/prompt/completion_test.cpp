@@ -80,6 +80,8 @@ TEST_CASE("behind a colon: commands, and what they take") {
   CHECK(offered(":law ") == Words{"lookahead", "paul"});
   CHECK(offered(":robot irb") == Words{"irb120"});
   CHECK(offered(":robot c") == Words{"cell.toml"});
+  CHECK(offered(":load ") == Words{"lib/", "main.rob"});
+  CHECK(offered(":rename p") == Words{"pallet", "pick"});
   CHECK(offers(":help MOVE", "MOVEL"));
   CHECK(offers(":help E40", "E401"));
   CHECK(offered(":nonsense x").empty());

@@ -244,6 +244,26 @@ TEST_CASE("a terminal that goes away in motion is a hang-up") {
   CHECK(terminal.wait() == 129);
 }
 
+TEST_CASE("the pendant takes the screen, and gives it back to the prompt; SIGTERM ends both") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send(":jog\r");
+  REQUIRE(terminal.expect("\033[?1049h"));
+  terminal.watch(700ms);  // it asks the terminal for its keyboard, and gets no answer
+  terminal.send("q");
+  REQUIRE(terminal.expect("\033[?1049l"));
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("PRINT 6 * 111\r");
+  REQUIRE(terminal.expect("666\r\n"));
+  terminal.send(":jog\r");
+  REQUIRE(terminal.expect("\033[?1049h"));
+  terminal.signal(SIGTERM);
+  CHECK(terminal.wait() == 143);
+  CHECK(terminal.modes_as_found());
+}
+
 TEST_CASE("no colours where they are not wanted, and no control sequences on a dumb terminal") {
   const Desk desk;
   const auto session = [&](const PseudoTerminal::Options& options) {
