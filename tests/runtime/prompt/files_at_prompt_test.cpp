@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "runtime/program/files.h"
-#include "tests/runtime/prompt/prompt_fixture.h"
+#include "tests/runtime/prompt/piped_prompt.h"
 
 using namespace rob::runtime;
 using rob::test::PipedPrompt;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "tests/runtime/prompt/prompt_fixture.h"
+#include "tests/runtime/prompt/piped_prompt.h"
 
 using namespace rob::runtime;
 using rob::test::PipedPrompt;

@@ -7,18 +7,10 @@
 #include <vector>
 
 #include "runtime/prompt/session.h"
+#include "tests/runtime/prompt/virtual_prompt.h"
 #include "tests/support/scratch_folder.h"
 
 namespace rob::test {
-
-/// Keeps what a prompt writes.
-class WrittenScreen final : public runtime::Screen {
- public:
-  void result(std::string_view text) override { results += text; }
-  void message(std::string_view text) override { messages += text; }
-  std::string results;
-  std::string messages;
-};
 
 /// A prompt on the gantry as a pipe has it, on the virtual clock, with files in a scratch folder.
 struct PipedPrompt {
