@@ -1,6 +1,7 @@
 #include "motion/ahead/reachable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rob::motion {
@@ -17,30 +18,65 @@ struct Row {
   int axis = -1;
 };
 
-/// Calls visit(row) for all that bounds u on the last `rest` of a piece: at its beginning `here`,
-/// since x there is x + 2·u·rest, at its end, and likewise in the middle of a curve.
-template <typename Visit>
-void each_row(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest,
-              Visit&& visit) noexcept {
-  const bool curve = piece.count > 3 && !piece.averaged();
-  const PathPoint middle = curve ? piece.point(piece.length - rest / 2) : here;
-  for (int i = 0; i < piece.acceleration.size(); ++i) {
-    const double most = piece.acceleration[i];
-    if (piece.averaged()) {
-      const double slope = piece.slopes[i];
-      const double bend = piece.bends[i];
-      visit(Row{slope, bend, most, i});
-      visit(Row{-slope, bend, most, i});
-      visit(Row{slope + 2 * rest * bend, bend, most, i});
-      visit(Row{-slope + 2 * rest * bend, bend, most, i});
-      visit(Row{piece.swings[i], 0, most, i});
-      continue;
-    }
-    visit(Row{here.qd[i], here.qdd[i], most, i});
-    if (curve) visit(Row{middle.qd[i] + rest * middle.qdd[i], middle.qdd[i], most, i});
-    if (!piece.straight()) visit(Row{end.qd[i] + 2 * rest * end.qdd[i], end.qdd[i], most, i});
+/// Between the ends of a curve's stretch, as shares of it. [choice] Where its bend rises from 0
+/// while the guide brakes, as where a corner begins, an axis asks for s·(1 − s/2p), and is held at
+/// both ends where p > √2 − 1: nowhere does it ask for more than 2 % above the greatest of these.
+constexpr std::array kWithin = {0.2, 0.4, 0.5, 0.6, 0.8};
+
+/// The last `rest` of a piece, from `here`, and where on it the axes are held.
+class Stretch {
+ public:
+  Stretch(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest) noexcept
+      : piece_(piece),
+        here_(here),
+        end_(end),
+        rest_(rest),
+        curve_(piece.count > 3 && !piece.averaged()) {
+    for (std::size_t k = 0; curve_ && k < kWithin.size(); ++k)
+      within_[k] = piece.point(piece.length - rest + kWithin[k] * rest);
   }
-}
+
+  /// Calls visit(row) for all that bounds u: at the beginning, at the end, since x there is
+  /// x + 2·u·rest, and likewise within a curve.
+  template <typename Visit>
+  void each_row(Visit&& visit) const noexcept {
+    for (int i = 0; i < piece_.acceleration.size(); ++i) {
+      const double most = piece_.acceleration[i];
+      if (piece_.averaged()) {
+        averaged_rows(i, visit);
+        continue;
+      }
+      visit(Row{here_.qd[i], here_.qdd[i], most, i});
+      for (std::size_t k = 0; curve_ && k < kWithin.size(); ++k)
+        visit(row(within_[k], kWithin[k] * rest_, i));
+      if (!piece_.straight()) visit(row(end_, rest_, i));
+    }
+  }
+
+ private:
+  Row row(const PathPoint& there, double way, int axis) const noexcept {
+    const double bend = there.qdd[axis];
+    return {there.qd[axis] + 2 * way * bend, bend, piece_.acceleration[axis], axis};
+  }
+  template <typename Visit>
+  void averaged_rows(int i, Visit&& visit) const noexcept {
+    const double most = piece_.acceleration[i];
+    const double slope = piece_.slopes[i];
+    const double bend = piece_.bends[i];
+    visit(Row{slope, bend, most, i});
+    visit(Row{-slope, bend, most, i});
+    visit(Row{slope + 2 * rest_ * bend, bend, most, i});
+    visit(Row{-slope + 2 * rest_ * bend, bend, most, i});
+    visit(Row{piece_.swings[i], 0, most, i});
+  }
+
+  const Piece& piece_;
+  const PathPoint& here_;
+  const PathPoint& end_;
+  const double rest_;
+  const bool curve_;
+  std::array<PathPoint, kWithin.size()> within_;
+};
 
 /// A bound of u: slope·u + bend·x = most. One quotient, so that what cancels above a slope of next
 /// to nothing cancels exactly.
@@ -74,18 +110,16 @@ struct Bounds {
 
 constexpr double kRounding = 1 + 1e-9;
 
-Bounds bounds_at(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest,
-                 double x, double given = kRounding) noexcept {
+Bounds bounds_at(const Stretch& stretch, double x, double given = kRounding) noexcept {
   Bounds bounds;
-  each_row(piece, here, end, rest, [&](const Row& row) { bounds.take(row, x, given); });
+  stretch.each_row([&](const Row& row) { bounds.take(row, x, given); });
   return bounds;
 }
 
 /// With `more` times the acceleration.
-Bounds raised_bounds(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest,
-                     double x, double more) noexcept {
+Bounds raised_bounds(const Stretch& stretch, double x, double more) noexcept {
   Bounds bounds;
-  each_row(piece, here, end, rest, [&](Row row) {
+  stretch.each_row([&](Row row) {
     row.most *= more;
     bounds.take(row, x, kRounding);
   });
@@ -105,10 +139,11 @@ ControlRange control_range(const Piece& piece, const PathPoint& here, const Path
   constexpr double kMore = 1.5;
   constexpr int kTries = 16;
   const bool curve = piece.count > 3;
-  Bounds bounds = bounds_at(piece, here, end, rest, x, curve ? kBetween : kRounding);
+  const Stretch stretch(piece, here, end, rest);
+  Bounds bounds = bounds_at(stretch, x, curve ? kBetween : kRounding);
   double more = kFirst;
   for (int i = 0; i < kTries && bounds.low.value(x) > bounds.high.value(x); ++i, more *= kMore)
-    bounds = raised_bounds(piece, here, end, rest, x, 1 + more);
+    bounds = raised_bounds(stretch, x, 1 + more);
   const double low = bounds.low.value(x);
   if (low > bounds.high.value(x)) {  // then no axis more than it has for σ'' alone
     const double most = even_braking(piece, here, end, 0);
@@ -117,7 +152,7 @@ ControlRange control_range(const Piece& piece, const PathPoint& here, const Path
   }
   ControlRange range{low, bounds.high.value(x), bounds.low.axis, bounds.high.axis, low};
   if (curve) {
-    const Bounds raised = raised_bounds(piece, here, end, rest, x, kToStay);
+    const Bounds raised = raised_bounds(stretch, x, kToStay);
     range.lowest = std::min(low, raised.low.value(x));
   }
   return range;
@@ -155,8 +190,9 @@ double reachable_square(const Piece& piece, double end_square, double cap) noexc
     return std::min(cap, end_square + 2 * straight_control(piece).most * length);
   const PathPoint here = piece.point(0);
   const PathPoint end = piece.point(length);
+  const Stretch stretch(piece, here, end, length);
   double x = cap;
-  each_row(piece, here, end, length, [&](const Row& row) {
+  stretch.each_row([&](const Row& row) {
     if (row.slope == 0 && row.bend != 0) x = std::min(x, row.most / std::abs(row.bend));
   });
   // The width of the range of u is concave in x and not below 0 at 0: from the right Newton's steps
@@ -164,7 +200,7 @@ double reachable_square(const Piece& piece, double end_square, double cap) noexc
   constexpr int kMostSteps = 40;
   constexpr double kBeside = 1 - 1e-9;
   for (int step = 0; step < kMostSteps; ++step) {
-    Bounds bounds = bounds_at(piece, here, end, length, x);
+    Bounds bounds = bounds_at(stretch, x);
     // x + 2·u·length <= end_square, and not below 0
     const Bound to_end{end_square, 1, 2 * length};
     if (to_end.value(x) < bounds.high.value(x)) bounds.high = to_end;

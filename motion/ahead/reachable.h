@@ -5,8 +5,8 @@
 namespace rob::motion {
 
 /// How σ'' may be chosen on a stretch of a piece that is entered with σ'² = x, so that every axis
-/// keeps its acceleration q_σ·u + q_σσ·σ'² at both of its ends, on a curve in the middle, too. On a
-/// straight piece or a parabola that is: everywhere on it. low > high: x is too fast.
+/// keeps its acceleration q_σ·u + q_σσ·σ'² at both of its ends, on a curve at some places between,
+/// too. On a straight piece or a parabola that is: everywhere on it. low > high: x is too fast.
 struct ControlRange {
   double low = 0;   ///< m/s²
   double high = 0;  ///< m/s²

@@ -1,8 +1,16 @@
 #include "motion/ahead/reference_average.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rob::motion {
+
+namespace {
+
+/// Of σ: what sums of a path's lengths leave.
+constexpr double kRounding = 1e-12;
+
+}  // namespace
 
 ReferenceAverage::ReferenceAverage(bool of_sigma, const PathRing& ring, const JointVector& start)
     : of_sigma_(of_sigma), ring_(ring), samples_(static_cast<std::size_t>(kMost)) {
@@ -28,9 +36,12 @@ void ReferenceAverage::begin_run(int periods, const Guide& guide) noexcept {
 }
 
 void ReferenceAverage::take(const Guide& guide) noexcept {
+  const double before = samples_[static_cast<std::size_t>(newest_)].sigma;
   newest_ = newest_ + 1 == periods_ ? 0 : newest_ + 1;
   samples_[static_cast<std::size_t>(newest_)] = sample_of(guide);
-  still_ = guide.stands() ? std::min(still_ + 1, periods_) : 0;
+  // A very short motion begins and ends within one period.
+  const bool stood = std::abs(guide.sigma() - before) <= kRounding * (1 + std::abs(before));
+  still_ = !guide.stands() ? 0 : stood ? std::min(still_ + 1, periods_) : 1;
   double sigma = 0;
   double rate = 0;
   for (int i = 0; i < periods_; ++i) {

@@ -118,3 +118,27 @@ TEST_CASE("braking evenly keeps the axes on all of a piece") {
     }
   }
 }
+
+TEST_CASE("where a bend rises from nothing the axes are held within the piece, too") {
+  // Axis 1 brakes with u = −1 at most; axis 2, q = s³/6, asks for x·s − 2.5·s² then: for x²/10, at
+  // s = x/5.
+  Piece piece;
+  piece.count = 4;
+  piece.length = 0.01;
+  for (int k = 0; k < 4; ++k) piece.terms[static_cast<std::size_t>(k)] = JointVector::Zero(2);
+  piece.terms[1][0] = 1;
+  piece.terms[3][1] = 1.0 / 6;
+  piece.acceleration = JointVector::Constant(2, 1);
+  for (double p = 0.42; p < 1; p += 0.01) {
+    CAPTURE(p);
+    const double exact = 5 * p * piece.length;
+    piece.acceleration[1] = exact * exact / 10;
+    const double x = reachable_square(piece, 1, 1);
+    CHECK(x >= exact * (1 - 1e-6));
+    CHECK(x * x / 10 <= 1.021 * piece.acceleration[1]);
+    const ControlRange range =
+        control_range(piece, piece.point(0), piece.point(piece.length), piece.length, x);
+    CHECK(range.low == doctest::Approx(-1).epsilon(1e-3));
+    CHECK(range.high == doctest::Approx(-1).epsilon(1e-2));
+  }
+}
