@@ -294,8 +294,8 @@ struct Program {
   bool surroundings = false;       ///< WITH or IN stand somewhere: routines may run in them
   /// Where END stands, or the end of the file if there is none.
   Place end;
-  std::size_t nodes = 0;                        ///< statements and expressions read so far
-  bool whole = true;                            ///< all that it USEs could be read
+  std::size_t nodes = 0;  ///< statements and expressions read so far
+  bool whole = true;      ///< all that it USEs could be read
   /// From this line on it is an entry of the prompt: what stands before has been executed, and its
   /// names may be declared anew. 0: it is a program.
   std::uint32_t entry = 0;
