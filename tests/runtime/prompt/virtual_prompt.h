@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "runtime/prompt/session.h"
@@ -20,7 +21,8 @@ class WrittenScreen final : public runtime::Screen {
 
 /// A prompt on the gantry, or another robot.
 struct VirtualPrompt {
-  explicit VirtualPrompt(const std::string& robot = "gantry") : session(options(robot), screen) {}
+  explicit VirtualPrompt(const std::string& robot = "gantry") : VirtualPrompt(options(robot)) {}
+  explicit VirtualPrompt(runtime::SessionOptions options) : session(std::move(options), screen) {}
   static runtime::SessionOptions options(const std::string& robot) {
     runtime::SessionOptions options;
     options.robot = robot;
