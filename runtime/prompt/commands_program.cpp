@@ -103,11 +103,11 @@ void begin_new(Session& session, const Words&) {
 
 namespace {
 
-/// A PRINT a line for those that can be printed, "x: length = 20mm".
+/// A PRINT a line for those that can be printed, "x = 20mm  // a length".
 std::string printing(const std::vector<lang::DeclaredName>& names) {
   std::string entry;
   for (const lang::DeclaredName& name : names)
-    entry += fmt::format("PRINT \"{0}: {1} = \", {0}\n", name.name, name.type);
+    entry += fmt::format("PRINT \"{0} = \", {0}, \"  // {1}\"\n", name.name, name.type);
   return entry;
 }
 
@@ -125,7 +125,7 @@ void variables(Session& session, const Words&) {
   std::ranges::sort(names, {}, &lang::DeclaredName::name);
   const auto unprintable = [&](const lang::DeclaredName& name) {
     const bool prints = session.text().compile(printing({name})).runnable();
-    if (!prints) session.screen().result(fmt::format("{}: {}\n", name.name, name.type));
+    if (!prints) session.screen().result(fmt::format("{}  // {}\n", name.name, name.type));
     return !prints;
   };
   LoadedProgram all = session.text().compile(printing(names));
