@@ -1,0 +1,60 @@
+// A prompt in real time: what is typed, what moves and what reports are threads of their own.
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/runtime/prompt/virtual_prompt.h"
+
+using namespace rob::runtime;
+using rob::test::VirtualPrompt;
+
+namespace {
+
+SessionOptions in_real_time() {
+  SessionOptions options = VirtualPrompt::options("gantry");
+  options.fast = false;
+  return options;
+}
+
+/// Waits, as a person does, until the robot is in this state; at most 20 s, on a loaded machine
+/// too.
+bool comes_to(Session& session, const std::string& state) {
+  for (int i = 0; i < 4000; ++i) {
+    session.let_pass();
+    if (session.state_text().starts_with("gantry " + state)) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a prompt moves, holds, goes on, stops and jogs in real time") {
+  VirtualPrompt prompt(in_real_time());
+  Session& session = prompt.session;
+  session.enter("VAR n = 20");
+  session.enter("MOVE(n * 1mm, 0, 0)");
+  CHECK(comes_to(session, "moving"));
+  session.enter(":hold");
+  CHECK(comes_to(session, "held"));
+  session.enter(":resume");
+  session.enter("PRINT n");
+  CHECK(comes_to(session, "moving"));
+  CHECK(session.interrupt());
+  session.finish();
+  CHECK(prompt.screen.messages.find("stopped by the operator") != std::string::npos);
+  session.dead_man().hold();
+  rob::lang::MoveCommand jog;
+  jog.kind = rob::lang::MotionKind::Jog;
+  jog.jog = rob::lang::JogFrame::Joint;
+  jog.count = 3;
+  jog.given = rob::lang::given_all(3);
+  jog.target[0] = 0.01;
+  session.jog(jog, session.dead_man().watch());
+  CHECK(comes_to(session, "jogging"));
+  session.dead_man().release();
+  session.finish();
+  CHECK(prompt.enter({"PRINT n + 1"}) == "21\n");
+  CHECK(session.worst() == ExitCode::Fault);  // of the stop
+}
