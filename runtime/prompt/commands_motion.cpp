@@ -67,7 +67,10 @@ void stop(Session& session, const Words&) { session.interrupt(); }
 void reset(Session& session, const Words&) { session.reset(); }
 
 void robot(Session& session, const Words& words) {
-  if (!words.empty()) return session.choose_robot(words.front(), std::nullopt);
+  if (!words.empty()) {
+    if (session.stands(":robot")) session.choose_robot(words.front(), std::nullopt);
+    return;
+  }
   const motion::RobotModel& model = session.robot().robot();
   session.screen().result(fmt::format("{}, law {}\n", model.name, motion::law_name(model.law)));
 }
@@ -76,7 +79,8 @@ void law(Session& session, const Words& words) {
   if (words.size() != 1 || (words[0] != "paul" && words[0] != "lookahead")) {
     return session.fail(":law takes paul or lookahead", "", ExitCode::Usage);
   }
-  session.choose_robot(session.robot().robot().name,
+  if (!session.stands(":law")) return;
+  session.choose_robot(session.chosen_robot(),
                        words[0] == "paul" ? motion::Law::Paul : motion::Law::LookAhead);
 }
 

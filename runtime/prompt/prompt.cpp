@@ -1,9 +1,13 @@
 #include "runtime/prompt/prompt.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
-#include <iostream>
+#include <cerrno>
+#include <cstring>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -25,19 +29,73 @@ class PlainScreen final : public Screen {
   void message(std::string_view text) override { put_message(text); }
 };
 
+/// A line longer than that is no statement of a person, nor of a program that writes them. [choice]
+constexpr std::size_t kMostLine = std::size_t{1} << 20U;
+
+/// The lines of standard input, as they come.
+class InputLines {
+ public:
+  /// None behind the last, where it cannot be read, and where the process shall end.
+  std::optional<std::string> next() {
+    std::size_t end = bytes_.find('\n');
+    while (end == std::string::npos) {
+      if (bytes_.size() > kMostLine) {
+        trouble_ = fmt::format("a line of more than {} bytes", kMostLine);
+        return std::nullopt;
+      }
+      const std::size_t before = bytes_.size();
+      if (!read_more()) {
+        if (bytes_.empty() || !trouble_.empty() || Interruption::requested()) return std::nullopt;
+        return std::exchange(bytes_, "");
+      }
+      end = bytes_.find('\n', before);
+    }
+    std::string line = bytes_.substr(0, end);
+    bytes_.erase(0, end + 1);
+    return line;
+  }
+  /// Why there is no further one; empty at the end of the input.
+  const std::string& trouble() const { return trouble_; }
+
+ private:
+  bool read_more() {
+    std::array<char, 65536> bytes;
+    for (;;) {
+      const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+      if (Interruption::requested() || count == 0) return false;
+      if (count > 0) {
+        bytes_.append(bytes.data(), static_cast<std::size_t>(count));
+        return true;
+      }
+      if (errno == EINTR) continue;
+      trouble_ = fmt::format("standard input cannot be read: {}", std::strerror(errno));
+      return false;
+    }
+  }
+
+  std::string bytes_;
+  std::string trouble_;
+};
+
 /// Lines from a pipe or a file: no prompt, no colours, and the exit code of the first error.
 ExitCode filter(Session& session, bool fast) {
+  InputLines lines;
   std::string entry;
-  std::string line;
-  while (!session.over() && !Interruption::requested() && std::getline(std::cin, line)) {
-    entry += entry.empty() ? line : "\n" + line;
-    if (session.enter(entry) == Session::Taken::Incomplete) continue;
+  while (!session.over() && !Interruption::requested()) {
+    const auto line = lines.next();
+    if (!line) break;
+    entry += entry.empty() ? *line : "\n" + *line;
+    const bool last = entry.size() > kMostLine;
+    if (session.enter(entry, last) == Session::Taken::Incomplete) continue;
     entry.clear();
     if (session.take_pendant()) session.fail("the pendant needs a terminal", "", ExitCode::Usage);
     session.carry_out_entries(fast ? 0 : kAhead);
   }
   if (!entry.empty()) session.enter(entry, true);
+  if (!lines.trouble().empty()) session.fail(lines.trouble(), "", ExitCode::InputOutput);
   session.finish();
+  if (session.asks() && !Interruption::requested())
+    session.fail("the input has ended, and nobody answers any more", "", ExitCode::Fault);
   return Interruption::requested() ? Interruption::exit_code() : session.worst();
 }
 

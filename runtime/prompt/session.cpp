@@ -259,7 +259,9 @@ void Session::choose_robot(const std::string& robot, std::optional<motion::Law> 
   SessionOptions options = options_;
   options.robot = robot;
   options.law = law;
-  const motion::RobotModel model = chosen(options);  // throws before anything is lost
+  motion::RobotModel model = chosen(options);  // throws before anything is lost
+  if (options.robot == options_.robot) model.start = robot_->channels().joints.load();
+  if (!text_->names().empty()) screen_->message("what was declared at the prompt is gone\n");
   robot_.reset();
   options_ = options;
   forget_unusable_points(model);

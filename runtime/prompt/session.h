@@ -88,7 +88,9 @@ class Session final : public Person {
   /// "error: …" and the way out; counts as one of the session.
   void fail(const std::string& message, const std::string& help = "",
             ExitCode code = ExitCode::ProgramError);
-  /// Another robot, or the same one under another law: only while this one stands.
+  /// As it was asked for: a name or a file; empty: the gantry.
+  const std::string& chosen_robot() const { return options_.robot; }
+  /// Another robot, or the same one, where it stands, under another law: only at rest.
   void choose_robot(const std::string& robot, std::optional<motion::Law> law);
   void reset();
   /// Enter, where HALT waits.

@@ -53,10 +53,26 @@ TEST_CASE("END in a pipe is STOP, and :quit leaves the rest unread") {
   CHECK(piped("MOVE(40,0,0)\nEND\nPRINT 1\n:quit\nPRINT 2\n").out == "1\n");
 }
 
+TEST_CASE("what is no text of statements is refused, and ends nothing but the prompt") {
+  const ProcessResult endless =
+      run_process({"/bin/sh", "-c", "exec \"" ROB_BINARY "\" --fast < /dev/zero"});
+  CHECK(endless.exit_code == 74);
+  CHECK(endless.err == "error: a line of more than 1048576 bytes\n");
+  const ProcessResult folder = run_process({"/bin/sh", "-c", "exec \"" ROB_BINARY "\" --fast < /"});
+  CHECK(folder.exit_code == 74);
+  CHECK(folder.err.starts_with("error: standard input cannot be read: "));
+  const ProcessResult unanswered = piped("HALT \"go on?\"\n");
+  CHECK(unanswered.exit_code == 70);
+}
+
 TEST_CASE("a pipe runs under the robot and the law that it is given") {
   const ProcessResult result = piped(":robot\n", "--fast --robot irb120");
   CHECK(result.out == "irb120, law paul\n");
   CHECK(piped(":law lookahead\n:robot\n").out == "gantry, law lookahead\n");
+  // The same robot stands where it stood.
+  const ProcessResult law = piped("VAR n = 1\nMOVE(40,40,0)\n:law lookahead\nPRINT HERE\n");
+  CHECK(law.out == "POSE(40mm, 40mm, 0mm, 0deg, 0deg, 0deg)\n");
+  CHECK(law.err == "what was declared at the prompt is gone\n");
   CHECK(piped("PRINT 1\n", "--fast --robot nobody").exit_code == 65);
   const ProcessResult other = piped(":robot nobody\nPRINT 1\n");
   CHECK(other.out == "1\n");

@@ -110,6 +110,17 @@ TEST_CASE("a WHEN of the prompt stays armed from entry to entry") {
   CHECK(prompt.enter({"PRINT DOUT[2]"}) == "TRUE\n");
 }
 
+TEST_CASE("another law is for a robot at rest") {
+  Prompt prompt;
+  prompt.session.enter("MOVE(100,0,0)");
+  for (int i = 0; i < 100; ++i) prompt.session.let_pass();
+  prompt.session.enter(":law lookahead");
+  CHECK(prompt.screen.messages ==
+        "error: :law needs a robot at rest; it is busy\nhelp: wait for it, or :stop it\n");
+  prompt.session.finish();
+  CHECK(prompt.session.state_text() == "gantry idle (100, 0, 0)");
+}
+
 TEST_CASE("an unknown command is told with the nearest one") {
   Prompt prompt;
   prompt.session.enter(":wher");
