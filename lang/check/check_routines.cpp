@@ -42,7 +42,7 @@ void StatementChecker::check(Program& program) {
 
 void StatementChecker::declare(const Routine& routine) {
   const Symbol* const earlier = scopes_.find_innermost(routine.name);
-  if (earlier != nullptr && !may_be_anew()) {
+  if (earlier != nullptr && !may_be_anew(Symbol::Kind::Routine, *earlier)) {
     diagnostics_.error(code::kDeclaredTwice, routine.name_place,
                        fmt::format("{} is already declared, in line {}", shortened(routine.name),
                                    earlier->place.line),

@@ -37,7 +37,7 @@ bool StatementChecker::take_memory_use() {
 
 void StatementChecker::warn_of_name(Symbol::Kind kind, const std::string& name, Place place) {
   if (const Symbol* const earlier = scopes_.find_innermost(name)) {
-    if (may_be_anew()) return;
+    if (may_be_anew(kind, *earlier)) return;
     diagnostics_.error(
         code::kDeclaredTwice, place,
         fmt::format("{} is already declared, in line {}", shortened(name), earlier->place.line),

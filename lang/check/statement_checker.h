@@ -52,8 +52,14 @@ class StatementChecker {
     int rescues = 0;                   ///< RESCUE blocks open
   };
 
-  /// At the prompt what is declared last holds.
-  bool may_be_anew() const { return entry_ != 0 && scopes_.at_top_level(); }
+  /// At the prompt the last routine of a name holds, and the last of what has a value. Types stay:
+  /// there are values of them.
+  bool may_be_anew(Symbol::Kind kind, const Symbol& earlier) const {
+    using Kind = Symbol::Kind;
+    const bool alike = (kind == Kind::Routine) == (earlier.kind == Kind::Routine);
+    const bool types = kind == Kind::Record || earlier.kind == Kind::Record;
+    return entry_ != 0 && scopes_.at_top_level() && alike && !types;
+  }
   /// A block is a scope: what it declares lives to its end.
   void check(Block& block) {
     const Slots declared = inside_.declared;

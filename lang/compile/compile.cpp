@@ -1,8 +1,8 @@
 #include "lang/compile/compile.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "lang/check/checker.h"
 #include "lang/compile/compiler.h"
@@ -49,18 +49,12 @@ std::vector<DeclaredName> names_of(const CheckedProgram& checked) {
 
 /// Whether what stands from the entry on has to stay.
 bool lasts(const Program& program) {
-  const auto declares = [](const Statement& statement) {
-    return std::visit(
-        []<typename Node>(const Node&) {
-          return std::is_same_v<Node, Declaration> || std::is_same_v<Node, SignalDeclaration> ||
-                 std::is_same_v<Node, PointDeclaration> || std::is_same_v<Node, Use> ||
-                 std::is_same_v<Node, RecordDeclaration> || std::is_same_v<Node, When>;
-        },
-        statement.node);
+  const auto stays = [](const Statement& statement) {
+    return declares(statement) || std::holds_alternative<When>(statement.node);
   };
   const auto is_new = [&](const auto& one) { return one.place.line >= program.entry; };
   return std::ranges::any_of(program.statements,
-                             [&](const Statement& one) { return is_new(one) && declares(one); }) ||
+                             [&](const Statement& one) { return is_new(one) && stays(one); }) ||
          std::ranges::any_of(program.routines, [&](const Routine& one) {
            return !one.handler && one.place.file == 0 && is_new(one);
          });

@@ -23,6 +23,8 @@ std::vector<std::string> signal_names(const RobotSignature& robot) {
   return names;
 }
 
+}  // namespace
+
 bool declares(const Statement& statement) {
   return std::visit(
       []<typename Node>(const Node&) {
@@ -32,8 +34,6 @@ bool declares(const Statement& statement) {
       },
       statement.node);
 }
-
-}  // namespace
 
 StatementCompiler::StatementCompiler(const CheckedProgram& checked, const RobotSignature& robot)
     : program_(checked.program),

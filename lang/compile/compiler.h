@@ -9,6 +9,9 @@
 
 namespace rob::lang {
 
+/// Whether it gives a name at its level a meaning.
+bool declares(const Statement& statement);
+
 /// Turns a program that was checked without errors into code. Fails, with a message, only where a
 /// limit of the code is exceeded.
 std::optional<Chunk> generate(const CheckedProgram& checked, const RobotSignature& robot,

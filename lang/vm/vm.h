@@ -87,7 +87,7 @@ class Vm {
   /// are for it as for a program.
   Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memory,
      std::uint64_t seed);
-  /// For entries of the prompt: it is done until go_on_with() gives it one.
+  /// For entries of the prompt, which go_on_with() gives it.
   explicit Vm(Machine& machine, std::uint64_t seed = Random::kDefaultSeed);
   Vm(const Vm&) = delete;
   Vm& operator=(const Vm&) = delete;
@@ -97,6 +97,7 @@ class Vm {
   void go_on_with(const Chunk& chunk);
   /// Behind an entry that has Failed, until Done: leaves all that it has opened.
   Reply give_up_entry();
+  void forget_whens();  ///< the machine has disarmed them all
 
   /// Instead of the program: its declarations, then one of Chunk::tests. Before the first run().
   void choose_test(std::size_t test);
@@ -114,8 +115,8 @@ class Vm {
   /// Something went wrong while the program was waiting: it fails with this error where it is.
   void interrupt(RuntimeError error);
 
-  /// A WHEN, as its Machine has numbered it, has come true: its handler begins, before the program
-  /// goes on, and commands `machine`.
+  /// A WHEN, by the number of its Machine, has come true: its handler begins and commands
+  /// `machine`.
   void handle(int when, Machine& machine);
   /// Whether a handler may begin: none is running, and the program neither is over nor goes wrong.
   bool takes_handlers() const;
@@ -260,7 +261,7 @@ class Vm {
   const Chunk* chunk_;
   Machine* machine_;
   bool entries_ = false;        ///< of the prompt
-  std::size_t kept_whens_ = 0;  ///< armed before the present one
+  std::size_t kept_whens_ = 0;  ///< armed by those that are done
   /// What a call comes back to.
   struct Frame {
     Code back;

@@ -41,11 +41,11 @@ void Vm::go_on_with(const Chunk& chunk) {
   next_ = latch_ = chunk.code.data();
   memory_ = {};
   turned_ = false;
-  kept_whens_ = armed_count_;
   state_ = State::Running;
 }
 
 Reply Vm::give_up_entry() {
+  if (handling_) abandon_handler();
   const int at = line(next_);
   if (const Reply reply = end_presses(at, 0); reply != Reply::Done) return reply;
   leave_settings(at, 0);
@@ -57,5 +57,7 @@ Reply Vm::give_up_entry() {
   state_ = State::Done;
   return Reply::Done;
 }
+
+void Vm::forget_whens() { armed_count_ = kept_whens_ = 0; }
 
 }  // namespace rob::lang

@@ -282,6 +282,7 @@ Vm::Step Vm::step(Code pc) {
       return raise_again(pc);
     case Opcode::end:
       if (!entries_) ROB_ASK(machine_->end(line(pc)), pc);
+      kept_whens_ = armed_count_;
       return leave(pc + 1, pc, State::Done);
     default:  // of the dispatch loop
       return pc;

@@ -1,5 +1,6 @@
 #include "runtime/control/entry_task.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace rob::runtime {
@@ -64,7 +65,10 @@ void EntryTask::begin(const Statements& statements) {
   vm_.go_on_with(*statements.chunk);
 }
 
+/// Their handlers are not the program's.
 void EntryTask::begin(const Program& program) {
+  machine_.disarm_all(static_cast<int>(entry_->line));  // at rest: there is room
+  vm_.forget_whens();
   program_.emplace(*program.chunk, machine_, program.seed);
   machine_.channels().hold_points.begin_behind(machine_.last_number());
 }
@@ -95,6 +99,7 @@ EntryTask::State EntryTask::go_on(const Program& program, std::int64_t budget) {
   failing_ = program_->failure();
   program_.reset();
   run_last_ = program.chunk;  // a guard may point into it
+  watching_.clear();          // the disarming is done
   machine_.declare_safe(present_ ? present_->safe_values : std::vector<lang::SafeValue>{});
   machine_.channels().hold_points.end_with(machine_.last_number());
   given_up_ = true;
@@ -127,9 +132,15 @@ EntryTask::State EntryTask::end_failed() {
   if (machine_.settle(line) != Reply::Done) return State::Waiting;
   if (machine_.take_safe_values() != Reply::Done) return State::Waiting;
   const std::lock_guard lock(mutex_);
-  failures_.push_back({static_cast<std::uint32_t>(line), std::move(*failing_)});
+  Failure failure{static_cast<std::uint32_t>(line), 0, 0, queue_.size(), std::move(*failing_)};
+  if (entry_) queue_.push_front(std::move(*entry_));
+  if (!queue_.empty()) {
+    failure.first = queue_.front().line;
+    failure.last = std::max(queue_.back().line, queue_.back().end);
+  }
+  failures_.push_back(std::move(failure));
   failing_.reset();
-  open_.fetch_sub(queue_.size() + (entry_ ? 1 : 0), std::memory_order_release);
+  open_.fetch_sub(queue_.size(), std::memory_order_release);
   queue_.clear();
   entry_.reset();
   given_up_ = jogs_ = false;

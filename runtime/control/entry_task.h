@@ -42,10 +42,15 @@ class EntryTask {
   struct Entry {
     std::uint32_t line = 0;  ///< where it stands in the text
     std::variant<Statements, Program, Jog> what;
+    std::uint32_t end = 0;  ///< its last line, where it has several
   };
   /// An entry that has ended by an error.
   struct Failure {
-    std::uint32_t line = 0;
+    std::uint32_t line = 0;  ///< 0: between two entries
+    // The lines of it and of those behind it that are dropped for it; 0: there are none.
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+    std::size_t dropped = 0;
     lang::RuntimeError error;
   };
 

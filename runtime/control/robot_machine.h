@@ -80,6 +80,8 @@ class RobotMachine final : public lang::Machine {
   /// The robot stays under control behind the end of a program; and Channels::stop_requested is
   /// obeyed as a WHEN that raises. Before anything else is commanded.
   void stay();
+  /// Every WHEN; false while there is no room for that.
+  bool disarm_all(int line);
   /// Further ones, behind those that have been declared.
   void declare_safe_behind(std::span<const lang::SafeValue> values);
   /// An entry has failed: outputs take them.
@@ -371,7 +373,6 @@ class RobotMachine final : public lang::Machine {
 
   // At a prompt
   lang::RuntimeError stopped();
-  bool disarm_all(int line);
   bool stays_ = false;
   motion::WatchedAction stopping_;  ///< Channels::stop_requested
   motion::Watch held_;              ///< of the jog that is queued now, instead of until_

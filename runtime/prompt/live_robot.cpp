@@ -1,5 +1,7 @@
 #include "runtime/prompt/live_robot.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <utility>
 
@@ -29,7 +31,12 @@ LiveRobot::LiveRobot(motion::RobotModel robot, LiveOptions options, LiveReports:
   begin();
 }
 
-LiveRobot::~LiveRobot() { end(); }
+LiveRobot::~LiveRobot() {
+  end();
+  if (trace_ && !trace_->close() && listener_.tell)
+    listener_.tell(fmt::format("the trace '{}' is incomplete: {} rows are lost; is the disk full?",
+                               options_.trace, trace_->lost()));
+}
 
 void LiveRobot::begin() {
   controller_ =

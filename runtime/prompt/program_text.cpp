@@ -61,8 +61,10 @@ void ProgramText::record(std::string_view text, std::uint32_t entry) {
   for (std::string& line : split_lines(text)) lines_.push_back({std::move(line), entry});
 }
 
-void ProgramText::take_back(std::uint32_t entry) {
-  const auto failed = [&](const Line& line) { return line.entry >= entry && line.entry != 0; };
+void ProgramText::take_back(std::uint32_t first, std::uint32_t last) {
+  const auto failed = [&](const Line& line) {
+    return line.entry != 0 && line.entry >= first && line.entry <= last;
+  };
   if (std::ranges::none_of(lines_, failed)) return;
   begin_edit();
   std::erase_if(lines_, failed);

@@ -27,8 +27,8 @@ class ProgramText {
 
   /// What was typed at the prompt as the entry that begins in its line `entry`, at the end.
   void record(std::string_view text, std::uint32_t entry);
-  /// The entries from this one on have failed: what was recorded of them goes.
-  void take_back(std::uint32_t entry);
+  /// The entries of these lines have failed: what was recorded of them goes.
+  void take_back(std::uint32_t first, std::uint32_t last);
 
   /// False if there is nothing to undo, or to do again.
   bool undo();

@@ -7,9 +7,9 @@
 
 #include <array>
 #include <cerrno>
-#include <csignal>
 
 #include "runtime/program/files.h"
+#include "runtime/prompt/terminal_guard.h"
 
 namespace rob::runtime {
 
@@ -17,13 +17,9 @@ namespace {
 
 /// The other screen, no cursor; and back, with the keyboard as it was (key_reader.h).
 constexpr std::string_view kEnter = "\x1b[?1049h\x1b[?25l";
-constexpr std::string_view kLeave = "\x1b[<u\x1b[?25h\x1b[?1049l";
-
-/// By these a process ends that has gone wrong.
-constexpr std::array kCrashes = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+constexpr const char* kLeave = "\x1b[<u\x1b[?25h\x1b[?1049l";
 
 termios before{};
-std::array<struct sigaction, kCrashes.size()> handlers_before{};
 
 void put(std::string_view text) {
   while (!text.empty()) {
@@ -32,20 +28,6 @@ void put(std::string_view text) {
     if (written <= 0) return;  // the terminal is gone: read() says so
     text.remove_prefix(static_cast<std::size_t>(written));
   }
-}
-
-void give_back() {
-  put(kLeave);
-  ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &before);
-}
-
-/// What it calls may be called in a handler. Who was there before has the signal next.
-void give_back_and_end(int signal) {
-  give_back();
-  for (std::size_t i = 0; i < kCrashes.size(); ++i) {
-    if (kCrashes[i] == signal) ::sigaction(signal, &handlers_before[i], nullptr);
-  }
-  std::raise(signal);
 }
 
 winsize size_of_terminal() {
@@ -63,18 +45,14 @@ RawTerminal::RawTerminal() {
   ::cfmakeraw(&raw);
   raw.c_lflag |= ISIG;  // Ctrl-C stays what it is
   ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &raw);
-  for (std::size_t i = 0; i < kCrashes.size(); ++i) {
-    struct sigaction action {};
-    action.sa_handler = give_back_and_end;
-    ::sigaction(kCrashes[i], &action, &handlers_before[i]);
-  }
+  TerminalGuard::send_at_end(kLeave);
   put(kEnter);
 }
 
 RawTerminal::~RawTerminal() {
-  give_back();
-  for (std::size_t i = 0; i < kCrashes.size(); ++i)
-    ::sigaction(kCrashes[i], &handlers_before[i], nullptr);
+  TerminalGuard::send_at_end(nullptr);
+  put(kLeave);
+  ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &before);
 }
 
 std::optional<std::string> RawTerminal::read(int milliseconds) {

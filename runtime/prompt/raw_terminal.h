@@ -7,8 +7,8 @@
 namespace rob::runtime {
 
 /// The terminal on standard input and output for a whole screen: no echo, no lines, its other
-/// screen. The destructor gives it back as it was, and so do the ends of the process by a fault or
-/// an abort. One object at a time.
+/// screen. The destructor gives it back as it was; at a crash a TerminalGuard does, which has to
+/// live meanwhile. One object at a time.
 class RawTerminal {
  public:
   /// Throws FileError where there is no terminal.

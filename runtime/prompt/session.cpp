@@ -75,7 +75,7 @@ Session::Session(SessionOptions options, Screen& screen)
   const motion::RobotModel robot = chosen(options_);
   forget_unusable_points(robot);
   begin_text(robot);
-  robot_ = live(robot, options_.trace);
+  robot_ = live(robot);
   take_points();
 }
 
@@ -87,13 +87,13 @@ void Session::begin_text(const motion::RobotModel& robot) {
   points_.clear();
 }
 
-std::unique_ptr<LiveRobot> Session::live(const motion::RobotModel& robot, std::string trace) {
+std::unique_ptr<LiveRobot> Session::live(const motion::RobotModel& robot) {
   LiveOptions options;
   options.fast = options_.fast;
   options.override_share = options_.override_share;
   options.seed = options_.seed;
   options.points_file = options_.points_file;
-  options.trace = std::move(trace);
+  options.trace = options_.trace;
   options.ended = options_.ended;
   return std::make_unique<LiveRobot>(robot, std::move(options), listener(), this);
 }
@@ -168,7 +168,7 @@ bool Session::submit(const std::string& entry, LoadedProgram compiled) {
     return false;
   }
   auto chunk = std::make_shared<const lang::Chunk>(std::move(*compiled.compilation.chunk));
-  robot_->submit({line, EntryTask::Statements{std::move(chunk)}});
+  robot_->submit({line, EntryTask::Statements{std::move(chunk)}, text_->line() - 1});
   return true;
 }
 
@@ -193,13 +193,10 @@ void Session::take_failures() {
   while (const auto failure = robot_->take_failure()) {
     asks_ = false;  // whatever asked has ended
     const lang::RuntimeError& error = failure->error;
-    const std::uint32_t line = failure->line == 0 ? text_->line() : failure->line;
-    text_->forget_from(line);
-    workshop_.program.take_back(line);
-    points_.clear();  // some may not have been declared
+    forget(*failure);
     if (worst_ == ExitCode::Done) worst_ = ExitCode::Fault;
     if (error.code == code::kStopped) {
-      screen_->message(error.message + "; what was typed ahead is dropped\n");
+      screen_->message(error.message + "; what was not done yet is dropped\n");
       continue;
     }
     const lang::Diagnostic told{lang::Severity::Error, error.code, error.place, error.message,
@@ -209,6 +206,17 @@ void Session::take_failures() {
                                         : lang::render(told, run->second.file, run->second.source,
                                                        run->second.used));
   }
+}
+
+/// The entry that failed, and those behind it that were not carried out for that.
+void Session::forget(const EntryTask::Failure& failure) {
+  if (failure.dropped > 0)
+    screen_->message(fmt::format("dropped, typed ahead: {} {}\n", failure.dropped,
+                                 failure.dropped == 1 ? "entry" : "entries"));
+  if (failure.last == 0) return;
+  text_->forget(failure.first, failure.last);
+  workshop_.program.take_back(failure.first, failure.last);
+  points_.clear();  // some may not have been declared
 }
 
 void Session::wait_while(const std::function<bool()>& waits) {
@@ -262,11 +270,14 @@ void Session::choose_robot(const std::string& robot, std::optional<motion::Law> 
   motion::RobotModel model = chosen(options);  // throws before anything is lost
   if (options.robot == options_.robot) model.start = robot_->channels().joints.load();
   if (!text_->names().empty()) screen_->message("what was declared at the prompt is gone\n");
+  if (!options_.trace.empty())
+    screen_->message(fmt::format("the trace '{}' ends here\n", options_.trace));
   robot_.reset();
+  options.trace.clear();
   options_ = options;
   forget_unusable_points(model);
   begin_text(model);
-  robot_ = live(model, "");
+  robot_ = live(model);
   take_points();
 }
 

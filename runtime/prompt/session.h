@@ -133,8 +133,9 @@ class Session final : public Person {
   void answer(const std::string& text);
   void wait_while(const std::function<bool()>& waits);
   LiveReports::Listener listener();
-  std::unique_ptr<LiveRobot> live(const motion::RobotModel& robot, std::string trace);
+  std::unique_ptr<LiveRobot> live(const motion::RobotModel& robot);
   void take_failures();
+  void forget(const EntryTask::Failure& failure);
   void tell(const LoadedProgram& compiled, std::uint32_t line);
 
   SessionOptions options_;

@@ -53,10 +53,12 @@ void SessionText::keep(std::string_view entry, const LoadedProgram& compiled) {
   if (stays) names_ = compiled.compilation.names;
 }
 
-void SessionText::forget_from(std::uint32_t line) {
-  std::for_each(lines_.begin() + std::min<std::ptrdiff_t>(line - 1, std::ssize(lines_)),
-                lines_.end(), [](std::string& one) { one.clear(); });
-  std::erase_if(names_, [&](const lang::DeclaredName& one) { return one.place.line >= line; });
+void SessionText::forget(std::uint32_t first, std::uint32_t last) {
+  for (std::size_t line = first; line <= last && line <= lines_.size(); ++line)
+    lines_[line - 1].clear();
+  std::erase_if(names_, [&](const lang::DeclaredName& one) {
+    return one.place.line >= first && one.place.line <= last;
+  });
 }
 
 /// Its line goes on declaring something under another name: what is declared behind keeps its place

@@ -29,8 +29,8 @@ class SessionText {
   LoadedProgram compile(std::string_view entry) const;
   /// The entry has been taken, or refused: the next one begins on the line behind it.
   void keep(std::string_view entry, const LoadedProgram& compiled);
-  /// What was declared from this line on is forgotten: its entry has not been carried out.
-  void forget_from(std::uint32_t line);
+  /// What was declared on these lines is forgotten: their entries have not been carried out.
+  void forget(std::uint32_t first, std::uint32_t last);
 
   /// A line that declares nothing: a command that is carried out as an entry.
   void pass_line() { lines_.emplace_back(); }

@@ -3,6 +3,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <string_view>
@@ -16,9 +17,15 @@ constexpr int kCrashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
 // A signal handler can reach nothing but these.
 termios found{};
 volatile std::sig_atomic_t changed = 0;
+std::atomic<const char*> parting{nullptr};
+
+void send(std::string_view text) {
+  if (write(STDOUT_FILENO, text.data(), text.size()) < 0) changed = 0;  // the terminal is gone
+}
 
 void give_back() {
   if (changed == 0) return;
+  if (const char* const text = parting.exchange(nullptr)) send(text);
   changed = 0;
   tcsetattr(STDIN_FILENO, TCSANOW, &found);
 }
@@ -30,12 +37,14 @@ void give_back_and_die(int signal) {
   if (was_changed) {
     // A paste is no longer marked; the shell goes on in a line of its own.
     constexpr std::string_view kPlain = "\033[?2004l\r\n";
-    if (write(STDOUT_FILENO, kPlain.data(), kPlain.size()) < 0) changed = 0;
+    send(kPlain);
   }
   raise(signal);
 }
 
 }  // namespace
+
+void TerminalGuard::send_at_end(const char* text) { parting = text; }
 
 TerminalGuard::TerminalGuard() {
   changed = tcgetattr(STDIN_FILENO, &found) == 0 ? 1 : 0;

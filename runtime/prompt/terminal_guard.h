@@ -9,6 +9,8 @@ class TerminalGuard {
  public:
   TerminalGuard();
   ~TerminalGuard();
+  /// What the terminal is sent then, before its modes are given back; null: nothing. It stays.
+  static void send_at_end(const char* text);
   TerminalGuard(const TerminalGuard&) = delete;
   TerminalGuard& operator=(const TerminalGuard&) = delete;
 };

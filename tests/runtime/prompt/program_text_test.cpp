@@ -52,8 +52,8 @@ TEST_CASE("what was recorded of entries that failed is taken back, and nothing e
   program.record("one\n  more", 3);
   program.record("two", 5);
   program.record("three", 6);
-  program.take_back(5);
+  program.take_back(5, 9);
   CHECK(program.text() == "typed\none\n  more\n");
-  program.take_back(4);
+  program.take_back(4, 9);
   CHECK(program.text() == "typed\none\n  more\n");
 }

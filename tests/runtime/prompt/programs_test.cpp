@@ -67,6 +67,17 @@ TEST_CASE("the program is edited by line numbers, and edits are undone") {
   CHECK(prompt.said() == "the program in memory is empty\n");
 }
 
+TEST_CASE(":run begins without the WHENs of the prompt, and its own end with it") {
+  const ScratchFolder folder;
+  PipedPrompt prompt(folder);
+  CHECK(prompt.enter({"WHEN DOUT[1] DO\n  PRINT \"of the prompt\"\nENDWHEN",
+                      ":insert 1 WHEN DOUT[2] : DOUT[3] = ON", ":insert 2 DOUT[1] = ON",
+                      ":insert 3 WAIT 0.1s", ":insert 4 DOUT[2] = ON", ":insert 5 WAIT 0.1s",
+                      ":insert 6 PRINT DOUT[3]", ":run"}) == "TRUE\n");
+  CHECK(prompt.enter({"DOUT[1] = OFF", "DOUT[2] = OFF", "DOUT[3] = OFF", "WAIT 0.1s",
+                      "DOUT[2] = ON", "DOUT[1] = ON", "WAIT 0.1s", "PRINT DOUT[3]"}) == "FALSE\n");
+}
+
 TEST_CASE(":run carries out the program, with variables of its own") {
   const ScratchFolder folder;
   PipedPrompt prompt(folder);

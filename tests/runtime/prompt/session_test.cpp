@@ -144,3 +144,53 @@ TEST_CASE("a TASK is refused with the way out") {
         "error: a TASK runs beside a program, not at the prompt\n"
         "help: put it into a program; :load and :run it\n");
 }
+
+TEST_CASE("a WHEN that was the last entry stays armed when the operator stops a jog") {
+  Prompt prompt;
+  prompt.enter({"WHEN DOUT[1] : DOUT[2] = ON"});
+  rob::lang::MoveCommand jog;
+  jog.kind = rob::lang::MotionKind::Jog;
+  jog.jog = rob::lang::JogFrame::Joint;
+  jog.count = 3;
+  jog.given = rob::lang::given_all(3);
+  jog.target[0] = 0.01;
+  prompt.session.dead_man().hold();
+  prompt.session.jog(jog, prompt.session.dead_man().watch());
+  for (int i = 0; i < 100; ++i) prompt.session.let_pass();
+  REQUIRE(prompt.session.interrupt());
+  prompt.session.finish();
+  CHECK(prompt.enter({"DOUT[1] = ON", "WAIT 0.1s", "PRINT DOUT[2]"}) == "TRUE\n");
+}
+
+TEST_CASE("behind an error in a handler the prompt goes on") {
+  Prompt prompt;
+  prompt.enter({"VAR zero = 0", "WHEN DOUT[1] DO\n  PRINT 1 DIV zero\nENDWHEN", "DOUT[1] = ON",
+                "WAIT 0.1s"});
+  CHECK(prompt.screen.messages.find("error[E302]") != std::string::npos);
+  CHECK(prompt.enter({"MOVE(40,0,0)", "STOP", "PRINT HERE"}) ==
+        "POSE(40mm, 0mm, 0mm, 0deg, 0deg, 0deg)\n");
+}
+
+TEST_CASE("an entry that fails tells how many behind it are dropped, and their names are free") {
+  Prompt prompt;
+  prompt.session.enter("MOVE(40,0,0)");
+  prompt.session.enter("RAISE \"enough\"");
+  prompt.session.enter("VAR n = 1");
+  prompt.session.enter("PROC f()\n  PRINT 1\nENDPROC");
+  prompt.session.finish();
+  CHECK(prompt.screen.messages.starts_with("dropped, typed ahead: 2 entries\n"));
+  prompt.session.enter("PRINT n");
+  CHECK(prompt.screen.messages.find("error[E201]") != std::string::npos);
+  CHECK(prompt.enter({"VAR n = 2", "PRINT n"}) == "2\n");
+}
+
+TEST_CASE("a type is not declared anew, nor a routine where there is a value") {
+  Prompt prompt;
+  prompt.enter({"RECORD r\n  x: INT\nENDRECORD", "VAR a = 3"});
+  prompt.session.enter("RECORD r\n  y: LENGTH\nENDRECORD");
+  CHECK(prompt.screen.messages.find("error[E202]: r is already declared") != std::string::npos);
+  prompt.screen.messages.clear();
+  prompt.session.enter("FUNC a(): INT\n  RETURN 4\nENDFUNC");
+  CHECK(prompt.screen.messages.find("error[E202]: a is already declared") != std::string::npos);
+  CHECK(prompt.enter({"PRINT a, r(x: 1)"}) == "3r(x: 1)\n");
+}
