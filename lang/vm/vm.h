@@ -93,7 +93,7 @@ class Vm {
   Vm& operator=(const Vm&) = delete;
 
   /// The next entry of the prompt, compiled behind all that it can name: variables keep their
-  /// values, and WHENs of the top level stay armed. The entry before is done; its chunk stays, too.
+  /// values, and WHENs of the top level stay armed. The chunk of the entry before stays, too.
   void go_on_with(const Chunk& chunk);
   /// Behind an entry that has Failed, until Done: leaves all that it has opened.
   Reply give_up_entry();
@@ -257,7 +257,6 @@ class Vm {
   std::size_t index(Code pc) const { return static_cast<std::size_t>(pc - chunk_->code.data()); }
 
   static constexpr std::intptr_t kWord = sizeof(Instruction);
-
   const Chunk* chunk_;
   Machine* machine_;
   bool entries_ = false;        ///< of the prompt

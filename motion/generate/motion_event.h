@@ -9,7 +9,7 @@ namespace rob::motion {
 /// What motion tells those above, in order of time. Fixed size; texts are made above.
 struct MotionEvent {
   enum class Kind : std::uint8_t {
-    SegmentStarted,  ///< tag; number
+    SegmentStarted,  ///< tag; number; value: 1 if it has a way to go
     DecisionPoint,   ///< tag; number: what follows this motion has to be known by now; told under
                      ///< the look-ahead law, where it is not known beforehand
     EffectDue,       ///< effect
@@ -30,6 +30,8 @@ struct MotionEvent {
                      ///< segment's time that is done, 0…1
     JogStopped,      ///< axis: a jog goes no further, since this axis is near the end of its way;
                      ///< −1: the arm is near a singular place, or the end of its reach
+    WentBack,        ///< tag: the axes stand where this motion had begun; 0: on the way there
+    NoWayBack,       ///< what is recorded of their way begins where they stand
     Overrun,         ///< the tick came too late to be made up; value: how late, s
     Fault            ///< axis: its reference was no number; it has not been handed out
   };

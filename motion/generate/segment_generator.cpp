@@ -149,7 +149,11 @@ bool SegmentGenerator::take_up(const SegmentDescriptor& next, double instant) no
   }
   next.dwell ? begin_dwell(next, instant) : begin(next, instant);
   running_ = true;
-  tell({.kind = Kind::SegmentStarted, .time = instant, .tag = next.tag, .number = next.number});
+  tell({.kind = Kind::SegmentStarted,
+        .time = instant,
+        .tag = next.tag,
+        .number = next.number,
+        .value = next.no_length ? 0.0 : 1.0});
   return true;
 }
 

@@ -51,7 +51,8 @@ void SegmentGenerator::begin_jog(const SegmentDescriptor& segment, double instan
   tell({.kind = Kind::SegmentStarted,
         .time = instant,
         .tag = segment.tag,
-        .number = segment.number});
+        .number = segment.number,
+        .value = 1});
   pop_segment();
 }
 

@@ -14,6 +14,7 @@
 #include "runtime/control/latest_joints.h"
 #include "runtime/control/operator_panel.h"
 #include "runtime/control/safe_values.h"
+#include "runtime/control/way_back.h"
 
 namespace rob::runtime {
 
@@ -116,9 +117,10 @@ struct Channels {
   // At a prompt, main → motion:
   std::atomic<bool> pause_requested{false};  ///< stand on the path until it is withdrawn
   HoldPoints hold_points;                    ///< where motion asks for that by itself
-  std::atomic<bool> stop_requested{false};   ///< brake, and drop all that was commanded
-  std::atomic<double> override_asked{0};     ///< once each; 0: none
-  std::atomic<std::int64_t> lost{0};         ///< snapshots that found their ring full
+  WayBack way_back;
+  std::atomic<bool> stop_requested{false};  ///< brake, and drop all that was commanded
+  std::atomic<double> override_asked{0};    ///< once each; 0: none
+  std::atomic<std::int64_t> lost{0};        ///< snapshots that found their ring full
 };
 
 }  // namespace rob::runtime

@@ -14,7 +14,7 @@ constexpr std::size_t kHandlersPieces = 2048;
 
 Controller::Controller(const motion::RobotModel& robot,
                        std::unique_ptr<motion::ServoBackend> backend, double override_share,
-                       const std::vector<SimulationRule>& script)
+                       const std::vector<SimulationRule>& script, std::size_t recorded)
     : robot_(robot),
       backend_(std::move(backend)),
       chain_(robot, kPieces),
@@ -23,7 +23,7 @@ Controller::Controller(const motion::RobotModel& robot,
       handlers_machine_(robot, handlers_chain_.planner, handlers_chain_.buffer, channels_,
                         channels_.handler, log_),
       motion_task_(robot, *chain_.generator, *handlers_chain_.generator, override_share, channels_,
-                   script),
+                   script, recorded),
       servo_task_(robot, *backend_, channels_) {
   machine_.run_handlers_on(handlers_machine_);
   machine_.set_override(override_share);

@@ -20,9 +20,10 @@ namespace rob::runtime {
 class Controller {
  public:
   /// Opens the backend: throws motion::DriverError. `override_share`: 1 is the programmed speed.
-  /// `script`: what drives inputs in place of the machine.
+  /// `script`: what drives inputs in place of the machine. `recorded`: periods for WayBack.
   Controller(const motion::RobotModel& robot, std::unique_ptr<motion::ServoBackend> backend,
-             double override_share, const std::vector<SimulationRule>& script = {});
+             double override_share, const std::vector<SimulationRule>& script = {},
+             std::size_t recorded = 0);
   /// Drives without force, backend closed.
   ~Controller();
   Controller(const Controller&) = delete;

@@ -47,6 +47,8 @@ EntryTask::State EntryTask::run_tasks(State state) {
 }
 
 bool EntryTask::begin_next() {
+  if (machine_.channels().way_back.under_way.load(std::memory_order_acquire)) return false;
+  machine_.take_place();
   {
     const std::lock_guard lock(mutex_);
     if (queue_.empty()) return false;

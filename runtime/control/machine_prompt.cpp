@@ -33,6 +33,10 @@ lang::RuntimeError RobotMachine::stopped() {
   return error;
 }
 
+void RobotMachine::take_place() {
+  if (channels_.way_back.moved.exchange(false)) restart_from(channels_.joints.load());
+}
+
 /// What a program has armed ends with it.
 bool RobotMachine::disarm_all(int line) {
   while (motion::WatchedAction* const armed = whens_.first_in_use()) {

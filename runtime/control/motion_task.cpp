@@ -21,7 +21,8 @@ constexpr double kInstantTolerance = 1e-9;  // s: an instant on the period's bor
 
 MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenerator& generator,
                        motion::TrajectoryGenerator& handlers, double override_share,
-                       Channels& channels, const std::vector<SimulationRule>& script)
+                       Channels& channels, const std::vector<SimulationRule>& script,
+                       std::size_t recorded)
     : channels_(channels),
       program_{generator, channels.program},
       handlers_{handlers, channels.handler},
@@ -30,7 +31,8 @@ MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenera
       most_share_(scales_time_ ? 1 : kMostShare),
       override_share_(std::min(override_share, most_share_)),
       simulated_(script, channels.panel),
-      relief_(robot.reference_period) {
+      relief_(robot.reference_period),
+      retrace_(robot, recorded) {
   if (override_share_ != 1) set_override(override_share_);
   program_.current.reference.q = robot.start;
 }
@@ -51,9 +53,11 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   started_ = true;
   collect_events();
   publish(active_->current);
+  if (!retrace_.away()) retrace_.add(active_->current.reference.q);
   release_events(now_);
   end_pulses(now_);
-  if (finished_ && !pulses_.any()) over_.store(true, std::memory_order_release);
+  if (finished_ && !pulses_.any() && !retrace_.moving())
+    over_.store(true, std::memory_order_release);
   channels_.cycle.store(number, std::memory_order_relaxed);
   channels_.joints.store(active_->current.reference.q);
   for (Track* const track : {&program_, &handlers_}) {
@@ -63,6 +67,7 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   if (over()) return;
 
   advance(number + 1);
+  follow_way_back(motion::cycle_instant(number + 1, period_) - now_);
   lateness_ = lateness;
   channels_.references.push(active_->current.reference);
   collect_events();
@@ -116,6 +121,7 @@ void MotionTask::take_finding(const ServoSample& sample) noexcept {
 
 void MotionTask::take_requests() noexcept {
   if (channels_.hold_requested.load(std::memory_order_relaxed)) hold();
+  take_way_back();
   pause(channels_.pause_requested.load(std::memory_order_relaxed));
   if (const double share = channels_.override_asked.exchange(0, std::memory_order_relaxed))
     set_override(share);
@@ -123,8 +129,9 @@ void MotionTask::take_requests() noexcept {
 
 /// A fault, and a hold for good, go before.
 void MotionTask::pause(bool asked) noexcept {
-  if (asked == paused_ || safe_) return;
+  if (safe_ || pause_on_way_back(asked) || asked == paused_) return;
   paused_ = asked;
+  if (!asked) retrace_.go_on();
   for (const Track* const track : {&program_, &handlers_})
     asked ? track->generator.hold() : track->generator.resume();
 }
@@ -132,6 +139,7 @@ void MotionTask::pause(bool asked) noexcept {
 void MotionTask::hold() noexcept {
   program_.generator.hold();
   handlers_.generator.hold();
+  if (retrace_.moving()) retrace_.halt();
   take_safe_values();
 }
 
@@ -224,8 +232,11 @@ void MotionTask::release(Track& track, MotionEvent event, double cycle_time) noe
   if (&track == &handlers_) event.number += kHandlerNumbers;
   switch (event.kind) {
     case MotionEvent::Kind::SegmentStarted:
-      if (&track == &program_ && channels_.hold_points.holds(event.tag, event.number))
+      if (event.value != 0) retrace_.mark(event.tag, event.time < now_ - kInstantTolerance);
+      if (&track == &program_ && channels_.hold_points.holds(event.tag, event.number)) {
         channels_.pause_requested.store(true, std::memory_order_relaxed);
+        retrace_.hold_at_mark();
+      }
       break;
     case MotionEvent::Kind::EffectDue:
       if (faulted_) return;  // a fault drops what is behind it

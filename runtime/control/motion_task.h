@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "motion/generate/drive_relief.h"
+#include "motion/generate/retrace.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
@@ -22,10 +23,11 @@ namespace rob::runtime {
 /// cycle() is the tick: no memory, no lock, no text, bounded work. One thread calls it.
 class MotionTask {
  public:
-  /// `handlers`: makes the motions of handlers, which have the axes one at a time.
+  /// `handlers`: makes the motions of handlers, which have the axes one at a time. `recorded`:
+  /// periods of the way of the axes, for WayBack.
   MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenerator& generator,
              motion::TrajectoryGenerator& handlers, double override_share, Channels& channels,
-             const std::vector<SimulationRule>& script);
+             const std::vector<SimulationRule>& script, std::size_t recorded = 0);
 
   /// Once, before the program's first step: what the machine said when it was enabled, and what is
   /// simulated from the start, are the inputs until the first cycle.
@@ -58,6 +60,11 @@ class MotionTask {
   void take_after_handler() noexcept;
   void hand_over_rest(Track& track, const motion::MotionEvent& event) noexcept;
   void begin_handler(const motion::Rest& rest) noexcept;
+  bool handlers_barred() const noexcept;
+  // The way back (motion_task_retrace.cpp)
+  void take_way_back() noexcept;
+  bool pause_on_way_back(bool asked) noexcept;
+  void follow_way_back(double time) noexcept;
   bool handling() const noexcept { return active_ == &handlers_; }
   void publish(const motion::GeneratorSample& sample) noexcept;
   void collect_events() noexcept;
@@ -109,6 +116,7 @@ class MotionTask {
   bool finished_ = false;  ///< motion is over; pulses may still be under way
   double saturation_ = 0;
   motion::DriveRelief relief_;
+  motion::Retrace retrace_;
   bool relieved_ = false;  ///< once at least; it has been said
   bool warned_ = false;
   bool faulted_ = false;

@@ -18,7 +18,7 @@ void MotionTask::hand_over_rest(Track& track, const MotionEvent& event) noexcept
 }
 
 void MotionTask::begin_handler(const Rest& rest) noexcept {
-  if (channels_.handlers_barred.load()) return program_.generator.decline_handler(now_);
+  if (handlers_barred()) return program_.generator.decline_handler(now_);
   program_.progress.rests.push(rest);
   if (rest.by->kind == motion::WatchedAction::Kind::Call) return;  // the axes go on
   handlers_.generator.stand_at(rest.q);
@@ -27,8 +27,13 @@ void MotionTask::begin_handler(const Rest& rest) noexcept {
   tell({.kind = MotionEvent::Kind::Handling, .time = rest.time, .tag = rest.by->tag});
 }
 
+/// One on the way back would not know where the path was left.
+bool MotionTask::handlers_barred() const noexcept {
+  return channels_.handlers_barred.load() || retrace_.away();
+}
+
 void MotionTask::take_after_handler() noexcept {
-  program_.generator.bar_handlers(channels_.handlers_barred.load());
+  program_.generator.bar_handlers(handlers_barred());
   const auto asked = channels_.after_handler.exchange(AfterHandler::None);
   if (asked == AfterHandler::None) return;
   const bool had_axes = handling();

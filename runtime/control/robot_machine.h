@@ -80,6 +80,8 @@ class RobotMachine final : public lang::Machine {
   /// The robot stays under control behind the end of a program; and Channels::stop_requested is
   /// obeyed as a WHEN that raises. Before anything else is commanded.
   void stay();
+  /// What comes next begins where WayBack has brought the axes.
+  void take_place();
   /// Every WHEN; false while there is no room for that.
   bool disarm_all(int line);
   /// Further ones, behind those that have been declared.

@@ -102,6 +102,8 @@ void RunRecorder::take(const MotionEvent& event) {
       rest(event);
       break;
     case MotionEvent::Kind::EffectDropped:
+    case MotionEvent::Kind::WentBack:  // at a prompt only
+    case MotionEvent::Kind::NoWayBack:
       break;
     case MotionEvent::Kind::JogStopped:
       stop_jog(event);

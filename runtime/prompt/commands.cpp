@@ -40,6 +40,7 @@ constexpr std::array kCommands = {
     Command{"new", "", "begin another program", command::begin_new},
     Command{"run", "[from LINE]", "the program in memory, whole or from a line on", command::run},
     Command{"step", "", "run as far as to where the next line's motion begins", command::step},
+    Command{"back", "", "drive back to where the last motion began", command::back},
     Command{"break", "[LINE | off [LINE]]", "hold where this line's motion begins; the list",
             command::breakpoints},
     Command{"check", "", "foretell the program from here: times and findings", command::check},

@@ -53,6 +53,7 @@ void variables(Session& session, const Words& words);
 // commands_run.cpp
 void run(Session& session, const Words& words);
 void step(Session& session, const Words& words);
+void back(Session& session, const Words& words);
 void breakpoints(Session& session, const Words& words);
 void check(Session& session, const Words& words);
 void time(Session& session, const Words& words);

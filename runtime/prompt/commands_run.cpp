@@ -116,6 +116,8 @@ void step(Session& session, const Words&) {
   if (session.stands(":step")) start(session, 0, true);
 }
 
+void back(Session& session, const Words&) { session.go_back(); }
+
 void breakpoints(Session& session, const Words& words) {
   auto& lines = session.workshop().breakpoints;
   const ProgramText& program = session.workshop().program;

@@ -52,6 +52,12 @@ void LiveReports::take(const MotionEvent& event) {
       return jogging_ ? void() : tell(fmt::format("line {}: hit", line));
     case Kind::JogStopped:
       return tell(text_for_stopped_jog(event.axis, robot));
+    case Kind::WentBack:
+      return tell(event.tag == 0
+                      ? "back on the way that was recorded; outputs are as they were"
+                      : fmt::format("back where line {} began; outputs are as they were", line));
+    case Kind::NoWayBack:
+      return tell("there is no way back from here: what is recorded begins here");
     case Kind::Overrun:
       if (listener_.fault) listener_.fault(line, words_for_overrun(event.value));
       return;

@@ -15,6 +15,8 @@ using namespace std::chrono_literals;
 
 constexpr std::int64_t kSlice = 10'000;  // instructions between looks at the stop flag
 constexpr auto kProgramPause = 1ms;      // [choice] a tenth of a reference period
+/// Of the way that `:back` goes: 11 minutes at 10 ms, 5 MB. [choice]
+constexpr std::size_t kRecorded = 65'536;
 /// Instructions of a cycle of virtual time (docs/language.md).
 constexpr std::int64_t kInstructionsPerCycle = 1'000'000;
 
@@ -39,8 +41,8 @@ LiveRobot::~LiveRobot() {
 }
 
 void LiveRobot::begin() {
-  controller_ =
-      std::make_unique<Controller>(robot_, simulation_of(robot_), options_.override_share);
+  controller_ = std::make_unique<Controller>(robot_, simulation_of(robot_), options_.override_share,
+                                             std::vector<SimulationRule>{}, kRecorded);
   controller_->channels().panel.seat(person_);
   controller_->machine().keep_points(points_ ? &*points_ : nullptr);
   entries_ = std::make_unique<EntryTask>(controller_->machine(), options_.seed);
@@ -108,9 +110,21 @@ void LiveRobot::look_for_end() {
     controller_->request_hold();
 }
 
+void LiveRobot::pause(bool on) {
+  WayBack& way_back = channels().way_back;
+  if (!on && paused() && way_back.away.load(std::memory_order_relaxed))
+    way_back.under_way.store(true, std::memory_order_release);
+  channels().pause_requested.store(on, std::memory_order_relaxed);
+}
+
+void LiveRobot::go_back() {
+  channels().way_back.under_way.store(true, std::memory_order_release);
+  channels().way_back.asked.store(true);
+}
+
 void LiveRobot::stop() {
-  pause(false);
   channels().stop_requested.store(true, std::memory_order_relaxed);
+  pause(false);
 }
 
 bool LiveRobot::held() const {

@@ -46,7 +46,7 @@ class LiveRobot {
   /// Entries that are not done yet.
   std::size_t open() const { return entries_->open(); }
   /// Nothing is open, and the robot stands.
-  bool idle() const { return entries_->settled(); }
+  bool idle() const { return entries_->settled() && !going_back(); }
   /// Motion is over for good: a fault, or hold_for_good().
   bool over() const { return controller_->motion().over(); }
 
@@ -55,12 +55,15 @@ class LiveRobot {
   /// Takes what there is to report; on the virtual clock a cycle passes before.
   void let_pass();
 
-  void pause(bool on) { channels().pause_requested.store(on, std::memory_order_relaxed); }
+  void pause(bool on);
   bool paused() const { return channels().pause_requested.load(std::memory_order_relaxed); }
   /// It stands on its path, and will until pause(false).
   bool held() const;
   /// Where TEACH keeps points; null: nowhere.
   PointsFile* points() { return points_ ? &*points_ : nullptr; }
+  /// From where it stands, held or idle: by one motion. It is told when it stands there.
+  void go_back();
+  bool going_back() const { return channels().way_back.under_way.load(std::memory_order_acquire); }
   /// Brakes on the path and drops all that was commanded.
   void stop();
   void set_override(double share);

@@ -102,6 +102,8 @@ class Session final : public Person {
   bool stands(const char* command);
   /// Carries out the program in memory, from a line on.
   void run(LoadedProgram program);
+  /// Drives back to where the last motion began.
+  void go_back();
   /// Goes on from where it is held.
   void leave_hold();
   /// Statements of a command, as if they had been typed; not recorded. What they declare stays.

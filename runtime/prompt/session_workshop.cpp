@@ -39,6 +39,13 @@ void Session::leave_hold() {
   if (options_.waits) finish();
 }
 
+void Session::go_back() {
+  if (options_.waits) finish();
+  if (!robot_->held() && !stands(":back")) return;
+  robot_->go_back();
+  while (options_.waits && robot_->going_back() && !robot_->over()) let_pass();
+}
+
 /// The tick has asked for the hold; what is said of it is of the program run last.
 void Session::tell_held() {
   const lang::Place place =
