@@ -1,11 +1,9 @@
 #include "runtime/commands.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <ctime>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,21 +64,14 @@ RunListener listener_of(const Options& options, Progress& progress) {
 void mark(std::optional<RunMark>& running, const LoadedProgram& program,
           const RunListener& listener) {
   try {
-    running.emplace(fmt::format("{} on {} (process {}, begun {:%Y-%m-%d %H:%M:%S} UTC)",
-                                program.file, program.robot.name, ::getpid(),
-                                fmt::gmtime(std::time(nullptr))));
+    running.emplace(program.file, program.robot.name);
   } catch (const FileError& error) {
     listener.warn(error.what());
   }
 }
 
 void tell_unclean_ends() {
-  for (const std::string& run : unclean_ends()) {
-    put_message(
-        fmt::format("rob: unclean end: the run of {} was cut off, by kill -9, a crash or the"
-                    " loss of power; look where the robot stands\n",
-                    run));
-  }
+  for (const std::string& end : unclean_ends()) put_message(end);
 }
 
 RunResult run_one(const LoadedProgram& program, const Options& options,

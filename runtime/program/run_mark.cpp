@@ -1,13 +1,14 @@
 #include "runtime/program/run_mark.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
+#include <fmt/chrono.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <system_error>
 
@@ -49,7 +50,7 @@ std::string take(const fs::path& file) {
 }  // namespace
 
 /// It gets its name when it is locked: never is there one of a living run without lock.
-RunMark::RunMark(const std::string& run) {
+RunMark::RunMark(const std::string& what, const std::string& robot) {
   const fs::path in = state_folder();
   if (in.empty()) return;
   std::error_code error;
@@ -58,7 +59,9 @@ RunMark::RunMark(const std::string& run) {
   const fs::path file = in / fmt::format("{}{}", kMark, ::getpid());
   lock_ = ::open(hidden.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   if (lock_ < 0) throw not_marked(file, errno);
-  const std::string line = run.substr(0, kMostBytes);
+  const std::string line = fmt::format("{} on {} (process {}, begun {:%Y-%m-%d %H:%M:%S} UTC)",
+                                       what, robot, ::getpid(), fmt::gmtime(std::time(nullptr)))
+                               .substr(0, kMostBytes);
   const bool written =
       ::flock(lock_, LOCK_EX | LOCK_NB) == 0 &&
       ::write(lock_, line.data(), line.size()) == static_cast<ssize_t>(line.size()) &&
@@ -83,7 +86,11 @@ std::vector<std::string> unclean_ends() {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(state_folder(), error)) {
     if (!entry.path().filename().string().starts_with(kMark)) continue;
-    if (std::string run = take(entry.path()); !run.empty()) runs.push_back(std::move(run));
+    if (const std::string run = take(entry.path()); !run.empty())
+      runs.push_back(
+          fmt::format("rob: unclean end: the run of {} was cut off, by kill -9, a crash or"
+                      " the loss of power; look where the robot stands\n",
+                      run));
   }
   return runs;
 }

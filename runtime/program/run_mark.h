@@ -10,8 +10,8 @@ namespace rob::runtime {
 /// it, so a file without lock is of a run that was killed (fault 37).
 class RunMark {
  public:
-  /// `run`: what runs, in a line. Throws FileError.
-  explicit RunMark(const std::string& run);
+  /// `what` runs. Throws FileError.
+  RunMark(const std::string& what, const std::string& robot);
   ~RunMark();
   RunMark(const RunMark&) = delete;
   RunMark& operator=(const RunMark&) = delete;
@@ -21,7 +21,7 @@ class RunMark {
   int lock_ = -1;
 };
 
-/// The runs whose processes have gone without an end; they are told once.
+/// A line for people of each run whose process has gone without an end; they are told once.
 std::vector<std::string> unclean_ends();
 
 }  // namespace rob::runtime

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "lang/text/ascii.h"
 #include "lang/text/suggest.h"
 #include "runtime/explain.h"
 #include "runtime/prompt/session.h"
@@ -28,7 +29,7 @@ constexpr std::array kCommands = {
     Command{"stop", "", "brake on the path, and drop all that was commanded", command::stop},
     Command{"reset", "", "after a fault: take the robot under control again", command::reset},
     Command{"robot", "[NAME|FILE.toml]", "the robot, or another one", command::robot},
-    Command{"law", "paul|lookahead", "the law of transitions", command::law},
+    Command{"law", "[paul|lookahead]", "the law of transitions, or another one", command::law},
     Command{"record", "[on|off]", "keep what is executed as the program in memory",
             command::record},
     Command{"list", "[FROM [TO]]", "the program in memory", command::list},
@@ -102,7 +103,8 @@ std::span<const Command> commands() { return kCommands; }
 void carry_out_command(Session& session, std::string_view line) {
   std::string name = take_word(line);
   if (name.empty()) name = "help";
-  const auto command = std::ranges::find(kCommands, name, &Command::name);
+  const auto command = std::ranges::find_if(
+      kCommands, [&](const Command& one) { return lang::same_word(one.name, name); });
   if (command != kCommands.end())
     return command->carry_out(session, words_of(line, command->plain_words));
   std::vector<std::string_view> names;

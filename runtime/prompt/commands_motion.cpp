@@ -59,6 +59,7 @@ void hold(Session& session, const Words&) { session.robot().pause(true); }
 
 void resume(Session& session, const Words&) {
   if (session.robot().paused()) return session.robot().pause(false);
+  if (!session.asks()) return session.screen().message("nothing is held\n");
   session.go_on();
 }
 
@@ -76,6 +77,10 @@ void robot(Session& session, const Words& words) {
 }
 
 void law(Session& session, const Words& words) {
+  if (words.empty()) {
+    const std::string_view name = motion::law_name(session.robot().robot().law);
+    return session.screen().result(fmt::format("{}\n", name));
+  }
   if (words.size() != 1 || (words[0] != "paul" && words[0] != "lookahead")) {
     return session.fail(":law takes paul or lookahead", "", ExitCode::Usage);
   }

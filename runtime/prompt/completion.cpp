@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 
 #include "lang/help/help.h"
@@ -271,14 +272,36 @@ Completions word_of_statement(std::string_view before, const Vocabulary& known) 
   return choice.taken(false);
 }
 
-/// Of a text that is open at the end, where it begins; npos outside of one.
-std::size_t begin_of_text(std::string_view before) {
-  std::size_t begin = std::string_view::npos;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (before[i] != '"' || (i > 0 && before[i - 1] == '\\')) continue;
-    begin = begin == std::string_view::npos ? i + 1 : std::string_view::npos;
+/// Whether a text is open at the end.
+bool in_text(std::string_view before) {
+  bool open = false;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    open ^= before[i] == '"' && (i == 0 || before[i - 1] != '\\');
+  return open;
+}
+
+/// Where the name behind USE begins.
+std::optional<std::size_t> begin_of_used(std::string_view before) {
+  const std::size_t name = begin_of_last(before, lang::in_word);
+  const std::string_view line = before.substr(0, name);
+  const std::size_t end = line.find_last_not_of(" \t") + 1;
+  const std::size_t first = line.find_first_not_of(" \t");
+  if (end == name || first == std::string_view::npos) return std::nullopt;
+  const bool use = lang::same_word(line.substr(first, end - first), lang::spelling(Keyword::Use));
+  return use ? std::optional(name) : std::nullopt;
+}
+
+/// Programs beside this one, and in its folder lib, without their ending.
+Completions used(std::string_view before, std::size_t begin, const Vocabulary& known) {
+  constexpr std::string_view kEnding = ".rob";
+  Choice choice(before, begin);
+  for (const char* const folder : {"", "lib/"}) {
+    for (const std::string& file : known.files ? known.files(folder) : std::vector<std::string>{}) {
+      if (file.ends_with(kEnding) && !file.starts_with('.'))
+        choice.add(file.substr(0, file.size() - kEnding.size()));
+    }
   }
-  return begin;
+  return choice.taken(true);
 }
 
 }  // namespace
@@ -287,12 +310,9 @@ Completions complete(std::string_view before, const Vocabulary& known) {
   const std::size_t first = before.find_first_not_of(" \t");
   if (first != std::string_view::npos && before[first] == ':')
     return colon_command(before, first, known);
-  const std::size_t text = begin_of_text(before);
-  if (text != std::string_view::npos) {
-    const bool use = begins_with(before.substr(first), lang::spelling(Keyword::Use));
-    return use ? files(before, text, ".rob", known) : Completions{before.size(), {}, false};
-  }
-  if (before.find("//") != std::string_view::npos) return {before.size(), {}, false};
+  if (in_text(before) || before.find("//") != std::string_view::npos)
+    return {before.size(), {}, false};
+  if (const auto begin = begin_of_used(before)) return used(before, *begin, known);
   const std::size_t unit_begin = begin_of_unit(before);
   if (unit_begin != std::string_view::npos) return unit(before, unit_begin);
   return word_of_statement(before, known);

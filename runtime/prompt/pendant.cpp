@@ -167,6 +167,11 @@ void Pendant::stop() {
   pending_.reset();
 }
 
+void Pendant::give_up() {
+  stop();
+  naming_.reset();
+}
+
 void Pendant::choose_frame(JogFrame frame) {
   frame_ = frame;
   chosen_ = std::min(chosen_, coordinates().size() - 1);

@@ -32,6 +32,8 @@ class Pendant {
   bool over() const { return over_; }
   /// Stops what moves by it.
   void stop();
+  /// Ctrl-C: stops, and forgets a name that is being typed.
+  void give_up();
 
   // For the view.
   lang::JogFrame frame() const { return frame_; }

@@ -29,7 +29,7 @@ class KeptScreen final : public Screen {
   void keep(std::string_view text) {
     all_ += text;
     const std::string_view line = text.substr(0, text.find('\n'));
-    if (!line.empty()) last_ = line;
+    if (!line.empty() && !line.starts_with("help: ")) last_ = line;
   }
 
   std::string all_;
@@ -68,7 +68,7 @@ void show_pendant(Session& session, const KeptScreen& kept) {
     if (quiet > kPausesOfAFrame) {
       if (const auto escape = keys.lone_escape()) pendant.press(*escape);
     }
-    if (Interruption::ctrl_c_pressed()) pendant.stop();
+    if (Interruption::ctrl_c_pressed()) pendant.give_up();
     if (Interruption::requested()) break;
     session.let_pass();
     pendant.go_on();

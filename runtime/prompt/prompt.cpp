@@ -12,7 +12,9 @@
 #include <utility>
 
 #include "runtime/program/console.h"
+#include "runtime/program/files.h"
 #include "runtime/program/interruption.h"
+#include "runtime/program/run_mark.h"
 #include "runtime/prompt/session.h"
 #include "runtime/prompt/terminal_prompt.h"
 
@@ -84,10 +86,14 @@ ExitCode filter(Session& session, bool fast) {
   while (!session.over() && !Interruption::requested()) {
     const auto line = lines.next();
     if (!line) break;
-    entry += entry.empty() ? *line : "\n" + *line;
-    const bool last = entry.size() > kMostLine;
-    if (session.enter(entry, last) == Session::Taken::Incomplete) continue;
-    entry.clear();
+    if (is_command(*line)) {
+      session.enter(*line);
+    } else {
+      entry += entry.empty() ? *line : "\n" + *line;
+      const bool last = entry.size() > kMostLine;
+      if (session.enter(entry, last) == Session::Taken::Incomplete) continue;
+      entry.clear();
+    }
     if (session.take_pendant()) session.fail("the pendant needs a terminal", "", ExitCode::Usage);
     session.carry_out_entries(fast ? 0 : kAhead);
   }
@@ -113,6 +119,15 @@ ExitCode filter(SessionOptions options) {
 }  // namespace
 
 ExitCode run_prompt(const Options& options) {
+  std::optional<RunMark> running;
+  if (!options.fast) {
+    for (const std::string& end : unclean_ends()) put_message(end);
+    try {
+      running.emplace("the prompt", options.robot.empty() ? "gantry" : options.robot);
+    } catch (const FileError& error) {
+      put_message(fmt::format("rob: warning: {}\n", error.what()));
+    }
+  }
   SessionOptions session;
   session.robot = options.robot;
   session.law = options.law;

@@ -119,14 +119,19 @@ LiveReports::Listener Session::listener() {
   return listener;
 }
 
+bool is_command(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t\n");
+  return first != std::string_view::npos && line[first] == ':';
+}
+
 Session::Taken Session::enter(const std::string& text, bool last) try {
   const std::size_t first = text.find_first_not_of(" \t\n");
-  if (asks_ && (first == std::string::npos || text[first] != ':')) {
+  if (asks_ && !is_command(text)) {
     answer(text);
     return Taken::Done;
   }
   if (first == std::string::npos) return Taken::Done;
-  if (text[first] == ':') {
+  if (is_command(text)) {
     carry_out_command(*this, text.substr(first + 1));
     return Taken::Done;
   }
@@ -284,6 +289,12 @@ void Session::choose_robot(const std::string& robot, std::optional<motion::Law> 
 void Session::jog(const lang::MoveCommand& command, const motion::Watch& held) {
   if (robot_->over()) return fail("the robot has stopped for good", ":reset takes it up again");
   robot_->submit({text_->line(), EntryTask::Jog{command, held}});
+}
+
+bool Session::moves() const {
+  using motion::MotionState;
+  const auto& last = robot_->reports().last();
+  return last && last->sample.state != MotionState::Idle && last->sample.state != MotionState::Held;
 }
 
 double Session::time() const {

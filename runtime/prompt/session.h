@@ -35,6 +35,9 @@ struct SessionOptions {
   const std::atomic<bool>* ended = nullptr;  ///< as of LiveOptions
 };
 
+/// A line for the workshop; it acts at once, also while a block is open.
+bool is_command(std::string_view line);
+
 /// What a prompt works on: a robot under control, and what has been typed. Statements act at once;
 /// lines that begin with a colon command the workshop (commands.h).
 class Session final : public Person {
@@ -61,6 +64,8 @@ class Session final : public Person {
 
   /// A jog as long as `held` says No; it begins when the robot stands.
   void jog(const lang::MoveCommand& command, const motion::Watch& held);
+  /// As the last cycle that has been reported says.
+  bool moves() const;
   /// s of the run, of the last cycle that has been reported.
   double time() const;
 

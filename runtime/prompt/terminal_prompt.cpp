@@ -192,7 +192,7 @@ void TerminalPrompt::take_typed() {
 }
 
 void TerminalPrompt::enter(const std::string& line) {
-  if (session_.asks()) {
+  if (session_.asks() || is_command(line)) {
     session_.enter(line);
     return;
   }
@@ -221,8 +221,9 @@ void TerminalPrompt::stop_or_drop() {
 }
 
 void TerminalPrompt::come_to_rest() {
+  const bool moves = session_.moves();
   if (!session_.interrupt()) return;
-  screen_.message("the robot comes to rest first\n");
+  if (moves) screen_.message("the robot comes to rest first\n");
   session_.finish();
 }
 

@@ -78,3 +78,9 @@ TEST_CASE("a pipe runs under the robot and the law that it is given") {
   CHECK(other.out == "1\n");
   CHECK(other.err.starts_with("error: "));
 }
+
+TEST_CASE("a command acts while a block is open, and the block goes on") {
+  const ProcessResult result = piped("FOR i = 1 TO 2 DO\n:Law\n  PRINT i\n:LAW\nENDFOR\n");
+  CHECK(result.exit_code == 0);
+  CHECK(result.out == "paul\npaul\n1\n2\n");
+}

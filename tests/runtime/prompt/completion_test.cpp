@@ -87,10 +87,10 @@ TEST_CASE("behind a colon: commands, and what they take") {
   CHECK(offered(":nonsense x").empty());
 }
 
-TEST_CASE("behind USE: programs and folders; in other texts nothing") {
-  CHECK(offered("USE \"") == Words{"lib/", "main.rob"});
-  CHECK(offered("USE \"lib/t") == Words{"lib/tools.rob"});
-  CHECK(complete("USE \"lib/t", known()).begin == 5);
+TEST_CASE("behind USE: programs here and in lib; in texts nothing") {
+  CHECK(offered("USE ") == Words{"main", "tools"});
+  CHECK(offered("use t") == Words{"tools"});
+  CHECK(complete("USE to", known()).begin == 4);
   CHECK(offered("PRINT \"ma").empty());
   CHECK(offers("PRINT \"ma\" + pi", "pick"));
   CHECK(offered("STOP // MO").empty());

@@ -188,3 +188,13 @@ TEST_CASE("the view shows place, mode and keys within the size of the terminal")
   CHECK(std::ranges::count(small, '\n') == 2);
   CHECK(small.find("  gantry i\n") != std::string::npos);
 }
+
+TEST_CASE("Ctrl-C forgets the name that is being typed, and the pendant stays") {
+  Held held(true);
+  held.pendant.press(letter('p'));
+  held.pendant.press(letter('a'));
+  REQUIRE(held.pendant.naming() == "a");
+  held.pendant.give_up();
+  CHECK_FALSE(held.pendant.naming());
+  CHECK_FALSE(held.pendant.over());
+}

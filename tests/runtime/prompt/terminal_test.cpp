@@ -166,7 +166,7 @@ TEST_CASE("HALT and ASK take the next line; a colon command is none") {
   terminal.send("VAR n : INT\rASK \"how many?\" INTO n\r");
   REQUIRE(terminal.expect("how many?\r\n"));
   REQUIRE(terminal.expect("? "));
-  terminal.send(":law\r");
+  terminal.send(":law newton\r");
   REQUIRE(terminal.expect(":law takes paul or lookahead"));
   REQUIRE(terminal.expect("? "));
   terminal.send("20\r");
@@ -262,6 +262,26 @@ TEST_CASE("the pendant takes the screen, and gives it back to the prompt; SIGTER
   terminal.signal(SIGTERM);
   CHECK(terminal.wait() == 143);
   CHECK(terminal.modes_as_found());
+}
+
+TEST_CASE("a prompt that is killed is told by the next one, once") {
+  const Desk desk;
+  {
+    PseudoTerminal terminal({ROB_BINARY}, desk.options());
+    INFO(terminal.raw());
+    REQUIRE(terminal.expect(kAtRest));
+    terminal.signal(SIGKILL);
+    CHECK(terminal.wait() == 128 + SIGKILL);
+  }
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  CHECK(terminal.expect("unclean end: the run of the prompt on gantry"));
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send(kCtrlD);
+  CHECK(terminal.wait() == 0);
+  PseudoTerminal next({ROB_BINARY}, desk.options());
+  REQUIRE(next.expect(kAtRest));
+  CHECK(next.raw().find("unclean") == std::string::npos);
 }
 
 TEST_CASE("no colours where they are not wanted, and no control sequences on a dumb terminal") {
