@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "motion/robots/robot_model.h"
+#include "tests/support/no_allocation.h"
 
 using rob::motion::JointVector;
 using rob::motion::PathRecord;
@@ -146,6 +147,21 @@ TEST_CASE("speed, acceleration and jerk of every axis stay below their shares of
       CHECK(std::abs(qdd[axis] - way[i - 1].qdd[axis]) <= 0.75 * 20 * 0.001 * 1.02);
     }
   }
+}
+
+TEST_CASE("recording and going back take no memory") {
+  Retrace retrace(robot(), 50);
+  const rob::test::NoAllocation guard;
+  drive_arc(retrace);
+  retrace.back(1);
+  drive(retrace);
+  retrace.forth(1);
+  drive(retrace);
+  retrace.back(0.5);
+  retrace.halt();
+  drive(retrace);
+  retrace.stay();
+  CHECK(guard.count() == 0);
 }
 
 TEST_CASE("where it stays, the record ends, and goes on from there") {

@@ -30,7 +30,7 @@ bool comes_to(Session& session, const std::string& state) {
 
 }  // namespace
 
-TEST_CASE("a prompt moves, holds, goes on, stops and jogs in real time") {
+TEST_CASE("a prompt moves, holds, goes back and on, stops and jogs in real time") {
   VirtualPrompt prompt(in_real_time());
   Session& session = prompt.session;
   session.enter("VAR n = 20");
@@ -38,6 +38,8 @@ TEST_CASE("a prompt moves, holds, goes on, stops and jogs in real time") {
   CHECK(comes_to(session, "moving"));
   session.enter(":hold");
   CHECK(comes_to(session, "held"));
+  session.enter(":back");
+  CHECK(comes_to(session, "held (0, 0, 0)"));
   session.enter(":resume");
   session.enter("PRINT n");
   CHECK(comes_to(session, "moving"));
