@@ -1,17 +1,22 @@
 // :save, :load and the archive.
 
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <thread>
 
 #include "runtime/program/files.h"
+#include "runtime/program/load.h"
+#include "runtime/program/points_file.h"
 #include "tests/runtime/prompt/piped_prompt.h"
 
 using namespace rob::runtime;
+using namespace std::chrono_literals;
 using rob::test::PipedPrompt;
 using rob::test::ScratchFolder;
 
@@ -19,6 +24,19 @@ namespace {
 
 void write(const std::string& file, const std::string& text) { std::ofstream(file) << text; }
 std::string content(const std::string& file) { return read_file(file, 1'000'000); }
+
+/// A process that does this, which does not end, is killed after a while.
+template <typename Work>
+void kill_after(std::chrono::microseconds time, Work work) {
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) work();
+  std::this_thread::sleep_for(time);
+  ::kill(child, SIGKILL);
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  REQUIRE(WIFSIGNALED(status));
+}
 
 }  // namespace
 
@@ -96,17 +114,10 @@ TEST_CASE("kill -9 in the middle of saving leaves the old file or the new one, w
   write(file, texts[0]);
   int saves = 0;
   for (int round = 0; round < 200; ++round) {
-    const pid_t child = ::fork();
-    REQUIRE(child >= 0);
-    if (child == 0) {
+    kill_after(50us * round, [&] {
       ProgramFile own(folder.file("archive"));
       for (int i = 0;; ++i) own.save(file, texts[(i + round) % 2], true);
-    }
-    std::this_thread::sleep_for(std::chrono::microseconds(50 * round));
-    ::kill(child, SIGKILL);
-    int status = 0;
-    REQUIRE(::waitpid(child, &status, 0) == child);
-    REQUIRE(WIFSIGNALED(status));
+    });
     const std::string left = content(file);
     CHECK((left == texts[0] || left == texts[1]));
     saves += left == texts[1] ? 1 : 0;
@@ -118,4 +129,32 @@ TEST_CASE("kill -9 in the middle of saving leaves the old file or the new one, w
   own.save(file, "STOP\n", true);  // what the kills have left behind is in nobody's way
   CHECK(content(file) == "STOP\n");
   CHECK(!std::filesystem::exists(folder.file(".a.rob.saving")));
+}
+
+TEST_CASE("kill -9 in the middle of a change of a point leaves all points, before it or behind") {
+  const ScratchFolder folder;
+  const std::string file = folder.file("a.points");
+  const auto robot = load_robot("gantry");
+  std::string text = "ROBOT \"gantry\"\n";
+  for (int i = 0; i < 200; ++i)
+    text += fmt::format("p{} = POSE(40mm, {}mm, 0mm, 0deg, 0deg, 0deg) IN world TAUGHT \"now\"\n",
+                        i, i);
+  write(file, text);
+  int renamed = 0;
+  for (int round = 0; round < 200; ++round) {
+    kill_after(50us * round, [&] {
+      for (PointsFile points(file, robot);;) {
+        if (!points.rename("p7", "seven")) points.rename("seven", "p7");
+      }
+    });
+    const auto table = load_points(file, robot).table();
+    CHECK(table.points.size() == 200);
+    const auto has = [&](const char* name) {
+      return std::ranges::count(table.points, name, &rob::lang::PointTable::Point::name);
+    };
+    CHECK(has("p7") + has("seven") == 1);
+    renamed += has("seven") == 1 ? 1 : 0;
+  }
+  CHECK(renamed > 0);
+  CHECK(renamed < 200);
 }
