@@ -28,10 +28,14 @@ class HoldPoints {
 
   // The program's side: which motions are its own.
   void begin_behind(std::uint32_t number) {
-    last_.store(std::numeric_limits<std::uint32_t>::max(), std::memory_order_relaxed);
+    last_.store(kOpen, std::memory_order_relaxed);
     first_.store(number + 1, std::memory_order_release);
   }
-  void end_with(std::uint32_t number) { last_.store(number, std::memory_order_relaxed); }
+  /// The first time counts.
+  void end_with(std::uint32_t number) {
+    auto open = kOpen;
+    last_.compare_exchange_strong(open, number, std::memory_order_relaxed);
+  }
 
   /// The tick: whether to hold now that this motion begins.
   bool holds(motion::Tag tag, std::uint32_t number) noexcept {
@@ -48,6 +52,8 @@ class HoldPoints {
   }
 
  private:
+  static constexpr std::uint32_t kOpen = std::numeric_limits<std::uint32_t>::max();
+
   bool is_chosen(motion::Tag tag) const noexcept {
     for (const auto& one : chosen_) {
       if (one.load(std::memory_order_relaxed) == tag) return tag != 0;

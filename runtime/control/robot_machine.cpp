@@ -191,7 +191,10 @@ bool RobotMachine::settled() const { return has_acted() && !interrupted(); }
 /// A PATH is open only where a loop in it has been given up.
 Reply RobotMachine::end(int line) {
   if (path_ && end_path(line) == Reply::Later) return Reply::Later;
-  if (stays_) return disarm_all(line) ? settle(line) : Reply::Later;
+  if (stays_) {
+    channels_.hold_points.end_with(planner_.last_number());  // what stops it there is no line's
+    return disarm_all(line) ? settle(line) : Reply::Later;
+  }
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
   if (!watched()) return Reply::Later;  // a WHEN may still have something to say

@@ -58,7 +58,10 @@ void jog(Session& session, const Words&) { session.ask_for_pendant(); }
 void hold(Session& session, const Words&) { session.robot().pause(true); }
 
 void resume(Session& session, const Words&) {
-  if (session.robot().paused()) return session.robot().pause(false);
+  if (session.robot().paused()) {
+    session.robot().channels().hold_points.hold_at_each(false);
+    return session.robot().pause(false);
+  }
   if (!session.asks()) return session.screen().message("nothing is held\n");
   session.go_on();
 }

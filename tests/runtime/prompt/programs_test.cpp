@@ -126,6 +126,25 @@ TEST_CASE(":run from a line executes what is declared before, and no statement")
   CHECK(prompt.enter({":run from 2"}) == "4\n5\n");  // line 3 is executed: n is 4, and m 5
 }
 
+TEST_CASE(":resume behind a step goes on to the end, which is no place to hold") {
+  for (const char* const law : {":law paul", ":law lookahead"}) {
+    CAPTURE(law);
+    const ScratchFolder folder;
+    PipedPrompt prompt(folder);
+    prompt.enter({law});
+    prompt.enter(kThree);
+    prompt.enter({":delete 4"});
+    prompt.said();
+    prompt.enter({":step", ":resume"});
+    CHECK(prompt.said() == "held where line 2 begins: MOVE(140,40,0)\n");
+    CHECK(prompt.session.state_text() == "gantry idle (140, 80, 0)");
+    prompt.enter({":step", ":step", ":step"});
+    CHECK(prompt.said() ==
+          "held where line 2 begins: MOVE(140,40,0)\nheld where line 3 begins: MOVE(140,80,0)\n");
+    CHECK(prompt.session.state_text() == "gantry idle (140, 80, 0)");
+  }
+}
+
 TEST_CASE(
     ":step holds where the motion of the next line begins, on the path of the whole program") {
   // Paul's law: line 2 begins at the decision point of line 1, while the corner at (40, 40) has
