@@ -58,6 +58,7 @@ class PathPlanner {
   bool stands_behind(const ShapedLeg& leg) const;
   bool all_here() const;
   void stand_alone(ShapedLeg& leg);
+  double share_for_bends(const ShapedLeg& leg) const;
   void open(const ShapedLeg& leg);
   bool join_next();
   bool decide_alone();
