@@ -25,6 +25,7 @@ bool Guide::at_run_end() const noexcept { return stands() && blocked() && at_ ==
 void Guide::restart(PathRing::Index at, const JointVector& q) noexcept {
   index_ = begun_ = first_ = at;
   at_ = rate_ = acceleration_ = 0;
+  pause_ = 0;
   braking_ = false;
   limit_ = {};
   place_.q = q;
@@ -37,15 +38,17 @@ Guide::Part Guide::next_part(double until) noexcept {
   const Piece* const piece = blocked() ? nullptr : ring_.piece(index_);
   const double rest = piece == nullptr ? 0 : piece->length - at_;
   Choice choice;
-  if (piece != nullptr && !(braking_ && rate_ == 0)) {
+  if (time_ < start_) {
+    choice.until = start_;
+  } else if (piece != nullptr && !(braking_ && rate_ == 0)) {
     part.sigma = sigma_ = piece->begin + at_;
-    choice = choose(*piece, rest);
+    choice = pause_ > 0 ? choose_alone(*piece, rest) : choose(*piece, rest);
   }
   limit_ = choice.limit;
   const double mean = (rate_ + choice.end_rate) / 2;
   if (piece == nullptr || !(mean > 0)) {  // it stands
     part.rate = rate_ = acceleration_ = 0;
-    time_ = until;
+    time_ = std::min(until, choice.until);
     return part;
   }
   part.acceleration = acceleration_ = choice.control;
@@ -61,6 +64,8 @@ Guide::Part Guide::next_part(double until) noexcept {
     at_ += choice.way;
     time_ += lasts;
   }
+  if (acceleration_ > 0) gained_ = time_;
+  if (acceleration_ < 0) lost_ = time_;
   if ((choice.way == rest && lasts <= left) || at_ >= piece->length) {
     ++index_;
     at_ = 0;
@@ -166,6 +171,46 @@ Guide::Choice Guide::slow_down(const Piece& piece, const Stretch& on, const Cont
     choice.end_rate = std::sqrt(floor);
   }
   return choice;
+}
+
+/// The rate at which speeding up has to end: after a pause what is left is just enough to brake,
+///     (v² − σ'²)/2u + v·pause + v²/2u = rest
+double Guide::peak_rate(double control, double rest) const noexcept {
+  const double square = control * rest + rate_ * rate_ / 2;
+  const double lost = control * pause_ / 2;
+  return square / (lost + std::sqrt(lost * lost + square));
+}
+
+/// A pause that is due always has its place: speeding up has left it, and with even speed, or less,
+/// it stays.
+Guide::Choice Guide::choose_alone(const Piece& piece, double rest) const noexcept {
+  constexpr double kPaused = 1e-10;  // s: rounding of the run's time
+  GuideLimit cruising;
+  const double top = greatest_rate(piece, cruising);
+  const StraightControl straight = straight_control(piece);
+  const GuideLimit at_axis{GuideLimit::Kind::Acceleration, straight.axis};
+  const double brakes = rate_ * rate_ / (2 * straight.most);
+  // Nearer to where it brakes than places on the piece lie apart is there.
+  if (brakes >= rest * (1 - kSame) - kRounding * piece.length)
+    return {-rate_ * rate_ / (2 * rest), rest, 0, at_axis};
+
+  const bool slows = braking_ || rate_ > top * (1 + kSame);
+  const double resumes = (slows ? gained_ : lost_) + pause_;
+  const double peak = slows ? 0 : std::min(top, peak_rate(straight.most, rest));
+  const bool gains = peak > rate_ * (1 + kNear);
+  if ((slows || gains) && resumes > time_ + kPaused) {
+    const double way = std::min(rate_ * (resumes - time_), rest - brakes);
+    return {0, way, rate_, slows ? GuideLimit{GuideLimit::Kind::Braking, -1} : at_axis, resumes};
+  }
+  if (slows) {
+    const double floor = braking_ ? 0 : top;
+    return {-straight.most,
+            brakes - floor * floor / (2 * straight.most),
+            floor,
+            {GuideLimit::Kind::Braking, straight.axis}};
+  }
+  if (gains) return {straight.most, peak * peak / (2 * straight.most) - brakes, peak, at_axis};
+  return {0, rest - brakes, rate_, rate_ >= top * (1 - kNear) ? cruising : at_axis};
 }
 
 /// Between two pieces the one that it has left counts: σ'' was chosen on it.

@@ -27,6 +27,11 @@ struct GuideLimit {
 /// kept. σ'' is even until a bound is reached or a piece ends, so the way is a parabola of time,
 /// part by part, and exact whatever the period.
 ///
+/// On a straight leg that stands alone it can pause: σ'' does not change its sign before it has
+/// been 0 for so long. Where the pause is the mean's time, σ'' and that of a mean's time ago differ
+/// by no more than the greatest of either; without, by twice that. It speeds up only as far as it
+/// can pause and then still brake (docs/motion.md).
+///
 /// m, s. Every call may be used in the tick.
 class Guide {
  public:
@@ -51,6 +56,7 @@ class Guide {
   void step(double time, Keep&& keep) noexcept {
     for (int i = 0; i < kMostParts && time_ < time; ++i) keep(next_part(time));
     time_ = time;
+    if (stands()) acceleration_ = 0;  // it has just come to rest
     update_place();
   }
 
@@ -68,12 +74,18 @@ class Guide {
   /// It stands at the end of what is known of the path.
   bool at_path_end() const noexcept { return stands() && ring_.piece(index_) == nullptr; }
   /// `sigma`: where the run begins, which is elsewhere where path has been dropped before.
-  void begin_run(double sigma) noexcept {
+  /// It stands until `start`. `pause`, s: where not 0 all of the run is one straight piece.
+  void begin_run(double sigma, double start, double pause) noexcept {
     begun_ = index_;
     sigma_ = sigma;
+    start_ = start;
+    pause_ = pause;
+    gained_ = lost_ = -Piece::kAny;
   }
   /// The axes stand at q; the path goes on with piece `at`.
   void restart(PathRing::Index at, const JointVector& q) noexcept;
+
+  bool pauses() const noexcept { return pause_ > 0; }
 
   double time() const noexcept { return time_; }
   double sigma() const noexcept { return sigma_; }
@@ -92,6 +104,7 @@ class Guide {
     double way = 0;
     double end_rate = 0;
     GuideLimit limit;
+    double until = Piece::kAny;  ///< it stands up to then
   };
 
   /// From `here` to the end of a piece, entered with σ'² = x.
@@ -112,6 +125,8 @@ class Guide {
   double brakes_on(const Piece& piece, const PathPoint& end, double top) const noexcept;
   Choice slow_down(const Piece& piece, const Stretch& on, const ControlRange& range,
                    double floor) const noexcept;
+  Choice choose_alone(const Piece& piece, double rest) const noexcept;
+  double peak_rate(double control, double rest) const noexcept;
   void update_place() noexcept;
 
   PathRing& ring_;
@@ -125,6 +140,10 @@ class Guide {
   double acceleration_ = 0;
   double share_ = 1;
   bool braking_ = false;
+  double start_ = 0;              ///< s: of the present run
+  double pause_ = 0;              ///< s between speeding up and braking
+  double gained_ = -Piece::kAny;  ///< when it last sped up
+  double lost_ = -Piece::kAny;    ///< when it last braked
   GuideLimit limit_;
   PathPoint place_;
 };

@@ -89,6 +89,22 @@ double turns_in_zone(const RobotModel& robot, const ShapedLeg& in, const JointVe
   return shrinking(unit, in.segment.ahead.miss, in.segment.ahead.turn) / moved;
 }
 
+/// Of legs of length l the mean leaves σ'² = turns·l, where turns is as 1/T², and the accelerations
+/// reserve·l, where reserve is as T.
+double bend_share(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                  double average) {
+  if (in.motion.path != nullptr || out.motion.path != nullptr) return 1;
+  const PathPoint end = in.at(in.length());
+  const JointVector turn = out.at(0).qd - end.qd;
+  const double length = (in.length() + out.length()) / 2;
+  const double full = greatest_rate(robot, in, end);
+  if (turn.norm() > kSharp * end.qd.norm() || length > full * average) return 1;
+  const double turns = turns_in_zone(robot, in, turn, average);
+  const double reserve = turning_reserve(in, out, turn);
+  if (turns == kAny || turns * length >= full * full) return 1;
+  return std::min(1.0, std::max(std::cbrt(turns / reserve), std::sqrt(turns * length) / full));
+}
+
 MeanShift mean_shift(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                      const JointVector& turn, double average, double longest) {
   MeanShift shift;

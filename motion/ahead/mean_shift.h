@@ -31,6 +31,12 @@ MeanShift mean_shift(const RobotModel& robot, const ShapedLeg& in, const ShapedL
 double turns_in_zone(const RobotModel& robot, const ShapedLeg& in, const JointVector& turn,
                      double average);
 
+/// Where two short legs are part of a curve: the share of their accelerations, and of the mean's
+/// time with them, at which the mean and the accelerations slow it alike, or neither does. 1 where
+/// they are none.
+double bend_share(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                  double average);
+
 /// m of σ on each side of a corner's middle that can be passed within T/2 of it: there the calm
 /// accelerations hold. `rate`: σ' at the middle.
 double calm_way(const ShapedLeg& in, const ShapedLeg& out, double calm, double average,

@@ -10,8 +10,8 @@ namespace rob::motion {
 
 namespace {
 
-/// The open leg's successor, and the one behind it.
-constexpr std::size_t kPending = 2;
+/// The open leg's successor, and two behind it.
+constexpr std::size_t kPending = 3;
 
 /// s: so long before it would have to brake a corner is made of what is known.
 constexpr double kNear = 0.1;
@@ -141,28 +141,53 @@ bool PathPlanner::begin_run() {
   window_ = window_of(next);
   outlook_ = 0;
   calm_ = {};
+  alone_ = false;
   ShapedLeg leg = shaped_leg(robot_, next, known_);
-  const bool ends = stands_behind(leg);
-  if (ends) {
-    const double share = share_alone(leg, window_);
+  if (stands_behind(leg)) {
+    stand_alone(leg);
+  } else {
+    const double share = share_for_bends(leg);
     leg.acceleration *= share;
     window_ *= share;
   }
   open(leg);
-  completing_ = completing_ || ends;
   return true;
+}
+
+/// Where a run begins with short legs that bend, as a curve does: of its accelerations, and of the
+/// mean's time, what lets it be gone the fastest. 1 where too little is known.
+double PathPlanner::share_for_bends(const ShapedLeg& leg) const {
+  if (window_ == 0 || robot_.tool_coordinates || pending_.size() < 2) return 1;
+  if (!has_way(pending_[0]) || !has_way(pending_[1]) || pending_[0].from_rest) return 1;
+  const ShapedLeg second = shaped_leg(robot_, pending_[0], leg.end());
+  const ShapedLeg third = shaped_leg(robot_, pending_[1], second.end());
+  return std::max(bend_share(robot_, leg, second, window_),
+                  bend_share(robot_, second, third, window_));
+}
+
+/// It has no bends, which have a share of the jerk else, and needs no longer mean for its corners.
+void PathPlanner::stand_alone(ShapedLeg& leg) {
+  const LegAlone made = alone(robot_, leg);
+  leg.acceleration *= made.share;
+  window_ = made.average;
+  alone_ = true;
+}
+
+/// Nothing comes behind what has been taken.
+bool PathPlanner::all_here() const {
+  const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
+  return closed && buffer_.next_segment() == nullptr;
 }
 
 /// Whether it is known already that a run begins and ends with this leg.
 bool PathPlanner::stands_behind(const ShapedLeg& leg) const {
-  if (leg.segment.guard.present() || leg.motion.path != nullptr) return false;
-  if (pending_.empty()) return false;
+  if (leg.motion.path != nullptr) return false;
+  if (leg.segment.guard.present()) return true;
+  if (pending_.empty()) return all_here();
   const SegmentDescriptor& next = pending_.front();
   if (!moves(next) || next.from_rest) return true;
   if (!has_way(next)) return false;
-  const TurnBounds bounds{std::min(leg.length(), share_of_next(shaped_leg(robot_, next, 0))),
-                          mean_time(), robot_.tool_coordinates};
-  return !make_turn(robot_, leg, shaped_leg(robot_, next, leg.end()), bounds);
+  return !corner(leg, shaped_leg(robot_, next, leg.end()), true);
 }
 
 /// The run has one mean: what asks for a longer one accelerates the less.
@@ -175,8 +200,9 @@ void PathPlanner::open(const ShapedLeg& leg) {
   const double brakes = speed * speed / (2 * greatest_control(*open_, end));
   ring_.push({open_->segment, open_->begin, open_->end(),
               std::max(open_->begin, open_->end() - longest_turn(*open_) - brakes),
-              std::max(1, static_cast<int>(std::lround(mean_time() / robot_.reference_period)))});
-  completing_ = open_->segment.guard.present();
+              std::max(1, static_cast<int>(std::lround(mean_time() / robot_.reference_period))),
+              alone_});
+  completing_ = alone_ || open_->segment.guard.present();
 }
 
 /// More motions than are looked ahead over end where the open leg does, without a way: it does,
@@ -189,8 +215,7 @@ bool PathPlanner::give_up_corner() {
 
 /// Nothing is known behind the open leg.
 bool PathPlanner::decide_alone() {
-  const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
-  if (closed && buffer_.next_segment() == nullptr) {
+  if (all_here()) {
     completing_ = true;
     return true;
   }
@@ -226,9 +251,7 @@ bool PathPlanner::join_next() {
   }
   next_ = shaped_leg(robot_, next, open_->end());
   if (window_of(next) > window_) next_->acceleration *= window_ / window_of(next);
-  const TurnBounds bounds{std::min(open_->length() - open_->sent, share_of_next(*next_)),
-                          mean_time(), robot_.tool_coordinates};
-  turn_ = make_turn(robot_, *open_, *next_, bounds);
+  turn_ = corner(*open_, *next_, false);
   if (!turn_) {
     next_.reset();
     completing_ = true;
@@ -236,6 +259,26 @@ bool PathPlanner::join_next() {
     pending_.erase(pending_.begin());
   }
   return true;
+}
+
+/// None where a stop is as fast, or all that is possible.
+std::optional<Turn> PathPlanner::corner(const ShapedLeg& leg, const ShapedLeg& next,
+                                        bool from_rest) const {
+  TurnBounds bounds{std::min(leg.length() - leg.sent, share_of_next(next)), mean_time(),
+                    robot_.tool_coordinates, from_rest};
+  std::optional<Turn> made = make_turn(robot_, leg, next, bounds);
+  if (made || robot_.tool_coordinates || !goes_on_behind(next)) return made;
+  bounds.to_rest = false;
+  return make_turn(robot_, leg, next, bounds);
+}
+
+/// Whether the leg behind the corner has another at its end, which is faster than a stop.
+bool PathPlanner::goes_on_behind(const ShapedLeg& next) const {
+  if (pending_.size() < 2 || !has_way(pending_[1]) || pending_[1].from_rest) return false;
+  const ShapedLeg third = shaped_leg(robot_, pending_[1], next.end());
+  return make_turn(robot_, next, third,
+                   {std::min(next.length(), third.length()) / 2, mean_time(), false, true})
+      .has_value();
 }
 
 /// What the corner into the next leg may take of it: what the corner out of it leaves, or half.
@@ -319,7 +362,7 @@ bool PathPlanner::send(double goal) {
 
 /// Where places act together, that changes along a straight line, too.
 double PathPlanner::longest_piece() const {
-  if (!averages_sigma()) return kAny;
+  if (!averages_sigma() || alone_) return kAny;
   constexpr double kParts = 16;  // [choice] of the way within the mean's time
   const double speed = greatest_rate(robot_, *open_, open_->at(open_->sent));
   return std::max(speed * window_ / kParts, 1e-6);

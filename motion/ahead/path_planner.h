@@ -56,11 +56,16 @@ class PathPlanner {
   bool advance();
   bool begin_run();
   bool stands_behind(const ShapedLeg& leg) const;
+  bool all_here() const;
+  void stand_alone(ShapedLeg& leg);
+  double share_for_bends(const ShapedLeg& leg) const;
   void open(const ShapedLeg& leg);
   bool join_next();
   bool decide_alone();
   bool give_up_corner();
   bool go_on();
+  std::optional<Turn> corner(const ShapedLeg& leg, const ShapedLeg& next, bool from_rest) const;
+  bool goes_on_behind(const ShapedLeg& next) const;
   double share_of_next(const ShapedLeg& next) const;
   bool guide_within(double time, double deceleration) const;
   double longest_turn(const ShapedLeg& leg) const;
@@ -101,6 +106,7 @@ class PathPlanner {
   bool sent_ = false;        ///< all of the open leg that can be known has been published
   double known_ = 0;         ///< σ at the end of the last piece
   double window_ = 0;        ///< s of the mean of the present run
+  bool alone_ = false;       ///< the present run is one straight leg
   PathRing::Index end_ = 0;  ///< of the pieces written; those from ring_.end() on are drafts
   double published_ = 0;     ///< σ at the end of those before
   double outlook_ = 0;       ///< m: so far from a draft all has to be known

@@ -197,14 +197,28 @@ double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVec
   return least;
 }
 
-/// A share s takes d/v + v/(s·u) + s·T where it reaches the speed, else 2·√(d/(s·u)) + s·T: the
-/// least of either lies where it holds, and below that of the other.
-double share_alone(const ShapedLeg& leg, double window) {
-  if (window == 0) return 1;
-  const double control = greatest_control(leg, leg.at(0));
-  const double speed = leg.segment.ahead.speed;
-  return std::min({1.0, std::sqrt(speed / (control * window)),
-                   std::cbrt(leg.length() / (control * window * window))});
+/// With accelerations a = s·u and a mean of T = s·W/2 it takes d/v + v/a + T where it reaches its
+/// speed; that is least where v/a = T. Else it speeds up for t, t·(t + T)·a = d, and takes
+/// 2·(t + T); that is least where t = T.
+LegAlone alone(const RobotModel& robot, const ShapedLeg& leg) {
+  const PathPoint begin = leg.at(0);
+  const double control = greatest_control(leg, begin);
+  const double speed = greatest_rate(robot, leg, begin);
+  const double way = leg.length();
+  const LegBounds& bounds = leg.segment.ahead;
+  LegAlone made;
+  if (const double window = bounds.window; window > 0) {
+    made.share =
+        std::min({bounds.full / bounds.acceleration, std::sqrt(2 * speed / (control * window)),
+                  std::cbrt(2 * way / (control * window * window)), 2.0});
+    made.average = made.share * window / 2;
+  }
+  const double a = made.share * control;
+  const double ramp = speed / a + made.average;
+  const double half = made.average / 2;
+  made.time =
+      way >= speed * ramp ? way / speed + ramp : 2 * (half + std::sqrt(half * half + way / a));
+  return made;
 }
 
 void append_leg(const RobotModel& robot, const ShapedLeg& leg, double from, double to,

@@ -41,9 +41,14 @@ double greatest_control(const ShapedLeg& leg, const PathPoint& place);
 /// The greatest u with which all axes can take on u times `turn`: min A_i/|turn_i|.
 double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn);
 
-/// Of its accelerations, and of the mean's time with them, the share with which a straight leg
-/// takes the least time from rest to rest. `window`: s, with all of them.
-double share_alone(const ShapedLeg& leg, double window);
+/// A straight leg from rest to rest with nothing before and behind, in the least time: that of a
+/// third-order profile. The mean takes A/J, for the guide pauses (Guide).
+struct LegAlone {
+  double share = 1;    ///< of the leg's accelerations
+  double average = 0;  ///< s of the mean
+  double time = 0;     ///< s from rest to rest
+};
+LegAlone alone(const RobotModel& robot, const ShapedLeg& leg);
 
 /// The way from one leg into the next around the point between them: `half` m of σ on each side.
 struct Turn {

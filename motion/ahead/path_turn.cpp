@@ -82,20 +82,54 @@ void calm_down(const ShapedLeg& in, const ShapedLeg& out, const JointVector& tur
   made.calm_way = std::max(made.half, calm_way(in, out, shift.calm, average, made.fastest));
 }
 
-/// Whether a stop would take no longer than so calm a corner. Beside a point that is passed at full
-/// speed, either costs on each side what speeding up takes; the stop the mean's time, too.
-bool stops_as_fast(const RobotModel& robot, const ShapedLeg& out, const Turn& made,
-                   double average) {
-  if (made.calm == 1) return false;
-  const PathPoint point = out.at(0);
-  const double control = greatest_control(out, point);
-  const double full = greatest_rate(robot, out, point);
+/// s from the middle of a corner to the middle of a leg beside it, and as fast there as can be.
+double half_time(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place,
+                 const Turn& made) {
+  const double control = greatest_control(leg, place);
+  const double full = greatest_rate(robot, leg, place);
+  const double rate = std::min(made.fastest, full);
+  const double half = leg.length() / 2;
+  const double turns = std::min(made.half, half);
+  const double calm = std::min(made.calm_way, half) - turns;
+  const double after = std::min(full, std::sqrt(rate * rate + 2 * made.calm * control * calm));
+  const double rest = half - turns - calm;
+  const double top = std::min(full, std::sqrt(after * after + 2 * control * rest));
+  const double gains = (top * top - after * after) / (2 * control);
+  return (turns > 0 ? turns / rate : 0) + (calm > 0 ? 2 * calm / (rate + after) : 0) +
+         (top - after) / control + (rest - gains) / top;
+}
+
+/// s that so calm a corner costs beside a point that is passed at full speed: until full speed is
+/// reached, whatever leg that is on.
+double lost_around(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place,
+                   const Turn& made) {
+  const double control = greatest_control(leg, place);
+  const double full = greatest_rate(robot, leg, place);
   const double rate = std::min(made.fastest, full);
   const double way = made.calm_way - made.half;
   const double after = std::min(full, std::sqrt(rate * rate + 2 * made.calm * control * way));
   const double around = made.half / rate + 2 * way / (rate + after);
-  const double ramp = (full - after) * (full - after) / (2 * control * full);
-  return around - made.calm_way / full + ramp >= full / (2 * control) + average / 2;
+  return around - made.calm_way / full + (full - after) * (full - after) / (2 * control * full);
+}
+
+/// s by which a stop is faster than so calm a corner on one of its sides. A leg that would stand
+/// alone then is looked at up to its middle. Else the stop costs what speeding up does, and half of
+/// the mean's time.
+double won_by_stop(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place,
+                   const Turn& made, bool stands_alone, double average) {
+  if (stands_alone && leg.motion.path == nullptr)
+    return half_time(robot, leg, place, made) - alone(robot, leg).time / 2;
+  const double ramp = greatest_rate(robot, leg, place) / (2 * greatest_control(leg, place));
+  return lost_around(robot, leg, place, made) - ramp - average / 2;
+}
+
+bool stops_as_fast(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                   const Turn& made, const TurnBounds& bounds) {
+  if (made.calm == 1) return false;
+  const double average = bounds.average;
+  return won_by_stop(robot, in, in.at(in.length()), made, bounds.from_rest, average) +
+             won_by_stop(robot, out, out.at(0), made, bounds.to_rest, average) >=
+         0;
 }
 
 std::optional<Turn> make_parabola(const RobotModel& robot, const ShapedLeg& in,
@@ -109,7 +143,7 @@ std::optional<Turn> make_parabola(const RobotModel& robot, const ShapedLeg& in,
   if (!(made.half >= kShortest)) return std::nullopt;
   made.fastest = std::sqrt(shift.turns * 2 * made.half);
   calm_down(in, out, turn, shift, bounds.average, made);
-  if (stops_as_fast(robot, out, made, bounds.average)) return std::nullopt;
+  if (stops_as_fast(robot, in, out, made, bounds)) return std::nullopt;
   return made;
 }
 
@@ -145,7 +179,7 @@ std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, con
         made.axes = std::move(*axes);
         made.fastest = std::sqrt(shift.turns * 2 * made.half / kPeak);
         calm_down(in, out, turn, shift, average, made);
-        if (stops_as_fast(robot, out, made, average)) return std::nullopt;
+        if (stops_as_fast(robot, in, out, made, bounds)) return std::nullopt;
         return made;
       }
     }

@@ -8,9 +8,11 @@ namespace rob::motion {
 
 /// What bounds a corner, beside the zone of its point.
 struct TurnBounds {
-  double longest = 0;     ///< m of σ that it may take on each side
-  double average = 0;     ///< s of the mean that follows, which moves a curve of the axes inwards
-  bool of_sigma = false;  ///< the mean is of σ: the path is kept, and has to bend smoothly
+  double longest = 0;      ///< m of σ that it may take on each side
+  double average = 0;      ///< s of the mean that follows, which moves a curve of the axes inwards
+  bool of_sigma = false;   ///< the mean is of σ: the path is kept, and has to bend smoothly
+  bool from_rest = false;  ///< the leg into it begins at rest
+  bool to_rest = true;     ///< the leg out of it could do with a stop at its end
 };
 
 /// How long the corner between two legs would like to be: what its zone admits, or what its speed

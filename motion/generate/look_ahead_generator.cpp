@@ -164,10 +164,19 @@ void LookAheadGenerator::begin_profile(const SegmentDescriptor& next) noexcept {
   profile_events_.begin(next, zero_, 0, true, zero_, clock_.override_share());
 }
 
+/// A mean of N samples is at rest N − 1 periods after the guide, but its last jerk lies behind
+/// that: it must not meet the next run's.
+bool LookAheadGenerator::settled() const noexcept {
+  const double mean = average_.periods() * period();
+  const bool bounded = average_.periods() > 1 || guide_.pauses();
+  return !bounded || history_.stands_since() + mean <= guide_time() + kSameInstant;
+}
+
 void LookAheadGenerator::begin_run(const PathLeg& leg) noexcept {
   if (moved_) guide_.restart(guide_.index(), segment().target);
   moved_ = false;
-  guide_.begin_run(leg.begin);
+  guide_.begin_run(leg.begin, guide_time() + (settled() ? 0 : period()),
+                   leg.alone ? leg.average * period() : 0);
   average_.begin_run(leg.average, guide_);
   history_.begin(guide_time(), leg.begin);
   events_.begin_run({guide_time(), leg.begin, 0});

@@ -74,6 +74,7 @@ class LookAheadGenerator final : public SegmentGenerator {
   double guide_time() const noexcept { return stamp() - skipped_; }
   /// s by which a reference lags behind the guide.
   double lag() const noexcept { return (average_.periods() - 1) * period() / 2; }
+  bool settled() const noexcept;
   /// When what the guide did at `time` shows in the references.
   double told(double time) const noexcept { return time + lag() + skipped_; }
   double cursor() const noexcept { return history_.sigma(guide_time() - lag()); }

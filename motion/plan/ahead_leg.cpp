@@ -143,7 +143,7 @@ AheadLeg ahead_leg(const RobotModel& robot, const LegDemand& demand, const Motio
   if (bounded > 0) {
     const double share = request.accel_value / (give.most_acceleration * bounded);
     if (share > 1 + kSame) leg.warnings |= PlannedSegment::kBoundCut;
-    bounds.acceleration = std::min(share, 1.0);
+    bounds.full = bounds.acceleration = std::min(share, 1.0);
   }
   const Windows need = windows(robot, demand, request, give);
   if (request.jerk != Bound::None && need.asked > 0 && need.asked < need.axes * (1 - kSame))

@@ -38,7 +38,8 @@ inline constexpr int kMostPeriods = 4096;
 ///                 robot's zone_angle, always
 ///
 /// Where jerk is low, and T_w would be long, the share is √(F·J)/2: a ramp up to F, of F/A + 2A/J,
-/// takes as long as with √(F·J), and the mean moves corners by an eighth. `demand`: per unit of the
+/// takes as long as with √(F·J), and the mean moves corners by an eighth. A leg that turns out to
+/// stand alone, or to be part of a curve, has another (PathPlanner). `demand`: per unit of the
 /// leg's parameter, with the length of the tip's way.
 AheadLeg ahead_leg(const RobotModel& robot, const LegDemand& demand, const MotionRequest& request);
 

@@ -19,7 +19,8 @@ struct LegBounds {
   const ToolLine* line = nullptr;  ///< along which the tip is led; kept as long as the path
   double length = 0;               ///< m of σ from end to end; 0: no length
   double speed = kAny;      ///< m/s of σ: what AT and OVER ask for, whatever the axes can do
-  double acceleration = 1;  ///< share of each axis' a_max that ACCEL leaves, above 0
+  double acceleration = 1;  ///< share of each axis' a_max that ACCEL and jerk leave, above 0
+  double full = 1;          ///< the same whatever the jerk
   double window = 0;        ///< s: of the average that bounds the jerk; 0: it is unbounded
   double miss = kAny;       ///< m by which the tip may miss the target
   double turn = kAny;       ///< rad by which the tool's orientation and its rotary axes may

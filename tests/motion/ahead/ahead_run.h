@@ -43,6 +43,7 @@ class AheadRun {
 
   /// What the next legs ask for.
   motion::LegBounds bounds;
+  bool from_rest = false;
 
   /// Where the axes stand before the first line.
   void from(double x_mm, double y_mm) {
@@ -56,6 +57,7 @@ class AheadRun {
     motion::SegmentDescriptor segment;
     segment.number = ++number_;
     segment.target = q;
+    segment.from_rest = from_rest;
     segment.ahead = bounds;
     segment.ahead.from = last_;
     segment.ahead.length = (q - last_).head<2>().norm();
@@ -69,6 +71,8 @@ class AheadRun {
     q << x_mm / 1000, y_mm / 1000, turn;
     line(q);
   }
+  /// Where the axes will be behind the last line.
+  const motion::JointVector& end() const { return last_; }
   void close() { buffer_.close(); }
   motion::LookAheadBuffer& buffer() { return buffer_; }
 
@@ -102,6 +106,8 @@ class AheadRun {
     return guide_.at_run_end() && ring_.next_leg() == nullptr && average_.stands() &&
            ring_.piece(guide_.index()) == nullptr;
   }
+
+  bool stands() const { return average_.stands(); }
 
   const std::vector<motion::PathPoint>& references() const { return references_; }
   /// Of axis i, over all references: |q''|, and |q'''| as third differences.
@@ -137,14 +143,20 @@ class AheadRun {
   void start_run() {
     while (const motion::PathLeg* leg = ring_.next_leg()) {
       if (guide_.at_run_end() && !average_.stands()) break;
-      if (guide_.at_run_end() && average_.stands() && ring_.piece(guide_.index()) != nullptr) {
-        guide_.begin_run(leg->begin);
-        average_.begin_run(leg->average, guide_);
-      }
+      if (guide_.at_run_end() && ring_.piece(guide_.index()) != nullptr) begin_run(*leg);
       if (leg->begin > guide_.sigma()) break;
-      if (guide_.stands() && guide_.sigma() == 0) average_.begin_run(leg->average, guide_);
+      if (leg->begin == guide_.sigma() && !guide_.stands()) break;  // but for rounding
+      if (guide_.stands() && guide_.sigma() == 0) begin_run(*leg);
       ring_.pop_leg();
     }
+  }
+
+  void begin_run(const motion::PathLeg& leg) {
+    const double period = robot_.reference_period;
+    const bool first = guide_.sigma() == 0;  // else the last of the mean's jerk is yet to come
+    guide_.begin_run(leg.begin, guide_.time() + (first ? 0 : period),
+                     leg.alone ? leg.average * period : 0);
+    average_.begin_run(leg.average, guide_);
   }
 
   const motion::RobotModel robot_;

@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "tests/motion/generate/look_ahead_run.h"
@@ -88,4 +90,25 @@ TEST_CASE("a run of an arm is the same, whatever mean the run behind its stop ha
          alone.samples()[same].reference.q == followed.samples()[same].reference.q)
     ++same;
   CHECK(same == alone.samples().size());
+}
+
+TEST_CASE("a joint motion alone has no bends: it takes d/v + v/a + a/j") {
+  constexpr double kDegree = std::numbers::pi / 180;
+  ArmAhead run;
+  run.turn(60, 0, 0);
+  run.close();
+  run.finish();
+  const RobotModel& robot = run.robot();
+  double mean = 0;
+  for (const Axis& axis : robot.axes) mean = std::max(mean, axis.a_max / axis.j_max);
+  const double period = robot.reference_period;
+  mean = std::ceil(mean / period) * period;
+  const Axis& first = robot.axes[0];
+  const double time = 60 * kDegree / first.v_max + first.v_max / first.a_max + mean;
+  const double finished = run.all(MotionEvent::Kind::Finished).at(0).time;
+  CHECK(finished == doctest::Approx(time - period).epsilon(1e-6));  // a mean of samples
+  const auto peak = run.peak();
+  CHECK(peak.speed <= 1 + 1e-6);
+  CHECK(peak.acceleration <= 1 + 1e-6);
+  CHECK(peak.jerk <= 1 + 1e-6);
 }
