@@ -137,8 +137,10 @@ void MotionTask::pause(bool asked) noexcept {
 }
 
 void MotionTask::hold() noexcept {
-  program_.generator.hold();
-  handlers_.generator.hold();
+  for (const Track* const track : {&program_, &handlers_}) {
+    if (paused_ && !safe_) track->generator.resume();  // so that it tells anew that it stands
+    track->generator.hold();
+  }
   if (retrace_.moving()) retrace_.halt();
   take_safe_values();
 }
@@ -235,7 +237,7 @@ void MotionTask::release(Track& track, MotionEvent event, double cycle_time) noe
       if (event.value != 0) retrace_.mark(event.tag, event.time < now_ - kInstantTolerance);
       if (&track == &program_ && channels_.hold_points.holds(event.tag, event.number)) {
         channels_.pause_requested.store(true, std::memory_order_relaxed);
-        retrace_.hold_at_mark();
+        if (event.value != 0) retrace_.hold_at_mark();
       }
       break;
     case MotionEvent::Kind::EffectDue:

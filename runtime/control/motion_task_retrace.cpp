@@ -27,7 +27,7 @@ void MotionTask::take_way_back() noexcept {
 /// Whether a hold is the way back's affair.
 bool MotionTask::pause_on_way_back(bool asked) noexcept {
   if (!retrace_.away() || channels_.stop_requested.load(std::memory_order_relaxed)) return false;
-  if (asked && (!paused_ || retrace_.returns())) retrace_.halt();
+  if (channels_.way_back.hold_asked.exchange(false) && retrace_.moving()) retrace_.halt();
   if (!asked && paused_ && !retrace_.returns()) retrace_.forth(std::min(path_share(), 1.0));
   return paused_;
 }

@@ -64,10 +64,12 @@ std::string Archive::default_folder() {
   const char* const data = std::getenv("XDG_DATA_HOME");
   if (data != nullptr && *data == '/') return std::string(data) + "/rob/archive";
   const char* const home = std::getenv("HOME");
-  return std::string(home != nullptr ? home : ".") + "/.local/share/rob/archive";
+  return home != nullptr && *home == '/' ? std::string(home) + "/.local/share/rob/archive" : "";
 }
 
 std::string Archive::folder_of(const std::string& file) const {
+  if (folder_.empty())
+    throw FileError("there is no place for the archive: set HOME or XDG_DATA_HOME");
   std::error_code error;
   const fs::path full = fs::weakly_canonical(file, error);
   if (error) throw FileError(fmt::format("cannot find '{}': {}", file, error.message()));

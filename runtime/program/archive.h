@@ -18,7 +18,7 @@ class Archive {
   };
 
   explicit Archive(std::string folder) : folder_(std::move(folder)) {}
-  /// $XDG_DATA_HOME/rob/archive, or ~/.local/share/rob/archive.
+  /// $XDG_DATA_HOME/rob/archive, or ~/.local/share/rob/archive; empty without HOME.
   static std::string default_folder();
 
   /// Keeps what the file holds now as a version of it, unless the last version is the same. A file

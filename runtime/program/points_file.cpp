@@ -123,7 +123,8 @@ std::string points_text(const Points& points, const motion::RobotModel& robot) {
   for (const Points::Point& point : points.points) sorted.push_back(&point);
   std::ranges::sort(sorted, {},
                     [](const Points::Point* point) { return lang::to_upper(point->value.name); });
-  std::string text = with(points.robot, robot_line(robot));
+  const bool binds = !points.points.empty() || !points.robot.above.empty();
+  std::string text = binds ? with(points.robot, robot_line(robot)) : "";
   for (const Points::Point* const point : sorted) {
     text += with(point->remarks, line_of(*point, signature));
   }

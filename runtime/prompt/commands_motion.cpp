@@ -53,7 +53,9 @@ void override_speed(Session& session, const Words& words) {
   robot.set_override(*share);
 }
 
-void jog(Session& session, const Words&) { session.ask_for_pendant(); }
+void jog(Session& session, const Words&) {
+  if (session.stands(":jog")) session.ask_for_pendant();
+}
 
 void hold(Session& session, const Words&) { session.robot().pause(true); }
 

@@ -112,6 +112,7 @@ void LiveRobot::look_for_end() {
 
 void LiveRobot::pause(bool on) {
   WayBack& way_back = channels().way_back;
+  if (on && going_back()) way_back.hold_asked.store(true);
   if (!on && paused() && way_back.away.load(std::memory_order_relaxed))
     way_back.under_way.store(true, std::memory_order_release);
   channels().pause_requested.store(on, std::memory_order_relaxed);

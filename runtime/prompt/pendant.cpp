@@ -240,7 +240,10 @@ void Pendant::name(const Key& key) {
   if (key.kind == Key::Kind::Escape) {
     naming_.reset();
   } else if (key.kind == Key::Kind::Enter) {
-    if (!naming_->empty()) session_.enter(":teach " + *naming_);
+    if (!naming_->empty()) {
+      session_.screen().message(fmt::format("{} is here from now on\n", *naming_));
+      session_.enter(":teach " + *naming_);
+    }
     naming_.reset();
   } else if (key.kind == Key::Kind::Backspace) {
     if (!naming_->empty()) naming_->pop_back();

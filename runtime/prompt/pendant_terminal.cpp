@@ -23,6 +23,8 @@ class KeptScreen final : public Screen {
   void result(std::string_view text) override { keep(text); }
   void message(std::string_view text) override { keep(text); }
   const std::string& last() const { return last_; }
+  /// What was said of the motion before is over with it.
+  void forget_last() { last_.clear(); }
   const std::string& all() const { return all_; }
 
  private:
@@ -50,7 +52,7 @@ bool ask_for_releases(RawTerminal& terminal, KeyReader& keys) {
   return true;
 }
 
-void show_pendant(Session& session, const KeptScreen& kept) {
+void show_pendant(Session& session, KeptScreen& kept) {
   RawTerminal terminal;
   KeyReader keys;
   Pendant pendant(session, session.dead_man(), ask_for_releases(terminal, keys));
@@ -64,7 +66,10 @@ void show_pendant(Session& session, const KeptScreen& kept) {
     }
     quiet = bytes->empty() ? quiet + 1 : 0;
     keys.feed(*bytes);
-    while (const auto key = keys.next()) pendant.press(*key);
+    while (const auto key = keys.next()) {
+      if (key->event == Key::Event::Press) kept.forget_last();
+      pendant.press(*key);
+    }
     if (quiet > kPausesOfAFrame) {
       if (const auto escape = keys.lone_escape()) pendant.press(*escape);
     }

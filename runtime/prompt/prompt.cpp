@@ -102,6 +102,9 @@ ExitCode filter(Session& session, bool fast) {
   session.finish();
   if (session.asks() && !Interruption::requested())
     session.fail("the input has ended, and nobody answers any more", "", ExitCode::Fault);
+  if (session.robot().held() && !session.robot().idle())
+    session.fail("the input has ended, and the robot is held", "let :resume or :stop come behind",
+                 ExitCode::Fault);
   return Interruption::requested() ? Interruption::exit_code() : session.worst();
 }
 

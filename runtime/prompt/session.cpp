@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -114,7 +115,7 @@ LiveReports::Listener Session::listener() {
     screen_->message(fmt::format("line {}: fault[{}]: {}\nhelp: {}\n", line, words.code,
                                  words.message, words.help));
     screen_->message("the robot has stopped; :reset takes it under control again\n");
-    if (worst_ == ExitCode::Done) worst_ = ExitCode::Fault;
+    note(ExitCode::Fault);
   };
   return listener;
 }
@@ -165,7 +166,7 @@ bool Session::submit(const std::string& entry, LoadedProgram compiled) {
   sources_ += entry + "\n";
   tell(compiled, line);
   if (!compiled.runnable()) {
-    if (worst_ == ExitCode::Done) worst_ = ExitCode::ProgramError;
+    note(ExitCode::ProgramError);
     return false;
   }
   if (robot_->over()) {
@@ -199,7 +200,7 @@ void Session::take_failures() {
     asks_ = false;  // whatever asked has ended
     const lang::RuntimeError& error = failure->error;
     forget(*failure);
-    if (worst_ == ExitCode::Done) worst_ = ExitCode::Fault;
+    note(ExitCode::Fault);
     if (error.code == code::kStopped) {
       screen_->message(error.message + "; what was not done yet is dropped\n");
       continue;
@@ -251,7 +252,14 @@ bool Session::interrupt() {
 void Session::fail(const std::string& message, const std::string& help, ExitCode code) {
   screen_->message(fmt::format("error: {}\n", message));
   if (!help.empty()) screen_->message(fmt::format("help: {}\n", help));
-  if (worst_ == ExitCode::Done) worst_ = code;
+  note(code);
+}
+
+void Session::note(ExitCode error) {
+  constexpr std::array kFromTheLeast = {ExitCode::Done, ExitCode::Usage, ExitCode::ProgramError,
+                                        ExitCode::InputOutput, ExitCode::Fault};
+  worst_ = std::ranges::max(worst_, error, {},
+                            [&](ExitCode one) { return std::ranges::find(kFromTheLeast, one); });
 }
 
 std::string Session::state_text() const {

@@ -74,7 +74,7 @@ class Session final : public Person {
   bool take_pendant() { return std::exchange(pendant_, false); }
   /// HALT or ASK waits: the next line is the answer.
   bool asks() const { return asks_; }
-  /// The first error that there was, as an exit code.
+  /// Of all errors: a fault before files, a program before a command.
   ExitCode worst() const { return worst_; }
   /// "gantry idle (0, 0, 0)": robot, state, position.
   std::string state_text() const;
@@ -160,6 +160,7 @@ class Session final : public Person {
   std::map<std::uint32_t, Run> runs_;  ///< by the line of its :run
   Workshop workshop_;
   SessionPoints points_;
+  void note(ExitCode error);
   ExitCode worst_ = ExitCode::Done;
   bool over_ = false;
   bool pendant_ = false;

@@ -100,6 +100,7 @@ class TerminalPrompt {
   void begin_line();
   bool wait() const;
   void take_typed();
+  void show_pendant();
   void enter(const std::string& line);
   void show_state();
   void stop_or_drop();
@@ -187,8 +188,13 @@ void TerminalPrompt::take_typed() {
     if (end == std::string_view::npos) break;
     rest.remove_prefix(end + 1);
   }
-  if (session_.take_pendant()) run_pendant(session_);
+  if (session_.take_pendant()) show_pendant();
   if (!session_.over()) begin_line();
+}
+
+void TerminalPrompt::show_pendant() {
+  if (draws_) return run_pendant(session_);
+  session_.fail("the pendant needs a terminal that can move its cursor; TERM says there is none");
 }
 
 void TerminalPrompt::enter(const std::string& line) {

@@ -84,3 +84,23 @@ TEST_CASE("a command acts while a block is open, and the block goes on") {
   CHECK(result.exit_code == 0);
   CHECK(result.out == "paul\npaul\n1\n2\n");
 }
+
+TEST_CASE("the exit code is that of the worst error") {
+  CHECK(piped(":nonsense\nMOOVE\n").exit_code == 65);
+  CHECK(piped("MOOVE\nRAISE \"x\"\n:nonsense\n").exit_code == 70);
+}
+
+TEST_CASE("an input that ends while the robot is held is an error, and the process ends") {
+  for (const char* const text :
+       {"MOVE(10,0,0)\n:hold\n", "MOVE(10,0,0)\n:hold\n:quit\n",
+        ":insert 1 MOVE(9,0,0)\n:insert 2 MOVE(9,9,0)\n:step\n:step\n:back\n"}) {
+    for (const char* const options : {"--fast", "--fast --law lookahead", ""}) {
+      CAPTURE(text);
+      CAPTURE(options);
+      const ProcessResult result = piped(text, options);
+      CHECK(result.exit_code == 70);
+      CHECK(result.err.find("the robot is held") != std::string::npos);
+    }
+  }
+  CHECK(piped(":hold\n").exit_code == 0);  // nothing is under way
+}

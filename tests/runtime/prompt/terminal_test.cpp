@@ -264,6 +264,18 @@ TEST_CASE("the pendant takes the screen, and gives it back to the prompt; SIGTER
   CHECK(terminal.modes_as_found());
 }
 
+TEST_CASE("SIGTERM ends a prompt whose robot is held") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("MOVE(100,0,0)\r:hold\r");
+  REQUIRE(terminal.expect("gantry held"));
+  terminal.signal(SIGTERM);
+  CHECK(terminal.wait() == 143);
+  CHECK(terminal.modes_as_found());
+}
+
 TEST_CASE("a prompt that is killed is told by the next one, once") {
   const Desk desk;
   {

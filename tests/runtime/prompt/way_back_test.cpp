@@ -100,6 +100,42 @@ TEST_CASE("behind a hold on the way back :resume drives forth again") {
   CHECK(prompt.session.state_text() == "gantry idle (20, 0, 0)");
 }
 
+TEST_CASE("a second hold ends the way back from a hold; :resume goes on") {
+  rob::test::VirtualPrompt prompt;
+  prompt.session.enter("MOVE(100,0,0)");
+  const auto pass = [&] {
+    for (int i = 0; i < 200; ++i) prompt.session.let_pass();
+  };
+  const auto x = [&] { return prompt.session.robot().reports().last()->sample.reference.q[0]; };
+  pass();
+  prompt.session.enter(":hold");
+  pass();
+  const double left = x();
+  prompt.session.enter(":back");
+  for (int i = 0; i < 80; ++i) prompt.session.let_pass();
+  prompt.session.enter(":hold");
+  pass();
+  const double there = x();
+  CHECK(there < left);
+  CHECK(there > 0);
+  pass();
+  CHECK(x() == there);
+  prompt.session.enter(":resume");
+  prompt.session.finish();
+  prompt.session.let_pass();
+  CHECK(prompt.session.state_text() == "gantry idle (100, 0, 0)");
+}
+
+TEST_CASE("held at a STOP, the line before is the one under way") {
+  const ScratchFolder folder;
+  PipedPrompt prompt(folder);
+  prompt.enter(
+      {":insert 1 MOVE(40,40,0)", ":insert 2 MOVE(140,40,0)", ":insert 3 STOP", ":step", ":step"});
+  REQUIRE(prompt.said().ends_with("held where line 3 begins: STOP\n"));
+  prompt.enter({":back"});
+  CHECK(prompt.said() == "back where line 2 began; outputs are as they were\n");
+}
+
 TEST_CASE("an arm goes back along its line, and the record of another robot is not gone back") {
   const ScratchFolder folder;
   PipedPrompt prompt(folder, "irb120");
