@@ -37,6 +37,9 @@ class ToolPath {
 /// ToolPath::at_share() from share_at(), which only grows.
 double parameter_of(const ToolPath& path, double share) noexcept;
 
+/// How fast the tool moves at s, per unit of s: its tip, m, and 1 mm for each degree that it turns.
+double speed_at(const ToolPath& path, double s) noexcept;
+
 /// What a path is measured by, m: its way, or where only the orientation changes 1 mm a degree.
 double measure_of(const ToolPath& path) noexcept;
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "motion/path/joint_path.h"
+#include "motion/path/tool_path.h"
 #include "motion/plan/feasibility.h"
 #include "motion/plan/motion_request.h"
 #include "motion/robots/robot_model.h"
@@ -29,14 +30,17 @@ JointVector greatest_rates(const JointPath& axes);
 /// The first place where an axis is beyond its limits; its parameter is Refusal::at.
 std::optional<Refusal> first_beyond(const RobotModel& robot, const JointPath& axes);
 
-/// Where on a path the axes allow the least speed, and the most, as ds/dt of their v_max.
+/// Where the axes allow the least share of the tool's speed: of what is asked for, or, where that
+/// is less, of the most that they allow anywhere on the path. On a spline the parameter does not
+/// say how fast the tool moves: it may nearly stand where its way turns back.
 struct Slowest {
   double at = 0;
   int axis = -1;
-  double least = 0;  ///< 1/s
-  double most = 0;   ///< 1/s
+  double share = 1;
 };
-Slowest slowest_place(const RobotModel& robot, const JointPath& axes);
+/// `asked`: 1/s of the parameter, infinite without any.
+Slowest slowest_place(const RobotModel& robot, const ToolPath& path, const JointPath& axes,
+                      double asked);
 
 /// The greatest speed and acceleration of a parameter, per s, which the axes can follow in a
 /// profile while its time is also changed by as much as `change`, 1/s. On a path half of their
