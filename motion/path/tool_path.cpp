@@ -1,26 +1,17 @@
 #include "motion/path/tool_path.h"
 
-#include <numbers>
-
 #include "motion/space/rotation.h"
 
 namespace rob::motion {
 
-namespace {
-
-constexpr double kPerRadian = 0.18 / std::numbers::pi;  // m: 1 mm a degree
-
-}  // namespace
-
-double speed_at(const ToolPath& path, double s) noexcept {
+ToolSpeed speed_at(const ToolPath& path, double s) noexcept {
   constexpr double kShare =
       1e-5;  // [choice] of the path: small beside its bends, far from rounding
   const double d = kShare * (path.end() - path.begin());
   const Pose before = path.at(s - d);
   const Pose behind = path.at(s + d);
-  const double way = (behind.position - before.position).norm();
-  const double turn = rotation_between(before.orientation, behind.orientation).norm();
-  return (way + kPerRadian * turn) / (2 * d);
+  return {(behind.position - before.position).norm() / (2 * d),
+          rotation_between(before.orientation, behind.orientation).norm() / (2 * d)};
 }
 
 double parameter_of(const ToolPath& path, double share) noexcept {

@@ -59,7 +59,9 @@ Slowest slowest_place(const RobotModel& robot, const ToolPath& path, const Joint
   std::vector<Place> places;
   double most = 0;  // of the tool
   axes.survey(kParts, [&](double s, const PathPoint& point) {
-    Place place{{s, -1, 1}, std::numeric_limits<double>::infinity(), speed_at(path, s)};
+    const ToolSpeed tool = speed_at(path, s);
+    Place place{
+        {s, -1, 1}, std::numeric_limits<double>::infinity(), tool.way + kPerRadian * tool.turn};
     for (int i = 0; i < robot.axis_count(); ++i) {
       const double rate = robot.axes[static_cast<std::size_t>(i)].v_max / std::abs(point.qd[i]);
       if (!(rate < place.rate)) continue;

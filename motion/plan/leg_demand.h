@@ -12,15 +12,16 @@ namespace rob::motion {
 
 /// What a leg asks of the axes, per unit of its parameter 0 … 1. m, rad.
 struct LegDemand {
-  JointVector rates;                ///< the greatest |dq/ds| of each axis
-  double way = 0;                   ///< of the tip: straight, or along its path
-  double turn = 0;                  ///< of the tool along its path, or of the axis that turns most
-  double pace_way = 0;              ///< its greatest speed
-  double pace_turn = 0;             ///< the greatest turning speed that AT bounds
-  double farthest = 0;              ///< the most that the tip can cover
-  double leaving = 0;               ///< the tip's speed at the end
-  const JointPath* path = nullptr;  ///< null: straight in the axes
-  double first_point = 1;           ///< of the path, between its ends, that is to be met
+  JointVector rates;                 ///< the greatest |dq/ds| of each axis
+  double way = 0;                    ///< of the tip: straight, or along its path
+  double turn = 0;                   ///< of the tool along its path, or of the axis that turns most
+  double pace_way = 0;               ///< its greatest speed
+  double pace_turn = 0;              ///< the greatest turning speed that AT bounds
+  double farthest = 0;               ///< the most that the tip can cover
+  double leaving = 0;                ///< the tip's speed at the end
+  const JointPath* path = nullptr;   ///< null: straight in the axes
+  const ToolPath* uneven = nullptr;  ///< a path whose parameter does not say how fast the tool is
+  double first_point = 1;            ///< of the path, between its ends, that is to be met
   double last_point = 0;
 };
 

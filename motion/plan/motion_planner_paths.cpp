@@ -32,6 +32,7 @@ bool same(const Pose& a, const Pose& b) {
 LegDemand demand_of(const ToolPath& path, const JointPath& axes) {
   LegDemand demand;
   demand.path = &axes;
+  if (dynamic_cast<const ToolLine*>(&path) == nullptr) demand.uneven = &path;
   demand.rates = greatest_rates(axes);
   demand.way = path.way();
   demand.turn = path.turn();
