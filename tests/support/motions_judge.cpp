@@ -181,8 +181,10 @@ void judge_marks(const TracedRun& run, const RandomMotions& motions, double acce
     const auto near = [&](const TraceRow& row) {
       const double since = times[i] - mark.lag - row.t;
       const double before = at_end && row.line > mark.line ? mark.length : 0;
+      // Events are told in order: one that is late may be told with another of its period.
+      const double told = mark.lag > 0 ? row.rate * period * kMm : 0;
       return (row.line == mark.line || before > 0) && std::abs(since) <= 1.001 * period &&
-             std::abs((row.sigma + row.rate * since) * kMm + before - mark.place) <= most;
+             std::abs((row.sigma + row.rate * since) * kMm + before - mark.place) <= most + told;
     };
     if (std::none_of(rows.begin(), rows.end(), near) && !(mark.lag < 0 && said(run, mark.line)))
       findings.push_back(
