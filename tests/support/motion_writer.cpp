@@ -160,11 +160,12 @@ void MotionWriter::finish(const std::string& motion, const std::string& clauses,
 void MotionWriter::mark(double length) {
   const int hundredths = choice_.between(10, static_cast<int>(std::min(length, 20.0) * 100) - 1);
   const bool after = choice_.percent(50);
-  // Outputs keep their order where none that is late is followed by one that is soon.
+  // Outputs keep their order where none that is late is followed by one that is sooner.
+  const int before_ms =
+      made_.marks.empty() ? 0 : static_cast<int>(std::lround(made_.marks.back().lag * 1000));
   const int kind = choice_.below(100);
-  const bool leads = kind >= 60 && (made_.marks.empty() || made_.marks.back().lag <= 0);
-  const int ms = kind < 30 ? 0 : choice_.between(1, kind < 60 ? 100 : 300);
-  const int lag_ms = kind < 60 ? ms : leads ? -ms : 0;
+  const int ms = kind < 30 ? 0 : kind < 60 ? choice_.between(1, 100) : -choice_.between(1, 300);
+  const int lag_ms = before_ms > 0 ? std::max(ms, before_ms) : ms;
   marked_ = !marked_;
   const double place = after ? hundredths / 100.0 : length - hundredths / 100.0;
   made_.marks.push_back({lines_, place, lag_ms / 1000.0, length});
