@@ -22,6 +22,11 @@ constexpr double kSameSlope = 1e-9;
 /// quintic between even motions.
 constexpr double kPeak = 2;
 
+/// The greatest jerk of a smooth corner, in Δq'·σ'³/half²: of Paul's quartic between two lines of
+/// the tool, and (30·max |2t − 6t² + 4t³| = 5.77)/4 of a quintic between even motions.
+constexpr double kLinesJerk = 3;
+constexpr double kAxesJerk = 1.45;
+
 /// m: a corner that is shorter is no corner. [choice] a tenth of what any scale resolves
 constexpr double kShortest = 1e-8;
 
@@ -31,6 +36,15 @@ JointVector turn_of(const ShapedLeg& in, const ShapedLeg& out) {
 
 bool straight(const ShapedLeg& in, const ShapedLeg& out) {
   return in.motion.path == nullptr && out.motion.path == nullptr;
+}
+
+/// Where the mean is of σ the corner has a share of the jerk, too; slivers of it are parabolas,
+/// which say nothing of theirs. s²/m: the greatest |Δq'|·jerk_factor/jerk of an axis, so that at σ'
+/// half² >= that·σ'³.
+double jerk_of(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn) {
+  const bool lines = in.segment.ahead.line != nullptr && out.segment.ahead.line != nullptr;
+  const JointVector least = kBendsShare * in.jerk.cwiseMin(out.jerk);
+  return (lines ? kLinesJerk : kAxesJerk) * (turn.array().abs() / least.array()).maxCoeff();
 }
 
 /// So long that at the greatest speed of both legs the axes keep it, and that the mean of so even
@@ -43,7 +57,9 @@ double half_for_speed(const RobotModel& robot, const ShapedLeg& in, const Shaped
   const double peak = straight(in, out) && !robot.tool_coordinates ? 1 : kPeak;
   if (!robot.tool_coordinates)
     reserve = std::min(reserve, turns_in_zone(robot, in, turn, in.segment.ahead.window) / 2);
-  return peak * speed * speed / (2 * reserve);
+  const double half = peak * speed * speed / (2 * reserve);
+  if (!robot.tool_coordinates) return half;
+  return std::max(half, std::sqrt(jerk_of(in, out, turn) * speed * speed * speed));
 }
 
 double half_for_zone(const ShapedLeg& in, const ShapedLeg& out) {
@@ -178,6 +194,9 @@ std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, con
       if (factor >= 1) {
         made.axes = std::move(*axes);
         made.fastest = std::sqrt(shift.turns * 2 * made.half / kPeak);
+        if (bounds.of_sigma)
+          made.fastest =
+              std::min(made.fastest, std::cbrt(made.half * made.half / jerk_of(in, out, turn)));
         calm_down(in, out, turn, shift, average, made);
         if (stops_as_fast(robot, in, out, made, bounds)) return std::nullopt;
         return made;

@@ -66,6 +66,9 @@ class LookAheadGenerator final : public SegmentGenerator {
   std::uint32_t decided() const noexcept override;
   bool tells_decisions() const noexcept override { return true; }
   const Effect* take_path_event(double& due) noexcept override;
+  bool awaits_path_event() const noexcept override {
+    return events_.pending() || profile_events_.pending();
+  }
 
   bool profiled() const noexcept { return segment().profile.present(); }
   /// Under way on the path of the guide.

@@ -29,6 +29,7 @@ class PathEvents {
   /// s by which what was taken last came later than its LEAD asked for, since it cannot come before
   /// its motion begins; 0: it did not.
   double cut() const noexcept { return cut_; }
+  bool pending() const noexcept { return count_ > 0; }
   /// What is not due yet is never done.
   void drop() noexcept { count_ = 0; }
 

@@ -58,6 +58,7 @@ class PaulGenerator final : public SegmentGenerator {
   std::optional<double> stands_since() const noexcept override;
   std::uint32_t decided() const noexcept override;
   const Effect* take_path_event(double& due) noexcept override;
+  bool awaits_path_event() const noexcept override { return path_events_.pending(); }
 
   void aim_clock() noexcept { stopping() ? clock_.hold() : clock_.resume(); }
   void adapt_clock() noexcept;

@@ -33,6 +33,8 @@ class PlaceEvents {
   void begin_run(const Mark& mark) noexcept;
   /// Once a period: the references have come to the mark.
   void go_on(const Mark& mark) noexcept;
+  /// The same while no run is under way: the references stand, and time goes on.
+  void stand(double time) noexcept { go_on({time, now_.sigma, 0}); }
   /// What is due by now, the earliest first; null: nothing. References lag behind the guide by
   /// `lag`.
   const Effect* take(const Guide& guide, const GuideHistory& history, double lag,
@@ -48,6 +50,7 @@ class PlaceEvents {
   };
   /// One at a time; those by less than `tolerance`, s, count as kept.
   std::optional<Missed> take_missed(double tolerance) noexcept;
+  bool pending() const noexcept { return count_ > 0; }
   void drop() noexcept { count_ = led_count_ = 0; }
 
  private:

@@ -191,6 +191,7 @@ void SegmentGenerator::start_from_rest() noexcept {
 void SegmentGenerator::finish_if_done() noexcept {
   if (running_ || finished_ || faulted_ || !closed()) return;
   if (next_segment() != nullptr || buffer_.next_effect() != nullptr) return;
+  if (awaits_path_event()) return;  // a LAG is not over yet
   finished_ = true;
   tell({.kind = Kind::Finished, .time = latest_, .tag = segment_.tag, .number = segment_.number});
 }

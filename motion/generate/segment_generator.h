@@ -121,6 +121,8 @@ class SegmentGenerator : public TrajectoryGenerator {
   virtual bool tells_decisions() const noexcept { return false; }
   /// The next path event that is due, and when; null: none. In any case.
   virtual const Effect* take_path_event(double& due) noexcept = 0;
+  /// Whether one is still to come. In any case.
+  virtual bool awaits_path_event() const noexcept = 0;
 
   // For the law.
   double period() const noexcept { return period_; }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <numbers>
+
 #include "motion/space/pose.h"
 
 namespace rob::motion {
@@ -36,6 +38,16 @@ class ToolPath {
 
 /// ToolPath::at_share() from share_at(), which only grows.
 double parameter_of(const ToolPath& path, double share) noexcept;
+
+/// m: what a radian counts where ways and turns are compared, 1 mm a degree.
+inline constexpr double kPerRadian = 0.18 / std::numbers::pi;
+
+/// How fast the tool moves at s, per unit of s.
+struct ToolSpeed {
+  double way = 0;   ///< m: of its tip
+  double turn = 0;  ///< rad
+};
+ToolSpeed speed_at(const ToolPath& path, double s) noexcept;
 
 /// What a path is measured by, m: its way, or where only the orientation changes 1 mm a degree.
 double measure_of(const ToolPath& path) noexcept;

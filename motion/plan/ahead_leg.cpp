@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "motion/plan/planned_segment.h"
 
@@ -28,19 +27,29 @@ constexpr double kUsualWindow = 0.1;
 /// robots.
 constexpr double kOwnWindow = 0.25;
 
-/// 1 mm for a degree, where the tip does not move.
-constexpr double kPerRadian = 0.001 * 180 / std::numbers::pi;
-
 double length_of(const LegDemand& demand) {
   return demand.way > kNoWay ? demand.way : demand.turn * kPerRadian;
 }
 
-/// What the axes can give a leg, per unit of its parameter.
+/// What the axes can give a leg: shares of its length, at the places where they give most.
 struct AxesGive {
-  double most_rate = 0;          ///< 1/s at the fastest place
-  double most_acceleration = 0;  ///< 1/s² at the strongest place, without bends
+  double most_rate = 0;          ///< 1/s
+  double most_acceleration = 0;  ///< 1/s², without bends
+  ToolSpeed acceleration;        ///< m/s², rad/s²: the same of what bounds speak of
   double duration = 0;           ///< s from end to end
 };
+
+/// How fast the tool is at s, and the leg's length passes by, per unit of s.
+struct Passing {
+  ToolSpeed tool;
+  double share = 1;
+};
+
+Passing passing(const LegDemand& demand, double s) {
+  if (demand.uneven == nullptr) return {{demand.pace_way, demand.pace_turn}, 1};
+  const ToolSpeed tool = speed_at(*demand.uneven, s);
+  return {tool, demand.way > kNoWay ? tool.way / demand.way : tool.turn / demand.turn};
+}
 
 /// `slowest`: s for the whole leg at the speed that AT and OVER ask for; 0 without them.
 AxesGive axes_give(const RobotModel& robot, const LegDemand& demand, double slowest) {
@@ -55,8 +64,13 @@ AxesGive axes_give(const RobotModel& robot, const LegDemand& demand, double slow
       time = std::max(time, std::abs(rates[i]) / axis.v_max);
       pull = std::max(pull, std::abs(rates[i]) / axis.a_max);
     }
-    if (time > 0) give.most_rate = std::max(give.most_rate, 1 / time);
-    if (pull > 0) give.most_acceleration = std::max(give.most_acceleration, 1 / pull);
+    const Passing passed = passing(demand, s);
+    if (time > 0) give.most_rate = std::max(give.most_rate, passed.share / time);
+    if (pull > 0) {
+      give.most_acceleration = std::max(give.most_acceleration, passed.share / pull);
+      give.acceleration.way = std::max(give.acceleration.way, passed.tool.way / pull);
+      give.acceleration.turn = std::max(give.acceleration.turn, passed.tool.turn / pull);
+    }
     const double here = std::max(time, slowest);
     give.duration += (s - before) * (here + last) / 2;
     before = s;
@@ -71,9 +85,11 @@ AxesGive axes_give(const RobotModel& robot, const LegDemand& demand, double slow
   return give;
 }
 
-/// Of what a bound speaks of, its speed per unit of the leg; 0 where that does not move.
-double speed_of(Bound bound, const LegDemand& demand) {
-  return bound == Bound::Tool ? demand.pace_way : bound == Bound::Rotary ? demand.pace_turn : 0;
+/// What the axes can give to what a bound speaks of; 0 where that does not move.
+double given_to(Bound bound, const AxesGive& give) {
+  return bound == Bound::Tool     ? give.acceleration.way
+         : bound == Bound::Rotary ? give.acceleration.turn
+                                  : 0;
 }
 
 /// The windows, s, that jerk needs for accelerations of a_max: what the axes ask for, and JERK.
@@ -96,7 +112,7 @@ Windows windows(const RobotModel& robot, const LegDemand& demand, const MotionRe
     need.asked = std::max(need.asked, 2 * axis.a_max / request.jerk_value);
   }
   if (request.jerk == Bound::None || named) return need;
-  need.asked = 2 * give.most_acceleration * speed_of(request.jerk, demand) / request.jerk_value;
+  need.asked = 2 * given_to(request.jerk, give) / request.jerk_value;
   return need;
 }
 
@@ -139,9 +155,8 @@ AheadLeg ahead_leg(const RobotModel& robot, const LegDemand& demand, const Motio
   if (request.at_least > 0 && axes_give(robot, demand, 0).duration > request.at_least * (1 + kSame))
     leg.warnings |= PlannedSegment::kStretched;
 
-  const double bounded = speed_of(request.accel, demand);
-  if (bounded > 0) {
-    const double share = request.accel_value / (give.most_acceleration * bounded);
+  if (const double given = given_to(request.accel, give); given > 0) {
+    const double share = request.accel_value / given;
     if (share > 1 + kSame) leg.warnings |= PlannedSegment::kBoundCut;
     bounds.full = bounds.acceleration = std::min(share, 1.0);
   }

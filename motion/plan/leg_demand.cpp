@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace rob::motion {
 
@@ -49,19 +50,34 @@ std::optional<Refusal> first_beyond(const RobotModel& robot, const JointPath& ax
   return found;
 }
 
-Slowest slowest_place(const RobotModel& robot, const JointPath& axes) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Slowest slowest{0, -1, kInfinity, 0};
+Slowest slowest_place(const RobotModel& robot, const ToolPath& path, const JointPath& axes,
+                      double asked) {
+  struct Place {
+    Slowest found;
+    double rate, speed;  // what the axes allow, 1/s; of the tool, per unit of the parameter
+  };
+  std::vector<Place> places;
+  double most = 0;  // of the tool
   axes.survey(kParts, [&](double s, const PathPoint& point) {
-    double here = kInfinity;
+    const ToolSpeed tool = speed_at(path, s);
+    Place place{
+        {s, -1, 1}, std::numeric_limits<double>::infinity(), tool.way + kPerRadian * tool.turn};
     for (int i = 0; i < robot.axis_count(); ++i) {
       const double rate = robot.axes[static_cast<std::size_t>(i)].v_max / std::abs(point.qd[i]);
-      if (!(rate < here)) continue;
-      here = rate;
-      if (rate < slowest.least) slowest = {s, i, rate, slowest.most};
+      if (!(rate < place.rate)) continue;
+      place.rate = rate;
+      place.found.axis = i;
     }
-    if (here < kInfinity) slowest.most = std::max(slowest.most, here);
+    if (place.found.axis < 0 || !(place.speed > 0)) return;
+    most = std::max(most, place.rate * place.speed);
+    places.push_back(place);
   });
+  Slowest slowest;
+  for (Place& place : places) {
+    const double wanted = std::min(asked * place.speed, most);
+    place.found.share = place.rate * place.speed / wanted;
+    if (place.found.share < slowest.share) slowest = place.found;
+  }
   return slowest;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "motion/path/joint_path.h"
+#include "motion/path/tool_path.h"
 #include "motion/plan/feasibility.h"
 #include "motion/plan/motion_request.h"
 #include "motion/robots/robot_model.h"
@@ -11,15 +12,16 @@ namespace rob::motion {
 
 /// What a leg asks of the axes, per unit of its parameter 0 … 1. m, rad.
 struct LegDemand {
-  JointVector rates;                ///< the greatest |dq/ds| of each axis
-  double way = 0;                   ///< of the tip: straight, or along its path
-  double turn = 0;                  ///< of the tool along its path, or of the axis that turns most
-  double pace_way = 0;              ///< its greatest speed
-  double pace_turn = 0;             ///< the greatest turning speed that AT bounds
-  double farthest = 0;              ///< the most that the tip can cover
-  double leaving = 0;               ///< the tip's speed at the end
-  const JointPath* path = nullptr;  ///< null: straight in the axes
-  double first_point = 1;           ///< of the path, between its ends, that is to be met
+  JointVector rates;                 ///< the greatest |dq/ds| of each axis
+  double way = 0;                    ///< of the tip: straight, or along its path
+  double turn = 0;                   ///< of the tool along its path, or of the axis that turns most
+  double pace_way = 0;               ///< its greatest speed
+  double pace_turn = 0;              ///< the greatest turning speed that AT bounds
+  double farthest = 0;               ///< the most that the tip can cover
+  double leaving = 0;                ///< the tip's speed at the end
+  const JointPath* path = nullptr;   ///< null: straight in the axes
+  const ToolPath* uneven = nullptr;  ///< a path whose parameter does not say how fast the tool is
+  double first_point = 1;            ///< of the path, between its ends, that is to be met
   double last_point = 0;
 };
 
@@ -29,14 +31,17 @@ JointVector greatest_rates(const JointPath& axes);
 /// The first place where an axis is beyond its limits; its parameter is Refusal::at.
 std::optional<Refusal> first_beyond(const RobotModel& robot, const JointPath& axes);
 
-/// Where on a path the axes allow the least speed, and the most, as ds/dt of their v_max.
+/// Where the axes allow the least share of the tool's speed: of what is asked for, or, where that
+/// is less, of the most that they allow anywhere on the path. On a spline the parameter does not
+/// say how fast the tool moves: it may nearly stand where its way turns back.
 struct Slowest {
   double at = 0;
   int axis = -1;
-  double least = 0;  ///< 1/s
-  double most = 0;   ///< 1/s
+  double share = 1;
 };
-Slowest slowest_place(const RobotModel& robot, const JointPath& axes);
+/// `asked`: 1/s of the parameter, infinite without any.
+Slowest slowest_place(const RobotModel& robot, const ToolPath& path, const JointPath& axes,
+                      double asked);
 
 /// The greatest speed and acceleration of a parameter, per s, which the axes can follow in a
 /// profile while its time is also changed by as much as `change`, 1/s. On a path half of their

@@ -32,6 +32,7 @@ bool same(const Pose& a, const Pose& b) {
 LegDemand demand_of(const ToolPath& path, const JointPath& axes) {
   LegDemand demand;
   demand.path = &axes;
+  if (dynamic_cast<const ToolLine*>(&path) == nullptr) demand.uneven = &path;
   demand.rates = greatest_rates(axes);
   demand.way = path.way();
   demand.turn = path.turn();
@@ -101,11 +102,10 @@ Refusal MotionPlanner::refusal_for(const PathTrouble& trouble, const ToolPath& p
 /// Where the axes allow too little of the speed that is asked for, or that they allow elsewhere.
 std::optional<Refusal> MotionPlanner::too_slow(const MotionRequest& request, const ToolPath& path,
                                                const JointPath& axes) const {
-  const Slowest slowest = slowest_place(robot_, axes);
   const LegDemand demand = demand_of(path, axes);
   const double asked = std::max(pace_time(robot_, demand, request), request.at_least) / boost_;
-  const double rate = asked > 0 ? std::min(1 / asked, slowest.most) : slowest.most;
-  if (slowest.least >= kLeastShare * rate) return std::nullopt;
+  const Slowest slowest = slowest_place(robot_, path, axes, 1 / asked);
+  if (slowest.share >= kLeastShare) return std::nullopt;
   Refusal refusal;
   refusal.kind = Refusal::Kind::PathSingular;
   refusal.axis = slowest.axis;

@@ -1,5 +1,7 @@
 #include "runtime/control/robot_machine.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "runtime/control/codes.h"
@@ -50,7 +52,9 @@ bool RobotMachine::stop_for_tool(int line) {
                      " is reached exactly",
                      shown(jump, motion::AxisKind::Linear), lang::tagged_place(line_before_).line),
          "FINE at the target before, or STOP, says so in the program"});
+    const bool guarded = std::exchange(guarded_, false);  // it belongs to the motion before
     if (const auto segment = planner_.stop(static_cast<motion::Tag>(line))) queue(*segment, true);
+    guarded_ = guarded;
   }
   moved_tip_ = setting_.tool.tip.position;
   return jumps;

@@ -38,6 +38,10 @@ Words words_for_limit(const Refusal& refusal, const motion::RobotModel& robot) {
               : "shorten the way, or begin it in another posture, to which MOVE leads"};
 }
 
+/// rad: nearer than that to a singular place an axis turns ten times as far as elsewhere. [choice]
+/// what is farther is not to blame
+constexpr double kNear = 0.1;
+
 const char* words_for(motion::SingularPlace place) {
   switch (place) {
     case motion::SingularPlace::Wrist:
@@ -116,8 +120,9 @@ Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
             "write it as several motions"};
   }
   if (refusal.kind != Refusal::Kind::PathSingular) return words_for_limit(refusal, robot);
-  const char* const why =
-      refusal.q.size() > 0 ? words_for(robot.kinematics->nearest_singularity(refusal.q)) : "";
+  const char* const why = refusal.q.size() > 0
+                              ? words_for(robot.kinematics->nearest_singularity(refusal.q, kNear))
+                              : "";
   return {
       code::kPathSingular,
       fmt::format("axis {} would have to turn too fast at {}{}{}",

@@ -39,7 +39,9 @@ class MotionWriter {
   void profile();
   void path();
   void jog();
+  void other_tool();
   void handler();
+  void tools();
   void signals();
 
   // Parts of them.
@@ -47,6 +49,9 @@ class MotionWriter {
   std::string target(const Eigen::Vector3d& place, bool turns);
   std::string way(const Eigen::Vector3d& by) const;
   std::string numbers(const Eigen::Vector3d& place, int count) const;
+  std::string whole(const Eigen::Vector3d& numbers) const;
+  std::string input() { return "DIN[" + std::to_string(choice_.between(2, 4)) + "]"; }
+  std::string rates();
   std::string pace();
   std::string zone(double& miss);
   std::string clauses(double& miss);
@@ -65,6 +70,9 @@ class MotionWriter {
   Eigen::Vector3d round(const Eigen::Vector3d& p) const { return (p * 100).array().round() / 100; }
   void arrive(const Eigen::Vector3d& place, double miss, double beside = 0);
   double bend(double miss) const;
+  /// Where the axes lead the tool's tip on a curve.
+  bool bends() const { return robot_.kind == Kind::Arm || !made_.tool.isZero(); }
+  bool turning() const { return robot_.kind != Kind::Linear || robot_.turning; }
   void exact() { made_.misses.back() = kExact; }
 
   Choice choice_;

@@ -3,9 +3,11 @@
 //   motions_judge ROB ROBOT [N [SEED]] [--law LAW]    ROBOT: a built-in one, or a file of three
 //   axes motions_judge ROB ROBOT --show SEED               prints one program and its signal script
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -29,6 +31,22 @@ AxisBounds bounds_of(const rob::motion::Axis& axis, bool look_ahead) {
   return {axis.min * unit, axis.max * unit, axis.v_max * unit, axis.a_max * unit, j};
 }
 
+/// Where and how fast an arm is to work: in front of it, within reach of a tool that hangs down.
+struct Work {
+  const char* robot;
+  double least[3], most[3];  // mm
+  double reach;
+  double turn;  // deg: c of a tool that hangs down and turns with the arm
+  int least_speed, most_speed;
+};
+constexpr Work kArms[] = {
+    {"irb120", {280, -120, 250}, {400, 120, 370}, 120, 180, 20, 400},
+    {"lwa4p", {360, -100, 180}, {470, 100, 290}, 100, 180, 20, 300},
+    {"pc104", {680, -200, 450}, {880, 200, 650}, 200, 0, 20, 500},
+    {"puma560", {440, -260, -160}, {600, 0, 0}, 150, 180, 20, 400},
+    {"ums7", {500, -150, 420}, {680, 150, 580}, 150, 180, 20, 400},
+};
+
 MotionRobot motion_robot(const std::string& name, bool look_ahead) {
   const rob::motion::RobotModel model =
       name.ends_with(".toml") ? rob::motion::parse_robot_file(read_whole_file(name), name)
@@ -39,10 +57,15 @@ MotionRobot motion_robot(const std::string& name, bool look_ahead) {
   robot.zone = look_ahead ? model.zone * 1e3 : 1e9;
   for (const auto& axis : model.axes) robot.axes.push_back(bounds_of(axis, look_ahead));
   if (model.tool_coordinates) {
+    const auto* const work = std::find_if(std::begin(kArms), std::end(kArms),
+                                          [&](const Work& one) { return name == one.robot; });
+    if (work == std::end(kArms)) throw std::runtime_error("no place to work is known of " + name);
     robot.kind = Kind::Arm;
-    robot.least = {280, -120, 250}, robot.most = {400, 120, 370};  // in front of irb120
-    robot.reach = 120;
-    robot.least_speed = 20, robot.most_speed = 400;
+    robot.least = Eigen::Map<const Eigen::Vector3d>(work->least);
+    robot.most = Eigen::Map<const Eigen::Vector3d>(work->most);
+    robot.turned.z() = work->turn;
+    robot.reach = work->reach;
+    robot.least_speed = work->least_speed, robot.most_speed = work->most_speed;
   } else if (model.name == "gantry") {
     robot.kind = Kind::Gantry;
     robot.least = {60, 60, 0}, robot.most = {340, 240, 0};

@@ -31,6 +31,8 @@ struct Range {
 /// The place on the path where the tool is, going along with it.
 class Follower {
  public:
+  static constexpr std::size_t kNear = 4;  ///< pieces that a place goes on by, mostly
+
   Follower(const std::vector<Vector3d>& places, double window)
       : places_(places), window_(window), length_(places.size(), 0.0) {
     for (std::size_t i = 1; i < places.size(); ++i)
@@ -52,16 +54,26 @@ class Follower {
   }
 
   /// The least of what allowed(length along the path) leaves of the distances there: a tool that is
-  /// within what is allowed of one part of the path may be nearer to another one.
+  /// within what is allowed of one part of the path may be nearer to another one. Where that is no
+  /// more than `enough` it is not looked for any further.
   template <typename Allowed>
-  double excess(const Vector3d& p, const Range& range, Allowed&& allowed) const {
+  double excess(const Vector3d& p, const Range& range, double enough, Allowed&& allowed) {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = piece_at(range.from); i + 1 < places_.size() && length_[i] <= range.to;
-         ++i) {
+    const auto look = [&](std::size_t i) {
       const double share = nearest_share(p, places_[i], places_[i + 1]);
       const double distance = (p - places_[i] - share * (places_[i + 1] - places_[i])).norm();
-      least = std::min(least, distance - allowed((length_[i] + length_[i + 1]) / 2));
-    }
+      const double here = distance - allowed((length_[i] + length_[i + 1]) / 2);
+      if (here < least) least = here, near_ = i;
+      return least <= enough;
+    };
+    const std::size_t first = piece_at(range.from);
+    const auto counts = [&](std::size_t i) {
+      return i + 1 < places_.size() && length_[i] <= range.to;
+    };
+    for (std::size_t i = near_; i < near_ + kNear; ++i)
+      if (i >= first && counts(i) && look(i)) return least;
+    for (std::size_t i = first; counts(i); ++i)
+      if (look(i)) return least;
     return least;
   }
 
@@ -78,6 +90,7 @@ class Follower {
   double window_;
   std::vector<double> length_;
   double here_ = 0;
+  std::size_t near_ = 0;  ///< the piece of the last place
 };
 
 /// The least distance that the curve comes to each programmed point while it is near it.
@@ -210,8 +223,9 @@ PathExcess path_excess(const std::vector<Vector3d>& curve, const ProgrammedPath&
   for (std::size_t k = 0; k < curve.size(); ++k) {
     if (where.empty()) follower.follow(curve[k]);
     const Range range = where.empty() ? follower.range() : misses.range(where[k], window);
-    const double excess = follower.excess(
-        curve[k], range, [&](double length) { return misses.allowed(bounds, length); });
+    const double excess = follower.excess(curve[k], range, found.from_path, [&](double length) {
+      return misses.allowed(bounds, length);
+    });
     if (excess > found.from_path) found.from_path = excess, found.place = curve[k];
     misses.pass(curve[k > 0 ? k - 1 : 0], curve[k], range);
   }

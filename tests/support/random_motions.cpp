@@ -17,7 +17,7 @@ void MotionWriter::straight(const std::string& word, const Vector3d& to) {
   const std::string motion = word + target(framed ? to - kFrame : to, true);
   const std::string how = (framed ? " IN shifted" : "") + clauses(miss);
   finish(motion, how, (to - here_).norm());
-  if (word == "MOVE" && robot_.kind == Kind::Arm) made_.known = false;
+  if (word == "MOVE" && bends()) made_.known = false;
   arrive(to, miss);
 }
 
@@ -123,7 +123,7 @@ void MotionWriter::reversal() {
 }
 
 void MotionWriter::single_axis() {
-  if (robot_.kind == Kind::Arm || !made_.whole) return straight("MOVE", near_place());
+  if (bends() || !made_.whole) return straight("MOVE", near_place());
   const int axis = choice_.between(0, 1);
   Vector3d to = near_place();
   to[1 - axis] = here_[1 - axis], to.z() = here_.z();
@@ -164,10 +164,18 @@ void MotionWriter::path() {
 
 /// Where it leads is not followed; the next motion has an absolute target.
 void MotionWriter::jog() {
-  const int speed = choice_.between(1, robot_.least_speed);
-  line("JOG WORLD (x: " + std::to_string(choice_.percent(50) ? speed : -speed) + "mm/s) FOR " +
-       seconds(20, 400));
+  for (int k = choice_.between(1, 3); k > 0; --k)
+    line("JOG " + rates() + " FOR " + seconds(20, 400) +
+         (choice_.percent(20) ? " AT " + std::to_string(choice_.between(5, 100)) + "%" : "") +
+         (choice_.percent(20) ? " UNTIL " + input() : ""));
   line("MOVE" + target(here_, false));
+}
+
+/// A few motions with another tool.
+void MotionWriter::other_tool() {
+  line("WITH " + std::string(made_.tool.isZero() ? "tip" : "none") + " DO");
+  for (int k = choice_.between(1, 4); k > 0; --k) motion();
+  line("ENDWITH");
 }
 
 void MotionWriter::still() {
@@ -178,7 +186,7 @@ void MotionWriter::still() {
     return line("DOUT[" + std::to_string(choice_.between(1, 7)) +
                 "] = " + (choice_.percent(50) ? "ON" : "OFF"));
   if (kind < 85) return line("PRINT \"x\"");
-  if (kind < 95 || made_.whole)
+  if (kind < 90 || made_.whole)
     return line("OVERRIDE " + std::to_string(choice_.between(10, 180)) + "%");
   line("BRAKE");
 }
@@ -194,12 +202,15 @@ void MotionWriter::motion() {
   if (kind < 86) return spline();
   if (kind < 93) return dense();
   if (kind < 96) return repeated();
-  if (kind < 98 || made_.whole || jerk_all_) return profile();
-  jog();
+  profile();
 }
 
 void MotionWriter::statement() {
   if (robot_.look_ahead && made_.whole && choice_.percent(5)) return path();
+  if (!made_.whole && choice_.percent(10)) {
+    if (!jerk_all_ && choice_.percent(60)) return jog();
+    if (robot_.kind == Kind::Arm) return other_tool();
+  }
   choice_.percent(75) ? motion() : still();
 }
 
@@ -214,11 +225,22 @@ void MotionWriter::handler() {
 
 /// Exactly to where the way begins.
 void MotionWriter::first() {
-  const std::string turned = robot_.kind == Kind::Arm ? ", 180, 0, 180)" : ")";
+  const std::string turned = robot_.kind == Kind::Arm ? ", " + whole(robot_.turned) + ")" : ")";
   std::string place = target(here_, false);
   place.pop_back();
   line("MOVE" + place + turned + " FINE");
   arrive(here_, kExact);
+}
+
+/// A tool for the whole program, or for a part of it.
+void MotionWriter::tools() {
+  if (robot_.kind == Kind::Linear) return;
+  const Vector3d tip(choice_.between(-20, 20), choice_.between(-20, 20),
+                     robot_.kind == Kind::Arm ? choice_.between(0, 50) : 0);
+  const auto mm = [&](int i) { return std::to_string(std::lround(tip[i])) + "mm"; };
+  line("TOOL tip = POSE(" + mm(0) + ", " + mm(1) + ", " + mm(2) + ")");
+  line("TOOL none = POSE(0mm, 0mm, 0mm)");
+  if (choice_.percent(40)) made_.tool = tip;
 }
 
 /// Holds, and what UNTIL waits for.
@@ -231,9 +253,11 @@ void MotionWriter::signals() {
     made_.signals +=
         "at " + decimal(ms, 3) + "s DIN[1] = OFF\nat " + decimal(ms, 3) + "s GO = ON\n";
   }
+  // With little jerk the robot may still be coming to rest when GO is pressed: once more.
+  if (ms > 0) made_.signals += "at " + decimal(ms + 3000, 3) + "s GO = ON\n";
   if (made_.whole) return;
-  for (int input = 2; input <= 5; ++input)
-    made_.signals += "at " + seconds(100, 6000) + " DIN[" + std::to_string(input) + "] = ON\n";
+  for (int number = 2; number <= 5; ++number)
+    made_.signals += "at " + seconds(100, 6000) + " DIN[" + std::to_string(number) + "] = ON\n";
 }
 
 RandomMotions MotionWriter::write() {
@@ -243,14 +267,17 @@ RandomMotions MotionWriter::write() {
   made_.override_share = std::to_string(choice_.percent(60) ? 100 : choice_.between(10, 200)) + "%";
   signals();
   if (robot_.kind != Kind::Arm) line("FRAME shifted = POSE(10mm, -20mm, 0mm, 0deg, 0deg, 0deg)");
+  tools();
+  if (!made_.tool.isZero()) line("WITH tip DO");
   first();
   line("WHEN DIN[1] : HALT \"held\"");
   if (!made_.whole && choice_.percent(50)) handler();
   for (int k = choice_.between(3, 25); k > 0; --k) statement();
   const Vector3d end = near_place();
   line("MOVE" + target(end, false) + " FINE" + jerk());
-  if (robot_.kind == Kind::Arm) made_.known = false;
+  if (bends()) made_.known = false;
   arrive(end, kExact);
+  if (!made_.tool.isZero()) line("ENDWITH");
   made_.averaged = made_.text.find("JERK") != std::string::npos;
   for (const AxisBounds& axis : robot_.axes) made_.averaged |= std::isfinite(axis.j);
   return std::move(made_);

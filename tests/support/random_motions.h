@@ -21,6 +21,7 @@ struct MotionRobot {
   std::string robot;                    ///< as --robot takes it
   std::vector<AxisBounds> axes;         ///< limits of the axes
   Eigen::Vector3d least, most;          ///< the box in which the tool is led
+  Eigen::Vector3d turned{180, 0, 180};  ///< deg: of an arm's tool, whole ones
   double zone = 0;                      ///< mm: the most that a corner without ZONE misses
   double reach = 0;                     ///< mm: the longest motion
   int least_speed = 1, most_speed = 1;  ///< mm/s of AT
@@ -28,19 +29,26 @@ struct MotionRobot {
   bool look_ahead = false;              ///< ACCEL and JERK are possible
 };
 
+/// How many of its first axes are linear.
+inline std::size_t linear_axes(const MotionRobot& robot) {
+  using Kind = MotionRobot::Kind;
+  return robot.kind == Kind::Arm ? 0 : robot.kind == Kind::Gantry ? 2 : 3;
+}
+
 /// An output on the way of a motion: the next change of DOUT[8].
 struct PathMark {
   int line = 0;       ///< of the motion, in the text
   double place = 0;   ///< mm from its beginning
-  double lag = 0;     ///< s later
+  double lag = 0;     ///< s later; less than 0: sooner, by LEAD
   double length = 0;  ///< mm: of the motion
 };
 
 /// A program of all kinds of motions, and what is known of its way beforehand.
 struct RandomMotions {
   std::string text;
-  std::string signals;          ///< a signal script: what comes at random instants
-  std::string override_share;   ///< "87%": of --override
+  std::string signals;         ///< a signal script: what comes at random instants
+  std::string override_share;  ///< "87%": of --override
+  Eigen::Vector3d tool = Eigen::Vector3d::Zero();  ///< mm: its tip, seen from the flange
   ProgrammedPath path;          ///< where the tool is led; its points are the targets
   std::vector<int> lines;       ///< of each point: that of its motion, or the last behind it
   std::vector<double> misses;   ///< mm: by which each point may be missed
@@ -56,9 +64,10 @@ struct RandomMotions {
 
 /// The random program number `seed` for that robot: always the same for the same number. Motions of
 /// all kinds, dense runs of short ones, repeated targets, every kind of ZONE, AT, OVER, ACCEL,
-/// JERK, PROFILE, reversals, single axes, targets in a frame, outputs behind and along motions,
-/// WAIT, STOP, OVERRIDE; holds (WHEN … HALT) and, in one program of four, UNTIL, BRAKE, JOG and a
-/// handler that moves, at random instants. The last motion is exact.
+/// JERK, PROFILE, reversals, single axes, PATHs, targets in a frame, tools, outputs behind and
+/// along motions, WAIT, STOP, OVERRIDE; holds (WHEN … HALT) and, in one program of four, UNTIL,
+/// BRAKE, JOG in every frame, another tool and a handler that moves, at random instants. The last
+/// motion is exact.
 RandomMotions random_motions(std::uint64_t seed, const MotionRobot& robot);
 
 }  // namespace rob::test

@@ -44,10 +44,29 @@ TEST_CASE("random motions: every kind of statement comes") {
   for (std::uint64_t number = 1; number <= 300; ++number)
     all += random_motions(number, three_axes()).text;
   for (const char* word :
-       {"MOVE(",      "MOVEL(",  "MOVEL BY", "MOVEC VIA", "MOVES VIA", "PROFILE COSINE",
-        "JOG WORLD",  "STOP",    "WAIT ",    "BRAKE",     "OVERRIDE ", "WHEN DIN[1] : HALT",
-        "UNTIL DIN[", "ENDMOVE", "AFTER",    "BEFORE",    "FINE",      "ZONE 0\n",
-        "mm ",        "% ",      "OVER ",    "ACCEL ",    "JERK ",     "DOUT["}) {
+       {"MOVE(",     "MOVEL(",    "MOVEL BY",  "MOVEC VIA", "MOVES VIA", "PROFILE COSINE",
+        "JOG WORLD", "JOG JOINT", "JOG TOOL",  "STOP",      "WAIT ",     "BRAKE",
+        "OVERRIDE ", "PATH DO",   "WHEN DIN[", "UNTIL DIN", "ENDMOVE",   "AFTER",
+        "BEFORE",    " LEAD ",    " LAG ",     "FINE",      "ZONE 0\n",  "mm ",
+        "% ",        "OVER ",     "ACCEL ",    "JERK ",     "DOUT[",     "HALT \"held\""}) {
+    CAPTURE(word);
+    CHECK(all.find(word) != std::string::npos);
+  }
+}
+
+TEST_CASE("random motions: an arm has tools, for all of a program or for a part, and turns") {
+  MotionRobot arm = three_axes();
+  arm.kind = MotionRobot::Kind::Arm;
+  std::string all;
+  bool tools = false;
+  for (std::uint64_t number = 1; number <= 300; ++number) {
+    const RandomMotions made = random_motions(number, arm);
+    tools = tools || !made.tool.isZero();
+    all += made.text;
+  }
+  CHECK(tools);
+  for (const char* word : {"TOOL tip", "WITH tip DO", "WITH none DO", "ENDWITH", "deg/s^2", "deg\n",
+                           "AT 30deg/s", "b: "}) {
     CAPTURE(word);
     CHECK(all.find(word) != std::string::npos);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/path/tool_line.h"
 #include "tests/motion/generate/look_ahead_run.h"
 
 using namespace rob::motion;
@@ -11,15 +12,15 @@ using rob::test::LookAheadRun;
 
 namespace {
 
-RobotModel arm_looking_ahead() {
-  RobotModel robot = embedded_robot("irb120");
+RobotModel arm_looking_ahead(const char* name) {
+  RobotModel robot = embedded_robot(name);
   robot.law = Law::LookAhead;
   return robot;
 }
 
 /// An arm's axes, whose references are a mean of σ.
 struct ArmAhead : LookAheadRun {
-  ArmAhead() : LookAheadRun(arm_looking_ahead()) {}
+  explicit ArmAhead(const char* name = "irb120") : LookAheadRun(arm_looking_ahead(name)) {}
 
   /// To so many degrees from the start on its first three axes; `jerk` in deg/s³, 0: the robot's.
   void turn(double first, double second, double third, double jerk = 0) {
@@ -43,6 +44,25 @@ struct ArmAhead : LookAheadRun {
     for (int i = 1; last_time() < time; step()) {
       for (; buffer().room() > 1; ++i) turn(10.0 * (i % 3), i % 2 == 0 ? 0 : 4, i % 5);
     }
+  }
+  /// A line of the tool, so many mm on.
+  void line(double x_mm, double y_mm, const MotionRequest& how) {
+    Pose to = planner().tool_pose();
+    to.position += Eigen::Vector3d(x_mm, y_mm, 0) / 1000;
+    const auto path = ToolLine::between(planner().tool_pose(), to).value();
+    push(std::get<PlannedSegment>(planner().plan(how, path)).segment);
+  }
+  /// The greatest third difference of an axis, as a share of its j_max.
+  double third_difference() const {
+    double most = 0;
+    for (std::size_t k = 3; k < samples().size(); ++k) {
+      const auto q = [&](std::size_t back) { return samples()[k - back].reference.q; };
+      const double T = robot().reference_period;
+      const JointVector jerk = (q(0) - 3 * q(1) + 3 * q(2) - q(3)) / (T * T * T);
+      for (int i = 0; i < jerk.size(); ++i)
+        most = std::max(most, std::abs(jerk[i]) / robot().axes[static_cast<std::size_t>(i)].j_max);
+    }
+    return most;
   }
   double last_time() const { return samples().empty() ? 0 : last().time; }
 };
@@ -111,4 +131,58 @@ TEST_CASE("a joint motion alone has no bends: it takes d/v + v/a + a/j") {
   CHECK(peak.speed <= 1 + 1e-6);
   CHECK(peak.acceleration <= 1 + 1e-6);
   CHECK(peak.jerk <= 1 + 1e-6);
+}
+
+// At 4 mm/s the axes could take a corner of 45 degrees within a micrometre, as a leap of their
+// speeds from one reference to the next.
+TEST_CASE("corners of slow short lines keep the jerk of an arm's axes") {
+  ArmAhead run("lwa4p");
+  MotionRequest how;
+  how.pace = MotionRequest::Pace::ToolSpeed;
+  how.pace_value = 0.004;
+  for (const double zone : {0.01, 1e-6}) {
+    how.zone = MotionRequest::Zone::Length;
+    how.zone_value = zone;
+    for (int i = 0; i < 16; ++i) {
+      const double angle = i * std::numbers::pi / 4;
+      run.line(0.8 * std::cos(angle), 0.8 * std::sin(angle), how);
+      run.step();
+    }
+  }
+  run.stop();
+  run.close();
+  run.finish();
+  CHECK(run.third_difference() <= 1.01);
+}
+
+// What was published has the bounds of all that was within reach at the speeds of that time: those
+// of twice the speed are not looked for again.
+TEST_CASE("an override raised over a path that is known keeps what an arm's axes can do") {
+  for (const double pace : {0.01, 0.04, 0.08}) {
+    for (const double jerk : {0.0, 1000.0}) {
+      ArmAhead run("lwa4p");
+      MotionRequest how;
+      how.pace = MotionRequest::Pace::ToolSpeed;
+      how.pace_value = pace;
+      how.zone = MotionRequest::Zone::Length;
+      how.zone_value = 0.005;
+      if (jerk > 0) {
+        how.jerk = MotionRequest::Bound::Rotary;
+        how.jerk_value = jerk * (std::numbers::pi / 180);
+      }
+      for (int i = 0; i < 12; ++i) run.line(i % 2 == 0 ? 25 : -20, i % 2 == 0 ? 20 : -27, how);
+      run.stop();
+      run.close();
+      for (int i = 0; run.last_time() < 0.2; ++i) run.step();
+      run.generator().set_override(2);
+      run.finish();
+      const auto peak = run.peak();
+      CAPTURE(pace);
+      CAPTURE(jerk);
+      CHECK(peak.speed <= 1.0001);
+      CHECK(peak.acceleration <= 1.02);
+      CHECK(peak.jerk <= 1.02);
+      CHECK(run.third_difference() <= 1.02);
+    }
+  }
 }

@@ -100,6 +100,27 @@ TEST_CASE("an output at the end comes when the references rest there") {
   CHECK(run.all(Kind::ActionDue)[0].time == doctest::Approx(5.29).epsilon(1e-6));
 }
 
+TEST_CASE("a LAG that outlasts its motion comes at its time, while the robot stands") {
+  for (const bool another : {false, true}) {
+    CAPTURE(another);
+    LookAheadRun run;
+    SegmentDescriptor segment = line(run, 100, 0);
+    on_the_way(segment, 1, -0.5, 1);
+    run.push(segment);
+    run.stop();
+    if (!another) run.close();
+    run.until(7);
+    if (another) {  // the next motion comes when it is over
+      run.push(line(run, 0, 0));
+      run.close();
+    }
+    run.finish();
+    REQUIRE(run.all(Kind::ActionDue).size() == 1);
+    CHECK(run.all(Kind::ActionDue)[0].time == doctest::Approx(5.39 + 0.5).epsilon(1e-6));
+    if (!another) CHECK(run.all(Kind::Finished)[0].time == doctest::Approx(5.89).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("a LEAD that is longer than the way from rest comes at the beginning, and is told") {
   LookAheadRun run;
   SegmentDescriptor segment = line(run, 100, 0);

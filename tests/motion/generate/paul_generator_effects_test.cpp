@@ -114,6 +114,23 @@ TEST_CASE("effects keep their order and their exact values") {
   CHECK(run.events().back().kind == Kind::Finished);
 }
 
+TEST_CASE("a LAG that outlasts the last motion comes before the program is over") {
+  GantryRun run;
+  auto outcome = run.planner().plan(move_to(gantry_q(40, 0, 0)));
+  SegmentDescriptor segment = std::get<PlannedSegment>(outcome).segment;
+  PathEvent& event = segment.on_the_way[segment.events++];
+  event.share = 1;
+  event.lead = -0.5;
+  event.effect.after = segment.number;
+  run.push(segment);
+  run.stop();
+  run.close();
+  run.finish();
+  REQUIRE(run.all(Kind::ActionDue).size() == 1);
+  CHECK(run.all(Kind::ActionDue)[0].time == doctest::Approx(6).epsilon(1e-12));
+  CHECK(run.all(Kind::Finished)[0].time == doctest::Approx(6).epsilon(1e-12));
+}
+
 TEST_CASE("a program that only speaks finishes when it has spoken") {
   GantryRun run;
   run.step();

@@ -80,6 +80,22 @@ TEST_CASE("a line close by axis 1 is refused as singular, and so is one by the w
   CHECK(arm("irb120")->nearest_singularity(wrist.q) == SingularPlace::Wrist);
 }
 
+TEST_CASE(
+    "a spline that turns back on itself is not refused: its parameter says nothing of speeds") {
+  // 27 mm ahead, 1 mm back: where it turns the tool nearly stands, with the axes far from anything
+  // singular. The axes allow any speed of the parameter there, and not 2 % of that elsewhere.
+  ArmRun run("irb120");
+  const Pose ahead = run.beside(26, 8, 0);
+  for (int k = 0; k <= 20; ++k) {  // none stands still exactly, some nearly do
+    CAPTURE(k);
+    const Pose back = run.beside(25 - 0.05 * k, 7.7 - 0.015 * k, 0);
+    const auto curve = ToolSpline::through({run.here(), ahead, back});
+    REQUIRE(curve.has_value());
+    MotionPlanner planner(run.robot(), run.robot().start);
+    CHECK(std::holds_alternative<PlannedSegment>(planner.plan({}, *curve)));
+  }
+}
+
 TEST_CASE("a line is slowed down to what the axes can do, and says so") {
   // In front of the arm from side to side: axis 1 is the slowest in the middle.
   ArmRun run("lwa4p");

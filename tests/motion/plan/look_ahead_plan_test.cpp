@@ -370,21 +370,6 @@ TEST_CASE("an arm's MOVE is measured along the curve of its tool") {
   CHECK(planned.segment.ahead.speed == doctest::Approx(0.1).epsilon(1e-6));
 }
 
-TEST_CASE("a line that its axes cannot follow is refused under the look-ahead law, too") {
-  // Past axis 1 at 0.5 mm: it would have to turn half round within a millimetre.
-  const RobotModel robot = under_look_ahead("irb120");
-  const Pose from{Vector3d(0.2, 0.0005, 0.75), Eigen::Quaterniond::Identity()};
-  const auto q = robot.kinematics->inverse(from, robot.start);
-  REQUIRE(q.has_value());
-  MotionPlanner planner(robot, *q);
-  const auto line = ToolLine::between(from, {Vector3d(-0.2, 0.0005, 0.75), from.orientation});
-  REQUIRE(line.has_value());
-  const PlanOutcome outcome = planner.plan(paced({}, Pace::ToolSpeed, 0.5), *line);
-  REQUIRE(std::holds_alternative<Refusal>(outcome));
-  CHECK(std::get<Refusal>(outcome).kind == Refusal::Kind::PathSingular);
-  CHECK(planner.last_number() == 0);
-}
-
 TEST_CASE("planning a straight motion under the look-ahead law takes no memory") {
   Planned p;
   p.take(to(30, 40));

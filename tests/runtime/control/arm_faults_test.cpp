@@ -28,7 +28,7 @@ struct ArmRun {
   test::SteppedRun run;
   runtime::RunResult result;
 
-  ArmRun(const motion::RobotModel& robot, const char* program, Fault fault = Fault::None,
+  ArmRun(const motion::RobotModel& robot, const std::string& program, Fault fault = Fault::None,
          double jump = 0)
       : machine(runtime::simulation_of(robot)),
         run(program, spoilt(fault, jump), 1, robot),
@@ -118,9 +118,9 @@ TEST_CASE("fault 19: an arm's encoder that jumps stops the run and names the axi
       .check_stop("E504");
 }
 
-TEST_CASE("fault 20: where drives are too weak the path is stretched in time, not left") {
+static void check_relief(const std::string& law) {
   const ArmRun arm(weak_arm(),
-                   "MOVE JOINTS(80deg, -90deg, 135deg, 0deg, 90deg, 0deg)\nSTOP\nEND\n");
+                   law + "MOVE JOINTS(80deg, -90deg, 135deg, 0deg, 90deg, 0deg)\nSTOP\nEND\n");
   CHECK(arm.result.status == "done");
   CHECK(arm.result.worst_saturation > 1);
   // 160·v + 20 Nm of friction leave (155 − 20)/160 rad/s, 0.81 of the 60 deg/s that are programmed.
@@ -144,6 +144,12 @@ TEST_CASE("fault 20: where drives are too weak the path is stretched in time, no
     if (event.kind == "warning" && event.text.find("slowed down") != std::string::npos) ++told;
   CHECK(told == 1);
 }
+
+TEST_CASE("fault 20: where drives are too weak the path is stretched in time, not left") {
+  check_relief("LAW PAUL\n");
+}
+
+TEST_CASE("fault 20 under the look-ahead law") { check_relief("LAW LOOKAHEAD\n"); }
 
 TEST_CASE("drives that suffice are asked for nothing more than once: the path keeps its time") {
   const ArmRun arm(motion::embedded_robot("ums7"), kTurn);

@@ -95,6 +95,18 @@ TEST_CASE("UNTIL ends its motion before what is queued behind it is looked at") 
   CHECK(result.output == Lines{"TRUE"});
 }
 
+TEST_CASE("UNTIL concerns its motion, not the stop that another tool makes before it") {
+  for (const char* law : {"LAW PAUL\n", "LAW LOOKAHEAD\n"}) {
+    CAPTURE(law);
+    const RunResult result = run(std::string(law) +
+                                     "TOOL pen = POSE(30mm, 0mm, 0mm)\nMOVE(100, 0, 0)\n"
+                                     "WITH pen DO\nMOVE(200, 0, 0) UNTIL DIN[1]\nPRINT HIT\n"
+                                     "ENDWITH\nMOVE(50, 0, 0) UNTIL DIN[2]\nPRINT HIT\n",
+                                 "at 8.5s DIN[1] = ON");
+    CHECK(result.output == Lines{"TRUE", "FALSE"});
+  }
+}
+
 TEST_CASE("under the look-ahead law a corner is half of the line before it, half of that behind") {
   SteppedRun both("LAW LOOKAHEAD\nMOVE(100, 0, 0) ZONE 5mm\nMOVE(100, 100, 0)\n");
   const RunResult result = both.run();
