@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rob::drivers {
+
+/// A serial port that is there.
+struct PortEntry {
+  std::string path;   ///< "/dev/ttyUSB0"
+  std::string by_id;  ///< its name by maker and serial number, which stays; empty: none
+  std::string state;  ///< "free", or who uses it, or why this user may not
+};
+
+/// USB adapters and boards below `dev`: those of serial/by-id, ttyUSB* and ttyACM*, each once, by
+/// path.
+std::vector<PortEntry> list_ports(const std::string& dev = "/dev");
+
+/// "process 1234 (rob)" that holds flock() on the file; empty where nobody does. Found in
+/// /proc/locks.
+std::string lock_owner(const std::string& path);
+
+/// The group to which the port belongs: "dialout"; empty if the file is not there.
+std::string group_of(const std::string& path);
+
+}  // namespace rob::drivers

@@ -1,0 +1,192 @@
+#include "drivers/serial/serial_port.h"
+
+#include <fcntl.h>
+#include <linux/serial.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include "drivers/serial/port_list.h"
+#include "motion/servo/servo_backend.h"
+
+namespace rob::drivers {
+
+using motion::DriverError;
+
+namespace {
+
+constexpr std::array<std::pair<int, speed_t>, 14> kSpeeds{{{9600, B9600},
+                                                           {19200, B19200},
+                                                           {38400, B38400},
+                                                           {57600, B57600},
+                                                           {115200, B115200},
+                                                           {230400, B230400},
+                                                           {460800, B460800},
+                                                           {500000, B500000},
+                                                           {576000, B576000},
+                                                           {921600, B921600},
+                                                           {1000000, B1000000},
+                                                           {2000000, B2000000},
+                                                           {3000000, B3000000},
+                                                           {4000000, B4000000}}};
+
+std::string ports_text() {
+  std::string text;
+  for (const PortEntry& port : list_ports()) text += (text.empty() ? "" : ", ") + port.path;
+  return text.empty() ? "no serial port is there: is the machine plugged in and switched on?"
+                      : "the ports that are there: " + text;
+}
+
+std::string owner_text(const std::string& path) {
+  const std::string owner = lock_owner(path);
+  return owner.empty() ? "another program" : owner;
+}
+
+[[noreturn]] void fail_used(const std::string& path) {
+  throw DriverError("the port '" + path + "' is used by " + owner_text(path) +
+                    "; end that first, a machine obeys one program at a time");
+}
+
+[[noreturn]] void fail_to_open(const std::string& path, int error) {
+  switch (error) {
+    case ENOENT:
+    case ENODEV:
+    case ENXIO:
+      throw DriverError("there is no port '" + path + "'; " + ports_text());
+    case EACCES:
+    case EPERM:
+      throw DriverError("you may not use the port '" + path + "'; it needs the group " +
+                        group_of(path) + ": sudo usermod -aG " + group_of(path) +
+                        " $USER, then log in anew");
+    case EBUSY:
+      fail_used(path);
+    default:
+      throw DriverError("the port '" + path + "' cannot be opened: " + std::strerror(error));
+  }
+}
+
+speed_t speed_of(const std::string& path, int baud) {
+  const auto found = std::ranges::find(kSpeeds, baud, &std::pair<int, speed_t>::first);
+  if (found == kSpeeds.end())
+    throw DriverError("the port '" + path + "' cannot do " + std::to_string(baud) +
+                      " baud; usual are 57600, 115200 and 1000000");
+  return found->second;
+}
+
+/// An FTDI adapter keeps bytes back for 16 ms unless it is told otherwise.
+void ask_for_low_latency(int file) {
+  serial_struct settings{};
+  if (::ioctl(file, TIOCGSERIAL, &settings) != 0) return;
+  settings.flags |= static_cast<int>(ASYNC_LOW_LATENCY);
+  ::ioctl(file, TIOCSSERIAL, &settings);
+}
+
+int latency_timer_of(const std::string& path) {
+  std::error_code error;
+  const std::string name = std::filesystem::canonical(path, error).filename().string();
+  std::ifstream file("/sys/class/tty/" + name + "/device/latency_timer");
+  int milliseconds = 0;
+  return file >> milliseconds ? milliseconds : 0;
+}
+
+/// ms for poll(), rounded up, so that it does not spin before the deadline.
+int poll_time(double deadline) noexcept {
+  return static_cast<int>(std::ceil(std::clamp(deadline - wire_time(), 0.0, 60.0) * 1e3));
+}
+
+bool has_nothing_now(int error) noexcept {
+  return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
+}
+
+}  // namespace
+
+double wire_time() noexcept {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+SerialPort::SerialPort(const std::string& path, int baud) : path_(path) {
+  file_ = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (file_ < 0) fail_to_open(path, errno);
+  try {
+    configure(baud);
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+}
+
+void SerialPort::configure(int baud) {
+  if (::isatty(file_) == 0) throw DriverError("'" + path_ + "' is no serial port; " + ports_text());
+  if (::flock(file_, LOCK_EX | LOCK_NB) != 0) fail_used(path_);
+  ::ioctl(file_, TIOCEXCL);
+  const speed_t speed = speed_of(path_, baud);
+  termios mode{};
+  if (::tcgetattr(file_, &mode) != 0) fail_to_open(path_, errno);
+  ::cfmakeraw(&mode);
+  mode.c_cflag |= CLOCAL | CREAD;
+  // Without HUPCL a board is not reset when the port is closed.
+  mode.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS | HUPCL);
+  mode.c_cc[VMIN] = 1;  // a read of 0 bytes means that the device has gone
+  mode.c_cc[VTIME] = 0;
+  ::cfsetispeed(&mode, speed);
+  ::cfsetospeed(&mode, speed);
+  if (::tcsetattr(file_, TCSANOW, &mode) != 0) fail_to_open(path_, errno);
+  ask_for_low_latency(file_);
+  latency_timer_ = latency_timer_of(path_);
+}
+
+SerialPort::~SerialPort() {
+  ::ioctl(file_, TIOCNXCL);
+  ::close(file_);
+}
+
+WireIo SerialPort::read(std::span<std::uint8_t> into, double deadline) noexcept {
+  for (;;) {
+    const ssize_t count = ::read(file_, into.data(), into.size());
+    if (count > 0) return {WireIo::Status::Ok, static_cast<std::size_t>(count)};
+    if (count == 0 || !has_nothing_now(errno)) return {WireIo::Status::Gone, 0};
+    if (wire_time() >= deadline) return {WireIo::Status::TimedOut, 0};
+    pollfd waits{file_, POLLIN, 0};
+    ::poll(&waits, 1, poll_time(deadline));
+  }
+}
+
+WireIo SerialPort::write(std::span<const std::uint8_t> bytes, double deadline) noexcept {
+  std::size_t written = 0;
+  while (written < bytes.size()) {
+    const ssize_t count = ::write(file_, bytes.data() + written, bytes.size() - written);
+    if (count > 0) {
+      written += static_cast<std::size_t>(count);
+      continue;
+    }
+    if (count < 0 && !has_nothing_now(errno)) return {WireIo::Status::Gone, written};
+    if (wire_time() >= deadline) return {WireIo::Status::TimedOut, written};
+    pollfd waits{file_, POLLOUT, 0};
+    ::poll(&waits, 1, poll_time(deadline));
+    if ((waits.revents & (POLLHUP | POLLERR)) != 0) return {WireIo::Status::Gone, written};
+  }
+  return {WireIo::Status::Ok, written};
+}
+
+void SerialPort::discard_input() noexcept {
+  std::array<std::uint8_t, 256> lost;
+  // At most what a pseudo-terminal holds.
+  for (int i = 0; i < 80 && ::read(file_, lost.data(), lost.size()) > 0; ++i) {
+  }
+}
+
+}  // namespace rob::drivers
