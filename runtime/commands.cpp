@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "drivers/serial/port_list.h"
 #include "lang/code/disassembler.h"
 #include "motion/plan/capability.h"
 #include "motion/robots/robot_library.h"
@@ -19,6 +21,7 @@
 #include "runtime/program/foretell.h"
 #include "runtime/program/json_report.h"
 #include "runtime/program/load.h"
+#include "runtime/program/machine.h"
 #include "runtime/program/path_file.h"
 #include "runtime/program/progress.h"
 #include "runtime/program/run.h"
@@ -74,8 +77,17 @@ void tell_unclean_ends() {
   for (const std::string& end : unclean_ends()) put_message(end);
 }
 
-RunResult run_one(const LoadedProgram& program, const Options& options,
-                  const SignalScript& script) {
+/// The program's machine, open, and the program as it fits to it.
+OpenMachine machine_for(LoadedProgram& program, const Options& options) {
+  OpenMachine machine =
+      open_machine(*backend_of(options.backend), program, options.law, options.home);
+  for (const std::string& note : machine.notes) put_message("rob: " + note + "\n");
+  return machine;
+}
+
+RunResult run_one(LoadedProgram& program, const Options& options, const SignalScript& script) {
+  const bool starts = program.runnable() && !script.diagnostics.has_errors();
+  OpenMachine machine = starts ? machine_for(program, options) : OpenMachine{};
   const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
@@ -90,7 +102,7 @@ RunResult run_one(const LoadedProgram& program, const Options& options,
   const RunListener listener = listener_of(options, progress);
   std::optional<RunMark> running;
   if (!options.fast) mark(running, program, listener);
-  RunResult result = run(program, robot, run_options, listener);
+  RunResult result = run(program, std::move(machine), run_options, listener);
   progress.clear();
   return result;
 }
@@ -132,9 +144,9 @@ ExitCode run_files(const Options& options) {
   }
   const std::vector<SignalScript> scripts = load_scripts(options, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
-    const LoadedProgram& program = programs[i];
-    const bool starts = program.runnable() && !scripts[i].diagnostics.has_errors();
+    LoadedProgram& program = programs[i];
     const RunResult result = run_one(program, options, scripts[i]);
+    const bool starts = program.runnable() && !scripts[i].diagnostics.has_errors();
     put_message(problems_text(result, program, scripts[i]));
     if (options.json) {
       documents.push_back(run_json(result));
@@ -161,8 +173,8 @@ std::optional<PathFile> open_path(const Options& options, const LoadedProgram& p
   return std::optional<PathFile>(std::in_place, options.path, program.robot);
 }
 
-RunResult check_one(const LoadedProgram& program, const Options& options,
-                    const SignalScript& script) {
+RunResult check_one(LoadedProgram& program, const Options& options, const SignalScript& script) {
+  if (!script.diagnostics.has_errors()) machine_for(program, options);  // its limits count
   const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
@@ -231,6 +243,17 @@ std::string describe(const motion::RobotModel& robot) {
          fmt::format("    MOVE, MOVEL, MOVEC, MOVES, SPIRAL, JOG under {}; simulated\n", laws);
 }
 
+ExitCode list_ports() {
+  const std::vector<drivers::PortEntry> ports = drivers::list_ports();
+  for (const drivers::PortEntry& port : ports) {
+    put_result(fmt::format("{}: {}\n", port.path, port.state));
+    if (!port.by_id.empty()) put_result(fmt::format("    {}\n", port.by_id));
+  }
+  if (ports.empty())
+    put_message("rob: no serial port is there: is the machine plugged in and switched on?\n");
+  return ExitCode::Done;
+}
+
 ExitCode list_robots() {
   for (const motion::EmbeddedRobot& robot : motion::embedded_robots()) {
     put_result(describe(load_robot(std::string(robot.name))));
@@ -258,6 +281,8 @@ ExitCode carry_out(const Options& options) {
       return explain(options.word);
     case Options::Command::Robots:
       return list_robots();
+    case Options::Command::Ports:
+      return list_ports();
     case Options::Command::Help:
       put_result(options.help_text);
       return ExitCode::Done;

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <sstream>
 
+#include "runtime/program/machine.h"
+
 namespace rob::runtime {
 
 namespace {
@@ -24,8 +26,12 @@ std::string check_law(const std::string& law) {
 }
 
 std::string check_backend(const std::string& backend) {
-  if (backend == "sim") return "";
-  return fmt::format("there is no backend '{}' in this version of Rob; use sim", backend);
+  if (backend_of(backend)) return "";
+  return fmt::format(
+      "there is no backend '{}'; there are sim, grbl:PORT, dynamixel:PORT, feetech:PORT and "
+      "rob:PORT,"
+      " such as grbl:/dev/ttyUSB0 (rob ports lists the ports)",
+      backend);
 }
 
 /// CLI11's objects and the texts that they write into.
@@ -34,7 +40,6 @@ struct Parser {
   Options options;
   std::string override_text = "100%";
   std::string law;
-  std::string backend = "sim";
   std::string topic;
 
   Parser();
@@ -52,8 +57,15 @@ struct Parser {
   void add_signals(CLI::App& command) {
     command.add_option("--signals", options.signals, "a script that drives the simulated inputs");
   }
+  void add_backend(CLI::App& command) {
+    command
+        .add_option("--backend", options.backend,
+                    "what moves: sim, or a machine, such as grbl:/dev/ttyUSB0")
+        ->check(check_backend);
+  }
   void add_motion(CLI::App& command) {
-    command.add_option("--backend", backend, "what moves: sim")->check(check_backend);
+    add_backend(command);
+    command.add_flag("--home", options.home, "the machine homes itself first");
     command.add_flag("--fast", options.fast, "on the virtual clock, as fast as possible");
     command.add_option("--trace", options.trace,
                        "write a row for each reference period to this file");
@@ -107,6 +119,7 @@ void Parser::add_check() {
   add_json(check);
   add_seed(check);
   add_signals(check);
+  add_backend(check);
   check.add_option("--path", options.path,
                    "write the path that the look-ahead law plans to this file");
 }
@@ -134,6 +147,9 @@ void Parser::add_others() {
 
   app.add_subcommand("robots", "the robots known, and what each can do")->callback([this] {
     options.command = Options::Command::Robots;
+  });
+  app.add_subcommand("ports", "the serial ports, and whether they are free")->callback([this] {
+    options.command = Options::Command::Ports;
   });
   CLI::App& help = *app.add_subcommand("help", "explain a command or a word of the language");
   help.callback([this] { options.command = Options::Command::Help; });
@@ -184,6 +200,11 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
   if (!parser.law.empty())
     parser.options.law = parser.law == "paul" ? motion::Law::Paul : motion::Law::LookAhead;
   if (parser.options.command == Options::Command::Help) return help_on(parser);
+  const bool simulated = backend_of(parser.options.backend)->simulated();
+  if (parser.options.fast && !simulated)
+    return usage_error("--fast is for the simulation; a machine moves in real time");
+  if (parser.options.home && simulated)
+    return usage_error("--home is for a machine; the simulation knows where it stands");
   if (!parser.options.trace.empty() && parser.options.files.size() > 1) {
     return usage_error("--trace records one program; run the others without it");
   }

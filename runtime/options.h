@@ -14,15 +14,17 @@ namespace rob::runtime {
 
 /// The command line of `rob`, understood (docs/cli.md).
 struct Options {
-  enum class Command { Prompt, Run, Check, Test, Compile, Format, Robots, Help, Explain };
+  enum class Command { Prompt, Run, Check, Test, Compile, Format, Robots, Ports, Help, Explain };
 
   Command command = Command::Prompt;
   std::vector<std::string> files;
   std::string robot;  ///< a name, or a file that ends in .toml; empty: the program's own
   std::optional<motion::Law> law;  ///< without it the program's or the robot's own
   std::string trace;
-  std::string path;     ///< of Check: what the planned path is written to
-  std::string signals;  ///< a signal script
+  std::string path;             ///< of Check: what the planned path is written to
+  std::string signals;          ///< a signal script
+  std::string backend = "sim";  ///< as backend_of() reads it
+  bool home = false;            ///< the machine homes itself first
   double override_share = 1;
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
   bool fast = false;

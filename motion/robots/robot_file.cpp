@@ -11,6 +11,7 @@
 #include "motion/robots/pulse_file.h"
 #include "motion/robots/table_reader.h"
 #include "motion/robots/time_scaling.h"
+#include "motion/robots/wire_file.h"
 
 namespace rob::motion {
 
@@ -141,7 +142,7 @@ void read_timing(const TableReader& file, RobotModel& robot) {
 std::vector<TableReader> read_axes(const TableReader& file, RobotModel& robot) {
   std::vector<TableReader> tables =
       file.tables("axis", {"name", "kind", "min", "max", "start", "v_max", "a_max", "j_max",
-                           "drive", "motor", "pulse_drive"});
+                           "drive", "motor", "pulse_drive", "wire"});
   if (tables.empty()) file.fail("axis", "is missing; write a table [[axis]] for each");
   if (tables.size() > static_cast<std::size_t>(kMaxJoints))
     file.fail("axis", "more than " + std::to_string(kMaxJoints) + " axes");
@@ -291,7 +292,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
                           "zone",    "zone_angle",       "servo",          "inputs",
                           "outputs", "analog_inputs",    "analog_outputs", "force_sensor",
                           "arm",     "dynamics",         "simulation",     "axis",
-                          "signal",  "actuator"});
+                          "signal",  "actuator",  "wire"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
@@ -307,6 +308,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   choose_kinematics(file, robot);
   choose_mechanics(file, axes, robot);
   read_servo(file, axes, robot);
+  read_wire(file, axes, robot);
   if (robot.t_acc > 0) check_paul(file, axes, robot);
   return robot;
 }

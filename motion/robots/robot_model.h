@@ -25,6 +25,21 @@ constexpr std::string_view law_name(Law law) noexcept {
   return law == Law::Paul ? "paul" : "lookahead";
 }
 
+/// How a machine on a serial line sees an axis (docs/drivers.md); what is left out is chosen by the
+/// protocol.
+struct WireAxisData {
+  int id = -1;        ///< of a servo on a bus; -1: the number of the axis, from 1
+  int letter = -1;    ///< of grbl, X = 0; -1: that of the axis' name, or the next that is free
+  double travel = 0;  ///< m or rad for a turn of a servo, or for 1 mm of grbl; 0: left out
+  double offset = 0;  ///< m or rad where a servo stands in its middle, or grbl at its zero
+  int direction = 1;  ///< -1: it counts the other way
+};
+
+struct WireData {
+  int baud = 0;       ///< 0: the protocol's own
+  double period = 0;  ///< s of a cycle; 0: chosen
+};
+
 /// One axis: SI (m, m/s, … or rad, rad/s, …).
 struct Axis {
   std::string name;
@@ -36,6 +51,7 @@ struct Axis {
   double j_max = 0;  ///< infinite: unlimited
   DriveData drive;
   PulseDriveData pulses;  ///< where RobotModel::servo sends pulses
+  WireAxisData wire;
 };
 
 /// A digital signal that the robot file declares by name.
@@ -90,6 +106,7 @@ struct RobotModel {
   /// What the servo feeds forward and the simulation integrates; without it the axes are decoupled.
   std::optional<ArmMechanics> mechanics;
   SimulatedDeviation deviation;  ///< only with mechanics
+  WireData wire;
 
   int axis_count() const { return static_cast<int>(axes.size()); }
   /// How many motions can have been commanded that are not done: those in the buffer, and under the

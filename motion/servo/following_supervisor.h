@@ -20,8 +20,10 @@ struct FollowingFinding {
     Jump,       ///< value: |Δq| since the last measurement; limit: what the axis can do
     NotFinite,  ///< a reference or a measurement is NaN or infinite
     Silent,     ///< value: cycles without an answer; limit: so many are too many
+    Alarm,      ///< the machine itself has stopped
     Lost,       ///< the backend is gone
     Saturated,  ///< value: κ; limit: 1. The path is slowed down. Its task says so
+    Noisy,      ///< value: share of what goes over its wire that is repeated. Its task says so
     Overrun     ///< value: s without a servo cycle; limit: so long is too long. Its task says so
   };
 
@@ -51,7 +53,7 @@ struct FollowingFinding {
 ///
 /// *Jump*: |Δq| > 2·v_max·(time since the last measurement, at least T).
 ///
-/// *Silent*: the third cycle in a row without an answer. *Lost*: at once.
+/// *Silent*: the third cycle in a row without an answer. *Alarm*, *Lost*: at once.
 ///
 /// The gravest finding is reported, of equals that of the lowest axis, in every cycle in which it
 /// holds: a jump once. Every call but the constructor may be used in the tick.

@@ -15,7 +15,12 @@ class DriverError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum class DriverStatus : std::uint8_t { Ok, Silent, Lost };
+enum class DriverStatus : std::uint8_t {
+  Ok,
+  Silent,  ///< no answer this time
+  Alarm,   ///< the machine itself says that it has stopped, or cannot be trusted any more
+  Lost     ///< it is gone
+};
 
 /// What one servo cycle asks of the machine. A backend with its own position loop follows
 /// `reference`; one that takes forces applies `drive`.
@@ -31,6 +36,7 @@ struct ServoState {
   JointMeasurement measured;
   std::uint64_t inputs = 0;  ///< bit i: digital input channel i
   AnalogValues analog_inputs{};
+  double wire_errors = 0;  ///< share of the exchanges of the last second that went wrong at first
 };
 
 /// Where motion control ends and a machine begins: a simulation, or drives on a wire.
@@ -38,6 +44,10 @@ struct ServoState {
 /// open() and close() may block and allocate; open() throws DriverError. enable(), disable(),
 /// read() and write() run inside the servo tick: they return at once, take no memory, and report
 /// trouble by their value. `now` is the time of the servo's clock in s and never goes back.
+///
+/// `measured.time` of what read() tells may lie before `now`: it is the instant of the references
+/// that the measurement belongs to, so a machine that follows later is compared with what it was
+/// told, and not with what it has not come to yet.
 class ServoBackend {
  public:
   virtual ~ServoBackend() = default;
@@ -51,6 +61,13 @@ class ServoBackend {
   virtual void disable(double now) noexcept = 0;
   virtual DriverStatus read(double now, ServoState& state) noexcept = 0;
   virtual DriverStatus write(double now, const ServoCommand& command) noexcept = 0;
+
+  /// It closes the position loop itself: references are what it takes, no servo law stands before
+  /// it, and it is told them as long as it is not lost.
+  virtual bool follows_references() const noexcept { return false; }
+  /// Why the last status was not Ok, in words and with the remedy; empty where nothing more is
+  /// known. From any thread but the tick.
+  virtual std::string trouble() const { return {}; }
 };
 
 }  // namespace rob::motion

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <string>
 
 #include "motion/generate/trajectory_generator.h"
 #include "motion/servo/following_supervisor.h"
@@ -20,6 +22,7 @@ namespace rob::runtime {
 
 /// What the servo tells of one of its cycles.
 struct ServoSample {
+  double time = 0;  ///< of the cycle; that of what was measured may lie before it
   motion::JointMeasurement measured;
   motion::JointVector drive;  ///< N, Nm, or pulses
   std::uint64_t inputs = 0;
@@ -120,7 +123,9 @@ struct Channels {
   WayBack way_back;
   std::atomic<bool> stop_requested{false};  ///< brake, and drop all that was commanded
   std::atomic<double> override_asked{0};    ///< once each; 0: none
-  std::atomic<std::int64_t> lost{0};        ///< snapshots that found their ring full
+  /// What the machine says of its own trouble; not for the ticks.
+  std::function<std::string()> trouble = [] { return std::string(); };
+  std::atomic<std::int64_t> lost{0};  ///< snapshots that found their ring full
 };
 
 }  // namespace rob::runtime

@@ -28,7 +28,7 @@ Controller::Controller(const motion::RobotModel& robot,
   machine_.run_handlers_on(handlers_machine_);
   machine_.set_override(override_share);
   channels_.joints.store(robot.start);
-  backend_->open();
+  channels_.trouble = [this] { return backend_->trouble(); };
 }
 
 Controller::~Controller() {

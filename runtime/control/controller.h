@@ -19,7 +19,7 @@ namespace rob::runtime {
 /// run_stepped() and run_threaded() drive the same object.
 class Controller {
  public:
-  /// Opens the backend: throws motion::DriverError. `override_share`: 1 is the programmed speed.
+  /// `backend` is open. `override_share`: 1 is the programmed speed.
   /// `script`: what drives inputs in place of the machine. `recorded`: periods for WayBack.
   Controller(const motion::RobotModel& robot, std::unique_ptr<motion::ServoBackend> backend,
              double override_share, const std::vector<SimulationRule>& script = {},

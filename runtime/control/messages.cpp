@@ -36,6 +36,21 @@ Words beyond(const Refusal& refusal, const motion::RobotModel& robot) {
                       shown(axis.min, axis.kind), shown(axis.max, axis.kind))};
 }
 
+/// The machine's own words, where it has any: what is wrong up to the last semicolon, the remedy
+/// behind it.
+Words words_of_machine(FollowingFinding::Cause cause, const std::string& trouble) {
+  using Cause = FollowingFinding::Cause;
+  const char* const number = cause == Cause::Lost    ? code::kMachineGone
+                             : cause == Cause::Alarm ? code::kMachineAlarm
+                                                     : code::kNoAnswer;
+  const std::size_t cut = trouble.rfind("; ");
+  if (cut != std::string::npos) return {number, trouble.substr(0, cut), trouble.substr(cut + 2)};
+  const char* const what = cause == Cause::Lost    ? "the machine is gone"
+                           : cause == Cause::Alarm ? "the machine itself has stopped"
+                                                   : "the machine does not answer";
+  return {number, trouble.empty() ? what : trouble, "check its power and its cable"};
+}
+
 }  // namespace
 
 Words words_for(const Refusal& refusal, const motion::RobotModel& robot) {
@@ -147,8 +162,15 @@ Words words_for_many_simulations() {
           "set what comes later when the TEST has come so far"};
 }
 
-Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot) {
+Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot,
+                const std::string& trouble) {
   if (finding.cause == FollowingFinding::Cause::Overrun) return words_for_overrun(finding.value);
+  if (finding.cause == FollowingFinding::Cause::Noisy) {
+    return {code::kNoisyWire,
+            fmt::format("{:.0f} % of what goes over the wire of the machine is repeated",
+                        100 * finding.value),
+            "check its cable, its shielding and its earth"};
+  }
   if (finding.cause == FollowingFinding::Cause::Saturated) {
     return {code::kDrivesAtLimit,
             fmt::format("the drives are asked for {:.2g} times what they have; the path is slowed "
@@ -156,12 +178,7 @@ Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot
                         finding.value),
             "lower the speed, raise t_acc or lighten the load"};
   }
-  if (finding.axis < 0) {
-    return finding.cause == FollowingFinding::Cause::Lost
-               ? Words{code::kMachineGone, "the machine is gone", "check its power and its cable"}
-               : Words{code::kNoAnswer, "the machine does not answer",
-                       "check its power and its cable"};
-  }
+  if (finding.axis < 0) return words_of_machine(finding.cause, trouble);
   const motion::Axis& axis = axis_of(robot, finding.axis);
   const std::string value = shown(finding.value, axis.kind);
   const std::string limit = shown(finding.limit, axis.kind);

@@ -112,7 +112,7 @@ void MotionTask::latch_inputs(double now) noexcept {
 void MotionTask::take_finding(const ServoSample& sample) noexcept {
   const bool stop = sample.finding.verdict == FollowingFinding::Verdict::Stop;
   if (faulted_ || (warned_ && !stop)) return;
-  channels_.notices.push({sample.measured.time, sample.finding});
+  channels_.notices.push({sample.time, sample.finding});
   warned_ = true;
   if (!stop) return;
   faulted_ = true;

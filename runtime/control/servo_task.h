@@ -4,6 +4,7 @@
 
 #include "motion/robots/robot_model.h"
 #include "motion/servo/following_supervisor.h"
+#include "motion/servo/reference_history.h"
 #include "motion/servo/reference_interpolator.h"
 #include "motion/servo/servo.h"
 #include "motion/servo/servo_backend.h"
@@ -26,6 +27,7 @@ class ServoTask {
 
  private:
   void take_as_it_stands(double now) noexcept;
+  motion::JointReference found_at(double now) const noexcept;
   bool references_are_coming(double now, double gap) const noexcept;
   void tell(const motion::FollowingFinding& finding) noexcept;
   motion::FollowingFinding judge(motion::DriverStatus status, double gap) noexcept;
@@ -35,6 +37,7 @@ class ServoTask {
   motion::ReferenceInterpolator interpolator_;
   std::unique_ptr<motion::Servo> servo_;
   motion::FollowingSupervisor supervisor_;
+  motion::ReferenceHistory history_;
   double reference_period_;
   double bridged_gap_;  ///< s that the interpolator bridges by itself
   double longest_gap_;

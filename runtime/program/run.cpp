@@ -17,7 +17,6 @@
 #include "runtime/program/points_file.h"
 #include "runtime/program/run_parts.h"
 #include "runtime/program/run_recorder.h"
-#include "runtime/program/simulation.h"
 #include "runtime/program/trace_writer.h"
 #include "runtime/time/real_time.h"
 
@@ -89,13 +88,15 @@ void add_foretold(RunResult& result, const RunResult& foretold) {
 
 }  // namespace
 
-RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
-              const RunOptions& options, const RunListener& listener) {
+RunResult run(const LoadedProgram& program, OpenMachine machine, const RunOptions& options,
+              const RunListener& listener) {
+  motion::RobotModel robot = program.robot;
   std::optional<TraceWriter> trace = open_trace(options, program, robot);
   std::optional<RunResult> own;
   if (robot.law == motion::Law::LookAhead && options.foretold == nullptr)
     own = foretell(program, robot, {options.seed, options.script, options.override_share});
-  Controller controller(robot, simulation_of(robot), options.override_share,
+  robot.servo_period = machine.period;
+  Controller controller(robot, std::move(machine.backend), options.override_share,
                         rules_of(options.script));
   prepare_panel(controller, options.script);
   controller.channels().panel.seat(options.person);

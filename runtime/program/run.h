@@ -10,6 +10,7 @@
 #include "runtime/control/operator_panel.h"
 #include "runtime/control/program_log.h"
 #include "runtime/program/load.h"
+#include "runtime/program/machine.h"
 #include "runtime/program/run_result.h"
 #include "runtime/program/signal_script.h"
 
@@ -43,10 +44,11 @@ struct RunListener {
   std::function<void(const Note& note, int line)> consult{};  ///< see RunRecorder::Listener
 };
 
-/// Runs a compiled program on the simulated robot, in real time or on the virtual clock. Ctrl-C,
-/// SIGTERM and SIGHUP stop it on its path. Throws FileError before anything moves.
-RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
-              const RunOptions& options, const RunListener& listener);
+/// Runs a compiled program on an open machine, in real time or, if it is the simulation, on the
+/// virtual clock. Ctrl-C, SIGTERM and SIGHUP stop it on its path. Throws FileError before anything
+/// moves.
+RunResult run(const LoadedProgram& program, OpenMachine machine, const RunOptions& options,
+              const RunListener& listener);
 
 /// The result of a program that does not compile.
 RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot);

@@ -128,7 +128,7 @@ void RunRecorder::take(const MotionEvent& event) {
 }
 
 void RunRecorder::take(const ServoNotice& notice) {
-  const Words words = words_for(notice.finding, robot_);
+  const Words words = words_for(notice.finding, robot_, channels_.trouble());
   if (notice.finding.verdict == motion::FollowingFinding::Verdict::Stop) {
     fail(notice.time, "fault", words);
   } else {

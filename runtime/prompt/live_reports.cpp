@@ -24,7 +24,7 @@ void LiveReports::drain() {
   while (channels.events.take(event)) take(event);
   ServoNotice notice;
   while (channels.notices.take(notice)) {
-    const Words words = words_for(notice.finding, controller_.robot());
+    const Words words = words_for(notice.finding, controller_.robot(), channels.trouble());
     const bool stops = notice.finding.verdict == motion::FollowingFinding::Verdict::Stop;
     if (!stops) {
       tell(fmt::format("warning: {}", words.message));

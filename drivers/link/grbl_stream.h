@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "drivers/link/wire_link.h"
+#include "drivers/protocol/grbl_line.h"
+
+namespace rob::drivers {
+
+/// References as the lines that grbl carries out in the same time:  G91 G21 G93 G1 X… F(60/s).
+/// Targets are whole steps, so that what is rounded once is made up by the next move. At the
+/// beginning of a motion kAhead moves are collected: so many are always ahead in grbl's planner,
+/// which else would brake at the end of each. Character counting: what is not acknowledged never is
+/// more than grbl's buffer holds.
+class GrblStream {
+ public:
+  /// [choice] 80 ms of 20 ms moves: a computer that is late by less is not noticed.
+  static constexpr int kAhead = 4;
+  static constexpr int kBuffer = 127;  ///< bytes, of 128
+
+  /// `steps`: per mm, of each axis; `letters`: X = 0.
+  void begin(const std::vector<int>& letters, const std::vector<double>& steps, double period);
+  /// Stands there, mm; nothing is under way.
+  void stand_at(const WireVector& position) noexcept;
+
+  /// The next reference.
+  void push(const WireCommand& command);
+  /// The end of what waits, though no more has come.
+  void flush() noexcept { collecting_ = false; }
+  /// Nothing was told to it for a while, and all lines are acknowledged.
+  bool standing() const noexcept {
+    return idle_ >= kAhead && lines_.empty() && unacknowledged_ == 0;
+  }
+
+  /// The next line, with its end, as far as grbl's buffer has room; empty: none.
+  std::string next_line(double now);
+  void acknowledged() noexcept;
+  /// Lines that were sent and not acknowledged; since when the oldest of them.
+  int open_lines() const noexcept { return static_cast<int>(sent_.size()); }
+  double oldest() const noexcept { return sent_.empty() ? 0 : sent_.front().time; }
+  /// s from a reference to its execution.
+  double lag() const noexcept { return kAhead * period_; }
+
+ private:
+  struct Sent {
+    int bytes;
+    double time;
+  };
+  using Steps = std::array<std::int64_t, motion::kMaxJoints>;
+
+  std::string line_of(const Steps& way, double seconds) const;
+
+  std::vector<int> letters_;
+  std::vector<double> steps_;
+  double period_ = 0.02;
+  Steps queued_{};
+  double last_ = 0;     ///< time of the last reference
+  double pending_ = 0;  ///< s since the last move
+  int idle_ = kAhead;   ///< references in a row without a step
+  bool collecting_ = true;
+  std::deque<std::string> lines_;
+  std::deque<Sent> sent_;
+  int unacknowledged_ = 0;  ///< bytes
+};
+
+}  // namespace rob::drivers

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drivers/protocol/dynamixel_packet.h"
+#include "drivers/protocol/feetech_packet.h"
+
+namespace rob::drivers {
+
+/// What a servo on a bus tells of itself each cycle.
+struct ServoReading {
+  double position = 0;  ///< ticks, 4096 a turn
+  double velocity = 0;  ///< ticks/s
+};
+
+/// What one is told: ticks, ticks/s at most.
+struct ServoGoal {
+  std::uint8_t id = 0;
+  int position = 0;
+  int most_speed = 0;
+};
+
+/// What is wrong with a servo by its own account.
+struct ServoHealth {
+  bool torque = false;
+  std::string trouble;  ///< empty: nothing
+};
+
+/// A register and what it has to hold.
+struct ServoSetting {
+  int address = 0;
+  int size = 1;
+  std::uint32_t value = 0;
+};
+
+/// The registers of ROBOTIS' X series, protocol 2.0 (e-manual, XL430-W250).
+struct DynamixelDialect {
+  using Format = dynamixel::Format;
+  using Frame = dynamixel::Packet;
+  using Wire = dynamixel::Wire;
+  static constexpr const char* kName = "DYNAMIXEL";
+  static constexpr int kModeAddress = 11;
+  static constexpr std::uint32_t kMode = 3;  ///< position, one turn
+  static constexpr const char* kModeHelp = "operating mode 3 (position control), register 11";
+  static constexpr bool kHasWatchdog = true;
+  static constexpr int kReadingBytes = 19;  ///< of a status with velocity and position
+  static constexpr int kGoalBytes = 5;
+
+  static Wire ping(std::uint8_t id) { return dynamixel::ping(id); }
+  static Wire read(std::uint8_t id, int address, int size);
+  static Wire write(std::uint8_t id, const ServoSetting& setting);
+  static Wire ask_readings(std::span<const std::uint8_t> ids);
+  static Wire ask_reading(std::uint8_t id);
+  static Wire goals(std::span<const ServoGoal> goals);
+  static Wire torque(std::span<const std::uint8_t> ids, bool on);
+  static Wire ask_health(std::uint8_t id);
+  static bool parse_reading(const Frame& frame, ServoReading& reading);
+  static bool parse_health(const Frame& frame, ServoHealth& health);
+  /// "" for none: what the status itself complains of.
+  static std::string complaint(const Frame& frame);
+  static std::uint8_t id_of(const Frame& frame) { return frame.id; }
+  static bool is_status(const Frame& frame) {
+    return frame.instruction == dynamixel::Instruction::Status;
+  }
+  /// Little-endian parameters of a status.
+  static std::uint32_t value_of(const Frame& frame);
+  /// Lowest and highest position, ticks.
+  static constexpr int kLeastAddress = 52;
+  static constexpr int kMostAddress = 48;
+  static constexpr int kLimitSize = 4;
+  /// To be so before torque is switched on.
+  static std::vector<ServoSetting> settings();
+  /// To be written to every servo when it is enabled, without waiting for an answer.
+  static std::vector<ServoSetting> watchdog(bool on);
+  static Wire write_all(std::span<const std::uint8_t> ids, const ServoSetting& setting);
+};
+
+/// The registers of Feetech's STS series (memory table of the STS3215).
+struct FeetechDialect {
+  using Format = feetech::Format;
+  using Frame = feetech::Packet;
+  using Wire = feetech::Wire;
+  static constexpr const char* kName = "Feetech";
+  static constexpr int kModeAddress = 33;
+  static constexpr std::uint32_t kMode = 0;
+  static constexpr const char* kModeHelp = "mode 0 (position), register 33";
+  static constexpr bool kHasWatchdog = false;
+  static constexpr int kReadingBytes = 14;
+  static constexpr int kGoalBytes = 7;
+
+  static Wire ping(std::uint8_t id) { return feetech::ping(id); }
+  static Wire read(std::uint8_t id, int address, int size);
+  static Wire write(std::uint8_t id, const ServoSetting& setting);
+  static Wire ask_readings(std::span<const std::uint8_t> ids);
+  static Wire ask_reading(std::uint8_t id);
+  static Wire goals(std::span<const ServoGoal> goals);
+  static Wire torque(std::span<const std::uint8_t> ids, bool on);
+  static Wire ask_health(std::uint8_t id);
+  static bool parse_reading(const Frame& frame, ServoReading& reading);
+  static bool parse_health(const Frame& frame, ServoHealth& health);
+  static std::string complaint(const Frame& frame);
+  static std::uint8_t id_of(const Frame& frame) { return frame.id; }
+  static bool is_status(const Frame&) { return true; }
+  static std::uint32_t value_of(const Frame& frame);
+  static constexpr int kLeastAddress = 9;
+  static constexpr int kMostAddress = 11;
+  static constexpr int kLimitSize = 2;
+  static std::vector<ServoSetting> settings();
+  static std::vector<ServoSetting> watchdog(bool on);
+  static Wire write_all(std::span<const std::uint8_t> ids, const ServoSetting& setting);
+};
+
+}  // namespace rob::drivers

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drivers/link/packet_port.h"
+#include "drivers/link/servo_dialect.h"
+#include "drivers/link/wire_link.h"
+
+namespace rob::drivers {
+
+/// Servos with position loops of their own on one half-duplex bus. A cycle is one sync write of all
+/// goals and one sync read of all places; a servo that is mute there is asked by itself, since it
+/// stalls those behind it in the chain. Every tenth cycle one servo is asked for its health too: an
+/// alert, or torque that is off because the servo has restarted, is an Alarm.
+template <typename Dialect>
+class ServoLink final : public WireLink {
+ public:
+  /// `axes`: ID, and ticks per rad or m. `baud`: for the least period of a cycle.
+  ServoLink(const std::vector<WireAxis>& axes, int baud);
+
+  void connect(SerialPort& port) override;
+  double least_period() const override;
+  motion::DriverStatus enable() noexcept override;
+  void disable() noexcept override;
+  motion::DriverStatus exchange(const WireCommand* command, double deadline,
+                                WireAnswer& answer) noexcept override;
+
+ private:
+  using Packets = PacketPort<typename Dialect::Format>;
+  using Frame = typename Dialect::Frame;
+  using Result = typename Packets::Result;
+
+  std::string servo(std::size_t i) const;
+  Result ask(std::uint8_t id, const typename Dialect::Wire& question, Frame& answer,
+             double deadline) noexcept;
+  Frame must_ask(std::size_t i, const typename Dialect::Wire& question);
+  void configure(std::size_t i);
+  void write_setting(std::size_t i, const ServoSetting& setting);
+  Result send_goals(const WireVector& position, double deadline) noexcept;
+  Result read_all(double deadline, WireAnswer& answer) noexcept;
+  Result read_missing(double deadline, WireAnswer& answer) noexcept;
+  bool take(std::size_t i, const Frame& frame, WireAnswer& answer) noexcept;
+  motion::DriverStatus judge(Result result, double deadline) noexcept;
+  motion::DriverStatus check_health(double deadline) noexcept;
+
+  std::vector<WireAxis> axes_;
+  std::vector<std::uint8_t> ids_;
+  int baud_;
+  Packets packets_;
+  WireVector last_{};
+  std::vector<bool> answered_;
+  std::uint32_t cycle_ = 0;
+  std::string complaint_;  ///< of a servo, in this cycle
+  bool enabled_ = false;
+};
+
+std::unique_ptr<WireLink> dynamixel_link(const std::vector<WireAxis>& axes, int baud);
+std::unique_ptr<WireLink> feetech_link(const std::vector<WireAxis>& axes, int baud);
+
+}  // namespace rob::drivers

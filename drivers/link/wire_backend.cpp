@@ -1,0 +1,235 @@
+#include "drivers/link/wire_backend.h"
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rob::drivers {
+
+using motion::DriverStatus;
+
+namespace {
+
+constexpr double kOpening = 0.5;  // s [choice] for the first exchange
+constexpr double kShare = 0.8;    // of the period, for one exchange
+constexpr double kCounting = 1;   // s over which errors are counted
+constexpr double kCredible = 2;   // times the axis' speed, as FollowingSupervisor's
+
+}  // namespace
+
+WireBackend::WireBackend(WireSettings settings, std::unique_ptr<WireLink> link)
+    : settings_(std::move(settings)), link_(std::move(link)), period_(settings_.period) {}
+
+WireBackend::~WireBackend() { close(); }
+
+void WireBackend::open() {
+  port_.emplace(settings_.port, settings_.baud);
+  link_->connect(*port_);
+  if (settings_.home) link_->home();
+  period_ = std::max(settings_.period, link_->least_period());
+  first_exchange();
+  start();
+}
+
+void WireBackend::first_exchange() {
+  const DriverStatus status = link_->exchange(nullptr, wire_time() + kOpening, report_.answer);
+  if (status != DriverStatus::Ok) throw motion::DriverError(link_->trouble());
+  publish(status);
+  position_.resize(axes());
+  for (int i = 0; i < axes(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    position_[i] = report_.answer.position[k] / settings_.axes[k].scale + settings_.axes[k].offset;
+  }
+}
+
+void WireBackend::start() {
+  stopping_ = false;
+  event_ = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+  if (event_ < 0) throw motion::DriverError("no eventfd is to be had: too many files are open");
+  thread_ = std::thread([this] { run(); });
+}
+
+void WireBackend::close() noexcept {
+  stopping_ = true;
+  wake();
+  if (thread_.joinable()) thread_.join();
+  if (event_ >= 0) ::close(std::exchange(event_, -1));
+  port_.reset();
+}
+
+// ---- the tick's side
+
+DriverStatus WireBackend::enable(double) noexcept {
+  wanted_.store(true, std::memory_order_release);
+  wake();
+  return DriverStatus::Ok;
+}
+
+void WireBackend::disable(double) noexcept {
+  wanted_.store(false, std::memory_order_release);
+  wake();
+}
+
+DriverStatus WireBackend::read(double now, motion::ServoState& state) noexcept {
+  const Report& report = reports_.load();
+  const double since = wire_time() - report.answer.time;
+  state.wire_errors = report.errors;
+  if (report.status != DriverStatus::Ok) return report.status;
+  if (wire_time() - report.received > std::max(kTickLost, 3 * period_)) return DriverStatus::Silent;
+  state.measured.time = now - std::max(since, 0.0);
+  state.measured.q.resize(axes());
+  state.measured.qd.resize(axes());
+  for (int i = 0; i < axes(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const WireAxis& axis = settings_.axes[k];
+    state.measured.q[i] = report.answer.position[k] / axis.scale + axis.offset;
+    state.measured.qd[i] = report.answer.velocity[k] / axis.scale;
+  }
+  return DriverStatus::Ok;
+}
+
+DriverStatus WireBackend::write(double now, const motion::ServoCommand& command) noexcept {
+  WireCommand told;
+  told.time = wire_time() + (command.reference.time - now);
+  for (std::size_t k = 0; k < settings_.axes.size(); ++k) {
+    const WireAxis& axis = settings_.axes[k];
+    const auto i = static_cast<Eigen::Index>(k);
+    told.position[k] = (command.reference.q[i] - axis.offset) * axis.scale;
+    told.velocity[k] = command.reference.qd[i] * axis.scale;
+  }
+  commands_.store(told);
+  wake();
+  return DriverStatus::Ok;
+}
+
+void WireBackend::wake() noexcept {
+  const std::uint64_t one = 1;
+  if (event_ >= 0 && ::write(event_, &one, sizeof one) < 0) return;  // full: it will wake anyway
+}
+
+std::string WireBackend::trouble() const {
+  const std::lock_guard lock(mutex_);
+  return trouble_;
+}
+
+// ---- the thread's side
+
+void WireBackend::run() noexcept {
+  if (settings_.begin_thread) settings_.begin_thread();
+  window_ = wire_time();
+  while (!stopping_.load(std::memory_order_relaxed)) {
+    const bool told = wait();
+    follow_wish();
+    const bool ended =
+        report_.status == DriverStatus::Lost || stopping_.load(std::memory_order_relaxed);
+    // The tick has fallen silent: so does this side, for the machine's watchdog.
+    const bool deserted = enabled_ && !told && wire_time() - newest_ > kTickLost;
+    if (!ended && !deserted) exchange();
+  }
+  if (enabled_ && report_.status != DriverStatus::Lost) link_->disable();
+  enabled_ = false;
+}
+
+/// For the next command, a period and a half at most; whether there is one.
+bool WireBackend::wait() noexcept {
+  pollfd waits{event_, POLLIN, 0};
+  ::poll(&waits, 1, static_cast<int>(std::ceil(1.5e3 * period_)));
+  std::uint64_t count = 0;
+  if (::read(event_, &count, sizeof count) < 0) count = 0;
+  return commands_.load().time > newest_;
+}
+
+void WireBackend::follow_wish() noexcept {
+  const bool wanted = wanted_.load(std::memory_order_acquire);
+  if (wanted == enabled_) return;
+  if (report_.status == DriverStatus::Lost || report_.status == DriverStatus::Alarm) {
+    enabled_ = wanted;
+    return;
+  }
+  enabled_ = wanted;
+  newest_ = wire_time();
+  if (!wanted) return link_->disable();
+  if (const DriverStatus status = link_->enable(); status != DriverStatus::Ok) publish(status);
+}
+
+void WireBackend::exchange() noexcept {
+  const WireCommand& command = commands_.load();
+  const bool fresh = enabled_ && command.time > newest_;
+  if (fresh) newest_ = command.time;
+  const bool stopped = report_.status == DriverStatus::Alarm;
+  const WireAnswer before = report_.answer;
+  ++exchanges_;
+  const DriverStatus status = link_->exchange(fresh && !stopped ? &command : nullptr,
+                                              wire_time() + kShare * period_, report_.answer);
+  publish(stopped && status != DriverStatus::Lost ? DriverStatus::Alarm : believed(status, before));
+}
+
+/// A position that the axis cannot have reached is a bad frame, if the next one does not say the
+/// same.
+DriverStatus WireBackend::believed(DriverStatus status, const WireAnswer& before) noexcept {
+  if (status != DriverStatus::Ok || std::exchange(first_, false)) return status;
+  const double elapsed = std::max(report_.answer.time - before.time, period_);
+  bool credible = true;
+  for (std::size_t k = 0; k < settings_.axes.size(); ++k) {
+    const double step = std::abs(report_.answer.position[k] - before.position[k]);
+    const double most = settings_.axes[k].most_step;
+    credible = credible && (most == 0 || step <= kCredible * most * elapsed + 1);
+  }
+  if (credible || doubted_) {
+    doubted_ = false;
+    return status;
+  }
+  doubted_ = true;
+  report_.answer = before;
+  return DriverStatus::Silent;
+}
+
+void WireBackend::publish(DriverStatus status) noexcept {
+  report_.status = status;
+  if (status == DriverStatus::Ok) report_.received = wire_time();
+  if (wire_time() - window_ > kCounting) {
+    const auto errors = static_cast<double>(link_->errors() - errors_before_);
+    report_.errors = exchanges_ > 0 ? errors / exchanges_ : 0;
+    errors_before_ = link_->errors();
+    exchanges_ = 0;
+    window_ = wire_time();
+  }
+  if (status != DriverStatus::Ok) {
+    const std::lock_guard lock(mutex_);
+    trouble_ = link_->trouble();
+  }
+  reports_.store(report_);
+}
+
+// ---- what it is, for those who make the robot's model
+
+double WireBackend::limit_in_si(int axis, const WireVector& at_plus,
+                                const WireVector& at_minus) const {
+  const auto k = static_cast<std::size_t>(axis);
+  const WireAxis& wire = settings_.axes[k];
+  return (wire.scale > 0 ? at_plus[k] : at_minus[k]) / wire.scale + wire.offset;
+}
+
+double WireBackend::most(int axis) const {
+  return limit_in_si(axis, link_->limits().max, link_->limits().min);
+}
+
+double WireBackend::least(int axis) const {
+  return limit_in_si(axis, link_->limits().min, link_->limits().max);
+}
+
+double WireBackend::most_speed(int axis) const {
+  const auto k = static_cast<std::size_t>(axis);
+  return link_->limits().speed[k] / std::abs(settings_.axes[k].scale);
+}
+
+double WireBackend::most_acceleration(int axis) const {
+  const auto k = static_cast<std::size_t>(axis);
+  return link_->limits().acceleration[k] / std::abs(settings_.axes[k].scale);
+}
+
+}  // namespace rob::drivers

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/robots/robot_model.h"
+#include "motion/servo/servo_backend.h"
+#include "runtime/program/load.h"
+
+namespace rob::runtime {
+
+/// What moves: the simulation, or a machine on a serial line ("grbl:/dev/ttyUSB0").
+struct BackendName {
+  enum class Kind { Simulation, Grbl, Dynamixel, Feetech, Rob };
+  Kind kind = Kind::Simulation;
+  std::string port;
+
+  bool simulated() const { return kind == Kind::Simulation; }
+};
+
+/// As --backend has it; none for what is no backend.
+std::optional<BackendName> backend_of(const std::string& text);
+
+/// A machine that is open: what moves, and what was found out about it that a user has to know.
+struct OpenMachine {
+  std::unique_ptr<motion::ServoBackend> backend;
+  double period = 0;  ///< s of its servo cycles
+  std::vector<std::string> notes;
+};
+
+/// Opens the machine. `robot` becomes what the machine is: it starts where the axes stand, its
+/// limits are the tighter ones of the robot file and of the machine. The simulation leaves it as it
+/// is. `home`: the machine homes itself first. Throws
+/// motion::DriverError, where an axis stands outside of its limits, too.
+OpenMachine open_machine(const BackendName& name, motion::RobotModel& robot, bool home = false);
+
+/// The same for a program, which is compiled anew for what the machine is. Nothing is opened for
+/// one that cannot run.
+OpenMachine open_machine(const BackendName& name, LoadedProgram& program,
+                         std::optional<motion::Law> law, bool home = false);
+
+}  // namespace rob::runtime
