@@ -1,0 +1,163 @@
+// `rob run --backend …` on devices behind pseudo-terminals: the same programs as on the simulation,
+// and what happens when a wire fails in motion. In real time, with bounds for a busy computer.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "tests/emulators/grbl_emulator.h"
+#include "tests/support/rob_command.h"
+
+using nlohmann::json;
+using rob::test::contains;
+using rob::test::GrblEmulator;
+using rob::test::Process;
+using rob::test::ProcessResult;
+using rob::test::RobCommand;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr const char* kTriangle =
+    "MOVE(40,40,0)\nMOVE(140,40,0)\nMOVE(90,126,0)\nMOVE(40,40,0)\nSTOP\nEND\n";
+constexpr const char* kLong = "MOVE(300,0,0)\n";
+
+std::string on(const std::string& kind, const rob::test::DeviceEmulator& device) {
+  return kind + ":" + device.path();
+}
+
+/// Waits until the device has been spoken to that often.
+void wait_for_motion(const GrblEmulator& grbl) {
+  for (int i = 0; i < 2000 && grbl.moves() < 50; ++i) std::this_thread::sleep_for(10ms);
+  REQUIRE(grbl.moves() >= 50);
+}
+
+struct Faulted {
+  json document;
+  ProcessResult result;
+};
+
+/// A long run on grbl, into which something happens.
+template <typename Happens>
+Faulted run_into(const Happens& happens) {
+  GrblEmulator grbl;
+  const RobCommand rob(kLong);
+  Process process(rob.line("run", {"--json", "--backend", on("grbl", grbl)}));
+  wait_for_motion(grbl);
+  happens(grbl);
+  const auto since = std::chrono::steady_clock::now();
+  Faulted faulted;
+  faulted.result = process.wait();
+  CHECK(std::chrono::steady_clock::now() - since < 10s);
+  faulted.document = json::parse(faulted.result.out);
+  return faulted;
+}
+
+void check_fault(const Faulted& faulted, const std::string& code, const std::string& words) {
+  CHECK(faulted.result.exit_code == 70);
+  CHECK(faulted.document["status"] == "fault");
+  CHECK(faulted.document["error"]["code"] == code);
+  CHECK(contains(faulted.document["error"]["message"], words));
+  CHECK_FALSE(faulted.document["events"].empty());
+}
+
+}  // namespace
+
+TEST_CASE("the triangle through grbl: executed within 1 % of what is planned") {
+  GrblEmulator grbl;
+  const RobCommand rob(kTriangle);
+  const ProcessResult result = rob("run", {"--json", "--backend", on("grbl", grbl)});
+  REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+  const json document = json::parse(result.out);
+  CHECK(document["planned_s"].get<double>() == doctest::Approx(19.1));
+  CHECK(grbl.moved_for() == doctest::Approx(19.1).epsilon(0.01));
+  CHECK(grbl.overflows() == 0);
+  const auto q = grbl.position();
+  CHECK(q[0] == doctest::Approx(40).epsilon(0.001));
+  CHECK(q[1] == doctest::Approx(40).epsilon(0.001));
+  CHECK(grbl.idle());
+}
+
+TEST_CASE("a run begins where the machine stands") {
+  GrblEmulator grbl;
+  grbl.stand_at(130, 0, 0);
+  const RobCommand rob("MOVE(140,0,0)\nSTOP\n");
+  const ProcessResult result = rob("run", {"--json", "--backend", on("grbl", grbl)});
+  REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+  CHECK(grbl.position()[0] == doctest::Approx(140).epsilon(0.001));
+  // From 0 it would be 7 s, and half a corner at each end.
+  CHECK(json::parse(result.out)["planned_s"].get<double>() == doctest::Approx(5.5));
+}
+
+TEST_CASE("check takes the machine's limits, and moves nothing") {
+  GrblEmulator grbl;
+  for (int axis = 0; axis < 3; ++axis) grbl.settings[110 + axis] = 600;  // 10 mm/s
+  const RobCommand rob("MOVE(100,0,0)\nSTOP\n");
+  const ProcessResult result = rob("check", {"--json", "--backend", on("grbl", grbl)});
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.err, "no more than 10 mm of speed (per s) of axis x"));
+  // 100 mm at 10 mm/s, and half a corner at each end.
+  CHECK(json::parse(result.out)["planned_s"].get<double>() > 10);
+  CHECK(grbl.moves() == 0);
+}
+
+TEST_CASE("fault 23: unplugged in motion") {
+  check_fault(run_into([](GrblEmulator& grbl) { grbl.unplug(); }), "E507", "is gone");
+}
+
+TEST_CASE("fault 30: a limit switch in motion") {
+  const Faulted faulted = run_into([](GrblEmulator& grbl) { grbl.raise_alarm(1); });
+  check_fault(faulted, "E510", "grbl ALARM:1: a limit switch was hit");
+  CHECK(contains(faulted.document["error"]["message"].get<std::string>() +
+                     faulted.document["error"]["help"].get<std::string>(),
+                 "position is not known"));
+}
+
+TEST_CASE("fault 26: silence in motion") {
+  check_fault(run_into([](GrblEmulator& grbl) { grbl.silent = true; }), "E506", "does not answer");
+}
+
+TEST_CASE("fault 31: a restart in motion") {
+  check_fault(run_into([](GrblEmulator& grbl) { grbl.restart(); }), "E510", "has restarted");
+}
+
+TEST_CASE("fault 33: a second rob on the same port is refused, and the first goes on") {
+  GrblEmulator grbl;
+  const RobCommand rob(kLong);
+  Process first(rob.line("run", {"--backend", on("grbl", grbl)}));
+  wait_for_motion(grbl);
+  const ProcessResult second = rob("run", {"--backend", on("grbl", grbl)});
+  CHECK(second.exit_code == 74);
+  CHECK(contains(second.err, "is used by process"));
+  CHECK(contains(second.err, "(rob)"));
+  const int moves = grbl.moves();
+  std::this_thread::sleep_for(300ms);
+  CHECK(grbl.moves() > moves);
+  first.send(SIGINT);
+  CHECK(first.wait().exit_code == 130);
+  for (int i = 0; i < 200 && !grbl.idle(); ++i) std::this_thread::sleep_for(10ms);
+  CHECK(grbl.idle());
+}
+
+TEST_CASE("fault 32: a machine that stands outside of the limits is not enabled") {
+  GrblEmulator grbl;
+  grbl.stand_at(-20, 0, 0);
+  const ProcessResult result = RobCommand(kLong)("run", {"--backend", on("grbl", grbl)});
+  CHECK(result.exit_code == 74);
+  CHECK(contains(result.err, "axis x stands at -20 mm, outside of 0 mm"));
+  CHECK(grbl.moves() == 0);
+}
+
+TEST_CASE("what --backend cannot be is told") {
+  const RobCommand rob(kLong);
+  CHECK(rob("run", {"--backend", "grbl"}).exit_code == 64);
+  CHECK(contains(rob("run", {"--backend", "fanuc:/dev/x"}).err,
+                 "there is no backend 'fanuc:/dev/x'"));
+  CHECK(rob("run", {"--backend", "grbl:/dev/ttyNothing", "--fast"}).exit_code == 64);
+  const ProcessResult missing = rob("run", {"--backend", "grbl:/dev/ttyNothing"});
+  CHECK(missing.exit_code == 74);
+  CHECK(contains(missing.err, "there is no port '/dev/ttyNothing'"));
+  GrblEmulator grbl;
+  CHECK(contains(rob("run", {"--backend", on("dynamixel", grbl)}).err, "travel = "));
+}

@@ -1,0 +1,206 @@
+#include "drivers/link/grbl_link.h"
+
+#include <doctest/doctest.h>
+
+#include "tests/drivers/link/wire_bench.h"
+#include "tests/emulators/grbl_emulator.h"
+
+namespace rob::drivers {
+namespace {
+
+using motion::DriverStatus;
+using test::all;
+using test::GrblEmulator;
+using test::mentions;
+using test::WireBench;
+
+std::unique_ptr<WireBackend> machine_on(const GrblEmulator& grbl, bool home = false) {
+  const auto axes = test::plain_axes(3, 0, 50);
+  WireSettings settings = test::settings_for(grbl.path(), axes, 0.02);
+  settings.home = home;
+  return std::make_unique<WireBackend>(settings, grbl_link(axes));
+}
+
+motion::JointVector place(double x, double y, double z) {
+  motion::JointVector q(3);
+  q << x, y, z;
+  return q;
+}
+
+}  // namespace
+
+TEST_CASE("grbl goes where it is told, in the time that it is told") {
+  GrblEmulator grbl;
+  grbl.stand_at(5, 0, 0);
+  {
+    WireBench bench(machine_on(grbl));
+    CHECK(bench.machine().position()[0] == 5);
+    bench.go(place(25, 10, -3), 1.0);
+    bench.comes(DriverStatus::Lost, 0.5);
+    CHECK(bench.state().measured.q[0] == doctest::Approx(25).epsilon(0.001));
+    CHECK(bench.count(DriverStatus::Silent) == 0);
+  }
+  const auto q = grbl.position();
+  CHECK(q[0] == doctest::Approx(25).epsilon(0.0005));
+  CHECK(q[1] == doctest::Approx(10).epsilon(0.0005));
+  CHECK(q[2] == doctest::Approx(-3).epsilon(0.0005));
+  CHECK(grbl.moved_for() == doctest::Approx(1.0).epsilon(0.1));
+  CHECK(grbl.moves() > 25);
+  CHECK(grbl.overflows() == 0);
+}
+
+TEST_CASE("what grbl reports is compared with the references of the same instant") {
+  GrblEmulator grbl;
+  WireBench bench(machine_on(grbl));
+  // At 20 mm/s: 80 ms are 1.6 mm; the wire and a busy computer leave a part of it.
+  const double start = bench.now();
+  double worst = 0;
+  while (bench.now() - start < 2) {
+    const double t = bench.now() - start;
+    bench.cycle(place(20 * t, 0, 0));
+    const double then = bench.state().measured.time - start;
+    if (then < 0.3) continue;
+    worst = std::max(worst, std::abs(bench.state().measured.q[0] - 20 * then));
+  }
+  CHECK(worst < 1.2);
+}
+
+TEST_CASE("a short motion, and one that comes after a pause, arrive wholly") {
+  GrblEmulator grbl;
+  WireBench bench(machine_on(grbl));
+  bench.go(place(0.5, 0, 0), 0.03);  // fewer moves than are collected
+  bench.comes(DriverStatus::Lost, 0.5);
+  CHECK(grbl.position()[0] == doctest::Approx(0.5).epsilon(0.01));
+  bench.go(place(0, 0, 0), 0.2);
+  bench.comes(DriverStatus::Lost, 0.5);
+  CHECK(std::abs(grbl.position()[0]) < 0.005);
+  CHECK(grbl.idle());
+}
+
+TEST_CASE("positions are those of the work coordinates") {
+  GrblEmulator grbl;
+  grbl.offset = {10, 0, 0};
+  grbl.stand_at(15, 0, 0);
+  grbl.settings[20] = 1;  // soft limits
+  const auto machine = machine_on(grbl);
+  REQUIRE(test::trouble_opening(*machine) == "");
+  CHECK(machine->position()[0] == 5);
+  CHECK(machine->least(0) == -410);
+  CHECK(machine->most(0) == -10);
+  CHECK(machine->most_speed(0) == 100);  // 6000 mm/min
+  CHECK(machine->most_acceleration(1) == 500);
+}
+
+TEST_CASE("fault 30: an error stops the streaming, in words") {
+  GrblEmulator grbl;
+  WireBench bench(machine_on(grbl));
+  bench.go(place(2, 0, 0), 0.2);
+  grbl.error_next = 33;
+  bench.go(place(4, 0, 0), 0.3);
+  CHECK(bench.comes(DriverStatus::Alarm, 2));
+  CHECK(mentions(bench.machine().trouble(), "grbl error:33: the target is not valid"));
+  const int moves = grbl.moves();
+  bench.go(place(0, 0, 0), 0.2);
+  CHECK(grbl.moves() == moves);
+}
+
+TEST_CASE("fault 30: an alarm says whether the position is lost") {
+  for (const int number : {1, 2, 3}) {
+    GrblEmulator grbl;
+    WireBench bench(machine_on(grbl));
+    bench.go(place(1, 0, 0), 0.2);
+    grbl.raise_alarm(number);
+    CHECK(bench.comes(DriverStatus::Alarm, 2));
+    CHECK(mentions(bench.machine().trouble(), "ALARM:" + std::to_string(number)));
+    CHECK(mentions(bench.machine().trouble(), "its position is not known") == (number != 2));
+  }
+}
+
+TEST_CASE("fault 29: an ok that is lost is noticed") {
+  GrblEmulator grbl;
+  WireBench bench(machine_on(grbl));
+  bench.go(place(1, 0, 0), 0.2);
+  grbl.lost_oks = 1;
+  bench.go(place(40, 0, 0), 2);
+  CHECK(bench.comes(DriverStatus::Alarm, 2));
+  CHECK(mentions(bench.machine().trouble(), "has not acknowledged"));
+  CHECK(grbl.overflows() == 0);
+}
+
+TEST_CASE("fault 31: grbl that restarts is not driven on") {
+  GrblEmulator grbl;
+  WireBench bench(machine_on(grbl));
+  bench.go(place(1, 0, 0), 0.2);
+  grbl.restart();
+  CHECK(bench.comes(DriverStatus::Alarm, 2));
+  CHECK(mentions(bench.machine().trouble(), "has restarted"));
+}
+
+TEST_CASE("faults 23, 26: silence and an unplugged grbl") {
+  GrblEmulator grbl;
+  WireBench bench(machine_on(grbl));
+  bench.go(place(1, 0, 0), 0.2);
+  grbl.silent = true;
+  CHECK(bench.comes(DriverStatus::Silent, 3));
+  grbl.unplug();
+  CHECK(bench.comes(DriverStatus::Lost, 2));
+}
+
+TEST_CASE("a grbl that cannot be used is refused, and it is said why") {
+  SUBCASE("an old firmware") {
+    GrblEmulator grbl;
+    grbl.banner = "Grbl 0.9j ['$' for help]";
+    CHECK(mentions(test::trouble_opening(*machine_on(grbl)), "Rob needs grbl 1.1"));
+  }
+  SUBCASE("an acceleration that its look-ahead cannot hold") {
+    GrblEmulator grbl;
+    grbl.settings[120] = 10;
+    // 50 mm/s / (2 · 80 ms) = 312.5 mm/s²
+    CHECK(mentions(test::trouble_opening(*machine_on(grbl)), "$120=313.000"));
+  }
+  SUBCASE("locked") {
+    GrblEmulator grbl;
+    grbl.locked = true;
+    CHECK(mentions(test::trouble_opening(*machine_on(grbl)), "grbl is locked"));
+    CHECK(test::trouble_opening(*machine_on(grbl, true)) == "");  // homing unlocks it
+  }
+  SUBCASE("without homing switches") {
+    GrblEmulator grbl;
+    grbl.settings[22] = 0;
+    CHECK(mentions(test::trouble_opening(*machine_on(grbl, true)), "homing failed: grbl error:5"));
+  }
+}
+
+TEST_CASE("what is not acknowledged never is more than grbl's buffer holds") {
+  GrblStream stream;
+  stream.begin({0}, {250}, 0.02);
+  int sent = 0;
+  int bytes = 0;
+  for (int i = 1; i <= 40; ++i) {
+    WireCommand command{0.02 * i, {static_cast<double>(i)}, {}};
+    stream.push(command);
+    for (std::string line; !(line = stream.next_line(0)).empty(); ++sent)
+      bytes += static_cast<int>(line.size());
+  }
+  CHECK(bytes <= 127);
+  CHECK(sent >= 3);
+  CHECK(stream.open_lines() == sent);
+  stream.acknowledged();
+  CHECK_FALSE(stream.next_line(0).empty());
+}
+
+TEST_CASE("a move lasts as long as its references are apart, and steps are whole") {
+  GrblStream stream;
+  stream.begin({0, 2}, {250, 100}, 0.02);
+  for (int i = 1; i <= 4; ++i) stream.push({1 + 0.02 * i, {0.1011 * i, 0}, {}});
+  // 0.1011 mm are 25.275 steps: 25, then 26 and so on; 0.02 s are F3000.
+  CHECK(stream.next_line(0) == "G91G21G93G1X0.10000F3000.000\n");
+  CHECK(stream.next_line(0) == "G91G21G93G1X0.10400F3000.000\n");
+  stream.push({1.12, {0.5055, 0.02}, {}});  // one reference was missing
+  stream.next_line(0);
+  stream.next_line(0);
+  for (int i = 0; i < 4; ++i) stream.acknowledged();
+  CHECK(stream.next_line(0) == "G91G21G93G1X0.10000Z0.02000F1500.000\n");
+}
+
+}  // namespace rob::drivers

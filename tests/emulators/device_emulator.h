@@ -1,0 +1,96 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/support/pty_wire.h"
+
+namespace rob::test {
+
+using Octets = std::vector<std::uint8_t>;
+
+/// A device behind a pseudo-terminal, in a thread of its own, with everything that can go wrong on
+/// a wire. What is derived is written from the documents of its protocol, and shares no code with
+/// the driver. The derived class calls begin() when it is made, and end() first thing when it goes.
+class DeviceEmulator {
+ public:
+  std::atomic<bool> silent{false};    ///< it answers nothing
+  std::atomic<int> corrupt{0};        ///< % of answers in which one bit is wrong
+  std::atomic<int> garbage{0};        ///< % of answers behind noise
+  std::atomic<int> halved{0};         ///< % of answers that break off
+  std::atomic<int> late_ms{0};        ///< each answer comes later by that
+  std::atomic<bool> echo_old{false};  ///< before each answer comes the one before it again
+
+  virtual ~DeviceEmulator() = default;
+
+  const std::string& path() const { return wire_.path(); }
+  void unplug() {
+    const std::lock_guard lock(mutex_);
+    wire_.unplug();
+    gone_ = true;
+  }
+  int questions() const { return questions_; }
+
+ protected:
+  void begin() {
+    thread_ = std::thread([this] { serve(); });
+  }
+  void end() {
+    stopping_ = true;
+    if (thread_.joinable()) thread_.join();
+  }
+  /// s since it was switched on.
+  double now() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - on_).count();
+  }
+  virtual void take(std::uint8_t byte) = 0;
+  virtual void pass(double now) = 0;
+  void answer(Octets bytes) {
+    ++questions_;
+    if (silent) return;
+    if (late_ms > 0) std::this_thread::sleep_for(std::chrono::milliseconds(late_ms));
+    const Octets clean = bytes;
+    if (happens(corrupt) && !bytes.empty()) {
+      std::uint8_t& byte = bytes[random_() % bytes.size()];
+      byte = static_cast<std::uint8_t>(byte ^ 1U << random_() % 8);
+    }
+    if (happens(halved)) bytes.resize(bytes.size() / 2);
+    if (happens(garbage)) bytes.insert(bytes.begin(), {0x3C, 0x81, 0x00, 0x42, 0x7E});
+    if (echo_old) bytes.insert(bytes.begin(), old_.begin(), old_.end());
+    old_ = clean;
+    wire_.send(bytes);
+  }
+
+  mutable std::mutex mutex_;  ///< held while bytes are taken and time passes
+
+ private:
+  bool happens(int percent) { return static_cast<int>(random_() % 100) < percent; }
+
+  void serve() {
+    while (!stopping_) {
+      const Octets bytes = gone_ ? Octets{} : wire_.receive(1);
+      if (gone_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      const std::lock_guard lock(mutex_);
+      if (gone_) continue;
+      pass(now());
+      for (const std::uint8_t byte : bytes) take(byte);
+    }
+  }
+
+  PtyWire wire_;
+  std::chrono::steady_clock::time_point on_ = std::chrono::steady_clock::now();
+  std::mt19937 random_{1};
+  Octets old_;
+  std::atomic<int> questions_{0};
+  std::atomic<bool> stopping_{false};
+  std::atomic<bool> gone_{false};
+  std::thread thread_;
+};
+
+}  // namespace rob::test

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <deque>
+#include <map>
+#include <string>
+
+#include "tests/emulators/device_emulator.h"
+
+namespace rob::test {
+
+/// grbl 1.1 as its wiki describes it: a planner of 15 blocks, a receive buffer of 128 bytes, moves
+/// at constant speed for their time. mm, s.
+class GrblEmulator final : public DeviceEmulator {
+ public:
+  static constexpr int kAxes = 3;
+
+  GrblEmulator();
+  ~GrblEmulator() override { end(); }
+
+  std::map<int, double> settings;  ///< before it is talked to
+  std::string banner = "Grbl 1.1h ['$' for help]";
+  std::atomic<int> lost_oks{0};        ///< so many of the next are not sent
+  std::atomic<int> error_next{0};      ///< the next line gets this error
+  bool locked = false;                 ///< it starts in alarm
+  std::array<double, kAxes> offset{};  ///< WCO
+
+  void stand_at(double x, double y, double z);
+  void raise_alarm(int number);
+  void restart();
+
+  std::array<double, kAxes> position() const;
+  /// s from the first move to the end of the last.
+  double moved_for() const;
+  int overflows() const { return overflows_; }
+  int moves() const { return moves_; }
+  bool idle() const;
+
+ private:
+  struct Block {
+    std::array<double, kAxes> target;
+    double seconds;
+    bool jog;
+  };
+
+  void take(std::uint8_t byte) override;
+  void pass(double now) override;
+  void real_time(std::uint8_t byte);
+  void carry_out(const std::string& line);
+  void system_command(const std::string& line);
+  void g_code(const std::string& line, bool jog);
+  void say(const std::string& line);
+  void ok();
+  void report();
+  void reset();
+  const char* state() const;
+
+  std::string line_;
+  std::deque<std::string> lines_;  ///< received, not carried out
+  int buffered_ = 0;               ///< bytes of lines_ and line_
+  std::deque<Block> blocks_;
+  std::array<double, kAxes> here_{};
+  std::array<double, kAxes> planned_{};  ///< end of the last block
+  std::array<double, kAxes> from_{};     ///< begin of the present one
+  double begun_ = 0;
+  bool running_ = false;
+  double last_ = 0;
+  bool alarm_ = false;
+  bool held_ = false;
+  bool relative_ = false;
+  bool inverse_time_ = false;
+  double feed_ = 0;
+  int reports_ = 0;
+  int overflows_ = 0;
+  int moves_ = 0;
+  double first_move_ = -1;
+  double last_move_ = 0;
+};
+
+}  // namespace rob::test

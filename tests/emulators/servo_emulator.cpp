@@ -1,0 +1,205 @@
+#include "tests/emulators/servo_emulator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rob::test {
+
+namespace {
+
+/// Bit by bit, as the document defines it.
+std::uint16_t crc_of(const Octets& bytes) {
+  std::uint32_t crc = 0;
+  for (const std::uint8_t byte : bytes)
+    for (int bit = 7; bit >= 0; --bit) {
+      const bool carry = (crc >> 15U & 1U) != (byte >> bit & 1U);
+      crc = (crc << 1U & 0xFFFFU) ^ (carry ? 0x8005U : 0U);
+    }
+  return static_cast<std::uint16_t>(crc);
+}
+
+std::uint32_t little(const Octets& p, std::size_t at, int size) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < size; ++i)
+    value |= static_cast<std::uint32_t>(p.at(at + static_cast<std::size_t>(i))) << 8 * i;
+  return value;
+}
+
+}  // namespace
+
+ServoEmulator::ServoEmulator(Kind kind, int count) : kind_(kind) {
+  for (int id = 1; id <= count; ++id) {
+    Servo& servo = servos_[id];
+    if (kind == Kind::Dynamixel) {
+      servo.registers[9] = 250;  // 500 µs, from the factory
+      servo.registers[11] = 3;
+      servo.registers[48] = 0xFF;
+      servo.registers[49] = 0x0F;
+      servo.registers[68] = 2;
+    } else {
+      servo.registers[11] = 0xFF;
+      servo.registers[12] = 0x0F;
+    }
+  }
+  begin();
+}
+
+void ServoEmulator::set(int id, int address, int size, std::uint32_t value) {
+  const std::lock_guard lock(mutex_);
+  for (int i = 0; i < size; ++i)
+    servos_[id].registers[static_cast<std::size_t>(address + i)] =
+        static_cast<std::uint8_t>(value >> 8 * i);
+}
+
+std::uint32_t ServoEmulator::value(const Servo& servo, int address, int size) const {
+  const Octets all(servo.registers.begin(), servo.registers.end());
+  return little(all, static_cast<std::size_t>(address), size);
+}
+
+std::uint32_t ServoEmulator::get(int id, int address, int size) const {
+  const std::lock_guard lock(mutex_);
+  return value(servos_.at(id), address, size);
+}
+
+double ServoEmulator::position(int id) const {
+  const std::lock_guard lock(mutex_);
+  return servos_.at(id).position;
+}
+
+void ServoEmulator::stand_at(int id, double ticks) {
+  const std::lock_guard lock(mutex_);
+  servos_.at(id).position = ticks;
+}
+
+bool ServoEmulator::torque(int id) const { return get(id, torque_register(), 1) == 1; }
+
+void ServoEmulator::restart(int id) { set(id, torque_register(), 1, 0); }
+
+void ServoEmulator::pass(double now) {
+  const double step = kSpeed * (now - last_);
+  last_ = now;
+  const bool dynamixel = kind_ == Kind::Dynamixel;
+  for (auto& [id, servo] : servos_) {
+    if (servo.registers[static_cast<std::size_t>(torque_register())] != 1) continue;
+    const double goal =
+        static_cast<std::int32_t>(value(servo, dynamixel ? 116 : 42, dynamixel ? 4 : 2));
+    servo.position += std::clamp(goal - servo.position, -step, step);
+  }
+}
+
+void ServoEmulator::refresh(Servo& servo) const {
+  const auto place = static_cast<std::uint32_t>(std::lround(servo.position));
+  const bool dynamixel = kind_ == Kind::Dynamixel;
+  const std::size_t at = dynamixel ? 132 : 56;
+  for (std::size_t i = 0; i < (dynamixel ? 4U : 2U); ++i)
+    servo.registers[at + i] = static_cast<std::uint8_t>(place >> 8 * i);
+}
+
+void ServoEmulator::status(int id, std::uint8_t error, const Octets& p) {
+  if (mute == id) return;
+  if (kind_ == Kind::Feetech) {
+    Octets out{0xFF, 0xFF, static_cast<std::uint8_t>(id), static_cast<std::uint8_t>(p.size() + 2),
+               error};
+    out.insert(out.end(), p.begin(), p.end());
+    unsigned sum = 0;
+    for (std::size_t i = 2; i < out.size(); ++i) sum += out[i];
+    out.push_back(static_cast<std::uint8_t>(255 - sum % 256));
+    return answer(out);
+  }
+  Octets body{0x55, error};
+  for (const std::uint8_t byte : p) {
+    body.push_back(byte);
+    const std::size_t n = body.size();
+    if (n >= 3 && body[n - 3] == 0xFF && body[n - 2] == 0xFF && byte == 0xFD) body.push_back(0xFD);
+  }
+  Octets out{0xFF, 0xFF, 0xFD, 0x00, static_cast<std::uint8_t>(id)};
+  out.push_back(static_cast<std::uint8_t>((body.size() + 2) % 256));
+  out.push_back(static_cast<std::uint8_t>((body.size() + 2) / 256));
+  out.insert(out.end(), body.begin(), body.end());
+  const std::uint16_t crc = crc_of(out);
+  out.push_back(static_cast<std::uint8_t>(crc % 256));
+  out.push_back(static_cast<std::uint8_t>(crc / 256));
+  answer(out);
+}
+
+void ServoEmulator::take(std::uint8_t byte) {
+  in_.push_back(byte);
+  while (!in_.empty() && (kind_ == Kind::Dynamixel ? take_dynamixel() : take_feetech())) {
+  }
+}
+
+/// Whether it has got any further.
+bool ServoEmulator::take_dynamixel() {
+  const Octets header{0xFF, 0xFF, 0xFD, 0x00};
+  for (std::size_t i = 0; i < std::min(in_.size(), header.size()); ++i)
+    if (in_[i] != header[i]) return in_.erase(in_.begin()), true;
+  if (in_.size() < 7) return false;
+  const std::size_t whole = 7 + little(in_, 5, 2);
+  if (in_.size() < whole) return false;
+  const Octets packet(in_.begin(), in_.begin() + static_cast<std::ptrdiff_t>(whole));
+  in_.erase(in_.begin(), in_.begin() + static_cast<std::ptrdiff_t>(whole));
+  if (crc_of(Octets(packet.begin(), packet.end() - 2)) != little(packet, whole - 2, 2)) return true;
+  Octets p;
+  for (std::size_t i = 8; i + 2 < whole; ++i) {
+    p.push_back(packet[i]);
+    const bool stuffed = packet[i] == 0xFD && packet[i - 1] == 0xFF && packet[i - 2] == 0xFF;
+    if (stuffed) ++i;
+  }
+  carry_out(packet[4], packet[7], p);
+  return true;
+}
+
+bool ServoEmulator::take_feetech() {
+  if (in_[0] != 0xFF || (in_.size() > 1 && in_[1] != 0xFF)) return in_.erase(in_.begin()), true;
+  if (in_.size() < 4 || in_.size() < 4U + in_[3]) return false;
+  const std::size_t whole = 4U + in_[3];
+  const Octets packet(in_.begin(), in_.begin() + static_cast<std::ptrdiff_t>(whole));
+  in_.erase(in_.begin(), in_.begin() + static_cast<std::ptrdiff_t>(whole));
+  unsigned sum = 0;
+  for (std::size_t i = 2; i < whole; ++i) sum += packet[i];
+  if (sum % 256 != 255) return true;
+  carry_out(packet[2], packet[4], Octets(packet.begin() + 5, packet.end() - 1));
+  return true;
+}
+
+void ServoEmulator::carry_out(int id, int instruction, const Octets& p) {
+  if (instruction == 0x82 || instruction == 0x83) return sync(instruction, p);
+  const auto found = servos_.find(id);
+  if (found == servos_.end()) return;
+  Servo& servo = found->second;
+  const bool dynamixel = kind_ == Kind::Dynamixel;
+  if (instruction == 0x01) return status(id, 0, dynamixel ? Octets{0x06, 0x04, 0x26} : Octets{});
+  const int address = static_cast<int>(little(p, 0, width()));
+  if (instruction == 0x02) {
+    refresh(servo);
+    const auto size = little(p, static_cast<std::size_t>(width()), width());
+    const auto* first = servo.registers.data() + address;
+    return status(id, 0, Octets(first, first + size));
+  }
+  if (instruction != 0x03) return status(id, dynamixel ? 2 : 0, {});
+  std::copy(p.begin() + width(), p.end(), servo.registers.begin() + address);
+  status(id, 0, {});
+}
+
+void ServoEmulator::sync(int instruction, const Octets& p) {
+  const int address = static_cast<int>(little(p, 0, width()));
+  const auto size =
+      static_cast<std::ptrdiff_t>(little(p, static_cast<std::size_t>(width()), width()));
+  auto at = p.begin() + 2 * width();
+  if (instruction == 0x83) {
+    for (; p.end() - at > size; at += 1 + size)
+      if (const auto found = servos_.find(*at); found != servos_.end())
+        std::copy(at + 1, at + 1 + size, found->second.registers.begin() + address);
+    return;
+  }
+  for (; at != p.end(); ++at) {
+    const auto found = servos_.find(*at);
+    if (found == servos_.end()) continue;
+    if (mute == *at) return;  // those behind it wait for its answer
+    refresh(found->second);
+    const auto* first = found->second.registers.data() + address;
+    status(*at, 0, Octets(first, first + size));
+  }
+}
+
+}  // namespace rob::test
