@@ -67,13 +67,17 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
   command_.drive = zero;
 }
 
-void ServoTask::enable(double now) noexcept {
+void ServoTask::learn_stand(double now) noexcept {
   now_ = now;
   followed_ = now;
   backend_.read(now, state_);
   take_as_it_stands(now);
   channels_.inputs.store(state_.inputs, std::memory_order_relaxed);
   channels_.analog_inputs.store(state_.analog_inputs);
+}
+
+void ServoTask::enable(double now) noexcept {
+  learn_stand(now);
   written_ = backend_.enable(now);
   enabled_ = true;
 }
@@ -110,6 +114,11 @@ motion::FollowingFinding ServoTask::judge(DriverStatus status, double gap) noexc
   return {FollowingFinding::Verdict::Stop, FollowingFinding::Cause::Overrun, -1, gap, longest_gap_};
 }
 
+void ServoTask::guide(double now) noexcept {
+  learn_stand(now);
+  guided_ = true;
+}
+
 void ServoTask::disable() noexcept {
   backend_.disable(now_);
   enabled_ = false;
@@ -133,6 +142,10 @@ void ServoTask::cycle(double now) noexcept {
   while (channels_.references.take(newest)) {
     interpolator_.push(newest);
     newest_ = newest.time;
+  }
+  if (guided_) {
+    followed_ = now;
+    return tell(status == DriverStatus::Ok ? motion::FollowingFinding{} : judge(status, 0));
   }
   if (references_are_coming(now, gap)) return tell({});
   followed_ = now;

@@ -21,11 +21,14 @@ class ServoTask {
   /// Takes the robot as it stands, its inputs too: call once, before the first cycle and before the
   /// program's first step. What the machine answers is judged by the cycles that follow.
   void enable(double now) noexcept;
+  /// The drives stay without force, and a hand may move the axes: where they are is only read.
+  void guide(double now) noexcept;
   void cycle(double now) noexcept;
   /// The drives are without force from now on; further cycles only read.
   void disable() noexcept;
 
  private:
+  void learn_stand(double now) noexcept;
   void take_as_it_stands(double now) noexcept;
   motion::JointReference found_at(double now) const noexcept;
   bool references_are_coming(double now, double gap) const noexcept;
@@ -48,6 +51,7 @@ class ServoTask {
   motion::DriverStatus written_ = motion::DriverStatus::Ok;
   double now_ = 0;  ///< of the last call
   bool enabled_ = false;
+  bool guided_ = false;
 };
 
 }  // namespace rob::runtime

@@ -190,6 +190,28 @@ void take_place(const motion::JointVector& place, motion::RobotModel& robot) {
   }
 }
 
+class AbsentMachine final : public motion::ServoBackend {
+ public:
+  AbsentMachine(int axes, std::string trouble) : axes_(axes), trouble_(std::move(trouble)) {}
+
+  int axes() const noexcept override { return axes_; }
+  void open() override {}
+  void close() noexcept override {}
+  motion::DriverStatus enable(double) noexcept override { return motion::DriverStatus::Lost; }
+  void disable(double) noexcept override {}
+  motion::DriverStatus read(double, motion::ServoState&) noexcept override {
+    return motion::DriverStatus::Lost;
+  }
+  motion::DriverStatus write(double, const motion::ServoCommand&) noexcept override {
+    return motion::DriverStatus::Lost;
+  }
+  std::string trouble() const override { return trouble_; }
+
+ private:
+  int axes_;
+  std::string trouble_;
+};
+
 }  // namespace
 
 std::optional<BackendName> backend_of(const std::string& text) {
@@ -213,6 +235,10 @@ OpenMachine open_machine(const BackendName& name, motion::RobotModel& robot, boo
   opened.period = machine->period();
   opened.backend = std::move(machine);
   return opened;
+}
+
+OpenMachine absent_machine(const motion::RobotModel& robot, const std::string& trouble) {
+  return {std::make_unique<AbsentMachine>(robot.axis_count(), trouble), robot.servo_period, {}};
 }
 
 OpenMachine open_machine(const BackendName& name, LoadedProgram& program,

@@ -36,6 +36,9 @@ struct OpenMachine {
 /// motion::DriverError, where an axis stands outside of its limits, too.
 OpenMachine open_machine(const BackendName& name, motion::RobotModel& robot, bool home = false);
 
+/// A machine that could not be opened: lost from the beginning, for this reason.
+OpenMachine absent_machine(const motion::RobotModel& robot, const std::string& trouble);
+
 /// The same for a program, which is compiled anew for what the machine is. Nothing is opened for
 /// one that cannot run.
 OpenMachine open_machine(const BackendName& name, LoadedProgram& program,

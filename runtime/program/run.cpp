@@ -86,11 +86,8 @@ void add_foretold(RunResult& result, const RunResult& foretold) {
   }
 }
 
-}  // namespace
-
-RunResult run(const LoadedProgram& program, OpenMachine machine, const RunOptions& options,
-              const RunListener& listener) {
-  motion::RobotModel robot = program.robot;
+RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMachine machine,
+                 const RunOptions& options, const RunListener& listener) {
   std::optional<TraceWriter> trace = open_trace(options, program, robot);
   std::optional<RunResult> own;
   if (robot.law == motion::Law::LookAhead && options.foretold == nullptr)
@@ -136,6 +133,20 @@ RunResult run(const LoadedProgram& program, OpenMachine machine, const RunOption
   }
   close_trace(trace, options, result, listener);
   return of_program(program, std::move(result));
+}
+
+}  // namespace
+
+RunResult run(const LoadedProgram& program, OpenMachine machine, const RunOptions& options,
+              const RunListener& listener) {
+  return run_on(program, program.robot, std::move(machine), options, listener);
+}
+
+RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
+              const RunOptions& options, const RunListener& listener) {
+  motion::RobotModel model = robot;
+  OpenMachine machine = open_machine(BackendName{}, model);
+  return run_on(program, model, std::move(machine), options, listener);
 }
 
 RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot) {

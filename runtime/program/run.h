@@ -49,6 +49,9 @@ struct RunListener {
 /// moves.
 RunResult run(const LoadedProgram& program, OpenMachine machine, const RunOptions& options,
               const RunListener& listener);
+/// The same on the simulation of this robot.
+RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
+              const RunOptions& options, const RunListener& listener);
 
 /// The result of a program that does not compile.
 RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot);

@@ -37,6 +37,8 @@ void hold(Session& session, const Words& words);
 void resume(Session& session, const Words& words);
 void stop(Session& session, const Words& words);
 void reset(Session& session, const Words& words);
+void guide(Session& session, const Words& words);
+void home(Session& session, const Words& words);
 void robot(Session& session, const Words& words);
 void law(Session& session, const Words& words);
 void jog(Session& session, const Words& words);

@@ -72,6 +72,19 @@ void stop(Session& session, const Words&) { session.interrupt(); }
 
 void reset(Session& session, const Words&) { session.reset(); }
 
+void guide(Session& session, const Words& words) {
+  if (words.size() != 1 || (words[0] != "on" && words[0] != "off"))
+    return session.fail(":guide takes on or off", "", ExitCode::Usage);
+  const LiveRobot& robot = session.robot();
+  if (robot.over() || robot.guided() || session.stands(":guide")) session.guide(words[0] == "on");
+}
+
+void home(Session& session, const Words&) {
+  if (session.robot().simulated())
+    return session.fail("the simulation knows where it stands", ":home is for a machine");
+  if (session.robot().over() || session.stands(":home")) session.home();
+}
+
 void robot(Session& session, const Words& words) {
   if (!words.empty()) {
     if (session.stands(":robot")) session.choose_robot(words.front(), std::nullopt);

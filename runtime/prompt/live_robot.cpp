@@ -5,7 +5,7 @@
 #include <chrono>
 #include <utility>
 
-#include "runtime/program/simulation.h"
+#include "runtime/program/machine.h"
 
 namespace rob::runtime {
 
@@ -30,7 +30,7 @@ LiveRobot::LiveRobot(motion::RobotModel robot, LiveOptions options, LiveReports:
       person_(person) {
   if (!options_.points_file.empty()) points_.emplace(options_.points_file, robot_);
   if (!options_.trace.empty()) trace_.emplace(options_.trace, robot_, std::vector<std::string>{});
-  begin();
+  begin(open_machine(options_.backend, robot_, std::exchange(options_.home, false)));
 }
 
 LiveRobot::~LiveRobot() {
@@ -40,9 +40,13 @@ LiveRobot::~LiveRobot() {
                                options_.trace, trace_->lost()));
 }
 
-void LiveRobot::begin() {
-  controller_ = std::make_unique<Controller>(robot_, simulation_of(robot_), options_.override_share,
-                                             std::vector<SimulationRule>{}, kRecorded);
+void LiveRobot::begin(OpenMachine machine) {
+  for (const std::string& note : machine.notes)
+    if (listener_.tell) listener_.tell(note);
+  robot_.servo_period = machine.period;
+  controller_ =
+      std::make_unique<Controller>(robot_, std::move(machine.backend), options_.override_share,
+                                   std::vector<SimulationRule>{}, kRecorded);
   controller_->channels().panel.seat(person_);
   controller_->machine().keep_points(points_ ? &*points_ : nullptr);
   entries_ = std::make_unique<EntryTask>(controller_->machine(), options_.seed);
@@ -57,7 +61,11 @@ void LiveRobot::begin() {
     stepper_ = std::make_unique<Stepper>(*controller_);
     return;
   }
-  controller_->servo().enable(-kThreadLead);
+  if (guided_) {
+    controller_->servo().guide(-kThreadLead);
+  } else {
+    controller_->servo().enable(-kThreadLead);
+  }
   controller_->motion().prepare(0);
   threads_ = std::make_unique<ControlThreads>(*controller_);
   program_ = std::thread([this] { run_entries(); });
@@ -146,7 +154,24 @@ void LiveRobot::reset() {
   reports_.reset();
   entries_.reset();
   controller_.reset();
-  begin();
+  begin(open_again());
+}
+
+/// What cannot be opened is told as a fault, and can be tried again.
+OpenMachine LiveRobot::open_again() try {
+  return open_machine(options_.backend, robot_, std::exchange(options_.home, false));
+} catch (const motion::DriverError& error) {
+  return absent_machine(robot_, error.what());
+}
+
+void LiveRobot::guide(bool on) {
+  guided_ = on;
+  reset();
+}
+
+void LiveRobot::home() {
+  options_.home = true;
+  reset();
 }
 
 }  // namespace rob::runtime

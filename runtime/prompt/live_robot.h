@@ -12,6 +12,7 @@
 #include "runtime/control/controller.h"
 #include "runtime/control/entry_task.h"
 #include "runtime/control/stepper.h"
+#include "runtime/program/machine.h"
 #include "runtime/program/points_file.h"
 #include "runtime/program/trace_writer.h"
 #include "runtime/prompt/live_reports.h"
@@ -25,12 +26,14 @@ struct LiveOptions {
   std::uint64_t seed = lang::Random::kDefaultSeed;
   std::string points_file;  ///< where TEACH keeps points; empty: nowhere
   std::string trace;        ///< empty: none
+  BackendName backend;      ///< what moves
+  bool home = false;        ///< it homes itself first
   /// Set by a signal of the system: the robot comes to rest for good. Null: none.
   const std::atomic<bool>* ended = nullptr;
 };
 
-/// A simulated robot under control from one entry to the next. In real time its threads go on by
-/// themselves. All calls come from the thread that reads.
+/// A robot, simulated or a machine, under control from one entry to the next. In real time its
+/// threads go on by themselves. All calls come from the thread that reads.
 class LiveRobot {
  public:
   /// Throws motion::DriverError, FileError (of the trace).
@@ -70,13 +73,21 @@ class LiveRobot {
   double override_share() const { return options_.override_share; }
   /// After a fault: under control anew, where the axes stand.
   void reset();
+  /// Without force, so that a hand can move the axes, from here on; or under control again, as by
+  /// reset().
+  void guide(bool on);
+  bool guided() const { return guided_; }
+  bool simulated() const { return options_.backend.simulated(); }
+  /// As reset(); the machine homes itself before. Only a machine can.
+  void home();
 
   const LiveReports& reports() const { return *reports_; }
   Channels& channels() { return controller_->channels(); }
   const Channels& channels() const { return controller_->channels(); }
 
  private:
-  void begin();
+  void begin(OpenMachine machine);
+  OpenMachine open_again();
   void end();
   void run_entries();
   void look_for_end();
@@ -93,6 +104,7 @@ class LiveRobot {
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<ControlThreads> threads_;
   std::atomic<bool> ending_{false};
+  bool guided_ = false;
   std::thread program_;
 };
 

@@ -138,6 +138,8 @@ ExitCode run_prompt(const Options& options) {
   session.override_share = options.override_share;
   session.seed = options.seed;
   session.trace = options.trace;
+  session.backend = *backend_of(options.backend);
+  session.home = options.home;
   const bool person = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
   return person ? talk(std::move(session)) : filter(std::move(session));
 }

@@ -95,6 +95,8 @@ std::unique_ptr<LiveRobot> Session::live(const motion::RobotModel& robot) {
   options.seed = options_.seed;
   options.points_file = options_.points_file;
   options.trace = options_.trace;
+  options.backend = options_.backend;
+  options.home = std::exchange(options_.home, false);
   options.ended = options_.ended;
   return std::make_unique<LiveRobot>(robot, std::move(options), listener(), this);
 }
@@ -138,6 +140,10 @@ Session::Taken Session::enter(const std::string& text, bool last) try {
   }
   // END at the prompt is STOP: there is more to come.
   const std::string entry = lang::same_word(text.substr(first), "END") ? "STOP" : text;
+  if (robot_->guided()) {
+    fail("the drives are without force", ":guide off takes the robot under control again");
+    return Taken::Done;
+  }
   take_points();
   LoadedProgram compiled = text_->compile(entry);
   if (!last && is_incomplete(entry, compiled)) return Taken::Incomplete;
@@ -277,6 +283,9 @@ std::string Session::state_text() const {
 }
 
 void Session::choose_robot(const std::string& robot, std::optional<motion::Law> law) {
+  if (!robot_->simulated())
+    return fail("another robot or law needs another start on a machine",
+                "leave with :quit, and name it: rob --robot, --law");
   SessionOptions options = options_;
   options.robot = robot;
   options.law = law;
@@ -296,6 +305,7 @@ void Session::choose_robot(const std::string& robot, std::optional<motion::Law> 
 
 void Session::jog(const lang::MoveCommand& command, const motion::Watch& held) {
   if (robot_->over()) return fail("the robot has stopped for good", ":reset takes it up again");
+  if (robot_->guided()) return fail("the drives are without force", ":guide off");
   robot_->submit({text_->line(), EntryTask::Jog{command, held}});
 }
 
@@ -315,6 +325,17 @@ void Session::reset() {
   robot_->reset();
   begin_text(robot_->robot());
   take_points();
+}
+
+void Session::guide(bool on) {
+  robot_->guide(on);
+  begin_text(robot_->robot());
+  if (on) screen_->message("the drives are without force: hold what could sink\n");
+}
+
+void Session::home() {
+  robot_->home();
+  begin_text(robot_->robot());
 }
 
 void Session::go_on() {

@@ -27,6 +27,8 @@ struct SessionOptions {
   double override_share = 1;
   std::uint64_t seed = lang::Random::kDefaultSeed;
   std::string trace;
+  BackendName backend;
+  bool home = false;                          ///< the machine homes itself first
   std::string points_file = "prompt.points";  ///< empty: points are kept for the session only
   std::string archive;                        ///< of saved programs; empty: the user's own
   /// Nobody types meanwhile: commands that need a robot at rest wait for it, and those that run a
@@ -98,6 +100,10 @@ class Session final : public Person {
   /// Another robot, or the same one, where it stands, under another law: only at rest.
   void choose_robot(const std::string& robot, std::optional<motion::Law> law);
   void reset();
+  /// Drives without force, so that a hand can move the axes; or under control again.
+  void guide(bool on);
+  /// The machine homes itself.
+  void home();
   /// Enter, where HALT waits.
   void go_on();
 

@@ -14,6 +14,8 @@ bool Session::stands(const char* command) {
   if (options_.waits) finish();
   if (robot_->over()) {
     fail("the robot has stopped for good", ":reset takes it up again");
+  } else if (robot_->guided()) {
+    fail(fmt::format("{} needs a robot under control", command), ":guide off before");
   } else if (robot_->held()) {
     fail(fmt::format("{} needs a robot at rest; it is held", command), ":resume or :stop before");
   } else if (!robot_->idle()) {
@@ -126,6 +128,10 @@ void Session::take_points() {
 
 /// TEACH has to stand beside the POINT that it gives its first value, and need not be repeated.
 void Session::teach(const std::string& point) {
+  if (robot_->guided()) {  // where a hand has brought the axes is where the robot stands now
+    robot_->reset();
+    begin_text(robot_->robot());
+  }
   const bool declared = std::ranges::any_of(text_->names(), [&](const lang::DeclaredName& name) {
     return name.kind == lang::DeclaredName::Kind::Point && lang::same_word(name.name, point);
   });

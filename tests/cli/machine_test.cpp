@@ -149,6 +149,28 @@ TEST_CASE("fault 32: a machine that stands outside of the limits is not enabled"
   CHECK(grbl.moves() == 0);
 }
 
+TEST_CASE("a prompt on a machine: guided by hand, a point is taught, and driven to") {
+  GrblEmulator grbl;
+  const RobCommand rob("");
+  const std::string typed =
+      "(echo ':guide on'; sleep 1.5; echo ':teach here'; echo 'MOVE(0,0,0)'; echo ':guide off';"
+      " echo 'MOVE(60,0,0)'; echo 'MOVE here') | ";
+  Process process(
+      {"/bin/bash", "-c",
+       "cd " + rob.file("") + " && " + typed + ROB_BINARY + " --backend " + on("grbl", grbl)});
+  std::this_thread::sleep_for(700ms);
+  grbl.stand_at(50, 30, 0);  // a hand has pushed it
+  const ProcessResult result = process.wait();
+  CHECK(contains(result.err, "the drives are without force: hold what could sink"));
+  CHECK(contains(result.err, ":guide off takes the robot under control again"));
+  const std::string points = rob::test::read_whole_file(rob.file("prompt.points"));
+  CHECK(contains(points, "here"));
+  CHECK(contains(points, "50"));
+  CHECK(grbl.position()[0] == doctest::Approx(50).epsilon(0.001));
+  CHECK(grbl.position()[1] == doctest::Approx(30).epsilon(0.001));
+  CHECK(grbl.moves() > 50);
+}
+
 TEST_CASE("what --backend cannot be is told") {
   const RobCommand rob(kLong);
   CHECK(rob("run", {"--backend", "grbl"}).exit_code == 64);
