@@ -1,7 +1,9 @@
 #include "drivers/link/grbl_link.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace rob::drivers {
 
@@ -15,6 +17,9 @@ constexpr double kQueryPeriod = 0.1;  // s: the wiki advises 5 to 10 Hz
 constexpr double kAnswerTime = 0.5;   // s [choice] for "ok" and for a report; five queries
 constexpr double kQueueTime = 2;      // s until what was streamed has been carried out
 constexpr double kLookAgain = 0.05;   // s
+// s behind the references within which it may be anywhere on its path: when exactly its moves have
+// begun is not known. [choice] the look-ahead, and a computer that is late by as much again
+constexpr double kWindow = 0.2;
 
 const char* name_of(Machine machine) {
   switch (machine) {
@@ -75,6 +80,7 @@ void GrblLink::query(double now) noexcept {
 
 DriverStatus GrblLink::enable() noexcept {
   stream_.stand_at(position_);
+  told_.clear();
   send_byte(grbl::kFeedAt100);
   enabled_ = true;
   return gone_ ? lost(*port_) : DriverStatus::Ok;
@@ -124,7 +130,7 @@ DriverStatus GrblLink::exchange(const WireCommand* command, double deadline,
   if (status == DriverStatus::Ok) status = check_answers(wire_time());
   if (status != DriverStatus::Ok || reported == reported_) return status;
   if (first) take_limits();
-  const double time = reported_ - (enabled_ && !stream_.standing() ? stream_.lag() : 0);
+  const double time = std::max(instant_of_report(), answer.time);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const double since = std::max(time - answer.time, kPeriod);
     answer.velocity[i] =
@@ -135,6 +141,34 @@ DriverStatus GrblLink::exchange(const WireCommand* command, double deadline,
   return DriverStatus::Ok;
 }
 
+/// When the references were nearest to what it reports: the path counts, and that it is not more
+/// than kWindow behind.
+double GrblLink::instant_of_report() const noexcept {
+  if (!enabled_ || stream_.standing() || told_.empty()) return reported_;
+  double best = reported_ - stream_.lag();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k + 1 < told_.size(); ++k) {
+    const WireCommand& a = told_[k];
+    const WireCommand& b = told_[k + 1];
+    double along = 0;
+    double length = 0;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      const double way = b.position[i] - a.position[i];
+      along += way * (position_[i] - a.position[i]);
+      length += way * way;
+    }
+    const double share = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
+    double distance = 0;
+    for (std::size_t i = 0; i < axes_.size(); ++i)
+      distance = std::hypot(distance,
+                            a.position[i] + share * (b.position[i] - a.position[i]) - position_[i]);
+    if (distance >= least) continue;
+    least = distance;
+    best = a.time + share * (b.time - a.time);
+  }
+  return best;
+}
+
 DriverStatus GrblLink::stream(const WireCommand* command) noexcept {
   if (stopped_) return DriverStatus::Alarm;
   // At standstill its own account of where it is counts: grbl adds up numbers of seven digits.
@@ -142,7 +176,11 @@ DriverStatus GrblLink::stream(const WireCommand* command) noexcept {
     stream_.stand_at(position_);
     settled_ = true;
   }
-  if (command != nullptr) stream_.push(*command);
+  if (command != nullptr) {
+    stream_.push(*command);
+    told_.push_back(*command);
+    while (told_.front().time < command->time - kWindow) told_.pop_front();
+  }
   for (std::string text; !(text = stream_.next_line(wire_time())).empty();) {
     settled_ = false;
     machine_ = Machine::Run;  // until it says something else

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -51,6 +52,7 @@ class GrblLink final : public WireLink {
   Status alarm(int number) noexcept;
   void query(double now) noexcept;
   Status stream(const WireCommand* command) noexcept;
+  double instant_of_report() const noexcept;
   Status check_answers(double now) noexcept;
   bool wait_for(grbl::Machine machine, double seconds) noexcept;
 
@@ -62,6 +64,7 @@ class GrblLink final : public WireLink {
   bool gone_ = false;
   std::map<int, double> settings_;
   GrblStream stream_;
+  std::deque<WireCommand> told_;  ///< the references of the last kWindow
   grbl::Machine machine_ = grbl::Machine::Unknown;
   WireVector offset_{};    ///< WCO
   WireVector position_{};  ///< of the last report

@@ -328,6 +328,7 @@ void Session::reset() {
 }
 
 void Session::guide(bool on) {
+  if (robot_->guided()) finish();  // what is taught
   robot_->guide(on);
   begin_text(robot_->robot());
   if (on) screen_->message("the drives are without force: hold what could sink\n");

@@ -153,8 +153,8 @@ TEST_CASE("a prompt on a machine: guided by hand, a point is taught, and driven 
   GrblEmulator grbl;
   const RobCommand rob("");
   const std::string typed =
-      "(echo ':guide on'; sleep 1.5; echo ':teach here'; echo 'MOVE(0,0,0)'; echo ':guide off';"
-      " echo 'MOVE(60,0,0)'; echo 'MOVE here') | ";
+      "(echo ':guide on'; sleep 1.5; echo ':teach pick'; echo 'MOVE(0,0,0)'; echo ':guide off';"
+      " echo 'MOVE(60,0,0)'; echo 'MOVE pick') | ";
   Process process(
       {"/bin/bash", "-c",
        "cd " + rob.file("") + " && " + typed + ROB_BINARY + " --backend " + on("grbl", grbl)});
@@ -164,7 +164,7 @@ TEST_CASE("a prompt on a machine: guided by hand, a point is taught, and driven 
   CHECK(contains(result.err, "the drives are without force: hold what could sink"));
   CHECK(contains(result.err, ":guide off takes the robot under control again"));
   const std::string points = rob::test::read_whole_file(rob.file("prompt.points"));
-  CHECK(contains(points, "here"));
+  CHECK(contains(points, "pick"));
   CHECK(contains(points, "50"));
   CHECK(grbl.position()[0] == doctest::Approx(50).epsilon(0.001));
   CHECK(grbl.position()[1] == doctest::Approx(30).epsilon(0.001));

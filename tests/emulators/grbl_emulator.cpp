@@ -234,7 +234,7 @@ void GrblEmulator::pass(double now) {
     const Block& block = blocks_.front();
     const double share = std::min((now - begun_) / block.seconds, 1.0);
     for (std::size_t i = 0; i < kAxes; ++i)
-      here_[i] = from_[i] + share * (block.target[i] - from_[i]);
+      here_[i] = jammed ? here_[i] : from_[i] + share * (block.target[i] - from_[i]);
     if (share < 1) return;
     begun_ += block.seconds;
     from_ = block.target;

@@ -22,6 +22,7 @@ class GrblEmulator final : public DeviceEmulator {
   std::string banner = "Grbl 1.1h ['$' for help]";
   std::atomic<int> lost_oks{0};        ///< so many of the next are not sent
   std::atomic<int> error_next{0};      ///< the next line gets this error
+  std::atomic<bool> jammed{false};     ///< its motors turn, its axes do not
   bool locked = false;                 ///< it starts in alarm
   std::array<double, kAxes> offset{};  ///< WCO
 
