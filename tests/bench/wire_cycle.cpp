@@ -30,16 +30,18 @@ void measure(const char* name, ServoEmulator::Kind kind, auto make) {
   rob::drivers::WireCommand command;
   command.position.fill(2048);
   std::vector<double> times;
+  int failed = 0;
   for (int i = 0; i < kCycles; ++i) {
     const double begun = wire_time();
-    link->exchange(&command, begun + kDeadline, answer);
+    const auto status = link->exchange(&command, begun + kDeadline, answer);
+    if (status != rob::motion::DriverStatus::Ok) ++failed;
     times.push_back(1e6 * (wire_time() - begun));
   }
   link->disable();
   std::ranges::sort(times);
   const auto at = [&](double share) { return times[static_cast<std::size_t>(share * kCycles)]; };
   fmt::print("| {} | {:.0f} | {:.0f} | {:.0f} | {:.0f} | {} |\n", name, at(0.5), at(0.99),
-             at(0.999), times.back(), link->errors());
+             at(0.999), times.back(), link->errors() + static_cast<std::uint32_t>(failed));
 }
 
 }  // namespace
