@@ -117,14 +117,19 @@ std::string point_text(const Points::Point& point, const motion::RobotModel& rob
   return line_of(point, signature_of(robot));
 }
 
+/// Then the file is any robot's.
+static bool is_empty(const Points& points) {
+  return points.points.empty() && points.below.empty() && points.robot.above.empty() &&
+         points.robot.behind.empty();
+}
+
 std::string points_text(const Points& points, const motion::RobotModel& robot) {
   const lang::RobotSignature signature = signature_of(robot);
   std::vector<const Points::Point*> sorted;
   for (const Points::Point& point : points.points) sorted.push_back(&point);
   std::ranges::sort(sorted, {},
                     [](const Points::Point* point) { return lang::to_upper(point->value.name); });
-  const bool binds = !points.points.empty() || !points.robot.above.empty();
-  std::string text = binds ? with(points.robot, robot_line(robot)) : "";
+  std::string text = with(points.robot, robot_line(robot));
   for (const Points::Point* const point : sorted) {
     text += with(point->remarks, line_of(*point, signature));
   }
@@ -196,7 +201,7 @@ bool PointsFile::change(const std::function<bool(Points&)>& edit) {
   std::string before = is_there(file_) ? read_file(file_, kMostBytes) : "";
   Points points = load_points(file_, robot_);
   if (!edit(points)) return false;
-  std::string after = points_text(points, robot_);
+  std::string after = is_empty(points) ? "" : points_text(points, robot_);
   save_file(file_, after);
   changes_.push_back({std::move(before), std::move(after)});
   return true;
@@ -208,7 +213,7 @@ bool PointsFile::undo() {
   if (!is_there(file_) || read_file(file_, kMostBytes) != changes_.back().after)
     throw FileError(fmt::format("'{}' has been changed by others since", file_));
   const std::string& before = changes_.back().before;
-  save_file(file_, before.empty() ? points_text({}, robot_) : before);
+  save_file(file_, before);
   changes_.pop_back();
   return true;
 }

@@ -54,7 +54,10 @@ void override_speed(Session& session, const Words& words) {
 }
 
 void jog(Session& session, const Words&) {
-  if (session.stands(":jog")) session.ask_for_pendant();
+  if (session.robot().held())
+    return session.fail("the pendant needs a robot at rest; it is held", ":resume or :stop before");
+  if (session.moves()) return session.fail("the pendant needs a robot at rest", ":stop before");
+  session.ask_for_pendant();
 }
 
 void hold(Session& session, const Words&) { session.robot().pause(true); }

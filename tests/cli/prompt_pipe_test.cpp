@@ -91,10 +91,9 @@ TEST_CASE("the exit code is that of the worst error") {
 }
 
 TEST_CASE("an input that ends while the robot is held is an error, and the process ends") {
-  for (const char* const text :
-       {"MOVE(10,0,0)\n:hold\n", "MOVE(10,0,0)\n:hold\n:quit\n",
-        ":insert 1 MOVE(9,0,0)\n:insert 2 MOVE(9,9,0)\n:step\n:step\n:back\n"}) {
-    for (const char* const options : {"--fast", "--fast --law lookahead", ""}) {
+  for (const std::string text : {"MOVE(10,0,0)\n:hold\n", "MOVE(10,0,0)\n:hold\n:quit\n",
+                                 ":insert 1 MOVE(9,0,0)\n:insert 2 MOVE(9,9,0)\n:step\n:back\n"}) {
+    for (const std::string options : {"--fast", "--fast --law lookahead", ""}) {
       CAPTURE(text);
       CAPTURE(options);
       const ProcessResult result = piped(text, options);

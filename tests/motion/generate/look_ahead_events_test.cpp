@@ -116,8 +116,8 @@ TEST_CASE("a LAG that outlasts its motion comes at its time, while the robot sta
     }
     run.finish();
     REQUIRE(run.all(Kind::ActionDue).size() == 1);
-    CHECK(run.all(Kind::ActionDue)[0].time == doctest::Approx(5.39 + 0.5).epsilon(1e-6));
-    if (!another) CHECK(run.all(Kind::Finished)[0].time == doctest::Approx(5.89).epsilon(1e-6));
+    CHECK(run.all(Kind::ActionDue)[0].time == doctest::Approx(5.29 + 0.5).epsilon(1e-6));
+    if (!another) CHECK(run.all(Kind::Finished)[0].time == doctest::Approx(5.79).epsilon(1e-6));
   }
 }
 

@@ -122,3 +122,16 @@ TEST_CASE("a taught and recorded program is saved with its points, and runs in t
   CHECK(next.enter({":load " + file, ":run"}) == "POSE(40mm, 20mm, 0mm, 0deg, 0deg, 0deg)\n");
   CHECK(next.session.worst() == ExitCode::Done);
 }
+
+TEST_CASE("a points file that has become empty is any robot's") {
+  const ScratchFolder folder;
+  {
+    PipedPrompt arm(folder, "irb120");
+    arm.enter({":teach a", ":points undo", ":teach b", ":forget b"});
+    CHECK(arm.session.worst() == ExitCode::Done);
+  }
+  PipedPrompt gantry(folder);
+  gantry.enter({":teach c"});
+  CHECK(gantry.said().empty());
+  CHECK(gantry.enter({":points"}).starts_with("c = "));
+}

@@ -194,3 +194,22 @@ TEST_CASE("a type is not declared anew, nor a routine where there is a value") {
   CHECK(prompt.screen.messages.find("error[E202]: a is already declared") != std::string::npos);
   CHECK(prompt.enter({"PRINT a, r(x: 1)"}) == "3r(x: 1)\n");
 }
+
+TEST_CASE(":jog is refused while something moves, or is held") {
+  Prompt prompt;
+  prompt.session.enter("MOVE(40,0,0)");
+  for (int i = 0; i < 100; ++i) prompt.session.let_pass();
+  prompt.session.enter(":jog");
+  prompt.session.enter(":hold");
+  for (int i = 0; i < 200; ++i) prompt.session.let_pass();
+  prompt.session.enter(":jog");
+  CHECK_FALSE(prompt.session.take_pendant());
+  CHECK(prompt.screen.messages ==
+        "error: the pendant needs a robot at rest\nhelp: :stop before\n"
+        "error: the pendant needs a robot at rest; it is held\nhelp: :resume or :stop before\n");
+  prompt.session.enter(":stop");
+  prompt.session.finish();
+  prompt.session.let_pass();
+  prompt.session.enter(":jog");
+  CHECK(prompt.session.take_pendant());
+}
