@@ -286,13 +286,14 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   } catch (const toml::parse_error& error) {
     fail_in_file(file_name, error.source().begin, std::string(error.description()));
   }
-  const TableReader file(table, file_name, "",
-                         {"name",    "description",      "kinematics",     "law",
-                          "t_acc",   "reference_period", "servo_period",   "look_ahead",
-                          "zone",    "zone_angle",       "servo",          "inputs",
-                          "outputs", "analog_inputs",    "analog_outputs", "force_sensor",
-                          "arm",     "dynamics",         "simulation",     "axis",
-                          "signal",  "actuator",  "wire"});
+  const TableReader file(table, file_name, "", {"name",         "description",   "kinematics",
+                                                "law",          "t_acc",         "reference_period",
+                                                "servo_period", "look_ahead",    "zone",
+                                                "zone_angle",   "servo",         "inputs",
+                                                "outputs",      "analog_inputs", "analog_outputs",
+                                                "force_sensor", "arm",           "dynamics",
+                                                "simulation",   "axis",          "signal",
+                                                "actuator",     "wire"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
