@@ -141,7 +141,7 @@ bool PathPlanner::begin_run() {
   window_ = window_of(next);
   outlook_ = 0;
   calm_ = {};
-  alone_ = false;
+  alone_ = pauses_ = false;
   ShapedLeg leg = shaped_leg(robot_, next, known_);
   if (stands_behind(leg)) {
     stand_alone(leg);
@@ -171,6 +171,7 @@ void PathPlanner::stand_alone(ShapedLeg& leg) {
   leg.acceleration *= made.share;
   window_ = made.average;
   alone_ = true;
+  pauses_ = made.pauses;
 }
 
 /// Nothing comes behind what has been taken.
@@ -201,7 +202,7 @@ void PathPlanner::open(const ShapedLeg& leg) {
   ring_.push({open_->segment, open_->begin, open_->end(),
               std::max(open_->begin, open_->end() - longest_turn(*open_) - brakes),
               std::max(1, static_cast<int>(std::lround(mean_time() / robot_.reference_period))),
-              alone_});
+              pauses_});
   completing_ = alone_ || open_->segment.guard.present();
 }
 

@@ -107,6 +107,7 @@ class PathPlanner {
   double known_ = 0;         ///< σ at the end of the last piece
   double window_ = 0;        ///< s of the mean of the present run
   bool alone_ = false;       ///< the present run is one straight leg
+  bool pauses_ = false;      ///< and its guide pauses
   PathRing::Index end_ = 0;  ///< of the pieces written; those from ring_.end() on are drafts
   double published_ = 0;     ///< σ at the end of those before
   double outlook_ = 0;       ///< m: so far from a draft all has to be known

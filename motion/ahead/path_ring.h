@@ -17,9 +17,9 @@ struct PathLeg {
   SegmentDescriptor segment;
   double begin = 0;
   double end = 0;
-  double decides = 0;  ///< σ at which what follows has to be known (motion.md: decision point)
-  int average = 1;     ///< periods of the mean that makes the references of its run
-  bool alone = false;  ///< it is its run, with the shorter mean that a guide with pauses allows
+  double decides = 0;   ///< σ at which what follows has to be known (motion.md: decision point)
+  int average = 1;      ///< periods of the mean that makes the references of its run
+  bool pauses = false;  ///< it is its run, with the shorter mean that a guide with pauses allows
 };
 
 /// The path between its planner (one writer) and the tick (one reader): pieces, and beside them the

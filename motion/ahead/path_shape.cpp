@@ -197,6 +197,22 @@ double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVec
   return least;
 }
 
+/// With accelerations a = s·u and a mean of T = s·W it takes d/v + v/a + T where it reaches its
+/// speed; that is least where v/a = T. Else it takes 2·√(d/a) + T; that is least where d/a = T².
+static LegAlone alone_without_pause(const ShapedLeg& leg, double control, double speed) {
+  LegAlone made;
+  const double way = leg.length();
+  if (const double window = leg.segment.ahead.window; window > 0) {
+    made.share = std::min(
+        {1.0, std::sqrt(speed / (control * window)), std::cbrt(way / (control * window * window))});
+    made.average = made.share * window;
+  }
+  const double a = made.share * control;
+  const double ramp = speed / a;
+  made.time = (way >= speed * ramp ? way / speed + ramp : 2 * std::sqrt(way / a)) + made.average;
+  return made;
+}
+
 /// With accelerations a = s·u and a mean of T = s·W/2 it takes d/v + v/a + T where it reaches its
 /// speed; that is least where v/a = T. Else it speeds up for t, t·(t + T)·a = d, and takes
 /// 2·(t + T); that is least where t = T.
@@ -204,9 +220,11 @@ LegAlone alone(const RobotModel& robot, const ShapedLeg& leg) {
   const PathPoint begin = leg.at(0);
   const double control = greatest_control(leg, begin);
   const double speed = greatest_rate(robot, leg, begin);
+  if (robot.mechanics) return alone_without_pause(leg, control, speed);
   const double way = leg.length();
   const LegBounds& bounds = leg.segment.ahead;
   LegAlone made;
+  made.pauses = true;
   if (const double window = bounds.window; window > 0) {
     made.share =
         std::min({bounds.full / bounds.acceleration, std::sqrt(2 * speed / (control * window)),

@@ -43,10 +43,15 @@ double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVec
 
 /// A straight leg from rest to rest with nothing before and behind, in the least time: that of a
 /// third-order profile. The mean takes A/J, for the guide pauses (Guide).
+///
+/// What an arm's drives are asked for by its mechanics is known only when they cannot give it: such
+/// a robot has to be able to slow down at once (DriveRelief). It does not pause, and its mean takes
+/// 2A/J.
 struct LegAlone {
   double share = 1;    ///< of the leg's accelerations
   double average = 0;  ///< s of the mean
   double time = 0;     ///< s from rest to rest
+  bool pauses = false;
 };
 LegAlone alone(const RobotModel& robot, const ShapedLeg& leg);
 

@@ -176,7 +176,7 @@ void LookAheadGenerator::begin_run(const PathLeg& leg) noexcept {
   if (moved_) guide_.restart(guide_.index(), segment().target);
   moved_ = false;
   guide_.begin_run(leg.begin, guide_time() + (settled() ? 0 : period()),
-                   leg.alone ? leg.average * period() : 0);
+                   leg.pauses ? leg.average * period() : 0);
   average_.begin_run(leg.average, guide_);
   history_.begin(guide_time(), leg.begin);
   events_.begin_run({guide_time(), leg.begin, 0});

@@ -128,6 +128,7 @@ void LiveRobot::pause(bool on) {
 
 void LiveRobot::go_back() {
   channels().way_back.under_way.store(true, std::memory_order_release);
+  channels().way_back.hold_asked.store(false);  // one of before may have come too late
   channels().way_back.asked.store(true);
 }
 

@@ -155,7 +155,7 @@ class AheadRun {
     const double period = robot_.reference_period;
     const bool first = guide_.sigma() == 0;  // else the last of the mean's jerk is yet to come
     guide_.begin_run(leg.begin, guide_.time() + (first ? 0 : period),
-                     leg.alone ? leg.average * period : 0);
+                     leg.pauses ? leg.average * period : 0);
     average_.begin_run(leg.average, guide_);
   }
 

@@ -118,8 +118,7 @@ TEST_CASE("fault 19: an arm's encoder that jumps stops the run and names the axi
       .check_stop("E504");
 }
 
-/// The path is kept within `off` deg, and followed within `error` deg.
-static void check_relief(const std::string& law, double off, double error) {
+static void check_relief(const std::string& law) {
   const ArmRun arm(weak_arm(),
                    law + "MOVE JOINTS(80deg, -90deg, 135deg, 0deg, 90deg, 0deg)\nSTOP\nEND\n");
   CHECK(arm.result.status == "done");
@@ -137,8 +136,8 @@ static void check_relief(const std::string& law, double off, double error) {
   }
   CHECK(least < 0.9);
   CHECK(least >= 0.1);
-  CHECK(off_line < off);
-  CHECK(arm.worst_error() < error);
+  CHECK(off_line < 0.25);
+  CHECK(arm.worst_error() < 1);
   CHECK(arm.run.rows.back().override_share == 1);
   int told = 0;
   for (const auto& event : arm.result.events)
@@ -147,12 +146,10 @@ static void check_relief(const std::string& law, double off, double error) {
 }
 
 TEST_CASE("fault 20: where drives are too weak the path is stretched in time, not left") {
-  check_relief("LAW PAUL\n", 0.25, 1);
+  check_relief("LAW PAUL\n");
 }
 
-// A motion that stands alone begins to slow down only once its acceleration has been 0 for as long
-// as its mean is, 0.1 s.
-TEST_CASE("fault 20 under the look-ahead law") { check_relief("LAW LOOKAHEAD\n", 1, 2); }
+TEST_CASE("fault 20 under the look-ahead law") { check_relief("LAW LOOKAHEAD\n"); }
 
 TEST_CASE("drives that suffice are asked for nothing more than once: the path keeps its time") {
   const ArmRun arm(motion::embedded_robot("ums7"), kTurn);
