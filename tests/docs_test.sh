@@ -18,7 +18,7 @@ trap 'rm -rf "$scratch"' EXIT
 ln -s "$rob" "$scratch/rob"
 ln -s "$root/examples" "$root/motion" "$scratch"
 cd "$scratch" || exit 1
-export XDG_DATA_HOME=$scratch/.data
+export XDG_DATA_HOME=$scratch/.data XDG_STATE_HOME=$scratch/.state
 failures=0
 
 fail() { # LINE TEXT

@@ -23,7 +23,7 @@ constexpr const char* kTriangle =
     "MOVE(40,40,0)\nMOVE(140,40,0)\nMOVE(90,126,0)\nMOVE(40,40,0)\nSTOP\nEND\n";
 constexpr const char* kLong = "MOVE(300,0,0)\n";
 
-std::string on(const std::string& kind, const rob::test::DeviceEmulator& device) {
+std::string on(const std::string& kind, rob::test::DeviceEmulator& device) {
   return kind + ":" + device.path();
 }
 

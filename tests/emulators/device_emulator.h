@@ -15,9 +15,10 @@ namespace rob::test {
 
 using Octets = std::vector<std::uint8_t>;
 
-/// A device behind a pseudo-terminal, in a thread of its own, with everything that can go wrong on
-/// a wire. What is derived is written from the documents of its protocol, and shares no code with
-/// the driver. The derived class calls begin() when it is made, and end() first thing when it goes.
+/// A device behind a pseudo-terminal, with everything that can go wrong on a wire. What is derived
+/// is written from the documents of its protocol, and shares no code with the driver. It is
+/// switched on, in a thread of its own, when its path is asked for first; the derived class calls
+/// end() first thing when it goes.
 class DeviceEmulator {
  public:
   std::atomic<bool> silent{false};    ///< it answers nothing
@@ -29,18 +30,18 @@ class DeviceEmulator {
 
   virtual ~DeviceEmulator() = default;
 
-  const std::string& path() const { return wire_.path(); }
+  const std::string& path() {
+    if (!thread_.joinable()) thread_ = std::thread([this] { serve(); });
+    return wire_.path();
+  }
+  /// Its thread does it, which may be waiting for bytes.
   void unplug() {
-    const std::lock_guard lock(mutex_);
-    wire_.unplug();
-    gone_ = true;
+    leaving_ = true;
+    while (!gone_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   int questions() const { return questions_; }
 
  protected:
-  void begin() {
-    thread_ = std::thread([this] { serve(); });
-  }
   void end() {
     stopping_ = true;
     if (thread_.joinable()) thread_.join();
@@ -73,14 +74,14 @@ class DeviceEmulator {
   bool happens(int percent) { return static_cast<int>(random_() % 100) < percent; }
 
   void serve() {
-    while (!stopping_) {
-      const Octets bytes = gone_ ? Octets{} : wire_.receive(1);
-      if (gone_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (!stopping_ && !leaving_) {
+      const Octets bytes = wire_.receive(1);
       const std::lock_guard lock(mutex_);
-      if (gone_) continue;
       pass(now());
       for (const std::uint8_t byte : bytes) take(byte);
     }
+    if (leaving_) wire_.unplug();
+    gone_ = true;
   }
 
   PtyWire wire_;
@@ -89,6 +90,7 @@ class DeviceEmulator {
   Octets old_;
   std::atomic<int> questions_{0};
   std::atomic<bool> stopping_{false};
+  std::atomic<bool> leaving_{false};
   std::atomic<bool> gone_{false};
   std::thread thread_;
 };

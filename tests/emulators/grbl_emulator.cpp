@@ -28,7 +28,6 @@ GrblEmulator::GrblEmulator() {
     settings[120 + axis] = 500;
     settings[130 + axis] = 400;
   }
-  begin();
 }
 
 void GrblEmulator::stand_at(double x, double y, double z) {

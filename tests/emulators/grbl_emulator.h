@@ -72,8 +72,8 @@ class GrblEmulator final : public DeviceEmulator {
   bool inverse_time_ = false;
   double feed_ = 0;
   int reports_ = 0;
-  int overflows_ = 0;
-  int moves_ = 0;
+  std::atomic<int> overflows_{0};
+  std::atomic<int> moves_{0};
   double first_move_ = -1;
   double last_move_ = 0;
 };

@@ -41,7 +41,6 @@ ServoEmulator::ServoEmulator(Kind kind, int count) : kind_(kind) {
       servo.registers[12] = 0x0F;
     }
   }
-  begin();
 }
 
 void ServoEmulator::set(int id, int address, int size, std::uint32_t value) {

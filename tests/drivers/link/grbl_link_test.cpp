@@ -14,7 +14,7 @@ using test::GrblEmulator;
 using test::mentions;
 using test::WireBench;
 
-std::unique_ptr<WireBackend> machine_on(const GrblEmulator& grbl, bool home = false) {
+std::unique_ptr<WireBackend> machine_on(GrblEmulator& grbl, bool home = false) {
   const auto axes = test::plain_axes(3, 0, 50);
   WireSettings settings = test::settings_for(grbl.path(), axes, 0.02);
   settings.home = home;

@@ -33,7 +33,7 @@ struct Feetech {
 };
 
 template <typename Bus>
-std::unique_ptr<WireBackend> machine_on(const ServoEmulator& bus, int count = 3) {
+std::unique_ptr<WireBackend> machine_on(ServoEmulator& bus, int count = 3) {
   const auto axes = test::plain_axes(count, 1, 3000);
   return std::make_unique<WireBackend>(test::settings_for(bus.path(), axes, kPeriod),
                                        Bus::link(axes));
