@@ -77,6 +77,13 @@ struct SimulatedDeviation {
   double friction = 1;  ///< factor
 };
 
+/// What is known of a force sensor, and of what the tool may press on.
+struct ForceSensorData {
+  double delay = 0;      ///< s from what acts to what is told
+  double limit = 0;      ///< N: a force that ends the run; 0: none
+  double stiffness = 0;  ///< N/m: the greatest that the tool meets, the arm's own included
+};
+
 /// Everything that is known of a robot before it moves. Read from a robot file, never changed
 /// afterwards, and shared as const.
 struct RobotModel {
@@ -99,6 +106,7 @@ struct RobotModel {
   std::vector<RobotSignal> signals;
   std::vector<TwoPositionActuator> actuators;
   bool force_sensor = false;  ///< it measures forces and torques on the tool
+  ForceSensorData force;      ///< only with a force sensor
   /// Targets are written as the tool's x, y, z, a, b, c in the world; else as axis values.
   bool tool_coordinates = false;
   /// Null where this version does not know how the axes move the tool: such a robot cannot be run.

@@ -6,6 +6,7 @@
 
 #include "motion/space/analog_channels.h"
 #include "motion/space/joint_vector.h"
+#include "motion/space/wrench.h"
 
 namespace rob::motion {
 
@@ -36,6 +37,8 @@ struct ServoState {
   JointMeasurement measured;
   std::uint64_t inputs = 0;  ///< bit i: digital input channel i
   AnalogValues analog_inputs{};
+  Wrench wrench;           ///< of the force sensor, about the flange and along its axes
+  double wrench_time = 0;  ///< when that was measured; 0: never
   double wire_errors = 0;  ///< share of the exchanges of the last second that went wrong at first
 };
 
