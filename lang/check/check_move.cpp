@@ -44,7 +44,6 @@ void MoveChecker::remember_features(const Move& move) {
   const ExprPtr& jerk = clauses[Clause::Jerk];
   if (accel) checked_.features.push_back({accel->place, MotionFeature::Accel});
   if (jerk) checked_.features.push_back({jerk->place, MotionFeature::Jerk});
-  if (clauses.live) checked_.features.push_back({clauses.live_place, MotionFeature::LivePace});
 }
 
 /// MOVE JOINT: which axis has to be known, unless all take values of one dimension.

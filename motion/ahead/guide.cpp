@@ -78,7 +78,7 @@ Guide::Part Guide::next_part(double until) noexcept {
 
 /// The greatest σ' on the piece apart from what lies ahead.
 double Guide::greatest_rate(const Piece& piece, GuideLimit& limit) const noexcept {
-  const double top = piece.greatest_rate(share_);
+  const double top = std::min(piece.greatest_rate(share_), pace_ * share_);
   if (share_ < 1) {
     limit = {GuideLimit::Kind::Override, -1};
   } else if (top == piece.fastest) {

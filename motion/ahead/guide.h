@@ -67,6 +67,8 @@ class Guide {
   /// Of the programmed speed, 0 < share <= 2.
   void set_share(double share) noexcept { share_ = share; }
   double share() const noexcept { return share_; }
+  /// σ' that is not exceeded at a share of 1, whatever the pieces ask for; above 0.
+  void set_pace(double pace) noexcept { pace_ = pace; }
 
   bool stands() const noexcept { return rate_ == 0; }
   /// It stands where the path is meant to come to rest, until begin_run().
@@ -139,6 +141,7 @@ class Guide {
   double rate_ = 0;
   double acceleration_ = 0;
   double share_ = 1;
+  double pace_ = Piece::kAny;
   bool braking_ = false;
   double start_ = 0;              ///< s: of the present run
   double pause_ = 0;              ///< s between speeding up and braking

@@ -13,6 +13,8 @@ namespace {
 /// [choice] jogs and profiles are slowed by it, the path follows it up to here
 constexpr double kMostShare = 2;
 
+constexpr double kAnyPace = std::numeric_limits<double>::infinity();
+
 bool has_way(const SegmentDescriptor& segment) noexcept {
   return segment.ahead.length > 0 && !segment.no_length && !segment.dwell &&
          !segment.jog.present() && !segment.profile.present();
@@ -87,8 +89,10 @@ void LookAheadGenerator::go_on_to_stamp() noexcept {
 /// Where no path is followed it stands, and its time goes on.
 void LookAheadGenerator::step_guide() noexcept {
   const bool runs = on_run();
-  runs && !stopping() ? guide_.release() : guide_.brake();
+  const double pace = runs ? live_pace() : kAnyPace;
+  runs && !stopping() && pace > 0 ? guide_.release() : guide_.brake();
   guide_.set_share(std::min(override_share(), kMostShare));
+  guide_.set_pace(pace);
   guide_.step(guide_time(), [this](const Guide::Part& part) noexcept { history_.keep(part); });
   ring_.sigma.store(guide_.sigma(), std::memory_order_relaxed);
   ring_.rate.store(guide_.rate(), std::memory_order_relaxed);
@@ -100,6 +104,13 @@ void LookAheadGenerator::step_guide() noexcept {
   const PathRing::Index kept = guide_.index() > 0 ? guide_.index() - 1 : 0;
   released_ = std::max(released_, std::min(average_.oldest(), kept));
   ring_.release(released_);
+}
+
+/// σ' that the motion on which the guide is, ahead of the references, may have.
+double LookAheadGenerator::live_pace() noexcept {
+  if (guide_.sigma() < end_) return live_rate(segment()) * segment().ahead.length;
+  const SegmentDescriptor* const next = next_segment();
+  return next == nullptr ? kAnyPace : live_rate(*next) * next->ahead.length;
 }
 
 void LookAheadGenerator::tell_missed_leads() noexcept {

@@ -84,6 +84,7 @@ class LookAheadGenerator final : public SegmentGenerator {
   bool beyond_end() const noexcept;
   double arrival() const noexcept;
   void step_guide() noexcept;
+  double live_pace() noexcept;
   void tell_missed_leads() noexcept;
   void finish_drop() noexcept;
   void begin_run(const PathLeg& leg) noexcept;

@@ -32,6 +32,7 @@ struct MotionEvent {
                      ///< −1: the arm is near a singular place, or the end of its reach
     WentBack,        ///< tag: the axes stand where this motion had begun; 0: on the way there
     NoWayBack,       ///< what is recorded of their way begins where they stand
+    PaceFailed,      ///< tag: what its LivePace computes has no result
     Overrun,         ///< the tick came too late to be made up; value: how late, s
     Fault            ///< axis: its reference was no number; it has not been handed out
   };

@@ -1,5 +1,6 @@
 #include "motion/generate/paul_generator.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "motion/generate/limit_numbers.h"
@@ -18,9 +19,19 @@ PaulGenerator::PaulGenerator(const RobotModel& robot, LookAheadBuffer& buffer,
 
 void PaulGenerator::set_override(double share) noexcept {
   SegmentGenerator::set_override(share);
-  clock_.set_override(share);
   aim_clock();
   if (may_jump()) clock_.jump();
+}
+
+/// Of the planned speed, as much as the LivePace of the motion leaves.
+double PaulGenerator::live_share() noexcept {
+  return on_path() ? std::min(1.0, live_rate(segment()) * segment().duration) : 1;
+}
+
+void PaulGenerator::aim_clock() noexcept {
+  const double live = live_share();
+  clock_.set_override(override_share() * live);
+  stopping() || live == 0 ? clock_.hold() : clock_.resume();
 }
 
 /// At the very beginning of a motion from rest, or at the end of a stop.
@@ -139,7 +150,8 @@ void PaulGenerator::sample_path(GeneratorSample& sample) const noexcept {
   sample.sigma = sigma();
   sample.rate = r;
   const bool slowed = clock_.override_share() < 1 && !inserted_;
-  sample.limit = slowed ? limit_number::kOverride : segment().limit;
+  const bool paced = slowed && clock_.override_share() < override_share();
+  sample.limit = paced ? limit_number::kPace : slowed ? limit_number::kOverride : segment().limit;
 }
 
 double PaulGenerator::share_done() const noexcept {

@@ -60,9 +60,10 @@ class PaulGenerator final : public SegmentGenerator {
   const Effect* take_path_event(double& due) noexcept override;
   bool awaits_path_event() const noexcept override { return path_events_.pending(); }
 
-  void aim_clock() noexcept { stopping() ? clock_.hold() : clock_.resume(); }
+  void aim_clock() noexcept;
   void adapt_clock() noexcept;
   double path_instant(double instant) const noexcept;
+  double live_share() noexcept;
   void begin_profile(const SegmentDescriptor& next, double instant) noexcept;
   void begin_stop() noexcept;
   bool may_jump() const noexcept;

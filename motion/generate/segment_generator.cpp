@@ -317,6 +317,18 @@ void SegmentGenerator::tell_cut_lead(const Effect& effect, double due, double by
   tell({.kind = Kind::LeadCut, .time = due, .tag = effect.tag, .value = by});
 }
 
+double SegmentGenerator::live_rate(const SegmentDescriptor& segment) noexcept {
+  if (!segment.live.present()) return std::numeric_limits<double>::infinity();
+  const double rate = faulted_ ? 0 : segment.live.rate(view_);
+  if (std::isfinite(rate)) return rate;
+  faulted_ = true;
+  tell({.kind = MotionEvent::Kind::PaceFailed,
+        .time = stamp_,
+        .tag = segment.tag,
+        .number = segment.number});
+  return 0;
+}
+
 void SegmentGenerator::tell(MotionEvent event) noexcept {
   event.time = latest_ = std::max(latest_, event.time);
   events_.push(event);

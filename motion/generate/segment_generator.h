@@ -138,6 +138,9 @@ class SegmentGenerator : public TrajectoryGenerator {
   /// The axes shall come to rest on the path, and stand there.
   bool stopping() const noexcept { return holding() || braking_; }
   double override_share() const noexcept { return override_; }
+  /// 1/s of a motion's own duration: its LivePace, in this cycle; infinite without one. A pace that
+  /// cannot be computed is a fault.
+  double live_rate(const SegmentDescriptor& segment) noexcept;
   /// What may begin now; null: nothing.
   const SegmentDescriptor* next_to_begin() const noexcept;
   /// Motions up to `number` are passed over.

@@ -15,7 +15,8 @@ enum class MotionState : std::uint8_t {
   Running = 1,
   Held = 2,
   Stopping = 3,
-  Jogging = 4
+  Jogging = 4,
+  Pressing = 5  ///< a force is kept beside the path; told by who keeps it
 };
 
 /// One reference and where it comes from.

@@ -8,9 +8,8 @@ bool can(const RobotModel& robot, Capability capability) noexcept {
     case Capability::JerkBound:
     case Capability::Path:
       return robot.law == Law::LookAhead;
-    case Capability::LivePace:
     case Capability::Force:
-      break;
+      return robot.force_sensor;
   }
   return false;
 }

@@ -10,9 +10,8 @@ namespace rob::motion {
 enum class Capability : std::uint8_t {
   AccelerationBound,  ///< of a single motion
   JerkBound,
-  LivePace,  ///< a pace that changes while the motion runs
-  Path,      ///< many motions planned as one
-  Force      ///< a force kept along an axis
+  Path,  ///< many motions planned as one
+  Force  ///< a force kept along an axis
 };
 
 /// Whether motions of this robot have it, under its law. Under Paul's (S1) time alone says how fast

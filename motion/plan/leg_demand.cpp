@@ -139,6 +139,14 @@ double pace_time(const RobotModel& robot, const LegDemand& demand,
   return 0;
 }
 
+double live_unit_time(const RobotModel& robot, const LegDemand& demand,
+                      const MotionRequest& request) noexcept {
+  MotionRequest unit;
+  unit.pace = request.live;
+  unit.pace_value = 1;
+  return pace_time(robot, demand, unit);
+}
+
 double named_axes_time(const RobotModel& robot, const LegDemand& demand,
                        MotionRequest::Pace pace) noexcept {
   using Pace = MotionRequest::Pace;

@@ -60,6 +60,9 @@ double least_time(const RobotModel& robot, const JointPath& axes, double change,
 /// The least time, s, that what AT asks for leaves; 0 without it.
 double pace_time(const RobotModel& robot, const LegDemand& demand,
                  const MotionRequest& request) noexcept;
+/// s that a LivePace of 1 takes; 0 where that bounds nothing.
+double live_unit_time(const RobotModel& robot, const LegDemand& demand,
+                      const MotionRequest& request) noexcept;
 /// The least time of the axes that a pace speaks of: the linear ones for a tool speed, the rotary
 /// ones for an angular speed, all for a share and on a path.
 double named_axes_time(const RobotModel& robot, const LegDemand& demand,

@@ -32,6 +32,7 @@ PlanOutcome MotionPlanner::take_ahead(const MotionRequest& request, Draft draft)
     if (draft.leg && draft.leg->line) segment.ahead.line = &*draft.leg->line;
     segment.duration = leg.duration;
     segment.path = draft.demand.path;
+    segment.live.unit_time = live_unit_time(robot_, draft.demand, request);
     planned.warnings = leg.warnings;
     if (!exact_) judge_zone(draft, planned);
   }

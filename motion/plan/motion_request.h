@@ -35,8 +35,9 @@ struct MotionRequest {
   std::uint8_t given = 0;                   ///< bit i: axis i has a target
   std::array<double, kMaxJoints> target{};  ///< m or rad
   Pace pace = Pace::Unspecified;
-  double pace_value = 0;  ///< m/s, rad/s, or a share of all maxima (1 = 100 %)
-  double at_least = 0;    ///< s, lower bound on the duration (S1: T_user)
+  double pace_value = 0;          ///< m/s, rad/s, or a share of all maxima (1 = 100 %)
+  Pace live = Pace::Unspecified;  ///< what a pace speaks of that is said in every cycle: LivePace
+  double at_least = 0;            ///< s, lower bound on the duration (S1: T_user)
   Zone zone = Zone::Robots;
   double zone_value = 0;      ///< above 0 where there is a zone
   double zone_angle = 0;      ///< rad; 0: the robot's. Paul's law does not look at it

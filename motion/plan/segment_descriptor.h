@@ -25,13 +25,15 @@ struct Effect {
     Pulse,
     Simulate,
     SimulateAnalog,
+    SimulateForce,  ///< component `channel` of force (N) and torque (Nm) along the world is `volts`
     SimulateGo,
     SimulateAnswer,  ///< `id`
     Note,
-    Override,  ///< from here on the path's time runs at `share`
-    Report,    ///< `id`: the asker learns that its turn has come, or that it is dropped
-    Arm,       ///< `watched` is asked from here on
-    Disarm     ///< and no longer, whether it was armed or not
+    ZeroForce,  ///< what the force sensor tells now is nothing
+    Override,   ///< from here on the path's time runs at `share`
+    Report,     ///< `id`: the asker learns that its turn has come, or that it is dropped
+    Arm,        ///< `watched` is asked from here on
+    Disarm      ///< and no longer, whether it was armed or not
   };
 
   Tag tag = 0;
@@ -75,7 +77,8 @@ struct SegmentDescriptor {
   /// No target, but rates; begins at rest, or joins a jog before. `duration` is what it lasts, 0
   /// where only something else ends it.
   JogRates jog{};
-  Watch guard{};  ///< ends it early: UNTIL. Also of the stop that makes it exact
+  LivePace live{};  ///< slows it down, as long as it runs
+  Watch guard{};    ///< ends it early: UNTIL. Also of the stop that makes it exact
 
   /// Along this the axes run, parameter 0 … 1; null: straight. Its planner keeps it as long as the
   /// motion, or the corner behind it, can run.

@@ -4,6 +4,7 @@
 
 #include "motion/space/analog_channels.h"
 #include "motion/space/joint_vector.h"
+#include "motion/space/wrench.h"
 
 namespace rob::motion {
 
@@ -16,6 +17,7 @@ struct CycleView {
   std::uint64_t outputs = 0;      ///< as the last cycle has left them
   AnalogValues analog_inputs{};   ///< V, as inputs
   AnalogValues analog_outputs{};  ///< V, as outputs
+  Wrench wrench;                  ///< what the world does to the tool, along the world's axes
 };
 
 /// What a Watch says of one cycle.
@@ -36,6 +38,23 @@ struct Watch {
 
   bool present() const noexcept { return test != nullptr; }
   WatchAnswer ask(const CycleView& view) const noexcept { return test(self, view); }
+};
+
+/// How fast a motion shall be, asked in every control cycle: AT LIVE. As a Watch.
+struct LivePace {
+  /// Of the pace; NaN where its computation has no result, and its owner knows why.
+  using Value = double (*)(const void* self, const CycleView& view) noexcept;
+
+  Value value = nullptr;  ///< null: the motion keeps its own pace
+  const void* self = nullptr;
+  double unit_time = 0;  ///< s that the motion takes at a pace of 1; 0: the pace does not bound it
+
+  bool present() const noexcept { return value != nullptr && unit_time > 0; }
+  /// 1/s: what share of the motion is done in a second, 0 or above; or NaN.
+  double rate(const CycleView& view) const noexcept {
+    const double pace = value(self, view);
+    return pace < 0 ? 0 : pace / unit_time;
+  }
 };
 
 }  // namespace rob::motion

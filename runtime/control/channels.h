@@ -11,10 +11,12 @@
 #include "motion/space/analog_channels.h"
 #include "motion/space/joint_vector.h"
 #include "motion/space/spsc_ring.h"
+#include "motion/space/wrench.h"
 #include "runtime/control/analog_cells.h"
 #include "runtime/control/hold_points.h"
-#include "runtime/control/latest_joints.h"
+#include "runtime/control/latest_values.h"
 #include "runtime/control/operator_panel.h"
+#include "runtime/control/press_desk.h"
 #include "runtime/control/safe_values.h"
 #include "runtime/control/way_back.h"
 
@@ -28,6 +30,12 @@ struct ServoSample {
   std::uint64_t inputs = 0;
   motion::AnalogValues analog_inputs{};
   double saturation = 0;  ///< greatest demanded force / what the drive can give
+  /// By the force sensor, as ServoState tells it.
+  struct Felt {
+    double time = 0;  ///< s; 0: never
+    motion::Wrench wrench;
+  };
+  Felt felt;
   motion::FollowingFinding finding;
 };
 
@@ -40,6 +48,7 @@ struct Snapshot {
   double saturation = 0;  ///< greatest force demanded since the last one / what the drive can give
   double lateness = 0;    ///< s, of the cycle that handed the reference out
   double override_share = 1;
+  motion::Wrench wrench;  ///< N, Nm along the axes of the world, as the program reads it
 };
 
 /// A finding of the servo's supervision that the user has to know.
@@ -112,7 +121,8 @@ struct Channels {
   AnalogCells analog_outputs;             ///< V, as outputs
   AnalogCells analog_inputs;              ///< V, as inputs
   std::atomic<std::int64_t> cycle{0};     ///< motion → program: number of the present one
-  LatestJoints joints;  ///< motion → program: the references of the present cycle
+  LatestValues joints;  ///< motion → program: the references of the present cycle
+  LatestValues wrench;  ///< motion → program: N, then Nm, as CycleView; none without a sensor
   std::atomic<std::int64_t> simulations_done{0};  ///< motion → program: SIMULATEs that have acted
   OperatorPanel panel;  ///< motion → program: what a signal script does in the operator's place
   SafeValues safe;
@@ -121,6 +131,7 @@ struct Channels {
   std::atomic<bool> pause_requested{false};  ///< stand on the path until it is withdrawn
   HoldPoints hold_points;                    ///< where motion asks for that by itself
   WayBack way_back;
+  PressDesk press;
   std::atomic<bool> stop_requested{false};  ///< brake, and drop all that was commanded
   std::atomic<double> override_asked{0};    ///< once each; 0: none
   /// What the machine says of its own trouble; not for the ticks.

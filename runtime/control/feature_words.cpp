@@ -30,10 +30,6 @@ Explained explained(MotionFeature feature) {
       return {Capability::JerkBound, "JERK",
               "under Paul's law the jerk follows from the time of a corner",
               "a greater ZONE, for example ZONE 2s, turns more gently; LAW LOOKAHEAD has JERK"};
-    case MotionFeature::LivePace:
-      return {Capability::LivePace, "AT LIVE",
-              "the speed of a motion is fixed when it is planned, in this version under both laws",
-              "leave LIVE out: the speed is then computed once, when the motion is commanded"};
     case MotionFeature::Path:
       return {
           Capability::Path, "PATH", "under Paul's law each corner is planned by itself",
@@ -42,7 +38,7 @@ Explained explained(MotionFeature feature) {
     case MotionFeature::Press:
       break;
   }
-  return {Capability::Force, "PRESS", "in this version motions keep their path, not a force",
+  return {Capability::Force, "PRESS", "it has no force sensor",
           "MOVE … UNTIL touched stops where something is met"};
 }
 

@@ -57,18 +57,22 @@ std::string meeting(int before, int line) {
 
 }  // namespace
 
-motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
+motion::MotionRequest::Pace pace_of(lang::MoveCommand::Pace pace) {
   using From = lang::MoveCommand::Pace;
   using To = motion::MotionRequest::Pace;
+  return pace == From::ToolSpeed      ? To::ToolSpeed
+         : pace == From::AngularSpeed ? To::AngularSpeed
+         : pace == From::Share        ? To::Share
+                                      : To::Unspecified;
+}
+
+motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
   motion::MotionRequest request;
   request.tag = static_cast<motion::Tag>(line);
   request.relative = command.relative;
   request.given = command.given;
   request.target = command.target;
-  request.pace = command.pace == From::ToolSpeed      ? To::ToolSpeed
-                 : command.pace == From::AngularSpeed ? To::AngularSpeed
-                 : command.pace == From::Share        ? To::Share
-                                                      : To::Unspecified;
+  request.pace = pace_of(command.pace);
   request.pace_value = command.pace_value;
   request.at_least = command.over;
   request.profile = profile_of(command.profile);
@@ -99,6 +103,7 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
   Commanded commanded{{}, false, stopped, asked, setting_};
   if (!collecting()) commanded.events = std::exchange(on_the_way_, {});
   commanded.via = std::exchange(via_, {});
+  commanded.live = std::exchange(live_, std::nullopt);
   if (!plan(line, commanded)) return Reply::Refused;
   for (std::size_t i = 0; i < commanded.events.size(); ++i) log_.queued_effect();
   brakable_ = commanded.segment.number;
@@ -116,7 +121,9 @@ Reply RobotMachine::via(int /*line*/, const lang::MoveCommand& point) {
 bool RobotMachine::plan(int line, Commanded& commanded) {
   const lang::MoveCommand& asked = *commanded.move;
   if (asked.kind == MotionKind::Jog) return plan_jog(line, asked, commanded.segment);
-  const motion::MotionRequest request = request_of(line, asked);
+  if (moves_against_press(commanded)) return false;
+  motion::MotionRequest request = request_of(line, asked);
+  if (commanded.live) request.live = commanded.live->means;
   const bool led = asked.kind != MotionKind::Joint &&
                    (asked.kind != MotionKind::Line || robot_.tool_coordinates);
   return led ? plan_along(line, request, commanded) : plan_straight(line, commanded);
@@ -126,7 +133,8 @@ bool RobotMachine::plan(int line, Commanded& commanded) {
 bool RobotMachine::plan_straight(int line, Commanded& commanded) {
   lang::MoveCommand command = *commanded.move;
   if (settle_target(command) != Reply::Done) return false;
-  const motion::MotionRequest request = request_of(line, command);
+  motion::MotionRequest request = request_of(line, command);
+  if (commanded.live) request.live = commanded.live->means;
   if (command.kind == MotionKind::Line && planner_.swing(request) > kStraight)
     return plan_along(line, request, commanded);
   commanded.way = planner_.way(request);
@@ -164,6 +172,10 @@ bool RobotMachine::take(int line, const motion::PlanOutcome& outcome, Commanded&
   motion::SegmentDescriptor& segment = commanded.segment;
   segment.events = with_events.events;
   segment.on_the_way = with_events.on_the_way;
+  if (commanded.live) {
+    segment.live.value = commanded.live->pace.value;
+    segment.live.self = commanded.live->pace.self;
+  }
   commanded.leg = planned.leg;
   for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
   return true;

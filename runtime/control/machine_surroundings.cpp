@@ -5,26 +5,12 @@
 #include <fmt/format.h>
 
 #include "runtime/control/codes.h"
-#include "runtime/control/feature_words.h"
 #include "runtime/control/units.h"
 
-/// The part of RobotMachine that knows what lies around motions: WITH and IN, OVERRIDE, and PRESS,
-/// which no robot of this version has.
+/// The part of RobotMachine that knows what lies around motions: WITH and IN, OVERRIDE.
 namespace rob::runtime {
 
-using lang::MotionFeature;
 using lang::Reply;
-
-Reply RobotMachine::refuse(MotionFeature feature) {
-  refusal_ = words_for(feature, robot_);
-  return Reply::Refused;
-}
-
-Reply RobotMachine::press(int /*line*/, const lang::PressCommand& /*command*/) {
-  return refuse(MotionFeature::Press);
-}
-
-Reply RobotMachine::end_press(int /*line*/) { return refuse(MotionFeature::Press); }
 
 /// The mass is for robots whose drives are told what they carry.
 void RobotMachine::work_in(int /*line*/, const lang::Setting& setting) {

@@ -1,7 +1,6 @@
 #include <string>
 #include <utility>
 
-#include "runtime/control/feature_words.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
 
@@ -16,11 +15,15 @@ Reply RobotMachine::guard(int /*line*/, const lang::Watch& condition) {
   return Reply::Done;
 }
 
-/// `rob` refuses it by name when it loads a program (feature_words.h); nobody else should ask.
-Reply RobotMachine::live_pace(int /*line*/, const lang::Watch& /*pace*/,
-                              lang::MoveCommand::Pace /*means*/) {
-  refusal_ = *words_against(lang::MotionFeature::LivePace, robot_);
-  return Reply::Refused;
+/// A place of the ring is free again when its motion is done: no more can have been commanded.
+Reply RobotMachine::live_pace(int /*line*/, const lang::Watch& pace,
+                              lang::MoveCommand::Pace means) {
+  const auto most = static_cast<std::size_t>(robot_.most_ahead()) + 2;
+  if (paces_.size() < most) paces_.emplace_back(signals_, robot_);
+  ProgramWatch& place = paces_[next_pace_++ % most];
+  place.set(pace);
+  live_ = Live{place.pace(), pace_of(means)};
+  return Reply::Done;
 }
 
 /// The motion is made exact; its Rest tells how it ended.
@@ -155,6 +158,7 @@ std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
   place_.reset();
   on_the_way_.clear();
   via_.clear();
+  live_.reset();
   progress_.rests.pop();
   return error;
 }

@@ -150,12 +150,6 @@ Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseVal
           fmt::format("{} {}", robot.name, robot.kinematics->reach())};
 }
 
-Words words_for_no_sensor(const motion::RobotModel& robot) {
-  return {code::kNotPossible,
-          fmt::format("{} has no force sensor that this version can read", robot.name),
-          "a signal can tell of a contact, as in UNTIL DIN[1]"};
-}
-
 Words words_for_many_simulations() {
   return {code::kManySimulations,
           fmt::format("more than {} SIMULATEs wait for their time", SimulatedInputs::kMostWaiting),

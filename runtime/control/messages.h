@@ -25,8 +25,6 @@ Words words_for_condition(lang::ArithmeticError error);
 /// `shortfall`: by how much.
 Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose,
                             const motion::Shortfall& shortfall);
-/// A robot whose forces cannot be read here.
-Words words_for_no_sensor(const motion::RobotModel& robot);
 /// More SIMULATEs wait for their time than there is room for.
 Words words_for_many_simulations();
 /// HALT or ASK where nobody will ever answer.

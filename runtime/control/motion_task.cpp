@@ -17,6 +17,12 @@ constexpr double kMostShare = 2;  // of an override
 
 constexpr double kInstantTolerance = 1e-9;  // s: an instant on the period's border is in it
 
+motion::JointVector six(const motion::Wrench& wrench) noexcept {
+  motion::JointVector values(6);
+  values << wrench.force, wrench.torque;
+  return values;
+}
+
 }  // namespace
 
 MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenerator& generator,
@@ -30,9 +36,11 @@ MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenera
       scales_time_(robot.law == motion::Law::Paul),
       most_share_(scales_time_ ? 1 : kMostShare),
       override_share_(std::min(override_share, most_share_)),
+      gauge_(robot),
       simulated_(script, channels.panel),
       relief_(robot.reference_period),
-      retrace_(robot, recorded) {
+      retrace_(robot, recorded),
+      press_(robot) {
   if (override_share_ != 1) set_override(override_share_);
   program_.current.reference.q = robot.start;
 }
@@ -68,6 +76,7 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
 
   advance(number + 1);
   follow_way_back(motion::cycle_instant(number + 1, period_) - now_);
+  follow_press();
   lateness_ = lateness;
   channels_.references.push(active_->current.reference);
   collect_events();
@@ -91,6 +100,7 @@ void MotionTask::take_samples() noexcept {
     saturation_ = std::max(saturation_, sample.saturation);
     machine_inputs_ = sample.inputs;
     machine_analog_inputs_ = sample.analog_inputs;
+    gauge_.take(sample);
     if (sample.finding.verdict != FollowingFinding::Verdict::None) take_finding(sample);
   }
 }
@@ -102,8 +112,12 @@ void MotionTask::prepare(double now) noexcept {
 }
 
 void MotionTask::latch_inputs(double now) noexcept {
-  WorldImage image{machine_inputs_, outputs_, machine_analog_inputs_, analog_outputs_};
+  WorldImage image{machine_inputs_, outputs_, machine_analog_inputs_, analog_outputs_, {}};
+  if (const ServoSample* newest = sample_at(now))
+    image.wrench = gauge_.in_world(newest->measured.q);
   simulated_.latch(now, image);
+  wrench_ = image.wrench;
+  if (gauge_.feels() || simulated_.feels()) channels_.wrench.store(six(wrench_));
   channels_.inputs.store(image.inputs, std::memory_order_relaxed);
   channels_.analog_inputs.store(image.analog_inputs);
   channels_.simulations_done.store(simulated_.simulations_done(), std::memory_order_release);
@@ -145,16 +159,6 @@ void MotionTask::hold() noexcept {
   take_safe_values();
 }
 
-/// What TASKs have done in the cycle before.
-void MotionTask::take_immediate() noexcept {
-  Effect effect;
-  while (channels_.immediate.take(effect)) {
-    if (faulted_ || locked(effect)) continue;
-    act(effect, now_);
-    tell({.kind = MotionEvent::Kind::EffectDue, .time = now_, .tag = effect.tag, .effect = effect});
-  }
-}
-
 motion::CycleView MotionTask::view(double now) const noexcept {
   const motion::JointVector& reference = active_->current.reference.q;
   motion::CycleView view{now,
@@ -163,7 +167,8 @@ motion::CycleView MotionTask::view(double now) const noexcept {
                          channels_.inputs.load(std::memory_order_relaxed),
                          outputs_,
                          channels_.analog_inputs.load(),
-                         analog_outputs_};
+                         analog_outputs_,
+                         wrench_};
   if (const ServoSample* servo = sample_at(now)) {
     view.measured = servo->measured.q + servo->measured.qd * (now - servo->measured.time);
   }
@@ -182,7 +187,10 @@ const ServoSample* MotionTask::sample_at(double stamp) const noexcept {
 
 void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
   Snapshot snapshot{sample,      sample.reference.q, sample.reference.q,
-                    saturation_, lateness_,          path_share()};
+                    saturation_, lateness_,          path_share(),
+                    wrench_};
+  if (press_.active() && !handling() && !safe_ && !paused_)
+    snapshot.sample.state = motion::MotionState::Pressing;
   if (handling()) snapshot.sample.piece += kHandlerNumbers;
   saturation_ = 0;
   snapshot.drive.setZero();
@@ -264,6 +272,7 @@ void MotionTask::release(Track& track, MotionEvent event, double cycle_time) noe
       return hand_over_rest(track, event);
     case MotionEvent::Kind::Overrun:
     case MotionEvent::Kind::Fault:
+    case MotionEvent::Kind::PaceFailed:
       if (&track != active_) return;
       faulted_ = true;
       hold();
@@ -281,81 +290,6 @@ void MotionTask::release(Track& track, MotionEvent event, double cycle_time) noe
       break;
   }
   tell(event);
-}
-
-bool MotionTask::locked(const Effect& effect) const noexcept {
-  const std::uint64_t bit = std::uint64_t{1} << effect.channel;
-  switch (effect.kind) {
-    case Effect::Kind::Output:
-    case Effect::Kind::Pulse:
-      return (locked_ & bit) != 0;
-    case Effect::Kind::Analog:
-      return (analog_locked_ & bit) != 0;
-    default:
-      return false;
-  }
-}
-
-void MotionTask::lock(const Effect& effect) noexcept {
-  const std::uint64_t bit = std::uint64_t{1} << effect.channel;
-  (effect.kind == Effect::Kind::Analog ? analog_locked_ : locked_) |= bit;
-}
-
-void MotionTask::take_safe_values() noexcept {
-  if (safe_) return;
-  safe_ = true;
-  for (const Effect& effect : channels_.safe) {
-    if (locked(effect)) continue;  // a failed program has taken it already
-    act(effect, now_);
-    tell({.kind = MotionEvent::Kind::ActionDue, .time = now_, .tag = effect.tag, .effect = effect});
-  }
-}
-
-void MotionTask::act(const Effect& effect, double now) noexcept {
-  if (effect.safe) lock(effect);
-  switch (effect.kind) {
-    case Effect::Kind::Output:
-      pulses_.forget(effect.channel);
-      return switch_output(effect.channel, effect.value);
-    case Effect::Kind::Pulse:
-      pulses_.begin(effect, now);
-      return switch_output(effect.channel, true);
-    case Effect::Kind::Analog:
-      analog_outputs_[effect.channel] = motion::within_analog_range(effect.volts);
-      return channels_.analog_outputs.store(analog_outputs_);
-    case Effect::Kind::Simulate:
-      return simulate({WorldSignal::Kind::Input, effect.channel}, effect.value ? 1 : 0,
-                      now + effect.seconds);
-    case Effect::Kind::SimulateAnalog:
-      return simulate({WorldSignal::Kind::AnalogInput, effect.channel}, effect.volts,
-                      now + effect.seconds);
-    case Effect::Kind::Override:
-      return set_override(effect.share);
-    case Effect::Kind::SimulateGo:
-      return simulate({WorldSignal::Kind::Go, 0}, 1, now + effect.seconds);
-    case Effect::Kind::SimulateAnswer:
-      return simulate({WorldSignal::Kind::Answer, 0}, 0, now + effect.seconds, effect.id);
-    case Effect::Kind::Report:
-      channels_.reports.push({effect.id, false});  // there is room: RobotMachine has counted
-      return;
-    case Effect::Kind::Note:
-    case Effect::Kind::Arm:
-    case Effect::Kind::Disarm:
-      return;
-  }
-}
-
-/// What holds from now on is seen in this cycle already.
-void MotionTask::simulate(WorldSignal place, double value, double time,
-                          std::uint32_t answer) noexcept {
-  simulated_.schedule({place, value, answer}, time);  // RobotMachine has counted: there is room
-  latch_inputs(now_);
-}
-
-void MotionTask::switch_output(int channel, bool on) noexcept {
-  const std::uint64_t bit = std::uint64_t{1} << channel;
-  outputs_ = on ? outputs_ | bit : outputs_ & ~bit;
-  channels_.outputs.store(outputs_, std::memory_order_relaxed);
 }
 
 /// What the law cannot follow is the planner's affair, which has raised what comes from here on.
@@ -379,13 +313,6 @@ void MotionTask::relieve_drives() noexcept {
   relieved_ = true;
   using Cause = FollowingFinding::Cause;
   channels_.notices.push({now_, {FollowingFinding::Verdict::Warn, Cause::Saturated, -1, asked, 1}});
-}
-
-void MotionTask::end_pulses(double now) noexcept {
-  while (const Effect* over = pulses_.take_over(now)) {
-    switch_output(over->channel, false);
-    tell({.kind = MotionEvent::Kind::PulseOver, .time = now_, .tag = over->tag, .effect = *over});
-  }
 }
 
 void MotionTask::tell(const MotionEvent& event) noexcept {

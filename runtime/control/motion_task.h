@@ -6,11 +6,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "motion/force/press.h"
 #include "motion/generate/drive_relief.h"
 #include "motion/generate/retrace.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
+#include "runtime/control/force_gauge.h"
 #include "runtime/control/pulses.h"
 #include "runtime/control/simulated_inputs.h"
 
@@ -65,6 +67,10 @@ class MotionTask {
   void take_way_back() noexcept;
   bool pause_on_way_back(bool asked) noexcept;
   void follow_way_back(double time) noexcept;
+  // PRESS (motion_task_press.cpp)
+  void follow_press() noexcept;
+  PressDesk::State press_state() const noexcept;
+  void end_press() noexcept;
   bool handling() const noexcept { return active_ == &handlers_; }
   void publish(const motion::GeneratorSample& sample) noexcept;
   void collect_events() noexcept;
@@ -111,12 +117,15 @@ class MotionTask {
   bool safe_ = false;                 ///< take_safe_values() has been called
   std::uint64_t machine_inputs_ = 0;  ///< as the machine says
   motion::AnalogValues machine_analog_inputs_{};
+  ForceGauge gauge_;
+  motion::Wrench wrench_;  ///< of the present cycle, along the world
   SimulatedInputs simulated_;
   Pulses pulses_;
   bool finished_ = false;  ///< motion is over; pulses may still be under way
   double saturation_ = 0;
   motion::DriveRelief relief_;
   motion::Retrace retrace_;
+  motion::Press press_;
   bool relieved_ = false;  ///< once at least; it has been said
   bool warned_ = false;
   bool faulted_ = false;

@@ -18,7 +18,8 @@ bool stands(const motion::GeneratorSample& sample) noexcept {
 
 void MotionTask::take_way_back() noexcept {
   if (!channels_.way_back.asked.exchange(false)) return;
-  const bool may = !handling() && !safe_ && (retrace_.away() || stands(program_.current));
+  const bool may =
+      !handling() && !safe_ && !press_.active() && (retrace_.away() || stands(program_.current));
   if (may && retrace_.back(std::min(path_share(), 1.0))) return;
   tell({.kind = MotionEvent::Kind::NoWayBack, .time = now_});
   channels_.way_back.under_way.store(false, std::memory_order_release);

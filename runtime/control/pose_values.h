@@ -1,5 +1,7 @@
 #pragma once
 
+#include "lang/machine/reading.h"
+#include "lang/values/arithmetic.h"
 #include "lang/values/pose_math.h"
 #include "motion/space/pose.h"
 
@@ -18,6 +20,15 @@ inline motion::Pose to_motion(const lang::PoseValue& pose) {
   const auto& [place, turn] = pose;
   return {Eigen::Vector3d(place.x, place.y, place.z),
           Eigen::Quaterniond(turn.w, turn.i, turn.j, turn.k)};
+}
+
+/// What force, torque and WRENCH() read, N and Nm.
+inline void store_wrench(lang::Reading what, const Eigen::Vector3d& force,
+                         const Eigen::Vector3d& torque, lang::Slot* value) noexcept {
+  if (what != lang::Reading::Torque)
+    for (const double part : force) (value++)->real = part + 0.0;
+  if (what != lang::Reading::Force)
+    for (const double part : torque) (value++)->real = part + 0.0;
 }
 
 }  // namespace rob::runtime

@@ -1,5 +1,7 @@
 #include "runtime/control/program_watch.h"
 
+#include <limits>
+
 #include "lang/values/pose_slots.h"
 #include "runtime/control/pose_values.h"
 
@@ -26,8 +28,7 @@ class CycleWorld final : public lang::WatchedWorld {
     return asked.output ? view_.analog_outputs[channel] : view_.analog_inputs[channel];
   }
 
-  /// HERE and JOINTS() are what the axes are told to be, as everywhere. The robots that can be run
-  /// have no force sensor.
+  /// HERE and JOINTS() are what the axes are told to be, as everywhere.
   void read(lang::Reading what, lang::Slot* value) const noexcept override {
     switch (what) {
       case lang::Reading::Clock:
@@ -39,7 +40,7 @@ class CycleWorld final : public lang::WatchedWorld {
       case lang::Reading::Here:
         return lang::store(to_lang(robot_.kinematics->forward(view_.reference)), value);
       default:
-        for (int i = 0; i < lang::slots_of(what, 0); ++i) value[i].real = 0;
+        return store_wrench(what, view_.wrench.force, view_.wrench.torque, value);
     }
   }
 
@@ -51,15 +52,24 @@ class CycleWorld final : public lang::WatchedWorld {
 
 }  // namespace
 
+lang::WatchResult ProgramWatch::evaluate(const motion::CycleView& view) const noexcept {
+  return lang::evaluate(watch_, CycleWorld(signals_, robot_, view));
+}
+
 motion::WatchAnswer ProgramWatch::test(const void* self, const motion::CycleView& view) noexcept {
   const auto& watch = *static_cast<const ProgramWatch*>(self);
-  const lang::WatchResult result =
-      lang::evaluate(watch.watch_, CycleWorld(watch.signals_, watch.robot_, view));
+  const lang::WatchResult result = watch.evaluate(view);
   if (result.error != lang::ArithmeticError::None) {
     watch.error_ = result.error;
     return motion::WatchAnswer::Failed;
   }
   return result.value.integer != 0 ? motion::WatchAnswer::Yes : motion::WatchAnswer::No;
+}
+
+double ProgramWatch::value(const void* self, const motion::CycleView& view) noexcept {
+  const lang::WatchResult result = static_cast<const ProgramWatch*>(self)->evaluate(view);
+  const bool none = result.error != lang::ArithmeticError::None;
+  return none ? std::numeric_limits<double>::quiet_NaN() : result.value.real;
 }
 
 }  // namespace rob::runtime

@@ -9,8 +9,9 @@
 
 namespace rob::runtime {
 
-/// A condition of the program, as motion asks it: joins the language's code with the world of a
-/// control cycle. The program's thread sets it before motion hears of it; the tick alone asks it.
+/// A condition or a pace of the program, as motion asks it: joins the language's code with the
+/// world of a control cycle. The program's thread sets it before motion hears of it; the tick alone
+/// asks it.
 class ProgramWatch {
  public:
   /// `signals`: by the number that the language names. Both must outlive it.
@@ -23,11 +24,15 @@ class ProgramWatch {
   const lang::Place& written() const { return watch_.chunk->places[watch_.form.end - 1]; }
   /// Stays valid as long as this object.
   motion::Watch handle() const { return {&ProgramWatch::test, this}; }
+  /// The same of what computes a number.
+  motion::LivePace pace() const { return {&ProgramWatch::value, this}; }
   /// Why it could not be computed; to be read when the Rest that says so has been taken.
   lang::ArithmeticError error() const { return error_; }
 
  private:
   static motion::WatchAnswer test(const void* self, const motion::CycleView& view) noexcept;
+  static double value(const void* self, const motion::CycleView& view) noexcept;
+  lang::WatchResult evaluate(const motion::CycleView& view) const noexcept;
 
   const std::vector<lang::RobotSignature::Signal>& signals_;
   const motion::RobotModel& robot_;

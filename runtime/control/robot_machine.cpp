@@ -158,6 +158,7 @@ Reply RobotMachine::settle(int line) {
   place_.reset();
   on_the_way_.clear();
   via_.clear();
+  live_.reset();
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
   if (!settled()) return Reply::Later;

@@ -29,6 +29,7 @@ class BackgroundTasks;
 /// What the language knows of a robot, taken from its model.
 lang::RobotSignature signature_of(const motion::RobotModel& robot);
 
+motion::MotionRequest::Pace pace_of(lang::MoveCommand::Pace pace);
 /// The MotionRequest of a MOVE; the source line is its tag.
 motion::MotionRequest request_of(int line, const lang::MoveCommand& command);
 
@@ -196,6 +197,12 @@ class RobotMachine final : public lang::Machine {
     motion::Effect effect;
   };
 
+  /// AT LIVE.
+  struct Live {
+    motion::LivePace pace;
+    motion::MotionRequest::Pace means = motion::MotionRequest::Pace::Unspecified;
+  };
+
   /// A motion, a stop or a dwell as it was asked for, while the generator may not have begun it.
   struct Commanded {
     motion::SegmentDescriptor segment;
@@ -205,6 +212,7 @@ class RobotMachine final : public lang::Machine {
     lang::Setting setting{};                  ///< in which it was commanded
     std::vector<OnTheWay> events{};
     std::vector<lang::MoveCommand> via{};  ///< of MOVEC, MOVES
+    std::optional<Live> live{};
     std::shared_ptr<const motion::PlannedLeg> leg{};
     double way = 0;                                   ///< of the tool, m
     std::shared_ptr<const motion::ToolPath> along{};  ///< null: straight in the axes
@@ -223,10 +231,12 @@ class RobotMachine final : public lang::Machine {
 
   bool place_can_be_read() const;
   lang::Reply settle_target(lang::MoveCommand& command);
-  /// No simulated robot tells forces yet, and none moves at a pace computed on its way.
-  lang::Reply refuse_sensor();
   motion::JointVector near(const lang::MoveCommand& command) const;
-  lang::Reply refuse(lang::MotionFeature feature);
+  lang::Reply felt(lang::Reading what, lang::Slot* value);
+  // Forces (machine_force.cpp)
+  motion::Pose force_frame() const;
+  lang::Reply refuse(Words words);
+  bool moves_against_press(const Commanded& commanded);
   /// Whether the tool has been changed in a corner, so that its tip would jump there.
   bool tip_jumps() const;
   /// Then the target before is reached exactly; whether it had to be.
@@ -336,6 +346,9 @@ class RobotMachine final : public lang::Machine {
   // What the next motion does on its way, and the place whose action comes next.
   std::vector<OnTheWay> on_the_way_;
   std::vector<lang::MoveCommand> via_;  ///< points that the next motion goes through
+  std::optional<Live> live_;            ///< its pace
+  std::deque<ProgramWatch> paces_;      ///< a ring
+  std::size_t next_pace_ = 0;
   std::optional<lang::PathPlace> place_;
   std::optional<Path> path_;
   std::uint32_t sent_ = 0;     ///< number of the last segment in the buffer
@@ -372,6 +385,10 @@ class RobotMachine final : public lang::Machine {
   bool guarded_ = false;             ///< what is queued now ends early if until_ holds
   std::size_t safe_queued_ = 0;      ///< SAFE values that have been queued
   bool standing_ = false;            ///< the present WAIT for a condition has queued all it needs
+
+  bool lost_contact_ = false;
+  bool pressing_ = false;   ///< between PRESS and ENDPRESS
+  bool releasing_ = false;  ///< ENDPRESS has been asked for
 
   // At a prompt
   lang::RuntimeError stopped();

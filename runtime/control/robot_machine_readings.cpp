@@ -5,6 +5,7 @@
 #include "lang/values/pose_slots.h"
 #include "motion/plan/reach.h"
 #include "motion/space/cycle_instant.h"
+#include "runtime/control/force_words.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/pose_values.h"
 #include "runtime/control/robot_machine.h"
@@ -58,7 +59,7 @@ Reply RobotMachine::read(int /*line*/, Reading what, lang::Slot* value) {
 }
 
 Reply RobotMachine::present(Reading what, lang::Slot* value) {
-  if (needs_sensor(what)) return refuse_sensor();
+  if (needs_sensor(what)) return felt(what, value);
   const motion::JointVector q = is_observation(what)       ? channels_.joints.load()
                                 : what == Reading::HitPose ? hit_
                                                            : planner_.commanded();
@@ -78,16 +79,16 @@ Reply RobotMachine::present(Reading what, lang::Slot* value) {
   return Reply::Done;
 }
 
-Reply RobotMachine::refuse_sensor() {
-  refusal_ = words_for_no_sensor(robot_);
-  return Reply::Refused;
-}
-
-Reply RobotMachine::zero_force(int /*line*/) { return refuse_sensor(); }
-
-Reply RobotMachine::simulate_force(int /*line*/, int /*component*/, double /*value*/,
-                                   double /*after*/) {
-  return refuse_sensor();
+/// A sensor tells something with the first servo cycle.
+Reply RobotMachine::felt(Reading what, lang::Slot* value) {
+  constexpr std::int64_t kFirstCycles = 3;
+  const motion::JointVector wrench = channels_.wrench.load();
+  if (wrench.size() > 0) {
+    store_wrench(what, wrench.head<3>(), wrench.tail<3>(), value);
+    return Reply::Done;
+  }
+  if (channels_.cycle.load(std::memory_order_relaxed) < kFirstCycles) return Reply::Later;
+  return refuse(words_for_no_sensor(robot_));
 }
 
 lang::PoseValue RobotMachine::tool_at(const motion::JointVector& q) const {

@@ -176,6 +176,7 @@ void ServoTask::tell(const motion::FollowingFinding& finding) noexcept {
   sample.inputs = state_.inputs;
   sample.analog_inputs = state_.analog_inputs;
   sample.saturation = servo_->take_saturation();
+  sample.felt = {state_.wrench_time, state_.wrench};
   channels_.samples.push(sample);
 }
 

@@ -24,6 +24,7 @@ double value_of(const WorldSignal& signal, const WorldImage& image) noexcept {
       return image.analog_inputs[signal.channel];
     case Kind::AnalogOutput:
       return image.analog_outputs[signal.channel];
+    case Kind::Force:
     case Kind::Go:
     case Kind::Answer:
       break;  // they are set, never looked at
@@ -125,6 +126,10 @@ void SimulatedInputs::apply(const SimulatedSetting& setting) noexcept {
       analog_driven_[place.channel] = true;
       analog_inputs_[place.channel] = motion::within_analog_range(setting.value);
       return;
+    case Kind::Force:
+      force_driven_[place.channel] = true;
+      force_[place.channel] = setting.value;
+      return;
     case Kind::Go:
       if (setting.value != 0) panel_.go();
       return;
@@ -140,6 +145,11 @@ void SimulatedInputs::overlay(WorldImage& image) const noexcept {
   image.inputs = (image.inputs & ~driven_) | (inputs_ & driven_);
   for (std::size_t i = 0; i < analog_driven_.size(); ++i) {
     if (analog_driven_[i]) image.analog_inputs[i] = analog_inputs_[i];
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    if (force_driven_[i]) image.wrench.force[axis] = force_[i];
+    if (force_driven_[i + 3]) image.wrench.torque[axis] = force_[i + 3];
   }
 }
 

@@ -1,24 +1,27 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "motion/space/analog_channels.h"
+#include "motion/space/wrench.h"
 #include "runtime/control/operator_panel.h"
 
 namespace rob::runtime {
 
-/// What a signal script and SIMULATE look at and set. `channel` counts from 0.
+/// What a signal script and SIMULATE look at and set. `channel` counts from 0; of Force they are x,
+/// y, z of the force along the world, then of the torque.
 struct WorldSignal {
-  enum class Kind : std::uint8_t { Input, AnalogInput, Output, AnalogOutput, Go, Answer };
+  enum class Kind : std::uint8_t { Input, AnalogInput, Output, AnalogOutput, Force, Go, Answer };
 
   Kind kind = Kind::Input;
   std::uint8_t channel = 0;
 };
 
-/// A value for an input, V or 1 for ON; or what the operator does.
+/// A value for an input, V or 1 for ON, N or Nm; or what the operator does.
 struct SimulatedSetting {
   WorldSignal place;
   double value = 0;
@@ -43,6 +46,7 @@ struct WorldImage {
   std::uint64_t outputs = 0;
   motion::AnalogValues analog_inputs{};
   motion::AnalogValues analog_outputs{};
+  motion::Wrench wrench;  ///< along the world
 };
 
 /// Inputs that a script or SIMULATE drives, in place of the machine, from the first setting on.
@@ -64,6 +68,10 @@ class SimulatedInputs {
   bool schedule(const SimulatedSetting& setting, double time) noexcept;
   /// Settings of schedule() that hold by now.
   std::int64_t simulations_done() const noexcept { return done_; }
+  /// Whether a force is simulated.
+  bool feels() const noexcept {
+    return std::ranges::any_of(force_driven_, [](bool driven) { return driven; });
+  }
   /// Puts what is simulated into `image`, which holds what the machine says.
   void latch(double now, WorldImage& image) noexcept;
 
@@ -96,6 +104,8 @@ class SimulatedInputs {
   std::uint64_t inputs_ = 0;  ///< and their values
   std::array<bool, motion::kMostAnalog> analog_driven_{};
   motion::AnalogValues analog_inputs_{};
+  std::array<bool, 6> force_driven_{};
+  std::array<double, 6> force_{};
 };
 
 }  // namespace rob::runtime

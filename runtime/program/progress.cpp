@@ -26,6 +26,8 @@ const char* name_of(motion::MotionState state) {
       return "held";
     case motion::MotionState::Jogging:
       return "jogging";
+    case motion::MotionState::Pressing:
+      return "pressing";
     case motion::MotionState::Stopping:
       return "stopping";
   }

@@ -1,4 +1,5 @@
 #include "runtime/program/run_recorder.h"
+#include "runtime/control/force_words.h"
 
 #include <fmt/format.h>
 
@@ -113,6 +114,9 @@ void RunRecorder::take(const MotionEvent& event) {
       break;
     case MotionEvent::Kind::Fault:
       fail(event.time, "fault", words_for_not_finite(event.axis, robot_));
+      break;
+    case MotionEvent::Kind::PaceFailed:
+      fail(event.time, "fault", words_for_no_pace());
       break;
     case MotionEvent::Kind::Handling:
       begin_handler(event);

@@ -41,6 +41,7 @@ void TraceWriter::header() {
     for (int i = 1; i <= robot_.axis_count(); ++i) names += fmt::format(",{}{}", column, i);
   }
   names += ",x,y,z,a,b,c";
+  if (robot_.force_sensor) names += ",fx,fy,fz,tx,ty,tz";
   for (int i = 1; i <= robot_.axis_count(); ++i) names += fmt::format(",drive{}", i);
   put(names + "\n");
 }
@@ -58,6 +59,10 @@ void TraceWriter::write(const Snapshot& snapshot) {
   append(row_, snapshot.measured, robot_);
   for (const double value : shown_pose(robot_.kinematics->forward(sample.reference.q))) {
     append(row_, value);
+  }
+  if (robot_.force_sensor) {
+    for (const double force : snapshot.wrench.force) append(row_, force);
+    for (const double torque : snapshot.wrench.torque) append(row_, torque);
   }
   for (int i = 0; i < robot_.axis_count(); ++i) append(row_, snapshot.drive[i]);
   row_ += '\n';

@@ -1,4 +1,5 @@
 #include "runtime/prompt/live_reports.h"
+#include "runtime/control/force_words.h"
 
 #include <fmt/format.h>
 
@@ -63,6 +64,9 @@ void LiveReports::take(const MotionEvent& event) {
       return;
     case Kind::Fault:
       if (listener_.fault) listener_.fault(line, words_for_not_finite(event.axis, robot));
+      return;
+    case Kind::PaceFailed:
+      if (listener_.fault) listener_.fault(line, words_for_no_pace());
       return;
     default:
       return;

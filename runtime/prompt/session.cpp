@@ -62,6 +62,8 @@ const char* name_of(motion::MotionState state) {
       return "stopping";
     case motion::MotionState::Jogging:
       return "jogging";
+    case motion::MotionState::Pressing:
+      return "pressing";
     default:
       return "busy";
   }

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "lang/values/pose_slots.h"
-#include "runtime/control/latest_joints.h"
+#include "runtime/control/latest_values.h"
 #include "tests/support/stepped_run.h"
 
 using rob::lang::PoseValue;
@@ -90,7 +90,7 @@ TEST_CASE("the machine finds the axes of a pose, or says that there are none") {
 }
 
 TEST_CASE("a reader of the joints never gets parts of two instants") {
-  rob::runtime::LatestJoints latest;
+  rob::runtime::LatestValues latest;
   std::atomic<bool> over{false};
   latest.store(rob::motion::JointVector::Constant(8, 0));
   std::thread writer([&] {

@@ -9,10 +9,10 @@
 
 namespace rob::runtime {
 
-/// The axes' values of one instant, written by one thread every cycle and read by others whenever
-/// they want: a reader never gets half of one and half of another. store() never waits and may be
-/// used in the tick; load() repeats itself when it was disturbed.
-class LatestJoints {
+/// Values of one instant, of every axis or of a wrench, written by one thread every cycle and read
+/// by others whenever they want: a reader never gets half of one and half of another. store() never
+/// waits and may be used in the tick; load() repeats itself when it was disturbed.
+class LatestValues {
  public:
   void store(const motion::JointVector& q) noexcept {
     const std::uint32_t turn = turn_.load(std::memory_order_relaxed);

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace rob::motion {
+
+/// What is known of the contact that a force is kept on. SI.
+struct ContactData {
+  double stiffness = 0;     ///< N/m, the greatest that may be met
+  double delay = 0;         ///< s from what acts to what is told
+  double period = 0;        ///< s of a step
+  double acceleration = 0;  ///< m/s² that the motion along the axis may take
+};
+
+/// Motion along one axis that keeps the reaction of the world on it at a set-point:
+///
+///     v = −(Kp·e + Ki·∫e)      e = set-point − felt      Kp = 0.3/(k·T_d)      Ki = Kp/(8·T_d)
+///
+/// with T_d the sensor's delay and one period, k the stiffness: a phase margin of 50°, reached for
+/// any k between a third and one and a half of the true one. k is learned from what the first
+/// newtons take; until then it is the greatest. Where nothing is felt the axis moves on at the
+/// speed with which what is gone within T_d presses with no more than the set-point, and nothing is
+/// integrated.
+///
+/// Speed is limited to what was asked for, with the integral frozen meanwhile, and changes by no
+/// more than the acceleration. Every call may be used in the tick.
+class ConstantForce {
+ public:
+  explicit ConstantForce(const ContactData& contact) noexcept : contact_(contact) {}
+
+  /// From rest. N along the axis, not 0; m/s, above 0.
+  void begin(double force, double most_speed) noexcept;
+  /// One period on, in which `felt` is what the sensor tells, N along the axis.
+  void step(double felt) noexcept;
+  /// One period on towards standstill.
+  void brake() noexcept;
+
+  /// Since begin(), m, m/s, m/s² along the axis.
+  double way() const noexcept { return way_; }
+  double rate() const noexcept { return rate_; }
+  double acceleration() const noexcept { return acceleration_; }
+  /// N/m: learned, or the greatest.
+  double stiffness() const noexcept { return stiffness_; }
+  /// The force has been near the set-point for some time, at least once.
+  bool settled() const noexcept { return settled_; }
+
+ private:
+  void learn(double felt) noexcept;
+  void judge(double error) noexcept;
+  void go(double rate) noexcept;
+
+  /// Sums of a straight line through felt against way.
+  struct Line {
+    int count = 0;
+    double x = 0, y = 0, xx = 0, xy = 0;
+    double first = 0, last = 0;  ///< N
+  };
+
+  static constexpr std::size_t kKept = 64;  ///< of ways: a delay of 64 periods
+
+  const ContactData contact_;
+  double force_ = 0;
+  double most_ = 0;
+  double stiffness_ = 0;
+  double integral_ = 0;  ///< N·s
+  double way_ = 0;
+  double rate_ = 0;
+  double acceleration_ = 0;
+  std::array<double, kKept> ways_{};
+  std::size_t steps_ = 0;
+  Line line_;
+  bool learned_ = false;
+  double mean_error_ = 0;
+  double near_ = 0;  ///< s
+  bool settled_ = false;
+};
+
+}  // namespace rob::motion

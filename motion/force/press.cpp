@@ -1,0 +1,93 @@
+#include "motion/force/press.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rob::motion {
+
+namespace {
+
+/// N/m where the robot file says nothing. [choice] the stiffest of S4's cells, 150 N/mm
+constexpr double kStiffest = 150e3;
+
+/// m/s² along the axis. [choice] an arm of 0.4 m takes 70 deg/s² of its axes for it; half of what a
+/// linear axis has
+constexpr double kAcceleration = 0.5;
+
+/// s between the inverse solutions whose differences are speed and acceleration (VelocityMode).
+constexpr double kInstant = 0x1p-11;
+
+/// m, rad: the way ends so far before the end of an axis. [choice] four times what it brakes in
+constexpr double kMargin = 1e-4;
+
+ContactData contact_of(const RobotModel& robot) {
+  ContactData contact{robot.force.stiffness > 0 ? robot.force.stiffness : kStiffest,
+                      robot.force.delay, robot.reference_period, kAcceleration};
+  for (const Axis& axis : robot.axes) {
+    if (axis.kind != AxisKind::Linear) continue;
+    contact.acceleration = std::min(contact.acceleration, axis.a_max / 2);
+  }
+  return contact;
+}
+
+}  // namespace
+
+Press::Press(const RobotModel& robot)
+    : robot_(robot), force_(contact_of(robot)), offset_(JointVector::Zero(robot.axis_count())) {}
+
+void Press::begin(const PressOrder& order) noexcept {
+  order_ = order;
+  force_.begin(order.force, order.limit > 0 ? order.limit : PressOrder::kUsualLimit);
+  offset_.setZero();
+  active_ = true;
+  lost_ = false;
+}
+
+void Press::step(const Wrench& felt, bool braking) noexcept {
+  if (!lost_ && std::abs(force_.way()) > kReach) lost_ = true;
+  braking || lost_ ? force_.brake() : force_.step(felt.force.dot(order_.axis));
+}
+
+void Press::shift(JointReference& reference) noexcept {
+  const JointReference path = reference;
+  JointVector before;
+  JointVector after;
+  const bool possible = shifted(path, 0, path.q + offset_, reference.q) &&
+                        shifted(path, -kInstant, reference.q, before) &&
+                        shifted(path, kInstant, reference.q, after);
+  if (!possible) {  // it stays beside the path as it was
+    lost_ = true;
+    reference = path;
+    reference.q += offset_;
+    return;
+  }
+  if (!within_limits(path.q, reference.q)) lost_ = true;
+  offset_ = reference.q - path.q;
+  if (stands() && path.qd.isZero(0)) return;
+  reference.qd = (after - before) / (2 * kInstant);
+  reference.qdd = (after - reference.q * 2 + before) / (kInstant * kInstant);
+}
+
+/// The axes `time` later; false where the arm does not reach.
+bool Press::shifted(const JointReference& path, double time, const JointVector& near,
+                    JointVector& q) const noexcept {
+  const double half = time * time / 2;
+  Pose flange = robot_.kinematics->forward(path.q + path.qd * time + path.qdd * half);
+  flange.position +=
+      order_.axis * (force_.way() + force_.rate() * time + force_.acceleration() * half);
+  const auto found = robot_.kinematics->inverse(flange, near);
+  if (found) q = *found;
+  return found.has_value();
+}
+
+/// An axis that is brought nearer to its end than kMargin.
+bool Press::within_limits(const JointVector& path, const JointVector& q) const noexcept {
+  for (int i = 0; i < q.size(); ++i) {
+    const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
+    if (q[i] < path[i] && q[i] < axis.min + kMargin) return false;
+    if (q[i] > path[i] && q[i] > axis.max - kMargin) return false;
+  }
+  return true;
+}
+
+}  // namespace rob::motion

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "runtime/control/messages.h"
+
+/// What has to do with forces, in words for people.
+namespace rob::runtime {
+
+/// PRESS where nothing was met within its reach, m; or, `again`, where what was pressed on is gone.
+Words words_for_no_contact(double reach, bool again);
+/// A motion in a PRESS that moves along its axis.
+Words words_for_motion_against_press();
+/// PRESS with a force of nothing; PRESS in a handler.
+Words words_for_press_of_nothing();
+Words words_for_press_in_handler();
+/// SIMULATE of a force along what is no axis of the world.
+Words words_for_oblique_force();
+/// force or torque of a machine whose sensor has told nothing.
+Words words_for_no_sensor(const motion::RobotModel& robot);
+/// AT LIVE whose computation has no result.
+Words words_for_no_pace();
+
+}  // namespace rob::runtime

@@ -1,0 +1,116 @@
+#include <cmath>
+
+#include "lang/machine/move_pose.h"
+#include "runtime/control/force_gauge.h"
+#include "runtime/control/force_words.h"
+#include "runtime/control/messages.h"
+#include "runtime/control/pose_values.h"
+#include "runtime/control/robot_machine.h"
+
+/// The part of RobotMachine that has to do with forces: ZERO, PRESS, and what SIMULATE says of
+/// them.
+namespace rob::runtime {
+
+using lang::Reply;
+using State = PressDesk::State;
+
+namespace {
+
+/// m along the axis of a PRESS that its body may move. [choice] the force corrects it; with the
+/// stiffest contact of S4's cells, 150 N/mm, it is 15 N if it comes at once
+constexpr double kBeside = 1e-4;
+
+/// Of a frame that SIMULATE speaks in: 1 − the cosine by which its axes may be beside the world's.
+/// [choice] 0.08°
+constexpr double kAlongWorld = 1e-6;
+
+}  // namespace
+
+Reply RobotMachine::refuse(Words words) {
+  refusal_ = std::move(words);
+  return Reply::Refused;
+}
+
+/// The frame that IN has named, in the world; of the tool as it is commanded to stand.
+motion::Pose RobotMachine::force_frame() const {
+  return to_motion(setting_.in_tool ? tool_at(planner_.commanded()) : setting_.frame);
+}
+
+Reply RobotMachine::zero_force(int line) {
+  if (buffer_.effects_full()) return Reply::Later;
+  const Reply reply = dwell(line, ForceGauge::kZeroing);
+  if (reply != Reply::Done) return reply;
+  begun_ = false;
+  motion::Effect effect;
+  effect.tag = static_cast<motion::Tag>(line);
+  effect.kind = motion::Effect::Kind::ZeroForce;
+  return queue(effect);
+}
+
+Reply RobotMachine::simulate_force(int line, int component, double value, double after) {
+  if (!rested()) return Reply::Later;
+  const Eigen::Vector3d axis = force_frame().orientation * Eigen::Vector3d::Unit(component % 3);
+  Eigen::Index along = 0;
+  if (axis.cwiseAbs().maxCoeff(&along) < 1 - kAlongWorld) return refuse(words_for_oblique_force());
+  motion::Effect effect;
+  effect.kind = motion::Effect::Kind::SimulateForce;
+  effect.channel = static_cast<std::uint8_t>(along + (component < 3 ? 0 : 3));
+  effect.volts = axis[along] < 0 ? -value : value;
+  effect.seconds = after;
+  return queue_simulation(line, effect);
+}
+
+/// Done when the force has been reached.
+Reply RobotMachine::press(int line, const lang::PressCommand& command) {
+  PressDesk& desk = channels_.press;
+  if (!pressing_) {
+    if (errand_) return refuse(words_for_press_in_handler());
+    if (command.force == 0) return refuse(words_for_press_of_nothing());
+    if (const Reply reply = stop(line); reply != Reply::Done) return reply;
+    if (!settled()) return Reply::Later;
+    desk.order = {force_frame().orientation * Eigen::Vector3d::Unit(command.axis), command.force,
+                  command.limit};
+    desk.state.store(State::Seeking, std::memory_order_relaxed);
+    desk.asked.store(true, std::memory_order_release);
+    pressing_ = true;
+  }
+  if (interrupted()) return Reply::Later;
+  switch (desk.state.load(std::memory_order_acquire)) {
+    case State::Keeping:
+      return Reply::Done;
+    case State::Lost:
+      return refuse(words_for_no_contact(motion::Press::kReach, false));
+    default:
+      return Reply::Later;
+  }
+}
+
+/// The path goes on from where the axes have come to stand.
+Reply RobotMachine::end_press(int line) {
+  PressDesk& desk = channels_.press;
+  if (!releasing_) {
+    if (const Reply reply = stop(line); reply != Reply::Done) return reply;
+    if (!stands()) return Reply::Later;
+    lost_contact_ = desk.state.load(std::memory_order_acquire) == State::Lost;
+    desk.over.store(true, std::memory_order_release);
+    releasing_ = true;
+  }
+  if (desk.state.load(std::memory_order_acquire) != State::Off) return Reply::Later;
+  restart_from(channels_.joints.load());
+  pressing_ = releasing_ = false;
+  return lost_contact_ ? refuse(words_for_no_contact(motion::Press::kReach, true)) : Reply::Done;
+}
+
+bool RobotMachine::moves_against_press(const Commanded& commanded) {
+  if (!pressing_) return false;
+  const Eigen::Vector3d& axis = channels_.press.order.axis;
+  const Eigen::Vector3d from = planner_.tool_pose().position;
+  const Eigen::Vector3d to = target_of(*commanded.move).position;
+  bool against = std::abs((to - from).dot(axis)) > kBeside;
+  for (const lang::MoveCommand& via : commanded.via)
+    against = against || std::abs((target_of(via).position - from).dot(axis)) > kBeside;
+  if (against) refusal_ = words_for_motion_against_press();
+  return against;
+}
+
+}  // namespace rob::runtime
