@@ -40,6 +40,7 @@ class ConstantForce {
   double way() const noexcept { return way_; }
   double rate() const noexcept { return rate_; }
   double acceleration() const noexcept { return acceleration_; }
+  const ContactData& contact() const noexcept { return contact_; }
   /// N/m: learned, or the greatest.
   double stiffness() const noexcept { return stiffness_; }
   /// The force has been near the set-point for some time, at least once.

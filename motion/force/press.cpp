@@ -17,9 +17,6 @@ constexpr double kAcceleration = 0.5;
 /// s between the inverse solutions whose differences are speed and acceleration (VelocityMode).
 constexpr double kInstant = 0x1p-11;
 
-/// m, rad: the way ends so far before the end of an axis. [choice] four times what it brakes in
-constexpr double kMargin = 1e-4;
-
 ContactData contact_of(const RobotModel& robot) {
   ContactData contact{robot.force.stiffness > 0 ? robot.force.stiffness : kStiffest,
                       robot.force.delay, robot.reference_period, kAcceleration};
@@ -61,10 +58,13 @@ void Press::shift(JointReference& reference) noexcept {
     reference.q += offset_;
     return;
   }
-  if (!within_limits(path.q, reference.q)) lost_ = true;
+  const JointVector rates = (after - before) / (2 * kInstant);
+  const double stops_in =
+      std::abs(force_.rate()) / (2 * force_.contact().acceleration) + force_.contact().period;
+  if (!within_limits(path.q, reference.q + (rates - path.qd) * stops_in)) lost_ = true;
   offset_ = reference.q - path.q;
   if (stands() && path.qd.isZero(0)) return;
-  reference.qd = (after - before) / (2 * kInstant);
+  reference.qd = rates;
   reference.qdd = (after - reference.q * 2 + before) / (kInstant * kInstant);
 }
 
@@ -80,12 +80,12 @@ bool Press::shifted(const JointReference& path, double time, const JointVector& 
   return found.has_value();
 }
 
-/// An axis that is brought nearer to its end than kMargin.
+/// Whether no axis is brought beyond its end.
 bool Press::within_limits(const JointVector& path, const JointVector& q) const noexcept {
   for (int i = 0; i < q.size(); ++i) {
     const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
-    if (q[i] < path[i] && q[i] < axis.min + kMargin) return false;
-    if (q[i] > path[i] && q[i] > axis.max - kMargin) return false;
+    if (q[i] < path[i] && q[i] < axis.min) return false;
+    if (q[i] > path[i] && q[i] > axis.max) return false;
   }
   return true;
 }

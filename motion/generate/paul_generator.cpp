@@ -25,7 +25,7 @@ void PaulGenerator::set_override(double share) noexcept {
 
 /// Of the planned speed, as much as the LivePace of the motion leaves.
 double PaulGenerator::live_share() noexcept {
-  return on_path() ? std::min(1.0, live_rate(segment()) * segment().duration) : 1;
+  return segment().dwell ? 1 : std::min(1.0, live_rate(segment()) * segment().duration);
 }
 
 void PaulGenerator::aim_clock() noexcept {
@@ -107,6 +107,8 @@ void PaulGenerator::begin(const SegmentDescriptor& next, double instant) noexcep
   segment() = next;
   milestone_ = next.no_length ? end_ : zero_;
   passing_ = next.no_length ? next.number : before;
+  aim_clock();
+  if (from_rest_) clock_.jump();
 }
 
 /// From rest to rest in its own time.
@@ -135,6 +137,7 @@ void PaulGenerator::end_path() noexcept {
   const double t = on_path() ? sigma() : exit();
   segment().dwell = inserted_ = false;
   segment().profile = {};
+  segment().live = {};
   segment().t_acc = usual_t_acc_;
   segment().duration = t + usual_t_acc_;
   path_events_.drop();

@@ -1,0 +1,244 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests/support/felt_world.h"
+#include "tests/support/stepped_run.h"
+
+namespace rob::runtime {
+namespace {
+
+using motion::Pose;
+using motion::Wrench;
+
+const motion::RobotModel& arm() {
+  static const motion::RobotModel robot = [] {
+    motion::RobotModel made = motion::embedded_robot("lwa4p");
+    made.force.delay = 0.01;
+    return made;
+  }();
+  return robot;
+}
+
+/// Where the flange stands at the start of a run, m.
+Eigen::Vector3d start() { return arm().kinematics->forward(arm().start).position; }
+
+/// A run of the arm that feels a world.
+struct Felt {
+  test::SteppedRun run;
+  RunResult result;
+
+  Felt(const std::string& program, test::FeltWorld::Acts acts, int late = 0)
+      : run(program,
+            std::make_unique<test::FeltWorld>(test::simulated(arm()), arm().kinematics,
+                                              std::move(acts), late),
+            1, arm()) {}
+  const RunResult& go() { return result = run.run(); }
+  /// The code of the error that has ended the program; empty: none.
+  std::string failure() {
+    go();
+    if (result.error) return result.error->code;
+    return run.task.failure() ? run.task.failure()->code : "";
+  }
+};
+
+/// A table of 50 N/mm, `gap` m below the start.
+test::FeltWorld::Acts table(double gap, double stiffness = 50e3) {
+  return [top = start().z() - gap, stiffness](double, const Pose& flange) {
+    Wrench wrench;
+    wrench.force.z() = std::max(0.0, top - flange.position.z()) * stiffness;
+    return wrench;
+  };
+}
+
+test::FeltWorld::Acts always(const Eigen::Vector3d& force, const Eigen::Vector3d& torque) {
+  return [wrench = Wrench{force, torque}](double, const Pose&) { return wrench; };
+}
+
+/// The greatest leap of an axis' acceleration from row to row, by differences of the places.
+double roughest(const std::vector<Snapshot>& rows, double period) {
+  double greatest = 0;
+  for (std::size_t k = 2; k < rows.size(); ++k) {
+    const auto q = [&](std::size_t i) { return rows[i].sample.reference.q; };
+    greatest = std::max(
+        greatest, ((q(k) - q(k - 1) * 2 + q(k - 2)) / (period * period)).cwiseAbs().maxCoeff());
+  }
+  return greatest;
+}
+
+}  // namespace
+
+TEST_CASE("force and torque are the reaction on the tool, along the axes of the active frame") {
+  // The flange points down: its z is the world's −z. F turns the world by 90° about z.
+  Felt felt(
+      "FRAME f = POSE(0mm, 0mm, 0mm, 0deg, 0deg, 90deg)\n"
+      "PRINT force.x, \" \", force.y, \" \", force.z, \" \", torque.z\n"
+      "WITH IN TOOL DO\nPRINT ROUND(WRENCH().force.z/1N), \" \", ROUND(torque.z/0.1Nm)\nENDWITH\n"
+      "WITH IN f DO\nPRINT ROUND(force.x/1N), \" \", ROUND(force.y/1N)\nENDWITH\n",
+      always({1, 2, 3}, {0, 0, 0.5}));
+  const RunResult& result = felt.go();
+  REQUIRE(result.output.size() == 3);
+  CHECK(result.output[0] == "1N 2N 3N 0.5Nm");
+  CHECK(result.output[1] == "-3 -5");
+  CHECK(result.output[2] == "2 -1");
+}
+
+TEST_CASE("ZERO force takes what acts at rest for nothing, whatever way the tool turns later") {
+  Felt felt(
+      "ZERO force\nPRINT force.z\nMOVE JOINT 6 TO 90deg AT 100deg/s\nSTOP\nPRINT ROUND(force.x/1N),"
+      " \" \", ROUND(force.z/1N)\n",
+      [](double time, const Pose& flange) {
+        // The sensor's own bias turns with the flange; 4 N more act from 1 s on.
+        Wrench wrench;
+        wrench.force = flange.orientation * Eigen::Vector3d(3, 0, -7);
+        if (time > 1) wrench.force.z() += 4;
+        return wrench;
+      });
+  const RunResult& result = felt.go();
+  CHECK(result.output.at(0) == "0N");
+  CHECK(result.output.at(1) == "0 4");
+}
+
+TEST_CASE("ZERO force averages the noise of the last twentieth of a second") {
+  // ± 1 N from cycle to cycle: no single sample is 0.
+  Felt felt("ZERO force\nPRINT ABS(force.z) > 0.9N AND ABS(force.z) < 1.1N\n",
+            [up = false](double, const Pose&) mutable {
+              up = !up;
+              Wrench wrench;
+              wrench.force.z() = 20 + (up ? 1 : -1);
+              return wrench;
+            });
+  CHECK(felt.go().output.at(0) == "TRUE");
+}
+
+TEST_CASE("a motion ends by a force, and says where") {
+  Felt felt(
+      "MOVEL BY (0mm, 0mm, -25mm) AT 5mm/s UNTIL force.z > 3N ELSE RAISE \"no tube\"\n"
+      "PRINT HIT\nPRINT TARGET.z < HITPOSE.z\n",
+      table(10e-3));
+  const RunResult& result = felt.go();
+  CHECK(result.output.at(0) == "TRUE");
+  CHECK(result.output.at(1) == "TRUE");
+  // 3 N of 50 N/mm are 0.06 mm; a servo cycle, and a period until it is looked at: 6 ms at 5 mm/s.
+  double tripped = 0;
+  for (const Snapshot& row : felt.run.rows)
+    if (row.wrench.force.z() > 3 && tripped == 0)
+      tripped = arm().kinematics->forward(row.measured).position.z();
+  CHECK(start().z() - tripped > 10.06e-3);
+  CHECK(start().z() - tripped < 10.06e-3 + 0.006 * 5e-3 + 1e-5);
+}
+
+TEST_CASE("PRESS reaches its force before its body begins, keeps it, and the path goes on there") {
+  Felt felt(
+      "MOVEL BY (0mm, 0mm, -8mm) AT 20mm/s\n"
+      "PRESS Z 10N LIMIT 5mm/s DO\nPRINT ABS(force.z - 10N) < 1.5N\n"
+      "MOVE JOINT 6 TO 2rad AT 0.8rad/s\nENDPRESS\n"
+      "PRINT force.z > 8.5N\nMOVEL BY (0mm, 0mm, 30mm) AT 50mm/s\n",
+      [up = table(10e-3)](double time, const Pose& flange) {
+        Wrench wrench = up(time, flange);  // it sinks as S4's cap, from 4 s on
+        const double sunk = std::clamp(time - 4, 0.0, 1.0) * 0.4e-3 * 50e3;
+        wrench.force.z() = std::max(0.0, wrench.force.z() - sunk);
+        return wrench;
+      },
+      5);
+  const RunResult& result = felt.go();
+  CHECK(result.output.at(0) == "TRUE");
+  CHECK(result.output.at(1) == "TRUE");
+  bool turned = false;
+  for (const Snapshot& row : felt.run.rows) {
+    if (row.sample.state != motion::MotionState::Pressing) continue;
+    CHECK(row.wrench.force.z() < 20);
+    if (std::abs(row.sample.reference.q[5]) < 0.1 || row.sample.reference.q[5] > 1.9) continue;
+    turned = true;
+    CHECK(std::abs(row.wrench.force.z() - 10) < 1.5);
+  }
+  CHECK(turned);
+  // No axis is told to leap: 450 and 750 deg/s² are the arm's.
+  CHECK(roughest(felt.run.rows, arm().reference_period) < 750 * 3.15 / 180);
+  // 30 mm above where the force had led it.
+  const auto& rows = felt.run.rows;
+  double lowest = 1;
+  for (const Snapshot& row : rows)
+    lowest = std::min(lowest, arm().kinematics->forward(row.sample.reference.q).position.z());
+  const double last = arm().kinematics->forward(rows.back().sample.reference.q).position.z();
+  CHECK(last - lowest == doctest::Approx(30e-3).epsilon(0.01));
+}
+
+TEST_CASE("a PRESS that meets nothing is an error; so is a motion along its axis") {
+  Felt nothing(
+      "TRY\nPRESS Z 10N LIMIT 20mm/s DO\nMOVE JOINT 6 TO 1rad\nENDPRESS\nRESCUE why\n"
+      "PRINT why\nENDTRY\nMOVEL BY (0mm, 0mm, 10mm) AT 50mm/s\n",
+      always({0, 0, 0}, {0, 0, 0}));
+  const RunResult& result = nothing.go();
+  CHECK(result.output.at(0).starts_with("E570"));
+  const auto& rows = nothing.run.rows;
+  const double end = arm().kinematics->forward(rows.back().sample.reference.q).position.z();
+  CHECK(start().z() - end == doctest::Approx(0.04).epsilon(0.02));  // 50 mm down, 10 mm up
+
+  Felt along(
+      "MOVEL BY (0mm, 0mm, -9mm) AT 20mm/s\nPRESS Z 10N DO\n"
+      "MOVEL BY (1mm, 0mm, -1mm) AT 5mm/s\nENDPRESS\n",
+      table(10e-3));
+  CHECK(along.failure() == "E571");
+  Felt beside(
+      "MOVEL BY (0mm, 0mm, -9mm) AT 20mm/s\nPRESS Z 10N DO\n"
+      "SPIRAL FROM 4mm TURNS 2 AT 10mm/s\nENDPRESS\n",
+      table(10e-3));
+  CHECK(beside.failure() == "");
+}
+
+TEST_CASE("an error in a PRESS ends it, and what rescues starts from where the axes stand") {
+  Felt felt(
+      "MOVEL BY (0mm, 0mm, -9mm) AT 20mm/s\nTRY\nPRESS Z 10N DO\n"
+      "MOVE JOINT 6 TO 1rad AT 1rad/s UNTIL CLOCK > 3s\nRAISE \"jammed\"\nENDPRESS\n"
+      "RESCUE why\nPRINT why\nMOVEL BY (0mm, 0mm, 20mm) AT 50mm/s\nENDTRY\n",
+      table(10e-3));
+  const RunResult& result = felt.go();
+  CHECK(result.output.at(0) == "jammed");
+  const auto& rows = felt.run.rows;
+  const double end = arm().kinematics->forward(rows.back().sample.reference.q).position.z();
+  CHECK(start().z() - end == doctest::Approx(-10e-3 + 0.2e-3).epsilon(0.05));
+  CHECK(roughest(rows, arm().reference_period) < 750 * 3.15 / 180);
+}
+
+TEST_CASE("AT LIVE is the speed of the motion in every cycle, under both laws") {
+  for (const char* law : {"paul", "lookahead"}) {
+    CAPTURE(law);
+    // 10 mm/s until 9 s; 20 mm/s, which is all that x has, from 10 s on. From rest S1 takes 2·t_acc
+    // of the path's time, 5.5 s of the run's.
+    test::SteppedRun run(std::string("LAW ") + law +
+                         "\nMOVE(200,0,0) AT LIVE 10mm/s * (1 + MIN(1, MAX(0, CLOCK/1s - 9)))\n");
+    const RunResult result = run.run();
+    for (const Snapshot& row : run.rows) {
+      const double t = row.sample.reference.time;
+      const double v = row.sample.reference.qd[0];
+      if (t > 6 && t < 9) CHECK(v == doctest::Approx(10e-3).epsilon(1e-3));
+      if (t > 10.5 && t < 12) CHECK(v == doctest::Approx(20e-3).epsilon(1e-3));
+      CHECK(v < 20e-3 + 1e-9);
+      CHECK(std::abs(row.sample.reference.qdd[0]) < 0.1 + 1e-9);
+    }
+    CHECK(run.rows.back().sample.reference.q[0] == doctest::Approx(0.2));
+  }
+}
+
+TEST_CASE("AT LIVE of nothing stands until it is more; one without a value stops the robot") {
+  for (const char* law : {"paul", "lookahead"}) {
+    CAPTURE(law);
+    test::SteppedRun run(std::string("LAW ") + law +
+                         "\nMOVE(100,0,0) AT LIVE 20mm/s * MAX(0, ROUND(CLOCK/1s - 3))\n");
+    const RunResult result = run.run();
+    for (const Snapshot& row : run.rows)
+      if (row.sample.reference.time < 3.4) CHECK(row.sample.reference.q[0] < 1e-9);
+    CHECK(run.rows.back().sample.reference.q[0] == doctest::Approx(0.1));
+
+    test::SteppedRun none(std::string("LAW ") + law +
+                          "\nMOVE(100,0,0) AT LIVE 20mm/s / MAX(0, 2 - CLOCK/1s)\n");
+    const RunResult failed = none.run();
+    REQUIRE(failed.error.has_value());
+    CHECK(failed.error->code == "E513");
+    CHECK(none.rows.back().sample.reference.qd.isZero(1e-9));
+    CHECK(none.rows.back().sample.reference.q[0] < 0.1);
+  }
+}
+
+}  // namespace rob::runtime
