@@ -165,12 +165,13 @@ double PathPlanner::share_for_bends(const ShapedLeg& leg) const {
                   bend_share(robot_, second, third, window_));
 }
 
-/// It has no bends, which have a share of the jerk else, and needs no longer mean for its corners.
+/// It needs no longer mean for its corners; straight, it has no bends, which have a share of the
+/// jerk else.
 void PathPlanner::stand_alone(ShapedLeg& leg) {
   const LegAlone made = alone(robot_, leg);
   leg.acceleration *= made.share;
-  window_ = made.average;
-  alone_ = true;
+  window_ = made.pauses ? made.average : window_ * made.share;
+  alone_ = leg.motion.path == nullptr;
   pauses_ = made.pauses;
 }
 
@@ -182,12 +183,11 @@ bool PathPlanner::all_here() const {
 
 /// Whether it is known already that a run begins and ends with this leg.
 bool PathPlanner::stands_behind(const ShapedLeg& leg) const {
-  if (leg.motion.path != nullptr) return false;
   if (leg.segment.guard.present()) return true;
   if (pending_.empty()) return all_here();
   const SegmentDescriptor& next = pending_.front();
   if (!moves(next) || next.from_rest) return true;
-  if (!has_way(next)) return false;
+  if (!has_way(next) || leg.motion.path != nullptr) return false;
   return !corner(leg, shaped_leg(robot_, next, leg.end()), true);
 }
 

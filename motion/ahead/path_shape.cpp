@@ -220,7 +220,8 @@ LegAlone alone(const RobotModel& robot, const ShapedLeg& leg) {
   const PathPoint begin = leg.at(0);
   const double control = greatest_control(leg, begin);
   const double speed = greatest_rate(robot, leg, begin);
-  if (robot.mechanics) return alone_without_pause(leg, control, speed);
+  if (robot.mechanics || leg.motion.path != nullptr)
+    return alone_without_pause(leg, control, speed);
   const double way = leg.length();
   const LegBounds& bounds = leg.segment.ahead;
   LegAlone made;

@@ -41,12 +41,12 @@ double greatest_control(const ShapedLeg& leg, const PathPoint& place);
 /// The greatest u with which all axes can take on u times `turn`: min A_i/|turn_i|.
 double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn);
 
-/// A straight leg from rest to rest with nothing before and behind, in the least time: that of a
+/// A leg from rest to rest with nothing before and behind, in the least time: that of a
 /// third-order profile. The mean takes A/J, for the guide pauses (Guide).
 ///
 /// What an arm's drives are asked for by its mechanics is known only when they cannot give it: such
 /// a robot has to be able to slow down at once (DriveRelief). It does not pause, and its mean takes
-/// 2A/J.
+/// 2A/J; so does that of a leg along a path of the tool, which bends.
 struct LegAlone {
   double share = 1;    ///< of the leg's accelerations
   double average = 0;  ///< s of the mean

@@ -33,9 +33,14 @@ Press::Press(const RobotModel& robot)
     : robot_(robot), force_(contact_of(robot)), offset_(JointVector::Zero(robot.axis_count())) {}
 
 void Press::begin(const PressOrder& order) noexcept {
+  if (active_) {
+    base_ += order_.axis * force_.way();
+  } else {
+    base_.setZero();
+    offset_.setZero();
+  }
   order_ = order;
   force_.begin(order.force, order.limit > 0 ? order.limit : PressOrder::kUsualLimit);
-  offset_.setZero();
   active_ = true;
   lost_ = false;
 }
@@ -74,7 +79,7 @@ bool Press::shifted(const JointReference& path, double time, const JointVector& 
   const double half = time * time / 2;
   Pose flange = robot_.kinematics->forward(path.q + path.qd * time + path.qdd * half);
   flange.position +=
-      order_.axis * (force_.way() + force_.rate() * time + force_.acceleration() * half);
+      base_ + order_.axis * (force_.way() + force_.rate() * time + force_.acceleration() * half);
   const auto found = robot_.kinematics->inverse(flange, near);
   if (found) q = *found;
   return found.has_value();

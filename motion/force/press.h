@@ -32,6 +32,7 @@ class Press {
 
   explicit Press(const RobotModel& robot);
 
+  /// From where it stands, if it is active already.
   void begin(const PressOrder& order) noexcept;
   /// One period on. `braking`: towards standstill, nothing is regulated.
   void step(const Wrench& felt, bool braking) noexcept;
@@ -53,6 +54,7 @@ class Press {
   const RobotModel& robot_;
   ConstantForce force_;
   PressOrder order_;
+  Eigen::Vector3d base_ = Eigen::Vector3d::Zero();  ///< m: where way begins, beside the path
   JointVector offset_;  ///< of the last reference from its path, m or rad
   bool active_ = false;
   bool lost_ = false;

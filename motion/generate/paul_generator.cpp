@@ -29,9 +29,17 @@ double PaulGenerator::live_share() noexcept {
 }
 
 void PaulGenerator::aim_clock() noexcept {
+  if (braking()) brake_harder();
   const double live = live_share();
   clock_.set_override(override_share() * live);
   stopping() || live == 0 ? clock_.hold() : clock_.resume();
+}
+
+/// What ends early, and began at rest, is slowed down as its own speeds permit: slow ones far
+/// sooner than the greatest of the robot, which a hold may find anywhere.
+void PaulGenerator::brake_harder() noexcept {
+  if (!from_rest_ || !on_path() || inserted_ || segment().profile.present()) return;
+  if (clock_.steady()) clock_.set_limits(time_scale_limits(segment().reserve, tightest_));
 }
 
 /// At the very beginning of a motion from rest, or at the end of a stop.
@@ -91,6 +99,7 @@ void PaulGenerator::begin(const SegmentDescriptor& next, double instant) noexcep
   const std::uint32_t before = segment().number;
   const double t_acc = segment().t_acc;
   inserted_ = false;
+  if (clock_.steady()) clock_.set_limits(time_scale_limits(reserve_, tightest_));
   if (next.profile.present()) return begin_profile(next, now);
   from_rest_ = !running() || segment().ends_at_rest();
   const JointVector b = segment().target;

@@ -64,6 +64,7 @@ class PaulGenerator final : public SegmentGenerator {
   void adapt_clock() noexcept;
   double path_instant(double instant) const noexcept;
   double live_share() noexcept;
+  void brake_harder() noexcept;
   void begin_profile(const SegmentDescriptor& next, double instant) noexcept;
   void begin_stop() noexcept;
   bool may_jump() const noexcept;

@@ -137,6 +137,8 @@ class SegmentGenerator : public TrajectoryGenerator {
   bool on_path() const noexcept { return running_ && !segment_.dwell && !segment_.jog.present(); }
   /// The axes shall come to rest on the path, and stand there.
   bool stopping() const noexcept { return holding() || braking_; }
+  /// It ends there.
+  bool braking() const noexcept { return braking_; }
   double override_share() const noexcept { return override_; }
   /// 1/s of a motion's own duration: its LivePace, in this cycle; infinite without one. A pace that
   /// cannot be computed is a fault.

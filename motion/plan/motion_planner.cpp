@@ -70,6 +70,7 @@ PlanOutcome MotionPlanner::take_timed(const MotionRequest& request, Draft draft)
   const JointVector from = commanded_;
   SegmentDescriptor& segment = planned.segment;
   segment.live.unit_time = live_unit_time(robot_, draft.demand, request);
+  segment.reserve = axis_reserve(robot_, draft.demand.rates / segment.duration);
   commit(request.tag, segment);
   before_ = {{segment.path, from, segment.target, segment.duration}, draft.leg, tool_};
   if (request.zone == MotionRequest::Zone::Length) before_.zone = request.zone_value;

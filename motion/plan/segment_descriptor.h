@@ -11,6 +11,7 @@
 #include "motion/plan/motion_request.h"
 #include "motion/plan/profile.h"
 #include "motion/plan/watch.h"
+#include "motion/robots/time_scaling.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::motion {
@@ -85,6 +86,7 @@ struct SegmentDescriptor {
   const JointPath* path = nullptr;
   const Corner* corner = nullptr;  ///< out of the motion before; null: S1's in the axes
   bool from_rest = false;          ///< the target before is reached exactly: no corner leads here
+  AxisReserve reserve{};           ///< under Paul's law: beyond its own speeds
   ProfileLaw profile{};            ///< from rest to rest; `duration` is its own
   LegBounds ahead{};               ///< under the look-ahead law, whose times come with its path
 

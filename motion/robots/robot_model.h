@@ -81,6 +81,7 @@ struct SimulatedDeviation {
 struct ForceSensorData {
   double delay = 0;      ///< s from what acts to what is told
   double limit = 0;      ///< N: a force that ends the run; 0: none
+  double noise = 0;      ///< N, by which what it tells at rest varies; 0: not known
   double stiffness = 0;  ///< N/m: the greatest that the tool meets, the arm's own included
 };
 

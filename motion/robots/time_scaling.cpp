@@ -43,11 +43,19 @@ TimeScaleLimits time_scale_limits(const RobotModel& robot) {
 }
 
 AxisReserve axis_reserve(const RobotModel& robot) {
+  JointVector speeds(robot.axis_count());
+  for (int i = 0; i < robot.axis_count(); ++i)
+    speeds[i] = robot.axes[static_cast<std::size_t>(i)].v_max;
+  return axis_reserve(robot, speeds);
+}
+
+AxisReserve axis_reserve(const RobotModel& robot, const JointVector& speeds) noexcept {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   AxisReserve reserve{kInfinity, kInfinity};
-  for (const Axis& axis : robot.axes) {
-    reserve.acceleration = std::min(reserve.acceleration, axis.a_max / axis.v_max);
-    reserve.jerk = std::min(reserve.jerk, axis.j_max / axis.v_max);
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    reserve.acceleration = std::min(reserve.acceleration, axis.a_max / speeds[i]);
+    reserve.jerk = std::min(reserve.jerk, axis.j_max / speeds[i]);
   }
   return reserve;
 }

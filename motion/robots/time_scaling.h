@@ -17,6 +17,8 @@ struct AxisReserve {
   double jerk = 0;          ///< j_max/v_max, 1/s²
 };
 AxisReserve axis_reserve(const RobotModel& robot);
+/// The same beyond these speeds, m/s, rad/s.
+AxisReserve axis_reserve(const RobotModel& robot, const JointVector& speeds) noexcept;
 
 /// Where corners take 2·t_acc or longer. Not positive where they alone use up an axis' acceleration
 /// or jerk. May be used in the tick.

@@ -16,15 +16,17 @@ struct FollowingFinding {
   enum class Cause : std::uint8_t {
     None,
     FollowingError,  ///< value: |q0 − q|; limit: the stop limit, also for a warning
-    Frozen,     ///< value: way of the reference from q without a count; limit: the most allowed
-    Jump,       ///< value: |Δq| since the last measurement; limit: what the axis can do
-    NotFinite,  ///< a reference or a measurement is NaN or infinite
-    Silent,     ///< value: cycles without an answer; limit: so many are too many
-    Alarm,      ///< the machine itself has stopped
-    Lost,       ///< the backend is gone
-    Saturated,  ///< value: κ; limit: 1. The path is slowed down. Its task says so
-    Noisy,      ///< value: share of what goes over its wire that is repeated. Its task says so
-    Overrun     ///< value: s without a servo cycle; limit: so long is too long. Its task says so
+    Frozen,      ///< value: way of the reference from q without a count; limit: the most allowed
+    Jump,        ///< value: |Δq| since the last measurement; limit: what the axis can do
+    NotFinite,   ///< a reference or a measurement is NaN or infinite
+    Silent,      ///< value: cycles without an answer; limit: so many are too many
+    Alarm,       ///< the machine itself has stopped
+    Lost,        ///< the backend is gone
+    Saturated,   ///< value: κ; limit: 1. The path is slowed down. Its task says so
+    Noisy,       ///< value: share of what goes over its wire that is repeated. Its task says so
+    Force,       ///< axis: 0, 1, 2 for x, y, z of the world; value, limit: N. Its task says so
+    Insensible,  ///< value: s since the force sensor has told anything new. Its task says so
+    Overrun      ///< value: s without a servo cycle; limit: so long is too long. Its task says so
   };
 
   Verdict verdict = Verdict::None;

@@ -6,10 +6,21 @@ namespace rob::runtime {
 
 void ForceGauge::take(const ServoSample& sample) noexcept {
   if (sample.felt.time == 0) return;
+  const motion::Wrench& before = kept_[(taken_ - 1) % kKept].wrench;
+  const motion::Wrench& now = sample.felt.wrench;
+  if (taken_ == 0 || now.force != before.force || now.torque != before.torque)
+    changed_ = sample.felt.time;
   kept_[taken_++ % kKept] = sample.felt;
 }
 
+double ForceGauge::insensible_for(double now) const noexcept {
+  if (taken_ == 0) return 0;
+  const double told = kept_[(taken_ - 1) % kKept].time + robot_.force.delay;
+  return now - (robot_.force.noise > 0 ? std::min(told, changed_ + robot_.force.delay) : told);
+}
+
 void ForceGauge::zero() noexcept {
+  zeroed_ = true;
   const std::size_t kept = std::min(taken_, kKept);
   motion::Wrench sum;
   std::size_t count = 0;

@@ -24,6 +24,11 @@ class ForceGauge {
   /// The newest that the servo has told.
   void take(const ServoSample& sample) noexcept;
   bool feels() const noexcept { return taken_ > 0; }
+  /// Somebody counts on it.
+  bool zeroed() const noexcept { return zeroed_; }
+  /// s for which the sensor has told nothing new: nothing at all, or, where its noise is known, the
+  /// same number to the last bit.
+  double insensible_for(double now) const noexcept;
   /// Axes at rest: what is told by now is nothing.
   void zero() noexcept;
   /// N, Nm about the flange; `axes`: where they were measured at the same instant.
@@ -36,6 +41,8 @@ class ForceGauge {
   const motion::RobotModel& robot_;
   std::array<ServoSample::Felt, kKept> kept_{};
   std::size_t taken_ = 0;
+  double changed_ = 0;  ///< s: when what it tells changed last
+  bool zeroed_ = false;
   motion::Wrench zero_;  ///< along the axes of the flange, as kept_
 };
 

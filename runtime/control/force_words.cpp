@@ -50,4 +50,17 @@ Words words_for_no_pace() {
           "MAX(0.1, 1 - ABS(torque.z)/1Nm)"};
 }
 
+Words words_for_force(const motion::FollowingFinding& finding, const motion::RobotModel& robot) {
+  if (finding.cause == motion::FollowingFinding::Cause::Insensible)
+    return {code::kInsensible,
+            fmt::format("the force sensor of {} has told nothing new for {:.2f} s", robot.name,
+                        finding.value),
+            "check its cable; the robot has stopped, and what it was doing has not succeeded"};
+  return {code::kForceLimit,
+          fmt::format("the tool feels {:.0f} N along {} of the world; {:.0f} N are permitted",
+                      finding.value, "xyz"[finding.axis], finding.limit),
+          "the robot has stopped and backed off; look what the tool met, or guard the motion: "
+          "UNTIL ABS(force.z) > 20N"};
+}
+
 }  // namespace rob::runtime

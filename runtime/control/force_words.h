@@ -19,4 +19,7 @@ Words words_for_no_sensor(const motion::RobotModel& robot);
 /// AT LIVE whose computation has no result.
 Words words_for_no_pace();
 
+/// A force that is too great, or a sensor that has stopped telling.
+Words words_for_force(const motion::FollowingFinding& finding, const motion::RobotModel& robot);
+
 }  // namespace rob::runtime

@@ -1,5 +1,6 @@
 #include "runtime/control/messages.h"
 #include "runtime/control/codes.h"
+#include "runtime/control/force_words.h"
 
 #include <cmath>
 
@@ -172,6 +173,9 @@ Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot
                         finding.value),
             "lower the speed, raise t_acc or lighten the load"};
   }
+  if (finding.cause == FollowingFinding::Cause::Force ||
+      finding.cause == FollowingFinding::Cause::Insensible)
+    return words_for_force(finding, robot);
   if (finding.axis < 0) return words_of_machine(finding.cause, trouble);
   const motion::Axis& axis = axis_of(robot, finding.axis);
   const std::string value = shown(finding.value, axis.kind);

@@ -32,6 +32,7 @@ MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenera
     : channels_(channels),
       program_{generator, channels.program},
       handlers_{handlers, channels.handler},
+      robot_(robot),
       period_(robot.reference_period),
       scales_time_(robot.law == motion::Law::Paul),
       most_share_(scales_time_ ? 1 : kMostShare),
@@ -50,6 +51,7 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   take_samples();
   relieve_drives();
   latch_inputs(now_);
+  supervise_force();
   take_requests();
   take_after_handler();
   take_immediate();
@@ -64,7 +66,7 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   if (!retrace_.away()) retrace_.add(active_->current.reference.q);
   release_events(now_);
   end_pulses(now_);
-  if (finished_ && !pulses_.any() && !retrace_.moving())
+  if (finished_ && !pulses_.any() && !retrace_.moving() && backing_off_ == BackOff::None)
     over_.store(true, std::memory_order_release);
   channels_.cycle.store(number, std::memory_order_relaxed);
   channels_.joints.store(active_->current.reference.q);
@@ -101,7 +103,8 @@ void MotionTask::take_samples() noexcept {
     machine_inputs_ = sample.inputs;
     machine_analog_inputs_ = sample.analog_inputs;
     gauge_.take(sample);
-    if (sample.finding.verdict != FollowingFinding::Verdict::None) take_finding(sample);
+    if (sample.finding.verdict != FollowingFinding::Verdict::None)
+      take_finding(sample.time, sample.finding);
   }
 }
 
@@ -123,10 +126,10 @@ void MotionTask::latch_inputs(double now) noexcept {
   channels_.simulations_done.store(simulated_.simulations_done(), std::memory_order_release);
 }
 
-void MotionTask::take_finding(const ServoSample& sample) noexcept {
-  const bool stop = sample.finding.verdict == FollowingFinding::Verdict::Stop;
+void MotionTask::take_finding(double time, const FollowingFinding& finding) noexcept {
+  const bool stop = finding.verdict == FollowingFinding::Verdict::Stop;
   if (faulted_ || (warned_ && !stop)) return;
-  channels_.notices.push({sample.time, sample.finding});
+  channels_.notices.push({time, finding});
   warned_ = true;
   if (!stop) return;
   faulted_ = true;

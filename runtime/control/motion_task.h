@@ -54,7 +54,7 @@ class MotionTask {
   void advance(std::int64_t number) noexcept;
   void take_samples() noexcept;
   void latch_inputs(double now) noexcept;
-  void take_finding(const ServoSample& sample) noexcept;
+  void take_finding(double time, const motion::FollowingFinding& finding) noexcept;
   void take_requests() noexcept;
   void pause(bool asked) noexcept;
   motion::CycleView view(double now) const noexcept;
@@ -70,6 +70,10 @@ class MotionTask {
   // PRESS (motion_task_press.cpp)
   void follow_press() noexcept;
   PressDesk::State press_state() const noexcept;
+  void supervise_force() noexcept;
+  void supervise_sensor() noexcept;
+  void back_off() noexcept;
+  void begin_retreat() noexcept;
   void end_press() noexcept;
   bool handling() const noexcept { return active_ == &handlers_; }
   void publish(const motion::GeneratorSample& sample) noexcept;
@@ -102,6 +106,7 @@ class MotionTask {
   Track program_;
   Track handlers_;
   Track* active_ = &program_;  ///< the one that has the axes
+  const motion::RobotModel& robot_;
   double period_;
   bool scales_time_;       ///< the rate of a sample is that of the path's time
   double most_share_;      ///< of an override that the law can follow
@@ -126,6 +131,12 @@ class MotionTask {
   motion::DriveRelief relief_;
   motion::Retrace retrace_;
   motion::Press press_;
+  int beyond_ = 0;         ///< cycles in which the force has been beyond the robot's limit
+  bool yielding_ = false;  ///< the program has braked meanwhile
+  /// From a force beyond the robot's limit.
+  enum class BackOff : std::uint8_t { None, Braking, Retreating, Ending };
+  BackOff backing_off_ = BackOff::None;
+  double retreats_until_ = 0;
   bool relieved_ = false;  ///< once at least; it has been said
   bool warned_ = false;
   bool faulted_ = false;
