@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "motion/robots/time_scaling.h"
 #include "tests/support/no_allocation.h"
@@ -118,4 +120,38 @@ TEST_CASE("the control cycle takes no memory while it looks at a condition") {
   rob::test::NoAllocation guard;
   for (int k = 0; k < 300; ++k) run.controller.motion().cycle(k, 0);
   CHECK(guard.count() == 0);
+}
+
+TEST_CASE("a slow motion that ends early stands as soon as its own speed permits") {
+  // x at 1 mm/s, with 100 mm/s² and 1000 mm/s³. S1 leaves of them, with t_acc = 2.75 s,
+  //   r' <= A/v − 1.5/t = 99.5 /s     r'' <= J/v − 3/t² − 4.5·r'/t = 837 /s²
+  // so r is at 0 after 2/√r'' = 69 ms; under the look-ahead law a ramp of 2·√(v/J) = 63 ms, and as
+  // long a mean in whole periods.
+  struct {
+    const char* law;
+    double most;
+  } const cases[] = {{"paul", 0.0692}, {"lookahead", 0.0633 + 0.02}};
+  for (const auto& one : cases) {
+    CAPTURE(one.law);
+    SteppedRun run(std::string("LAW ") + one.law +
+                   "\nMOVE(100,0,0) AT 1mm/s UNTIL CLOCK > 8s\nMOVE(200,0,0)\n");
+    const RunResult result = run.run();
+    double first = 0;
+    double last = 0;
+    double before = 0;
+    for (const auto& row : run.rows) {
+      const double t = row.sample.reference.time;
+      CHECK(std::abs(row.sample.reference.qdd[0]) <= 0.1 + 1e-9);
+      CHECK(std::abs(row.sample.reference.qdd[0] - before) <=
+            1.0 * run.robot.reference_period + 1e-9);
+      before = row.sample.reference.qdd[0];
+      if (row.sample.state != rob::motion::MotionState::Stopping) continue;
+      if (first == 0) first = t;
+      last = t;
+    }
+    CHECK(first == doctest::Approx(8.02).epsilon(0.002));
+    CHECK(last - first <= one.most);
+    CHECK(line(result, 3).ended == "reached");
+    CHECK(run.rows.back().sample.reference.q[0] == doctest::Approx(0.2));
+  }
 }
