@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "lang/machine/move_pose.h"
 #include "runtime/control/force_gauge.h"
@@ -19,6 +20,9 @@ namespace {
 /// m along the axis of a PRESS that its body may move. [choice] the force corrects it; with the
 /// stiffest contact of S4's cells, 150 N/mm, it is 15 N if it comes at once
 constexpr double kBeside = 1e-4;
+
+/// m/s along it that a JOG in it may have. [choice] rounding
+constexpr double kStill = 1e-9;
 
 /// Of a frame that SIMULATE speaks in: 1 − the cosine by which its axes may be beside the world's.
 /// [choice] 0.08°
@@ -63,7 +67,7 @@ Reply RobotMachine::simulate_force(int line, int component, double value, double
 /// Done when the force has been reached.
 Reply RobotMachine::press(int line, const lang::PressCommand& command) {
   PressDesk& desk = channels_.press;
-  if (!pressing_) {
+  if (pressing_ == Pressing::No) {
     if (errand_) return refuse(words_for_press_in_handler());
     if (command.force == 0) return refuse(words_for_press_of_nothing());
     if (const Reply reply = stop(line); reply != Reply::Done) return reply;
@@ -72,37 +76,50 @@ Reply RobotMachine::press(int line, const lang::PressCommand& command) {
                   command.limit};
     desk.state.store(State::Seeking, std::memory_order_relaxed);
     desk.asked.store(true, std::memory_order_release);
-    pressing_ = true;
+    pressing_ = Pressing::Seeking;
   }
-  if (interrupted()) return Reply::Later;
-  switch (desk.state.load(std::memory_order_acquire)) {
-    case State::Keeping:
-      return Reply::Done;
-    case State::Lost:
-      return refuse(words_for_no_contact(motion::Press::kReach, false));
-    default:
-      return Reply::Later;
-  }
+  if (pressing_ != Pressing::Seeking) return leave_press(false);
+  const State state = desk.state.load(std::memory_order_acquire);
+  if (state == State::Lost) ask_press_to_end();
+  if (state != State::Keeping || interrupted()) return Reply::Later;
+  pressing_ = Pressing::Yes;
+  return Reply::Done;
 }
 
-/// The path goes on from where the axes have come to stand.
 Reply RobotMachine::end_press(int line) {
-  PressDesk& desk = channels_.press;
-  if (!releasing_) {
+  if (pressing_ == Pressing::Yes) {
     if (const Reply reply = stop(line); reply != Reply::Done) return reply;
     if (!stands()) return Reply::Later;
-    lost_contact_ = desk.state.load(std::memory_order_acquire) == State::Lost;
-    desk.over.store(true, std::memory_order_release);
-    releasing_ = true;
+    ask_press_to_end();
   }
-  if (desk.state.load(std::memory_order_acquire) != State::Off) return Reply::Later;
+  return leave_press(true);
+}
+
+/// One that has not come to its force yet is not the block's; its error is the one that is settled.
+Reply RobotMachine::give_up_press() {
+  if (pressing_ == Pressing::Seeking) ask_press_to_end();
+  if (pressing_ == Pressing::No || pressing_ == Pressing::Yes) return Reply::Done;
+  return leave_press(true) == Reply::Later ? Reply::Later : Reply::Done;
+}
+
+void RobotMachine::ask_press_to_end() {
+  PressDesk& desk = channels_.press;
+  const bool lost = desk.state.load(std::memory_order_acquire) == State::Lost;
+  pressing_ = lost ? Pressing::EndingLost : Pressing::Ending;
+  desk.over.store(true, std::memory_order_release);
+}
+
+/// The path goes on from where the axes have come to stand. `met`: what is lost had been met.
+Reply RobotMachine::leave_press(bool met) {
+  if (channels_.press.state.load(std::memory_order_acquire) != State::Off) return Reply::Later;
   restart_from(channels_.joints.load());
-  pressing_ = releasing_ = false;
-  return lost_contact_ ? refuse(words_for_no_contact(motion::Press::kReach, true)) : Reply::Done;
+  const Pressing ended = std::exchange(pressing_, Pressing::No);
+  return ended == Pressing::EndingLost ? refuse(words_for_no_contact(motion::Press::kReach, met))
+                                       : Reply::Done;
 }
 
 bool RobotMachine::moves_against_press(const Commanded& commanded) {
-  if (!pressing_) return false;
+  if (pressing_ == Pressing::No) return false;
   const Eigen::Vector3d& axis = channels_.press.order.axis;
   const Eigen::Vector3d from = planner_.tool_pose().position;
   const Eigen::Vector3d to = target_of(*commanded.move).position;
@@ -111,6 +128,18 @@ bool RobotMachine::moves_against_press(const Commanded& commanded) {
     against = against || std::abs((target_of(via).position - from).dot(axis)) > kBeside;
   if (against) refusal_ = words_for_motion_against_press();
   return against;
+}
+
+bool RobotMachine::jogs_against_press(const motion::JogRates& rates) {
+  using Space = motion::JogRates::Space;
+  if (pressing_ == Pressing::No || rates.space == Space::Joint) return false;
+  Eigen::Vector3d along = rates.rate.head<3>();
+  if (rates.space == Space::Tool)
+    along = robot_.kinematics->forward(channels_.joints.load()).orientation *
+            (to_motion(setting_.tool.tip).orientation * along);
+  if (std::abs(along.dot(channels_.press.order.axis)) <= kStill) return false;
+  refusal_ = words_for_motion_against_press();
+  return true;
 }
 
 }  // namespace rob::runtime

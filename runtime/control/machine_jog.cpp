@@ -77,6 +77,7 @@ Reply RobotMachine::jog(int line, const MoveCommand& asked) {
 bool RobotMachine::plan_jog(int line, const MoveCommand& asked,
                             motion::SegmentDescriptor& segment) {
   const JogRates rates = rates_of(asked, setting_.tool, robot_);
+  if (jogs_against_press(rates)) return false;
   const motion::PlanOutcome outcome = planner_.jog(static_cast<motion::Tag>(line), rates);
   if (const auto* const refusal = std::get_if<motion::Refusal>(&outcome)) {
     refusal_ = words_for(*refusal, robot_);

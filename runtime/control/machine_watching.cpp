@@ -22,7 +22,7 @@ Reply RobotMachine::live_pace(int /*line*/, const lang::Watch& pace,
   if (paces_.size() < most) paces_.emplace_back(signals_, robot_);
   ProgramWatch& place = paces_[next_pace_++ % most];
   place.set(pace);
-  live_ = Live{place.pace(), pace_of(means)};
+  live_ = ProgramPace{place.pace(), pace_of(means)};
   return Reply::Done;
 }
 
@@ -47,7 +47,7 @@ Reply RobotMachine::ended(int line, bool& hit) {
   } else if (jogging_) {
     come_to_rest(rest.q);
   }
-  hit_ = rest.early() ? rest.trip_q : rest.q;
+  hit_ = rest.early() ? rest.trip_q : pressing_ != Pressing::No ? channels_.joints.load() : rest.q;
   hit = rest.outcome == motion::Rest::Outcome::Hit;
   if (rest.outcome != motion::Rest::Outcome::Failed) return Reply::Done;
   refusal_ = words_for_condition(until_.error());

@@ -4,10 +4,17 @@
 
 #include "lang/code/watch.h"
 #include "lang/machine/robot_signature.h"
+#include "motion/plan/motion_request.h"
 #include "motion/plan/watch.h"
 #include "motion/robots/robot_model.h"
 
 namespace rob::runtime {
+
+/// AT LIVE, and what its value is of.
+struct ProgramPace {
+  motion::LivePace pace;
+  motion::MotionRequest::Pace means = motion::MotionRequest::Pace::Unspecified;
+};
 
 /// A condition or a pace of the program, as motion asks it: joins the language's code with the
 /// world of a control cycle. The program's thread sets it before motion hears of it; the tick alone

@@ -161,7 +161,7 @@ Reply RobotMachine::settle(int line) {
   live_.reset();
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
-  if (!settled()) return Reply::Later;
+  if (!settled() || give_up_press() == Reply::Later) return Reply::Later;
   forget_rests();
   bar_handlers(false);
   return Reply::Done;

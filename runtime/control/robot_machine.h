@@ -197,12 +197,6 @@ class RobotMachine final : public lang::Machine {
     motion::Effect effect;
   };
 
-  /// AT LIVE.
-  struct Live {
-    motion::LivePace pace;
-    motion::MotionRequest::Pace means = motion::MotionRequest::Pace::Unspecified;
-  };
-
   /// A motion, a stop or a dwell as it was asked for, while the generator may not have begun it.
   struct Commanded {
     motion::SegmentDescriptor segment;
@@ -212,7 +206,7 @@ class RobotMachine final : public lang::Machine {
     lang::Setting setting{};                  ///< in which it was commanded
     std::vector<OnTheWay> events{};
     std::vector<lang::MoveCommand> via{};  ///< of MOVEC, MOVES
-    std::optional<Live> live{};
+    std::optional<ProgramPace> live{};
     std::shared_ptr<const motion::PlannedLeg> leg{};
     double way = 0;                                   ///< of the tool, m
     std::shared_ptr<const motion::ToolPath> along{};  ///< null: straight in the axes
@@ -236,7 +230,11 @@ class RobotMachine final : public lang::Machine {
   // Forces (machine_force.cpp)
   motion::Pose force_frame() const;
   lang::Reply refuse(Words words);
+  void ask_press_to_end();
+  lang::Reply leave_press(bool met);
+  lang::Reply give_up_press();
   bool moves_against_press(const Commanded& commanded);
+  bool jogs_against_press(const motion::JogRates& rates);
   /// Whether the tool has been changed in a corner, so that its tip would jump there.
   bool tip_jumps() const;
   /// Then the target before is reached exactly; whether it had to be.
@@ -346,7 +344,7 @@ class RobotMachine final : public lang::Machine {
   // What the next motion does on its way, and the place whose action comes next.
   std::vector<OnTheWay> on_the_way_;
   std::vector<lang::MoveCommand> via_;  ///< points that the next motion goes through
-  std::optional<Live> live_;            ///< its pace
+  std::optional<ProgramPace> live_;            ///< its pace
   std::deque<ProgramWatch> paces_;      ///< a ring
   std::size_t next_pace_ = 0;
   std::optional<lang::PathPlace> place_;
@@ -386,9 +384,9 @@ class RobotMachine final : public lang::Machine {
   std::size_t safe_queued_ = 0;      ///< SAFE values that have been queued
   bool standing_ = false;            ///< the present WAIT for a condition has queued all it needs
 
-  bool lost_contact_ = false;
-  bool pressing_ = false;   ///< between PRESS and ENDPRESS
-  bool releasing_ = false;  ///< ENDPRESS has been asked for
+  /// Between PRESS and ENDPRESS, and while that waits.
+  enum class Pressing : std::uint8_t { No, Seeking, Yes, Ending, EndingLost };
+  Pressing pressing_ = Pressing::No;
 
   // At a prompt
   lang::RuntimeError stopped();

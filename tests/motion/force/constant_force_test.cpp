@@ -1,4 +1,5 @@
 #include "motion/force/constant_force.h"
+#include "tests/support/relative.h"
 
 #include <doctest/doctest.h>
 
@@ -73,7 +74,7 @@ TEST_CASE("a force is reached within half a second of contact, whatever the stif
       ConstantForce force = made(delay);
       const Approach seen = approach(force, {stiffness, 1e-3, 0, delay}, 10, 5e-3);
       CHECK(seen.settled < 0.5);
-      CHECK(seen.last == doctest::Approx(10).epsilon(1e-3));
+      CHECK(seen.last == test::relative(10, 1e-3));
       // What is gone within the delay and the period presses with no more than the set-point.
       CHECK(seen.greatest < 10 * 2);
       CHECK(force.settled());
@@ -88,8 +89,8 @@ TEST_CASE("what is pressed on may sink: the integral leaves no error") {
   ConstantForce force = made(5);
   const double sinks = 0.8 / (2 * 3.14159265358979) * 3e-3;
   const Approach seen = approach(force, {60e3, 1e-3, sinks, 5}, 10, 5e-3);
-  CHECK(seen.last == doctest::Approx(10).epsilon(0.01));
-  CHECK(force.rate() == doctest::Approx(-sinks).epsilon(0.01));
+  CHECK(seen.last == test::relative(10, 0.01));
+  CHECK(force.rate() == test::relative(-sinks, 0.01));
 }
 
 TEST_CASE("speed and acceleration along the axis stay within what was asked for") {
@@ -103,7 +104,7 @@ TEST_CASE("speed and acceleration along the axis stay within what was asked for"
   for (int k = 0; k < 500; ++k) {
     force.step(spring.feel(force.way()));
     CHECK(std::abs(force.rate() - before) <= 0.5 * kPeriod + 1e-12);
-    CHECK(force.way() == doctest::Approx(way + (before + force.rate()) / 2 * kPeriod));
+    CHECK(force.way() == test::relative(way + (before + force.rate()) / 2 * kPeriod));
     before = force.rate();
     way = force.way();
   }

@@ -6,6 +6,7 @@
 
 #include "motion/robots/robot_library.h"
 #include "tests/support/no_allocation.h"
+#include "tests/support/relative.h"
 
 namespace rob::motion {
 namespace {
@@ -50,7 +51,7 @@ TEST_CASE("a press shifts the flange along its axis alone, and the rates are tho
     z = here.position.z();
   }
   CHECK(press.settled());
-  CHECK((top - z) * 50e3 == doctest::Approx(10).epsilon(0.01));
+  CHECK((top - z) * 50e3 == test::relative(10, 0.01));
 }
 
 TEST_CASE("a press that meets nothing goes 50 mm and stands, and so does one at an axis' end") {
@@ -74,7 +75,7 @@ TEST_CASE("a press that meets nothing goes 50 mm and stands, and so does one at 
     }
     return (robot.kinematics->forward(q).position - from.position).dot(axis);
   };
-  CHECK(way_of(Eigen::Vector3d::UnitZ()) == doctest::Approx(-Press::kReach).epsilon(0.01));
+  CHECK(way_of(Eigen::Vector3d::UnitZ()) == test::relative(-Press::kReach, 0.01));
   robot.axes[1].max = robot.start[1] + 0.02;
   const double way = way_of(Eigen::Vector3d::UnitZ());
   CHECK(way < 0);

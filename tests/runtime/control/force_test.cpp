@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/support/felt_world.h"
+#include "tests/support/relative.h"
 #include "tests/support/stepped_run.h"
 
 namespace rob::runtime {
@@ -161,7 +162,7 @@ TEST_CASE("PRESS reaches its force before its body begins, keeps it, and the pat
   for (const Snapshot& row : rows)
     lowest = std::min(lowest, arm().kinematics->forward(row.sample.reference.q).position.z());
   const double last = arm().kinematics->forward(rows.back().sample.reference.q).position.z();
-  CHECK(last - lowest == doctest::Approx(30e-3).epsilon(0.01));
+  CHECK(last - lowest == test::relative(30e-3, 0.01));
 }
 
 TEST_CASE("a PRESS that meets nothing is an error; so is a motion along its axis") {
@@ -173,16 +174,21 @@ TEST_CASE("a PRESS that meets nothing is an error; so is a motion along its axis
   CHECK(result.output.at(0).starts_with("E570"));
   const auto& rows = nothing.run.rows;
   const double end = arm().kinematics->forward(rows.back().sample.reference.q).position.z();
-  CHECK(start().z() - end == doctest::Approx(0.04).epsilon(0.02));  // 50 mm down, 10 mm up
+  CHECK(start().z() - end == test::relative(0.04, 0.02));  // 50 mm down, 10 mm up
 
   Felt along(
       "MOVEL BY (0mm, 0mm, -9mm) AT 20mm/s\nPRESS Z 10N DO\n"
       "MOVEL BY (1mm, 0mm, -1mm) AT 5mm/s\nENDPRESS\n",
       table(10e-3));
   CHECK(along.failure() == "E571");
+  Felt jogged(
+      "MOVEL BY (0mm, 0mm, -9mm) AT 20mm/s\nPRESS Z 10N DO\n"
+      "JOG WORLD (1mm/s, 0mm/s, -1mm/s) FOR 1s\nENDPRESS\n",
+      table(10e-3));
+  CHECK(jogged.failure() == "E571");
   Felt beside(
       "MOVEL BY (0mm, 0mm, -9mm) AT 20mm/s\nPRESS Z 10N DO\n"
-      "SPIRAL FROM 4mm TURNS 2 AT 10mm/s\nENDPRESS\n",
+      "SPIRAL FROM 4mm TURNS 2 AT 10mm/s\nJOG WORLD (1mm/s, 0mm/s, 0mm/s) FOR 1s\nENDPRESS\n",
       table(10e-3));
   CHECK(beside.failure() == "");
 }
@@ -197,8 +203,21 @@ TEST_CASE("an error in a PRESS ends it, and what rescues starts from where the a
   CHECK(result.output.at(0) == "jammed");
   const auto& rows = felt.run.rows;
   const double end = arm().kinematics->forward(rows.back().sample.reference.q).position.z();
-  CHECK(start().z() - end == doctest::Approx(-10e-3 + 0.2e-3).epsilon(0.05));
+  CHECK(start().z() - end == test::relative(-10e-3 + 0.2e-3, 0.05));
   CHECK(roughest(rows, arm().reference_period) < 750 * 3.15 / 180);
+}
+
+TEST_CASE("what raises while a PRESS still looks for its force ends it, too") {
+  Felt felt(
+      "TRY\nWHEN CLOCK > 1s : RAISE \"late\"\nPRESS Z 10N DO\nENDPRESS\nRESCUE why\n"
+      "PRINT why\nENDTRY\nMOVEL BY (0mm, 0mm, 20mm) AT 50mm/s\n",
+      always({0, 0, 0}, {0, 0, 0}));
+  CHECK(felt.failure() == "");
+  CHECK(felt.result.output.at(0) == "late");
+  const auto& rows = felt.run.rows;
+  const double end = arm().kinematics->forward(rows.back().sample.reference.q).position.z();
+  CHECK(end > start().z() + 14e-3);  // at most 5 mm/s for 1 s down
+  CHECK(end < start().z() + 20e-3);
 }
 
 TEST_CASE("AT LIVE is the speed of the motion in every cycle, under both laws") {
@@ -212,12 +231,12 @@ TEST_CASE("AT LIVE is the speed of the motion in every cycle, under both laws") 
     for (const Snapshot& row : run.rows) {
       const double t = row.sample.reference.time;
       const double v = row.sample.reference.qd[0];
-      if (t > 6 && t < 9) CHECK(v == doctest::Approx(10e-3).epsilon(1e-3));
-      if (t > 10.5 && t < 12) CHECK(v == doctest::Approx(20e-3).epsilon(1e-3));
+      if (t > 6 && t < 9) CHECK(v == test::relative(10e-3, 1e-3));
+      if (t > 10.5 && t < 12) CHECK(v == test::relative(20e-3, 1e-3));
       CHECK(v < 20e-3 + 1e-9);
       CHECK(std::abs(row.sample.reference.qdd[0]) < 0.1 + 1e-9);
     }
-    CHECK(run.rows.back().sample.reference.q[0] == doctest::Approx(0.2));
+    CHECK(run.rows.back().sample.reference.q[0] == test::relative(0.2));
   }
 }
 
@@ -229,7 +248,7 @@ TEST_CASE("AT LIVE of nothing stands until it is more; one without a value stops
     const RunResult result = run.run();
     for (const Snapshot& row : run.rows)
       if (row.sample.reference.time < 3.4) CHECK(row.sample.reference.q[0] < 1e-9);
-    CHECK(run.rows.back().sample.reference.q[0] == doctest::Approx(0.1));
+    CHECK(run.rows.back().sample.reference.q[0] == test::relative(0.1));
 
     test::SteppedRun none(std::string("LAW ") + law +
                           "\nMOVE(100,0,0) AT LIVE 20mm/s / MAX(0, 2 - CLOCK/1s)\n");
