@@ -6,7 +6,7 @@
 namespace rob::motion {
 
 /// What is known of the contact that a force is kept on. SI.
-struct ContactData {
+struct PressContact {
   double stiffness = 0;     ///< N/m, the greatest that may be met
   double delay = 0;         ///< s from what acts to what is told
   double period = 0;        ///< s of a step
@@ -27,7 +27,7 @@ struct ContactData {
 /// more than the acceleration. Every call may be used in the tick.
 class ConstantForce {
  public:
-  explicit ConstantForce(const ContactData& contact) noexcept : contact_(contact) {}
+  explicit ConstantForce(const PressContact& contact) noexcept : contact_(contact) {}
 
   /// From rest. N along the axis, not 0; m/s, above 0.
   void begin(double force, double most_speed) noexcept;
@@ -40,7 +40,7 @@ class ConstantForce {
   double way() const noexcept { return way_; }
   double rate() const noexcept { return rate_; }
   double acceleration() const noexcept { return acceleration_; }
-  const ContactData& contact() const noexcept { return contact_; }
+  const PressContact& contact() const noexcept { return contact_; }
   /// N/m: learned, or the greatest.
   double stiffness() const noexcept { return stiffness_; }
   /// The force has been near the set-point for some time, at least once.
@@ -60,7 +60,7 @@ class ConstantForce {
 
   static constexpr std::size_t kKept = 64;  ///< of ways: a delay of 64 periods
 
-  const ContactData contact_;
+  const PressContact contact_;
   double force_ = 0;
   double most_ = 0;
   double stiffness_ = 0;

@@ -17,8 +17,8 @@ constexpr double kAcceleration = 0.5;
 /// s between the inverse solutions whose differences are speed and acceleration (VelocityMode).
 constexpr double kInstant = 0x1p-11;
 
-ContactData contact_of(const RobotModel& robot) {
-  ContactData contact{robot.force.stiffness > 0 ? robot.force.stiffness : kStiffest,
+PressContact contact_of(const RobotModel& robot) {
+  PressContact contact{robot.force.stiffness > 0 ? robot.force.stiffness : kStiffest,
                       robot.force.delay, robot.reference_period, kAcceleration};
   for (const Axis& axis : robot.axes) {
     if (axis.kind != AxisKind::Linear) continue;
