@@ -14,23 +14,32 @@ void Extent::take(const Extent& its) noexcept {
   fastest_axis = its.fastest_axis;
 }
 
+bool Extent::same(const Extent& as) const noexcept {
+  return asked == as.asked && fastest == as.fastest && fastest_axis == as.fastest_axis &&
+         (slopes == as.slopes).all() && (bends == as.bends).all() && (swings == as.swings).all();
+}
+
 void Extents::write(Index at, double begin, Index run, const Extent& extent) noexcept {
   places_[slot(at)] = {begin, run};
   nodes_[leaf(at)] = extent;
+  asked_[leaf(at)] = extent.asked;
   renew_above(leaf(at));
 }
 
 void Extents::limit_asked(Index at, double asked) noexcept {
   Extent& extent = nodes_[leaf(at)];
   if (extent.asked <= asked) return;
-  extent.asked = asked;
+  extent.asked = asked_[leaf(at)] = asked;
   renew_above(leaf(at));
 }
 
 void Extents::renew_above(std::size_t leaf) noexcept {
   for (std::size_t i = leaf / 2; i > 0; i /= 2) {
-    nodes_[i] = nodes_[2 * i];
-    nodes_[i].take(nodes_[2 * i + 1]);
+    Extent most = nodes_[2 * i];
+    most.take(nodes_[2 * i + 1]);
+    if (most.same(nodes_[i])) return;
+    nodes_[i] = most;
+    asked_[i] = most.asked;
   }
 }
 
@@ -59,8 +68,8 @@ template <typename Take>
 void Extents::cover(Index first, Index last, Take&& take) const noexcept {
   const auto slots = [&](std::size_t from, std::size_t to) {
     for (; from < to; from /= 2, to /= 2) {
-      if (from % 2 == 1) take(nodes_[from++]);
-      if (to % 2 == 1) take(nodes_[--to]);
+      if (from % 2 == 1) take(from++);
+      if (to % 2 == 1) take(--to);
     }
   };
   if (slot(first) <= slot(last)) return slots(leaf(first), leaf(last) + 1);
@@ -70,13 +79,13 @@ void Extents::cover(Index first, Index last, Take&& take) const noexcept {
 
 double Extents::greatest_asked(Index first, Index last) const noexcept {
   double most = 0;
-  cover(first, last, [&](const Extent& some) { most = std::max(most, some.asked); });
+  cover(first, last, [&](std::size_t node) { most = std::max(most, asked_[node]); });
   return most;
 }
 
 Extent Extents::greatest(Index first, Index last) const noexcept {
   Extent most;
-  cover(first, last, [&](const Extent& some) { most.take(some); });
+  cover(first, last, [&](std::size_t node) { most.take(nodes_[node]); });
   return most;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <bit>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -23,6 +24,7 @@ struct Extent {
 
   /// The greatest of both; of two that are as fast this one's axis stays.
   void take(const Extent& its) noexcept;
+  bool same(const Extent& as) const noexcept;
 };
 
 /// The extents of the pieces in a PathRing, by the same slots, and the greatest of any that follow
@@ -30,12 +32,13 @@ struct Extent {
 /// and asking for many take some steps for each doubling of their number.
 ///
 /// Of pieces that are to be asked for, all have to be written, and begin one behind the other. The
-/// constructor alone takes memory.
+/// constructor alone takes memory, for no fewer pieces than it is told.
 class Extents {
  public:
   using Index = PathRing::Index;
 
-  explicit Extents(std::size_t pieces) : places_(pieces), nodes_(2 * pieces) {}
+  explicit Extents(std::size_t pieces)
+      : places_(std::bit_ceil(pieces)), nodes_(2 * places_.size()), asked_(nodes_.size()) {}
 
   /// `begin`: σ at its beginning; `run`: the first piece of its run.
   void write(Index at, double begin, Index run, const Extent& extent) noexcept;
@@ -58,7 +61,7 @@ class Extents {
     Index run = 0;
   };
   std::size_t slot(Index at) const noexcept {
-    return static_cast<std::size_t>(at % places_.size());
+    return static_cast<std::size_t>(at) & (places_.size() - 1);
   }
   std::size_t leaf(Index at) const noexcept { return places_.size() + slot(at); }
   void renew_above(std::size_t leaf) noexcept;
@@ -66,7 +69,8 @@ class Extents {
   void cover(Index first, Index last, Take&& take) const noexcept;
 
   std::vector<Place> places_;
-  std::vector<Extent> nodes_;  ///< 1: the root, unless their number is odd; 2k, 2k + 1: below k
+  std::vector<Extent> nodes_;  ///< 1: the root; 2k, 2k + 1: below k
+  std::vector<double> asked_;  ///< of nodes_, which is looked at more often
 };
 
 }  // namespace rob::motion

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -35,7 +36,8 @@ class PathRing {
  public:
   using Index = std::uint64_t;  ///< of a piece, counted from the start
 
-  PathRing(std::size_t pieces, std::size_t legs) : slots_(pieces), legs_(legs) {}
+  /// For no fewer pieces than that: a power of two.
+  PathRing(std::size_t pieces, std::size_t legs) : slots_(std::bit_ceil(pieces)), legs_(legs) {}
 
   // The planner's side.
   std::size_t room() const noexcept {
@@ -120,10 +122,11 @@ class PathRing {
     std::atomic<bool> run_end{false};
     std::atomic<bool> cut{false};
   };
-  Slot& slot(Index at) noexcept { return slots_[static_cast<std::size_t>(at % slots_.size())]; }
-  const Slot& slot(Index at) const noexcept {
-    return slots_[static_cast<std::size_t>(at % slots_.size())];
+  std::size_t place(Index at) const noexcept {
+    return static_cast<std::size_t>(at) & (slots_.size() - 1);
   }
+  Slot& slot(Index at) noexcept { return slots_[place(at)]; }
+  const Slot& slot(Index at) const noexcept { return slots_[place(at)]; }
 
   std::vector<Slot> slots_;
   SpscRing<PathLeg> legs_;

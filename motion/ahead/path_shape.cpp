@@ -76,16 +76,17 @@ void fill_quintic(Piece& piece, const PathPoint& a, const PathPoint& b) {
 /// At even speed σ' a quintic asks for the jerk σ'³ times its third derivative.
 void bound_jerk(const ShapedLeg& leg, Piece& piece) {
   if (piece.count < 6) return;
+  double cube = Piece::kAny;  // of σ'
   for (const double at : {0.0, piece.length / 2, piece.length}) {
     const JointVector third =
         6 * piece.terms[3] + at * (24 * piece.terms[4] + at * 60 * piece.terms[5]);
-    for (int i = 0; i < third.size(); ++i) {
-      const double fastest = std::cbrt(kBendsShare * leg.jerk[i] / std::abs(third[i]));
-      if (!(fastest < piece.fastest)) continue;
-      piece.fastest = fastest;
-      piece.fastest_axis = -1;
-    }
+    for (int i = 0; i < third.size(); ++i)
+      cube = std::min(cube, kBendsShare * leg.jerk[i] / std::abs(third[i]));
   }
+  const double fastest = std::cbrt(cube);
+  if (!(fastest < piece.fastest)) return;
+  piece.fastest = fastest;
+  piece.fastest_axis = -1;
 }
 
 /// `at(way)` gives the path's places, from `from` to `to` in even parts.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 namespace rob::motion {
 
@@ -10,12 +12,12 @@ namespace {
 
 constexpr double kAny = Piece::kAny;
 
-/// |slope·u + bend·x| <= most
+/// |slope·u + bend·x| <= most. Without values of its own, which an array of many would wait for.
 struct Row {
-  double slope = 0;
-  double bend = 0;
-  double most = 0;
-  int axis = -1;
+  double slope;
+  double bend;
+  double most;
+  int axis;
 };
 
 /// Between the ends of a curve's stretch, as shares of it. [choice] Where its bend rises from 0
@@ -23,106 +25,104 @@ struct Row {
 /// both ends where p > √2 − 1: nowhere does it ask for more than 2 % above the greatest of these.
 constexpr std::array kWithin = {0.2, 0.4, 0.5, 0.6, 0.8};
 
-/// The last `rest` of a piece, from `here`, and where on it the axes are held.
+/// The last `rest` of a piece, from `here`: all that bounds u there.
 class Stretch {
  public:
   Stretch(const Piece& piece, const PathPoint& here, const PathPoint& end, double rest) noexcept
-      : piece_(piece),
-        here_(here),
-        end_(end),
-        rest_(rest),
-        curve_(piece.count > 3 && !piece.averaged()) {
-    for (std::size_t k = 0; curve_ && k < kWithin.size(); ++k)
-      within_[k] = piece.point(piece.length - rest + kWithin[k] * rest);
-  }
-
-  /// Calls visit(row) for all that bounds u: at the beginning, at the end, since x there is
-  /// x + 2·u·rest, and likewise within a curve.
-  template <typename Visit>
-  void each_row(Visit&& visit) const noexcept {
-    for (int i = 0; i < piece_.acceleration.size(); ++i) {
-      const double most = piece_.acceleration[i];
-      if (piece_.averaged()) {
-        averaged_rows(i, visit);
-        continue;
+      : piece_(piece) {
+    if (piece.averaged()) {
+      add_averaged(rest);
+    } else if (piece.count > 3) {
+      add_curve(here, end, rest);
+    } else {
+      for (int i = 0; i < piece.acceleration.size(); ++i) {
+        add(i, here, 0);
+        if (!piece.straight()) add(i, end, rest);
       }
-      visit(Row{here_.qd[i], here_.qdd[i], most, i});
-      for (std::size_t k = 0; curve_ && k < kWithin.size(); ++k)
-        visit(row(within_[k], kWithin[k] * rest_, i));
-      if (!piece_.straight()) visit(row(end_, rest_, i));
     }
   }
 
+  std::span<const Row> rows() const noexcept { return {rows_.data(), count_}; }
+  /// The greatest x that leaves something of what bends where u cannot help.
+  double bent_square() const noexcept { return bent_square_; }
+
  private:
-  Row row(const PathPoint& there, double way, int axis) const noexcept {
-    const double bend = there.qdd[axis];
-    return {there.qd[axis] + 2 * way * bend, bend, piece_.acceleration[axis], axis};
+  void add_curve(const PathPoint& here, const PathPoint& end, double rest) noexcept {
+    std::array<PathPoint, kWithin.size()> within;
+    for (std::size_t k = 0; k < kWithin.size(); ++k)
+      within[k] = piece_.point(piece_.length - rest + kWithin[k] * rest);
+    for (int i = 0; i < piece_.acceleration.size(); ++i) {
+      add(i, here, 0);
+      for (std::size_t k = 0; k < kWithin.size(); ++k) add(i, within[k], kWithin[k] * rest);
+      add(i, end, rest);
+    }
   }
-  template <typename Visit>
-  void averaged_rows(int i, Visit&& visit) const noexcept {
-    const double most = piece_.acceleration[i];
-    const double slope = piece_.slopes[i];
-    const double bend = piece_.bends[i];
-    visit(Row{slope, bend, most, i});
-    visit(Row{-slope, bend, most, i});
-    visit(Row{slope + 2 * rest_ * bend, bend, most, i});
-    visit(Row{-slope + 2 * rest_ * bend, bend, most, i});
-    visit(Row{piece_.swings[i], 0, most, i});
+  void add_averaged(double rest) noexcept {
+    for (int i = 0; i < piece_.acceleration.size(); ++i) {
+      const double slope = piece_.slopes[i];
+      const double bend = piece_.bends[i];
+      add(i, slope, bend);
+      add(i, -slope, bend);
+      add(i, slope + 2 * rest * bend, bend);
+      add(i, -slope + 2 * rest * bend, bend);
+      add(i, piece_.swings[i], 0);
+    }
+  }
+  /// `way` behind the beginning of the stretch, since x there is x + 2·u·way.
+  void add(int axis, const PathPoint& place, double way) noexcept {
+    add(axis, place.qd[axis] + 2 * way * place.qdd[axis], place.qdd[axis]);
+  }
+  void add(int axis, double slope, double bend) noexcept {
+    const double most = piece_.acceleration[axis];
+    if (slope != 0) {
+      rows_[count_++] = {slope, bend, most, axis};
+    } else if (bend != 0) {
+      bent_square_ = std::min(bent_square_, most / std::abs(bend));
+    }
   }
 
   const Piece& piece_;
-  const PathPoint& here_;
-  const PathPoint& end_;
-  const double rest_;
-  const bool curve_;
-  std::array<PathPoint, kWithin.size()> within_;
+  std::array<Row, kMaxJoints*(2 + kWithin.size())> rows_;
+  std::size_t count_ = 0;
+  double bent_square_ = kAny;
 };
 
-/// A bound of u: slope·u + bend·x = most. One quotient, so that what cancels above a slope of next
-/// to nothing cancels exactly.
-struct Bound {
-  double most = 0;
-  double bend = 0;
-  double slope = 1;
-  int axis = -1;
-  double value(double x) const noexcept { return (most - bend * x) / slope; }
-  double per() const noexcept { return -bend / slope; }
-};
-
-/// Both bounds that are the tightest at x.
+/// The range of u at one x, and the rows that bound it.
 struct Bounds {
-  Bound low{-kAny};
-  Bound high{kAny};
+  double low = -kAny;
+  double high = kAny;
+  const Row* low_row = &kNone;
+  const Row* high_row = &kNone;
 
-  /// Where a bend asks for just what there is, or for so many times that, u must not come to its
-  /// help: above a slope of next to nothing that would take a control without end.
-  void take(const Row& row, double x, double given) noexcept {
-    if (row.slope == 0) return;
-    const double bent = std::abs(row.bend) * x;
-    const double most = bent <= row.most * given ? std::max(row.most, bent) : row.most;
-    const double up = row.slope > 0 ? most : -most;
-    const Bound below{-up, row.bend, row.slope, row.axis};
-    const Bound above{up, row.bend, row.slope, row.axis};
-    if (below.value(x) > low.value(x)) low = below;
-    if (above.value(x) < high.value(x)) high = above;
+  /// By which the range grows with x.
+  double widening() const noexcept {
+    return low_row->bend / low_row->slope - high_row->bend / high_row->slope;
   }
+
+  static constexpr Row kNone{1, 0, kAny, -1};
 };
 
 constexpr double kRounding = 1 + 1e-9;
 
-Bounds bounds_at(const Stretch& stretch, double x, double given = kRounding) noexcept {
+/// With `more` times the acceleration. Where a bend asks for just what there is, or for `given`
+/// times that, u must not come to its help: above a slope of next to nothing that would take a
+/// control without end. One quotient a bound, so that what cancels above such a slope cancels
+/// exactly.
+Bounds bounds_at(const Stretch& stretch, double x, double given = kRounding,
+                 double more = 1) noexcept {
   Bounds bounds;
-  stretch.each_row([&](const Row& row) { bounds.take(row, x, given); });
-  return bounds;
-}
-
-/// With `more` times the acceleration.
-Bounds raised_bounds(const Stretch& stretch, double x, double more) noexcept {
-  Bounds bounds;
-  stretch.each_row([&](Row row) {
-    row.most *= more;
-    bounds.take(row, x, kRounding);
-  });
+  for (const Row& row : stretch.rows()) {
+    const double bent = row.bend * x;
+    const double has = row.most * more;
+    const double most = std::abs(bent) <= has * given ? std::max(has, std::abs(bent)) : has;
+    const double up = std::copysign(most, row.slope);
+    const double low = (-up - bent) / row.slope;
+    const double high = (up - bent) / row.slope;
+    bounds.low_row = low > bounds.low ? &row : bounds.low_row;
+    bounds.low = std::max(low, bounds.low);
+    bounds.high_row = high < bounds.high ? &row : bounds.high_row;
+    bounds.high = std::min(high, bounds.high);
+  }
   return bounds;
 }
 
@@ -142,19 +142,16 @@ ControlRange control_range(const Piece& piece, const PathPoint& here, const Path
   const Stretch stretch(piece, here, end, rest);
   Bounds bounds = bounds_at(stretch, x, curve ? kBetween : kRounding);
   double more = kFirst;
-  for (int i = 0; i < kTries && bounds.low.value(x) > bounds.high.value(x); ++i, more *= kMore)
-    bounds = raised_bounds(stretch, x, 1 + more);
-  const double low = bounds.low.value(x);
-  if (low > bounds.high.value(x)) {  // then no axis more than it has for σ'' alone
+  for (int i = 0; i < kTries && bounds.low > bounds.high; ++i, more *= kMore)
+    bounds = bounds_at(stretch, x, kRounding, 1 + more);
+  if (bounds.low > bounds.high) {  // then no axis more than it has for σ'' alone
     const double most = even_braking(piece, here, end, 0);
-    const double u = std::clamp((low + bounds.high.value(x)) / 2, -most, most);
-    return {u, u, bounds.low.axis, bounds.high.axis, u};
+    const double u = std::clamp((bounds.low + bounds.high) / 2, -most, most);
+    return {u, u, bounds.low_row->axis, bounds.high_row->axis, u};
   }
-  ControlRange range{low, bounds.high.value(x), bounds.low.axis, bounds.high.axis, low};
-  if (curve) {
-    const Bounds raised = raised_bounds(stretch, x, kToStay);
-    range.lowest = std::min(low, raised.low.value(x));
-  }
+  ControlRange range{bounds.low, bounds.high, bounds.low_row->axis, bounds.high_row->axis,
+                     bounds.low};
+  if (curve) range.lowest = std::min(range.low, bounds_at(stretch, x, kRounding, kToStay).low);
   return range;
 }
 
@@ -191,24 +188,26 @@ double reachable_square(const Piece& piece, double end_square, double cap) noexc
   const PathPoint here = piece.point(0);
   const PathPoint end = piece.point(length);
   const Stretch stretch(piece, here, end, length);
-  double x = cap;
-  stretch.each_row([&](const Row& row) {
-    if (row.slope == 0 && row.bend != 0) x = std::min(x, row.most / std::abs(row.bend));
-  });
+  double x = std::min(cap, stretch.bent_square());
+  const Row to_end{2 * length, 1, end_square, -1};  // x + 2·u·length <= end_square
+  const Row to_rest{2 * length, 1, 0, -1};          // and not below 0
   // The width of the range of u is concave in x and not below 0 at 0: from the right Newton's steps
   // lead to the greatest x at which there is a u, and cross one bound at each.
   constexpr int kMostSteps = 40;
   constexpr double kBeside = 1 - 1e-9;
   for (int step = 0; step < kMostSteps; ++step) {
     Bounds bounds = bounds_at(stretch, x);
-    // x + 2·u·length <= end_square, and not below 0
-    const Bound to_end{end_square, 1, 2 * length};
-    if (to_end.value(x) < bounds.high.value(x)) bounds.high = to_end;
-    const Bound to_rest{0, 1, 2 * length};
-    if (to_rest.value(x) > bounds.low.value(x)) bounds.low = to_rest;
-    const double width = bounds.high.value(x) - bounds.low.value(x);
+    if (const double high = (end_square - x) / (2 * length); high < bounds.high) {
+      bounds.high = high;
+      bounds.high_row = &to_end;
+    }
+    if (const double low = -x / (2 * length); low > bounds.low) {
+      bounds.low = low;
+      bounds.low_row = &to_rest;
+    }
+    const double width = bounds.high - bounds.low;
     if (width >= 0) return x;
-    const double fall = bounds.high.per() - bounds.low.per();
+    const double fall = bounds.widening();
     if (!(fall < 0)) return 0;
     // Of a slope of next to nothing the bound is as good as upright, and rounding where it stands.
     x = std::max(std::min(x - width / fall, x * kBeside), 0.0);

@@ -29,8 +29,8 @@ JointReference back_from(const JointReference& reference, double now) noexcept {
 }  // namespace
 
 ReferenceInterpolator::ReferenceInterpolator(double period, const JointVector& v_max,
-                                             const JointVector& a_max)
-    : period_(period), extrapolation_(period, v_max, a_max), join_(period, v_max, a_max) {}
+                                             const JointVector& a_max, const JointVector& j_max)
+    : period_(period), extrapolation_(period, v_max, a_max), join_(v_max, a_max, j_max) {}
 
 void ReferenceInterpolator::reset(const JointReference& stand) noexcept {
   first_ = 0;

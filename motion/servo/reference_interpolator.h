@@ -25,8 +25,9 @@ class ReferenceInterpolator {
   /// extrapolation's three periods, plus the one that is always between neighbours.
   static constexpr int kLongestGap = ReferenceExtrapolation::kPeriods + 1;
 
-  /// v_max bounds what is extrapolated, a_max the ramp to rest; both bound the join.
-  ReferenceInterpolator(double period, const JointVector& v_max, const JointVector& a_max);
+  /// v_max bounds what is extrapolated, a_max the ramp to rest; all three bound the join.
+  ReferenceInterpolator(double period, const JointVector& v_max, const JointVector& a_max,
+                        const JointVector& j_max);
 
   /// Stands still at q from `stand.time` on, whatever its velocity; forgets what it had.
   void reset(const JointReference& stand) noexcept;

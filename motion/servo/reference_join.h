@@ -1,32 +1,35 @@
 #pragma once
 
 #include "motion/space/joint_vector.h"
+#include "motion/space/point_to_point.h"
 
 namespace rob::motion {
 
 /// The difference between where the axes are sent and where the references are, on its way to
 /// nothing. s, SI. It is added to the references.
 ///
-/// The acceleration is matched first, in d_a, the velocity in d_v, and the distance that is left by
-/// then is made up slowly, in d_q. With Δ the difference at the start and c the distance lost
-/// meanwhile:
+/// With Δ the difference at the start:
 ///
-///     o(t)  = p(t) − c + (Δq + c)·(1 − 10s³ + 15s⁴ − 6s⁵)                            s = t/d_q
-///     p'(t) = Δq'·(1 − 3r² + 2r³) + Δq''·d_a·(h − 2h² + h³)           r = t/d_v,   h = t/d_a
-///     c     = p(max(d_v, d_a)) = Δq'·d_v/2 + Δq''·d_a²/12
+///     o(t) = way·f(t) + u·g(t) + Δq''·h(t)      h'' = 1 ╲__     from 1 to 0 in τ, at once
+///     u    = Δq' + Δq''·τ/2                     g'  = 1 ‾╲__    a stop, over c, at once
+///     way  = Δq + u·c − Δq''·τ²/6               f   = 1 ‾‾╲__   from rest to rest, slowly
 ///
-/// so that o, o', o'' begin at Δ and end at 0. One quintic for all three would overshoot by half of
-/// Δq', however long it lasts. Every time is at least a period and the same for all axes, so that
-/// straight lines stay straight; d_v and d_q are the least, d_a the longest that keep
+/// u is the speed when the acceleration has been taken back, way the distance when the speed has,
+/// too. f, g, h are one motion from point to point, with the shortest times that keep on every axis
 ///
-///     speed beyond the references and Δq'    <= v_max/10 + v_max/20
-///     acceleration beyond the references     <= a_max/2 + |Δq''|
+///     speed beyond the references             <= v_max/10 + |Δq'| + |Δq''|·τ/2
+///     acceleration beyond the references      <= a_max/2 + |Δq''|
+///     jerk beyond the references              <= j_max/2
+///
+/// They are the same for all axes. So the offset stays among the directions of Δq, Δq' and Δq'': on
+/// a straight line, along which all three lie, it is along that line, in the space of the axes
+/// exactly and of an arm's tool as nearly as it is short. The end is exact.
 ///
 /// [choice] A tenth lets a drive that is planned to v_max follow; half leaves the references
-/// theirs. May be used in the tick.
+/// theirs. With infinite j_max the acceleration leaps. May be used in the tick.
 class ReferenceJoin {
  public:
-  ReferenceJoin(double period, const JointVector& v_max, const JointVector& a_max);
+  ReferenceJoin(const JointVector& v_max, const JointVector& a_max, const JointVector& j_max);
 
   /// `from` and `to` at the same instant: where the axes are sent, where they should be.
   void start(const JointReference& from, const JointReference& to) noexcept;
@@ -37,22 +40,14 @@ class ReferenceJoin {
   void apply(JointReference& reference) noexcept;
 
  private:
-  void choose_times(const JointVector& dq) noexcept;
-  void add_acceleration_part(double h, JointReference& reference) const noexcept;
-  void add_velocity_part(double r, JointReference& reference) const noexcept;
-  void add_way_part(double s, JointReference& reference) const noexcept;
-
-  double period_;
   JointVector v_max_;
   JointVector a_max_;
+  JointVector j_max_;
   bool active_ = false;
-  double start_ = 0;
-  double d_a_ = 0;
-  double d_v_ = 0;
-  double d_q_ = 0;
-  JointVector dv_;   // Δq'
-  JointVector da_;   // Δq''
-  JointVector way_;  // Δq + c
+  JointVector way_;
+  JointVector speed_;         // u
+  JointVector acceleration_;  // Δq''
+  PointToPoint fgh_;
 };
 
 }  // namespace rob::motion

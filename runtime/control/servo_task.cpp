@@ -53,7 +53,7 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
     : backend_(backend),
       channels_(channels),
       interpolator_(robot.reference_period, limits_of(robot, &motion::Axis::v_max),
-                    limits_of(robot, &motion::Axis::a_max)),
+                    limits_of(robot, &motion::Axis::a_max), limits_of(robot, &motion::Axis::j_max)),
       servo_(servo_of(robot)),
       supervisor_(drives_of(robot), limits_of(robot, &motion::Axis::v_max),
                   limits_of(robot, &motion::Axis::a_max), robot.servo_period),

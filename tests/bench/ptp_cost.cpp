@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/generate/point_to_point.h"
+#include "motion/space/point_to_point.h"
 
 namespace {
 

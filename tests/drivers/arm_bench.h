@@ -77,7 +77,8 @@ class ArmBench {
       : robot_(ums7(c.bandwidth)),
         arm_(real_arm(robot_, c)),
         law_(drives_of(robot_), c.servo_period, robot_.mechanics),
-        interpolator_(kKinematicPeriod, limits(&motion::Axis::v_max), limits(&motion::Axis::a_max)),
+        interpolator_(kKinematicPeriod, limits(&motion::Axis::v_max), limits(&motion::Axis::a_max),
+                      limits(&motion::Axis::j_max)),
         every_(static_cast<int>(std::lround(c.servo_period * 1000))) {
     if (!c.feed_forward) law_.leave_out_feed_forward();
     arm_.open();

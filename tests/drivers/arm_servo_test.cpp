@@ -159,7 +159,8 @@ TEST_CASE("no drive is asked for more than it has, whatever the arm carries") {
 TEST_CASE("a servo every 15 ms gets its references between those of 40 ms") {
   // A quintic of 3 s through its values at both ends of 40 ms is that quintic.
   motion::ReferenceInterpolator interpolator(kKinematicPeriod, JointVector::Constant(6, 2),
-                                             JointVector::Constant(6, 10));
+                                             JointVector::Constant(6, 10),
+                                             JointVector::Constant(6, 100));
   interpolator.reset(tour(0));
   for (int ms = 0; ms < 2900; ++ms) {
     if (ms % 40 == 0) interpolator.push(tour((ms + 40) * 1e-3));

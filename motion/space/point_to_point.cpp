@@ -1,4 +1,4 @@
-#include "motion/generate/point_to_point.h"
+#include "motion/space/point_to_point.h"
 
 #include <algorithm>
 
