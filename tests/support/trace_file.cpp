@@ -13,6 +13,7 @@ constexpr const char* kLeading[] = {"t",     "line",     "piece", "sigma",  "rat
                                     "state", "override", "limit", "late_us"};
 constexpr std::size_t kLeadingCount = std::size(kLeading);
 constexpr const char* kPose[] = {"x", "y", "z", "a", "b", "c"};
+constexpr const char* kWrench[] = {"fx", "fy", "fz", "tx", "ty", "tz"};
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -34,18 +35,19 @@ double number(std::string_view cell, std::size_t row, const std::string& column)
   return value;
 }
 
-/// How many axes a header speaks of: five columns each beside the leading ones and the pose.
-std::size_t axes_of(const std::vector<std::string_view>& header) {
-  const std::size_t fixed = kLeadingCount + std::size(kPose);
+/// How many axes a header speaks of: five columns each beside the leading ones, the pose and, where
+/// the robot has a sensor, the wrench.
+std::size_t axes_of(const std::vector<std::string_view>& header, bool felt) {
+  const std::size_t fixed = kLeadingCount + std::size(kPose) + (felt ? std::size(kWrench) : 0);
   const std::size_t axes = header.size() > fixed ? (header.size() - fixed) / 5 : 0;
-  const std::vector<std::string> expected = trace_columns(axes);
+  const std::vector<std::string> expected = trace_columns(axes, felt);
   if (axes == 0 || !std::equal(header.begin(), header.end(), expected.begin(), expected.end())) {
     throw TraceError("the header is not that of a trace");
   }
   return axes;
 }
 
-TraceRow row_from(const std::vector<double>& cells, std::size_t axes) {
+TraceRow row_from(const std::vector<double>& cells, std::size_t axes, bool felt) {
   TraceRow row;
   row.t = cells[0];
   row.line = static_cast<int>(cells[1]);
@@ -65,19 +67,24 @@ TraceRow row_from(const std::vector<double>& cells, std::size_t axes) {
   take(row.measured);
   std::copy_n(next, row.pose.size(), row.pose.begin());
   next += static_cast<std::ptrdiff_t>(row.pose.size());
+  if (felt) {
+    std::copy_n(next, row.wrench.size(), row.wrench.begin());
+    next += static_cast<std::ptrdiff_t>(row.wrench.size());
+  }
   take(row.drive);
   return row;
 }
 
 }  // namespace
 
-std::vector<std::string> trace_columns(std::size_t axes) {
+std::vector<std::string> trace_columns(std::size_t axes, bool felt) {
   std::vector<std::string> columns(std::begin(kLeading), std::end(kLeading));
   const auto each_axis = [&](const std::string& prefix) {
     for (std::size_t i = 1; i <= axes; ++i) columns.push_back(prefix + std::to_string(i));
   };
   for (const char* prefix : {"q", "qd", "qdd", "a"}) each_axis(prefix);
   columns.insert(columns.end(), std::begin(kPose), std::end(kPose));
+  if (felt) columns.insert(columns.end(), std::begin(kWrench), std::end(kWrench));
   each_axis("drive");
   return columns;
 }
@@ -87,8 +94,10 @@ TraceFile parse_trace(std::string_view text) {
   text.remove_suffix(1);
   const std::vector<std::string_view> lines = split(text, '\n');
   TraceFile trace;
-  trace.axes = axes_of(split(lines.front(), ','));
-  const std::vector<std::string> columns = trace_columns(trace.axes);
+  const std::vector<std::string_view> header = split(lines.front(), ',');
+  const bool felt = std::ranges::find(header, kWrench[0]) != header.end();
+  trace.axes = axes_of(header, felt);
+  const std::vector<std::string> columns = trace_columns(trace.axes, felt);
   trace.rows.reserve(lines.size() - 1);
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::vector<std::string_view> cells = split(lines[i], ',');
@@ -99,7 +108,7 @@ TraceFile parse_trace(std::string_view text) {
     std::vector<double> numbers;
     for (std::size_t c = 0; c < cells.size(); ++c)
       numbers.push_back(number(cells[c], i, columns[c]));
-    trace.rows.push_back(row_from(numbers, trace.axes));
+    trace.rows.push_back(row_from(numbers, trace.axes, felt));
   }
   return trace;
 }

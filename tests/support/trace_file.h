@@ -20,10 +20,11 @@ struct TraceRow {
   int state = 0;
   double override_share = 0;
   double late_us = 0;
-  AxisValues q, qd, qdd;         ///< references
-  AxisValues measured;           ///< measured positions
-  std::array<double, 6> pose{};  ///< x, y, z, a, b, c of the tool, from the references
-  AxisValues drive;              ///< what the servo puts out
+  AxisValues q, qd, qdd;           ///< references
+  AxisValues measured;             ///< measured positions
+  std::array<double, 6> pose{};    ///< x, y, z, a, b, c of the tool, from the references
+  std::array<double, 6> wrench{};  ///< N, then Nm, along the world; 0 without a sensor
+  AxisValues drive;                ///< what the servo puts out
 };
 
 struct TraceFile {
@@ -42,6 +43,6 @@ class TraceError : public std::runtime_error {
 TraceFile parse_trace(std::string_view text);
 
 /// The columns of a trace for so many axes, in their order.
-std::vector<std::string> trace_columns(std::size_t axes);
+std::vector<std::string> trace_columns(std::size_t axes, bool felt = false);
 
 }  // namespace rob::test
