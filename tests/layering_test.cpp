@@ -51,22 +51,26 @@ const std::vector<LayerRule>& layer_rules() {
     for (const char* folder : {"lang/vm", "lang/format", "lang/help"}) {
       made.push_back({folder, up_to_syntax});
     }
-    // Inside motion: space → kinematics, dynamics → robots → path → plan → ahead →
+    // Inside motion: space → kinematics, dynamics, cell → robots → path → plan → ahead →
     // generate → force.
     const std::vector<LayerRule> of_motion = {
         {"motion/space", {}},
         {"motion/kinematics", {"motion/space"}},
+        {"motion/cell", {"motion/space"}},
         {"motion/dynamics", {"motion/space"}},
         {"motion/servo", {"motion/space", "motion/dynamics"}},
     };
     made.insert(made.end(), of_motion.begin(), of_motion.end());
-    std::vector<std::string_view> below = {"motion/space", "motion/kinematics", "motion/dynamics"};
+    std::vector<std::string_view> below = {"motion/space", "motion/cell", "motion/kinematics",
+                                           "motion/dynamics"};
     for (const char* folder : {"motion/robots", "motion/path", "motion/plan", "motion/ahead",
                                "motion/generate", "motion/force"}) {
       made.push_back({folder, below});
       below.push_back(folder);
     }
-    made.push_back({"drivers", {"motion/space", "motion/dynamics", "motion/servo"}});
+    made.push_back(
+        {"drivers",
+         {"motion/space", "motion/cell", "motion/kinematics", "motion/dynamics", "motion/servo"}});
     made.push_back({"runtime", {"lang", "motion", "drivers"}});
     return made;
   }();
@@ -266,6 +270,8 @@ TEST_CASE("the rules admit what the architecture allows") {
   CHECK(admitted("motion/servo/servo_law.h", "#include <Eigen/Core>"));
   CHECK(admitted("drivers/serial_port.cpp", "#include <termios.h>"));
   CHECK(admitted("drivers/sim_gantry.cpp", "#include \"motion/servo/servo_backend.h\""));
+  CHECK(admitted("drivers/contact/sim_cell.h", "#include \"motion/kinematics/kinematics.h\""));
+  CHECK(admitted("drivers/contact/sim_cell.h", "#include \"motion/cell/cell_data.h\""));
   CHECK(admitted("runtime/control/motion_task.cpp", "#include \"drivers/sim_gantry.h\""));
   CHECK(admitted("runtime/prompt/repl.cpp", "#include <readline/readline.h>"));
 }

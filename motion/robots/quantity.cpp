@@ -51,6 +51,9 @@ constexpr Unit kUnits[] = {
     {Quantity::LinearFriction, "N*s/m", 1, 1},
     {Quantity::RotaryFriction, "Nm*s/rad", 1, 1},
     {Quantity::Bandwidth, "rad/s", 1, 1},
+    {Quantity::Stiffness, "N/m", 1, 1},
+    {Quantity::Stiffness, "N/mm", 1e3, 1},
+    {Quantity::TorsionStiffness, "Nm/rad", 1, 1},
 };
 
 std::string units_of(Quantity quantity) {

@@ -22,7 +22,9 @@ enum class Quantity {
   Torque,
   LinearFriction,
   RotaryFriction,
-  Bandwidth
+  Bandwidth,
+  Stiffness,
+  TorsionStiffness
 };
 
 /// "20 mm/s" as SI: a decimal number, spaces, a unit of that quantity. The result is the double

@@ -7,8 +7,10 @@
 
 #include "motion/kinematics/gantry_kinematics.h"
 #include "motion/robots/arm_file.h"
+#include "motion/robots/cell_file.h"
 #include "motion/robots/mechanics_file.h"
 #include "motion/robots/pulse_file.h"
+#include "motion/robots/signal_channel.h"
 #include "motion/robots/table_reader.h"
 #include "motion/robots/time_scaling.h"
 #include "motion/robots/wire_file.h"
@@ -184,18 +186,6 @@ int count_of_channels(const TableReader& file, std::string_view key, bool output
   return count;
 }
 
-/// The channel of the signal that `key` names.
-int signal_channel(const TableReader& table, std::string_view key, bool output,
-                   const RobotModel& robot) {
-  std::vector<std::string_view> names;
-  for (const RobotSignal& signal : robot.signals)
-    if (signal.output == output) names.push_back(signal.name);
-  const auto wanted = static_cast<std::size_t>(table.choice(key, names));
-  const auto found = std::find_if(robot.signals.begin(), robot.signals.end(),
-                                  [&](const RobotSignal& s) { return s.name == names[wanted]; });
-  return found->channel;
-}
-
 void read_actuators(const TableReader& file, RobotModel& robot) {
   for (const TableReader& table :
        file.tables("actuator", {"output", "off_input", "on_input", "travel_time"})) {
@@ -286,14 +276,14 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   } catch (const toml::parse_error& error) {
     fail_in_file(file_name, error.source().begin, std::string(error.description()));
   }
-  const TableReader file(table, file_name, "", {"name",         "description",   "kinematics",
-                                                "law",          "t_acc",         "reference_period",
-                                                "servo_period", "look_ahead",    "zone",
-                                                "zone_angle",   "servo",         "inputs",
-                                                "outputs",      "analog_inputs", "analog_outputs",
-                                                "force_sensor", "arm",           "dynamics",
-                                                "simulation",   "axis",          "signal",
-                                                "actuator",     "wire"});
+  const TableReader file(table, file_name, "",
+                         {"name",    "description",      "kinematics",     "law",
+                          "t_acc",   "reference_period", "servo_period",   "look_ahead",
+                          "zone",    "zone_angle",       "servo",          "inputs",
+                          "outputs", "analog_inputs",    "analog_outputs", "force_sensor",
+                          "arm",     "dynamics",         "simulation",     "axis",
+                          "signal",  "actuator",         "wire",           "force",
+                          "cell"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
@@ -310,6 +300,8 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   choose_mechanics(file, axes, robot);
   read_servo(file, axes, robot);
   read_wire(file, axes, robot);
+  read_force(file, robot);
+  read_cell(file, robot);
   if (robot.t_acc > 0) check_paul(file, axes, robot);
   return robot;
 }

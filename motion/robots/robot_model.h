@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "motion/cell/cell_data.h"
 #include "motion/dynamics/arm_mechanics.h"
 #include "motion/kinematics/kinematics.h"
 #include "motion/servo/drive_data.h"
@@ -106,8 +107,9 @@ struct RobotModel {
   int analog_outputs = 0;
   std::vector<RobotSignal> signals;
   std::vector<TwoPositionActuator> actuators;
-  bool force_sensor = false;  ///< it measures forces and torques on the tool
-  ForceSensorData force;      ///< only with a force sensor
+  bool force_sensor = false;     ///< it measures forces and torques on the tool
+  ForceSensorData force;         ///< only with a force sensor
+  std::optional<CellData> cell;  ///< what surrounds the simulated robot's tool
   /// Targets are written as the tool's x, y, z, a, b, c in the world; else as axis values.
   bool tool_coordinates = false;
   /// Null where this version does not know how the axes move the tool: such a robot cannot be run.

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "drivers/contact/sim_cell.h"
 #include "drivers/sim_arm.h"
 #include "drivers/sim_gantry.h"
 #include "motion/kinematics/arm_kinematics.h"
@@ -34,9 +35,7 @@ std::vector<drivers::PulseDrive> pulse_drives_of(const motion::RobotModel& robot
   return pulse_drives;
 }
 
-}  // namespace
-
-std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& robot) {
+std::unique_ptr<drivers::SimMachine> machine_of(const motion::RobotModel& robot) {
   std::vector<motion::DriveData> drives;
   for (const motion::Axis& axis : robot.axes) drives.push_back(axis.drive);
   std::vector<drivers::SimActuatorParameters> actuators;
@@ -49,6 +48,15 @@ std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& ro
   }
   return std::make_unique<drivers::SimGantry>(
       drivers::SimGantryParameters{drives, robot.start, actuators, pulse_drives_of(robot)});
+}
+
+}  // namespace
+
+std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& robot) {
+  std::unique_ptr<drivers::SimMachine> machine = machine_of(robot);
+  if (!robot.cell) return machine;
+  return std::make_unique<drivers::SimCell>(std::move(machine), robot.kinematics, *robot.cell,
+                                            robot.force.delay);
 }
 
 }  // namespace rob::runtime

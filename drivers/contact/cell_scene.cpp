@@ -1,0 +1,160 @@
+#include "drivers/contact/cell_scene.h"
+
+#include <algorithm>
+
+namespace rob::drivers {
+
+using Eigen::Vector3d;
+using motion::RackData;
+
+CellScene::CellScene(const motion::CellData& cell)
+    : cell_(cell),
+      racks_(cell.racks),
+      law_{cell.contact.stiffness, cell.contact.damping_time, cell.contact.friction},
+      sinking_{cell.contact.fall_speed, cell.contact.fall_resistance},
+      thread_(cell.cap, cell.contact.torsion) {
+  in_hole_.assign(static_cast<std::size_t>(racks_.holes()), kNone);
+  for (int number = 0; number < racks_.holes(); ++number) {
+    const RackData::Fill fill = racks_.fill(number);
+    if (fill == RackData::Fill::Empty) continue;
+    const Hole hole = racks_.hole(number);
+    in_hole_[static_cast<std::size_t>(number)] = static_cast<int>(tubes_.size());
+    Tube standing;
+    standing.foot = {hole.mouth.x(), hole.mouth.y(), hole.bottom()};
+    standing.hole = number;
+    standing.capped = fill == RackData::Fill::CappedTubes;
+    tubes_.push_back(standing);
+  }
+}
+
+bool CellScene::capped(int hole) const noexcept {
+  return occupied(hole) && tube(tube_in(hole)).capped;
+}
+
+double CellScene::cap_turned(int hole) const noexcept {
+  return capped(hole) ? tube(tube_in(hole)).turned : 0;
+}
+
+void CellScene::step(const ToolMotion& tool, double dt) noexcept {
+  const double way = tool.turn - tool_.turn;
+  tool_ = tool;
+  const Pressed pressed = touch(tool, dt, foot_);
+  touching_ = pressed.touching;
+  reaction_ = {pressed.place, pressed.force, 0};
+  turn_cap(way);
+}
+
+bool CellScene::would_touch(const ToolMotion& tool) const noexcept {
+  Foot foot = foot_;
+  return touch(tool, kStep, foot).touching;
+}
+
+/// The tube that stands around x, y.
+int CellScene::standing_at(double x, double y) const noexcept {
+  const int hole = racks_.nearest(x, y);
+  if (hole == RackGrid::kNone) return kNone;
+  const int number = tube_in(hole);
+  if (number == kNone) return kNone;
+  const double beside = (tube(number).foot - Vector3d(x, y, 0)).head<2>().norm();
+  return beside < cell_.tube.radius + cell_.gripper.reach ? number : kNone;
+}
+
+double CellScene::cap_bottom(const Tube& tube) const noexcept {
+  return tube.foot.z() + cell_.tube.length - cell_.cap.overlap - thread_.sink(tube.turned);
+}
+
+double CellScene::top(const Tube& tube) const noexcept {
+  return tube.capped ? cap_bottom(tube) + cell_.cap.height : tube.foot.z() + cell_.tube.length;
+}
+
+/// The tube that a cap there slips over.
+int CellScene::under_cap(const Vector3d& cap) const noexcept {
+  const int number = standing_at(cap.x(), cap.y());
+  if (number == kNone || tube(number).capped) return kNone;
+  const double beside = (tube(number).foot - cap).head<2>().norm();
+  return beside <= cell_.gripper.reach ? number : kNone;
+}
+
+const motion::CapSupplyData* CellScene::supply_at(const Vector3d& place) const noexcept {
+  for (const motion::CapSupplyData& supply : cell_.cap_supplies)
+    if ((supply.place - place).head<2>().norm() <= cell_.gripper.reach) return &supply;
+  return nullptr;
+}
+
+/// Height of what stands for good below a place.
+double CellScene::obstacle(const Vector3d& place) const noexcept {
+  if (const motion::CapSupplyData* supply = supply_at(place)) return supply->place.z();
+  const int hole = racks_.nearest(place.x(), place.y());
+  return hole == RackGrid::kNone ? cell_.table : racks_.hole(hole).mouth.z();
+}
+
+Carried CellScene::carried(const ToolMotion& tool) const noexcept {
+  return {tool.tip - Vector3d(0, 0, below_tip_), tool.velocity};
+}
+
+Pressed CellScene::touch(const ToolMotion& tool, double dt, Foot& foot) const noexcept {
+  const Carried end = carried(tool);
+  if (held_ == Held::Tube) return touch_tube(end, dt, foot);
+  Pressed pressed = held_ == Held::Cap ? touch_top(end, foot) : touch_empty(tool);
+  foot.place = pressed.place;
+  return pressed;
+}
+
+Pressed CellScene::touch_tube(const Carried& end, double dt, Foot& foot) const noexcept {
+  const int hole = racks_.nearest(foot.place.x(), foot.place.y());
+  const bool free_hole = hole != RackGrid::kNone && tube_in(hole) == kNone;
+  if (free_hole) return carry_into(racks_.hole(hole), end, foot, dt, law_, sinking_);
+  return touch_top(end, foot);
+}
+
+/// A tube or a cap on what stands below it.
+Pressed CellScene::touch_top(const Carried& end, const Foot& foot) const noexcept {
+  const int below = standing_at(end.place.x(), end.place.y());
+  double height = obstacle(end.place);
+  if (below != kNone) height = top(tube(below));
+  if (held_ == Held::Cap && under_cap(end.place) != kNone) height = cap_bottom(tube(below));
+  return press({Vector3d(0, 0, height), Vector3d::UnitZ()}, end, foot.place, law_);
+}
+
+/// The palm on what is between the fingers, or their ends on what is below.
+Pressed CellScene::touch_empty(const ToolMotion& tool) const noexcept {
+  double height = obstacle(tool.tip) + cell_.gripper.fingers;
+  const int below = standing_at(tool.tip.x(), tool.tip.y());
+  if (below != kNone) height = std::max(height, top(tube(below)) - cell_.gripper.palm);
+  if (const motion::CapSupplyData* supply = supply_at(tool.tip))
+    height = supply->place.z() + cell_.cap.height - cell_.gripper.palm;
+  const Plane plane{Vector3d(0, 0, height), Vector3d::UnitZ()};
+  return press(plane, {tool.tip, tool.velocity}, foot_.place, law_);
+}
+
+/// A cap that is held turns on the thread of a tube that stands, as long as it is pressed.
+void CellScene::turn_cap(double way) noexcept {
+  if (held_ == Held::Nothing || (held_ == Held::Tube && !by_cap_)) return;
+  if (held_ == Held::Cap) held_number_ = under_cap(foot_.place);
+  if (held_number_ == kNone || reaction_.force.z() <= 0) return thread_.grip();
+  Tube& turning = tube(held_number_);
+  const double before = thread_.sink(turning.turned);
+  thread_.turn(way, turning.turned);
+  reaction_.torque = thread_.torque();
+  const double sunk = thread_.sink(turning.turned) - before;
+  if (held_ == Held::Tube) {
+    below_tip_ -= sunk;  // the thread draws the tube up
+    if (turning.turned == 0) unscrew();
+  } else if (turning.turned > 0) {
+    begin_thread(sunk);
+  }
+}
+
+/// Cap and tube are one: from now on the hand carries the tube.
+void CellScene::begin_thread(double sunk) noexcept {
+  Tube& turning = tube(held_number_);
+  turning.capped = true;
+  in_hole_[static_cast<std::size_t>(turning.hole)] = kNone;
+  turning.hole = kNone;
+  held_ = Held::Tube;
+  by_cap_ = true;
+  below_tip_ += cell_.tube.length - cell_.cap.overlap - sunk;
+  foot_ = {turning.foot, false};
+}
+
+}  // namespace rob::drivers
