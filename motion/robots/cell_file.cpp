@@ -137,6 +137,7 @@ void read_cell(const TableReader& file, RobotModel& robot) {
   const TableReader sensor =
       table.table("sensor", {"period", "force_noise", "torque_noise", "force_bias", "torque_bias"});
   cell.sensor = read_errors(sensor);
+  robot.force.noise = cell.sensor.force_noise;
   if (robot.force.delay > kRemembered * cell.sensor.period)
     sensor.fail("period", "is too short for the delay: at most 100 samples may be on their way");
   const TableReader contact = table.table("contact", {"stiffness", "damping_time", "friction",
