@@ -94,17 +94,14 @@ Carried CellScene::carried(const ToolMotion& tool) const noexcept {
 
 Pressed CellScene::touch(const ToolMotion& tool, double dt, Foot& foot) const noexcept {
   const Carried end = carried(tool);
-  if (held_ == Held::Tube) return touch_tube(end, dt, foot);
-  Pressed pressed = held_ == Held::Cap ? touch_top(end, foot) : touch_empty(tool);
-  foot.place = pressed.place;
+  if (held_ == Held::Tube) {
+    const int hole = racks_.nearest(foot.place.x(), foot.place.y());
+    if (hole != RackGrid::kNone && !occupied(hole))
+      return carry_into(racks_.hole(hole), end, foot, dt, law_, sinking_);
+  }
+  const Pressed pressed = held_ == Held::Nothing ? touch_empty(tool) : touch_top(end, foot);
+  foot = {pressed.place, false};
   return pressed;
-}
-
-Pressed CellScene::touch_tube(const Carried& end, double dt, Foot& foot) const noexcept {
-  const int hole = racks_.nearest(foot.place.x(), foot.place.y());
-  const bool free_hole = hole != RackGrid::kNone && tube_in(hole) == kNone;
-  if (free_hole) return carry_into(racks_.hole(hole), end, foot, dt, law_, sinking_);
-  return touch_top(end, foot);
 }
 
 /// A tube or a cap on what stands below it.

@@ -89,7 +89,6 @@ class CellScene {
   Carried carried(const ToolMotion& tool) const noexcept;
   // Contact (cell_scene.cpp)
   Pressed touch(const ToolMotion& tool, double dt, Foot& foot) const noexcept;
-  Pressed touch_tube(const Carried& end, double dt, Foot& foot) const noexcept;
   Pressed touch_top(const Carried& end, const Foot& foot) const noexcept;
   Pressed touch_empty(const ToolMotion& tool) const noexcept;
   void turn_cap(double way) noexcept;

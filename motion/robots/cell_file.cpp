@@ -22,10 +22,9 @@ constexpr Range kFallSpeed{1e-5, 10};
 constexpr Range kFallResistance{1, 1e6};
 constexpr Range kPlace{-100, 100};
 constexpr Range kMeasure{1e-5, 10};
-constexpr Range kStep{0, 10};
-constexpr Range kGap{0, 0.1};
+constexpr Range kGap{1e-7, 0.1};
 constexpr Range kTurns{1e-2, 1e3};
-constexpr Range kTorque{0, 1e3};
+constexpr Range kTorque{1e-6, 1e3};
 constexpr int kMostHoles = 1000;     // in a row or a column
 constexpr double kRemembered = 100;  // samples of the sensor, while they are on their way
 
@@ -64,8 +63,8 @@ GripperData read_gripper(const TableReader& table, const RobotModel& robot) {
   gripper.held_input = signal_channel(table, "held_input", false, robot);
   if (gripper.held_input == gripper.closed_input)
     table.fail("held_input", "must be another input than closed_input");
-  gripper.tip = table.quantity("tip", Quantity::Length, kStep);
-  gripper.fingers = table.quantity("fingers", Quantity::Length, kStep);
+  gripper.tip = table.quantity("tip", Quantity::Length, kMeasure);
+  gripper.fingers = table.quantity("fingers", Quantity::Length, kMeasure);
   gripper.palm = table.quantity("palm", Quantity::Length, kMeasure);
   gripper.reach = table.quantity("reach", Quantity::Length, kMeasure);
   return gripper;
@@ -74,7 +73,7 @@ GripperData read_gripper(const TableReader& table, const RobotModel& robot) {
 CapData read_cap(const TableReader& table) {
   CapData cap;
   cap.height = table.quantity("height", Quantity::Length, kMeasure);
-  cap.overlap = table.quantity("overlap", Quantity::Length, kStep);
+  cap.overlap = table.quantity("overlap", Quantity::Length, kMeasure);
   cap.pitch = table.quantity("pitch", Quantity::Length, kMeasure);
   cap.turns = table.quantity("turns", Quantity::Angle, kTurns);
   cap.running_torque = table.quantity("running_torque", Quantity::Torque, kTorque);

@@ -83,7 +83,15 @@ bool may_be_less(const std::string& key) {
                                                 "c8",
                                                 "ripple",
                                                 "viscous_friction",
-                                                "coulomb_friction"};
+                                                "coulomb_friction",
+                                                "x",
+                                                "y",
+                                                "face",
+                                                "table",
+                                                "delay",
+                                                "damping_time",
+                                                "force_noise",
+                                                "torque_noise"};
   return std::ranges::find(keys, key) != keys.end();
 }
 
