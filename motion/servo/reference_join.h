@@ -14,8 +14,9 @@ namespace rob::motion {
 ///     u    = Δq' + Δq''·τ/2                     g'  = 1 ‾╲__    a stop, over c, at once
 ///     way  = Δq + u·c − Δq''·τ²/6               f   = 1 ‾‾╲__   from rest to rest, slowly
 ///
-/// u is the speed when the acceleration has been taken back, way the distance when the speed has,
-/// too. f, g, h are one motion from point to point, with the shortest times that keep on every axis
+/// u is the speed when the acceleration has been taken back, in τ = max |Δq''|/(5/16·j_max), way
+/// the distance when the speed has, too. f, g, h are one motion from point to point. Each has a
+/// share of the limits, so that together they keep on every axis
 ///
 ///     speed beyond the references             <= v_max/10 + |Δq'| + |Δq''|·τ/2
 ///     acceleration beyond the references      <= a_max/2 + |Δq''|
