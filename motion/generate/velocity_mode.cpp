@@ -31,6 +31,10 @@ constexpr double kStretched = 0.01;
 /// straight way asks of the axes. [choice] at full speed of an arm about a third.
 constexpr double kForCurvature = 0.7;
 
+/// Share of rates, or of what an acceleration makes of them in a step, that is nothing beside them.
+/// [choice] far above rounding
+constexpr double kBeside = 1e-6;
+
 /// s: a step of a rest is a period, or as many together as this holds. [choice] A tenth of what it
 /// takes an arm to reach its full acceleration, so that a robot at 1 kHz can work out a rest, too.
 constexpr double kRestStep = 0.004;
@@ -230,11 +234,8 @@ double VelocityMode::greatest_share(const JointVector& asked) noexcept {
 /// A step of some time, towards a share of the asked rates, which make `asked` of the axes.
 JogLimit VelocityMode::go(const State& from, double share, const JointVector& asked, double time,
                           State& to) const noexcept {
-  const double usable = space_.joint() ? 1 : kForCurvature;
   const JointVector missing = asked_.rate * share - from.rate;
-  const RateChange change = rate_change(asked * share - from.axes.qd, from.axes.qdd,
-                                        a_max_ * usable, j_max_ * usable, time);
-  to.acceleration = missing * change.of_missing + from.acceleration * change.of_acceleration;
+  to.acceleration = next_acceleration(from, missing, asked * share - from.axes.qd, time);
   to.rate = from.rate + (from.acceleration + to.acceleration) * (time / 2);
   if (share == 0 && to.rate.cwiseAbs().maxCoeff() < kNoRate &&
       to.acceleration.cwiseAbs().maxCoeff() < kNoRate / time) {
@@ -245,6 +246,33 @@ JogLimit VelocityMode::go(const State& from, double share, const JointVector& as
   const JointVector near = from.axes.q + from.axes.qd * time + from.axes.qdd * (time * time / 2);
   if (!follow(near, to) || leaves_reach(from.axes.q, to.axes.q)) return {Kind::Reach, -1};
   return judge(from.axes, to.axes, time);
+}
+
+/// Of the rates. What of the acceleration does not lie along what is missing would last as long as
+/// that does, and lead the tool aside: half of the jerk takes it back at once. `of_axes`: what is
+/// missing, as the axes feel it.
+JointVector VelocityMode::next_acceleration(const State& from, const JointVector& missing,
+                                            const JointVector& of_axes,
+                                            double time) const noexcept {
+  const double usable = space_.joint() ? 1 : kForCurvature;
+  const double square = missing.squaredNorm();
+  const double along = square > 0 ? from.acceleration.dot(missing) / square : 0;
+  const JointVector beside = from.acceleration - missing * along;
+  const JointVector a_max = a_max_ * usable;
+  const JointVector j_max = j_max_ * usable;
+  const double way = missing.norm();
+  const double bent = from.acceleration.norm() * time;
+  const bool directed = way > std::max(kBeside * bent, kNoRate);
+  if (!directed || beside.norm() * time <= kBeside * std::max(bent, way)) {
+    const RateChange change = rate_change(of_axes, from.axes.qdd, a_max, j_max, time);
+    return missing * change.of_missing + from.acceleration * change.of_acceleration;
+  }
+  const JointVector felt = from.axes.qdd - of_axes * along;
+  const JointVector left = (a_max - felt.cwiseAbs()).cwiseMax(a_max / 4);
+  const RateChange change = rate_change(of_axes, of_axes * along, left, j_max / 2, time);
+  const double most = felt.cwiseQuotient(j_max).cwiseAbs().maxCoeff() / time;
+  const double kept = most > 0.5 ? 1 - 0.5 / most : 0;
+  return missing * (change.of_missing + along * change.of_acceleration) + beside * kept;
 }
 
 /// The axes, their speed and acceleration for the place of a state and how it moves.

@@ -27,7 +27,8 @@ struct JogLimit {
 /// Motion at given rates (S2's velocity modes): from any state, period by period, towards the rates
 /// that were asked for last.
 ///
-/// Rates change all together (rate_change()), within what every axis may accelerate and jerk; where
+/// Rates change all together (rate_change()), within what every axis may accelerate and jerk, and
+/// what a former change has left beside the direction of the present one is taken back; where
 /// the tool moves, so does it straight in its space. No step is taken from which the jog could not
 /// come to rest with every axis within its way, speed, acceleration and jerk: that rest is tried
 /// beforehand, and where it is not possible smaller rates in the same direction are. Where none of
@@ -79,6 +80,8 @@ class VelocityMode {
   double greatest_share(const JointVector& asked) noexcept;
   JogLimit go(const State& from, double share, const JointVector& asked, double time,
               State& to) const noexcept;
+  JointVector next_acceleration(const State& from, const JointVector& missing,
+                                const JointVector& of_axes, double time) const noexcept;
   JogPlace moved(const State& from, const State& to, double time) const noexcept;
   bool follow(const JointVector& near, State& state) const noexcept;
   JogLimit judge(const JointReference& from, const JointReference& to, double time) const noexcept;

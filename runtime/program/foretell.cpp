@@ -33,9 +33,12 @@ std::vector<std::string> undriven_inputs(const LoadedProgram& program,
   std::vector<std::string> names;
   for (const lang::RobotSignature::Signal& signal : signature.signals) {
     const int channel = signal.channel - 1;
-    const bool machine = !signal.analog && std::ranges::any_of(robot.actuators, [&](const auto& a) {
+    const bool moved = std::ranges::any_of(robot.actuators, [&](const auto& a) {
       return a.input_off == channel || a.input_on == channel;
     });
+    const bool felt = robot.cell && (robot.cell->gripper.closed_input == channel ||
+                                     robot.cell->gripper.held_input == channel);
+    const bool machine = !signal.analog && (moved || felt);
     const auto kind = signal.analog ? WorldSignal::Kind::AnalogInput : WorldSignal::Kind::Input;
     const bool scripted = std::ranges::any_of(rules_of(script), [&](const SimulationRule& rule) {
       return rule.setting.place.kind == kind && rule.setting.place.channel == channel;

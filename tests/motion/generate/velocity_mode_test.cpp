@@ -281,6 +281,27 @@ TEST_CASE("what AT bounds is not passed") {
   CHECK(bench.mode.reference().qd[0] * radius == doctest::Approx(0.02).epsilon(1e-6));
 }
 
+TEST_CASE("what a change of rates has left beside the next one does not lead the tool aside") {
+  // S4's capping at 50 Hz: z slowly down, ever less, and the hand begins to turn meanwhile. Turning
+  // takes 0.15 s to come to speed; if z went on slowing down so long, it would go up.
+  JogBench arm("lwa4p");
+  arm.run(jog_rates(Space::World, {0, 0, -5e-3, 0, 0, 0}), 0.1);
+  arm.run(jog_rates(Space::World, {0, 0, -0.8e-3, 0, 0, 0}), 0.008);
+  const double before = arm.tool().position.z();
+  double highest = -1;
+  for (int k = 0; k < 50; ++k) {
+    const double z = arm.tool().position.z();
+    arm.run(jog_rates(Space::World, {0, 0, -0.8e-3, 0, 0, -0.8}), arm.robot.reference_period);
+    highest = std::max(highest, arm.tool().position.z() - z);
+  }
+  CHECK(highest < 0);
+  // 0.2 s of 0.8 mm/s, and what is left of the 5 mm/s: it is taken back within 50 ms.
+  const double down = before - arm.tool().position.z();
+  CHECK(down > 0.2 * 0.8e-3);
+  CHECK(down < 0.2 * 0.8e-3 + 0.05 * 4.2e-3);
+  arm.check_limits();
+}
+
 TEST_CASE("velocity mode takes no memory") {
   for (const char* name : {"gantry", "ums7"}) {
     JogBench bench(name);

@@ -15,7 +15,7 @@ using motion::Wrench;
 const motion::RobotModel& arm() {
   static const motion::RobotModel robot = [] {
     motion::RobotModel made = motion::embedded_robot("lwa4p");
-    made.force.delay = 0.01;
+    made.force = {.delay = 0.01, .stiffness = made.force.stiffness};  // it is never stuck
     return made;
   }();
   return robot;
