@@ -1,5 +1,5 @@
-/// draw_motion FOLDER [ROB]: the drawings of docs/motion.md, as FOLDER/motion_*.svg; with the
-/// program `rob` also the one of its traces.
+/// draw_motion FOLDER [ROB EXAMPLES]: the drawings of docs/motion.md, as FOLDER/motion_*.svg; with
+/// the program `rob` and the folder of its examples also those of its traces.
 
 #include <exception>
 #include <stdexcept>
@@ -10,8 +10,8 @@
 
 int main(int argc, char** argv) {
   using namespace rob::test;
-  if (argc != 2 && argc != 3) {
-    fmt::print(stderr, "usage: draw_motion FOLDER [ROB]\n");
+  if (argc != 2 && argc != 4) {
+    fmt::print(stderr, "usage: draw_motion FOLDER [ROB EXAMPLES]\n");
     return 64;
   }
   try {
@@ -23,7 +23,9 @@ int main(int argc, char** argv) {
     save("corner", corner_drawing());
     save("speed", speed_drawing());
     save("mean", mean_drawing());
-    if (argc == 3) save("triangle", triangle_drawing(argv[2]));
+    if (argc == 2) return 0;
+    save("triangle", triangle_drawing(argv[2]));
+    save("capping", capping_drawing(argv[2], argv[3]));
   } catch (const std::exception& error) {
     fmt::print(stderr, "draw_motion: {}\n", error.what());
     return 70;

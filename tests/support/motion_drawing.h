@@ -21,4 +21,7 @@ Drawing mean_drawing();
 /// under Paul's law, look-ahead without and with a bound of the jerk.
 Drawing triangle_drawing(const std::string& rob);
 
+/// The last 26 s of examples/20_capping.rob: force, torque, axis 6 (S4).
+Drawing capping_drawing(const std::string& rob, const std::string& examples);
+
 }  // namespace rob::test
