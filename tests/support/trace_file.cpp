@@ -11,6 +11,7 @@ namespace {
 /// The columns before those that each axis has; `piece` and `limit` are read over.
 constexpr const char* kLeading[] = {"t",     "line",     "piece", "sigma",  "rate",
                                     "state", "override", "limit", "late_us"};
+constexpr std::size_t kLine = 1;
 constexpr std::size_t kLeadingCount = std::size(kLeading);
 constexpr const char* kPose[] = {"x", "y", "z", "a", "b", "c"};
 constexpr const char* kWrench[] = {"fx", "fy", "fz", "tx", "ty", "tz"};
@@ -33,6 +34,11 @@ double number(std::string_view cell, std::size_t row, const std::string& column)
                      std::string(cell) + "' is not a finite number");
   }
   return value;
+}
+
+/// Of "tools.rob:5", which names a file that the program USEs, the 5.
+std::string_view line_in_file(std::string_view cell) {
+  return cell.substr(cell.rfind(':') + 1);  // 0 where there is none
 }
 
 /// How many axes a header speaks of: five columns each beside the leading ones, the pose and, where
@@ -107,7 +113,7 @@ TraceFile parse_trace(std::string_view text) {
     }
     std::vector<double> numbers;
     for (std::size_t c = 0; c < cells.size(); ++c)
-      numbers.push_back(number(cells[c], i, columns[c]));
+      numbers.push_back(number(c == kLine ? line_in_file(cells[c]) : cells[c], i, columns[c]));
     trace.rows.push_back(row_from(numbers, trace.axes, felt));
   }
   return trace;
