@@ -19,7 +19,7 @@ constexpr double kInstant = 0x1p-11;
 
 PressContact contact_of(const RobotModel& robot) {
   PressContact contact{robot.force.stiffness > 0 ? robot.force.stiffness : kStiffest,
-                      robot.force.delay, robot.reference_period, kAcceleration};
+                       robot.force.delay, robot.reference_period, kAcceleration};
   for (const Axis& axis : robot.axes) {
     if (axis.kind != AxisKind::Linear) continue;
     contact.acceleration = std::min(contact.acceleration, axis.a_max / 2);

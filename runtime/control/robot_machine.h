@@ -344,7 +344,7 @@ class RobotMachine final : public lang::Machine {
   // What the next motion does on its way, and the place whose action comes next.
   std::vector<OnTheWay> on_the_way_;
   std::vector<lang::MoveCommand> via_;  ///< points that the next motion goes through
-  std::optional<ProgramPace> live_;            ///< its pace
+  std::optional<ProgramPace> live_;     ///< its pace
   std::deque<ProgramWatch> paces_;      ///< a ring
   std::size_t next_pace_ = 0;
   std::optional<lang::PathPlace> place_;
