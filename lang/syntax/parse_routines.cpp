@@ -129,6 +129,8 @@ const Parser::DefinedNames& Parser::defined_names() {
 /// USEs.
 bool Parser::names_routine(std::string_view name) {
   const auto named = [&](const Routine& routine) { return same_word(routine.name, name); };
+  // Where the files that are USEd are not read, as by the formatter, it may be one of theirs.
+  if (imports_.empty() && !outline_.uses.empty()) return true;
   return defined_names().routines.contains(to_upper(name)) ||
          std::ranges::any_of(imports_, [&](const Import& import) {
            return std::ranges::any_of(import.program->routines, named);

@@ -9,6 +9,14 @@ using rob::test::read_whole_file;
 using rob::test::RobCommand;
 using rob::test::run_process;
 
+TEST_CASE(
+    "rob fmt does not read what a file USEs: a name of it may look like a statement misspelt") {
+  const RobCommand rob("USE hand\ntake(\"a cap\")\n");  // BRAKE is near
+  CHECK(rob("fmt", {"--check"}).exit_code == 0);
+  const RobCommand alone("take(\"a cap\")\n");
+  CHECK(alone("fmt", {"--check"}).exit_code == 65);
+}
+
 TEST_CASE("rob fmt gives a file its layout, once and for all") {
   const RobCommand rob("move(1,2,3)at 50%\r\n\r\n\r\nstop");
   const ProcessResult check = rob("fmt", {"--check"});
