@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/generate/rate_change.h"
+
 namespace rob::motion {
 
 namespace {
@@ -40,7 +42,7 @@ void ConstantForce::begin(double force, double most_speed) noexcept {
 void ConstantForce::step(double felt) noexcept {
   ways_[steps_++ % kKept] = way_;
   const double error = force_ - felt;
-  const double late = contact_.delay + contact_.period;
+  const double late = contact_.late();
   judge(error);
   if (felt / force_ < kContact) {
     line_ = {};
@@ -87,11 +89,18 @@ void ConstantForce::judge(double error) noexcept {
 }
 
 void ConstantForce::go(double rate) noexcept {
-  const double most = contact_.acceleration * contact_.period;
-  const double change = std::clamp(rate - rate_, -most, most);
-  acceleration_ = change / contact_.period;
-  way_ += (rate_ + change / 2) * contact_.period;
-  rate_ += change;
+  constexpr double kNothing = 1e-12;  // m/s: what rounding leaves of a standstill
+  const auto one = [](double value) noexcept { return JointVector::Constant(1, value); };
+  const double period = contact_.period;
+  const double missing = rate - rate_;
+  const RateChange change = rate_change(one(missing), one(acceleration_),
+                                        one(contact_.acceleration), one(contact_.jerk), period);
+  const double next = missing * change.of_missing + acceleration_ * change.of_acceleration;
+  way_ += rate_ * period + (2 * acceleration_ + next) * (period * period / 6);
+  rate_ += (acceleration_ + next) * (period / 2);
+  acceleration_ = next;
+  const bool stands = std::abs(rate_) < kNothing && std::abs(acceleration_) * period < kNothing;
+  if (rate == 0 && stands) rate_ = acceleration_ = 0;
 }
 
 }  // namespace rob::motion
