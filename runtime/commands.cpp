@@ -26,6 +26,7 @@
 #include "runtime/program/progress.h"
 #include "runtime/program/run.h"
 #include "runtime/program/run_mark.h"
+#include "runtime/program/simulation.h"
 #include "runtime/program/terminal.h"
 #include "runtime/program/text_report.h"
 #include "runtime/prompt/prompt.h"
@@ -112,6 +113,8 @@ std::vector<LoadedProgram> load_programs(const Options& options) {
   std::vector<LoadedProgram> programs;
   for (const std::string& file : options.files)
     programs.push_back(load_program(file, options.robot, options.law));
+  for (LoadedProgram& program : programs)
+    if (options.cell) change_cell(program.robot, *options.cell);
   return programs;
 }
 

@@ -40,6 +40,7 @@ struct Parser {
   Options options;
   std::string override_text = "100%";
   std::string law;
+  std::optional<std::uint64_t> seed;
   std::string topic;
 
   Parser();
@@ -51,7 +52,9 @@ struct Parser {
     command.add_option("--law", law, "transition law: paul or lookahead")->check(check_law);
   }
   void add_seed(CLI::App& command) {
-    command.add_option("--seed", options.seed, "where RANDOM begins: a whole number from 0")
+    command
+        .add_option("--seed", seed,
+                    "where RANDOM begins, and which simulated cell: a whole number from 0")
         ->check(CLI::NonNegativeNumber);
   }
   void add_signals(CLI::App& command) {
@@ -197,6 +200,8 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
     return CommandLineEnd{ExitCode::Done, out.str(), ""};
   }
   parser.options.override_share = *override_of(parser.override_text);
+  parser.options.seed = parser.seed.value_or(lang::Random::kDefaultSeed);
+  parser.options.cell = parser.seed;
   if (!parser.law.empty())
     parser.options.law = parser.law == "paul" ? motion::Law::Paul : motion::Law::LookAhead;
   if (parser.options.command == Options::Command::Help) return help_on(parser);

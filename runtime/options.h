@@ -27,6 +27,8 @@ struct Options {
   bool home = false;            ///< the machine homes itself first
   double override_share = 1;
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
+  /// Which of its simulated cells the robot stands in; without it that of its file.
+  std::optional<std::uint64_t> cell;
   bool fast = false;
   bool json = false;
   bool listing = false;

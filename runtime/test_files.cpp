@@ -8,6 +8,7 @@
 #include "runtime/program/json_report.h"
 #include "runtime/program/load.h"
 #include "runtime/program/run.h"
+#include "runtime/program/simulation.h"
 #include "runtime/program/test_report.h"
 #include "runtime/program/test_runner.h"
 #include "runtime/program/text_report.h"
@@ -50,6 +51,7 @@ ExitCode test_files(const Options& options) {
   for (const std::string& file : options.files)
     programs.push_back(load_program(file, options.robot, options.law));
   for (LoadedProgram& program : programs) {
+    if (options.cell) change_cell(program.robot, *options.cell);
     refuse_missing_points(program);
     refuse_what_an_arm_cannot(program);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -17,6 +18,7 @@ struct SensorErrors {
   double torque_noise = 0;  ///< Nm
   Eigen::Vector3d force_bias = Eigen::Vector3d::Zero();   ///< N, added to what acts
   Eigen::Vector3d torque_bias = Eigen::Vector3d::Zero();  ///< Nm
+  double delay = 0;                                       ///< s from what acts to what is told
 };
 
 /// How hard, rough and quick everything is that the tool touches.
@@ -77,6 +79,27 @@ struct CapSupplyData {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< m, middle of the cap's lower side
 };
 
+/// From `low` to `high`, both included.
+struct Between {
+  double low = 0;
+  double high = 0;
+};
+
+/// Within what cells of one kind differ; SI.
+struct CellSpread {
+  Between stiffness;
+  Between damping_time;
+  Between friction;
+  Between force_noise;
+  Between torque_noise;
+  Between force_bias;  ///< of each component
+  Between torque_bias;
+  Between delay;
+  Between running_torque;
+  Between slip_torque;
+  double hole_error = 0;  ///< m: of the racks that have an error, the greatest
+};
+
 struct CellData {
   double table = 0;  ///< m, height of the table
   SensorErrors sensor;
@@ -86,6 +109,7 @@ struct CellData {
   CapData cap;
   std::vector<RackData> racks;
   std::vector<CapSupplyData> cap_supplies;
+  std::optional<CellSpread> spread;
   std::uint64_t seed = 0;  ///< of noise
 };
 

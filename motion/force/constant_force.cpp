@@ -13,11 +13,13 @@ namespace {
 /// above the noise of a sensor.
 constexpr double kContact = 0.2;
 
-/// N that the first stretch of contact must rise by before its slope is taken. [choice] five times
-/// the noise of S4's sensor
+/// N that the first stretch of contact must rise by before its slope is taken, and by which it is
+/// known well enough. [choice] five and fifteen times the noise of S4's sensor
 constexpr double kSpan = 1;
-/// [choice] fewer are no line
+constexpr double kWideSpan = 3;
+/// [choice] fewer are no line; later what is pressed on may have moved
 constexpr int kLeastSamples = 6;
+constexpr int kMostSamples = 32;
 /// Share of the greatest stiffness that is believed. [choice] beyond 20 … 150 N/mm
 constexpr double kSoftest = 1.0 / 20;
 
@@ -35,7 +37,7 @@ void ConstantForce::begin(double force, double most_speed) noexcept {
   integral_ = way_ = rate_ = acceleration_ = near_ = 0;
   mean_error_ = force;
   steps_ = 0;
-  line_ = {};
+  lines_ = {};
   learned_ = settled_ = false;
 }
 
@@ -45,7 +47,7 @@ void ConstantForce::step(double felt) noexcept {
   const double late = contact_.late();
   judge(error);
   if (felt / force_ < kContact) {
-    line_ = {};
+    lines_ = {};
     const double speed = std::min(most_, std::abs(force_) / (contact_.stiffness * late));
     return go(std::copysign(speed, -force_));
   }
@@ -62,24 +64,44 @@ void ConstantForce::brake() noexcept {
   go(0);
 }
 
-/// What is felt belongs to where the axis was a delay ago.
+void ConstantForce::Line::add(double way, double felt) noexcept {
+  if (count++ == 0) x0 = way, y0 = felt;
+  const double dx = way - x0;
+  const double dy = felt - y0;
+  x += dx;
+  y += dy;
+  xx += dx * dx;
+  xy += dx * dy;
+  yy += dy * dy;
+}
+
+double ConstantForce::Line::slope() const noexcept {
+  const double width = xx - x * x / count;
+  return width > 0 ? (xy - x * y / count) / width : 0;
+}
+
+double ConstantForce::Line::misfit() const noexcept {
+  return (yy - y * y / count - slope() * (xy - x * y / count)) / count;
+}
+
+/// What is felt belongs to where the axis was a delay ago, and that is at most the known one.
 void ConstantForce::learn(double felt) noexcept {
-  const auto back = static_cast<std::size_t>(std::lround(contact_.delay / contact_.period)) + 1;
-  if (back >= std::min(steps_, kKept)) return;
-  const double way = ways_[(steps_ - 1 - back) % kKept];
-  if (line_.count == 0) line_.first = felt;
-  line_.last = felt;
-  ++line_.count;
-  line_.x += way;
-  line_.y += felt;
-  line_.xx += way * way;
-  line_.xy += way * felt;
-  if (line_.count < kLeastSamples || std::abs(line_.last - line_.first) < kSpan) return;
-  const double width = line_.xx - line_.x * line_.x / line_.count;
-  const double slope = (line_.xy - line_.x * line_.y / line_.count) / width;
-  if (!(width > 0) || !(slope < 0)) return;  // the reaction grows against the way
-  stiffness_ = std::clamp(-slope, contact_.stiffness * kSoftest, contact_.stiffness);
-  learned_ = true;
+  const auto most = static_cast<std::size_t>(std::lround(contact_.delay / contact_.period)) + 1;
+  if (most >= std::min(steps_, kKept)) return;
+  for (std::size_t back = 0; back <= most; ++back)
+    lines_[back].add(ways_[(steps_ - 1 - back) % kKept], felt);
+  const Line& newest = lines_[0];
+  const double span = std::abs(felt - newest.y0);
+  learned_ = (newest.count >= kLeastSamples && span >= kWideSpan) || newest.count >= kMostSamples;
+  if (newest.count < kLeastSamples || span < kSpan) return;
+  const Line* best = nullptr;
+  for (std::size_t back = 0; back <= most; ++back) {
+    const Line& line = lines_[back];
+    if (!(line.slope() < 0)) continue;  // the reaction grows against the way
+    if (best == nullptr || line.misfit() < best->misfit()) best = &line;
+  }
+  if (best == nullptr) return;
+  stiffness_ = std::clamp(-best->slope(), contact_.stiffness * kSoftest, contact_.stiffness);
 }
 
 void ConstantForce::judge(double error) noexcept {

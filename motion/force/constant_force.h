@@ -25,9 +25,10 @@ struct PressContact {
 ///
 /// with T_d the sensor's delay, one period and what the jerk takes of it (late()), k the stiffness:
 /// a phase margin of 50°, reached for any k between a third and one and a half of the true one. k
-/// is learned from what the first newtons take; until then it is the greatest. Where nothing is
-/// felt the axis moves on at the speed with which what is gone within T_d presses with no more than
-/// the set-point, and nothing is integrated.
+/// is learned from what the first newtons take: the line through felt against way, as late as the
+/// samples fit best to, for the delay is known as a bound alone; until then it is the greatest.
+/// Where nothing is felt the axis moves on at the speed with which what is gone within T_d presses
+/// with no more than the set-point, and nothing is integrated.
 ///
 /// Speed is limited to what was asked for, with the integral frozen meanwhile, and changes within
 /// acceleration and jerk. Every call may be used in the tick.
@@ -57,11 +58,15 @@ class ConstantForce {
   void judge(double error) noexcept;
   void go(double rate) noexcept;
 
-  /// Sums of a straight line through felt against way.
+  /// Felt against way, in sums about the first sample.
   struct Line {
     int count = 0;
-    double x = 0, y = 0, xx = 0, xy = 0;
-    double first = 0, last = 0;  ///< N
+    double x0 = 0, y0 = 0;
+    double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+
+    void add(double way, double felt) noexcept;
+    double slope() const noexcept;   ///< N/m; 0 where the way does not change
+    double misfit() const noexcept;  ///< N²: mean square beside the line
   };
 
   static constexpr std::size_t kKept = 64;  ///< of ways: a delay of 64 periods
@@ -76,7 +81,7 @@ class ConstantForce {
   double acceleration_ = 0;
   std::array<double, kKept> ways_{};
   std::size_t steps_ = 0;
-  Line line_;
+  std::array<Line, kKept> lines_{};  ///< for each delay in periods
   bool learned_ = false;
   double mean_error_ = 0;
   double near_ = 0;  ///< s

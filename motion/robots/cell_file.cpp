@@ -115,6 +115,41 @@ CapSupplyData read_supply(const TableReader& table) {
   return supply;
 }
 
+/// [low, high]
+Between read_between(const TableReader& table, std::string_view key,
+                     const std::vector<double>& values) {
+  if (values[0] > values[1]) table.fail(key, "must have its lower value first");
+  return {values[0], values[1]};
+}
+
+CellSpread read_spread(const TableReader& table, const RobotModel& robot) {
+  const auto between = [&](std::string_view key, Quantity quantity, Range range) {
+    return read_between(table, key, table.quantities(key, quantity, range, 2));
+  };
+  CellSpread spread;
+  spread.stiffness = between("stiffness", Quantity::Stiffness, kStiffness);
+  spread.damping_time = between("damping_time", Quantity::Time, kDampingTime);
+  spread.friction = read_between(table, "friction", table.numbers("friction", kFriction, 2));
+  spread.force_noise = between("force_noise", Quantity::Force, kForceNoise);
+  spread.torque_noise = between("torque_noise", Quantity::Torque, kTorqueNoise);
+  spread.force_bias = between("force_bias", Quantity::Force, kForceError);
+  spread.torque_bias = between("torque_bias", Quantity::Torque, kTorqueError);
+  spread.delay = between("delay", Quantity::Time, kDelay);
+  spread.running_torque = between("running_torque", Quantity::Torque, kTorque);
+  spread.slip_torque = between("slip_torque", Quantity::Torque, kTorque);
+  spread.hole_error = table.quantity("hole_error", Quantity::Length, kMeasure);
+  if (spread.stiffness.high > robot.force.stiffness)
+    table.fail("stiffness", "is more than [force] says to be the greatest");
+  if (spread.delay.high > robot.force.delay)
+    table.fail("delay", "is more than [force] says to be the greatest");
+  if (spread.slip_torque.low <= spread.running_torque.high)
+    table.fail("slip_torque", "must be more than running_torque, or the cap never turns");
+  for (const RackData& rack : robot.cell->racks)
+    if (!rack.error.isZero(0) && spread.hole_error > rack.pitch / 2)
+      table.fail("hole_error", "is more than half of pitch: the hole would be its neighbour's");
+  return spread;
+}
+
 }  // namespace
 
 void read_force(const TableReader& file, RobotModel& robot) {
@@ -129,13 +164,14 @@ void read_force(const TableReader& file, RobotModel& robot) {
 void read_cell(const TableReader& file, RobotModel& robot) {
   if (!file.has("cell")) return;
   if (!file.has("force")) file.fail("cell", "needs a table [force], which is missing");
-  const TableReader table = file.table(
-      "cell", {"table", "sensor", "contact", "gripper", "tube", "cap", "rack", "cap_supply"});
+  const TableReader table = file.table("cell", {"table", "sensor", "contact", "gripper", "tube",
+                                                "cap", "rack", "cap_supply", "spread"});
   CellData& cell = robot.cell.emplace();
   cell.table = table.quantity("table", Quantity::Length, kPlace);
   const TableReader sensor =
       table.table("sensor", {"period", "force_noise", "torque_noise", "force_bias", "torque_bias"});
   cell.sensor = read_errors(sensor);
+  cell.sensor.delay = robot.force.delay;
   robot.force.noise = cell.sensor.force_noise;
   if (robot.force.delay > kRemembered * cell.sensor.period)
     sensor.fail("period", "is too short for the delay: at most 100 samples may be on their way");
@@ -158,6 +194,12 @@ void read_cell(const TableReader& file, RobotModel& robot) {
     cell.racks.push_back(read_rack(rack, robot));
   for (const TableReader& supply : table.tables("cap_supply", {"place"}))
     cell.cap_supplies.push_back(read_supply(supply));
+  if (!table.has("spread")) return;
+  cell.spread =
+      read_spread(table.table("spread", {"stiffness", "damping_time", "friction", "force_noise",
+                                         "torque_noise", "force_bias", "torque_bias", "delay",
+                                         "running_torque", "slip_torque", "hole_error"}),
+                  robot);
 }
 
 }  // namespace rob::motion

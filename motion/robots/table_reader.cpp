@@ -130,10 +130,22 @@ std::vector<double> TableReader::signs(std::string_view key, std::size_t count) 
 }
 
 double TableReader::number(std::string_view key, Range range) const {
-  const auto value = need(key).value<double>();
+  return number_in(need(key), key, range);
+}
+
+std::vector<double> TableReader::numbers(std::string_view key, Range range,
+                                         std::size_t count) const {
+  std::vector<double> values;
+  for (const toml::node& node : list(key, count)) values.push_back(number_in(node, key, range));
+  return values;
+}
+
+double TableReader::number_in(const toml::node& node, std::string_view key, Range range) const {
+  const auto value = node.value<double>();
   if (value && *value >= range.low && *value <= range.high) return *value;
-  fail(key, "must be a number from " + number_text(range.low) + " to " + number_text(range.high) +
-                ", without quotation marks");
+  fail_in(node, key,
+          "must be a number from " + number_text(range.low) + " to " + number_text(range.high) +
+              ", without quotation marks");
 }
 
 int TableReader::integer(std::string_view key, int low, int high) const {

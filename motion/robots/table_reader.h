@@ -37,6 +37,8 @@ class TableReader {
   std::vector<double> signs(std::string_view key, std::size_t count) const;
   /// A number without a unit.
   double number(std::string_view key, Range range) const;
+  /// [number, number, …], `count` of them.
+  std::vector<double> numbers(std::string_view key, Range range, std::size_t count) const;
   int integer(std::string_view key, int low, int high) const;
   /// `fallback` where the key is missing.
   int integer_or(std::string_view key, int low, int high, int fallback) const;
@@ -57,6 +59,7 @@ class TableReader {
  private:
   const toml::node& need(std::string_view key) const;
   const toml::array& list(std::string_view key, std::size_t count) const;
+  double number_in(const toml::node& node, std::string_view key, Range range) const;
   double quantity_in(const toml::node& node, std::string_view key, Quantity quantity,
                      Range range) const;
   [[noreturn]] void fail_in(const toml::node& node, std::string_view key,

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "drivers/contact/drawn_cell.h"
 #include "drivers/contact/sim_cell.h"
 #include "drivers/sim_arm.h"
 #include "drivers/sim_gantry.h"
@@ -56,7 +57,11 @@ std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& ro
   std::unique_ptr<drivers::SimMachine> machine = machine_of(robot);
   if (!robot.cell) return machine;
   return std::make_unique<drivers::SimCell>(std::move(machine), robot.kinematics, *robot.cell,
-                                            robot.force.delay);
+                                            robot.cell->sensor.delay);
+}
+
+void change_cell(motion::RobotModel& robot, std::uint64_t seed) {
+  if (robot.cell) robot.cell = drivers::drawn_cell(*robot.cell, seed);
 }
 
 }  // namespace rob::runtime

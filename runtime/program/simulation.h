@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "motion/robots/robot_model.h"
@@ -9,5 +10,9 @@ namespace rob::runtime {
 
 /// The simulated machine that goes with a robot, powered down.
 std::unique_ptr<motion::ServoBackend> simulation_of(const motion::RobotModel& robot);
+
+/// Puts the robot into another cell of its kind, that of `seed`. What the robot file says of forces
+/// stays: it holds for all of them. Nothing without a cell.
+void change_cell(motion::RobotModel& robot, std::uint64_t seed);
 
 }  // namespace rob::runtime

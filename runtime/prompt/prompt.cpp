@@ -137,6 +137,7 @@ ExitCode run_prompt(const Options& options) {
   session.fast = options.fast;
   session.override_share = options.override_share;
   session.seed = options.seed;
+  session.cell = options.cell;
   session.trace = options.trace;
   session.backend = *backend_of(options.backend);
   session.home = options.home;

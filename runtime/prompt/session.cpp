@@ -12,6 +12,7 @@
 #include "motion/robots/robot_file.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/units.h"
+#include "runtime/program/simulation.h"
 #include "runtime/program/text_report.h"
 #include "runtime/prompt/commands.h"
 
@@ -22,6 +23,7 @@ namespace {
 motion::RobotModel chosen(const SessionOptions& options) {
   motion::RobotModel robot = load_robot(options.robot.empty() ? "gantry" : options.robot);
   if (options.law) robot.law = *options.law;
+  if (options.cell) change_cell(robot, *options.cell);
   return robot;
 }
 

@@ -26,6 +26,7 @@ struct SessionOptions {
   bool fast = false;
   double override_share = 1;
   std::uint64_t seed = lang::Random::kDefaultSeed;
+  std::optional<std::uint64_t> cell;  ///< as of Options
   std::string trace;
   BackendName backend;
   bool home = false;                          ///< the machine homes itself first

@@ -86,6 +86,21 @@ TEST_CASE("a force is reached within half a second of contact, whatever the stif
   }
 }
 
+TEST_CASE("a sensor may be quicker than is known: the stiffness is learned all the same") {
+  for (const double stiffness : {20e3, 40e3, 75e3, 110e3, 150e3}) {
+    for (const int delay : {0, 1, 2, 3, 4, 5}) {
+      CAPTURE(stiffness);
+      CAPTURE(delay);
+      ConstantForce force = made(5);
+      const Approach seen = approach(force, {stiffness, 1e-3, 0, delay}, 10, 5e-3);
+      CHECK(seen.settled < 0.5);
+      CHECK(seen.last == test::relative(10, 1e-3));
+      CHECK(force.stiffness() > stiffness / 1.5);
+      CHECK(force.stiffness() < stiffness * 1.5);
+    }
+  }
+}
+
 TEST_CASE("what is pressed on may sink: the integral leaves no error") {
   // S4's cap: 0.8 rad/s at a pitch of 3 mm a turn
   ConstantForce force = made(5);

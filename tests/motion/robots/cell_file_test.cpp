@@ -54,6 +54,22 @@ TEST_CASE("the tube cell's sensor and surroundings are those of its file") {
   CHECK(tubes >= 100);
   CHECK(empty >= 100);
   CHECK(robot.cell->cap_supplies.size() == 1);
+  CHECK(robot.cell->sensor.delay == 0.02);
+}
+
+TEST_CASE("other tube cells differ by what S4's cells differ by") {
+  const RobotModel robot = parse_robot_file(lwa4p(), "cell.toml");
+  REQUIRE(robot.cell->spread);
+  const CellSpread& spread = *robot.cell->spread;
+  CHECK(spread.stiffness.low == test::relative(20e3));
+  CHECK(spread.stiffness.high == test::relative(150e3));
+  CHECK(spread.friction.low == 0.1);
+  CHECK(spread.friction.high == 0.4);
+  CHECK(spread.force_noise.high == 0.2);
+  CHECK(spread.torque_noise.high == 0.01);
+  CHECK(spread.delay.high == 0.02);
+  CHECK(spread.slip_torque.low == 1.3);
+  CHECK(spread.hole_error == 4e-3);
 }
 
 TEST_CASE("every place of the tube cell can be reached by a hand that points down") {
@@ -97,6 +113,18 @@ TEST_CASE("nonsense in a cell is refused with a remedy") {
   CHECK(refused("error = [\"2.4 mm\"", "error = [\"24 mm\"", "its neighbour's"));
   CHECK(refused("fill = \"tubes\"", "fill = \"full\"", "is not known"));
   CHECK(refused("palm = \"10 mm\"", "palms = \"10 mm\"", "did you mean \"palm\""));
+}
+
+TEST_CASE("a spread that a cell could not have is refused") {
+  CHECK(refused("\"150 N/mm\"]", "\"151 N/mm\"]", "to be the greatest"));
+  CHECK(refused("[\"20 N/mm\", \"150 N/mm\"]", "[\"150 N/mm\", \"20 N/mm\"]", "lower value first"));
+  CHECK(refused("[0.1, 0.4]", "[0.4, 0.1]", "lower value first"));
+  CHECK(refused("[0.1, 0.4]", "[0.1, 4]", "must be a number from 0 to 2"));
+  CHECK(refused("[0.1, 0.4]", "[0.1]", "must be a list of 2"));
+  CHECK(refused("\"1 ms\", \"20 ms\"", "\"1 ms\", \"21 ms\"", "to be the greatest"));
+  CHECK(refused("\"0.05 Nm\", \"0.3 Nm\"", "\"0.05 Nm\", \"1.3 Nm\"", "never turns"));
+  CHECK(refused("hole_error = \"4 mm\"", "hole_error = \"21 mm\"", "its neighbour's"));
+  CHECK(refused("hole_error = \"4 mm\"", "hole_eror = \"4 mm\"", "did you mean \"hole_error\""));
 }
 
 }  // namespace rob::motion
