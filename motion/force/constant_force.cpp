@@ -48,7 +48,7 @@ void ConstantForce::step(double felt) noexcept {
   judge(error);
   if (felt / force_ < kContact) {
     lines_ = {};
-    const double speed = std::min(most_, std::abs(force_) / (contact_.stiffness * late));
+    const double speed = std::min(most_, contact_.seek_speed(force_));
     return go(std::copysign(speed, -force_));
   }
   if (!learned_) learn(felt);

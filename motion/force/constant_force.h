@@ -14,9 +14,14 @@ struct PressContact {
   double acceleration = 0;  ///< m/s² that the motion along the axis may take
   double jerk = 0;          ///< m/s³, the same
 
-  /// s from what acts to what is done about it. A speed of v comes √(v/jerk) late; [choice] of
-  /// 1 mm/s, which is a contact of 150 N/mm off by 10 N
-  double late() const noexcept { return delay + period + std::sqrt(1e-3 / jerk); }
+  /// s from what acts to what is done about it, of small changes: a speed of v comes √(v/jerk)
+  /// late; [choice] of 0.05 mm/s.
+  double late() const noexcept { return delay + period + std::sqrt(5e-5 / jerk); }
+  /// m/s at which what is gone before it is felt, and while the speed is taken back, presses with
+  /// no more than `force`, N: k·v·(late + √(v/jerk)) with v = 1 mm/s in the root, which is S4's.
+  double seek_speed(double force) const noexcept {
+    return std::abs(force) / (stiffness * (delay + period + std::sqrt(1e-3 / jerk)));
+  }
 };
 
 /// Motion along one axis that keeps the reaction of the world on it at a set-point:

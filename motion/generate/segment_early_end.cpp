@@ -10,7 +10,6 @@ using Kind = MotionEvent::Kind;
 
 void SegmentGenerator::look(const CycleView& view) noexcept {
   view_ = view;
-  untold_ = false;
   if (faulted_) return;
   watches_.ask(
       view,

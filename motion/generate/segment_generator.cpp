@@ -257,7 +257,7 @@ void SegmentGenerator::make_sample() noexcept {
 
 MotionState SegmentGenerator::state() const noexcept {
   if (axes_held() || (faulted_ && !running_)) return MotionState::Held;
-  if (!running_) return MotionState::Idle;
+  if (!running_) return untold_ ? MotionState::Stopping : MotionState::Idle;
   if (stopping()) return MotionState::Stopping;
   return jogging() ? MotionState::Jogging : MotionState::Running;
 }

@@ -65,7 +65,10 @@ class SegmentGenerator : public TrajectoryGenerator {
     return decidable_.load(std::memory_order_acquire);
   }
   bool take_event(MotionEvent& event) noexcept override { return events_.take(event); }
-  bool take_rest(Rest& rest) noexcept override { return rests_.take(rest); }
+  bool take_rest(Rest& rest) noexcept override {
+    untold_ = false;
+    return rests_.take(rest);
+  }
 
   /// How often nothing was known at a decision instant.
   std::uint32_t late_decisions() const noexcept {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/text/codes.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/units.h"
 
@@ -22,9 +23,17 @@ Words words_for_motion_against_press() {
           "the force decides where the tool is along that axis: move across it, or turn about it"};
 }
 
-Words words_for_press_of_nothing() {
-  return {code::kNotPossible, "PRESS with a force of 0 N presses on nothing",
-          "write the force that the tool shall feel, for example PRESS Z 10N"};
+Words words_for_press_of_nothing(double least) {
+  return {
+      code::kNotPossible,
+      fmt::format("PRESS with so small a force presses on nothing: the sensor resolves {:.2g} N",
+                  least),
+      "write the force that the tool shall feel, for example PRESS Z 10N"};
+}
+
+Words words_for_press_in_press() {
+  return {std::string(lang::code::kPressInPress), "this PRESS begins inside another",
+          "leave the one around it first: one force along one axis is kept at a time"};
 }
 
 Words words_for_press_in_handler() {

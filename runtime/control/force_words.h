@@ -9,8 +9,10 @@ namespace rob::runtime {
 Words words_for_no_contact(double reach, bool again);
 /// A motion in a PRESS that moves along its axis.
 Words words_for_motion_against_press();
-/// PRESS with a force of nothing; PRESS in a handler.
-Words words_for_press_of_nothing();
+/// PRESS with a force of nothing, or of less than `least`, N, that the sensor resolves; PRESS in a
+/// handler, or in another PRESS.
+Words words_for_press_of_nothing(double least);
+Words words_for_press_in_press();
 Words words_for_press_in_handler();
 /// SIMULATE of a force along what is no axis of the world.
 Words words_for_oblique_force();

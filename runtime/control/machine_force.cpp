@@ -21,8 +21,12 @@ namespace {
 /// stiffest contact of S4's cells, 150 N/mm, it is 15 N if it comes at once
 constexpr double kBeside = 1e-4;
 
-/// m/s along it that a JOG in it may have. [choice] rounding
-constexpr double kStill = 1e-9;
+/// m/s along it that a JOG in it may have. [choice] what the arm's bends leave
+constexpr double kStill = 1e-5;
+
+/// Times the noise of the sensor that a force has to be at least. [choice] one is not to be told
+/// from none
+constexpr double kResolved = 5;
 
 /// Of a frame that SIMULATE speaks in: 1 − the cosine by which its axes may be beside the world's.
 /// [choice] 0.08°
@@ -67,10 +71,14 @@ Reply RobotMachine::simulate_force(int line, int component, double value, double
 /// Done when the force has been reached.
 Reply RobotMachine::press(int line, const lang::PressCommand& command) {
   PressDesk& desk = channels_.press;
+  if (pressing_ == Pressing::Yes) return refuse(words_for_press_in_press());
   if (pressing_ == Pressing::No) {
     if (errand_) return refuse(words_for_press_in_handler());
-    if (command.force == 0) return refuse(words_for_press_of_nothing());
-    if (const Reply reply = stop(line); reply != Reply::Done) return reply;
+    const double least = kResolved * robot_.force.noise;
+    if (command.force == 0 || std::abs(command.force) < least)
+      return refuse(words_for_press_of_nothing(least));
+    if (const Reply reply = dwell(line, 0); reply != Reply::Done) return reply;  // a mark
+    begun_ = false;
     if (!settled()) return Reply::Later;
     desk.order = {force_frame().orientation * Eigen::Vector3d::Unit(command.axis), command.force,
                   command.limit};
@@ -132,11 +140,14 @@ bool RobotMachine::moves_against_press(const Commanded& commanded) {
 
 bool RobotMachine::jogs_against_press(const motion::JogRates& rates) {
   using Space = motion::JogRates::Space;
-  if (pressing_ == Pressing::No || rates.space == Space::Joint) return false;
+  if (pressing_ == Pressing::No) return false;
+  constexpr double kInstant = 1e-4;  // s: bends leave a millionth of a speed
+  const motion::JointVector q = channels_.joints.load();
+  const motion::Pose tip = to_motion(tool_at(q));
   Eigen::Vector3d along = rates.rate.head<3>();
-  if (rates.space == Space::Tool)
-    along = robot_.kinematics->forward(channels_.joints.load()).orientation *
-            (to_motion(setting_.tool.tip).orientation * along);
+  if (rates.space == Space::Tool) along = tip.orientation * along;
+  if (rates.space == Space::Joint)
+    along = (to_motion(tool_at(q + rates.rate * kInstant)).position - tip.position) / kInstant;
   if (std::abs(along.dot(channels_.press.order.axis)) <= kStill) return false;
   refusal_ = words_for_motion_against_press();
   return true;

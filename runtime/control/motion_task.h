@@ -131,8 +131,9 @@ class MotionTask {
   motion::DriveRelief relief_;
   motion::Retrace retrace_;
   motion::Press press_;
-  int beyond_ = 0;         ///< cycles in which the force has been beyond the robot's limit
-  bool yielding_ = false;  ///< the program has braked meanwhile
+  motion::JointVector unpressed_;  ///< where the path is, without what the PRESS adds
+  int beyond_ = 0;                 ///< cycles in which the force has been beyond the robot's limit
+  bool yielding_ = false;          ///< the program has braked meanwhile
   /// From a force beyond the robot's limit.
   enum class BackOff : std::uint8_t { None, Braking, Retreating, Ending };
   BackOff backing_off_ = BackOff::None;

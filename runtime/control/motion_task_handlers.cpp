@@ -37,14 +37,14 @@ void MotionTask::take_after_handler() noexcept {
   const auto asked = channels_.after_handler.exchange(AfterHandler::None);
   if (asked == AfterHandler::None) return;
   const bool had_axes = handling();
-  const motion::JointVector q = active_->current.reference.q;
+  const motion::JointVector q = press_.active() ? unpressed_ : active_->current.reference.q;
+  program_.current.reference = active_->current.reference;
   active_ = &program_;
   if (asked == AfterHandler::GoOn) program_.generator.go_on(now_);
   if (asked == AfterHandler::Decline) program_.generator.decline_handler(now_);
   const bool left = asked == AfterHandler::Leave || asked == AfterHandler::LeaveAll;
   if (left) {
     program_.generator.leave_path(q, now_, asked == AfterHandler::LeaveAll);
-    program_.current.reference.q = q;
   }
   if (had_axes) {
     tell({.kind = MotionEvent::Kind::HandlerOver, .time = now_, .value = left ? 1.0 : 0.0});

@@ -32,6 +32,7 @@ void MotionTask::follow_press() noexcept {
     desk.asked.store(false, std::memory_order_relaxed);
   }
   if (backing_off_ != BackOff::None) return back_off();
+  unpressed_ = active_->current.reference.q;
   if (!press_.active()) return;
   const bool over = desk.over.load(std::memory_order_acquire);
   press_.step(wrench_, over || paused_ || safe_ || handling());
