@@ -186,6 +186,11 @@ TEST_CASE("a PRESS that meets nothing is an error; so is a motion along its axis
       "JOG WORLD (1mm/s, 0mm/s, -1mm/s) FOR 1s\nENDPRESS\n",
       table(10e-3));
   CHECK(jogged.failure() == "E571");
+  Felt turned(
+      "MOVEL BY (0mm, 0mm, -9mm) AT 20mm/s\nPRESS Z 10N DO\n"
+      "JOG JOINT (0deg/s, 2deg/s, 0deg/s, 0deg/s, 0deg/s, 0deg/s) FOR 1s\nENDPRESS\n",
+      table(10e-3));
+  CHECK(turned.failure() == "E571");
   Felt beside(
       "MOVEL BY (0mm, 0mm, -9mm) AT 20mm/s\nPRESS Z 10N DO\n"
       "SPIRAL FROM 4mm TURNS 2 AT 10mm/s\nJOG WORLD (1mm/s, 0mm/s, 0mm/s) FOR 1s\nENDPRESS\n",
@@ -218,6 +223,42 @@ TEST_CASE("what raises while a PRESS still looks for its force ends it, too") {
   const double end = arm().kinematics->forward(rows.back().sample.reference.q).position.z();
   CHECK(end > start().z() + 14e-3);  // at most 5 mm/s for 1 s down
   CHECK(end < start().z() + 20e-3);
+}
+
+TEST_CASE("a handler that moves, or brakes, in a PRESS leaves the force where it was") {
+  for (const char* law : {"paul", "lookahead"}) {
+    for (const char* action : {"MOVEL BY (0mm, 0mm, 10mm) AT 20mm/s", "BRAKE"}) {
+      CAPTURE(law);
+      CAPTURE(action);
+      const double x = start().x() + 10e-3;
+      Felt felt(std::string("LAW ") + law +
+                    "\nMOVEL BY (0mm, 0mm, -8mm) AT 20mm/s\nPRESS Z 10N DO\n"
+                    "WHEN HERE.x > " +
+                    std::to_string(x * 1000) + "mm DO\n" + action +
+                    "\nENDWHEN\nMOVEL BY (30mm, 0mm, 0mm) AT 10mm/s\nENDPRESS\nPRINT \"end\"\n",
+                table(10e-3));
+      CHECK(felt.failure() == "");
+      CHECK(felt.result.output.at(0) == "end");
+      CHECK(roughest(felt.run.rows, arm().reference_period) < 750 * 3.15 / 180);
+    }
+  }
+}
+
+TEST_CASE("a PRESS inside another, and one that the sensor cannot resolve, are refused") {
+  Felt nested(
+      "PROC inner()\nPRESS Z 5N DO\nENDPRESS\nENDPROC\n"
+      "MOVEL BY (0mm, 0mm, -9mm) AT 20mm/s\nPRESS Z 10N DO\ninner()\nENDPRESS\n",
+      table(10e-3));
+  CHECK(nested.failure() == "E166");
+  motion::RobotModel noisy = arm();
+  noisy.force.noise = 0.1;
+  test::SteppedRun small(
+      "PRESS Z 0.3N DO\nENDPRESS\n",
+      std::make_unique<test::FeltWorld>(test::simulated(noisy), noisy.kinematics, table(10e-3)), 1,
+      noisy);
+  small.run();
+  REQUIRE(small.task.failure().has_value());
+  CHECK(small.task.failure()->code == "E550");
 }
 
 TEST_CASE("AT LIVE is the speed of the motion in every cycle, under both laws") {

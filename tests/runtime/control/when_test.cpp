@@ -141,3 +141,16 @@ TEST_CASE("the control cycle takes no memory while it looks at WHENs") {
   for (int k = 0; k < 300; ++k) run.controller.motion().cycle(k, 0);
   CHECK(guard.count() == 0);
 }
+
+TEST_CASE("what a WHEN raises in a TRY is caught there, under the look-ahead law, too") {
+  for (const char* law : {"paul", "lookahead"}) {
+    CAPTURE(law);
+    rob::test::SteppedRun run(std::string("LAW ") + law +
+                              "\nTRY\nWHEN HERE.x > 10mm : RAISE \"far\"\n"
+                              "MOVE(100, 0, 0) AT 10mm/s\nRESCUE why\nPRINT why\nENDTRY\n"
+                              "PRINT \"end\"\n");
+    const auto result = run.run();
+    CHECK(result.output == std::vector<std::string>{"far", "end"});
+    CHECK_FALSE(run.task.failure().has_value());
+  }
+}
