@@ -1,6 +1,9 @@
 // The reference device of docs/serial-protocol.md as a program of its own: `rob_device AXES
-// SECONDS` prints the path of its port, moves axes that are not there, and writes "Q SECONDS v…"
-// lines with where they are when it ends.
+// SECONDS` prints the path of its port, moves axes that are not there, and when it ends, by SIGTERM
+// or after SECONDS, a line "Q v… S": where they are, mm or deg, and the longest time, s, without a
+// reference while they were enabled.
+#include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -9,17 +12,48 @@
 #include "drivers/serial/serial_port.h"
 #include "tests/support/pty_wire.h"
 
+namespace {
+
+volatile std::sig_atomic_t ending = 0;
+
+/// The longest time, s, without a reference while the device was enabled.
+class Silence {
+ public:
+  void hear(const std::vector<std::uint8_t>& bytes, bool enabled, double now) {
+    longest_ = std::max(longest_, enabled ? now - heard_ : 0);
+    if (!enabled) heard_ = now;
+    for (const std::uint8_t byte : bytes) {
+      reader_.add({&byte, 1});
+      rob::drivers::wire::Frame frame;
+      while (reader_.next(frame))
+        if (frame.type == rob::drivers::wire::Type::Reference) heard_ = now;
+    }
+  }
+  double longest() const { return longest_; }
+
+ private:
+  rob::drivers::FrameReader<rob::drivers::wire::Format> reader_;
+  double heard_ = 0;
+  double longest_ = 0;
+};
+
+}  // namespace
+
 int main(int argc, char** argv) {
   if (argc != 3) return 64;
+  std::signal(SIGTERM, [](int) { ending = 1; });
   const rob::test::PtyWire wire;
   rob::drivers::RobDevice device({.axes = std::atoi(argv[1])});
   std::printf("%s\n", wire.path().c_str());
   std::fflush(stdout);
   const double begun = rob::drivers::wire_time();
-  for (double passed = 0; passed < std::atof(argv[2]); passed = rob::drivers::wire_time() - begun) {
+  Silence silence;
+  for (double passed = 0; ending == 0 && passed < std::atof(argv[2]);
+       passed = rob::drivers::wire_time() - begun) {
     const std::vector<std::uint8_t> bytes = wire.receive(1);
-    // Its clock wraps after 5 s.
-    const auto now = static_cast<std::uint32_t>(passed * 1e6) - 5'000'000U;
+    silence.hear(bytes, device.enabled(), passed);
+    // Its clock wraps after 1 s.
+    const auto now = static_cast<std::uint32_t>(passed * 1e6) - 1'000'000U;
     device.receive(bytes, now);
     const rob::drivers::wire::Wire out = device.send();
     wire.send({out.view().begin(), out.view().end()});
@@ -28,6 +62,6 @@ int main(int argc, char** argv) {
   std::printf("Q");
   for (int i = 0; i < std::atoi(argv[1]); ++i)
     std::printf(" %.6f", device.position()[static_cast<std::size_t>(i)] / 1e6);
-  std::printf("\n");
+  std::printf(" %.6f\n", silence.longest());
   return 0;
 }
