@@ -184,11 +184,10 @@ bool PathPlanner::all_here() const {
 /// Whether it is known already that a run begins and ends with this leg.
 bool PathPlanner::stands_behind(const ShapedLeg& leg) const {
   if (leg.segment.guard.present()) return true;
-  if (leg.motion.path != nullptr) return false;
   if (pending_.empty()) return all_here();
   const SegmentDescriptor& next = pending_.front();
   if (!moves(next) || next.from_rest) return true;
-  if (!has_way(next)) return false;
+  if (!has_way(next) || leg.motion.path != nullptr) return false;
   return !corner(leg, shaped_leg(robot_, next, leg.end()), true);
 }
 
