@@ -108,9 +108,9 @@ void LookAheadGenerator::step_guide() noexcept {
 
 /// σ' that the motion on which the guide is, ahead of the references, may have.
 double LookAheadGenerator::live_pace() noexcept {
-  if (guide_.sigma() < end_) return live_rate(segment()) * segment().ahead.length;
-  const SegmentDescriptor* const next = next_segment();
-  return next == nullptr ? kAnyPace : live_rate(*next) * next->ahead.length;
+  const SegmentDescriptor* const leg = guide_.sigma() < end_ ? &segment() : next_segment();
+  const bool paced = leg != nullptr && leg->live.present();  // of no length there is no share
+  return paced ? live_rate(*leg) * leg->ahead.length : kAnyPace;
 }
 
 void LookAheadGenerator::tell_missed_leads() noexcept {

@@ -25,7 +25,8 @@ void PaulGenerator::set_override(double share) noexcept {
 
 /// Of the planned speed, as much as the LivePace of the motion leaves.
 double PaulGenerator::live_share() noexcept {
-  return segment().dwell ? 1 : std::min(1.0, live_rate(segment()) * segment().duration);
+  if (!segment().live.present()) return 1;
+  return std::min(1.0, live_rate(segment()) * segment().duration);
 }
 
 void PaulGenerator::aim_clock() noexcept {

@@ -318,7 +318,6 @@ void SegmentGenerator::tell_cut_lead(const Effect& effect, double due, double by
 }
 
 double SegmentGenerator::live_rate(const SegmentDescriptor& segment) noexcept {
-  if (!segment.live.present()) return std::numeric_limits<double>::infinity();
   const double rate = faulted_ ? 0 : segment.live.rate(view_);
   if (std::isfinite(rate)) return rate;
   faulted_ = true;

@@ -143,8 +143,8 @@ class SegmentGenerator : public TrajectoryGenerator {
   /// It ends there.
   bool braking() const noexcept { return braking_; }
   double override_share() const noexcept { return override_; }
-  /// 1/s of a motion's own duration: its LivePace, in this cycle; infinite without one. A pace that
-  /// cannot be computed is a fault.
+  /// 1/s of a motion's own duration: its LivePace, in this cycle. It has one; a pace that cannot be
+  /// computed is a fault.
   double live_rate(const SegmentDescriptor& segment) noexcept;
   /// What may begin now; null: nothing.
   const SegmentDescriptor* next_to_begin() const noexcept;

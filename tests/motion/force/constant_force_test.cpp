@@ -20,18 +20,19 @@ struct Spring {
   double sinks = 0;  // m/s
   int delay = 0;     // periods
   double time = 0;
-  std::deque<double> told{};
+  double acting = 0;          // N
+  std::deque<double> told{};  // what has acted and is not felt yet
 
   double feel(double way) {
     time += kPeriod;
     const double depth = -way - gap - sinks * time;
-    told.push_back(std::max(0.0, depth) * stiffness);
+    acting = std::max(0.0, depth) * stiffness;
+    told.push_back(acting);
     if (static_cast<int>(told.size()) <= delay) return 0;
     const double felt = told.front();
     told.pop_front();
     return felt;
   }
-  double force() const { return told.back(); }
 };
 
 ConstantForce made(int delay) {
@@ -55,7 +56,7 @@ Approach approach(ConstantForce& force, Spring spring, double set_point, double 
   force.begin(set_point, limit);
   for (double t = 0; t < 4; t += kPeriod) {
     force.step(spring.feel(force.way()));
-    const double acting = spring.force();
+    const double acting = spring.acting;
     if (contact < 0 && acting > 0) contact = t;
     seen.greatest = std::max(seen.greatest, acting);
     seen.fastest = std::max(seen.fastest, std::abs(force.rate()));
