@@ -49,8 +49,8 @@ double jerk_of(const ShapedLeg& in, const ShapedLeg& out, const JointVector& tur
 
 /// So long that at the greatest speed of both legs the axes keep it, and that the mean of so even
 /// a bend keeps the zone.
-double half_for_speed(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out) {
-  const JointVector turn = turn_of(in, out);
+double half_for_speed(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                      const JointVector& turn) {
   double reserve = turning_reserve(in, out, turn);
   const double speed =
       std::max(greatest_rate(robot, in, in.at(in.length())), greatest_rate(robot, out, out.at(0)));
@@ -149,8 +149,8 @@ bool stops_as_fast(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg
 }
 
 std::optional<Turn> make_parabola(const RobotModel& robot, const ShapedLeg& in,
-                                  const ShapedLeg& out, const TurnBounds& bounds) {
-  const JointVector turn = turn_of(in, out);
+                                  const ShapedLeg& out, const JointVector& turn,
+                                  const TurnBounds& bounds) {
   const LegBounds& zone = in.segment.ahead;
   const MeanShift shift = mean_shift(robot, in, out, turn, bounds.average, bounds.longest);
   Turn made;
@@ -175,11 +175,10 @@ bool within_limits(const RobotModel& robot, const JointPath& axes) {
 }
 
 std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
-                               const TurnBounds& bounds) {
+                               const JointVector& turn, const TurnBounds& bounds) {
   constexpr int kTries = 16;
   const LegBounds& zone = in.segment.ahead;
   const CornerTask task{in.motion, out.motion, zone.line, out.segment.ahead.line, zone.tip};
-  const JointVector turn = turn_of(in, out);
   const double average = bounds.of_sigma ? 0 : bounds.average;
   const MeanShift shift = mean_shift(robot, in, out, turn, average, bounds.longest);
   Turn made;
@@ -212,20 +211,20 @@ std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, con
 double wanted_half(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out) {
   const JointVector turn = turn_of(in, out);
   if (turn.cwiseAbs().maxCoeff() <= kSameSlope) return 0;
-  const double half =
-      std::min({half_for_zone(in, out), half_for_speed(robot, in, out), in.length(), out.length()});
+  const double half = std::min(
+      {half_for_zone(in, out), half_for_speed(robot, in, out, turn), in.length(), out.length()});
   return half_for_miss(robot, in, turn, half, in.segment.ahead.miss, in.segment.ahead.turn);
 }
 
 std::optional<Turn> make_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                               const TurnBounds& bounds) {
-  TurnBounds within = bounds;
-  within.longest =
-      std::min({bounds.longest, half_for_zone(in, out), half_for_speed(robot, in, out)});
   const JointVector turn = turn_of(in, out);
   if (turn.cwiseAbs().maxCoeff() <= kSameSlope) return Turn{};
-  if (straight(in, out) && !bounds.of_sigma) return make_parabola(robot, in, out, within);
-  return make_curve(robot, in, out, within);
+  TurnBounds within = bounds;
+  within.longest =
+      std::min({bounds.longest, half_for_zone(in, out), half_for_speed(robot, in, out, turn)});
+  if (straight(in, out) && !bounds.of_sigma) return make_parabola(robot, in, out, turn, within);
+  return make_curve(robot, in, out, turn, within);
 }
 
 }  // namespace rob::motion

@@ -194,11 +194,9 @@ void LookAheadGenerator::begin_run(const PathLeg& leg) noexcept {
 }
 
 void LookAheadGenerator::expect_events(const SegmentDescriptor& next, double instant) noexcept {
-  for (std::size_t i = 0; i < next.events; ++i) {
-    const PathEvent& event = next.on_the_way[i];
+  for (const PathEvent& event : next.on_the_way)
     events_.expect(event, begin_ + std::clamp(event.share, 0.0, 1.0) * length(),
                    instant - skipped_);
-  }
 }
 
 void LookAheadGenerator::end_path() noexcept {

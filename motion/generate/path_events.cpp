@@ -25,8 +25,8 @@ void PathEvents::begin(const SegmentDescriptor& leg, double zero, double t_befor
   leg_zero_ = zero;
   leg_duration_ = leg.duration;
   leg_ = leg.number;
-  for (std::size_t i = 0; i < leg.events && count_ < kMost; ++i) {
-    const PathEvent& event = leg.on_the_way[i];
+  for (const PathEvent& event : leg.on_the_way) {
+    if (count_ == kMost) return;
     const double share = std::clamp(event.share, 0.0, 1.0);
     double t = leg.profile.present() ? leg.profile.time_at(share) : share * leg.duration;
     if (!leg.profile.present() && from_rest && t < t_before)

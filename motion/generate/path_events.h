@@ -43,7 +43,7 @@ class PathEvents {
   };
 
   /// Two legs; the shifts are shorter than any.
-  static constexpr std::size_t kMost = 2 * SegmentDescriptor::kMostEvents;
+  static constexpr std::size_t kMost = 2 * EventsOnTheWay::kMost;
 
   std::array<Entry, kMost> entries_;
   std::size_t count_ = 0;

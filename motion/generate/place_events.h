@@ -63,7 +63,7 @@ class PlaceEvents {
     Effect effect;
   };
   /// [choice] the events of eight legs, whose lags may overlap
-  static constexpr std::size_t kMost = 8 * SegmentDescriptor::kMostEvents;
+  static constexpr std::size_t kMost = 8 * EventsOnTheWay::kMost;
 
   /// What came before its place, until that is passed.
   struct Led {

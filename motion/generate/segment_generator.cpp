@@ -313,7 +313,8 @@ void SegmentGenerator::tell_late_decision(double instant) noexcept {
 }
 
 void SegmentGenerator::tell_cut_lead(const Effect& effect, double due, double by) noexcept {
-  if (by <= period_) return;
+  constexpr double kInstant = 1e-6;  // s, to which a report tells times
+  if (by <= kInstant) return;
   tell({.kind = Kind::LeadCut, .time = due, .tag = effect.tag, .value = by});
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
 #include "motion/path/joint_path.h"
@@ -9,6 +7,7 @@
 #include "motion/plan/jog_rates.h"
 #include "motion/plan/leg_bounds.h"
 #include "motion/plan/motion_request.h"
+#include "motion/plan/path_event.h"
 #include "motion/plan/profile.h"
 #include "motion/plan/watch.h"
 #include "motion/robots/time_scaling.h"
@@ -16,54 +15,9 @@
 
 namespace rob::motion {
 
-struct WatchedAction;
-
-/// Something that happens in motion order beside the axes: an output, a line of print.
-struct Effect {
-  enum class Kind : std::uint8_t {
-    Output,
-    Analog,
-    Pulse,
-    Simulate,
-    SimulateAnalog,
-    SimulateForce,  ///< component `channel` of force (N) and torque (Nm) along the world is `volts`
-    SimulateGo,
-    SimulateAnswer,  ///< `id`
-    Note,
-    ZeroForce,  ///< what the force sensor tells now is nothing
-    Override,   ///< from here on the path's time runs at `share`
-    Report,     ///< `id`: the asker learns that its turn has come, or that it is dropped
-    Arm,        ///< `watched` is asked from here on
-    Disarm      ///< and no longer, whether it was armed or not
-  };
-
-  Tag tag = 0;
-  Kind kind = Kind::Note;
-  bool value = false;        ///< of an Output or Simulate
-  bool safe = false;         ///< of an Output or Analog: nothing sets it any more behind this one
-  std::uint8_t channel = 0;  ///< of the output or, for Simulate…, the input
-  double volts = 0;          ///< of an …Analog: as asked for; the channel carries what it can
-  double share = 1;          ///< of an Override, above 0; above 1 is as 1
-  double seconds = 0;        ///< of the run: how long a Pulse is on, in how long a Simulate… acts
-  std::uint32_t id = 0;      ///< the asker's own
-  std::uint32_t after = 0;   ///< number of the segment that carries it; 0: before any motion
-  std::uint32_t generation = 1;
-  WatchedAction* watched = nullptr;  ///< of Arm and Disarm
-};
-
-/// Something that happens at a place on the way of a motion.
-struct PathEvent {
-  double share = 0;  ///< of the leg, 0 … 1
-  double lead = 0;   ///< s of the run by which it comes before the place; below 0: behind it
-  Effect effect;     ///< `after`: the number of its motion
-};
-
 /// One motion, complete and admissible: what the generator needs and nothing else.
 /// The segment runs from where the one before it ends (B) to `target` (C).
 struct SegmentDescriptor {
-  /// [choice] as many as are on a leg of a seam, and the buffer stays small
-  static constexpr std::size_t kMostEvents = 8;
-
   Tag tag = 0;
   std::uint32_t number = 0;  ///< 1, 2, 3 … in the order of the buffer
   JointVector target;        ///< m, rad
@@ -97,8 +51,7 @@ struct SegmentDescriptor {
   double span() const noexcept {
     return dwell || profile.present() ? duration : duration + (t_acc_before - t_acc);
   }
-  std::size_t events = 0;
-  std::array<PathEvent, kMostEvents> on_the_way{};  ///< the first `events` of them
+  EventsOnTheWay on_the_way{};
 };
 
 }  // namespace rob::motion

@@ -170,7 +170,6 @@ bool RobotMachine::take(int line, const motion::PlanOutcome& outcome, Commanded&
   line_before_ = line;
   const motion::SegmentDescriptor with_events = std::exchange(commanded.segment, planned.segment);
   motion::SegmentDescriptor& segment = commanded.segment;
-  segment.events = with_events.events;
   segment.on_the_way = with_events.on_the_way;
   if (commanded.live) {
     segment.live.value = commanded.live->pace.value;

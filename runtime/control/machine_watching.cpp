@@ -111,7 +111,7 @@ Reply RobotMachine::on_the_way(int /*line*/, const lang::PathPlace& place) {
 bool RobotMachine::lay_events(Commanded& commanded) {
   motion::SegmentDescriptor& segment = commanded.segment;
   const double way = commanded.way;
-  segment.events = 0;
+  segment.on_the_way.clear();
   for (const OnTheWay& one : commanded.events) {
     const double distance = one.place.distance;
     const double place = one.place.before ? way - distance : distance;
@@ -120,18 +120,16 @@ bool RobotMachine::lay_events(Commanded& commanded) {
       refusal_.place = one.place.written;
       return false;
     }
-    if (segment.events == segment.on_the_way.size()) {
-      refusal_ = words_for_many_places(segment.on_the_way.size());
+    if (segment.on_the_way.full()) {
+      refusal_ = words_for_many_places(segment.on_the_way.kMost);
       refusal_.place = one.place.written;
       return false;
     }
-    motion::PathEvent& event = segment.on_the_way[segment.events++];
-    event.share = place / way;
+    motion::PathEvent event{.share = place / way, .lead = one.place.lead, .effect = one.effect};
     if (const motion::ToolPath* const path = commanded.along.get())
       event.share = (path->at_share(event.share) - path->begin()) / (path->end() - path->begin());
-    event.lead = one.place.lead;
-    event.effect = one.effect;
     event.effect.after = segment.number;
+    segment.on_the_way.push_back(event);
   }
   return true;
 }

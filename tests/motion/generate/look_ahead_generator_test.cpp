@@ -232,9 +232,7 @@ TEST_CASE("a LEAD is kept while the override stays, and else tells by how much i
     LookAheadRun run;
     SegmentDescriptor segment =
         std::get<PlannedSegment>(run.planner().plan(move_to(gantry_q(100, 0, 0)))).segment;
-    segment.events = 1;
-    segment.on_the_way[0].share = 0.5;
-    segment.on_the_way[0].lead = kLead;
+    segment.on_the_way.push_back({.share = 0.5, .lead = kLead});
     run.push(segment);
     run.close();
     while (run.all(Kind::ActionDue).empty()) run.step();

@@ -118,10 +118,9 @@ TEST_CASE("a LAG that outlasts the last motion comes before the program is over"
   GantryRun run;
   auto outcome = run.planner().plan(move_to(gantry_q(40, 0, 0)));
   SegmentDescriptor segment = std::get<PlannedSegment>(outcome).segment;
-  PathEvent& event = segment.on_the_way[segment.events++];
-  event.share = 1;
-  event.lead = -0.5;
+  PathEvent event{.share = 1, .lead = -0.5};
   event.effect.after = segment.number;
+  segment.on_the_way.push_back(event);
   run.push(segment);
   run.stop();
   run.close();

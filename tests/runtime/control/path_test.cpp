@@ -89,15 +89,15 @@ TEST_CASE("the places of a PATH count along all of it") {
       "MOVE(80, 40, 0)\n");
   CHECK_FALSE(run.failure);
   REQUIRE(run.numbers() == Numbers{1, 2, 3, 4, 5, 6, 7});  // with FINE, and the end
-  CHECK(run.queued[1].events == 0);
+  CHECK(run.queued[1].on_the_way.size() == 0);
   const SegmentDescriptor& second = run.queued[2];  // 10 mm to 30 mm of the path
-  REQUIRE(second.events == 1);
+  REQUIRE(second.on_the_way.size() == 1);
   CHECK(second.on_the_way[0].share == doctest::Approx(0.25));
   CHECK(second.on_the_way[0].lead == doctest::Approx(0.12));
   CHECK(second.on_the_way[0].effect.after == 3);
   CHECK(run.queued[3].no_length);
   const SegmentDescriptor& third = run.queued[4];  // 30 mm to 60 mm
-  REQUIRE(third.events == 1);
+  REQUIRE(third.on_the_way.size() == 1);
   CHECK(third.on_the_way[0].share == doctest::Approx(25 / 30.0));
   CHECK(third.on_the_way[0].lead == 0);
   CHECK(third.ahead.speed == doctest::Approx(0.008));
@@ -115,10 +115,10 @@ TEST_CASE(
       "  BEFORE 0mm : lift = OFF\n"
       "ENDPATH\n");
   REQUIRE(run.queued.size() == 3);
-  REQUIRE(run.queued[0].events == 2);
+  REQUIRE(run.queued[0].on_the_way.size() == 2);
   CHECK(run.queued[0].on_the_way[0].share == 0);
   CHECK(run.queued[0].on_the_way[1].share == doctest::Approx(1));
-  REQUIRE(run.queued[1].events == 1);
+  REQUIRE(run.queued[1].on_the_way.size() == 1);
   CHECK(run.queued[1].on_the_way[0].share == doctest::Approx(1));
 }
 
@@ -132,7 +132,7 @@ TEST_CASE("on an arc in a PATH a place counts along the arc") {
       "ENDPATH\n");
   REQUIRE(run.queued.size() == 3);
   REQUIRE(run.queued[1].path != nullptr);
-  REQUIRE(run.queued[1].events == 1);
+  REQUIRE(run.queued[1].on_the_way.size() == 1);
   CHECK(run.queued[1].on_the_way[0].share == doctest::Approx(0.25));
 }
 
@@ -189,7 +189,7 @@ TEST_CASE(
   CHECK_FALSE(run.failure);
   CHECK(run.most_at_once == 4);
   REQUIRE(run.queued.size() == 21);
-  CHECK(run.queued[0].events == 1);  // known when all of it was
+  CHECK(run.queued[0].on_the_way.size() == 1);  // known when all of it was
   CHECK(run.queued[19].target[0] == doctest::Approx(0.2));
 }
 
