@@ -41,6 +41,11 @@ class Press {
   void end() noexcept { active_ = false; }
 
   bool active() const noexcept { return active_; }
+  /// From where the path leads the flange to where it is, in the world, m.
+  Eigen::Vector3d way() const noexcept {
+    if (!active_) return Eigen::Vector3d::Zero();
+    return base_ + order_.axis * force_.way();
+  }
   bool stands() const noexcept { return force_.rate() == 0; }
   bool settled() const noexcept { return force_.settled(); }
   /// It goes no further: the reach of the press, an axis or the arm ends there.

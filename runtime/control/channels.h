@@ -49,6 +49,7 @@ struct Snapshot {
   double lateness = 0;    ///< s, of the cycle that handed the reference out
   double override_share = 1;
   motion::Wrench wrench;  ///< N, Nm along the axes of the world, as the program reads it
+  Eigen::Vector3d pressed = Eigen::Vector3d::Zero();  ///< see Press::way()
 };
 
 /// A finding of the servo's supervision that the user has to know.

@@ -126,6 +126,20 @@ Reply RobotMachine::leave_press(bool met) {
                                        : Reply::Done;
 }
 
+/// A place that the program has from HERE is where the force has led the tool; on the path, which
+/// the force does not change, it is the same place across the axis.
+motion::Pose RobotMachine::across_press(motion::Pose target,
+                                        const lang::MoveCommand& command) const {
+  if (pressing_ == Pressing::No || command.relative) return target;
+  const Eigen::Vector3d& axis = channels_.press.order.axis;
+  const Eigen::Vector3d from = planner_.tool_pose().position;
+  const motion::Pose here = to_motion(tool_at(channels_.joints.load()));
+  const double along = (target.position - from).dot(axis);
+  const double led = (here.position - from).dot(axis);
+  if (std::abs(along - led) < kBeside) target.position -= along * axis;
+  return target;
+}
+
 bool RobotMachine::moves_against_press(const Commanded& commanded) {
   if (pressing_ == Pressing::No) return false;
   const Eigen::Vector3d& axis = channels_.press.order.axis;

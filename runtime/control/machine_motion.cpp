@@ -191,7 +191,8 @@ motion::Pose RobotMachine::target_of(const lang::MoveCommand& command) const {
     return to_motion(tool_at(q));
   }
   const lang::PoseValue last = tool_at(planner_.commanded());
-  return to_motion(lang::target_pose(command, last, setting_, signature_.coordinates));
+  const lang::PoseValue pose = lang::target_pose(command, last, setting_, signature_.coordinates);
+  return across_press(to_motion(pose), command);
 }
 
 ToolPathOrWords RobotMachine::tool_path(const Commanded& commanded) const {

@@ -191,7 +191,7 @@ const ServoSample* MotionTask::sample_at(double stamp) const noexcept {
 void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
   Snapshot snapshot{sample,      sample.reference.q, sample.reference.q,
                     saturation_, lateness_,          path_share(),
-                    wrench_};
+                    wrench_,     press_.way()};
   if (press_.active() && !handling() && !safe_ && !paused_)
     snapshot.sample.state = motion::MotionState::Pressing;
   if (handling()) snapshot.sample.piece += kHandlerNumbers;

@@ -233,6 +233,7 @@ class RobotMachine final : public lang::Machine {
   void ask_press_to_end();
   lang::Reply leave_press(bool met);
   lang::Reply give_up_press();
+  motion::Pose across_press(motion::Pose target, const lang::MoveCommand& command) const;
   bool moves_against_press(const Commanded& commanded);
   bool jogs_against_press(const motion::JogRates& rates);
   /// Whether the tool has been changed in a corner, so that its tip would jump there.

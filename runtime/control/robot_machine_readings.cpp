@@ -129,7 +129,8 @@ Reply RobotMachine::settle_target(lang::MoveCommand& command) {
   const bool of_axes = command.means == Target::Coordinates && !robot_.tool_coordinates;
   if (of_axes && lang::is_plain(setting_)) return Reply::Done;
   const lang::PoseValue last = tool_at(planner_.commanded());
-  const lang::PoseValue pose = lang::target_pose(command, last, setting_, signature_.coordinates);
+  lang::PoseValue pose = lang::target_pose(command, last, setting_, signature_.coordinates);
+  if (pressing_ != Pressing::No) pose = to_lang(across_press(to_motion(pose), command));
   if (const auto words = settle_on_axes(robot_, pose, near(command), command, setting_)) {
     refusal_ = *words;
     return Reply::Refused;

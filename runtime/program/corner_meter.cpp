@@ -19,8 +19,9 @@ void CornerMeter::watch(std::uint32_t number, const motion::JointVector& target,
            std::numeric_limits<double>::infinity()};
 }
 
-void CornerMeter::measured(const motion::JointVector& q) {
-  const motion::Pose flange = kinematics_.forward(q);
+void CornerMeter::measured(const motion::JointVector& q, const Eigen::Vector3d& pressed) {
+  motion::Pose flange = kinematics_.forward(q);
+  flange.position -= pressed;
   const motion::Pose before = last_.value_or(flange);
   for (Vertex& vertex : vertices_) {
     if (vertex.number == 0) continue;

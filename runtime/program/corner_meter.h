@@ -19,7 +19,9 @@ class CornerMeter {
   /// From now on the path is measured against segment `number`'s target too, reached with a tool
   /// whose tip is there, seen from the flange, m.
   void watch(std::uint32_t number, const motion::JointVector& target, const Eigen::Vector3d& tip);
-  void measured(const motion::JointVector& q);
+  /// `pressed`: by what the flange is beside its path, in the world, m.
+  void measured(const motion::JointVector& q,
+                const Eigen::Vector3d& pressed = Eigen::Vector3d::Zero());
   /// The least distance so far; the point is watched no longer.
   std::optional<double> take(std::uint32_t number);
 

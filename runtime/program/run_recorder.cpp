@@ -51,8 +51,8 @@ void RunRecorder::drain() {
 }
 
 void RunRecorder::take(const Snapshot& snapshot) {
-  meter_.measured(snapshot.measured);
-  if (!comes_timed()) references_.measured(snapshot.sample.reference.q);
+  meter_.measured(snapshot.measured, snapshot.pressed);
+  if (!comes_timed()) references_.measured(snapshot.sample.reference.q, snapshot.pressed);
   const double way = path_.reference(snapshot.sample.reference.q);
   if (running_) line_of(*running_).way += way * kMillimetresPerMetre;
   if (!comes_timed()) slow_.take(snapshot.sample, way);

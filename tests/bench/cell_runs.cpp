@@ -14,6 +14,9 @@ namespace rob::bench {
 
 namespace {
 
+/// s of the cell after which a program that has not ended will not. [choice] ten times the longest
+constexpr double kLongest = 1500;
+
 /// A cell whose every reading is written down.
 class WatchedCell final : public motion::ServoBackend {
  public:
@@ -33,7 +36,7 @@ class WatchedCell final : public motion::ServoBackend {
     const motion::DriverStatus status = cell_.read(now, state);
     run_.instants.push_back(instant(now));
     leave();
-    return status;
+    return now > kLongest ? motion::DriverStatus::Lost : status;
   }
   motion::DriverStatus write(double now, const motion::ServoCommand& command) noexcept override {
     return cell_.write(now, command);
@@ -91,6 +94,33 @@ CellRun run_in_cell(const std::string& file, const std::string& source,
   options.foretold = &not_foretold;
   made.result = runtime::run(program, std::move(machine), options, {});
   return made;
+}
+
+void CellBench::add_to(CLI::App& app) {
+  app.add_option("--program", program)->capture_default_str();
+  app.add_option("--first", first, "seed")->capture_default_str();
+  app.add_option("--cells", cells, "how many")->capture_default_str();
+  app.add_flag("--by-hand", by_hand, "the skill as it is spelt out in velocity mode");
+  app.add_flag("--every", every, "a line for each, not only for those that fail");
+}
+
+std::string CellBench::source() const {
+  std::string text = text_of(program);
+  if (by_hand) text = edited(text, "CONST by_hand = FALSE", "CONST by_hand = TRUE");
+  return text;
+}
+
+motion::RobotModel CellBench::robot(int i) const {
+  motion::RobotModel robot = runtime::load_robot("lwa4p");
+  runtime::change_cell(robot, seed(i));
+  return robot;
+}
+
+std::string said_by(const CellRun& run) {
+  std::string said;
+  for (const std::string& line : run.result.output) said += line;
+  if (run.result.error) said += run.result.error->message;
+  return said;
 }
 
 std::string text_of(const std::string& file) {

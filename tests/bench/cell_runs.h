@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -40,6 +41,24 @@ struct CellRun {
 CellRun run_in_cell(const std::string& file, const std::string& source,
                     const motion::RobotModel& robot);
 
+/// What a bench of one skill in many cells is told on its command line.
+struct CellBench {
+  std::string program;
+  std::uint64_t first = 1;  ///< seed
+  int cells = 0;
+  bool by_hand = false;  ///< the skill as it is spelt out in velocity mode
+  bool every = false;    ///< a line for each cell, not only for those that fail
+
+  void add_to(CLI::App& app);
+  /// The program's text, in the form that was asked for; throws as edited() does.
+  std::string source() const;
+  /// lwa4p in the cell number `i` of `cells`.
+  motion::RobotModel robot(int i) const;
+  std::uint64_t seed(int i) const { return first + static_cast<std::uint64_t>(i); }
+};
+
+/// What the program printed, and the error that ended it.
+std::string said_by(const CellRun& run);
 std::string text_of(const std::string& file);
 /// With what stands for `was` put in its place; throws std::runtime_error unless it is there once.
 std::string edited(std::string text, const std::string& was, const std::string& is);

@@ -7,7 +7,7 @@
 #include "tests/support/felt_world.h"
 #include "tests/support/stepped_run.h"
 
-// Faults 21 and 22 of docs/faults.md.
+// Faults 21, 22 and 53 of docs/faults.md.
 namespace rob::runtime {
 namespace {
 
@@ -121,6 +121,43 @@ TEST_CASE("fault 21: a force sensor that falls silent stops a program that count
   careless.run->each_cycle = [&](double time) { careless.world->silent = time > 2; };
   careless.go();
   CHECK_FALSE(careless.result.error.has_value());
+}
+
+TEST_CASE(
+    "fault 53: a hold while a cap is turned, or a hole searched for, leaves force and place") {
+  struct Skill {
+    const char* body;
+    double force;  // N
+  };
+  const Skill capping{"MOVE JOINT 6 TO 2rad AT 0.2rad/s", 10};
+  const Skill search{"SPIRAL FROM 4mm TURNS 5 AT 10mm/s", 5};
+  constexpr double kHeld = 10;     // s: the table has been met after 3 s
+  constexpr double kStands = 0.5;  // s: 0.2 rad/s at a_max and j_max take 0.1 s
+  for (const char* law : {"paul", "lookahead"}) {
+    for (const Skill& skill : {capping, search}) {
+      CAPTURE(law);
+      CAPTURE(skill.body);
+      Run run(std::string("LAW ") + law + "\nPRESS Z " + std::to_string(skill.force) + "N DO\n" +
+              skill.body + "\nENDPRESS\n");
+      bool moved = false;
+      double stood_at = 0;
+      run.run->each_cycle = [&](double time) {
+        const Snapshot& now = run.run->rows.back();
+        const bool moves = now.sample.reference.qd.norm() > 0.01;
+        moved = moved || (time < kHeld && time > kHeld - 0.1 && moves);
+        if (time >= kHeld) run.run->controller.request_hold();
+        if (now.sample.reference.qd.norm() > 0) stood_at = time;
+      };
+      run.go();
+      CHECK(moved);
+      CHECK(stood_at > kHeld);
+      CHECK(stood_at < kHeld + kStands);
+      const Snapshot& last = run.run->rows.back();
+      CHECK(last.sample.reference.qd.isZero(0));
+      CHECK(std::abs(last.wrench.force.z() - skill.force) < 1.5);
+      CHECK(run.run->task.failure() == std::nullopt);
+    }
+  }
 }
 
 }  // namespace rob::runtime

@@ -198,6 +198,33 @@ TEST_CASE("a PRESS that meets nothing is an error; so is a motion along its axis
   CHECK(beside.failure() == "");
 }
 
+TEST_CASE("targets from HERE and from TARGET go across the axis of a PRESS") {
+  // The table is 1 mm below where the PRESS begins, and 10 N press it in by 0.2 mm.
+  const std::string before =
+      "MOVEL BY (0mm, 0mm, -9mm) AT 20mm/s FINE\nVAR z0 = HERE.z\nPRESS Z 10N DO\n";
+  const std::string after =
+      "\nPRINT ROUND((TARGET.z - z0) / 1um), \" \", ROUND((z0 - HERE.z) / 10um)\nENDPRESS\n";
+  for (const char* law : {"LAW PAUL\n", "LAW LOOKAHEAD\n"}) {
+    for (const char* motion :
+         {"MOVEL HERE + (5mm, 0mm, 0mm) AT 5mm/s FINE", "MOVE HERE + (5mm, 0mm, 0mm) AT 5mm/s FINE",
+          "MOVEL TARGET + (5mm, 0mm, 0mm) AT 5mm/s FINE"}) {
+      CAPTURE(law);
+      CAPTURE(motion);
+      Felt felt(law + before + motion + after, table(10e-3));
+      CHECK(felt.failure() == "");
+      CHECK(felt.result.output.at(0) == "0 120");
+      const auto& end = felt.run.rows.back().sample.reference.q;
+      const Eigen::Vector3d way = arm().kinematics->forward(end).position - start();
+      CHECK(way.x() == test::relative(5e-3, 1e-3));
+      CHECK(std::abs(way.z() + 10.2e-3) < 0.03e-3);
+      // The corner was reached exactly, as far as the path goes that the force does not change.
+      CHECK(test::line(felt.result, 5).miss_measured.value() < 0.05);
+    }
+  }
+  Felt below(before + "MOVEL HERE + (5mm, 0mm, 1mm) AT 5mm/s FINE" + after, table(10e-3));
+  CHECK(below.failure() == "E571");
+}
+
 TEST_CASE("an error in a PRESS ends it, and what rescues starts from where the axes stand") {
   Felt felt(
       "MOVEL BY (0mm, 0mm, -9mm) AT 20mm/s\nTRY\nPRESS Z 10N DO\n"
