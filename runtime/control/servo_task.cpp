@@ -104,8 +104,8 @@ bool ServoTask::references_are_coming(double now, double gap) const noexcept {
 motion::FollowingFinding ServoTask::judge(DriverStatus status, double gap) noexcept {
   using motion::FollowingFinding;
   if (gap <= longest_gap_) {
-    const FollowingFinding found =
-        supervisor_.check(status, history_.at(state_.measured.time), state_.measured);
+    const FollowingFinding found = supervisor_.check(status, history_.at(state_.measured.time),
+                                                     state_.measured, state_.spread);
     if (found.verdict != FollowingFinding::Verdict::None || state_.wire_errors <= kNoisyWire)
       return found;
     return {FollowingFinding::Verdict::Warn, FollowingFinding::Cause::Noisy, -1, state_.wire_errors,

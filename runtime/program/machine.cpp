@@ -24,8 +24,8 @@ namespace {
 using drivers::WireAxis;
 using Kind = BackendName::Kind;
 
-constexpr double kTicks = 4096;  // a turn of a servo, of both makers
-constexpr double kMiddle = 2048;
+constexpr double kTicks = 4096;     // a turn of a servo, of both makers
+constexpr double kScsTicks = 1024;  // the way of a servo of Feetech's SCS series
 constexpr double kPeriod = 0.01;    // s [choice] 100 Hz: six servos at 1 Mbit/s take 5 ms
 constexpr double kFineUnits = 1e6;  // of Rob's own protocol, per mm or deg
 constexpr int kLetters = 6;
@@ -38,6 +38,7 @@ struct Protocol {
 constexpr Protocol kProtocols[] = {{"grbl", Kind::Grbl, 115200},
                                    {"dynamixel", Kind::Dynamixel, 1000000},
                                    {"feetech", Kind::Feetech, 1000000},
+                                   {"feetech-scs", Kind::FeetechScs, 1000000},
                                    {"rob", Kind::Rob, 115200}};
 
 const Protocol& protocol_of(Kind kind) {
@@ -59,15 +60,16 @@ WireAxis axis_on(const motion::Axis& axis, double units, double travel, double z
   return wire;
 }
 
-WireAxis servo_axis(const motion::Axis& axis, int number) {
+WireAxis servo_axis(const motion::Axis& axis, int number, double ticks) {
   double travel = axis.wire.travel;
-  if (travel == 0 && axis.kind == motion::AxisKind::Rotary) travel = 2 * std::numbers::pi;
+  if (travel == 0 && axis.kind == motion::AxisKind::Rotary && ticks == kTicks)
+    travel = 2 * std::numbers::pi;
   if (travel == 0)
     fail(
-        fmt::format("the robot file does not say how far axis {0} goes in a turn of its servo; "
-                    "write [axis.wire] travel = \"40 mm\" there",
-                    axis.name));
-  WireAxis wire = axis_on(axis, kTicks, travel, kMiddle);
+        fmt::format("the robot file does not say how far axis {} goes in a turn of its servo (SCS:"
+                    " over its 1024 places); write [axis.wire] travel = \"{}\" there",
+                    axis.name, axis.kind == motion::AxisKind::Linear ? "40 mm" : "300 deg"));
+  WireAxis wire = axis_on(axis, ticks, travel, ticks / 2);
   wire.address = axis.wire.id >= 0 ? axis.wire.id : number;
   return wire;
 }
@@ -105,7 +107,8 @@ std::vector<WireAxis> axes_of(Kind kind, const motion::RobotModel& robot) {
     } else if (kind == Kind::Rob) {
       axes.push_back(rob_axis(axis));
     } else {
-      axes.push_back(servo_axis(axis, static_cast<int>(i) + 1));
+      const double ticks = kind == Kind::FeetechScs ? kScsTicks : kTicks;
+      axes.push_back(servo_axis(axis, static_cast<int>(i) + 1, ticks));
     }
   }
   for (std::size_t i = 0; i < axes.size(); ++i)
@@ -126,6 +129,8 @@ std::unique_ptr<drivers::WireLink> link_of(Kind kind, const drivers::WireSetting
       return drivers::dynamixel_link(settings.axes, settings.baud);
     case Kind::Feetech:
       return drivers::feetech_link(settings.axes, settings.baud);
+    case Kind::FeetechScs:
+      return drivers::feetech_scs_link(settings.axes, settings.baud);
     default:
       return drivers::rob_link(settings.axes, settings.period);
   }

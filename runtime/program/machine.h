@@ -13,7 +13,7 @@ namespace rob::runtime {
 
 /// What moves: the simulation, or a machine on a serial line ("grbl:/dev/ttyUSB0").
 struct BackendName {
-  enum class Kind { Simulation, Grbl, Dynamixel, Feetech, Rob };
+  enum class Kind { Simulation, Grbl, Dynamixel, Feetech, FeetechScs, Rob };
   Kind kind = Kind::Simulation;
   std::string port;
 
