@@ -29,6 +29,7 @@ constexpr double kScsTicks = 1024;  // the way of a servo of Feetech's SCS serie
 constexpr double kPeriod = 0.01;    // s [choice] 100 Hz: six servos at 1 Mbit/s take 5 ms
 constexpr double kFineUnits = 1e6;  // of Rob's own protocol, per mm or deg
 constexpr int kLetters = 6;
+constexpr double kBack = 0.1;  // of its speed [choice] what a hand at the emergency stop can follow
 
 struct Protocol {
   const char* name;
@@ -180,18 +181,32 @@ void take_limits(const drivers::WireBackend& machine, motion::RobotModel& robot,
     fail("the machine's accelerations are too small for t_acc of the robot file; raise t_acc");
 }
 
+/// An axis beyond its limits goes no further, and comes back slowly.
+void let_back(double place, motion::Axis& axis) {
+  axis.min = std::min(axis.min, place);
+  axis.max = std::max(axis.max, place);
+  axis.v_max *= kBack;
+}
+
 /// Where the axes stand is where the run begins.
-void take_place(const motion::JointVector& place, motion::RobotModel& robot) {
+void take_place(const motion::JointVector& place, bool back, motion::RobotModel& robot,
+                std::vector<std::string>& notes) {
   for (int i = 0; i < robot.axis_count(); ++i) {
-    const motion::Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    motion::Axis& axis = robot.axes[static_cast<std::size_t>(i)];
     const double within = std::clamp(place[i], axis.min, axis.max);
-    if (std::abs(place[i] - within) > axis.drive.following_warn)
-      fail(
-          fmt::format("axis {} stands at {}, outside of {} … {}: nothing is enabled; bring it back"
-                      " by hand, or correct offset in [axis.wire] of the robot file",
-                      axis.name, shown(place[i], axis.kind), shown(axis.min, axis.kind),
-                      shown(axis.max, axis.kind)));
     robot.start[i] = within;
+    if (std::abs(place[i] - within) <= axis.drive.following_warn) continue;
+    const std::string found = fmt::format("axis {} stands at {}, outside of {} … {}", axis.name,
+                                          shown(place[i], axis.kind), shown(axis.min, axis.kind),
+                                          shown(axis.max, axis.kind));
+    if (!back)
+      fail(found +
+           ": nothing is enabled; bring it back by hand, or by a jog at the prompt, or correct "
+           "offset"
+           " in [axis.wire] of the robot file");
+    notes.push_back(found + ": it can go back only, at a tenth of its speed; then :reset");
+    let_back(place[i], axis);
+    robot.start[i] = place[i];
   }
 }
 
@@ -229,14 +244,14 @@ std::optional<BackendName> backend_of(const std::string& text) {
   return std::nullopt;
 }
 
-OpenMachine open_machine(const BackendName& name, motion::RobotModel& robot, bool home) {
+OpenMachine open_machine(const BackendName& name, motion::RobotModel& robot, bool home, bool back) {
   if (name.simulated()) return {simulation_of(robot), robot.servo_period, {}};
   const drivers::WireSettings settings = settings_of(name, robot, home);
   auto machine = std::make_unique<drivers::WireBackend>(settings, link_of(name.kind, settings));
   machine->open();
   OpenMachine opened;
   take_limits(*machine, robot, opened.notes);
-  take_place(machine->position(), robot);
+  take_place(machine->position(), back, robot, opened.notes);
   opened.period = machine->period();
   opened.backend = std::move(machine);
   return opened;
