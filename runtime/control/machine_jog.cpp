@@ -76,6 +76,10 @@ Reply RobotMachine::jog(int line, const MoveCommand& asked) {
 
 bool RobotMachine::plan_jog(int line, const MoveCommand& asked,
                             motion::SegmentDescriptor& segment) {
+  if (const auto words = words_against_leading(asked, robot_)) {
+    refusal_ = *words;
+    return false;
+  }
   const JogRates rates = rates_of(asked, setting_.tool, robot_);
   if (jogs_against_press(rates)) return false;
   const motion::PlanOutcome outcome = planner_.jog(static_cast<motion::Tag>(line), rates);
