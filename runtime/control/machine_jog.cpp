@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "runtime/control/feature_words.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/pose_values.h"
 #include "runtime/control/robot_machine.h"
@@ -76,7 +77,9 @@ Reply RobotMachine::jog(int line, const MoveCommand& asked) {
 
 bool RobotMachine::plan_jog(int line, const MoveCommand& asked,
                             motion::SegmentDescriptor& segment) {
-  if (const auto words = words_against_leading(asked, robot_)) {
+  const bool leads =
+      asked.jog != JogFrame::Joint;  // a program's are refused before, a pendant's here
+  if (const auto words = words_against(lang::MotionFeature::Lead, robot_); leads && words) {
     refusal_ = *words;
     return false;
   }

@@ -121,10 +121,6 @@ Reply RobotMachine::via(int /*line*/, const lang::MoveCommand& point) {
 bool RobotMachine::plan(int line, Commanded& commanded) {
   const lang::MoveCommand& asked = *commanded.move;
   if (asked.kind == MotionKind::Jog) return plan_jog(line, asked, commanded.segment);
-  if (const auto words = words_against_leading(asked, robot_)) {
-    refusal_ = *words;
-    return false;
-  }
   if (moves_against_press(commanded)) return false;
   motion::MotionRequest request = request_of(line, asked);
   if (commanded.live) request.live = commanded.live->means;

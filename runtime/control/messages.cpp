@@ -151,17 +151,6 @@ Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseVal
           fmt::format("{} {}", robot.name, robot.kinematics->reach())};
 }
 
-std::optional<Words> words_against_leading(const lang::MoveCommand& command,
-                                           const motion::RobotModel& robot) {
-  using lang::MotionKind;
-  const bool in_axes = command.kind == MotionKind::Joint ||
-                       (command.kind == MotionKind::Jog && command.jog == lang::JogFrame::Joint);
-  if (in_axes || robot.kinematics->inverts()) return std::nullopt;
-  return Words{code::kNotPossible,
-               fmt::format("{} cannot lead its tool along a way in space", robot.name),
-               fmt::format("{} {}", robot.name, robot.kinematics->reach())};
-}
-
 Words words_for_many_simulations() {
   return {code::kManySimulations,
           fmt::format("more than {} SIMULATEs wait for their time", SimulatedInputs::kMostWaiting),

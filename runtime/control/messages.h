@@ -25,9 +25,6 @@ Words words_for_condition(lang::ArithmeticError error);
 /// `shortfall`: by how much.
 Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose,
                             const motion::Shortfall& shortfall);
-/// A motion that leads the tool, where a robot is commanded in its axes alone.
-std::optional<Words> words_against_leading(const lang::MoveCommand& command,
-                                           const motion::RobotModel& robot);
 /// More SIMULATEs wait for their time than there is room for.
 Words words_for_many_simulations();
 /// HALT or ASK where nobody will ever answer.

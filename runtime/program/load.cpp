@@ -66,8 +66,6 @@ std::optional<lang::Refusal> refusal_of(const lang::MoveCommand& command,
                                         const motion::RobotModel& robot,
                                         const Coordinates& coordinates) {
   using Target = lang::MoveCommand::Target;
-  if (const auto words = words_against_leading(command, robot))
-    return lang::Refusal{words->code, words->message, words->help};
   const bool of_tool = command.means == Target::Coordinates && robot.tool_coordinates;
   // What it leaves out is as the motion before leaves it.
   if (of_tool && command.given != lang::given_all(kCoordinatesOfTool)) return std::nullopt;

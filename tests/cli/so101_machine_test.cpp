@@ -42,16 +42,36 @@ TEST_CASE(
 }
 
 TEST_CASE("what leads a tool is refused on the SO-101, and nothing moves") {
-  const auto refused = [](const std::string& program, int exit_code) {
-    const ProcessResult result = RobCommand(kArm + program)("run", {"--fast"});
-    CAPTURE(program);
-    CAPTURE(result.err);
-    CHECK(result.exit_code == exit_code);
-    CHECK(contains(result.err, "commanded in its axes alone, with MOVE and JOG JOINT"));
+  const auto refused = [](const std::string& line, const std::string& words) {
+    const RobCommand rob(kArm + "MOVE (10, 0, 0, 0, 0, 0)\nVAR a = 30deg\n" + line + "\n");
+    CAPTURE(line);
+    for (const std::string command : {"run", "check"}) {
+      const ProcessResult result = rob(command, {});
+      CAPTURE(result.err);
+      CHECK(result.exit_code == 65);
+      CHECK(contains(result.err, ":4:"));
+      CHECK(contains(result.err, words));
+      CHECK(contains(result.err, "JOG JOINT"));
+    }
   };
-  refused("MOVEL (30, 20, -20, 60, 0, 60)\n", 70);
-  refused("MOVE POSE(300mm, 0mm, 100mm, 0deg, 0deg, 0deg)\n", 65);
-  refused("VAR p = 30deg\nMOVEL (p, 20, -20, 60, 0, 60)\n", 70);
-  refused("MOVEC VIA (10, 10, 0, 0, 0, 0) TO (20, 0, 0, 0, 0, 0)\n", 70);
-  refused("JOG WORLD (10deg/s, 0deg/s, 0deg/s, 0deg/s, 0deg/s, 0deg/s) FOR 1s\n", 70);
+  const std::string leading = "leading the tool is not possible on so101";
+  refused("MOVEL (30, 20, -20, 60, 0, 60)", leading);
+  refused("MOVEL (a, 20, -20, 60, 0, 60)", leading);
+  refused("MOVEL BY (z: 10mm)", leading);
+  refused("MOVEC VIA (10, 10, 0, 0, 0, 0) TO (20, 0, 0, 0, 0, 0)", leading);
+  refused("MOVES VIA (10, 10, 0, 0, 0, 0) TO (20, 0, 0, 0, 0, 0)", leading);
+  refused("JOG WORLD (10deg/s, 0deg/s, 0deg/s, 0deg/s, 0deg/s, 0deg/s) FOR 1s", leading);
+  refused("MOVE HERE", leading);
+  refused("MOVE HERE + VEC(0mm, 0mm, 10mm)", leading);
+  refused("MOVE POSE(300mm, 0mm, 100mm, 0deg, 0deg, 0deg)", "so101 is commanded in its axes alone");
+}
+
+TEST_CASE("a point that was taught in its joints is gone to on the SO-101") {
+  const RobCommand rob(
+      kArm +
+      "POINT part\nMOVE (10, 20, 0, 0, 0, 30)\nTEACH part\nMOVE (0, 0, 0, 0, 0, 0)\n"
+      "MOVE part\nSTOP\n");
+  const ProcessResult result = rob("run", {"--fast", "--json"});
+  REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+  CHECK(json::parse(result.out)["final"]["joints"][0].get<double>() == doctest::Approx(10));
 }
