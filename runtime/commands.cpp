@@ -242,8 +242,9 @@ std::string describe(const motion::RobotModel& robot) {
   const char* const laws = motion::can(robot, motion::Law::Paul)
                                ? "Paul's law and the look-ahead law"
                                : "the look-ahead law";
-  return text +
-         fmt::format("    MOVE, MOVEL, MOVEC, MOVES, SPIRAL, JOG under {}; simulated\n", laws);
+  const char* const motions =
+      robot.kinematics->inverts() ? "MOVE, MOVEL, MOVEC, MOVES, SPIRAL, JOG" : "MOVE, JOG JOINT";
+  return text + fmt::format("    {} under {}; simulated\n", motions, laws);
 }
 
 ExitCode list_ports() {

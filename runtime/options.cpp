@@ -28,9 +28,8 @@ std::string check_law(const std::string& law) {
 std::string check_backend(const std::string& backend) {
   if (backend_of(backend)) return "";
   return fmt::format(
-      "there is no backend '{}'; there are sim, grbl:PORT, dynamixel:PORT, feetech:PORT and "
-      "rob:PORT,"
-      " such as grbl:/dev/ttyUSB0 (rob ports lists the ports)",
+      "there is no backend '{}'; there are sim, grbl:PORT, dynamixel:PORT, feetech:PORT, "
+      "feetech-scs:PORT and rob:PORT, such as grbl:/dev/ttyUSB0 (rob ports lists the ports)",
       backend);
 }
 

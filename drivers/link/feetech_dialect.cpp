@@ -16,6 +16,8 @@ constexpr std::uint8_t kGoalPosition = 42;  // position, time, speed
 constexpr std::uint8_t kPosition = 56;      // position, speed, load, voltage, temperature
 constexpr std::uint8_t kReadingSize = 8;
 constexpr int kMostSpeed = 4095;  // ticks/s: a turn a second, what an STS3215 does without load
+constexpr int kMostScsPosition = 1023;
+constexpr int kMostScsSpeed = 2047;  // ticks/s [choice] its way twice a second: none is faster
 
 feetech::Wire sync_write(std::uint8_t address, std::uint8_t size, Bytes rest) {
   feetech::Wire parameters;
@@ -100,6 +102,36 @@ std::uint32_t FeetechDialect::value_of(const Frame& frame) {
   std::uint32_t value = 0;
   for (std::size_t i = std::min<std::size_t>(bytes.size(), 4); i-- > 0;)
     value = value << 8U | bytes[i];
+  return value;
+}
+
+feetech::Wire FeetechScsDialect::goals(std::span<const ServoGoal> goals) {
+  feetech::Wire rest;
+  const auto push_big = [&](int value) {
+    rest.push(static_cast<std::uint8_t>(value >> 8));
+    rest.push(static_cast<std::uint8_t>(value));
+  };
+  for (const ServoGoal& goal : goals) {
+    rest.push(goal.id);
+    push_big(std::clamp(goal.position, 0, kMostScsPosition));
+    push_big(0);  // time: the speed counts
+    push_big(std::clamp(goal.most_speed, 1, kMostScsSpeed));
+  }
+  return sync_write(kGoalPosition, 6, rest.view());
+}
+
+bool FeetechScsDialect::parse_reading(const Frame& frame, ServoReading& reading) {
+  const Bytes bytes = frame.parameters.view();
+  if (bytes.size() != kReadingSize) return false;
+  reading.position = bytes[0] << 8 | bytes[1];
+  reading.velocity =
+      feetech::from_sign_magnitude(static_cast<std::uint16_t>(bytes[2] << 8 | bytes[3]));
+  return true;
+}
+
+std::uint32_t FeetechScsDialect::value_of(const Frame& frame) {
+  std::uint32_t value = 0;
+  for (const std::uint8_t byte : frame.parameters.view()) value = value << 8U | byte;
   return value;
 }
 

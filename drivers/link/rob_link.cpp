@@ -107,7 +107,17 @@ DriverStatus RobLink::enable() noexcept {
   return judge(result);
 }
 
+/// Until it is where the last reference is, kLead periods behind it.
+void RobLink::run_dry() noexcept {
+  const double end = wire_time() + (kLead + 1) * period_;
+  const std::uint8_t on = 1;
+  while (wire_time() < end && ask_state(Type::Enable, {&on, 1}, end) == Result::Ok &&
+         state_.queue > 0 && judge(Result::Ok) == DriverStatus::Ok) {
+  }
+}
+
 void RobLink::disable() noexcept {
+  if (enabled_) run_dry();
   enabled_ = false;
   for (const std::uint8_t category : {std::uint8_t{1}, std::uint8_t{0}}) {
     const double deadline = wire_time() + kStopTime;

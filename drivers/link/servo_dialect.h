@@ -46,6 +46,7 @@ struct DynamixelDialect {
   static constexpr std::uint32_t kMode = 3;  ///< position, one turn
   static constexpr const char* kModeHelp = "operating mode 3 (position control), register 11";
   static constexpr bool kHasWatchdog = true;
+  static constexpr bool kHasSyncRead = true;
   static constexpr int kReadingBytes = 19;  ///< of a status with velocity and position
   static constexpr int kGoalBytes = 5;
 
@@ -88,6 +89,7 @@ struct FeetechDialect {
   static constexpr std::uint32_t kMode = 0;
   static constexpr const char* kModeHelp = "mode 0 (position), register 33";
   static constexpr bool kHasWatchdog = false;
+  static constexpr bool kHasSyncRead = true;
   static constexpr int kReadingBytes = 14;
   static constexpr int kGoalBytes = 7;
 
@@ -111,6 +113,20 @@ struct FeetechDialect {
   static std::vector<ServoSetting> settings();
   static std::vector<ServoSetting> watchdog(bool on);
   static Wire write_all(std::span<const std::uint8_t> ids, const ServoSetting& setting);
+};
+
+/// The registers of Feetech's SCS series (memory table of the SCSCL): numbers are big-endian, 1024
+/// to the way of the servo. There is no sync read, no ramp, and no mode: a servo without limits is
+/// a wheel. Settings and torque are single bytes, as in the STS series.
+struct FeetechScsDialect : FeetechDialect {
+  static constexpr int kModeAddress = 0;
+  static constexpr const char* kModeHelp = "position limits, registers 9 and 11";
+  static constexpr bool kHasSyncRead = false;
+
+  static Wire goals(std::span<const ServoGoal> goals);
+  static bool parse_reading(const Frame& frame, ServoReading& reading);
+  static std::uint32_t value_of(const Frame& frame);
+  static std::vector<ServoSetting> settings() { return {}; }
 };
 
 }  // namespace rob::drivers

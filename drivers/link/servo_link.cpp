@@ -18,6 +18,7 @@ constexpr double kChainShare = 0.5;         // of a cycle, for the sync read
 constexpr double kBits = 10;
 constexpr double kRoom = 1.3;
 constexpr double kTurnaround = 1e-3;  // s
+constexpr double kQuestionBytes = 8;
 // A goal's own speed limit: the axis' speed and a half, so that it never shapes the references.
 constexpr double kSpeedMargin = 1.5;
 
@@ -37,8 +38,10 @@ std::string ServoLink<Dialect>::servo(std::size_t i) const {
 template <typename Dialect>
 double ServoLink<Dialect>::least_period() const {
   const auto count = static_cast<double>(axes_.size());
-  const double bytes = 28 + count * (Dialect::kGoalBytes + 1 + Dialect::kReadingBytes) + 32;
-  return kRoom * bytes * kBits / baud_ + kTurnaround;
+  // Where there is no sync read each servo is asked by itself.
+  const double question = Dialect::kHasSyncRead ? 1 : kQuestionBytes;
+  const double bytes = 28 + count * (Dialect::kGoalBytes + question + Dialect::kReadingBytes) + 32;
+  return kRoom * bytes * kBits / baud_ + kTurnaround * (Dialect::kHasSyncRead ? 1 : count);
 }
 
 /// Until the servo has answered; what others say late is passed over.
@@ -82,12 +85,17 @@ void ServoLink<Dialect>::connect(SerialPort& port) {
 }
 
 template <typename Dialect>
-void ServoLink<Dialect>::configure(std::size_t i) {
+void ServoLink<Dialect>::check_mode(std::size_t i) {
   const std::uint32_t mode =
       Dialect::value_of(must_ask(i, Dialect::read(ids_[i], Dialect::kModeAddress, 1)));
   if (mode != Dialect::kMode)
     throw DriverError(servo(i) + " is in mode " + std::to_string(mode) + "; it needs " +
                       Dialect::kModeHelp + ", written with the maker's tool");
+}
+
+template <typename Dialect>
+void ServoLink<Dialect>::configure(std::size_t i) {
+  if constexpr (Dialect::kModeAddress != 0) check_mode(i);
   for (const ServoSetting& setting : Dialect::settings()) write_setting(i, setting);
   const auto limit = [&](int address) {
     return static_cast<double>(static_cast<std::int32_t>(
@@ -95,6 +103,9 @@ void ServoLink<Dialect>::configure(std::size_t i) {
   };
   const double least = limit(Dialect::kLeastAddress);
   const double most = limit(Dialect::kMostAddress);
+  if (least >= most && Dialect::kModeAddress == 0)
+    throw DriverError(servo(i) + " turns as a wheel; it needs " + Dialect::kModeHelp +
+                      ", written with the maker's tool");
   if (least >= most) return;  // 0 and 0: no limits
   limits_.min[i] = least;
   limits_.max[i] = most;
@@ -160,6 +171,7 @@ bool ServoLink<Dialect>::take(std::size_t i, const Frame& frame, WireAnswer& ans
 
 template <typename Dialect>
 auto ServoLink<Dialect>::read_all(double deadline, WireAnswer& answer) noexcept -> Result {
+  if (!Dialect::kHasSyncRead) return read_each(deadline, answer);
   Result result = packets_.send(Dialect::ask_readings(ids_).view(), deadline);
   Frame frame;
   std::size_t left = ids_.size();
@@ -174,10 +186,10 @@ auto ServoLink<Dialect>::read_all(double deadline, WireAnswer& answer) noexcept 
   return result;
 }
 
+/// Those that have not answered yet, one by one.
 template <typename Dialect>
-auto ServoLink<Dialect>::read_missing(double deadline, WireAnswer& answer) noexcept -> Result {
-  std::size_t missing = static_cast<std::size_t>(std::ranges::count(answered_, false));
-  errors_ += missing > 0 ? 1 : 0;
+auto ServoLink<Dialect>::read_each(double deadline, WireAnswer& answer) noexcept -> Result {
+  auto missing = std::ranges::count(answered_, false);
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     if (answered_[i]) continue;
     const double share = (deadline - wire_time()) / static_cast<double>(missing--);
@@ -199,9 +211,12 @@ DriverStatus ServoLink<Dialect>::exchange(const WireCommand* command, double dea
   Result result =
       command != nullptr ? send_goals(command->position, deadline) : packets_.ask({}, deadline);
   if (result == Result::Ok) result = read_all(begun + kChainShare * (deadline - begun), answer);
-  if (result != Result::Gone) result = read_missing(deadline, answer);
-  if (result == Result::Ok && std::ranges::find(answered_, false) == answered_.end())
-    answer.time = (begun + wire_time()) / 2;
+  errors_ += std::ranges::find(answered_, false) != answered_.end() ? 1 : 0;
+  if (result != Result::Gone) result = read_each(deadline, answer);
+  if (result == Result::Ok && std::ranges::find(answered_, false) == answered_.end()) {
+    answer.spread = (wire_time() - begun) / 2;
+    answer.time = begun + answer.spread;
+  }
   return judge(result, deadline);
 }
 
@@ -244,6 +259,7 @@ DriverStatus ServoLink<Dialect>::check_health(double deadline) noexcept {
 
 template class ServoLink<DynamixelDialect>;
 template class ServoLink<FeetechDialect>;
+template class ServoLink<FeetechScsDialect>;
 
 std::unique_ptr<WireLink> dynamixel_link(const std::vector<WireAxis>& axes, int baud) {
   return std::make_unique<ServoLink<DynamixelDialect>>(axes, baud);
@@ -251,6 +267,10 @@ std::unique_ptr<WireLink> dynamixel_link(const std::vector<WireAxis>& axes, int 
 
 std::unique_ptr<WireLink> feetech_link(const std::vector<WireAxis>& axes, int baud) {
   return std::make_unique<ServoLink<FeetechDialect>>(axes, baud);
+}
+
+std::unique_ptr<WireLink> feetech_scs_link(const std::vector<WireAxis>& axes, int baud) {
+  return std::make_unique<ServoLink<FeetechScsDialect>>(axes, baud);
 }
 
 }  // namespace rob::drivers

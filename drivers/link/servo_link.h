@@ -12,8 +12,9 @@ namespace rob::drivers {
 
 /// Servos with position loops of their own on one half-duplex bus. A cycle is one sync write of all
 /// goals and one sync read of all places; a servo that is mute there is asked by itself, since it
-/// stalls those behind it in the chain. Every tenth cycle one servo is asked for its health too: an
-/// alert, or torque that is off because the servo has restarted, is an Alarm.
+/// stalls those behind it in the chain, and so is each where there is no sync read. Every tenth
+/// cycle one servo is asked for its health too: an alert, or torque that is off because the servo
+/// has restarted, is an Alarm.
 template <typename Dialect>
 class ServoLink final : public WireLink {
  public:
@@ -36,11 +37,12 @@ class ServoLink final : public WireLink {
   Result ask(std::uint8_t id, const typename Dialect::Wire& question, Frame& answer,
              double deadline) noexcept;
   Frame must_ask(std::size_t i, const typename Dialect::Wire& question);
+  void check_mode(std::size_t i);
   void configure(std::size_t i);
   void write_setting(std::size_t i, const ServoSetting& setting);
   Result send_goals(const WireVector& position, double deadline) noexcept;
   Result read_all(double deadline, WireAnswer& answer) noexcept;
-  Result read_missing(double deadline, WireAnswer& answer) noexcept;
+  Result read_each(double deadline, WireAnswer& answer) noexcept;
   bool take(std::size_t i, const Frame& frame, WireAnswer& answer) noexcept;
   motion::DriverStatus judge(Result result, double deadline) noexcept;
   motion::DriverStatus check_health(double deadline) noexcept;
@@ -58,5 +60,6 @@ class ServoLink final : public WireLink {
 
 std::unique_ptr<WireLink> dynamixel_link(const std::vector<WireAxis>& axes, int baud);
 std::unique_ptr<WireLink> feetech_link(const std::vector<WireAxis>& axes, int baud);
+std::unique_ptr<WireLink> feetech_scs_link(const std::vector<WireAxis>& axes, int baud);
 
 }  // namespace rob::drivers

@@ -81,6 +81,7 @@ DriverStatus WireBackend::read(double now, motion::ServoState& state) noexcept {
   if (report.status != DriverStatus::Ok) return report.status;
   if (wire_time() - report.received > std::max(kTickLost, 3 * period_)) return DriverStatus::Silent;
   state.measured.time = now - std::max(since, 0.0);
+  state.spread = report.answer.spread;
   state.measured.q.resize(axes());
   state.measured.qd.resize(axes());
   for (int i = 0; i < axes(); ++i) {
@@ -172,7 +173,8 @@ void WireBackend::exchange() noexcept {
 /// same.
 DriverStatus WireBackend::believed(DriverStatus status, const WireAnswer& before) noexcept {
   if (status != DriverStatus::Ok || std::exchange(first_, false)) return status;
-  const double elapsed = std::max(report_.answer.time - before.time, period_);
+  const double elapsed =
+      std::max(report_.answer.time - before.time, period_) + before.spread + report_.answer.spread;
   bool credible = true;
   for (std::size_t k = 0; k < settings_.axes.size(); ++k) {
     const double step = std::abs(report_.answer.position[k] - before.position[k]);

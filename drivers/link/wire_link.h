@@ -34,6 +34,7 @@ struct WireAnswer {
   double time = 0;
   WireVector position{};
   WireVector velocity{};
+  double spread = 0;  ///< s by which the instant of an axis may differ from `time`
 };
 
 /// What a machine permits of an axis, in its units; infinite where it does not say.

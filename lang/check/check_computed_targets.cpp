@@ -20,6 +20,8 @@ bool MoveChecker::check_value(const Move& move, const ExprPtr& point) {
   if (type.is_place() && !move.by) {
     const Symbol* const taught = bare_point(move);
     if (taught != nullptr) checked_.symbols[taught->id].moved_to = true;
+    if (taught == nullptr && move.kind == MotionKind::Joint && !known(known_value(target)))
+      checked_.features.push_back({target.place, MotionFeature::Lead});
     return expressions_.accept(target, Type::pose(), fmt::format("{} needs", word)) &&
            check_frame(move, target);
   }

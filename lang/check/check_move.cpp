@@ -13,7 +13,7 @@ namespace rob::lang {
 void MoveChecker::check(const Move& move, Place place, bool guarded) {
   bool sound = check_way(move, place, guarded);
   sound = clauses_.check(move.clauses, place) && check_clauses_of(move) && sound;
-  remember_features(move);
+  remember_features(move, place);
   if (sound && move.clauses.live) {
     WatchChecker(expressions_, diagnostics_).check_live(*move.clauses[Clause::At]);
   }
@@ -38,7 +38,10 @@ bool MoveChecker::check_way(const Move& move, Place place, bool guarded) {
   return move.target != nullptr && check_target(move, move.target);
 }
 
-void MoveChecker::remember_features(const Move& move) {
+void MoveChecker::remember_features(const Move& move, Place place) {
+  const bool in_axes =
+      move.kind == MotionKind::Jog ? move.jog == JogFrame::Joint : move.kind == MotionKind::Joint;
+  if (!in_axes) checked_.features.push_back({place, MotionFeature::Lead});
   const Clauses& clauses = move.clauses;
   const ExprPtr& accel = clauses[Clause::Accel];
   const ExprPtr& jerk = clauses[Clause::Jerk];

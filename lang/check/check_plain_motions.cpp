@@ -6,8 +6,12 @@ namespace rob::lang {
 
 void MoveChecker::check(PlainMotions& motions) {
   for (PlainMotions::Written& motion : motions.motions) {
-    if (settle(motions, motion)) continue;
     const Place place = motions.place(motion);
+    if (settle(motions, motion)) {
+      if (motion.kind != MotionKind::Joint)
+        checked_.features.push_back({place, MotionFeature::Lead});
+      continue;
+    }
     for (const Statement& statement :
          parse_line(motions.source, motion.offset, place, diagnostics_)) {
       check(std::get<Move>(statement.node), place, false);

@@ -58,7 +58,7 @@ class MoveChecker {
   bool check_component(std::string_view word, const Tuple::Element& element,
                        std::size_t coordinate);
   void warn_of_zone(const Expr& zone, std::string_view word, Place place);
-  void remember_features(const Move& move);
+  void remember_features(const Move& move, Place place);
   bool places_are_known() const;
   void judge_constants(const Move& move);
   void judge_target(const Expr& target, const Symbol* point);

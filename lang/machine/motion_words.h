@@ -52,7 +52,7 @@ inline std::optional<Profile> find_profile(std::string_view word) {
 }
 
 /// What not every robot can do, so that each has to say whether it can.
-enum class MotionFeature : std::uint8_t { Accel, Jerk, Path, Press };
+enum class MotionFeature : std::uint8_t { Accel, Jerk, Path, Press, Lead };
 
 /// LAW: how motions are joined.
 enum class TransitionLaw : std::uint8_t { Paul, LookAhead };

@@ -50,6 +50,8 @@ class Kinematics {
   virtual int axes() const noexcept = 0;
   /// The tool's pose in the world; q: axes() values in m or rad.
   virtual Pose forward(const JointVector& q) const noexcept = 0;
+  /// Whether it knows the way back, from tool to axes, at all. Without it there are no solutions.
+  virtual bool inverts() const noexcept { return true; }
   /// Every solution, each with its axes turned as near to `near` as whole turns bring them. None if
   /// there is no solution. Limits of the axes are not looked at.
   virtual InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept = 0;

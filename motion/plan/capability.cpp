@@ -10,6 +10,8 @@ bool can(const RobotModel& robot, Capability capability) noexcept {
       return robot.law == Law::LookAhead;
     case Capability::Force:
       return robot.force_sensor;
+    case Capability::Lead:
+      return robot.kinematics->inverts();
   }
   return false;
 }

@@ -10,8 +10,9 @@ namespace rob::motion {
 enum class Capability : std::uint8_t {
   AccelerationBound,  ///< of a single motion
   JerkBound,
-  Path,  ///< many motions planned as one
-  Force  ///< a force kept along an axis
+  Path,   ///< many motions planned as one
+  Force,  ///< a force kept along an axis
+  Lead    ///< its tool led along a way in space, or to a pose
 };
 
 /// Whether motions of this robot have it, under its law. Under Paul's (S1) time alone says how fast

@@ -8,6 +8,7 @@
 #include "motion/kinematics/gantry_kinematics.h"
 #include "motion/robots/arm_file.h"
 #include "motion/robots/cell_file.h"
+#include "motion/robots/chain_file.h"
 #include "motion/robots/mechanics_file.h"
 #include "motion/robots/pulse_file.h"
 #include "motion/robots/signal_channel.h"
@@ -144,7 +145,7 @@ void read_timing(const TableReader& file, RobotModel& robot) {
 std::vector<TableReader> read_axes(const TableReader& file, RobotModel& robot) {
   std::vector<TableReader> tables =
       file.tables("axis", {"name", "kind", "min", "max", "start", "v_max", "a_max", "j_max",
-                           "drive", "motor", "pulse_drive", "wire"});
+                           "drive", "motor", "pulse_drive", "wire", "joint"});
   if (tables.empty()) file.fail("axis", "is missing; write a table [[axis]] for each");
   if (tables.size() > static_cast<std::size_t>(kMaxJoints))
     file.fail("axis", "more than " + std::to_string(kMaxJoints) + " axes");
@@ -208,9 +209,20 @@ GantryKinematics::Turn turn_of(std::string_view name) {
   return name == "a" ? Turn::AboutX : name == "b" ? Turn::AboutY : Turn::AboutZ;
 }
 
-void choose_kinematics(const TableReader& file, RobotModel& robot) {
+void choose_kinematics(const TableReader& file, const std::vector<TableReader>& axes,
+                       RobotModel& robot) {
   const auto rotary = [](const Axis& axis) { return axis.kind == AxisKind::Rotary; };
-  if (file.choice("kinematics", {"gantry", "arm"}) == 1) {
+  const int kind = file.choice("kinematics", {"gantry", "arm", "chain"});
+  if (kind == 2) {
+    if (!std::ranges::all_of(robot.axes, rotary))
+      file.fail("kinematics", "a chain has rotary axes alone");
+    robot.kinematics = read_chain(file, axes);
+    return;
+  }
+  if (file.has("chain")) file.fail("chain", "belongs to kinematics = \"chain\"");
+  for (const TableReader& axis : axes)
+    if (axis.has("joint")) axis.fail("joint", "belongs to kinematics = \"chain\"");
+  if (kind == 1) {
     if (robot.axis_count() != ArmParameters::kAxes || !std::ranges::all_of(robot.axes, rotary))
       file.fail("kinematics", "an arm has six rotary axes");
     robot.tool_coordinates = true;
@@ -276,14 +288,15 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   } catch (const toml::parse_error& error) {
     fail_in_file(file_name, error.source().begin, std::string(error.description()));
   }
-  const TableReader file(table, file_name, "",
-                         {"name",    "description",      "kinematics",     "law",
-                          "t_acc",   "reference_period", "servo_period",   "look_ahead",
-                          "zone",    "zone_angle",       "servo",          "inputs",
-                          "outputs", "analog_inputs",    "analog_outputs", "force_sensor",
-                          "arm",     "dynamics",         "simulation",     "axis",
-                          "signal",  "actuator",         "wire",           "force",
-                          "cell"});
+  const TableReader file(table, file_name, "", {"name",         "description",   "kinematics",
+                                                "law",          "t_acc",         "reference_period",
+                                                "servo_period", "look_ahead",    "zone",
+                                                "zone_angle",   "servo",         "inputs",
+                                                "outputs",      "analog_inputs", "analog_outputs",
+                                                "force_sensor", "arm",           "dynamics",
+                                                "simulation",   "axis",          "signal",
+                                                "actuator",     "wire",          "force",
+                                                "cell",         "chain"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
@@ -296,7 +309,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   robot.analog_outputs = file.integer_or("analog_outputs", 0, kMostAnalog, 0);
   read_actuators(file, robot);
   robot.force_sensor = file.flag_or("force_sensor", false);
-  choose_kinematics(file, robot);
+  choose_kinematics(file, axes, robot);
   choose_mechanics(file, axes, robot);
   read_servo(file, axes, robot);
   read_wire(file, axes, robot);

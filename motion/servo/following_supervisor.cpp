@@ -49,6 +49,7 @@ FollowingSupervisor::FollowingSupervisor(std::span<const DriveData> drives,
 void FollowingSupervisor::reset(const JointReference& reference,
                                 const JointMeasurement& measured) noexcept {
   time_ = measured.time;
+  spread_ = 0;
   silent_ = 0;
   for (int i = 0; i < count_; ++i) {
     AxisWatch& axis = axes_[static_cast<std::size_t>(i)];
@@ -59,11 +60,13 @@ void FollowingSupervisor::reset(const JointReference& reference,
 }
 
 FollowingFinding FollowingSupervisor::check(DriverStatus status, const JointReference& reference,
-                                            const JointMeasurement& measured) noexcept {
+                                            const JointMeasurement& measured,
+                                            double spread) noexcept {
   if (status != DriverStatus::Ok) return no_answer(status);
   silent_ = 0;
-  const double elapsed = std::max(measured.time - time_, servo_period_);
+  const double elapsed = std::max(measured.time - time_, servo_period_) + spread + spread_;
   time_ = measured.time;
+  spread_ = spread;
   FollowingFinding gravest;
   for (int i = 0; i < count_; ++i) {
     // The velocities are looked at for being numbers alone.

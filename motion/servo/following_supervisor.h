@@ -53,7 +53,8 @@ struct FollowingFinding {
 /// time, no slow motion can raise it. [choice] 20 counts: real encoders miss a few; three cycles: a
 /// drive that answers late repeats itself once.
 ///
-/// *Jump*: |Δq| > 2·v_max·(time since the last measurement, at least T).
+/// *Jump*: |Δq| > 2·v_max·(time since the last measurement, at least T, and what is uncertain of
+/// both instants).
 ///
 /// *Silent*: the third cycle in a row without an answer. *Alarm*, *Lost*: at once.
 ///
@@ -72,10 +73,10 @@ class FollowingSupervisor {
   /// At enable: what is measured now is believed.
   void reset(const JointReference& reference, const JointMeasurement& measured) noexcept;
 
-  /// Reference and measurement of the same instant. Unless `status` is Ok, `measured` is not
-  /// looked at.
+  /// Reference and measurement of the same instant; `spread`: s by which that of an axis may be
+  /// another. Unless `status` is Ok, `measured` is not looked at.
   FollowingFinding check(DriverStatus status, const JointReference& reference,
-                         const JointMeasurement& measured) noexcept;
+                         const JointMeasurement& measured, double spread = 0) noexcept;
 
  private:
   struct AxisWatch {
@@ -96,6 +97,7 @@ class FollowingSupervisor {
   int count_;
   double servo_period_;
   double time_ = 0;  // of the last measurement
+  double spread_ = 0;
   int silent_ = 0;
 };
 

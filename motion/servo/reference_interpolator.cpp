@@ -72,15 +72,10 @@ JointReference ReferenceInterpolator::at(double now) noexcept {
 
 JointReference ReferenceInterpolator::without_join(double now) noexcept {
   assert(count_ > 0 && "reset() comes first");
-  while (count_ > 1 && kept(1).time <= now) drop_oldest();
-
+  while (extrapolating_ && count_ > 1 && !next_is_far(now)) return_at(return_instant(now));
+  drop_passed(now);
   const bool goes_on = must_extrapolate(now);
-  const bool base_passed = kept(0).time != extrapolation_.base().time;
-  if (extrapolating_ && (base_passed || !goes_on)) {
-    begin_join(now, goes_on);
-  } else if (goes_on && !extrapolating_) {
-    begin_extrapolation();
-  }
+  if (goes_on && !extrapolating_) begin_extrapolation();
   extrapolating_ = goes_on;
   if (goes_on) count_starvation(now);
   last_ = now;
@@ -97,14 +92,21 @@ void ReferenceInterpolator::drop_oldest() noexcept {
   --count_;
 }
 
+void ReferenceInterpolator::drop_passed(double now) noexcept {
+  while (count_ > 1 && kept(1).time <= now) drop_oldest();
+}
+
 bool ReferenceInterpolator::gap_follows() const noexcept {
   return count_ > 1 && kept(1).time - kept(0).time > (kLongestGap + kStampTolerance) * period_;
 }
 
-bool ReferenceInterpolator::must_extrapolate(double now) const noexcept {
-  if (now <= kept(0).time) return false;
-  if (count_ == 1) return true;
+// Behind a gap, and not to be taken up yet.
+bool ReferenceInterpolator::next_is_far(double now) const noexcept {
   return gap_follows() && now < kept(1).time - (1 + kStampTolerance) * period_;
+}
+
+bool ReferenceInterpolator::must_extrapolate(double now) const noexcept {
+  return now > kept(0).time && (count_ == 1 || next_is_far(now));
 }
 
 JointReference ReferenceInterpolator::on_references(double now) const noexcept {
@@ -118,15 +120,21 @@ void ReferenceInterpolator::begin_extrapolation() noexcept {
   starved_here_ = 0;
 }
 
-// From what was sent last, or as soon after it as the new references are known.
-void ReferenceInterpolator::begin_join(double now, bool goes_on) noexcept {
+// When the way back begins: at what was sent last, for what was never sent is no difference; or as
+// soon after it as the references are known.
+double ReferenceInterpolator::return_instant(double now) const noexcept {
   double start = std::max(last_, kept(0).time);
-  if (!goes_on && gap_follows()) start = std::max(start, kept(1).time - period_);
-  start = std::min(start, now);
+  if (gap_follows()) start = std::max(start, kept(1).time - period_);
+  return std::min(start, now);
+}
+
+void ReferenceInterpolator::return_at(double start) noexcept {
   JointReference sent = extrapolation_.at(start);
   join_.apply(sent);
-  if (goes_on) begin_extrapolation();
-  join_.start(sent, goes_on ? extrapolation_.at(start) : on_references(start));
+  drop_passed(start);
+  extrapolating_ = must_extrapolate(start);
+  if (extrapolating_) begin_extrapolation();
+  join_.start(sent, extrapolating_ ? extrapolation_.at(start) : on_references(start));
 }
 
 void ReferenceInterpolator::count_starvation(double now) noexcept {

@@ -60,12 +60,15 @@ class ReferenceInterpolator {
 
   const JointReference& kept(int i) const noexcept;
   void drop_oldest() noexcept;
+  void drop_passed(double now) noexcept;
   bool gap_follows() const noexcept;
+  bool next_is_far(double now) const noexcept;
   JointReference without_join(double now) noexcept;
   bool must_extrapolate(double now) const noexcept;
   JointReference on_references(double now) const noexcept;
   void begin_extrapolation() noexcept;
-  void begin_join(double now, bool goes_on) noexcept;
+  double return_instant(double now) const noexcept;
+  void return_at(double start) noexcept;
   void count_starvation(double now) noexcept;
 
   double period_;

@@ -6,25 +6,19 @@
 namespace rob::motion {
 
 /// The difference between where the axes are sent and where the references are, on its way to
-/// nothing. s, SI. It is added to the references.
+/// nothing: from its own position, speed and acceleration to rest at 0 as one motion from point to
+/// point. s, SI. It is added to the references.
 ///
-/// With Δ the difference at the start:
+/// With Δ the difference at the start, every axis keeps
 ///
-///     o(t) = way·f(t) + u·g(t) + Δq''·h(t)      h'' = 1 ╲__     from 1 to 0 in τ, at once
-///     u    = Δq' + Δq''·τ/2                     g'  = 1 ‾╲__    a stop, over c, at once
-///     way  = Δq + u·c − Δq''·τ²/6               f   = 1 ‾‾╲__   from rest to rest, slowly
+///     speed beyond the references             <= max(v_max/10, |Δq'| + |Δq''|·τ/2)
+///     acceleration beyond the references      <= max(a_max/2, |Δq''|)
+///     jerk beyond the references              <= j_max/2          τ = max |Δq''|/(j_max/2)
 ///
-/// u is the speed when the acceleration has been taken back, in τ = max |Δq''|/(5/16·j_max), way
-/// the distance when the speed has, too. f, g, h are one motion from point to point. Each has a
-/// share of the limits, so that together they keep on every axis
-///
-///     speed beyond the references             <= v_max/10 + |Δq'| + |Δq''|·τ/2
-///     acceleration beyond the references      <= a_max/2 + |Δq''|
-///     jerk beyond the references              <= j_max/2
-///
-/// They are the same for all axes. So the offset stays among the directions of Δq, Δq' and Δq'': on
-/// a straight line, along which all three lie, it is along that line, in the space of the axes
-/// exactly and of an arm's tool as nearly as it is short. The end is exact.
+/// It may be started again at any time, from what is left and what has been added to it. If nothing
+/// has, it goes on as it was: so a join that is disturbed again and again closes, too. Where Δq,
+/// Δq' and Δq'' lie along one direction, as they do on a straight line, it stays along that, in the
+/// space of the axes exactly and of an arm's tool as nearly as it is short. The end is exact.
 ///
 /// [choice] A tenth lets a drive that is planned to v_max follow; half leaves the references
 /// theirs. With infinite j_max the acceleration leaps. May be used in the tick.
@@ -41,14 +35,13 @@ class ReferenceJoin {
   void apply(JointReference& reference) noexcept;
 
  private:
-  JointVector v_max_;
+  JointVector direction_of(const JointReference& left) const noexcept;
+
+  JointVector v_max_;  ///< what it may take of the limits
   JointVector a_max_;
   JointVector j_max_;
+  PointToPoint way_;
   bool active_ = false;
-  JointVector way_;
-  JointVector speed_;         // u
-  JointVector acceleration_;  // Δq''
-  PointToPoint fgh_;
 };
 
 }  // namespace rob::motion

@@ -35,6 +35,7 @@ struct ServoCommand {
 /// What one servo cycle learns from it.
 struct ServoState {
   JointMeasurement measured;
+  double spread = 0;         ///< s by which the instant of an axis may differ from measured.time
   std::uint64_t inputs = 0;  ///< bit i: digital input channel i
   AnalogValues analog_inputs{};
   Wrench wrench;           ///< of the force sensor, about the flange and along its axes

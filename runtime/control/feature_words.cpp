@@ -36,10 +36,15 @@ Explained explained(MotionFeature feature) {
           "LAW LOOKAHEAD has PATH; without it leave PATH and ENDPATH out: AFTER and BEFORE stand "
           "behind MOVE … DO"};
     case MotionFeature::Press:
+      return {Capability::Force, "PRESS", "it has no force sensor",
+              "MOVE … UNTIL touched stops where something is met"};
+    case MotionFeature::Lead:
       break;
   }
-  return {Capability::Force, "PRESS", "it has no force sensor",
-          "MOVE … UNTIL touched stops where something is met"};
+  return {
+      Capability::Lead, "leading the tool", "it is commanded in its axes alone",
+      "MOVE (…) with a value for each axis, MOVE JOINT, MOVE to a taught point and JOG JOINT are "
+      "there; FORWARD(j) tells where joints bring the tool"};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "runtime/control/feature_words.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/pose_values.h"
 #include "runtime/control/robot_machine.h"
@@ -76,6 +77,12 @@ Reply RobotMachine::jog(int line, const MoveCommand& asked) {
 
 bool RobotMachine::plan_jog(int line, const MoveCommand& asked,
                             motion::SegmentDescriptor& segment) {
+  const bool leads =
+      asked.jog != JogFrame::Joint;  // a program's are refused before, a pendant's here
+  if (const auto words = words_against(lang::MotionFeature::Lead, robot_); leads && words) {
+    refusal_ = *words;
+    return false;
+  }
   const JogRates rates = rates_of(asked, setting_.tool, robot_);
   if (jogs_against_press(rates)) return false;
   const motion::PlanOutcome outcome = planner_.jog(static_cast<motion::Tag>(line), rates);

@@ -104,8 +104,8 @@ bool ServoTask::references_are_coming(double now, double gap) const noexcept {
 motion::FollowingFinding ServoTask::judge(DriverStatus status, double gap) noexcept {
   using motion::FollowingFinding;
   if (gap <= longest_gap_) {
-    const FollowingFinding found =
-        supervisor_.check(status, history_.at(state_.measured.time), state_.measured);
+    const FollowingFinding found = supervisor_.check(status, history_.at(state_.measured.time),
+                                                     state_.measured, state_.spread);
     if (found.verdict != FollowingFinding::Verdict::None || state_.wire_errors <= kNoisyWire)
       return found;
     return {FollowingFinding::Verdict::Warn, FollowingFinding::Cause::Noisy, -1, state_.wire_errors,
@@ -126,18 +126,20 @@ void ServoTask::disable() noexcept {
 
 /// Where the machine is after a moment on its own. One that follows references has stayed at the
 /// last one.
-motion::JointReference ServoTask::found_at(double now) const noexcept {
+motion::JointReference ServoTask::found_at(double instant) const noexcept {
   const JointVector zero = JointVector::Zero(state_.measured.q.size());
-  if (backend_.follows_references()) return {now, command_.reference.q, zero, zero};
-  return {now, state_.measured.q, state_.measured.qd, zero};
+  if (backend_.follows_references()) return {instant, command_.reference.q, zero, zero};
+  return {instant, state_.measured.q, state_.measured.qd, zero};
 }
 
-void ServoTask::cycle(double now) noexcept {
+void ServoTask::cycle(double now, double due) noexcept {
+  const bool follows = backend_.follows_references();
+  const double instant = follows ? due : now;
   const double gap = now - followed_;
   now_ = now;
   const DriverStatus read = backend_.read(now, state_);
   const DriverStatus status = read == DriverStatus::Ok ? written_ : read;
-  if (gap > longest_gap_ && read == DriverStatus::Ok) take_as_it_stands(now);
+  if (gap > longest_gap_ && read == DriverStatus::Ok) take_as_it_stands(instant);
   motion::JointReference newest;
   while (channels_.references.take(newest)) {
     interpolator_.push(newest);
@@ -150,15 +152,14 @@ void ServoTask::cycle(double now) noexcept {
   if (references_are_coming(now, gap)) return tell({});
   followed_ = now;
   if (gap > bridged_gap_ && gap <= longest_gap_ && read == DriverStatus::Ok) {
-    interpolator_.join_from(found_at(now));
+    interpolator_.join_from(found_at(instant));
   }
-  command_.reference = interpolator_.at(now);
+  command_.reference = interpolator_.at(instant);
   history_.push(command_.reference);
   command_.outputs = channels_.outputs.load(std::memory_order_relaxed);
   command_.analog_outputs = channels_.analog_outputs.load();
 
   const motion::FollowingFinding finding = judge(status, gap);
-  const bool follows = backend_.follows_references();
   if (enabled_ && (follows ? read != DriverStatus::Lost : read == DriverStatus::Ok)) {
     if (!follows) command_.drive = servo_->update(now, command_.reference, state_.measured);
     written_ = backend_.write(now, command_);

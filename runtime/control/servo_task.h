@@ -23,14 +23,18 @@ class ServoTask {
   void enable(double now) noexcept;
   /// The drives stay without force, and a hand may move the axes: where they are is only read.
   void guide(double now) noexcept;
-  void cycle(double now) noexcept;
+  /// `due` is when this cycle was to begin. A machine that follows references is told where to be
+  /// at that instant, for which the reference has been there for a period; what is computed here is
+  /// computed for `now`.
+  void cycle(double now, double due) noexcept;
+  void cycle(double now) noexcept { cycle(now, now); }
   /// The drives are without force from now on; further cycles only read.
   void disable() noexcept;
 
  private:
   void learn_stand(double now) noexcept;
   void take_as_it_stands(double now) noexcept;
-  motion::JointReference found_at(double now) const noexcept;
+  motion::JointReference found_at(double instant) const noexcept;
   bool references_are_coming(double now, double gap) const noexcept;
   void tell(const motion::FollowingFinding& finding) noexcept;
   motion::FollowingFinding judge(motion::DriverStatus status, double gap) noexcept;

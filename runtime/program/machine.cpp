@@ -24,11 +24,12 @@ namespace {
 using drivers::WireAxis;
 using Kind = BackendName::Kind;
 
-constexpr double kTicks = 4096;  // a turn of a servo, of both makers
-constexpr double kMiddle = 2048;
+constexpr double kTicks = 4096;     // a turn of a servo, of both makers
+constexpr double kScsTicks = 1024;  // the way of a servo of Feetech's SCS series
 constexpr double kPeriod = 0.01;    // s [choice] 100 Hz: six servos at 1 Mbit/s take 5 ms
 constexpr double kFineUnits = 1e6;  // of Rob's own protocol, per mm or deg
 constexpr int kLetters = 6;
+constexpr double kBack = 0.1;  // of its speed [choice] what a hand at the emergency stop can follow
 
 struct Protocol {
   const char* name;
@@ -38,6 +39,7 @@ struct Protocol {
 constexpr Protocol kProtocols[] = {{"grbl", Kind::Grbl, 115200},
                                    {"dynamixel", Kind::Dynamixel, 1000000},
                                    {"feetech", Kind::Feetech, 1000000},
+                                   {"feetech-scs", Kind::FeetechScs, 1000000},
                                    {"rob", Kind::Rob, 115200}};
 
 const Protocol& protocol_of(Kind kind) {
@@ -59,15 +61,16 @@ WireAxis axis_on(const motion::Axis& axis, double units, double travel, double z
   return wire;
 }
 
-WireAxis servo_axis(const motion::Axis& axis, int number) {
+WireAxis servo_axis(const motion::Axis& axis, int number, double ticks) {
   double travel = axis.wire.travel;
-  if (travel == 0 && axis.kind == motion::AxisKind::Rotary) travel = 2 * std::numbers::pi;
+  if (travel == 0 && axis.kind == motion::AxisKind::Rotary && ticks == kTicks)
+    travel = 2 * std::numbers::pi;
   if (travel == 0)
     fail(
-        fmt::format("the robot file does not say how far axis {0} goes in a turn of its servo; "
-                    "write [axis.wire] travel = \"40 mm\" there",
-                    axis.name));
-  WireAxis wire = axis_on(axis, kTicks, travel, kMiddle);
+        fmt::format("the robot file does not say how far axis {} goes in a turn of its servo (SCS:"
+                    " over its 1024 places); write [axis.wire] travel = \"{}\" there",
+                    axis.name, axis.kind == motion::AxisKind::Linear ? "40 mm" : "300 deg"));
+  WireAxis wire = axis_on(axis, ticks, travel, ticks / 2);
   wire.address = axis.wire.id >= 0 ? axis.wire.id : number;
   return wire;
 }
@@ -105,7 +108,8 @@ std::vector<WireAxis> axes_of(Kind kind, const motion::RobotModel& robot) {
     } else if (kind == Kind::Rob) {
       axes.push_back(rob_axis(axis));
     } else {
-      axes.push_back(servo_axis(axis, static_cast<int>(i) + 1));
+      const double ticks = kind == Kind::FeetechScs ? kScsTicks : kTicks;
+      axes.push_back(servo_axis(axis, static_cast<int>(i) + 1, ticks));
     }
   }
   for (std::size_t i = 0; i < axes.size(); ++i)
@@ -126,6 +130,8 @@ std::unique_ptr<drivers::WireLink> link_of(Kind kind, const drivers::WireSetting
       return drivers::dynamixel_link(settings.axes, settings.baud);
     case Kind::Feetech:
       return drivers::feetech_link(settings.axes, settings.baud);
+    case Kind::FeetechScs:
+      return drivers::feetech_scs_link(settings.axes, settings.baud);
     default:
       return drivers::rob_link(settings.axes, settings.period);
   }
@@ -175,18 +181,32 @@ void take_limits(const drivers::WireBackend& machine, motion::RobotModel& robot,
     fail("the machine's accelerations are too small for t_acc of the robot file; raise t_acc");
 }
 
+/// An axis beyond its limits goes no further, and comes back slowly.
+void let_back(double place, motion::Axis& axis) {
+  axis.min = std::min(axis.min, place);
+  axis.max = std::max(axis.max, place);
+  axis.v_max *= kBack;
+}
+
 /// Where the axes stand is where the run begins.
-void take_place(const motion::JointVector& place, motion::RobotModel& robot) {
+void take_place(const motion::JointVector& place, bool back, motion::RobotModel& robot,
+                std::vector<std::string>& notes) {
   for (int i = 0; i < robot.axis_count(); ++i) {
-    const motion::Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    motion::Axis& axis = robot.axes[static_cast<std::size_t>(i)];
     const double within = std::clamp(place[i], axis.min, axis.max);
-    if (std::abs(place[i] - within) > axis.drive.following_warn)
-      fail(
-          fmt::format("axis {} stands at {}, outside of {} … {}: nothing is enabled; bring it back"
-                      " by hand, or correct offset in [axis.wire] of the robot file",
-                      axis.name, shown(place[i], axis.kind), shown(axis.min, axis.kind),
-                      shown(axis.max, axis.kind)));
     robot.start[i] = within;
+    if (std::abs(place[i] - within) <= axis.drive.following_warn) continue;
+    const std::string found = fmt::format("axis {} stands at {}, outside of {} … {}", axis.name,
+                                          shown(place[i], axis.kind), shown(axis.min, axis.kind),
+                                          shown(axis.max, axis.kind));
+    if (!back)
+      fail(found +
+           ": nothing is enabled; bring it back by hand, or by a jog at the prompt, or correct "
+           "offset"
+           " in [axis.wire] of the robot file");
+    notes.push_back(found + ": it can go back only, at a tenth of its speed; then :reset");
+    let_back(place[i], axis);
+    robot.start[i] = place[i];
   }
 }
 
@@ -224,14 +244,14 @@ std::optional<BackendName> backend_of(const std::string& text) {
   return std::nullopt;
 }
 
-OpenMachine open_machine(const BackendName& name, motion::RobotModel& robot, bool home) {
+OpenMachine open_machine(const BackendName& name, motion::RobotModel& robot, bool home, bool back) {
   if (name.simulated()) return {simulation_of(robot), robot.servo_period, {}};
   const drivers::WireSettings settings = settings_of(name, robot, home);
   auto machine = std::make_unique<drivers::WireBackend>(settings, link_of(name.kind, settings));
   machine->open();
   OpenMachine opened;
   take_limits(*machine, robot, opened.notes);
-  take_place(machine->position(), robot);
+  take_place(machine->position(), back, robot, opened.notes);
   opened.period = machine->period();
   opened.backend = std::move(machine);
   return opened;

@@ -13,7 +13,7 @@ namespace rob::runtime {
 
 /// What moves: the simulation, or a machine on a serial line ("grbl:/dev/ttyUSB0").
 struct BackendName {
-  enum class Kind { Simulation, Grbl, Dynamixel, Feetech, Rob };
+  enum class Kind { Simulation, Grbl, Dynamixel, Feetech, FeetechScs, Rob };
   Kind kind = Kind::Simulation;
   std::string port;
 
@@ -33,8 +33,10 @@ struct OpenMachine {
 /// Opens the machine. `robot` becomes what the machine is: it starts where the axes stand, its
 /// limits are the tighter ones of the robot file and of the machine. The simulation leaves it as it
 /// is. `home`: the machine homes itself first. Throws
-/// motion::DriverError, where an axis stands outside of its limits, too.
-OpenMachine open_machine(const BackendName& name, motion::RobotModel& robot, bool home = false);
+/// motion::DriverError, where an axis stands outside of its limits, too; but with `back` such an
+/// axis is let go back, slowly: its limit is then where it stands.
+OpenMachine open_machine(const BackendName& name, motion::RobotModel& robot, bool home = false,
+                         bool back = false);
 
 /// A machine that could not be opened: lost from the beginning, for this reason.
 OpenMachine absent_machine(const motion::RobotModel& robot, const std::string& trouble);

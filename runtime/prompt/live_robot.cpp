@@ -24,13 +24,14 @@ constexpr std::int64_t kInstructionsPerCycle = 1'000'000;
 
 LiveRobot::LiveRobot(motion::RobotModel robot, LiveOptions options, LiveReports::Listener listener,
                      Person* person)
-    : robot_(std::move(robot)),
+    : asked_(std::move(robot)),
+      robot_(asked_),
       options_(std::move(options)),
       listener_(std::move(listener)),
       person_(person) {
   if (!options_.points_file.empty()) points_.emplace(options_.points_file, robot_);
   if (!options_.trace.empty()) trace_.emplace(options_.trace, robot_, std::vector<std::string>{});
-  begin(open_machine(options_.backend, robot_, std::exchange(options_.home, false)));
+  begin(open_machine(options_.backend, robot_, std::exchange(options_.home, false), true));
 }
 
 LiveRobot::~LiveRobot() {
@@ -160,7 +161,10 @@ void LiveRobot::reset() {
 
 /// What cannot be opened is told as a fault, and can be tried again.
 OpenMachine LiveRobot::open_again() try {
-  return open_machine(options_.backend, robot_, std::exchange(options_.home, false));
+  const motion::JointVector start = robot_.start;
+  robot_ = asked_;  // without what the machine has made of it
+  robot_.start = start;
+  return open_machine(options_.backend, robot_, std::exchange(options_.home, false), true);
 } catch (const motion::DriverError& error) {
   return absent_machine(robot_, error.what());
 }

@@ -92,7 +92,8 @@ class LiveRobot {
   void run_entries();
   void look_for_end();
 
-  motion::RobotModel robot_;
+  motion::RobotModel asked_;  ///< as its file has it
+  motion::RobotModel robot_;  ///< as the machine is
   LiveOptions options_;
   LiveReports::Listener listener_;
   Person* person_;

@@ -192,6 +192,50 @@ TEST_CASE("fault 32: a machine that stands outside of the limits is not enabled"
   CHECK(grbl.moves() == 0);
 }
 
+TEST_CASE("fault 32: at the prompt an axis outside of its limits can go back alone, slowly") {
+  const auto jogged = [](const std::string& jog, std::string& told) {
+    GrblEmulator grbl;
+    grbl.stand_at(-20, 0, 0);
+    const RobCommand rob("");
+    const ProcessResult result =
+        rob::test::run_process({"/bin/bash", "-c",
+                                "cd " + rob.file("") + " && (echo '" + jog + "'; sleep 3) | " +
+                                    ROB_BINARY + " --backend " + on("grbl", grbl)});
+    told = result.err + result.out;
+    for (int i = 0; i < 200 && !grbl.idle(); ++i) std::this_thread::sleep_for(10ms);
+    return grbl.position()[0];
+  };
+  std::string told;
+  CHECK(jogged("JOG JOINT (-20mm/s, 0mm/s, 0deg/s) FOR 2s", told) == doctest::Approx(-20));
+  CHECK(contains(told, "axis x stands at -20 mm, outside of 0 mm"));
+  CHECK(contains(told, "it can go back only"));
+  // A tenth of 20 mm/s for 2 s.
+  const double back = jogged("JOG JOINT (20mm/s, 0mm/s, 0deg/s) FOR 2s", told);
+  CAPTURE(told);
+  CHECK(back > -18);
+  CHECK(back <= -16 + 0.1);
+}
+
+TEST_CASE("a jog over grbl stands in time: its own braking, and what grbl has ahead") {
+  GrblEmulator grbl;
+  const RobCommand rob("JOG JOINT (20mm/s, 0mm/s, 0deg/s) FOR 500ms\n");
+  const ProcessResult result = rob("run", {"--json", "--backend", on("grbl", grbl)});
+  REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+  // 20 mm/s takes 0.2 s + 0.1 s at 100 mm/s² and 1000 mm/s³, and as long at the end.
+  CHECK(grbl.moved_for() > 0.4);
+  CHECK(grbl.moved_for() < 0.5 + 0.3 + 0.08 + 0.1);
+  CHECK(grbl.position()[0] > 5);
+  CHECK(grbl.position()[0] < 20 * (0.5 + 0.15) + 0.1);
+  CHECK(grbl.idle());
+}
+
+TEST_CASE("fault 18: grbl whose axes do not go where its motors turn") {
+  const Faulted faulted = run_into([](GrblEmulator& grbl) { grbl.jammed = true; });
+  CHECK(faulted.result.exit_code == 70);
+  const std::string code = faulted.document["error"]["code"];
+  CHECK((code == "E502" || code == "E503"));
+}
+
 TEST_CASE("a prompt on a machine: guided by hand, a point is taught, and driven to") {
   const std::string typed =
       "(echo ':guide on'; sleep 1.5; echo ':teach pick'; echo 'MOVE(0,0,0)'; echo ':guide off';"

@@ -1,7 +1,7 @@
 // The reference device of docs/serial-protocol.md as a program of its own: `rob_device AXES
 // SECONDS` prints the path of its port, moves axes that are not there, and when it ends, by SIGTERM
-// or after SECONDS, a line "Q v… S": where they are, mm or deg, and the longest time, s, without a
-// reference while they were enabled.
+// or after SECONDS, a line "Q v… S M": where they are, mm or deg; the longest time, s, without a
+// reference while they were enabled; s from their first motion to the end of their last.
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -48,6 +48,8 @@ int main(int argc, char** argv) {
   std::fflush(stdout);
   const double begun = rob::drivers::wire_time();
   Silence silence;
+  double first = -1;
+  double last = 0;
   for (double passed = 0; ending == 0 && passed < std::atof(argv[2]);
        passed = rob::drivers::wire_time() - begun) {
     const std::vector<std::uint8_t> bytes = wire.receive(1);
@@ -58,10 +60,14 @@ int main(int argc, char** argv) {
     const rob::drivers::wire::Wire out = device.send();
     wire.send({out.view().begin(), out.view().end()});
     device.step(now);
+    if (std::ranges::any_of(device.velocity(), [](std::int32_t v) { return v != 0; })) {
+      if (first < 0) first = passed;
+      last = passed;
+    }
   }
   std::printf("Q");
   for (int i = 0; i < std::atoi(argv[1]); ++i)
     std::printf(" %.6f", device.position()[static_cast<std::size_t>(i)] / 1e6);
-  std::printf(" %.6f\n", silence.longest());
+  std::printf(" %.6f %.6f\n", silence.longest(), last - first);
   return 0;
 }

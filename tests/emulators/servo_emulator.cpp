@@ -30,6 +30,7 @@ std::uint32_t little(const Octets& p, std::size_t at, int size) {
 ServoEmulator::ServoEmulator(Kind kind, int count) : kind_(kind) {
   for (int id = 1; id <= count; ++id) {
     Servo& servo = servos_[id];
+    servo.position = kind == Kind::FeetechScs ? 512 : 2048;
     if (kind == Kind::Dynamixel) {
       servo.registers[9] = 250;  // 500 µs, from the factory
       servo.registers[11] = 3;
@@ -37,22 +38,27 @@ ServoEmulator::ServoEmulator(Kind kind, int count) : kind_(kind) {
       servo.registers[49] = 0x0F;
       servo.registers[68] = 2;
     } else {
-      servo.registers[11] = 0xFF;
-      servo.registers[12] = 0x0F;
+      write(servo, 11, 2, kind == Kind::FeetechScs ? 1023 : 4095);
     }
+  }
+}
+
+void ServoEmulator::write(Servo& servo, int address, int size, std::uint32_t value) const {
+  for (int i = 0; i < size; ++i) {
+    const int at = kind_ == Kind::FeetechScs ? address + size - 1 - i : address + i;
+    servo.registers[static_cast<std::size_t>(at)] = static_cast<std::uint8_t>(value >> 8 * i);
   }
 }
 
 void ServoEmulator::set(int id, int address, int size, std::uint32_t value) {
   const std::lock_guard lock(mutex_);
-  for (int i = 0; i < size; ++i)
-    servos_[id].registers[static_cast<std::size_t>(address + i)] =
-        static_cast<std::uint8_t>(value >> 8 * i);
+  write(servos_[id], address, size, value);
 }
 
 std::uint32_t ServoEmulator::value(const Servo& servo, int address, int size) const {
-  const Octets all(servo.registers.begin(), servo.registers.end());
-  return little(all, static_cast<std::size_t>(address), size);
+  Octets bytes(servo.registers.begin() + address, servo.registers.begin() + address + size);
+  if (kind_ == Kind::FeetechScs) std::reverse(bytes.begin(), bytes.end());
+  return little(bytes, 0, size);
 }
 
 std::uint32_t ServoEmulator::get(int id, int address, int size) const {
@@ -72,31 +78,38 @@ void ServoEmulator::stand_at(int id, double ticks) {
 
 bool ServoEmulator::torque(int id) const { return get(id, torque_register(), 1) == 1; }
 
+double ServoEmulator::moved_for() const {
+  const std::lock_guard lock(mutex_);
+  return last_motion_ - first_motion_;
+}
+
 void ServoEmulator::restart(int id) { set(id, torque_register(), 1, 0); }
 
 void ServoEmulator::pass(double now) {
-  const double step = kSpeed * (now - last_);
+  const double step = speed * (now - last_);
   last_ = now;
   const bool dynamixel = kind_ == Kind::Dynamixel;
   for (auto& [id, servo] : servos_) {
     if (servo.registers[static_cast<std::size_t>(torque_register())] != 1) continue;
     const double goal =
         static_cast<std::int32_t>(value(servo, dynamixel ? 116 : 42, dynamixel ? 4 : 2));
+    if (goal == servo.position) continue;
     servo.position += std::clamp(goal - servo.position, -step, step);
+    if (first_motion_ < 0) first_motion_ = now;
+    last_motion_ = now;
   }
 }
 
 void ServoEmulator::refresh(Servo& servo) const {
-  const auto place = static_cast<std::uint32_t>(std::lround(servo.position));
+  if (frozen) return;
+  const auto place = static_cast<std::uint32_t>(std::lround(servo.position) + jumped);
   const bool dynamixel = kind_ == Kind::Dynamixel;
-  const std::size_t at = dynamixel ? 132 : 56;
-  for (std::size_t i = 0; i < (dynamixel ? 4U : 2U); ++i)
-    servo.registers[at + i] = static_cast<std::uint8_t>(place >> 8 * i);
+  write(servo, dynamixel ? 132 : 56, dynamixel ? 4 : 2, place);
 }
 
 void ServoEmulator::status(int id, std::uint8_t error, const Octets& p) {
   if (mute == id) return;
-  if (kind_ == Kind::Feetech) {
+  if (kind_ != Kind::Dynamixel) {
     Octets out{0xFF, 0xFF, static_cast<std::uint8_t>(id), static_cast<std::uint8_t>(p.size() + 2),
                error};
     out.insert(out.end(), p.begin(), p.end());
@@ -191,6 +204,7 @@ void ServoEmulator::sync(int instruction, const Octets& p) {
         std::copy(at + 1, at + 1 + size, found->second.registers.begin() + address);
     return;
   }
+  if (kind_ == Kind::FeetechScs) return;
   for (; at != p.end(); ++at) {
     const auto found = servos_.find(*at);
     if (found == servos_.end()) continue;

@@ -7,32 +7,36 @@
 
 namespace rob::test {
 
-/// Servos on one bus: ROBOTIS' X series (protocol 2.0) or Feetech's STS series, each with its table
-/// of registers, and a motor that goes to its goal at kSpeed.
+/// Servos on one bus: ROBOTIS' X series (protocol 2.0), Feetech's STS or SCS series (whose numbers
+/// are big-endian, 1024 to its way, and which know no sync read), each with its table of registers,
+/// and a motor that goes to its goal at `speed`.
 class ServoEmulator final : public DeviceEmulator {
  public:
-  enum class Kind { Dynamixel, Feetech };
-  static constexpr double kSpeed = 4000;  ///< ticks/s
+  enum class Kind { Dynamixel, Feetech, FeetechScs };
 
-  /// IDs 1 … count, all at 2048.
+  /// IDs 1 … count, all in their middle: 2048, SCS 512.
   ServoEmulator(Kind kind, int count);
   ~ServoEmulator() override { end(); }
 
-  std::atomic<int> mute{0};  ///< the servo that does not answer; it hears
+  std::atomic<int> mute{0};         ///< the servo that does not answer; it hears
+  std::atomic<double> speed{4000};  ///< ticks/s
+  std::atomic<bool> frozen{false};  ///< the positions that they tell stay as they are
+  std::atomic<int> jumped{0};       ///< ticks that are added to them
 
   void set(int id, int address, int size, std::uint32_t value);
   std::uint32_t get(int id, int address, int size) const;
   double position(int id) const;
   void stand_at(int id, double ticks);
   bool torque(int id) const;
+  /// s from the first to the last change of a position.
+  double moved_for() const;
   /// Its supply has failed for a moment: torque off, as after switching on.
   void restart(int id);
 
  private:
   struct Servo {
     std::array<std::uint8_t, 256> registers{};
-    double position = 2048;
-    bool jams = false;
+    double position = 0;
   };
 
   void take(std::uint8_t byte) override;
@@ -44,6 +48,7 @@ class ServoEmulator final : public DeviceEmulator {
   void status(int id, std::uint8_t error, const Octets& p);
   void refresh(Servo& servo) const;
   std::uint32_t value(const Servo& servo, int address, int size) const;
+  void write(Servo& servo, int address, int size, std::uint32_t value) const;
 
   int torque_register() const { return kind_ == Kind::Dynamixel ? 64 : 40; }
   int width() const { return kind_ == Kind::Dynamixel ? 2 : 1; }  ///< of an address
@@ -52,6 +57,8 @@ class ServoEmulator final : public DeviceEmulator {
   std::map<int, Servo> servos_;
   Octets in_;
   double last_ = 0;
+  double first_motion_ = -1;
+  double last_motion_ = 0;
 };
 
 }  // namespace rob::test

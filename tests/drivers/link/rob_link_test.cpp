@@ -1,16 +1,10 @@
 #include "drivers/link/rob_link.h"
 
 #include <doctest/doctest.h>
-#include <fcntl.h>
-#include <signal.h>
-#include <stdio.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <string>
 
 #include "drivers/device/rob_device.h"
 #include "tests/drivers/link/wire_bench.h"
+#include "tests/emulators/device_process.h"
 #include "tests/support/no_allocation.h"
 
 namespace rob::drivers {
@@ -18,53 +12,9 @@ namespace {
 
 using motion::DriverStatus;
 using test::all;
+using test::DeviceProcess;
 using test::mentions;
 using test::WireBench;
-
-/// The reference device in a process of its own.
-class DeviceProcess {
- public:
-  explicit DeviceProcess(int axes) {
-    int ends[2];
-    REQUIRE(::pipe(ends) == 0);
-    child_ = ::fork();
-    if (child_ == 0) {
-      ::dup2(ends[1], STDOUT_FILENO);
-      ::execl(ROB_DEVICE, ROB_DEVICE, std::to_string(axes).c_str(), "60", nullptr);
-      ::_exit(127);
-    }
-    ::close(ends[1]);
-    out_ = ::fdopen(ends[0], "r");
-    path_ = line();
-  }
-  ~DeviceProcess() {
-    end();
-    ::fclose(out_);
-  }
-  /// What it says at its end.
-  std::string finish() {
-    ::kill(child_, SIGTERM);
-    return line();
-  }
-  void end() {
-    if (child_ <= 0) return;
-    ::kill(child_, SIGKILL);
-    ::waitpid(child_, nullptr, 0);
-    child_ = 0;
-  }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string line() {
-    char text[64] = "";
-    REQUIRE(::fgets(text, sizeof text, out_) != nullptr);
-    return std::string(text).substr(0, std::string(text).find('\n'));
-  }
-
-  pid_t child_ = 0;
-  FILE* out_ = nullptr;
-  std::string path_;
-};
 
 std::unique_ptr<WireBackend> machine_on(const std::string& path, int count = 2) {
   const auto axes = test::plain_axes(count, 0);
@@ -118,16 +68,12 @@ TEST_CASE("a device in its own process goes where it is told, over the wrap of i
     bench.go(all(2, 5e6), 0.7);
     bench.go(all(2, 0), 0.7);
     bench.comes(DriverStatus::Lost, 0.2);
-    double places[2];
-    double silence = -1;
-    const std::string told = device.finish();
-    REQUIRE(std::sscanf(told.c_str(), "Q %lf %lf %lf", places, places + 1, &silence) == 3);
-    if (silence > kWatchdog) continue;
+    const DeviceProcess::End end = device.finish();
+    if (end.silence > kWatchdog) continue;
     CHECK(bench.count(DriverStatus::Alarm) == 0);
     CHECK(bench.count(DriverStatus::Lost) == 0);
     CHECK(std::abs(bench.state().measured.q[0]) < 1);
-    CHECK(places[0] == 0);
-    CHECK(places[1] == 0);
+    CHECK(end.places == std::vector<double>{0, 0});
     return;
   }
   FAIL("this computer never had three periods of 20 ms for it");

@@ -32,6 +32,13 @@ struct Feetech {
   }
 };
 
+struct FeetechScs {
+  static constexpr auto kKind = ServoEmulator::Kind::FeetechScs;
+  static std::unique_ptr<WireLink> link(const std::vector<WireAxis>& axes) {
+    return feetech_scs_link(axes, 1000000);
+  }
+};
+
 template <typename Bus>
 std::unique_ptr<WireBackend> machine_on(ServoEmulator& bus, int count = 3) {
   const auto axes = test::plain_axes(count, 1, 3000);
@@ -177,6 +184,36 @@ TEST_CASE_TEMPLATE("limits of the servos are those of the axes", Bus, Dynamixel,
   REQUIRE(test::trouble_opening(*machine) == "");
   CHECK(machine->least(0) == 900);
   CHECK(machine->most(0) == 3000);
+}
+
+TEST_CASE("SCS servos: big-endian numbers, asked one by one") {
+  ServoEmulator bus(FeetechScs::kKind, 3);
+  bus.stand_at(2, 700);
+  bus.set(1, 9, 2, 260);
+  bus.set(1, 11, 2, 900);
+  {
+    WireBench bench(machine_on<FeetechScs>(bus));
+    CHECK(bench.machine().position()[1] == 700);
+    CHECK(bench.machine().least(0) == 260);
+    CHECK(bench.machine().most(0) == 900);
+    bench.go(all(3, 300), 0.5);
+    CHECK(bus.torque(3));
+    bench.comes(DriverStatus::Lost, 0.3);
+    for (const int id : {1, 2, 3}) CHECK(std::abs(bus.position(id) - 300) < 1);
+    CHECK(bench.state().measured.q[2] == doctest::Approx(300).epsilon(0.001));
+    CHECK(bench.state().wire_errors == 0);
+    bus.mute = 3;
+    CHECK(bench.comes(DriverStatus::Silent, 2));
+    bench.comes(DriverStatus::Lost, 0.1);
+    CHECK(mentions(bench.machine().trouble(), "servo 3 (axis z) does not answer"));
+  }
+  CHECK(test::eventually([&] { return !bus.torque(1); }));
+}
+
+TEST_CASE("an SCS servo without limits is a wheel, and refused") {
+  ServoEmulator bus(FeetechScs::kKind, 1);
+  bus.set(1, 11, 2, 0);
+  CHECK(mentions(test::trouble_opening(*machine_on<FeetechScs>(bus, 1)), "turns as a wheel"));
 }
 
 TEST_CASE("the tick takes no memory") {

@@ -115,6 +115,18 @@ TEST_CASE("fault 19: an encoder without a count while the reference moves is fro
   }
 }
 
+TEST_CASE("a jump is measured against the longest time that may have passed") {
+  // 2·0.020 m/s·(5 ms + 2 ms + 1 ms) = 0.32 mm
+  for (const double step : {0.319e-3, 0.321e-3}) {
+    FollowingSupervisor supervisor = supervisor_at_rest();
+    const JointReference reference{0, both(0, 0), both(0, 0), both(0, 0)};
+    supervisor.check(DriverStatus::Ok, reference, {kPeriod, both(0, 0), both(0, 0)}, 0.002);
+    const FollowingFinding found = supervisor.check(
+        DriverStatus::Ok, reference, {2 * kPeriod, both(step, 0), both(0, 0)}, 0.001);
+    CHECK((found.cause == Cause::Jump) == (step > 0.32e-3));
+  }
+}
+
 TEST_CASE("a drive that repeats an answer twice is not taken for frozen") {
   FollowingSupervisor supervisor = supervisor_at_rest();
   for (int k = 1; k < 100; ++k) {

@@ -1,0 +1,72 @@
+#include "motion/kinematics/chain_kinematics.h"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+#include "motion/robots/robot_file.h"
+#include "motion/robots/robot_library.h"
+
+namespace rob::motion {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+JointVector joints(double pan, double lift, double elbow, double wrist, double roll, double grip) {
+  JointVector q(6);
+  q << pan, lift, elbow, wrist, roll, grip;
+  return q * kDegree;
+}
+
+void check_near(const Eigen::Vector3d& found, double x, double y, double z) {
+  CHECK((found * 1000 - Eigen::Vector3d(x, y, z)).norm() < 1e-6);
+}
+
+}  // namespace
+
+// By hand: at zero the frames of the SO-101 are turned by whole quarters, so that its places add
+// up. x: 30.399 + 28 + 134.9 + 61.1 + 98.127; y: −18.278 + 18.1 − 0.218; z: 94.882 + 54.2 + 112.57
+// + 5.2 − 7.9.
+TEST_CASE("the SO-101 at zero points ahead, its tips where the published places add up to") {
+  const RobotModel robot = embedded_robot("so101");
+  const Pose tool = robot.kinematics->forward(joints(0, 0, 0, 0, 0, 0));
+  check_near(tool.position, 352.526, -0.396, 258.952);
+  CHECK((tool.orientation * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitX()).norm() < 1e-9);
+}
+
+TEST_CASE("its pan turns about the upright axis, downwards; the gripper moves nothing") {
+  const RobotModel robot = embedded_robot("so101");
+  check_near(robot.kinematics->forward(joints(90, 0, 0, 0, 0, 0)).position, -0.396, -352.526,
+             258.952);
+  check_near(robot.kinematics->forward(joints(0, 0, 0, 0, 0, 80)).position, 352.526, -0.396,
+             258.952);
+  CHECK(robot.kinematics->lever(5, {0, 0, 0.1}) == 0);
+}
+
+// About axis 2 at (30.399, ·, 149.082) a quarter forwards: (x, z) → (30.399 + (z − 149.082),
+// 149.082 − (x − 30.399)).
+TEST_CASE("its lift leans it forward") {
+  const RobotModel robot = embedded_robot("so101");
+  check_near(robot.kinematics->forward(joints(0, 90, 0, 0, 0, 0)).position,
+             30.399 + (258.952 - 149.082), -0.396, 149.082 - (352.526 - 30.399));
+}
+
+TEST_CASE("no axis moves the tips further than its lever says") {
+  const RobotModel robot = embedded_robot("so101");
+  const JointVector q = joints(10, 20, -30, 40, 50, 0);
+  const Eigen::Vector3d from = robot.kinematics->forward(q).position;
+  for (int i = 0; i < 5; ++i) {
+    JointVector moved = q;
+    moved[i] += 1e-4;
+    const double way = (robot.kinematics->forward(moved).position - from).norm();
+    CHECK(way <= 1e-4 * robot.kinematics->lever(i, Eigen::Vector3d::Zero()));
+  }
+}
+
+TEST_CASE("a chain knows no way back") {
+  const RobotModel robot = embedded_robot("so101");
+  CHECK_FALSE(robot.kinematics->inverts());
+  CHECK(robot.kinematics->solutions(Pose{}, robot.start).count == 0);
+}
+
+}  // namespace rob::motion
