@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "lang/check/move_checker.h"
 #include "lang/syntax/parser.h"
 
@@ -5,13 +7,14 @@
 namespace rob::lang {
 
 void MoveChecker::check(PlainMotions& motions) {
+  bool leads = false;  // there may be a million: the first is named
   for (PlainMotions::Written& motion : motions.motions) {
-    const Place place = motions.place(motion);
     if (settle(motions, motion)) {
-      if (motion.kind != MotionKind::Joint)
-        checked_.features.push_back({place, MotionFeature::Lead});
+      if (motion.kind != MotionKind::Joint && !std::exchange(leads, true))
+        checked_.features.push_back({motions.place(motion), MotionFeature::Lead});
       continue;
     }
+    const Place place = motions.place(motion);
     for (const Statement& statement :
          parse_line(motions.source, motion.offset, place, diagnostics_)) {
       check(std::get<Move>(statement.node), place, false);
