@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "tests/emulators/grbl_emulator.h"
-#include "tests/support/lateness_watch.h"
 #include "tests/support/rob_command.h"
 
 using nlohmann::json;
@@ -28,49 +27,15 @@ std::string on(const std::string& kind, rob::test::DeviceEmulator& device) {
   return kind + ":" + device.path();
 }
 
-/// Waits until the device has been spoken to that often, for 20 s at most.
+/// Waits until the device has been spoken to that often.
 void wait_for_motion(const GrblEmulator& grbl) {
   for (int i = 0; i < 2000 && grbl.moves() < 50; ++i) std::this_thread::sleep_for(10ms);
-}
-
-/// What the trial gives, `result` among it. Silence of 0.1 s on the wire is E506; where threads of
-/// this computer waited for a third of it, the trial is repeated.
-template <typename Trial>
-auto in_time(const Trial& trial) {
-  for (int left = 30;; --left) {
-    const rob::test::LatenessWatch watch;
-    auto given = trial();
-    const bool silent = contains(given.result.out + given.result.err, "E506");
-    if (!silent || watch.worst() < 0.033 || left == 0) return given;
-  }
-}
-
-struct Ran {
-  ProcessResult result;
-  std::array<double, GrblEmulator::kAxes> position{};
-  double moved_for = 0;
-  int moves = 0;
-  int overflows = 0;
-  bool idle = false;
-};
-
-Ran ran_on(const GrblEmulator& grbl, const ProcessResult& result) {
-  return {result, grbl.position(), grbl.moved_for(), grbl.moves(), grbl.overflows(), grbl.idle()};
-}
-
-/// `rob run` of a program on grbl that stands at `x` before.
-Ran run(const char* program, double x) {
-  return in_time([&] {
-    GrblEmulator grbl;
-    grbl.stand_at(x, 0, 0);
-    return ran_on(grbl, RobCommand(program)("run", {"--json", "--backend", on("grbl", grbl)}));
-  });
+  REQUIRE(grbl.moves() >= 50);
 }
 
 struct Faulted {
+  json document;
   ProcessResult result;
-  int moves = 0;
-  json document{};
 };
 
 /// A long run on grbl, into which something happens.
@@ -82,14 +47,14 @@ Faulted run_into(const Happens& happens) {
   wait_for_motion(grbl);
   happens(grbl);
   const auto since = std::chrono::steady_clock::now();
-  Faulted faulted{.result = process.wait(), .moves = grbl.moves()};
+  Faulted faulted;
+  faulted.result = process.wait();
   CHECK(std::chrono::steady_clock::now() - since < 10s);
   faulted.document = json::parse(faulted.result.out);
   return faulted;
 }
 
 void check_fault(const Faulted& faulted, const std::string& code, const std::string& words) {
-  CHECK(faulted.moves >= 50);
   CHECK(faulted.result.exit_code == 70);
   CHECK(faulted.document["status"] == "fault");
   CHECK(faulted.document["error"]["code"] == code);
@@ -100,22 +65,29 @@ void check_fault(const Faulted& faulted, const std::string& code, const std::str
 }  // namespace
 
 TEST_CASE("the triangle through grbl: executed within 1 % of what is planned") {
-  const Ran ran = run(kTriangle, 0);
-  REQUIRE_MESSAGE(ran.result.exit_code == 0, ran.result.err);
-  CHECK(json::parse(ran.result.out)["planned_s"].get<double>() == doctest::Approx(19.1));
-  CHECK(ran.moved_for == doctest::Approx(19.1).epsilon(0.01));
-  CHECK(ran.overflows == 0);
-  CHECK(ran.position[0] == doctest::Approx(40).epsilon(0.001));
-  CHECK(ran.position[1] == doctest::Approx(40).epsilon(0.001));
-  CHECK(ran.idle);
+  GrblEmulator grbl;
+  const RobCommand rob(kTriangle);
+  const ProcessResult result = rob("run", {"--json", "--backend", on("grbl", grbl)});
+  REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+  const json document = json::parse(result.out);
+  CHECK(document["planned_s"].get<double>() == doctest::Approx(19.1));
+  CHECK(grbl.moved_for() == doctest::Approx(19.1).epsilon(0.01));
+  CHECK(grbl.overflows() == 0);
+  const auto q = grbl.position();
+  CHECK(q[0] == doctest::Approx(40).epsilon(0.001));
+  CHECK(q[1] == doctest::Approx(40).epsilon(0.001));
+  CHECK(grbl.idle());
 }
 
 TEST_CASE("a run begins where the machine stands") {
-  const Ran ran = run("MOVE(140,0,0)\nSTOP\n", 130);
-  REQUIRE_MESSAGE(ran.result.exit_code == 0, ran.result.err);
-  CHECK(ran.position[0] == doctest::Approx(140).epsilon(0.001));
+  GrblEmulator grbl;
+  grbl.stand_at(130, 0, 0);
+  const RobCommand rob("MOVE(140,0,0)\nSTOP\n");
+  const ProcessResult result = rob("run", {"--json", "--backend", on("grbl", grbl)});
+  REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+  CHECK(grbl.position()[0] == doctest::Approx(140).epsilon(0.001));
   // From 0 it would be 7 s, and half a corner at each end.
-  CHECK(json::parse(ran.result.out)["planned_s"].get<double>() == doctest::Approx(5.5));
+  CHECK(json::parse(result.out)["planned_s"].get<double>() == doctest::Approx(5.5));
 }
 
 TEST_CASE("check takes the machine's limits, and moves nothing") {
@@ -131,13 +103,11 @@ TEST_CASE("check takes the machine's limits, and moves nothing") {
 }
 
 TEST_CASE("fault 23: unplugged in motion") {
-  check_fault(in_time([] { return run_into([](GrblEmulator& grbl) { grbl.unplug(); }); }), "E507",
-              "is gone");
+  check_fault(run_into([](GrblEmulator& grbl) { grbl.unplug(); }), "E507", "is gone");
 }
 
 TEST_CASE("fault 30: a limit switch in motion") {
-  const Faulted faulted =
-      in_time([] { return run_into([](GrblEmulator& grbl) { grbl.raise_alarm(1); }); });
+  const Faulted faulted = run_into([](GrblEmulator& grbl) { grbl.raise_alarm(1); });
   check_fault(faulted, "E510", "grbl ALARM:1: a limit switch was hit");
   CHECK(contains(faulted.document["error"]["message"].get<std::string>() +
                      faulted.document["error"]["help"].get<std::string>(),
@@ -149,38 +119,25 @@ TEST_CASE("fault 26: silence in motion") {
 }
 
 TEST_CASE("fault 31: a restart in motion") {
-  check_fault(in_time([] { return run_into([](GrblEmulator& grbl) { grbl.restart(); }); }), "E510",
-              "has restarted");
+  check_fault(run_into([](GrblEmulator& grbl) { grbl.restart(); }), "E510", "has restarted");
 }
 
 TEST_CASE("fault 33: a second rob on the same port is refused, and the first goes on") {
-  struct Two {
-    ProcessResult result;  // of the first
-    ProcessResult second;
-    int moved_on = 0;
-    bool idle = false;
-  };
-  const Two two = in_time([] {
-    GrblEmulator grbl;
-    const RobCommand rob(kLong);
-    Process first(rob.line("run", {"--backend", on("grbl", grbl)}));
-    wait_for_motion(grbl);
-    Two ran{.result = {}, .second = rob("run", {"--backend", on("grbl", grbl)})};
-    const int moves = grbl.moves();
-    std::this_thread::sleep_for(300ms);
-    ran.moved_on = grbl.moves() - moves;
-    first.send(SIGINT);
-    ran.result = first.wait();
-    for (int i = 0; i < 200 && !grbl.idle(); ++i) std::this_thread::sleep_for(10ms);
-    ran.idle = grbl.idle();
-    return ran;
-  });
-  CHECK(two.second.exit_code == 74);
-  CHECK(contains(two.second.err, "is used by process"));
-  CHECK(contains(two.second.err, "(rob)"));
-  CHECK(two.moved_on > 0);
-  CHECK(two.result.exit_code == 130);
-  CHECK(two.idle);
+  GrblEmulator grbl;
+  const RobCommand rob(kLong);
+  Process first(rob.line("run", {"--backend", on("grbl", grbl)}));
+  wait_for_motion(grbl);
+  const ProcessResult second = rob("run", {"--backend", on("grbl", grbl)});
+  CHECK(second.exit_code == 74);
+  CHECK(contains(second.err, "is used by process"));
+  CHECK(contains(second.err, "(rob)"));
+  const int moves = grbl.moves();
+  std::this_thread::sleep_for(300ms);
+  CHECK(grbl.moves() > moves);
+  first.send(SIGINT);
+  CHECK(first.wait().exit_code == 130);
+  for (int i = 0; i < 200 && !grbl.idle(); ++i) std::this_thread::sleep_for(10ms);
+  CHECK(grbl.idle());
 }
 
 TEST_CASE("fault 32: a machine that stands outside of the limits is not enabled") {
@@ -237,30 +194,25 @@ TEST_CASE("fault 18: grbl whose axes do not go where its motors turn") {
 }
 
 TEST_CASE("a prompt on a machine: guided by hand, a point is taught, and driven to") {
+  GrblEmulator grbl;
+  const RobCommand rob("");
   const std::string typed =
       "(echo ':guide on'; sleep 1.5; echo ':teach pick'; echo 'MOVE(0,0,0)'; echo ':guide off';"
       " echo 'MOVE(60,0,0)'; echo 'MOVE pick') | ";
-  std::string points;
-  const Ran ran = in_time([&] {
-    GrblEmulator grbl;
-    const RobCommand rob("");
-    Process process(
-        {"/bin/bash", "-c",
-         "cd " + rob.file("") + " && " + typed + ROB_BINARY + " --backend " + on("grbl", grbl)});
-    std::this_thread::sleep_for(700ms);
-    grbl.stand_at(50, 30, 0);  // a hand has pushed it
-    const ProcessResult result = process.wait();
-    points = rob::test::read_whole_file(rob.file("prompt.points"));
-    return ran_on(grbl, result);
-  });
-  INFO(ran.result.out, ran.result.err);
-  CHECK(contains(ran.result.err, "the drives are without force: hold what could sink"));
-  CHECK(contains(ran.result.err, ":guide off takes the robot under control again"));
+  Process process(
+      {"/bin/bash", "-c",
+       "cd " + rob.file("") + " && " + typed + ROB_BINARY + " --backend " + on("grbl", grbl)});
+  std::this_thread::sleep_for(700ms);
+  grbl.stand_at(50, 30, 0);  // a hand has pushed it
+  const ProcessResult result = process.wait();
+  CHECK(contains(result.err, "the drives are without force: hold what could sink"));
+  CHECK(contains(result.err, ":guide off takes the robot under control again"));
+  const std::string points = rob::test::read_whole_file(rob.file("prompt.points"));
   CHECK(contains(points, "pick"));
   CHECK(contains(points, "50"));
-  CHECK(ran.position[0] == doctest::Approx(50).epsilon(0.001));
-  CHECK(ran.position[1] == doctest::Approx(30).epsilon(0.001));
-  CHECK(ran.moves > 50);
+  CHECK(grbl.position()[0] == doctest::Approx(50).epsilon(0.001));
+  CHECK(grbl.position()[1] == doctest::Approx(30).epsilon(0.001));
+  CHECK(grbl.moves() > 50);
 }
 
 TEST_CASE("what --backend cannot be is told") {
