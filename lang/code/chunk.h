@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -214,7 +215,8 @@ struct Chunk {
   /// Something in it depends on the time beside the motion: CLOCK, TIMEOUT, PULSE, RANDOM, a TASK,
   /// a handler.
   bool timed = false;
-  int registers = 0;  ///< of the top level
+  std::optional<Place> first_signal;  ///< where the text first reads, sets or pulses one
+  int registers = 0;                  ///< of the top level
   int text_registers = 0;
   Slots memory;                                 ///< of the top level, behind its registers
   std::shared_ptr<const TypeTable> type_table;  ///< where `types` point to

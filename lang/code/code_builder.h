@@ -122,9 +122,13 @@ class CodeBuilder {
   /// The slots of the top level from `first` on become what TASKs see.
   void refresh(std::size_t first, bool texts, int count, bool latched, Place place);
 
-  /// What follows is the code of a routine, with registers of its own.
   /// See Chunk::timed.
   void depends_on_time() { chunk_.timed = true; }
+  /// See Chunk::first_signal.
+  void uses_signal(Place place) {
+    if (!chunk_.first_signal) chunk_.first_signal = place;
+  }
+  /// What follows is the code of a routine, with registers of its own.
   void begin_routine(const std::string& name, const Place& place, bool handler);
   /// Calls a routine, by its number, whose parameters lie in the registers from these two on.
   void call(std::size_t routine, Register numbers, Register texts, Place place);

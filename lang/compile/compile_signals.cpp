@@ -17,6 +17,7 @@ Instruction on_channel(Opcode op, Register reg, const Symbol& symbol) {
 }  // namespace
 
 void ExpressionCompiler::read_signal(const Symbol& symbol, Register target, Place place) {
+  code_.uses_signal(place);
   if (!symbol.analog) {
     const Opcode op = latched_ ? Opcode::read_latched : Opcode::read_signal;
     return code_.emit(on_channel(op, target, symbol), place);
@@ -47,6 +48,7 @@ void ExpressionCompiler::to_volts(const Symbol& symbol, Register value, Register
 }
 
 void ExpressionCompiler::write_signal(const Symbol& symbol, Register value, Place place) {
+  code_.uses_signal(place);
   if (!symbol.analog) return code_.emit(on_channel(Opcode::write_signal, value, symbol), place);
   if (in_volts(symbol)) return code_.emit(on_channel(Opcode::write_analog, value, symbol), place);
   const auto mark = code_.mark();

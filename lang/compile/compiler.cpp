@@ -136,6 +136,7 @@ void StatementCompiler::compile(const Assign& assign) {
 }
 
 void StatementCompiler::compile(const Pulse& pulse) {
+  code_.uses_signal(pulse.target_place);
   const auto mark = code_.mark();
   const Register time = expressions_.value(*pulse.time);
   code_.depends_on_time();

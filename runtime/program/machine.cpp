@@ -210,6 +210,17 @@ void take_place(const motion::JointVector& place, bool back, motion::RobotModel&
   }
 }
 
+/// No wire carries signals: a program that counts on them is told.
+void tell_of_signals(const LoadedProgram& program, std::vector<std::string>& notes) {
+  const auto& used = program.compilation.chunk->first_signal;
+  if (!used) return;
+  const std::string file = used->file == 0 ? program.file : used_names(program)[used->file - 1];
+  notes.push_back(
+      fmt::format("{}:{}: the wire of this machine carries no signals: outputs do nothing, and "
+                  "inputs are OFF where no --signals sets them",
+                  file, used->line));
+}
+
 class AbsentMachine final : public motion::ServoBackend {
  public:
   AbsentMachine(int axes, std::string trouble) : axes_(axes), trouble_(std::move(trouble)) {}
@@ -266,9 +277,9 @@ OpenMachine open_machine(const BackendName& name, LoadedProgram& program,
   if (!program.runnable()) return {};
   motion::RobotModel robot = program.robot;
   OpenMachine machine = open_machine(name, robot, home);
-  if (!name.simulated())
-    program =
-        compile_program(program.file, program.source, robot, points_file_of(program.file), law);
+  if (name.simulated()) return machine;
+  program = compile_program(program.file, program.source, robot, points_file_of(program.file), law);
+  if (program.runnable()) tell_of_signals(program, machine.notes);
   return machine;
 }
 

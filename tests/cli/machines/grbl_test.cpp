@@ -90,6 +90,21 @@ TEST_CASE("a run begins where the machine stands") {
   CHECK(json::parse(result.out)["planned_s"].get<double>() == doctest::Approx(5.5));
 }
 
+TEST_CASE("a program that counts on signals is told that the wire carries none") {
+  GrblEmulator grbl;
+  const auto told = [&](const std::string& program) {
+    const ProcessResult result = RobCommand(program)("check", {"--backend", on("grbl", grbl)});
+    CHECK(result.exit_code == 0);
+    return result.err;
+  };
+  const std::string words = "the wire of this machine carries no signals";
+  CHECK(contains(told("MOVE(10,0,0)\nDOUT[3] = ON\n"), ".rob:2: " + words));
+  CHECK(contains(told("MOVE(10,0,0)\nPULSE DOUT[3] 50ms\n"), ".rob:2: " + words));
+  CHECK(contains(told("IF DIN[3] THEN MOVE(10,0,0)\n"), ".rob:1: " + words));
+  CHECK(contains(told("MOVE(10,0,0) UNTIL DIN[3]\n"), ".rob:1: " + words));
+  CHECK_FALSE(contains(told("MOVE(10,0,0)\nPRINT 1\n"), words));
+}
+
 TEST_CASE("check takes the machine's limits, and moves nothing") {
   GrblEmulator grbl;
   for (int axis = 0; axis < 3; ++axis) grbl.settings[110 + axis] = 600;  // 10 mm/s
