@@ -92,6 +92,7 @@ void PathPlanner::drop() {
   next_.reset();
   turn_.reset();
   completing_ = false;
+  before_ = kAny;
   end_ = ring_.end();  // drafts are not path
   ring_.dropped(number, generation);
 }
@@ -143,6 +144,7 @@ bool PathPlanner::begin_run() {
   calm_ = {};
   alone_ = pauses_ = false;
   ShapedLeg leg = shaped_leg(robot_, next, known_);
+  leg.before = before_;
   if (stands_behind(leg)) {
     stand_alone(leg);
   } else {
@@ -194,6 +196,7 @@ bool PathPlanner::stands_behind(const ShapedLeg& leg) const {
 /// The run has one mean: what asks for a longer one accelerates the less.
 void PathPlanner::open(const ShapedLeg& leg) {
   open_ = leg;
+  before_ = leg.segment.ahead.miss > 0 ? leg.segment.ahead.miss : kAny;
   sent_ = false;
   held_ = averages_sigma() ? 0 : longest_calm_way(robot_, *open_, window_);
   const PathPoint end = open_->at(open_->length());
@@ -310,7 +313,7 @@ bool PathPlanner::go_on() {
     write(scratch_);
   }
   next_->sent = turn_->half;
-  next_->before = open_->segment.ahead.miss;
+  next_->before = before_;
   turn_.reset();
   open(*next_);
   next_.reset();

@@ -103,6 +103,7 @@ class PathPlanner {
   bool completing_ = false;        ///< it goes to its target, and comes to rest there
   std::optional<Turn> turn_;       ///< out of it, into
   std::optional<ShapedLeg> next_;
+  double before_ = kAny;     ///< m: ShapedLeg::before of what follows the open leg
   bool sent_ = false;        ///< all of the open leg that can be known has been published
   double known_ = 0;         ///< σ at the end of the last piece
   double window_ = 0;        ///< s of the mean of the present run
