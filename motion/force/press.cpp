@@ -45,7 +45,7 @@ void Press::begin(const PressOrder& order) noexcept {
   order_ = order;
   force_.begin(order.force, order.limit > 0 ? order.limit : PressOrder::kUsualLimit);
   active_ = true;
-  lost_ = false;
+  lost_ = at_end_ = false;
 }
 
 void Press::step(const Wrench& felt, bool braking) noexcept {
@@ -61,7 +61,7 @@ void Press::shift(JointReference& reference) noexcept {
                         shifted(path, -kInstant, reference.q, before) &&
                         shifted(path, kInstant, reference.q, after);
   if (!possible) {  // it stays beside the path as it was
-    lost_ = true;
+    end_here();
     reference = path;
     reference.q += offset_;
     return;
@@ -70,11 +70,25 @@ void Press::shift(JointReference& reference) noexcept {
   const PressContact& contact = force_.contact();
   const double stops_in = std::abs(force_.rate()) / (2 * contact.acceleration) +
                           std::sqrt(std::abs(force_.rate()) / contact.jerk) + contact.period;
-  if (!within_limits(path.q, reference.q + (rates - path.qd) * stops_in)) lost_ = true;
+  const JointVector added = rates - path.qd;
+  if (!within_limits(path.q, reference.q + added * stops_in) || too_fast(added)) end_here();
   offset_ = reference.q - path.q;
   if (stands() && path.qd.isZero(0)) return;
   reference.qd = rates;
   reference.qdd = (after - reference.q * 2 + before) / (kInstant * kInstant);
+}
+
+/// Where the arm is stretched, or its wrist is singular, a way of next to nothing takes its axes far.
+bool Press::too_fast(const JointVector& rates) const noexcept {
+  constexpr double kMost = 0.2;  // of v_max. [choice] the rest is for the path, and to brake
+  for (int i = 0; i < rates.size(); ++i)
+    if (std::abs(rates[i]) > kMost * robot_.axes[static_cast<std::size_t>(i)].v_max) return true;
+  return false;
+}
+
+void Press::end_here() noexcept {
+  at_end_ = at_end_ || !lost_;
+  lost_ = true;
 }
 
 /// The axes `time` later; false where the arm does not reach.

@@ -50,11 +50,15 @@ class Press {
   bool settled() const noexcept { return force_.settled(); }
   /// It goes no further: the reach of the press, an axis or the arm ends there.
   bool lost() const noexcept { return lost_; }
+  /// And it is an axis or the arm.
+  bool at_end() const noexcept { return at_end_; }
 
  private:
   bool shifted(const JointReference& path, double time, const JointVector& near,
                JointVector& q) const noexcept;
   bool within_limits(const JointVector& path, const JointVector& q) const noexcept;
+  bool too_fast(const JointVector& rates) const noexcept;
+  void end_here() noexcept;
 
   const RobotModel& robot_;
   ConstantForce force_;
@@ -63,6 +67,7 @@ class Press {
   JointVector offset_;  ///< of the last reference from its path, m or rad
   bool active_ = false;
   bool lost_ = false;
+  bool at_end_ = false;
 };
 
 }  // namespace rob::motion

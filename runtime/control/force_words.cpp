@@ -8,14 +8,25 @@
 
 namespace rob::runtime {
 
+namespace {
+
+const char* in_vain(bool again) {
+  return again ? "has lost what it pressed on: nothing was met again" : "has met nothing";
+}
+
+}  // namespace
+
+Words words_for_press_at_end(bool again) {
+  return {code::kNoContact,
+          fmt::format("PRESS {} up to where an axis or the arm ends", in_vain(again)),
+          "begin it where the arm has way left along its axis"};
+}
+
 Words words_for_no_contact(double reach, bool again) {
-  return {
-      code::kNoContact,
-      fmt::format("PRESS {} within {}",
-                  again ? "has lost what it pressed on: nothing was met again" : "has met nothing",
-                  shown(reach, motion::AxisKind::Linear)),
-      "begin it nearer, for example behind MOVEL … UNTIL force.z > 3N; or the force has the "
-      "other sign: it is the reaction on the tool"};
+  return {code::kNoContact,
+          fmt::format("PRESS {} within {}", in_vain(again), shown(reach, motion::AxisKind::Linear)),
+          "begin it nearer, for example behind MOVEL … UNTIL force.z > 3N; or the force has the "
+          "other sign: it is the reaction on the tool"};
 }
 
 Words words_for_motion_against_press() {

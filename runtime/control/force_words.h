@@ -7,6 +7,8 @@ namespace rob::runtime {
 
 /// PRESS where nothing was met within its reach, m; or, `again`, where what was pressed on is gone.
 Words words_for_no_contact(double reach, bool again);
+/// PRESS where an axis or the arm ended before anything was met.
+Words words_for_press_at_end(bool again);
 /// A motion in a PRESS that moves along its axis.
 Words words_for_motion_against_press();
 /// PRESS with a force of nothing, or of less than `least`, N, that the sensor resolves; PRESS in a

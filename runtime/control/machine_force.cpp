@@ -88,7 +88,7 @@ Reply RobotMachine::press(int line, const lang::PressCommand& command) {
   }
   if (pressing_ != Pressing::Seeking) return leave_press(false);
   const State state = desk.state.load(std::memory_order_acquire);
-  if (state == State::Lost) ask_press_to_end();
+  if (state == State::Lost || state == State::AtEnd) ask_press_to_end();
   if (state != State::Keeping || interrupted()) return Reply::Later;
   pressing_ = Pressing::Yes;
   return Reply::Done;
@@ -112,8 +112,10 @@ Reply RobotMachine::give_up_press() {
 
 void RobotMachine::ask_press_to_end() {
   PressDesk& desk = channels_.press;
-  const bool lost = desk.state.load(std::memory_order_acquire) == State::Lost;
-  pressing_ = lost ? Pressing::EndingLost : Pressing::Ending;
+  const State state = desk.state.load(std::memory_order_acquire);
+  pressing_ = state == State::Lost    ? Pressing::EndingLost
+              : state == State::AtEnd ? Pressing::EndingAtEnd
+                                      : Pressing::Ending;
   desk.over.store(true, std::memory_order_release);
 }
 
@@ -122,6 +124,7 @@ Reply RobotMachine::leave_press(bool met) {
   if (channels_.press.state.load(std::memory_order_acquire) != State::Off) return Reply::Later;
   restart_from(channels_.joints.load());
   const Pressing ended = std::exchange(pressing_, Pressing::No);
+  if (ended == Pressing::EndingAtEnd) return refuse(words_for_press_at_end(met));
   return ended == Pressing::EndingLost ? refuse(words_for_no_contact(motion::Press::kReach, met))
                                        : Reply::Done;
 }

@@ -43,7 +43,7 @@ void MotionTask::follow_press() noexcept {
 
 PressDesk::State MotionTask::press_state() const noexcept {
   using State = PressDesk::State;
-  if (press_.lost()) return State::Lost;
+  if (press_.lost()) return press_.at_end() ? State::AtEnd : State::Lost;
   return press_.settled() ? State::Keeping : State::Seeking;
 }
 

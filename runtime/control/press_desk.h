@@ -14,7 +14,8 @@ struct PressDesk {
     Off,
     Seeking,  ///< on the way to the force
     Keeping,  ///< it has been reached
-    Lost      ///< it goes no further: nothing was met, or what was pressed on is gone
+    Lost,     ///< it goes no further: nothing was met, or what was pressed on is gone
+    AtEnd     ///< the same, since an axis or the arm ends there
   };
 
   motion::PressOrder order;              ///< the program's, before `asked`

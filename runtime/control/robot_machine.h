@@ -386,7 +386,7 @@ class RobotMachine final : public lang::Machine {
   bool standing_ = false;            ///< the present WAIT for a condition has queued all it needs
 
   /// Between PRESS and ENDPRESS, and while that waits.
-  enum class Pressing : std::uint8_t { No, Seeking, Yes, Ending, EndingLost };
+  enum class Pressing : std::uint8_t { No, Seeking, Yes, Ending, EndingLost, EndingAtEnd };
   Pressing pressing_ = Pressing::No;
 
   // At a prompt

@@ -57,7 +57,7 @@ TEST_CASE("a press shifts the flange along its axis alone, and the rates are tho
 TEST_CASE("a press that meets nothing goes 50 mm and stands, and so does one at an axis' end") {
   RobotModel robot = embedded_robot("lwa4p");
   const Pose from = robot.kinematics->forward(robot.start);
-  const auto way_of = [&](const Eigen::Vector3d& axis) {
+  const auto way_of = [&](const Eigen::Vector3d& axis, bool at_end) {
     Press press(robot);
     press.begin({axis, 10, 20e-3});
     JointReference reference = at_rest(robot.start);
@@ -67,6 +67,7 @@ TEST_CASE("a press that meets nothing goes 50 mm and stands, and so does one at 
       press.shift(reference);
     }
     CHECK(press.lost());
+    CHECK(press.at_end() == at_end);
     CHECK_FALSE(press.settled());
     const JointVector& q = reference.q;
     for (int i = 0; i < q.size(); ++i) {
@@ -75,9 +76,9 @@ TEST_CASE("a press that meets nothing goes 50 mm and stands, and so does one at 
     }
     return (robot.kinematics->forward(q).position - from.position).dot(axis);
   };
-  CHECK(way_of(Eigen::Vector3d::UnitZ()) == test::relative(-Press::kReach, 0.01));
+  CHECK(way_of(Eigen::Vector3d::UnitZ(), false) == test::relative(-Press::kReach, 0.01));
   robot.axes[1].max = robot.start[1] + 0.02;
-  const double way = way_of(Eigen::Vector3d::UnitZ());
+  const double way = way_of(Eigen::Vector3d::UnitZ(), true);
   CHECK(way < 0);
   CHECK(way > -Press::kReach);
 }

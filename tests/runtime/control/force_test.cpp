@@ -198,6 +198,24 @@ TEST_CASE("a PRESS that meets nothing is an error; so is a motion along its axis
   CHECK(beside.failure() == "");
 }
 
+TEST_CASE("a PRESS towards the end of the arm ends before its axes have to be too fast") {
+  // The wrist is out of reach 26 mm farther on.
+  Felt stretched(
+      "LAW LOOKAHEAD\nTOOL jaws = POSE(0mm, 0mm, 120mm)\nWITH jaws DO\n"
+      "MOVE POSE(500mm, 0mm, 400mm, 180deg, 0deg, 180deg) FINE\n"
+      "PRESS X -10N LIMIT 20mm/s DO\nWAIT 1s\nENDPRESS\nENDWITH\n",
+      always({0, 0, 0}, {0, 0, 0}));
+  CHECK(stretched.failure() == "E570");
+  CHECK(stretched.result.error->message.ends_with("up to where an axis or the arm ends"));
+  const double v_max = arm().axes[1].v_max;
+  double fastest = 0;
+  for (const Snapshot& row : stretched.run.rows)
+    if (row.sample.state == rob::motion::MotionState::Pressing)
+      fastest = std::max(fastest, row.sample.reference.qd.cwiseAbs().maxCoeff());
+  CHECK(fastest > 0.05 * v_max);
+  CHECK(fastest < 0.4 * v_max);
+}
+
 TEST_CASE("targets from HERE and from TARGET go across the axis of a PRESS") {
   // The table is 1 mm below where the PRESS begins, and 10 N press it in by 0.2 mm.
   const std::string before =
