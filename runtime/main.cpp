@@ -10,9 +10,11 @@
 #include "runtime/options.h"
 #include "runtime/program/console.h"
 #include "runtime/program/files.h"
+#include "runtime/program/interruption.h"
 
 using rob::runtime::CommandLineEnd;
 using rob::runtime::ExitCode;
+using rob::runtime::Interruption;
 using rob::runtime::Options;
 
 namespace {
@@ -45,7 +47,8 @@ int main(int argc, char** argv) {
   } catch (const rob::motion::RobotFileError& error) {
     return fail(ExitCode::ProgramError, error.what());
   } catch (const rob::motion::DriverError& error) {
-    return fail(ExitCode::InputOutput, error.what());
+    return fail(Interruption::requested() ? Interruption::exit_code() : ExitCode::InputOutput,
+                error.what());
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::Fault, "out of memory");
   }

@@ -15,6 +15,7 @@ namespace {
 constexpr double kBannerTime = 2;  // s: a board that its port has reset starts for 1.6 s
 constexpr int kResets = 3;
 constexpr double kSettingsTime = 2;  // s
+constexpr double kGlance = 0.05;     // s [choice] between two looks at whether it is given up
 constexpr double kHomingTime = 120;  // s [choice] for a large table at its seek rate
 constexpr int kLeastVersion = 101;   // 1.1: real-time commands, G93 with jogging beside it
 
@@ -76,11 +77,19 @@ void GrblLink::greet() {
                     " baud rate (115200, or [wire] baud in the robot file)");
 }
 
-void GrblLink::carry_out(const std::string& text, double seconds, const std::string& what) {
+void GrblLink::carry_out(const std::string& text, double seconds, const std::string& what,
+                         const std::function<bool()>& given_up) {
   send(text + "\n");
   const double end = wire_time() + seconds;
   Line line;
-  while (next_line(line, end)) {
+  while (!gone_ && wire_time() < end) {
+    if (given_up && given_up()) {
+      send_byte(grbl::kReset);
+      throw DriverError(what +
+                        " was given up: the machine has stopped, and its position is not known"
+                        "; home it before it moves again");
+    }
+    if (!next_line(line, std::min(end, wire_time() + kGlance))) continue;
     if (line.kind == Line::Kind::Setting) settings_[line.number] = line.value;
     if (line.kind == Line::Kind::Ok) return;
     if (line.kind == Line::Kind::Error)
@@ -142,8 +151,8 @@ void GrblLink::take_limits() {
   }
 }
 
-void GrblLink::home() {
-  carry_out("$H", kHomingTime, "homing");
+void GrblLink::home(const std::function<bool()>& given_up) {
+  carry_out("$H", kHomingTime, "homing", given_up);
   stopped_ = false;
 }
 

@@ -193,7 +193,7 @@ DriverStatus GrblLink::check_answers(double now) noexcept {
   if (reported_ == 0 || now - reported_ > kAnswerTime)
     return fail(DriverStatus::Silent,
                 "grbl on " + port_->path() + " does not answer; check its power and its cable");
-  if (stream_.open_lines() > 0 && now - stream_.oldest() > kAnswerTime)
+  if (stream_.open_lines() > 0 && now - stream_.open_since() > kAnswerTime)
     return stop_streaming(
         "grbl has not acknowledged a line: what it has taken is not certain; check the cable, and"
         " look where the machine stands");

@@ -25,7 +25,7 @@ class GrblLink final : public WireLink {
   explicit GrblLink(const std::vector<WireAxis>& axes);
 
   void connect(SerialPort& port) override;
-  void home() override;
+  void home(const std::function<bool()>& given_up) override;
   double least_period() const override { return kPeriod; }
   motion::DriverStatus enable() noexcept override;
   void disable() noexcept override;
@@ -41,7 +41,8 @@ class GrblLink final : public WireLink {
   bool next_line(grbl::Line& line, double deadline) noexcept;
   void greet();
   void read_settings();
-  void carry_out(const std::string& line, double seconds, const std::string& what);
+  void carry_out(const std::string& line, double seconds, const std::string& what,
+                 const std::function<bool()>& given_up = {});
   double setting(int number) const;
   void check_settings();
   void take_limits();

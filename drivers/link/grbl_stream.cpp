@@ -69,14 +69,15 @@ std::string GrblStream::next_line(double now) {
   if (unacknowledged_ + bytes > kBuffer) return "";
   std::string line = std::move(lines_.front());
   lines_.pop_front();
-  sent_.push_back({bytes, now});
+  if (sent_.empty()) open_since_ = now;
+  sent_.push_back(bytes);
   unacknowledged_ += bytes;
   return line;
 }
 
 void GrblStream::acknowledged() noexcept {
   if (sent_.empty()) return;
-  unacknowledged_ -= sent_.front().bytes;
+  unacknowledged_ -= sent_.front();
   sent_.pop_front();
 }
 

@@ -39,17 +39,14 @@ class GrblStream {
   /// The next line, with its end, as far as grbl's buffer has room; empty: none.
   std::string next_line(double now);
   void acknowledged() noexcept;
-  /// Lines that were sent and not acknowledged; since when the oldest of them.
+  /// Lines that were sent and not acknowledged; since when there has been one without a break: an
+  /// acknowledgement that is lost is never made good by those of the lines behind.
   int open_lines() const noexcept { return static_cast<int>(sent_.size()); }
-  double oldest() const noexcept { return sent_.empty() ? 0 : sent_.front().time; }
+  double open_since() const noexcept { return open_since_; }
   /// s from a reference to its execution.
   double lag() const noexcept { return kAhead * period_; }
 
  private:
-  struct Sent {
-    int bytes;
-    double time;
-  };
   using Steps = std::array<std::int64_t, motion::kMaxJoints>;
 
   std::string line_of(const Steps& way, double seconds) const;
@@ -63,8 +60,9 @@ class GrblStream {
   int idle_ = kAhead;   ///< references in a row without a step
   bool collecting_ = true;
   std::deque<std::string> lines_;
-  std::deque<Sent> sent_;
+  std::deque<int> sent_;    ///< bytes of each line
   int unacknowledged_ = 0;  ///< bytes
+  double open_since_ = 0;
 };
 
 }  // namespace rob::drivers

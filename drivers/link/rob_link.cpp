@@ -107,12 +107,17 @@ DriverStatus RobLink::enable() noexcept {
   return judge(result);
 }
 
+/// Its state; drives that it has switched off itself stay off.
+auto RobLink::ask_as_it_is(double deadline) noexcept -> Result {
+  const std::uint8_t on = enabled_ && (state_.flags & State::kEnabled) != 0 ? 1 : 0;
+  return ask_state(Type::Enable, {&on, 1}, deadline);
+}
+
 /// Until it is where the last reference is, kLead periods behind it.
 void RobLink::run_dry() noexcept {
   const double end = wire_time() + (kLead + 1) * period_;
-  const std::uint8_t on = 1;
-  while (wire_time() < end && ask_state(Type::Enable, {&on, 1}, end) == Result::Ok &&
-         state_.queue > 0 && judge(Result::Ok) == DriverStatus::Ok) {
+  while (wire_time() < end && ask_as_it_is(end) == Result::Ok && state_.queue > 0 &&
+         judge(Result::Ok) == DriverStatus::Ok) {
   }
 }
 
@@ -144,8 +149,7 @@ DriverStatus RobLink::exchange(const WireCommand* command, double deadline,
   const double half = (wire_time() + deadline) / 2;
   const auto once = [&](double until) {
     if (command != nullptr) return ask_state(Type::Reference, reference_of(*command).view(), until);
-    const std::uint8_t as_it_is = enabled_ ? 1 : 0;
-    return ask_state(Type::Enable, {&as_it_is, 1}, until);
+    return ask_as_it_is(until);
   };
   Result result = once(half);
   if (result == Result::TimedOut) {  // a reference that comes twice is the same reference

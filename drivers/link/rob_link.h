@@ -35,6 +35,7 @@ class RobLink final : public WireLink {
   Result ask(wire::Type type, Bytes payload, wire::Frame& answer, double deadline) noexcept;
   Result ask_state(wire::Type type, Bytes payload, double deadline) noexcept;
   ByteBuffer<wire::kMostPayload> reference_of(const WireCommand& command) const noexcept;
+  Result ask_as_it_is(double deadline) noexcept;
   void run_dry() noexcept;
   void follow_clock(double asked, double answered) noexcept;
   motion::DriverStatus judge(Result result) noexcept;

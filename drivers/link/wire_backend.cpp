@@ -29,7 +29,7 @@ WireBackend::~WireBackend() { close(); }
 void WireBackend::open() {
   port_.emplace(settings_.port, settings_.baud);
   link_->connect(*port_);
-  if (settings_.home) link_->home();
+  if (settings_.home) link_->home(settings_.given_up);
   period_ = std::max(settings_.period, link_->least_period());
   first_exchange();
   start();

@@ -23,6 +23,7 @@ struct WireSettings {
   std::vector<WireAxis> axes;
   bool home = false;                        ///< the machine homes itself when it is opened
   std::function<void()> begin_thread = {};  ///< called by the thread of the wire when it begins
+  std::function<bool()> given_up = {};      ///< asked while the machine homes itself: it shall stop
 };
 
 /// A machine on a serial line. A thread of its own talks to it: each command that the servo's tick

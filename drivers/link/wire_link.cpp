@@ -12,7 +12,7 @@ WireLimits::WireLimits() {
   acceleration.fill(kNone);
 }
 
-void WireLink::home() {
+void WireLink::home(const std::function<bool()>&) {
   throw motion::DriverError(
       "this machine has no homing of its own: its encoders know where the axes stand");
 }

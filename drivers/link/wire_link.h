@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "drivers/serial/serial_port.h"
@@ -56,8 +57,9 @@ class WireLink {
   /// Finds the machine and learns what it is; it does not move. Throws motion::DriverError.
   virtual void connect(SerialPort& port) = 0;
   /// Drives to their places of reference by the machine itself, before it is enabled; throws
-  /// motion::DriverError, where it cannot, too.
-  virtual void home();
+  /// motion::DriverError, where it cannot, too. When it is `given_up` (empty: never), the machine
+  /// stops at once; that throws as well.
+  virtual void home(const std::function<bool()>& given_up);
   /// What it permits. After connect().
   const WireLimits& limits() const { return limits_; }
   /// The least period of a cycle, s. After connect().

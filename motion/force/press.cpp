@@ -71,18 +71,24 @@ void Press::shift(JointReference& reference) noexcept {
   const double stops_in = std::abs(force_.rate()) / (2 * contact.acceleration) +
                           std::sqrt(std::abs(force_.rate()) / contact.jerk) + contact.period;
   const JointVector added = rates - path.qd;
-  if (!within_limits(path.q, reference.q + added * stops_in) || too_fast(added)) end_here();
+  const JointVector bends = (after - reference.q * 2 + before) / (kInstant * kInstant);
+  const bool within = within_limits(path.q, reference.q + added * stops_in);
+  if (!within || too_fast(added, bends - path.qdd)) end_here();
   offset_ = reference.q - path.q;
   if (stands() && path.qd.isZero(0)) return;
   reference.qd = rates;
-  reference.qdd = (after - reference.q * 2 + before) / (kInstant * kInstant);
+  reference.qdd = bends;
 }
 
-/// Where the arm is stretched, or its wrist is singular, a way of next to nothing takes its axes far.
-bool Press::too_fast(const JointVector& rates) const noexcept {
-  constexpr double kMost = 0.2;  // of v_max. [choice] the rest is for the path, and to brake
-  for (int i = 0; i < rates.size(); ++i)
-    if (std::abs(rates[i]) > kMost * robot_.axes[static_cast<std::size_t>(i)].v_max) return true;
+/// Where the arm is stretched, or its wrist is singular, a way of next to nothing takes its axes
+/// far.
+bool Press::too_fast(const JointVector& rates, const JointVector& accelerations) const noexcept {
+  constexpr double kMost = 0.5;  // [choice] the rest is for the path, and to brake
+  for (int i = 0; i < rates.size(); ++i) {
+    const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
+    if (std::abs(rates[i]) > kMost * axis.v_max) return true;
+    if (std::abs(accelerations[i]) > kMost * axis.a_max) return true;
+  }
   return false;
 }
 

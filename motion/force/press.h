@@ -57,7 +57,7 @@ class Press {
   bool shifted(const JointReference& path, double time, const JointVector& near,
                JointVector& q) const noexcept;
   bool within_limits(const JointVector& path, const JointVector& q) const noexcept;
-  bool too_fast(const JointVector& rates) const noexcept;
+  bool too_fast(const JointVector& rates, const JointVector& accelerations) const noexcept;
   void end_here() noexcept;
 
   const RobotModel& robot_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "lang/text/codes.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/units.h"
@@ -40,6 +42,19 @@ Words words_for_press_of_nothing(double least) {
       fmt::format("PRESS with so small a force presses on nothing: the sensor resolves {:.2g} N",
                   least),
       "write the force that the tool shall feel, for example PRESS Z 10N"};
+}
+
+Words words_for_press_too_hard(double force, double limit) {
+  return {code::kNotPossible,
+          fmt::format("PRESS with {:.4g} N is not possible: the robot stops at {:.4g} N",
+                      std::abs(force), limit),
+          "press with less; limit in [force] of the robot file says how much it bears"};
+}
+
+Words words_for_zero_in_press() {
+  return {code::kNotPossible, "ZERO force is not possible in a PRESS",
+          "it would take what is pressed with for nothing: ZERO force before, where nothing is "
+          "touched"};
 }
 
 Words words_for_press_in_press() {

@@ -45,6 +45,7 @@ motion::Pose RobotMachine::force_frame() const {
 }
 
 Reply RobotMachine::zero_force(int line) {
+  if (pressing_ == Pressing::Yes) return refuse(words_for_zero_in_press());
   if (buffer_.effects_full()) return Reply::Later;
   const Reply reply = dwell(line, ForceGauge::kZeroing);
   if (reply != Reply::Done) return reply;
@@ -77,6 +78,8 @@ Reply RobotMachine::press(int line, const lang::PressCommand& command) {
     const double least = kResolved * robot_.force.noise;
     if (command.force == 0 || std::abs(command.force) < least)
       return refuse(words_for_press_of_nothing(least));
+    if (robot_.force.limit > 0 && std::abs(command.force) >= robot_.force.limit)
+      return refuse(words_for_press_too_hard(command.force, robot_.force.limit));
     if (const Reply reply = dwell(line, 0); reply != Reply::Done) return reply;  // a mark
     begun_ = false;
     if (!settled()) return Reply::Later;

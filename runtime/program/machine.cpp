@@ -13,6 +13,7 @@
 #include "drivers/link/wire_backend.h"
 #include "motion/robots/time_scaling.h"
 #include "runtime/control/units.h"
+#include "runtime/program/interruption.h"
 #include "runtime/program/points_file.h"
 #include "runtime/program/simulation.h"
 #include "runtime/time/real_time.h"
@@ -148,6 +149,7 @@ drivers::WireSettings settings_of(const BackendName& name, const motion::RobotMo
   settings.axes = axes_of(name.kind, robot);
   settings.home = home;
   settings.begin_thread = [] { enter_real_time(kServoPriority); };
+  settings.given_up = [] { return Interruption::requested() || Interruption::ctrl_c_pressed(); };
   return settings;
 }
 
@@ -276,7 +278,10 @@ OpenMachine open_machine(const BackendName& name, LoadedProgram& program,
                          std::optional<motion::Law> law, bool home) {
   if (!program.runnable()) return {};
   motion::RobotModel robot = program.robot;
+  std::atomic<bool> hold = false;
+  const Interruption interruption(hold);  // of homing
   OpenMachine machine = open_machine(name, robot, home);
+  if (Interruption::requested()) fail("stopped before anything has moved");
   if (name.simulated()) return machine;
   program = compile_program(program.file, program.source, robot, points_file_of(program.file), law);
   if (program.runnable()) tell_of_signals(program, machine.notes);

@@ -116,7 +116,7 @@ void RunRecorder::take(const MotionEvent& event) {
       fail(event.time, "fault", words_for_not_finite(event.axis, robot_));
       break;
     case MotionEvent::Kind::PaceFailed:
-      fail(event.time, "fault", words_for_no_pace());
+      fail(event.time, "fault", words_for_no_pace(), static_cast<int>(event.tag));
       break;
     case MotionEvent::Kind::Handling:
       begin_handler(event);
@@ -137,6 +137,8 @@ void RunRecorder::take(const ServoNotice& notice) {
     fail(notice.time, "fault", words);
   } else {
     add_event(notice.time, "warning", line(), words.message);
+    log_.found({lang::Severity::Warning, words.code, lang::tagged_place(line()), words.message,
+                words.help});
   }
 }
 
@@ -316,12 +318,13 @@ void RunRecorder::add_event(double time, const char* kind, int line, std::string
   result_.events.push_back({time, kind, line, std::move(text), shown_joints()});
 }
 
-void RunRecorder::fail(double time, const char* kind, Words words) {
-  add_event(time, kind, line(), words.message);
+void RunRecorder::fail(double time, const char* kind, Words words, std::optional<int> line) {
+  const int tag = line.value_or(this->line());
+  add_event(time, kind, tag, words.message);
   if (result_.error) return;  // the first cause is the one to mend
   result_.status = "fault";
   result_.exit_code = ExitCode::Fault;
-  result_.error = Problem{std::move(words.code), "", lang::tagged_place(line()),
+  result_.error = Problem{std::move(words.code), "", lang::tagged_place(tag),
                           std::move(words.message), std::move(words.help)};
 }
 

@@ -95,7 +95,8 @@ class RunRecorder {
   std::vector<double> shown_joints() const;
   std::string stands() const;
   void add_event(double time, const char* kind, int line, std::string text);
-  void fail(double time, const char* kind, Words words);
+  /// `line`: its tag; none: that of the motion that runs.
+  void fail(double time, const char* kind, Words words, std::optional<int> line = {});
   LineResult& line_of(const LoggedSegment& segment);
 
   const motion::RobotModel& robot_;

@@ -103,6 +103,7 @@ void GrblEmulator::real_time(std::uint8_t byte) {
       held_ = false;
       return;
     case 0x18:
+      ++resets_;
       return reset();
     case 0x85:
       std::erase_if(blocks_, [](const Block& block) { return block.jog; });
@@ -167,6 +168,7 @@ void GrblEmulator::system_command(const std::string& line) {
   }
   if (line == "$H") {
     if (settings[22] == 0) return say("error:5");
+    if (homes_on) return;
     alarm_ = locked = false;
     here_ = planned_ = {};
     return ok();

@@ -23,6 +23,7 @@ class GrblEmulator final : public DeviceEmulator {
   std::atomic<int> lost_oks{0};        ///< so many of the next are not sent
   std::atomic<int> error_next{0};      ///< the next line gets this error
   std::atomic<bool> jammed{false};     ///< its motors turn, its axes do not
+  std::atomic<bool> homes_on{false};   ///< its homing switches are never met
   bool locked = false;                 ///< it starts in alarm
   std::array<double, kAxes> offset{};  ///< WCO
 
@@ -35,6 +36,7 @@ class GrblEmulator final : public DeviceEmulator {
   double moved_for() const;
   int overflows() const { return overflows_; }
   int moves() const { return moves_; }
+  int resets() const { return resets_; }
   bool idle() const;
 
  private:
@@ -73,6 +75,7 @@ class GrblEmulator final : public DeviceEmulator {
   double feed_ = 0;
   int reports_ = 0;
   std::atomic<int> overflows_{0};
+  std::atomic<int> resets_{0};
   std::atomic<int> moves_{0};
   double first_move_ = -1;
   double last_move_ = 0;

@@ -133,6 +133,28 @@ TEST_CASE("fault 26: silence in motion") {
   check_fault(run_into([](GrblEmulator& grbl) { grbl.silent = true; }), "E506", "does not answer");
 }
 
+TEST_CASE("faults 35, 36: a stop while the machine homes itself") {
+  struct Request {
+    int signal;
+    int exit_code;
+  };
+  for (const Request& request : {Request{SIGINT, 130}, Request{SIGTERM, 143}}) {
+    GrblEmulator grbl;
+    grbl.homes_on = true;
+    const RobCommand rob(kLong);
+    Process process(rob.line("run", {"--home", "--backend", on("grbl", grbl)}));
+    std::this_thread::sleep_for(2s);
+    const int resets = grbl.resets();
+    process.send(request.signal);
+    const ProcessResult result = process.wait();
+    CHECK(result.exit_code == request.exit_code);
+    CHECK(contains(result.err, "homing was given up: the machine has stopped"));
+    for (int i = 0; i < 200 && grbl.resets() == resets; ++i) std::this_thread::sleep_for(10ms);
+    CHECK(grbl.resets() == resets + 1);
+    CHECK(grbl.moves() == 0);
+  }
+}
+
 TEST_CASE("fault 31: a restart in motion") {
   check_fault(run_into([](GrblEmulator& grbl) { grbl.restart(); }), "E510", "has restarted");
 }

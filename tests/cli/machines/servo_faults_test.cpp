@@ -87,5 +87,6 @@ TEST_CASE("fault 25: one answer of ten has a wrong check: it arrives, with a war
   CHECK(ended.exit_code == 0);
   CHECK(contains(ended.report["events"].dump(), "\"warning\""));
   CHECK(contains(ended.report["events"].dump(), "goes over the wire of the machine is repeated"));
+  CHECK(contains(ended.report["findings"].dump(), "W647"));
   CHECK(std::abs(bus.position(3) - (2048 - 50 * 20.48)) < 1);
 }

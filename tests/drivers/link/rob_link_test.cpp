@@ -2,10 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <atomic>
+#include <thread>
+
 #include "drivers/device/rob_device.h"
 #include "tests/drivers/link/wire_bench.h"
 #include "tests/emulators/device_process.h"
 #include "tests/support/no_allocation.h"
+#include "tests/support/pty_wire.h"
 
 namespace rob::drivers {
 namespace {
@@ -85,6 +89,38 @@ TEST_CASE("fault 23: a device process that is killed is lost") {
   bench.go(all(2, 1e6), 0.2);
   device.end();
   CHECK(bench.comes(DriverStatus::Lost, 3));
+}
+
+TEST_CASE("fault 31: a device that has switched off its drives is not put under force again") {
+  const test::PtyWire wire;
+  std::atomic<bool> ended = false, switches_off = false, off = false;
+  std::atomic<int> again = 0;
+  std::thread runs([&] {
+    RobDevice device({.axes = 2});
+    while (!ended) {
+      const std::vector<std::uint8_t> bytes = wire.receive(1);
+      const auto now = static_cast<std::uint32_t>(wire_time() * 1e6);
+      device.receive(bytes, now);
+      const wire::Wire out = device.send();
+      wire.send({out.view().begin(), out.view().end()});
+      again += off && device.enabled() ? 1 : 0;
+      if (!switches_off.exchange(false)) continue;
+      constexpr std::uint8_t kWithoutForce = 0;  // as its own emergency stop does
+      device.receive(wire::encode(wire::Type::Stop, 0, {&kWithoutForce, 1}).view(), now);
+      device.send();
+      off = true;
+    }
+  });
+  WireBench bench(machine_on(wire.path()));
+  bench.go(all(2, 0), 0.2);
+  switches_off = true;
+  CHECK(bench.comes(DriverStatus::Alarm, 2));
+  CHECK(mentions(bench.machine().trouble(), "was switched off its drives"));
+  bench.go(all(2, 0), 0.5);
+  ended = true;
+  runs.join();
+  CHECK(off);
+  CHECK(again == 0);
 }
 
 TEST_CASE("a device with other axes than the robot is refused") {

@@ -198,6 +198,23 @@ TEST_CASE("a PRESS that meets nothing is an error; so is a motion along its axis
   CHECK(beside.failure() == "");
 }
 
+TEST_CASE("a PRESS that the robot would stop for is refused, and ZERO force in one") {
+  const auto failure = [](const std::string& force, const std::string& body) {
+    motion::RobotModel robot = arm();
+    robot.force.limit = 50;
+    test::SteppedRun run(
+        "MOVEL BY (0mm, 0mm, -9mm) AT 20mm/s\nPRESS Z " + force + " DO\n" + body + "\nENDPRESS\n",
+        std::make_unique<test::FeltWorld>(test::simulated(robot), robot.kinematics, table(10e-3),
+                                          0),
+        1, robot);
+    run.run();
+    return run.task.failure() ? run.task.failure()->message : "";
+  };
+  CHECK(failure("50N", "WAIT 0.1s") == "PRESS with 50 N is not possible: the robot stops at 50 N");
+  CHECK(failure("20N", "WAIT 0.1s") == "");
+  CHECK(failure("20N", "ZERO force") == "ZERO force is not possible in a PRESS");
+}
+
 TEST_CASE("a PRESS towards the end of the arm ends before its axes have to be too fast") {
   // The wrist is out of reach 26 mm farther on.
   Felt stretched(
@@ -206,7 +223,7 @@ TEST_CASE("a PRESS towards the end of the arm ends before its axes have to be to
       "PRESS X -10N LIMIT 20mm/s DO\nWAIT 1s\nENDPRESS\nENDWITH\n",
       always({0, 0, 0}, {0, 0, 0}));
   CHECK(stretched.failure() == "E570");
-  CHECK(stretched.result.error->message.ends_with("up to where an axis or the arm ends"));
+  CHECK(stretched.run.task.failure()->message.ends_with("up to where an axis or the arm ends"));
   const double v_max = arm().axes[1].v_max;
   double fastest = 0;
   for (const Snapshot& row : stretched.run.rows)
@@ -336,11 +353,13 @@ TEST_CASE("AT LIVE of nothing stands until it is more; one without a value stops
       if (row.sample.reference.time < 3.4) CHECK(row.sample.reference.q[0] < 1e-9);
     CHECK(run.rows.back().sample.reference.q[0] == test::relative(0.1));
 
-    test::SteppedRun none(std::string("LAW ") + law +
-                          "\nMOVE(100,0,0) AT LIVE 20mm/s / MAX(0, 2 - CLOCK/1s)\n");
+    test::SteppedRun none(
+        std::string("LAW ") + law +
+        "\nMOVE(10,0,0) FINE\nMOVE(100,0,0) AT LIVE 20mm/s / MAX(0, 2 - CLOCK/1s)\n");
     const RunResult failed = none.run();
     REQUIRE(failed.error.has_value());
     CHECK(failed.error->code == "E513");
+    CHECK(failed.error->place.line == 3);
     CHECK(none.rows.back().sample.reference.qd.isZero(1e-9));
     CHECK(none.rows.back().sample.reference.q[0] < 0.1);
   }
