@@ -80,14 +80,17 @@ void Press::shift(JointReference& reference) noexcept {
   reference.qdd = bends;
 }
 
-/// Where the arm is stretched, or its wrist is singular, a way of next to nothing takes its axes
-/// far.
+/// Whether an axis has to be faster than it can; or, where the arm is stretched or its wrist is
+/// singular and a way of next to nothing takes axes far, will soon have to be: their speeds change
+/// though the way's does not.
 bool Press::too_fast(const JointVector& rates, const JointVector& accelerations) const noexcept {
-  constexpr double kMost = 0.5;  // [choice] the rest is for the path, and to brake
+  constexpr double kMost = 1.0 / 4;  // of a_max. [choice] the rest is to brake with
+  constexpr double kCreeps = 1e-6;   // m/s: below, what is left of the quotient is rounding
+  if (std::abs(force_.rate()) < kCreeps) return false;
+  const JointVector turns = accelerations - rates * (force_.acceleration() / force_.rate());
   for (int i = 0; i < rates.size(); ++i) {
     const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
-    if (std::abs(rates[i]) > kMost * axis.v_max) return true;
-    if (std::abs(accelerations[i]) > kMost * axis.a_max) return true;
+    if (std::abs(rates[i]) > axis.v_max || std::abs(turns[i]) > kMost * axis.a_max) return true;
   }
   return false;
 }

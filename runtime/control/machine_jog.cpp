@@ -77,8 +77,7 @@ Reply RobotMachine::jog(int line, const MoveCommand& asked) {
 
 bool RobotMachine::plan_jog(int line, const MoveCommand& asked,
                             motion::SegmentDescriptor& segment) {
-  const bool leads =
-      asked.jog != JogFrame::Joint;  // a program's are refused before, a pendant's here
+  const bool leads = asked.jog != JogFrame::Joint;  // of a program refused before, a pendant's here
   if (const auto words = words_against(lang::MotionFeature::Lead, robot_); leads && words) {
     refusal_ = *words;
     return false;

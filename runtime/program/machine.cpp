@@ -204,8 +204,7 @@ void take_place(const motion::JointVector& place, bool back, motion::RobotModel&
     if (!back)
       fail(found +
            ": nothing is enabled; bring it back by hand, or by a jog at the prompt, or correct "
-           "offset"
-           " in [axis.wire] of the robot file");
+           "offset in [axis.wire] of the robot file");
     notes.push_back(found + ": it can go back only, at a tenth of its speed; then :reset");
     let_back(place[i], axis);
     robot.start[i] = place[i];

@@ -83,4 +83,19 @@ TEST_CASE("a press that meets nothing goes 50 mm and stands, and so does one at 
   CHECK(way > -Press::kReach);
 }
 
+TEST_CASE("a press with nearly all the speed and half of the acceleration of an axis goes on") {
+  const RobotModel robot = embedded_robot("gantry");
+  Press press(robot);
+  press.begin({Eigen::Vector3d::UnitX(), -10, 0.95 * robot.axes[0].v_max});
+  JointReference reference = at_rest(robot.start);
+  for (int k = 0; k < 20000 && !(press.lost() && press.stands()); ++k) {
+    press.step({}, false);
+    reference = at_rest(robot.start);
+    press.shift(reference);
+  }
+  CHECK(press.lost());
+  CHECK_FALSE(press.at_end());
+  CHECK(reference.q[0] - robot.start[0] == test::relative(Press::kReach, 0.03));
+}
+
 }  // namespace rob::motion
