@@ -167,6 +167,7 @@ void GrblEmulator::system_command(const std::string& line) {
     return ok();
   }
   if (line == "$H") {
+    ++homing_;
     if (settings[22] == 0) return say("error:5");
     if (homes_on) return;
     alarm_ = locked = false;

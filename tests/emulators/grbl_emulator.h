@@ -37,6 +37,7 @@ class GrblEmulator final : public DeviceEmulator {
   int overflows() const { return overflows_; }
   int moves() const { return moves_; }
   int resets() const { return resets_; }
+  int homing() const { return homing_; }  ///< how often it was told to home itself
   bool idle() const;
 
  private:
@@ -76,6 +77,7 @@ class GrblEmulator final : public DeviceEmulator {
   int reports_ = 0;
   std::atomic<int> overflows_{0};
   std::atomic<int> resets_{0};
+  std::atomic<int> homing_{0};
   std::atomic<int> moves_{0};
   double first_move_ = -1;
   double last_move_ = 0;

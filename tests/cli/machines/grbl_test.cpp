@@ -7,10 +7,12 @@
 #include <thread>
 
 #include "tests/emulators/grbl_emulator.h"
+#include "tests/support/eventually.h"
 #include "tests/support/rob_command.h"
 
 using nlohmann::json;
 using rob::test::contains;
+using rob::test::eventually;
 using rob::test::GrblEmulator;
 using rob::test::Process;
 using rob::test::ProcessResult;
@@ -143,14 +145,13 @@ TEST_CASE("faults 35, 36: a stop while the machine homes itself") {
     grbl.homes_on = true;
     const RobCommand rob(kLong);
     Process process(rob.line("run", {"--home", "--backend", on("grbl", grbl)}));
-    std::this_thread::sleep_for(2s);
+    REQUIRE(eventually([&] { return grbl.homing() > 0; }));
     const int resets = grbl.resets();
     process.send(request.signal);
     const ProcessResult result = process.wait();
     CHECK(result.exit_code == request.exit_code);
     CHECK(contains(result.err, "homing was given up: the machine has stopped"));
-    for (int i = 0; i < 200 && grbl.resets() == resets; ++i) std::this_thread::sleep_for(10ms);
-    CHECK(grbl.resets() == resets + 1);
+    CHECK(eventually([&] { return grbl.resets() == resets + 1; }));
     CHECK(grbl.moves() == 0);
   }
 }
@@ -173,8 +174,7 @@ TEST_CASE("fault 33: a second rob on the same port is refused, and the first goe
   CHECK(grbl.moves() > moves);
   first.send(SIGINT);
   CHECK(first.wait().exit_code == 130);
-  for (int i = 0; i < 200 && !grbl.idle(); ++i) std::this_thread::sleep_for(10ms);
-  CHECK(grbl.idle());
+  CHECK(eventually([&] { return grbl.idle(); }));
 }
 
 TEST_CASE("fault 32: a machine that stands outside of the limits is not enabled") {
@@ -196,7 +196,7 @@ TEST_CASE("fault 32: at the prompt an axis outside of its limits can go back alo
                                 "cd " + rob.file("") + " && (echo '" + jog + "'; sleep 3) | " +
                                     ROB_BINARY + " --backend " + on("grbl", grbl)});
     told = result.err + result.out;
-    for (int i = 0; i < 200 && !grbl.idle(); ++i) std::this_thread::sleep_for(10ms);
+    CHECK(eventually([&] { return grbl.idle(); }));
     return grbl.position()[0];
   };
   std::string told;

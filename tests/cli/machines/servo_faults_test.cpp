@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "tests/emulators/servo_emulator.h"
+#include "tests/support/eventually.h"
 #include "tests/support/wired_gantry.h"
 
 using nlohmann::json;
@@ -40,7 +41,8 @@ Ended run_into(const std::string& kind, ServoEmulator& bus, const std::function<
   const auto since = std::chrono::steady_clock::now();
   const ProcessResult result = process.wait();
   CHECK(std::chrono::steady_clock::now() - since < 20s);
-  for (const int id : {1, 2, 3}) CHECK_FALSE(bus.torque(id));  // the safe state
+  for (const int id : {1, 2, 3})  // the safe state
+    CHECK(rob::test::eventually([&] { return !bus.torque(id); }));
   return {result.exit_code, json::parse(result.out)};
 }
 

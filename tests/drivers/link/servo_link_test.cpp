@@ -53,9 +53,13 @@ TEST_CASE_TEMPLATE("servos go where they are told, and tell where they are", Bus
   ServoEmulator bus(Bus::kKind, 3);
   bus.stand_at(2, 1000);
   {
+    const auto machine = machine_on<Bus>(bus);
+    machine->open();
+    CHECK_FALSE(bus.torque(1));  // not before it is enabled
+  }
+  {
     WireBench bench(machine_on<Bus>(bus));
     CHECK(bench.machine().position()[1] == 1000);
-    CHECK_FALSE(bus.torque(1));
     bench.go(all(3, 1500), 0.5);
     CHECK(bus.torque(1));
     bench.comes(DriverStatus::Lost, 0.3);

@@ -11,6 +11,7 @@
 #include "drivers/link/rob_link.h"
 #include "drivers/link/servo_link.h"
 #include "drivers/link/wire_backend.h"
+#include "tests/support/eventually.h"
 
 namespace rob::test {
 
@@ -95,14 +96,6 @@ inline motion::JointVector all(int count, double value) {
 
 inline bool mentions(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
-}
-
-/// Within 5 s: the device may be slower than the test.
-template <typename Condition>
-bool eventually(const Condition& condition) {
-  for (int i = 0; i < 500 && !condition(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  return condition();
 }
 
 /// What is said when it is opened; empty: nothing is wrong.
