@@ -152,7 +152,8 @@ double Guide::brakes_on(const Piece& piece, const PathPoint& end, double top) co
 }
 
 /// With the least control, until the square is down to `floor` or the piece ends. Where a bend asks
-/// for speed the guide takes it on as far as the end of the path stays in reach.
+/// for speed the guide takes it on as far as the end of the path stays in reach; where that was
+/// lowered meanwhile, as far as the axes need.
 Guide::Choice Guide::slow_down(const Piece& piece, const Stretch& on, const ControlRange& range,
                                double floor) const noexcept {
   const bool ends = on.x + 2 * range.low * on.rest >= 0;  // before it stands
@@ -160,7 +161,8 @@ Guide::Choice Guide::slow_down(const Piece& piece, const Stretch& on, const Cont
   const double even = -even_braking(piece, on.here, on.end, on.x);
   const double in_reach = (ring_.square(index_) - on.x) / (2 * on.rest);
   Choice choice{
-      range.low > 0 ? std::min(range.low, std::max(even, in_reach)) : std::min(least, even),
+      range.low > 0 ? std::min(range.low, std::max({even, in_reach, range.lowest}))
+                    : std::min(least, even),
       on.rest,
       0,
       {GuideLimit::Kind::Braking, range.low_axis}};

@@ -62,6 +62,7 @@ class LookAheadGenerator final : public SegmentGenerator {
   void sample_path(GeneratorSample& sample) const noexcept override;
   double sigma_at_rest() const noexcept override { return length(); }
   double share_done() const noexcept override;
+  bool settled() const noexcept override;
   std::optional<double> stands_since() const noexcept override;
   std::uint32_t decided() const noexcept override;
   bool tells_decisions() const noexcept override { return true; }
@@ -77,7 +78,6 @@ class LookAheadGenerator final : public SegmentGenerator {
   double guide_time() const noexcept { return stamp() - skipped_; }
   /// s by which a reference lags behind the guide.
   double lag() const noexcept { return (average_.periods() - 1) * period() / 2; }
-  bool settled() const noexcept;
   /// When what the guide did at `time` shows in the references.
   double told(double time) const noexcept { return time + lag() + skipped_; }
   double cursor() const noexcept { return history_.sigma(guide_time() - lag()); }

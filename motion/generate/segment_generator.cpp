@@ -179,7 +179,10 @@ void SegmentGenerator::start_from_rest() noexcept {
   finished_ = false;
   if (braking_) return;
   if (hit_at_start(*next, stamp_)) return pop_segment();
-  if (next->jog.present()) return begin_jog(*next, stamp_);
+  if (next->jog.present()) {
+    if (settled()) begin_jog(*next, stamp_);
+    return;
+  }
   if (!take_up(*next, stamp_)) return;
   pop_segment();
   while (dwelling() && segment_.duration == 0) {

@@ -116,6 +116,8 @@ class SegmentGenerator : public TrajectoryGenerator {
   virtual double sigma_at_rest() const noexcept = 0;
   /// What of the segment's time is done, 0 … 1.
   virtual double share_done() const noexcept = 0;
+  /// What the path has asked of the jerk lies behind; in any case. A jog waits for it.
+  virtual bool settled() const noexcept { return true; }
   /// Since when the axes stand, holding or braking; none while they move.
   virtual std::optional<double> stands_since() const noexcept = 0;
   /// The highest number whose end() comes with the next stamp, or was.

@@ -25,10 +25,14 @@ std::uint32_t ProgramLog::keep(Note note) {
 
 void ProgramLog::found(lang::Diagnostic finding) {
   const std::scoped_lock lock(mutex_);
+  constexpr int kOfEach = 10;  // [choice]
   const lang::Place& place = finding.place;
   if (!found_.insert({finding.code, place.file, place.line, place.column}).second)
     return;  // a loop finds it only once
-  if (findings_.size() < lang::Diagnostics::kMost) findings_.push_back(std::move(finding));
+  const int before = kept_[finding.code];
+  if (findings_.size() >= lang::Diagnostics::kMost && before >= kOfEach) return;
+  kept_[finding.code] = before + 1;
+  findings_.push_back(std::move(finding));
 }
 
 void ProgramLog::expect_failed(FailedExpect failure) {

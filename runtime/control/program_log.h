@@ -60,7 +60,8 @@ class ProgramLog {
   std::optional<LoggedSegment> take_planned(std::uint32_t number);
   /// Once.
   Note take_note(std::uint32_t id);
-  /// The first of them, one for each code and place; of the others the number.
+  /// The first of them, one for each code and place, and of each code the first whatever else has
+  /// been found; of the others the number.
   std::vector<lang::Diagnostic> findings() const;
   std::size_t findings_left_out() const;
   std::int64_t effects() const;
@@ -75,7 +76,8 @@ class ProgramLog {
   std::uint32_t next_note_ = 0;
   std::vector<lang::Diagnostic> findings_;
   using Found = std::tuple<std::string, std::uint32_t, std::uint32_t, std::uint32_t>;
-  std::set<Found> found_;  ///< code, file, line, column
+  std::set<Found> found_;            ///< code, file, line, column
+  std::map<std::string, int> kept_;  ///< of each code, in findings_
   std::int64_t effects_ = 0;
   static constexpr std::size_t kMostFailedExpects = 100;
   std::vector<FailedExpect> failed_expects_;

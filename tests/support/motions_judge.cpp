@@ -194,16 +194,20 @@ void judge_marks(const TracedRun& run, const RandomMotions& motions, double acce
 
 }  // namespace
 
-std::vector<std::string> judge_motions(const std::string& rob, const MotionRobot& robot,
-                                       const RandomMotions& motions,
-                                       const std::vector<std::string>& options) {
+Judgement judge_motions(const std::string& rob, const MotionRobot& robot,
+                        const RandomMotions& motions, const std::vector<std::string>& options) {
   const ScratchFolder scratch;
   const std::string script = (scratch.path() / "cell.sig").string();
   std::ofstream(script) << motions.signals;
   std::vector<std::string> more = options;
   more.insert(more.end(), {"--signals", script, "--override", motions.override_share});
   const TracedRun run = run_traced(rob, motions.text, robot.robot, more);
-  if (!run.done()) return {run.trouble()};
+  if (!run.done()) {
+    // Random orientations may ask for it: which axes lead there is known on the way only.
+    const bool refused = robot.kind == MotionRobot::Kind::Arm && run.report.is_object() &&
+                         run.report["error"]["code"] == "E561";
+    return {{run.trouble()}, refused};
+  }
   std::vector<AxisBounds> axes = robot.axes;
   for (std::size_t i = 0; motions.jerk > 0 && i < linear_axes(robot); ++i)
     axes[i].j = std::min(axes[i].j, motions.jerk);
@@ -217,7 +221,7 @@ std::vector<std::string> judge_motions(const std::string& rob, const MotionRobot
                 findings);
   const double off = (curve.back() - motions.path.places.back()).norm();
   if (!(off < 1e-6)) findings.push_back(text_of("the end is off by %g mm%.0s", off, 0));
-  return findings;
+  return {findings, false};
 }
 
 }  // namespace rob::test

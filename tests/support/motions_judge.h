@@ -8,12 +8,17 @@
 
 namespace rob::test {
 
-/// Runs a random program and tells what is wrong with what it did; empty if nothing is: it ended
+/// What a random program was worth.
+struct Judgement {
+  std::vector<std::string> findings;
+  bool refused = false;  ///< an arm's line led past the limit of an axis, and was not begun
+};
+
+/// Runs a random program and tells what is wrong with what it did; nothing if it ended
 /// well, no axis was beyond its limits (with JERK neither beyond that), nothing leapt, the tool
 /// missed no target by more than its ZONE and was beside its path by no more, and ended at the
 /// last.
-std::vector<std::string> judge_motions(const std::string& rob, const MotionRobot& robot,
-                                       const RandomMotions& motions,
-                                       const std::vector<std::string>& options);
+Judgement judge_motions(const std::string& rob, const MotionRobot& robot,
+                        const RandomMotions& motions, const std::vector<std::string>& options);
 
 }  // namespace rob::test

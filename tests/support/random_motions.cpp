@@ -253,8 +253,9 @@ void MotionWriter::signals() {
     made_.signals +=
         "at " + decimal(ms, 3) + "s DIN[1] = OFF\nat " + decimal(ms, 3) + "s GO = ON\n";
   }
-  // With little jerk the robot may still be coming to rest when GO is pressed: once more.
-  if (ms > 0) made_.signals += "at " + decimal(ms + 3000, 3) + "s GO = ON\n";
+  // The robot may still be coming to rest when GO is pressed, or be about something else: again.
+  for (int again = 1; ms > 0 && again <= 5; ++again)
+    made_.signals += "at " + decimal(ms + 3000 * again, 3) + "s GO = ON\n";
   if (made_.whole) return;
   for (int number = 2; number <= 5; ++number)
     made_.signals += "at " + seconds(100, 6000) + " DIN[" + std::to_string(number) + "] = ON\n";

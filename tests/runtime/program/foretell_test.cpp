@@ -102,6 +102,15 @@ TEST_CASE("of many findings the first hundred are told, and the number of the ot
   CHECK(findings(result)[99].starts_with("101 W602"));
 }
 
+TEST_CASE("many findings of one kind do not hide those of another") {
+  std::string text;
+  for (int i = 1; i <= 300; ++i) text += "MOVE(" + std::to_string(i % 2) + ", 0, 0) OVER 1s\n";
+  const RunResult result = foretold(text + "WAIT lift_up");
+  REQUIRE(result.findings.size() == 101);
+  CHECK(result.findings_left_out == 200);
+  CHECK(findings(result)[100].starts_with("301 W633"));
+}
+
 TEST_CASE("a WAIT that looks again and again is no loop") {
   const RunResult result =
       foretold("SIGNAL late = DIN[1]\nWAIT late\nPRINT \"after all\"", "at 30s late = ON");
