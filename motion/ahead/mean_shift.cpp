@@ -49,8 +49,7 @@ TipRates tip_rates(const RobotModel& robot, const Pose& tip, const JointVector& 
 }
 
 Shares shares_of(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
-                 const JointVector& turn, double moved) {
-  const LegBounds& zone = in.segment.ahead;
+                 const JointVector& turn, double moved, const Miss& zone) {
   const double reserve = turning_reserve(in, out, turn);
   const JointVector most = in.acceleration.cwiseMax(out.acceleration);
   const PathPoint end = in.at(in.length());
@@ -58,25 +57,45 @@ Shares shares_of(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& 
   const JointVector rush_in = greatest_control(in, end) * end.qd;
   const JointVector rush_out = greatest_control(out, begin) * begin.qd;
   Shares shares;
-  const auto tip = tip_rates(robot, zone.tip, in.segment.target);
+  const auto tip = tip_rates(robot, in.segment.ahead.tip, in.segment.target);
   const Eigen::Vector3d bend = tip * turn;
-  if (bend.norm() > 0 && zone.miss < kAny) {
+  if (bend.norm() > 0 && zone.distance < kAny) {
     const double ways = std::max((tip * end.qd).norm(), (tip * begin.qd).norm());
     shares.sharp = bend.norm() > kSharp * ways;
     const JointVector along = (tip.transpose() * bend.normalized()).eval();
-    const double share = moved / zone.miss;
+    const double share = moved / zone.distance;
     shares.take(share * reserve * bend.norm(),
                 share * std::max(std::abs(along.dot(rush_in)), std::abs(along.dot(rush_out))),
                 share * along.cwiseAbs().dot(most));
   }
   for (int i = 0; i < turn.size(); ++i) {
     const bool rotary = robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary;
-    if (!rotary || turn[i] == 0 || zone.turn == kAny) continue;
-    const double share = moved / zone.turn;
+    if (!rotary || turn[i] == 0 || zone.angle == kAny) continue;
+    const double share = moved / zone.angle;
     shares.take(share * reserve * std::abs(turn[i]),
                 share * std::max(std::abs(rush_in[i]), std::abs(rush_out[i])), share * most[i]);
   }
   return shares;
+}
+
+/// The zone of a corner, or a stricter one of a point beside it that is passed within T/2 of it:
+/// the mean mixes this corner into that.
+Miss strictest_zone(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                    const JointVector& turn, double average, double longest) {
+  const LegBounds& own = in.segment.ahead;
+  const LegBounds& next = out.segment.ahead;
+  Miss zone{own.miss, own.turn};
+  const bool stricter = in.before < own.miss || (next.miss > 0 && next.miss < own.miss) ||
+                        (next.turn > 0 && next.turn < own.turn);
+  if (!stricter) return zone;
+  const double rate = std::min(greatest_rate(robot, in, in.at(in.length())),
+                               std::sqrt(2 * longest * turning_reserve(in, out, turn)));
+  const double reach = calm_way(in, out, 1, average, rate);
+  if (in.length() < reach) zone.distance = std::min(zone.distance, in.before);
+  if (out.length() >= reach) return zone;
+  if (next.miss > 0) zone.distance = std::min(zone.distance, next.miss);
+  if (next.turn > 0) zone.angle = std::min(zone.angle, next.turn);
+  return zone;
 }
 
 }  // namespace
@@ -110,10 +129,16 @@ MeanShift mean_shift(const RobotModel& robot, const ShapedLeg& in, const ShapedL
   MeanShift shift;
   if (average == 0) return shift;
   const double moved = average * average / 24;
-  const Shares shares = shares_of(robot, in, out, turn, moved);
+  const Miss own{in.segment.ahead.miss, in.segment.ahead.turn};
+  const Shares shares = shares_of(robot, in, out, turn, moved, own);
   const double around = shares.sharp ? shares.all : std::min(shares.legs, shares.all);
   const double most = shares.sharp ? kOfSharp : kOfGentle;
   if (around > most) shift.calm = most / around;
+  const Miss zone = strictest_zone(robot, in, out, turn, average, longest);
+  if (zone.distance < own.distance || zone.angle < own.angle) {
+    const double beside = shares_of(robot, in, out, turn, moved, zone).all;
+    if (kOfSharp < shift.calm * beside) shift.calm = kOfSharp / beside;
+  }
 
   const JointVector& point = in.segment.target;
   const Miss unit = miss_between(robot, in.segment.ahead.tip, point + turn, point);

@@ -279,13 +279,13 @@ std::uint32_t LookAheadGenerator::decided() const noexcept {
   return decided;
 }
 
-const Effect* LookAheadGenerator::take_path_event(double& due) noexcept {
-  if (const Effect* effect = profile_events_.take(clock_.path_time() + kSameInstant, due)) {
+const Effect* LookAheadGenerator::take_path_event(double until, double& due) noexcept {
+  if (const Effect* effect = profile_events_.take(clock_.passed_by(until) + kSameInstant, due)) {
     due = clock_.run_time(due);
     tell_cut_lead(*effect, due, profile_events_.cut());
     return effect;
   }
-  const Effect* const effect = events_.take(guide_, history_, lag(), due);
+  const Effect* const effect = events_.take(guide_, history_, lag(), until - skipped_, due);
   if (effect == nullptr) return nullptr;
   due += skipped_;
   tell_cut_lead(*effect, due, events_.cut());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "motion/generate/stop_ramp.h"
 
 namespace rob::motion {
@@ -49,6 +51,10 @@ class PathClock {
   /// The run's time at a path time that the last advance() passed, and the other way round.
   double run_time(double path_time) const noexcept;
   double path_time_at(double run_time) const noexcept;
+  /// Path time at an instant of the last period.
+  double passed_by(double run_time) const noexcept {
+    return run_time >= stamp_ ? path_ : path_time_at(std::max(run_time, stamp_before_));
+  }
 
  private:
   double goal() const noexcept { return holding_ ? 0 : override_; }

@@ -107,7 +107,7 @@ std::optional<PlaceEvents::Missed> PlaceEvents::take_missed(double tolerance) no
 }
 
 const Effect* PlaceEvents::take(const Guide& guide, const GuideHistory& history, double lag,
-                                double& due) noexcept {
+                                double until, double& due) noexcept {
   std::size_t first = kMost;
   double wanted = 0;
   for (std::size_t i = 0; i < count_; ++i) {
@@ -116,7 +116,7 @@ const Effect* PlaceEvents::take(const Guide& guide, const GuideHistory& history,
     if (!passes) continue;
     const double wish = *passes - entry.lead;
     const double at = std::max(entry.earliest, wish);
-    if (at > now_.time + kSameInstant || (first < kMost && at >= due)) continue;
+    if (at > until + kSameInstant || (first < kMost && at >= due)) continue;
     due = at;
     wanted = wish;
     first = i;

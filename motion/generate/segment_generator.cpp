@@ -75,7 +75,7 @@ void SegmentGenerator::step(double stamp) noexcept {
   } else if (running_) {
     run_segments();
   }
-  fire_path_events();
+  fire_path_events(stamp);
   if (const auto since = at_rest_since(); braking_ && since) end_early(*since);
   report_held();
   report_handled();
@@ -106,6 +106,7 @@ void SegmentGenerator::pass_by() noexcept {
 }
 
 void SegmentGenerator::pass(std::uint32_t number, double instant) noexcept {
+  fire_path_events(instant);
   passed_ = number;
   latest_ = std::max(latest_, instant);
   fire_effects(latest_);
@@ -237,10 +238,10 @@ void SegmentGenerator::fire_effects(double time) noexcept {
   }
 }
 
-void SegmentGenerator::fire_path_events() noexcept {
+void SegmentGenerator::fire_path_events(double until) noexcept {
   double due = 0;
   if (failing()) return;
-  while (const Effect* effect = take_path_event(due)) {
+  while (const Effect* effect = take_path_event(until, due)) {
     tell({.kind = Kind::ActionDue, .time = due, .tag = effect->tag, .effect = *effect});
   }
 }

@@ -124,8 +124,9 @@ class SegmentGenerator : public TrajectoryGenerator {
   virtual std::uint32_t decided() const noexcept = 0;
   /// Whether decision points are not known beforehand, and told when they come; in any case.
   virtual bool tells_decisions() const noexcept { return false; }
-  /// The next path event that is due, and when; null: none. In any case.
-  virtual const Effect* take_path_event(double& due) noexcept = 0;
+  /// The next path event that is due by `until`, within the last period, and when; null: none. In
+  /// any case.
+  virtual const Effect* take_path_event(double until, double& due) noexcept = 0;
   /// Whether one is still to come. In any case.
   virtual bool awaits_path_event() const noexcept = 0;
 
@@ -181,7 +182,7 @@ class SegmentGenerator : public TrajectoryGenerator {
   void report_held() noexcept;
   double share_of_time() const noexcept;
   void fire_effects(double time) noexcept;
-  void fire_path_events() noexcept;
+  void fire_path_events(double until) noexcept;
   void make_sample() noexcept;
   MotionState state() const noexcept;
   void follow_path() noexcept;

@@ -36,7 +36,7 @@ class Follower {
         flange_(seen_from_tip(tip)),
         length_(path.end() - path.begin()),
         longest_step_(length_ / path.parts()),
-        least_step_(std::min(kLeastStep / measure_of(path) * length_, longest_step_)) {}
+        least_step_(std::min(least_share(path) * length_, longest_step_)) {}
 
   Followed run(const JointVector& start, const PathPoint* first, const PathPoint* last) {
     Node node{path_.begin(), start, {}, {}};
@@ -62,6 +62,11 @@ class Follower {
   }
 
  private:
+  /// Where the tool itself turns on a short way, a quarter of what an axis may with it.
+  static double least_share(const ToolPath& path) {
+    return std::min(kLeastStep / measure_of(path), kMostTurn / 4 / path.turn());
+  }
+
   static PathTrouble too_long(const Node& node) {
     return {PathTrouble::Kind::TooLong, node.time, -1};
   }

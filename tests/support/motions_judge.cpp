@@ -181,8 +181,9 @@ void judge_marks(const TracedRun& run, const RandomMotions& motions, double acce
     const auto near = [&](const TraceRow& row) {
       const double since = times[i] - mark.lag - row.t;
       const double before = at_end && row.line > mark.line ? mark.length : 0;
-      // Events are told in order: one that is late may be told with another of its period.
-      const double told = mark.lag > 0 ? row.rate * period * kMm : 0;
+      // Events are told in order: one that is late may be told with another of its period. What a
+      // LEAD foresaw is told where it was wrong by a period.
+      const double told = mark.lag != 0 ? row.rate * period * kMm : 0;
       return (row.line == mark.line || before > 0) && std::abs(since) <= 1.001 * period &&
              std::abs((row.sigma + row.rate * since) * kMm + before - mark.place) <= most + told;
     };
@@ -203,8 +204,8 @@ Judgement judge_motions(const std::string& rob, const MotionRobot& robot,
   more.insert(more.end(), {"--signals", script, "--override", motions.override_share});
   const TracedRun run = run_traced(rob, motions.text, robot.robot, more);
   if (!run.done()) {
-    // Random orientations may ask for it: which axes lead there is known on the way only.
-    const bool refused = robot.kind == MotionRobot::Kind::Arm && run.report.is_object() &&
+    // Random orientations may ask for it.
+    const bool refused = robot.kind != MotionRobot::Kind::Linear && run.report.is_object() &&
                          run.report["error"]["code"] == "E561";
     return {{run.trouble()}, refused};
   }

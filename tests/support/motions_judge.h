@@ -11,7 +11,7 @@ namespace rob::test {
 /// What a random program was worth.
 struct Judgement {
   std::vector<std::string> findings;
-  bool refused = false;  ///< an arm's line led past the limit of an axis, and was not begun
+  bool refused = false;  ///< a line led an axis past its limit, and was not begun
 };
 
 /// Runs a random program and tells what is wrong with what it did; nothing if it ended

@@ -100,6 +100,24 @@ TEST_CASE("an output at the end comes when the references rest there") {
   CHECK(run.all(Kind::ActionDue)[0].time == doctest::Approx(5.29).epsilon(1e-6));
 }
 
+TEST_CASE("an output just before the middle of a corner comes before the next motion") {
+  LookAheadRun run;
+  SegmentDescriptor segment = line(run, 100, 0);
+  on_the_way(segment, 1 - 1e-5, 0, 1);
+  run.push(segment);
+  run.effect(7);
+  run.move(100, 100);
+  run.close();
+  run.finish();
+  REQUIRE(run.all(Kind::ActionDue).size() == 1);
+  REQUIRE(run.all(Kind::SegmentStarted).size() == 2);
+  // 1 µm at 20 mm/s is much less than a period.
+  const double before = run.all(Kind::SegmentStarted)[1].time - run.all(Kind::ActionDue)[0].time;
+  CHECK(before > 0.5 * 1e-3 / 20);
+  CHECK(before < 2 * 1e-3 / 20);
+  CHECK(run.all(Kind::EffectDue).at(0).time == run.all(Kind::SegmentStarted)[1].time);
+}
+
 TEST_CASE("a LAG that outlasts its motion comes at its time, while the robot stands") {
   for (const bool another : {false, true}) {
     CAPTURE(another);

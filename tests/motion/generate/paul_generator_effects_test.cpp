@@ -114,6 +114,26 @@ TEST_CASE("effects keep their order and their exact values") {
   CHECK(run.events().back().kind == Kind::Finished);
 }
 
+TEST_CASE("an output just before the middle of a corner comes before what stands behind it") {
+  GantryRun run;
+  auto outcome = run.planner().plan(move_to(gantry_q(40, 0, 0)));
+  SegmentDescriptor segment = std::get<PlannedSegment>(outcome).segment;
+  PathEvent event{.share = 1 - 1e-4};
+  event.effect.after = segment.number;
+  segment.on_the_way.push_back(event);
+  run.push(segment);
+  run.effect(7);
+  run.move(move_to(gantry_q(40, 40, 0)));
+  run.stop();
+  run.close();
+  run.finish();
+  REQUIRE(run.all(Kind::ActionDue).size() == 1);
+  REQUIRE(run.all(Kind::EffectDue).size() == 1);
+  // A ten-thousandth of the leg's time, by which its places go in a corner.
+  CHECK(run.all(Kind::EffectDue)[0].time - run.all(Kind::ActionDue)[0].time ==
+        doctest::Approx(1e-4 * segment.duration).epsilon(1e-6));
+}
+
 TEST_CASE("a LAG that outlasts the last motion comes before the program is over") {
   GantryRun run;
   auto outcome = run.planner().plan(move_to(gantry_q(40, 0, 0)));

@@ -185,6 +185,29 @@ TEST_CASE("the shortest lines, turns and arcs are followed like long ones") {
   }
 }
 
+TEST_CASE("a tool that turns far on a short way is followed") {
+  for (const char* const name : {"gantry", "irb120"}) {
+    CAPTURE(name);
+    const RobotModel robot = embedded_robot(name);
+    const JointVector start = robot.start + JointVector::Constant(robot.axis_count(), 0.1);
+    const Pose tip{Vector3d(-0.002, -0.018, 0), Eigen::Quaterniond::Identity()};
+    const Pose from = tip_at(robot, start, tip);
+    for (const double way : {1e-5, 1.4e-4, 1e-3}) {
+      CAPTURE(way);
+      // About the axis of the last joint, which alone turns the tool then.
+      const auto line =
+          ToolLine::between(from, {from.position + from.orientation * Vector3d(way, 0, 0),
+                                   from.orientation * rotation_by(Vector3d(0, 0, 146 * kDegree))});
+      const Followed axes = follow(robot, *line, tip, start);
+      REQUIRE_FALSE(axes.trouble.has_value());
+      const Worst worst = off_path(robot, *line, tip, axes.axes);
+      CHECK(worst.place < 1e-6);
+      CHECK(worst.turn < 1e-5);
+      CHECK(greatest_step(axes.axes) <= 5 * kDegree);
+    }
+  }
+}
+
 TEST_CASE("turns of a spiral and short spans of a spline are not stepped over") {
   const RobotModel robot = embedded_robot("irb120");
   const Pose from = tip_at(robot, robot.start, kTip);
