@@ -32,8 +32,7 @@ class Cost {
                        1e6 * sum / count, 1e6 * seconds_[at]);
   }
 
- private:
-  /// What it takes to ask for the time itself: the least of many, measured once.
+  /// s that it takes to ask for the time itself: the least of many, measured once.
   static double asking() {
     static const double least = [] {
       double shortest = 1;
@@ -46,6 +45,7 @@ class Cost {
     return least;
   }
 
+ private:
   std::vector<double> seconds_;
 };
 
