@@ -70,8 +70,14 @@ bool MoveChecker::check_clauses_of(const Move& move) {
   const Clauses& clauses = move.clauses;
   if (move.kind != MotionKind::Jog) {
     const ExprPtr& lasts = clauses[Clause::For];
-    return lasts == nullptr || refuse_clause("FOR", lasts->place, "stands behind JOG alone",
-                                             "OVER 3s gives another motion its time");
+    const ExprPtr& jerk = clauses[Clause::Jerk];
+    if (lasts != nullptr)
+      return refuse_clause("FOR", lasts->place, "stands behind JOG alone",
+                           "OVER 3s gives another motion its time");
+    return jerk == nullptr || clauses.profile != Profile::Rectangular ||
+           refuse_clause("JERK", jerk->place,
+                         "cannot be kept by PROFILE RECTANGULAR, whose acceleration comes at once",
+                         "TRAPEZOIDAL, PARABOLIC and COSINE keep one");
   }
   const auto refuse = [&](std::string_view clause, Place place) {
     return refuse_clause(clause, place, "does not stand behind JOG, which has no target",

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "motion/plan/motion_planner.h"
 
@@ -80,17 +81,26 @@ MotionPlanner::Timing MotionPlanner::time(const Draft& draft, const MotionReques
 void MotionPlanner::time_profile(const Draft& draft, const MotionRequest& request,
                                  Timing& timing) const {
   const JointPath* const path = draft.demand.path;
-  const ProfileLimits limits = path == nullptr
-                                   ? profile_limits(robot_, draft.demand.rates, braking_)
-                                   : profile_limits(robot_, *path, braking_);
+  ProfileLimits limits = path == nullptr ? profile_limits(robot_, draft.demand.rates, braking_)
+                                         : profile_limits(robot_, *path, braking_);
+  const auto bounded = [&](MotionRequest::Bound bound, double value) {
+    const double speed = bound == MotionRequest::Bound::Tool     ? draft.demand.pace_way
+                         : bound == MotionRequest::Bound::Rotary ? draft.demand.pace_turn
+                                                                 : 0;
+    return speed > 0 ? value / speed : std::numeric_limits<double>::infinity();
+  };
+  limits.acceleration = std::min(limits.acceleration, bounded(request.accel, request.accel_value));
   const double rate = std::min(limits.rate, 1 / timing.duration);
   const double asked = request.at_least / boost_;
-  timing.profile = ProfileLaw(request.profile, rate, limits.acceleration, asked);
+  const double jerk = bounded(request.jerk, request.jerk_value);
+  const auto law = [&](double most_rate, double at_least) {
+    return ProfileLaw::within_jerk(request.profile, most_rate, limits.acceleration, jerk, at_least);
+  };
+  timing.profile = law(rate, asked);
   timing.duration = timing.profile.duration();
   timing.t_acc = usual_t_acc_;
   // What AT adds is no surprise.
-  const double least = ProfileLaw(request.profile, limits.rate, limits.acceleration, 0).duration();
-  if (request.at_least > 0 && longer(least * boost_, request.at_least))
+  if (request.at_least > 0 && longer(law(limits.rate, 0).duration() * boost_, request.at_least))
     timing.warnings |= PlannedSegment::kStretched;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace rob::motion {
@@ -21,6 +22,19 @@ double peak_over_mean(ProfileShape shape) noexcept {
       return 2;
     default:
       return 1;
+  }
+}
+
+/// The steepest slope of a pulse of peak 1 over 0 … 1.
+double steepest(ProfileShape shape) noexcept {
+  switch (shape) {
+    case ProfileShape::Trapezoidal:
+    case ProfileShape::Parabolic:
+      return 4;
+    case ProfileShape::Cosine:
+      return kPi;
+    default:
+      return std::numeric_limits<double>::infinity();
   }
 }
 
@@ -70,6 +84,25 @@ ProfileLaw::ProfileLaw(ProfileShape shape, double rate, double acceleration,
   }
   pulse_ = k * rate_;
   duration_ = 1 / rate_ + pulse_;
+}
+
+ProfileLaw ProfileLaw::within_jerk(ProfileShape shape, double rate, double acceleration,
+                                   double jerk, double at_least) noexcept {
+  const ProfileLaw fastest(shape, rate, acceleration, at_least);
+  if (shape == ProfileShape::Rectangular || fastest.jerk() <= jerk) return fastest;
+  constexpr int kHalvings = 60;
+  double low = 0;
+  double high = 1;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2;
+    const bool keeps = ProfileLaw(shape, rate, middle * acceleration, at_least).jerk() <= jerk;
+    (keeps ? low : high) = middle;
+  }
+  return {shape, rate, low * acceleration, at_least};
+}
+
+double ProfileLaw::jerk() const noexcept {
+  return steepest(shape_) * peak_over_mean(shape_) * rate_ / (pulse_ * pulse_);
 }
 
 ProfileLaw ProfileLaw::slowed(double share) const noexcept {

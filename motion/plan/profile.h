@@ -28,12 +28,18 @@ class ProfileLaw {
   /// As fast as `rate` and the peak `acceleration` allow, above 0, but not before `at_least`: then
   /// slower.
   ProfileLaw(ProfileShape shape, double rate, double acceleration, double at_least) noexcept;
+  /// The same with its acceleration so low that the jerk is at most `jerk`, 1/s³, above 0. No bound
+  /// makes a rectangular pulse keep it.
+  static ProfileLaw within_jerk(ProfileShape shape, double rate, double acceleration, double jerk,
+                                double at_least) noexcept;
 
   /// The same, run at a share of its speed.
   ProfileLaw slowed(double share) const noexcept;
 
   bool present() const noexcept { return shape_ != ProfileShape::None; }
   double duration() const noexcept { return duration_; }
+  /// The greatest, 1/s³.
+  double jerk() const noexcept;
   /// 0 <= t <= duration().
   Point at(double t) const noexcept;
   /// When that share is reached.

@@ -266,6 +266,24 @@ TEST_CASE("a motion with a profile keeps its law, and begins at rest") {
   CHECK(segment.duration == segment.profile.duration());
 }
 
+TEST_CASE("ACCEL and JERK bound a motion with a profile") {
+  Planned p;
+  MotionRequest request = to(100, 0);
+  request.profile = ProfileShape::Cosine;
+  // t_a = 2·v/A: 20 mm/s and 10 mm/s².
+  CHECK(p.take(accelerated(request, Bound::Tool, 0.01)).segment.duration ==
+        doctest::Approx(100 / 20.0 + 2 * 20 / 10.0));
+  // π·A/t_a = π·A²/(2·v) = 100 mm/s³.
+  const double a = std::sqrt(2 * 20 * 100 / std::numbers::pi);
+  request.target[0] = 0;
+  CHECK(p.take(jerked(request, Bound::Tool, 0.1)).segment.duration ==
+        doctest::Approx(100 / 20.0 + 2 * 20 / a));
+  // A bound of turning does not concern it.
+  request.target[0] = 0.1;
+  CHECK(p.take(jerked(request, Bound::Rotary, 1e-3)).segment.duration ==
+        doctest::Approx(100 / 20.0 + 2 * 20 / 50.0));
+}
+
 TEST_CASE("what cannot be is refused as under Paul's law, and leaves all as it was") {
   Planned p;
   const auto refused = [&](const MotionRequest& request) {

@@ -52,6 +52,38 @@ TEST_CASE("a profile takes d/v + t_a with a cruise, and 2·√(k·d/A) without")
   }
 }
 
+TEST_CASE("a bound on jerk lowers a profile's acceleration just so far") {
+  // Its steepest slope: 4·A/t_a of the ramps and of the parabola, π·A/t_a of the cosine.
+  struct Steep {
+    ProfileShape shape;
+    double k;
+    double slope;
+  };
+  for (const auto& [shape, k, slope] :
+       {Steep{ProfileShape::Trapezoidal, 4.0 / 3, 4}, Steep{ProfileShape::Parabolic, 1.5, 4},
+        Steep{ProfileShape::Cosine, 2, std::numbers::pi}}) {
+    CAPTURE(k);
+    // slope·A/t_a = slope·A²/(k·v) = 1 at v = 0.5.
+    const double a = std::sqrt(k * 0.5 / slope);
+    const ProfileLaw cruises = ProfileLaw::within_jerk(shape, 0.5, 2, 1, 0);
+    CHECK(cruises.duration() == doctest::Approx(1 / 0.5 + k * 0.5 / a).epsilon(1e-9));
+    CHECK(cruises.jerk() == doctest::Approx(1).epsilon(1e-9));
+    // Without a cruise t_a = √(k/A): slope·A^1.5/√k = 1.
+    const double b = std::pow(std::sqrt(k) / slope, 2.0 / 3);
+    CHECK(ProfileLaw::within_jerk(shape, 100, 2, 1, 0).duration() ==
+          doctest::Approx(2 * std::sqrt(k / b)).epsilon(1e-9));
+    CHECK(ProfileLaw::within_jerk(shape, 0.5, 2, 1e3, 0).duration() ==
+          ProfileLaw(shape, 0.5, 2, 0).duration());
+    // Given a time that leaves more than the least: that time, and the jerk is kept.
+    const ProfileLaw slow = ProfileLaw::within_jerk(shape, 0.5, 2, 1, 30);
+    CHECK(slow.duration() == doctest::Approx(30));
+    constexpr double kStep = 1e-4;
+    for (double t = 0; t + kStep < 30; t += 0.01)
+      CHECK(std::abs(slow.at(t + kStep).acceleration - slow.at(t).acceleration) <=
+            kStep * (1 + 1e-6));
+  }
+}
+
 TEST_CASE("a profile's acceleration is its pulse, cruise and the pulse mirrored") {
   for (const auto& [shape, k] : kShapes) {
     CAPTURE(k);
