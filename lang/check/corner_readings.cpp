@@ -85,7 +85,7 @@ class Walk {
   void visit(const Move& move) {
     for (const ExprPtr& point : move.via) look(point);
     look(move.target);
-    for (const ExprPtr& value : move.clauses.values)
+    for (const ExprPtr& value : move.clauses.values)  // AT LIVE is read while it moves
       if (!move.clauses.live || &value != &move.clauses[Clause::At]) look(value);
     const ExprPtr& zone = move.clauses[Clause::Zone];
     const bool exact = move.clauses.at_rest() || (zone != nullptr && constant_number(*zone) == 0.0);

@@ -160,12 +160,11 @@ Guide::Choice Guide::slow_down(const Piece& piece, const Stretch& on, const Cont
   const double least = ends ? range.low : -on.x / (2 * on.rest);
   const double even = -even_braking(piece, on.here, on.end, on.x);
   const double in_reach = (ring_.square(index_) - on.x) / (2 * on.rest);
-  Choice choice{
-      range.low > 0 ? std::min(range.low, std::max({even, in_reach, range.lowest}))
-                    : std::min(least, even),
-      on.rest,
-      0,
-      {GuideLimit::Kind::Braking, range.low_axis}};
+  Choice choice{range.low > 0 ? std::min(range.low, std::max({even, in_reach, range.lowest}))
+                              : std::min(least, even),
+                on.rest,
+                0,
+                {GuideLimit::Kind::Braking, range.low_axis}};
   const double after = on.x + 2 * choice.control * on.rest;
   choice.end_rate = root(after);
   if (after < floor || after <= 0) {

@@ -78,24 +78,23 @@ Shares shares_of(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& 
   return shares;
 }
 
-/// The zone of a corner, or a stricter one of a point beside it that is passed within T/2 of it:
-/// the mean mixes this corner into that.
+/// The zone of a corner, or a stricter one of a corner beside it that is passed within T/2 of it:
+/// the mean mixes this one into that. Of the one before it the distance alone.
 Miss strictest_zone(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                     const JointVector& turn, double average, double longest) {
   const LegBounds& own = in.segment.ahead;
   const LegBounds& next = out.segment.ahead;
   Miss zone{own.miss, own.turn};
-  const bool stricter = in.before < own.miss || (next.miss > 0 && next.miss < own.miss) ||
-                        (next.turn > 0 && next.turn < own.turn);
-  if (!stricter) return zone;
+  const double before = in.starts ? kAny : in.before;
+  const double distance = out.ends || next.miss == 0 ? kAny : next.miss;
+  const double angle = out.ends || next.turn == 0 ? kAny : next.turn;
+  if (before >= own.miss && distance >= own.miss && angle >= own.turn) return zone;
   const double rate = std::min(greatest_rate(robot, in, in.at(in.length())),
                                std::sqrt(2 * longest * turning_reserve(in, out, turn)));
   const double reach = calm_way(in, out, 1, average, rate);
-  if (in.length() < reach) zone.distance = std::min(zone.distance, in.before);
+  if (in.length() < reach) zone.distance = std::min(zone.distance, before);
   if (out.length() >= reach) return zone;
-  if (next.miss > 0) zone.distance = std::min(zone.distance, next.miss);
-  if (next.turn > 0) zone.angle = std::min(zone.angle, next.turn);
-  return zone;
+  return {std::min(zone.distance, distance), std::min(zone.angle, angle)};
 }
 
 }  // namespace
@@ -167,7 +166,8 @@ double longest_calm_way(const RobotModel& robot, const ShapedLeg& leg, double av
   const double moved = average * average / 24;
   const LegBounds& zone = leg.segment.ahead;
   const auto tip = tip_rates(robot, zone.tip, leg.segment.target);
-  double most = tip.colwise().norm().dot(leg.acceleration) * moved / zone.miss;
+  const double miss = leg.starts ? zone.miss : std::min(zone.miss, leg.before);
+  double most = tip.colwise().norm().dot(leg.acceleration) * moved / miss;
   for (int i = 0; i < robot.axis_count(); ++i) {
     if (robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
       most = std::max(most, leg.acceleration[i] * moved / zone.turn);

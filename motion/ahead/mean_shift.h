@@ -13,7 +13,7 @@ namespace rob::motion {
 /// A mean over T of accelerations up to a lies up to a·T²/24 beside what it is of. At the corner's
 /// middle those along its bend count, of all that is passed within T/2 of it: around a gentle
 /// corner the bend itself, and of both legs what their direction has of it; around a sharp one all
-/// that the axes give.
+/// that the axes give, and so around one with a corner of a stricter zone within T/2 of it.
 struct MeanShift {
   static constexpr double kAny = std::numeric_limits<double>::infinity();
   double part = 1;      ///< of the zone, left to the corner
@@ -43,7 +43,7 @@ double calm_way(const ShapedLeg& in, const ShapedLeg& out, double calm, double a
                 double rate);
 
 /// The most of it before the end of a leg, whatever comes behind; 0 where no corner there asks for
-/// it.
+/// it, unless for the zone of a point behind it, which is not known yet.
 double longest_calm_way(const RobotModel& robot, const ShapedLeg& leg, double average);
 
 /// Slows the pieces of a curve of the axes so far that its mean is beside it by half of its zones

@@ -104,6 +104,16 @@ void PathPlanner::split(PathRing::Index at, double sigma) noexcept {
   second.begin = sigma;
 }
 
+/// Whether it stands at the end of what is known, or would `time` after braking so hard; where it
+/// brakes along the path already: whether it will stand so soon.
+bool PathPlanner::guide_within(double time, double deceleration) const {
+  const double rate = ring_.rate.load(std::memory_order_relaxed);
+  const double rest = published_ - ring_.sigma.load(std::memory_order_relaxed);
+  if (rate == 0) return rest <= 1e-9 * (1 + std::abs(known_));
+  if (deceleration == kAny) return 2 * rest <= rate * time;
+  return rest <= rate * rate / (2 * deceleration) + rate * time;
+}
+
 /// Nothing more fits, and no draft can be published: they are made so slow that half of them can,
 /// or the first.
 bool PathPlanner::narrow() noexcept {

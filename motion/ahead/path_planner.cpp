@@ -145,6 +145,7 @@ bool PathPlanner::begin_run() {
   alone_ = pauses_ = false;
   ShapedLeg leg = shaped_leg(robot_, next, known_);
   leg.before = before_;
+  leg.starts = true;
   if (stands_behind(leg)) {
     stand_alone(leg);
   } else {
@@ -196,7 +197,6 @@ bool PathPlanner::stands_behind(const ShapedLeg& leg) const {
 /// The run has one mean: what asks for a longer one accelerates the less.
 void PathPlanner::open(const ShapedLeg& leg) {
   open_ = leg;
-  before_ = leg.segment.ahead.miss > 0 ? leg.segment.ahead.miss : kAny;
   sent_ = false;
   held_ = averages_sigma() ? 0 : longest_calm_way(robot_, *open_, window_);
   const PathPoint end = open_->at(open_->length());
@@ -254,6 +254,7 @@ bool PathPlanner::join_next() {
     return true;
   }
   next_ = shaped_leg(robot_, next, open_->end());
+  next_->ends = ends_at_rest(next);
   if (window_of(next) > window_) next_->acceleration *= window_ / window_of(next);
   turn_ = corner(*open_, *next_, false);
   if (!turn_) {
@@ -285,13 +286,19 @@ bool PathPlanner::goes_on_behind(const ShapedLeg& next) const {
       .has_value();
 }
 
+/// As far as it is known what stands behind it.
+bool PathPlanner::ends_at_rest(const SegmentDescriptor& next) const {
+  if (next.guard.present()) return true;
+  if (pending_.size() < 2) return buffer_.closed();
+  return !moves(pending_[1]) || pending_[1].from_rest;
+}
+
 /// What the corner into the next leg may take of it: what the corner out of it leaves, or half.
 double PathPlanner::share_of_next(const ShapedLeg& next) const {
   const double length = next.length();
-  if (pending_.size() < 2)
-    return buffer_.closed() || next.segment.guard.present() ? length : length / 2;
+  if (ends_at_rest(next.segment)) return length;  // there is no corner
+  if (pending_.size() < 2) return length / 2;
   const SegmentDescriptor& third = pending_[1];
-  if (!moves(third) || third.from_rest) return length;  // there is no corner at its end
   if (!has_way(third)) return length / 2;
   const double other = wanted_half(robot_, next, shaped_leg(robot_, third, next.end()));
   return std::max(length / 2, length - other);
@@ -301,6 +308,7 @@ double PathPlanner::share_of_next(const ShapedLeg& next) const {
 bool PathPlanner::go_on() {
   if (turn_ && turn_->calm < 1 && !calm_corner()) return true;
   if (!send(open_->length() - (turn_ ? turn_->half : 0))) return true;
+  before_ = open_->segment.ahead.miss > 0 ? open_->segment.ahead.miss : kAny;
   if (!turn_) {
     if (end_ > 0) ring_.set_run_end(end_ - 1, true);
     open_.reset();
@@ -318,16 +326,6 @@ bool PathPlanner::go_on() {
   open(*next_);
   next_.reset();
   return true;
-}
-
-/// Whether it stands at the end of what is known, or would `time` after braking so hard; where it
-/// brakes along the path already: whether it will stand so soon.
-bool PathPlanner::guide_within(double time, double deceleration) const {
-  const double rate = ring_.rate.load(std::memory_order_relaxed);
-  const double rest = published_ - ring_.sigma.load(std::memory_order_relaxed);
-  if (rate == 0) return rest <= 1e-9 * (1 + std::abs(known_));
-  if (deceleration == kAny) return 2 * rest <= rate * time;
-  return rest <= rate * rate / (2 * deceleration) + rate * time;
 }
 
 /// The longest leg that a corner at its end can use, whatever follows (motion.md).

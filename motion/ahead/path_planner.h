@@ -66,6 +66,7 @@ class PathPlanner {
   bool go_on();
   std::optional<Turn> corner(const ShapedLeg& leg, const ShapedLeg& next, bool from_rest) const;
   bool goes_on_behind(const ShapedLeg& next) const;
+  bool ends_at_rest(const SegmentDescriptor& next) const;
   double share_of_next(const ShapedLeg& next) const;
   bool guide_within(double time, double deceleration) const;
   double longest_turn(const ShapedLeg& leg) const;

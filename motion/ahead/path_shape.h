@@ -20,6 +20,8 @@ struct ShapedLeg {
   double begin = 0;             ///< σ at its beginning
   double sent = 0;              ///< m from there, up to which it has been made into pieces
   double before = Piece::kAny;  ///< m by which the tip may miss the point before it
+  bool starts = false;          ///< at rest
+  bool ends = false;            ///< at rest: there is no corner behind it
   JointVector acceleration;
   JointVector jerk;  ///< m/s³, rad/s³; infinite where it is not bounded
 

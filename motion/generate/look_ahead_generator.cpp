@@ -279,13 +279,16 @@ std::uint32_t LookAheadGenerator::decided() const noexcept {
   return decided;
 }
 
-const Effect* LookAheadGenerator::take_path_event(double until, double& due) noexcept {
-  if (const Effect* effect = profile_events_.take(clock_.passed_by(until) + kSameInstant, due)) {
+const Effect* LookAheadGenerator::take_path_event(double until, std::uint32_t number,
+                                                  double& due) noexcept {
+  const double path_time = clock_.passed_by(until) + kSameInstant;
+  if (const Effect* effect = profile_events_.take(path_time, number, due)) {
     due = clock_.run_time(due);
     tell_cut_lead(*effect, due, profile_events_.cut());
     return effect;
   }
-  const Effect* const effect = events_.take(guide_, history_, lag(), until - skipped_, due);
+  const PlaceEvents::Until passed{until - skipped_, number};
+  const Effect* const effect = events_.take(guide_, history_, lag(), passed, due);
   if (effect == nullptr) return nullptr;
   due += skipped_;
   tell_cut_lead(*effect, due, events_.cut());

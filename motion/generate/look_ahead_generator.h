@@ -66,7 +66,7 @@ class LookAheadGenerator final : public SegmentGenerator {
   std::optional<double> stands_since() const noexcept override;
   std::uint32_t decided() const noexcept override;
   bool tells_decisions() const noexcept override { return true; }
-  const Effect* take_path_event(double until, double& due) noexcept override;
+  const Effect* take_path_event(double until, std::uint32_t number, double& due) noexcept override;
   bool awaits_path_event() const noexcept override {
     return events_.pending() || profile_events_.pending();
   }

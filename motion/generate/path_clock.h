@@ -51,7 +51,7 @@ class PathClock {
   /// The run's time at a path time that the last advance() passed, and the other way round.
   double run_time(double path_time) const noexcept;
   double path_time_at(double run_time) const noexcept;
-  /// Path time at an instant of the last period.
+  /// Path time at an instant of the last period; before or behind it that of its ends.
   double passed_by(double run_time) const noexcept {
     return run_time >= stamp_ ? path_ : path_time_at(std::max(run_time, stamp_before_));
   }

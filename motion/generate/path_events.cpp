@@ -50,11 +50,14 @@ void PathEvents::stop(double t_acc) noexcept {
   }
 }
 
-const Effect* PathEvents::take(double path_time, double& due) noexcept {
+const Effect* PathEvents::take(double path_time, std::uint32_t number, double& due) noexcept {
   const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(count_);
-  const auto first = std::min_element(entries_.begin(), end,
-                                      [](const Entry& a, const Entry& b) { return a.due < b.due; });
-  if (first == end || first->due > path_time) return nullptr;
+  auto first = end;
+  for (auto entry = entries_.begin(); entry != end; ++entry) {
+    if (entry->effect.after > number || entry->due > path_time) continue;
+    if (first == end || entry->due < first->due) first = entry;
+  }
+  if (first == end) return nullptr;
   taken_ = first->effect;
   cut_ = first->cut;
   due = first->due;

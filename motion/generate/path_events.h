@@ -24,8 +24,8 @@ class PathEvents {
              double instant, double rate) noexcept;
   /// The leg ends at rest, by a stop that begins t_acc before its target would be reached.
   void stop(double t_acc) noexcept;
-  /// What is due at `path_time`, the earliest first; null when there is nothing.
-  const Effect* take(double path_time, double& due) noexcept;
+  /// What is due at `path_time` of motions up to `number`, the earliest first; null: nothing.
+  const Effect* take(double path_time, std::uint32_t number, double& due) noexcept;
   /// s by which what was taken last came later than its LEAD asked for, since it cannot come before
   /// its motion begins; 0: it did not.
   double cut() const noexcept { return cut_; }

@@ -180,8 +180,10 @@ std::uint32_t PaulGenerator::decided() const noexcept {
   return due ? segment().number : segment().number - 1;
 }
 
-const Effect* PaulGenerator::take_path_event(double until, double& due) noexcept {
-  const Effect* const effect = path_events_.take(clock_.passed_by(until) + kSameInstant, due);
+const Effect* PaulGenerator::take_path_event(double until, std::uint32_t number,
+                                             double& due) noexcept {
+  const double path_time = clock_.passed_by(until) + kSameInstant;
+  const Effect* const effect = path_events_.take(path_time, number, due);
   if (effect == nullptr) return nullptr;
   due = clock_.run_time(due);
   tell_cut_lead(*effect, due, path_events_.cut());

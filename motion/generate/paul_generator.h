@@ -57,7 +57,7 @@ class PaulGenerator final : public SegmentGenerator {
   double share_done() const noexcept override;
   std::optional<double> stands_since() const noexcept override;
   std::uint32_t decided() const noexcept override;
-  const Effect* take_path_event(double until, double& due) noexcept override;
+  const Effect* take_path_event(double until, std::uint32_t number, double& due) noexcept override;
   bool awaits_path_event() const noexcept override { return path_events_.pending(); }
 
   void aim_clock() noexcept;

@@ -107,16 +107,18 @@ std::optional<PlaceEvents::Missed> PlaceEvents::take_missed(double tolerance) no
 }
 
 const Effect* PlaceEvents::take(const Guide& guide, const GuideHistory& history, double lag,
-                                double until, double& due) noexcept {
+                                const Until& until, double& due) noexcept {
   std::size_t first = kMost;
   double wanted = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     Entry& entry = entries_[i];
+    if (entry.effect.after > until.number) continue;
     const auto passes = when(entry, guide, history, lag);
     if (!passes) continue;
     const double wish = *passes - entry.lead;
-    const double at = std::max(entry.earliest, wish);
-    if (at > until + kSameInstant || (first < kMost && at >= due)) continue;
+    double at = std::max(entry.earliest, wish);
+    if (entry.passed && entry.lead >= 0) at = std::min(at, until.time);
+    if (at > until.time + kSameInstant || (first < kMost && at >= due)) continue;
     due = at;
     wanted = wish;
     first = i;

@@ -35,10 +35,16 @@ class PlaceEvents {
   void go_on(const Mark& mark) noexcept;
   /// The same while no run is under way: the references stand, and time goes on.
   void stand(double time) noexcept { go_on({time, now_.sigma, 0}); }
-  /// What is due by `until`, no later than now, the earliest first; null: nothing. References lag
+  /// No later than now. What motions up to `number` have passed comes before the instant, at which
+  /// the last of them ends.
+  struct Until {
+    double time = 0;
+    std::uint32_t number = 0;
+  };
+  /// What is due of motions up to a number, the earliest first; null: nothing. References lag
   /// behind the guide by `lag`.
-  const Effect* take(const Guide& guide, const GuideHistory& history, double lag, double until,
-                     double& due) noexcept;
+  const Effect* take(const Guide& guide, const GuideHistory& history, double lag,
+                     const Until& until, double& due) noexcept;
   /// s by which what was taken last came later than its LEAD asked for, since its motion does not
   /// take so long to its place; 0: it did not.
   double cut() const noexcept { return cut_; }

@@ -1,6 +1,7 @@
 #include "motion/generate/segment_generator.h"
 
 #include <cmath>
+#include <limits>
 
 #include "motion/space/cycle_instant.h"
 
@@ -75,7 +76,7 @@ void SegmentGenerator::step(double stamp) noexcept {
   } else if (running_) {
     run_segments();
   }
-  fire_path_events(stamp);
+  fire_path_events(stamp, std::numeric_limits<std::uint32_t>::max());
   if (const auto since = at_rest_since(); braking_ && since) end_early(*since);
   report_held();
   report_handled();
@@ -106,7 +107,7 @@ void SegmentGenerator::pass_by() noexcept {
 }
 
 void SegmentGenerator::pass(std::uint32_t number, double instant) noexcept {
-  fire_path_events(instant);
+  fire_path_events(instant, number);
   passed_ = number;
   latest_ = std::max(latest_, instant);
   fire_effects(latest_);
@@ -180,10 +181,8 @@ void SegmentGenerator::start_from_rest() noexcept {
   finished_ = false;
   if (braking_) return;
   if (hit_at_start(*next, stamp_)) return pop_segment();
-  if (next->jog.present()) {
-    if (settled()) begin_jog(*next, stamp_);
-    return;
-  }
+  if ((next->jog.present() || next->profile.present()) && !settled()) return;
+  if (next->jog.present()) return begin_jog(*next, stamp_);
   if (!take_up(*next, stamp_)) return;
   pop_segment();
   while (dwelling() && segment_.duration == 0) {
@@ -238,10 +237,10 @@ void SegmentGenerator::fire_effects(double time) noexcept {
   }
 }
 
-void SegmentGenerator::fire_path_events(double until) noexcept {
+void SegmentGenerator::fire_path_events(double until, std::uint32_t number) noexcept {
   double due = 0;
   if (failing()) return;
-  while (const Effect* effect = take_path_event(until, due)) {
+  while (const Effect* effect = take_path_event(until, number, due)) {
     tell({.kind = Kind::ActionDue, .time = due, .tag = effect->tag, .effect = *effect});
   }
 }

@@ -116,7 +116,7 @@ class SegmentGenerator : public TrajectoryGenerator {
   virtual double sigma_at_rest() const noexcept = 0;
   /// What of the segment's time is done, 0 … 1.
   virtual double share_done() const noexcept = 0;
-  /// What the path has asked of the jerk lies behind; in any case. A jog waits for it.
+  /// What the path has asked of the jerk lies behind; in any case. Jogs and profiles wait for it.
   virtual bool settled() const noexcept { return true; }
   /// Since when the axes stand, holding or braking; none while they move.
   virtual std::optional<double> stands_since() const noexcept = 0;
@@ -124,9 +124,10 @@ class SegmentGenerator : public TrajectoryGenerator {
   virtual std::uint32_t decided() const noexcept = 0;
   /// Whether decision points are not known beforehand, and told when they come; in any case.
   virtual bool tells_decisions() const noexcept { return false; }
-  /// The next path event that is due by `until`, within the last period, and when; null: none. In
-  /// any case.
-  virtual const Effect* take_path_event(double until, double& due) noexcept = 0;
+  /// The next path event of motions up to `number` that is due by `until`, within the last period,
+  /// and when; null: none. In any case.
+  virtual const Effect* take_path_event(double until, std::uint32_t number,
+                                        double& due) noexcept = 0;
   /// Whether one is still to come. In any case.
   virtual bool awaits_path_event() const noexcept = 0;
 
@@ -153,7 +154,7 @@ class SegmentGenerator : public TrajectoryGenerator {
   const SegmentDescriptor* next_to_begin() const noexcept;
   /// Motions up to `number` are passed over.
   void skip_to(std::uint32_t number) noexcept { segment_.number = passed_ = number; }
-  /// Effects up to `number` are due at `instant`.
+  /// Effects up to `number` are due at `instant`, behind what is on the way of their motions.
   void pass(std::uint32_t number, double instant) noexcept;
   bool passed(std::uint32_t number) const noexcept { return passed_ >= number; }
   /// Begins `next` and says so; false, with a fault, if its rates would not be finite.
@@ -182,7 +183,7 @@ class SegmentGenerator : public TrajectoryGenerator {
   void report_held() noexcept;
   double share_of_time() const noexcept;
   void fire_effects(double time) noexcept;
-  void fire_path_events(double until) noexcept;
+  void fire_path_events(double until, std::uint32_t number) noexcept;
   void make_sample() noexcept;
   MotionState state() const noexcept;
   void follow_path() noexcept;

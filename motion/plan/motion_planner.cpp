@@ -52,6 +52,8 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request) {
 PlanOutcome MotionPlanner::take(const MotionRequest& request, Draft draft) {
   const bool profiled = request.profile != ProfileShape::None && !draft.no_length;
   const bool timed = robot_.law == Law::Paul || profiled;
+  if (robot_.law == Law::LookAhead && draft.demand.path == nullptr && !draft.no_length)
+    measure_swing(draft.target, draft.demand);
   return timed ? take_timed(request, std::move(draft)) : take_ahead(request, std::move(draft));
 }
 

@@ -25,7 +25,6 @@ PlanOutcome MotionPlanner::take_ahead(const MotionRequest& request, Draft draft)
   if (draft.no_length) {
     bound_corner(robot_, request, LegBounds::kAny, segment.ahead);
   } else {
-    if (draft.demand.path == nullptr) measure_swing(draft.target, draft.demand);
     const AheadLeg leg = ahead_leg(robot_, draft.demand, request);
     if (!(leg.alone <= kLongest)) return Refusal{Refusal::Kind::TooLong, -1, leg.alone, kLongest};
     segment.ahead = leg.bounds;

@@ -84,10 +84,10 @@ void MotionPlanner::time_profile(const Draft& draft, const MotionRequest& reques
   ProfileLimits limits = path == nullptr ? profile_limits(robot_, draft.demand.rates, braking_)
                                          : profile_limits(robot_, *path, braking_);
   const auto bounded = [&](MotionRequest::Bound bound, double value) {
-    const double speed = bound == MotionRequest::Bound::Tool     ? draft.demand.pace_way
-                         : bound == MotionRequest::Bound::Rotary ? draft.demand.pace_turn
-                                                                 : 0;
-    return speed > 0 ? value / speed : std::numeric_limits<double>::infinity();
+    const double per_share = bound == MotionRequest::Bound::Tool     ? draft.demand.pace_way
+                             : bound == MotionRequest::Bound::Rotary ? draft.demand.pace_turn
+                                                                     : 0;
+    return per_share > 0 ? value / per_share : std::numeric_limits<double>::infinity();
   };
   limits.acceleration = std::min(limits.acceleration, bounded(request.accel, request.accel_value));
   const double rate = std::min(limits.rate, 1 / timing.duration);

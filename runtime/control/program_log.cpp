@@ -25,7 +25,7 @@ std::uint32_t ProgramLog::keep(Note note) {
 
 void ProgramLog::found(lang::Diagnostic finding) {
   const std::scoped_lock lock(mutex_);
-  constexpr int kOfEach = 10;  // [choice]
+  constexpr int kOfEach = 10;  // [choice] enough to see where, and whether it is everywhere
   const lang::Place& place = finding.place;
   if (!found_.insert({finding.code, place.file, place.line, place.column}).second)
     return;  // a loop finds it only once

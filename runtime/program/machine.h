@@ -18,6 +18,8 @@ struct BackendName {
   std::string port;
 
   bool simulated() const { return kind == Kind::Simulation; }
+  /// Whether it knows where a hand has brought its axes: grbl counts the steps that it makes.
+  bool sees_hand() const { return kind != Kind::Grbl; }
 };
 
 /// As --backend has it; none for what is no backend.

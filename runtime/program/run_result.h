@@ -114,7 +114,7 @@ struct RunResult {
   std::vector<std::string> output;
   std::vector<RunEvent> events;
   std::vector<lang::Diagnostic> findings;
-  std::size_t findings_left_out = 0;  ///< beyond lang::Diagnostics::kMost
+  std::size_t findings_left_out = 0;  ///< see ProgramLog::findings()
   std::optional<Problem> error;
   std::int64_t starved = 0;          ///< decision points at which nothing was known
   std::int64_t dropped_effects = 0;  ///< outputs and prints behind a fault or an interruption

@@ -79,6 +79,9 @@ void guide(Session& session, const Words& words) {
   if (words.size() != 1 || (words[0] != "on" && words[0] != "off"))
     return session.fail(":guide takes on or off", "", ExitCode::Usage);
   const LiveRobot& robot = session.robot();
+  if (!robot.sees_hand())
+    return session.fail("this machine counts its own steps: where a hand brings it is not seen",
+                        ":jog brings it to the points that are to be taught", ExitCode::Usage);
   if (robot.over() || robot.guided() || session.stands(":guide")) session.guide(words[0] == "on");
 }
 

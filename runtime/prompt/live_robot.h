@@ -78,6 +78,7 @@ class LiveRobot {
   void guide(bool on);
   bool guided() const { return guided_; }
   bool simulated() const { return options_.backend.simulated(); }
+  bool sees_hand() const { return options_.backend.sees_hand(); }
   /// As reset(); the machine homes itself before. Only a machine can.
   void home();
 

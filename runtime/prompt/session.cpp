@@ -81,7 +81,7 @@ Session::Session(SessionOptions options, Screen& screen)
   forget_unusable_points(robot);
   begin_text(robot);
   robot_ = live(robot);
-  take_points();
+  read_points();
 }
 
 /// As if nothing had been typed yet.
@@ -304,7 +304,7 @@ void Session::choose_robot(const std::string& robot, std::optional<motion::Law> 
   forget_unusable_points(model);
   begin_text(model);
   robot_ = live(model);
-  take_points();
+  read_points();
 }
 
 void Session::jog(const lang::MoveCommand& command, const motion::Watch& held) {
@@ -328,19 +328,21 @@ double Session::time() const {
 void Session::reset() {
   robot_->reset();
   begin_text(robot_->robot());
-  take_points();
+  read_points();
 }
 
 void Session::guide(bool on) {
   if (robot_->guided()) finish();  // what is taught
   robot_->guide(on);
   begin_text(robot_->robot());
+  read_points();
   if (on) screen_->message("the drives are without force: hold what could sink\n");
 }
 
 void Session::home() {
   robot_->home();
   begin_text(robot_->robot());
+  read_points();
 }
 
 void Session::go_on() {

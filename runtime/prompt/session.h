@@ -143,6 +143,7 @@ class Session final : public Person {
   void refuse_untaught(LoadedProgram& compiled) const;
   void forget_unusable_points(const motion::RobotModel& robot);
   void tell_held();
+  void read_points();
   void begin_text(const motion::RobotModel& robot);
   void answer(const std::string& text);
   void wait_while(const std::function<bool()>& waits);

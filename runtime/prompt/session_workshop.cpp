@@ -115,7 +115,12 @@ void Session::follow_points(const std::string& file) {
 
 /// While statements are under way the file may not be what they leave.
 void Session::take_points() {
-  if (options_.points_file.empty() || !robot_->idle() || robot_->over()) return;
+  if (robot_->idle()) read_points();
+}
+
+/// Behind begin_text() nothing is under way, though the robot may have to come under control first.
+void Session::read_points() {
+  if (options_.points_file.empty() || robot_->over()) return;
   const motion::RobotModel& robot = robot_->robot();
   const SessionPoints::Change change =
       points_.take_change(load_points(options_.points_file, robot), robot);

@@ -17,7 +17,8 @@ constexpr double kLate = 0.1 / 3;
 constexpr int kMostTrials = 6;  // [choice]
 
 /// Sleeps again and again, and keeps how late it was woken. It stands behind others: a thread that
-/// does next to nothing would be preferred to those of the test.
+/// does next to nothing would be preferred to those of the test. So it is late, too, where the test
+/// keeps the whole computer busy.
 class LatenessWatch {
  public:
   LatenessWatch() : thread_([this] { watch(); }) {}

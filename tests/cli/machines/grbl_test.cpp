@@ -230,26 +230,15 @@ TEST_CASE("fault 18: grbl whose axes do not go where its motors turn") {
   CHECK((code == "E502" || code == "E503"));
 }
 
-TEST_CASE("a prompt on a machine: guided by hand, a point is taught, and driven to") {
+TEST_CASE("grbl does not see where a hand brings it: :guide is refused") {
   GrblEmulator grbl;
   const RobCommand rob("");
-  const std::string typed =
-      "(echo ':guide on'; sleep 1.5; echo ':teach pick'; echo 'MOVE(0,0,0)'; echo ':guide off';"
-      " echo 'MOVE(60,0,0)'; echo 'MOVE pick') | ";
-  Process process(
+  const ProcessResult result = rob::test::run_process(
       {"/bin/bash", "-c",
-       "cd " + rob.file("") + " && " + typed + ROB_BINARY + " --backend " + on("grbl", grbl)});
-  std::this_thread::sleep_for(700ms);
-  grbl.stand_at(50, 30, 0);  // a hand has pushed it
-  const ProcessResult result = process.wait();
-  CHECK(contains(result.err, "the drives are without force: hold what could sink"));
-  CHECK(contains(result.err, ":guide off takes the robot under control again"));
-  const std::string points = rob::test::read_whole_file(rob.file("prompt.points"));
-  CHECK(contains(points, "pick"));
-  CHECK(contains(points, "50"));
-  CHECK(grbl.position()[0] == doctest::Approx(50).epsilon(0.001));
-  CHECK(grbl.position()[1] == doctest::Approx(30).epsilon(0.001));
-  CHECK(grbl.moves() > 50);
+       "cd " + rob.file("") + " && (echo ':guide on'; echo 'MOVE(10,0,0)') | " + ROB_BINARY +
+           " --backend " + on("grbl", grbl)});
+  CHECK(contains(result.err, "where a hand brings it is not seen"));
+  CHECK(contains(result.err, ":jog brings it"));
 }
 
 TEST_CASE("what --backend cannot be is told") {

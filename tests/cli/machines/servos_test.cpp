@@ -3,7 +3,9 @@
 // time, with bounds for a busy computer.
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "tests/emulators/device_process.h"
 #include "tests/emulators/servo_emulator.h"
@@ -42,6 +44,34 @@ double planned(const ProcessResult& result) {
 }
 
 }  // namespace
+
+TEST_CASE("a prompt on a machine: guided by hand, a point is taught, and driven to") {
+  ServoEmulator bus(Kind::Feetech, 3);
+  stand(bus, Kind::Feetech);
+  const RobCommand rob("");
+  const std::string typed =
+      "(echo ':guide on'; sleep 3; echo ':teach pick'; echo 'MOVE(10,10,0)'; echo ':guide off';"
+      " echo 'MOVE(60,10,0)'; echo 'MOVE pick') | ";
+  rob::test::Process process({"/bin/bash", "-c",
+                              "cd " + rob.file("") + " && " + typed + ROB_BINARY + " --robot " +
+                                  gantry_file(rob, kServoWires) + " --backend " +
+                                  on("feetech", bus)});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  // A hand pushes it to x = 60 − 256/20.48, y = 320/10.24, mm.
+  bus.stand_at(3, 2048 + 256);
+  bus.stand_at(1, 2048 + 320);
+  const ProcessResult result = process.wait();
+  CAPTURE(result.err);
+  CHECK(contains(result.err, "the drives are without force: hold what could sink"));
+  CHECK(contains(result.err, ":guide off takes the robot under control again"));
+  const std::string points = rob::test::read_whole_file(rob.file("prompt.points"));
+  CHECK(contains(points, "pick"));
+  CHECK(contains(points, "47.5"));
+  CHECK(contains(points, "31.25"));
+  CHECK(std::abs(bus.position(3) - (2048 + 256)) < 1);
+  CHECK(std::abs(bus.position(1) - (2048 + 320)) < 1);
+  CHECK(bus.moved_for() > 1);
+}
 
 TEST_CASE("the same program on three kinds of servos: executed within 1 % of what is planned") {
   struct Case {

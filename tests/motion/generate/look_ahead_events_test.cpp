@@ -118,6 +118,25 @@ TEST_CASE("an output just before the middle of a corner comes before the next mo
   CHECK(run.all(Kind::EffectDue).at(0).time == run.all(Kind::SegmentStarted)[1].time);
 }
 
+TEST_CASE(
+    "an output at the end comes before one behind the motion, wherever in a period it rests") {
+  for (int k = 0; k < 20; ++k) {
+    LookAheadRun run;
+    SegmentDescriptor segment = line(run, 100 + 0.013 * k, 0);
+    on_the_way(segment, 1, 0, 1);
+    run.push(segment);
+    run.effect(2);
+    run.close();
+    run.finish();
+    std::vector<std::uint32_t> order;
+    for (const MotionEvent& event : run.events())
+      if (event.kind == Kind::ActionDue || event.kind == Kind::EffectDue)
+        order.push_back(event.effect.id);
+    CAPTURE(k);
+    CHECK(order == std::vector<std::uint32_t>{1, 2});
+  }
+}
+
 TEST_CASE("a LAG that outlasts its motion comes at its time, while the robot stands") {
   for (const bool another : {false, true}) {
     CAPTURE(another);

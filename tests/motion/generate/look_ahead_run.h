@@ -90,6 +90,7 @@ class LookAheadRun {
       if (event.kind == kind) found.push_back(event);
     return found;
   }
+  const std::vector<motion::MotionEvent>& events() const { return events_; }
   motion::PathPlanner& path_planner() { return path_planner_; }
   motion::LookAheadGenerator& generator() { return generator_; }
   const motion::RobotModel& robot() const { return robot_; }

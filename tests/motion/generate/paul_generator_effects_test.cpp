@@ -134,6 +134,30 @@ TEST_CASE("an output just before the middle of a corner comes before what stands
         doctest::Approx(1e-4 * segment.duration).epsilon(1e-6));
 }
 
+TEST_CASE("at one instant: the end of a motion, what stands behind it, the beginning of the next") {
+  GantryRun run;
+  const auto push = [&](const JointVector& q, double share, std::uint32_t id) {
+    auto outcome = run.planner().plan(move_to(q));
+    SegmentDescriptor segment = std::get<PlannedSegment>(outcome).segment;
+    PathEvent event{.share = share};
+    event.effect.id = id;
+    event.effect.after = segment.number;
+    segment.on_the_way.push_back(event);
+    run.push(segment);
+  };
+  push(gantry_q(40, 0, 0), 1, 1);
+  run.effect(2);
+  push(gantry_q(40, 40, 0), 0, 3);
+  run.stop();
+  run.close();
+  run.finish();
+  std::vector<std::uint32_t> order;
+  for (const MotionEvent& event : run.events())
+    if (event.kind == Kind::ActionDue || event.kind == Kind::EffectDue)
+      order.push_back(event.effect.id);
+  CHECK(order == std::vector<std::uint32_t>{1, 2, 3});
+}
+
 TEST_CASE("a LAG that outlasts the last motion comes before the program is over") {
   GantryRun run;
   auto outcome = run.planner().plan(move_to(gantry_q(40, 0, 0)));

@@ -36,6 +36,25 @@ TEST_CASE("a line that its axes cannot follow is refused under the look-ahead la
   CHECK(planner.last_number() == 0);
 }
 
+TEST_CASE("ACCEL of a motion with a profile is that of the tool on its swing, not on its chord") {
+  const RobotModel robot = irb120();
+  JointVector from = robot.start;
+  from[0] = -1.5;
+  MotionPlanner planner(robot, from);
+  MotionRequest how;
+  how.given = 1;  // axis 1: 3 rad
+  how.target[0] = 1.5;
+  how.profile = ProfileShape::Rectangular;
+  how.accel = MotionRequest::Bound::Tool;
+  how.accel_value = 0.05;
+  const PlanOutcome outcome = planner.plan(how);
+  REQUIRE(std::holds_alternative<PlannedSegment>(outcome));
+  // 3·r in the time of a triangle of speed: 2·√(way/a).
+  const double r = robot.kinematics->forward(robot.start).position.head<2>().norm();
+  CHECK(std::get<PlannedSegment>(outcome).segment.duration ==
+        doctest::Approx(2 * std::sqrt(3 * r / how.accel_value)).epsilon(1e-6));
+}
+
 TEST_CASE("ACCEL and JERK on a spline are judged by how fast the tool is, not its parameter") {
   // Where it turns back the tool nearly stands, and each unit of the parameter is no way at all.
   const RobotModel robot = irb120();
