@@ -42,6 +42,49 @@ Extent PathPlanner::extent_of(const Piece& piece) const noexcept {
   return extent;
 }
 
+/// σ' that the speeds of the axes leave all along a leg.
+double PathPlanner::axes_rate(const ShapedLeg& leg) const {
+  double least = kAny;
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const PathPoint place = leg.at(share * leg.length());
+    for (int i = 0; i < robot_.axis_count(); ++i)
+      least =
+          std::min(least, robot_.axes[static_cast<std::size_t>(i)].v_max / std::abs(place.qd[i]));
+  }
+  return least;
+}
+
+/// Of a leg that is opened.
+void PathPlanner::note_rate(const ShapedLeg& leg) {
+  if (leg.starts) {
+    run_begin_ = leg.begin;
+    fastest_ = 0;
+    slowest_ = kAny;
+  }
+  const double rate = axes_rate(leg);
+  fastest_ = std::max(fastest_, std::min(leg.segment.ahead.speed, rate));
+  if (rate > slowest_ && leg.begin - slow_end_ <= fastest_ * mean_time() / 2) return;
+  slowest_ = rate;
+  slow_end_ = leg.end();
+}
+
+/// Where the mean is of σ, the axes of a leg bound what is passed within half its time of it:
+/// whether that costs more than a stop, which separates them.
+bool PathPlanner::crawls_beside(const ShapedLeg& leg, const ShapedLeg& next) const {
+  const double mean = mean_time();
+  const double most = axes_rate(next);
+  const double rate = std::min(next.segment.ahead.speed, most);
+  const double behind = std::min(fastest_ * mean / 2, leg.end() - run_begin_);
+  const double ahead = std::clamp(rate * mean / 2 - (leg.end() - slow_end_), 0.0, next.length());
+  double lost = 0;
+  if (most < fastest_) lost += behind * (1 / most - 1 / fastest_);
+  if (slowest_ < rate) lost += ahead * (1 / slowest_ - 1 / rate);
+  const PathPoint end = leg.at(leg.length());
+  const double brakes = greatest_rate(robot_, leg, end) / (2 * greatest_control(leg, end));
+  const double gains = rate / (2 * greatest_control(next, next.at(0)));
+  return lost > mean + brakes + gains;
+}
+
 /// The pieces before this one can be run: what acts together with them is known.
 PathRing::Index PathPlanner::ready() const noexcept {
   if (end_ == 0 || ring_.run_end(end_ - 1)) return end_;

@@ -197,6 +197,7 @@ bool PathPlanner::stands_behind(const ShapedLeg& leg) const {
 /// The run has one mean: what asks for a longer one accelerates the less.
 void PathPlanner::open(const ShapedLeg& leg) {
   open_ = leg;
+  note_rate(leg);
   sent_ = false;
   held_ = averages_sigma() ? 0 : longest_calm_way(robot_, *open_, window_);
   const PathPoint end = open_->at(open_->length());
@@ -269,6 +270,7 @@ bool PathPlanner::join_next() {
 /// None where a stop is as fast, or all that is possible.
 std::optional<Turn> PathPlanner::corner(const ShapedLeg& leg, const ShapedLeg& next,
                                         bool from_rest) const {
+  if (!from_rest && averages_sigma() && crawls_beside(leg, next)) return std::nullopt;
   TurnBounds bounds{std::min(leg.length() - leg.sent, share_of_next(next)), mean_time(),
                     robot_.tool_coordinates, from_rest};
   std::optional<Turn> made = make_turn(robot_, leg, next, bounds);

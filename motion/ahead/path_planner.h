@@ -64,6 +64,9 @@ class PathPlanner {
   bool decide_alone();
   bool give_up_corner();
   bool go_on();
+  double axes_rate(const ShapedLeg& leg) const;
+  void note_rate(const ShapedLeg& leg);
+  bool crawls_beside(const ShapedLeg& leg, const ShapedLeg& next) const;
   std::optional<Turn> corner(const ShapedLeg& leg, const ShapedLeg& next, bool from_rest) const;
   bool goes_on_behind(const ShapedLeg& next) const;
   bool ends_at_rest(const SegmentDescriptor& next) const;
@@ -108,6 +111,10 @@ class PathPlanner {
   bool sent_ = false;        ///< all of the open leg that can be known has been published
   double known_ = 0;         ///< σ at the end of the last piece
   double window_ = 0;        ///< s of the mean of the present run
+  double run_begin_ = 0;     ///< σ
+  double fastest_ = 0;       ///< σ' that any leg of the run may have
+  double slowest_ = kAny;    ///< the least σ' to which the axes bound a leg of the run
+  double slow_end_ = 0;      ///< σ, of that leg
   bool alone_ = false;       ///< the present run is one straight leg
   bool pauses_ = false;      ///< and its guide pauses
   PathRing::Index end_ = 0;  ///< of the pieces written; those from ring_.end() on are drafts

@@ -174,6 +174,25 @@ bool within_limits(const RobotModel& robot, const JointPath& axes) {
   return within;
 }
 
+bool between_lines(const CornerTask& task) {
+  return task.line_in != nullptr && task.line_out != nullptr;
+}
+
+/// None where they leave the axes' limits, or where a curve winds round the point.
+std::optional<JointPath> smooth_axes(const RobotModel& robot, const CornerTask& task, double half) {
+  if (!between_lines(task) && winds_round(robot, task, half)) return std::nullopt;
+  auto axes = corner_axes(robot, task, half);
+  return axes && within_limits(robot, *axes) ? std::move(axes) : std::nullopt;
+}
+
+Miss smooth_miss(const RobotModel& robot, const CornerTask& task, const JointPath& axes,
+                 const JointVector& point) {
+  Miss miss = miss_between(robot, task.tip, axes.at(0).q, point);
+  miss.distance = std::min(miss.distance, corner_miss_of(robot, task, axes));
+  if (!between_lines(task)) miss.distance = std::max(miss.distance, beside_ways(robot, task, axes));
+  return miss;
+}
+
 std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                                const JointVector& turn, const TurnBounds& bounds) {
   constexpr int kTries = 16;
@@ -185,10 +204,8 @@ std::optional<Turn> make_curve(const RobotModel& robot, const ShapedLeg& in, con
   made.half = bounds.longest;
   for (int i = 0; i < kTries && made.half >= kShortest; ++i) {
     double factor = 0.5;
-    if (auto axes = corner_axes(robot, task, made.half); axes && within_limits(robot, *axes)) {
-      const JointVector middle = axes->at(0).q;
-      Miss miss = miss_between(robot, zone.tip, middle, in.segment.target);
-      miss.distance = std::min(miss.distance, corner_miss_of(robot, task, *axes));
+    if (auto axes = smooth_axes(robot, task, made.half)) {
+      const Miss miss = smooth_miss(robot, task, *axes, in.segment.target);
       factor = shrinking(miss, zone.miss * shift.part, zone.turn * shift.part);
       if (factor >= 1) {
         made.axes = std::move(*axes);

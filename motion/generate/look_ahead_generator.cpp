@@ -170,6 +170,7 @@ void LookAheadGenerator::begin(const SegmentDescriptor& next, double instant) no
 
 void LookAheadGenerator::begin_profile(const SegmentDescriptor& next) noexcept {
   moved_ = true;
+  clock_.jump();  // it begins at rest
   zero_ = clock_.path_time();
   profile_.begin(next, segment().target, segment().target, 0, true);
   profile_events_.begin(next, zero_, 0, true, zero_, clock_.override_share());

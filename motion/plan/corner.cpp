@@ -1,6 +1,7 @@
 #include "motion/plan/corner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -68,6 +69,41 @@ Finding judge(const RobotModel& robot, const Corner& corner, double braking) {
   return finding;
 }
 
+constexpr int kChords = 64;  // [choice] of a whole turn: 0.12 % of its radius off
+using Polyline = std::array<Eigen::Vector3d, kChords + 1>;
+
+Eigen::Vector3d tip_of(const RobotModel& robot, const CornerTask& task, const JointVector& q) {
+  return place_of(task.tip.position, robot.kinematics->forward(q));
+}
+
+/// Where the tip would be without the corner; the point is in the middle.
+Polyline ways_of(const RobotModel& robot, const CornerTask& task, double half) {
+  Polyline ways;
+  for (int k = 0; k <= kChords; ++k) {
+    const double t = half * (2.0 * k / kChords - 1);
+    ways[static_cast<std::size_t>(k)] =
+        tip_of(robot, task, t > 0 ? task.out.at(t).q : task.in.at(task.in.duration + t).q);
+  }
+  return ways;
+}
+
+/// Of a point of one from the other.
+double greatest_distance(const Polyline& points, const Polyline& line) {
+  double most = 0;
+  for (const Eigen::Vector3d& p : points) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const Eigen::Vector3d chord = line[i + 1] - line[i];
+      const double square = chord.squaredNorm();
+      const double share = square > 0 ? (p - line[i]).dot(chord) / square : 0;
+      const Eigen::Vector3d nearest = line[i] + std::clamp(share, 0.0, 1.0) * chord;
+      least = std::min(least, (p - nearest).squaredNorm());
+    }
+    most = std::max(most, least);
+  }
+  return std::sqrt(most);
+}
+
 }  // namespace
 
 std::optional<JointPath> corner_axes(const RobotModel& robot, const CornerTask& task, double half) {
@@ -87,17 +123,35 @@ std::optional<JointPath> corner_axes(const RobotModel& robot, const CornerTask& 
 }
 
 double corner_miss_of(const RobotModel& robot, const CornerTask& task, const JointPath& axes) {
-  const auto place = [&](const JointVector& q) {
-    return place_of(task.tip.position, robot.kinematics->forward(q));
-  };
-  const Eigen::Vector3d point = place(task.out.from);
+  const Eigen::Vector3d point = tip_of(robot, task, task.out.from);
   double least = std::numeric_limits<double>::infinity();
   constexpr int kPlaces = 16;
   for (int i = 0; i <= kPlaces; ++i) {
     const double t = axes.end() * (2.0 * i / kPlaces - 1);
-    least = std::min(least, (place(axes.at(t).q) - point).norm());
+    least = std::min(least, (tip_of(robot, task, axes.at(t).q) - point).norm());
   }
   return least;
+}
+
+double beside_ways(const RobotModel& robot, const CornerTask& task, const JointPath& axes) {
+  const double half = axes.end();
+  const Polyline ways = ways_of(robot, task, half);
+  Polyline corner;
+  for (int k = 0; k <= kChords; ++k)
+    corner[static_cast<std::size_t>(k)] =
+        tip_of(robot, task, axes.at(half * (2.0 * k / kChords - 1)).q);
+  return std::max(greatest_distance(corner, ways), greatest_distance(ways, corner));
+}
+
+bool winds_round(const RobotModel& robot, const CornerTask& task, double half) {
+  const Polyline ways = ways_of(robot, task, half);
+  constexpr std::size_t kPoint = kChords / 2;
+  constexpr double kStands = 1e-18;  // m²: the tip goes by less than it can be told
+  const Eigen::Vector3d in = ways[kPoint] - ways[kPoint - 1];
+  const Eigen::Vector3d out = ways[kPoint + 1] - ways[kPoint];
+  for (std::size_t k = 0; k < kChords; ++k)
+    if ((ways[k + 1] - ways[k]).dot(k < kPoint ? in : out) < -kStands) return true;
+  return false;
 }
 
 std::optional<Corner> make_corner(const RobotModel& robot, const CornerTask& task) {

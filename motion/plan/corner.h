@@ -42,4 +42,11 @@ std::optional<JointPath> corner_axes(const RobotModel& robot, const CornerTask& 
 /// By how much the tip misses the point at least, m, on the way of corner_axes().
 double corner_miss_of(const RobotModel& robot, const CornerTask& task, const JointPath& axes);
 
+/// By how far the tip's way and those that corner_axes() replaces are apart at most, m. Where one
+/// of them winds round that can be far more than it misses the point by.
+double beside_ways(const RobotModel& robot, const CornerTask& task, const JointPath& axes);
+
+/// Whether the tip's way beside the point turns by more than 90° within such a corner.
+bool winds_round(const RobotModel& robot, const CornerTask& task, double half);
+
 }  // namespace rob::motion

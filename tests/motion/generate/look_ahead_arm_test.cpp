@@ -5,12 +5,15 @@
 #include <numbers>
 
 #include "motion/path/tool_line.h"
+#include "motion/space/rotation.h"
 #include "tests/motion/generate/look_ahead_run.h"
 
 using namespace rob::motion;
 using rob::test::LookAheadRun;
 
 namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
 
 RobotModel arm_looking_ahead(const char* name) {
   RobotModel robot = embedded_robot(name);
@@ -25,13 +28,13 @@ struct ArmAhead : LookAheadRun {
   /// To so many degrees from the start on its first three axes; `jerk` in deg/s³, 0: the robot's.
   void turn(double first, double second, double third, double jerk = 0) {
     JointVector q = robot().start;
-    q.head<3>() += Eigen::Vector3d(first, second, third) * (std::numbers::pi / 180);
+    q.head<3>() += Eigen::Vector3d(first, second, third) * kDegree;
     MotionRequest request = rob::test::move_to(q);
     request.zone = MotionRequest::Zone::Length;
     request.zone_value = 0.005;
     if (jerk > 0) {
       request.jerk = MotionRequest::Bound::Rotary;
-      request.jerk_value = jerk * (std::numbers::pi / 180);
+      request.jerk_value = jerk * kDegree;
     }
     push(std::get<PlannedSegment>(planner().plan(request)).segment);
   }
@@ -133,6 +136,30 @@ TEST_CASE("a joint motion alone has no bends: it takes d/v + v/a + a/j") {
   CHECK(peak.jerk <= 1 + 1e-6);
 }
 
+TEST_CASE("a tool that turns on a short way does not slow the line behind it: it stands between") {
+  const auto takes = [](double way_mm, bool stops) {
+    ArmAhead run;
+    MotionRequest how;
+    how.zone = MotionRequest::Zone::Length;
+    how.zone_value = 0.001;
+    const Pose from = run.planner().tool_pose();
+    const Pose turned{from.position + Eigen::Vector3d(way_mm / 1000, 0, 0),
+                      from.orientation * rotation_by(Eigen::Vector3d(0, 0, 80 * kDegree))};
+    const ToolLine line = ToolLine::between(from, turned).value();
+    run.push(std::get<PlannedSegment>(run.planner().plan(how, line)).segment);
+    if (stops) run.stop();
+    run.line(0, 50, how);
+    run.close();
+    run.finish();
+    CHECK(run.third_difference() <= 1 + 1e-6);
+    return run.last_time();
+  };
+  for (const double way_mm : {0.001, 0.1, 1.0, 10.0}) {
+    CAPTURE(way_mm);
+    CHECK(takes(way_mm, false) <= 1.1 * takes(way_mm, true));
+  }
+}
+
 // At 4 mm/s the axes could take a corner of 45 degrees within a micrometre, as a leap of their
 // speeds from one reference to the next.
 TEST_CASE("corners of slow short lines keep the jerk of an arm's axes") {
@@ -168,7 +195,7 @@ TEST_CASE("an override raised over a path that is known keeps what an arm's axes
       how.zone_value = 0.005;
       if (jerk > 0) {
         how.jerk = MotionRequest::Bound::Rotary;
-        how.jerk_value = jerk * (std::numbers::pi / 180);
+        how.jerk_value = jerk * kDegree;
       }
       for (int i = 0; i < 12; ++i) run.line(i % 2 == 0 ? 25 : -20, i % 2 == 0 ? 20 : -27, how);
       run.stop();

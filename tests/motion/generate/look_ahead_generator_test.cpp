@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "motion/path/tool_line.h"
+#include "motion/path/tool_spiral.h"
 #include "tests/motion/generate/look_ahead_run.h"
 #include "tests/support/no_allocation.h"
 
@@ -103,6 +105,31 @@ TEST_CASE("an override stretches a line, and changes within limits") {
   CHECK(run.last().qd[0] == doctest::Approx(0.020));
   run.finish();
   check_limits(run);
+}
+
+TEST_CASE("a corner into a curve that winds round the point stays within its zone") {
+  LookAheadRun run;
+  const auto add = [&](const ToolPath& path) {
+    MotionRequest how;
+    how.zone = MotionRequest::Zone::Length;
+    how.zone_value = 0.001;
+    run.push(std::get<PlannedSegment>(run.planner().plan(how, path)).segment);
+  };
+  const Pose from = run.planner().tool_pose();
+  const Pose point{from.position + Eigen::Vector3d(0.1, 0.1, 0), from.orientation};
+  add(*ToolLine::between(from, point));
+  add(*ToolSpiral::inwards(point, point.orientation, 0.002, 20));
+  run.close();
+  run.finish();
+  const Eigen::Vector3d along = (point.position - from.position).normalized();
+  double worst = 0;
+  for (const GeneratorSample& sample : run.samples()) {
+    const Eigen::Vector3d p = run.robot().kinematics->forward(sample.reference.q).position;
+    const Eigen::Vector3d off = p - from.position;
+    const double beside = (off - off.dot(along) * along).norm();
+    worst = std::max(worst, std::min(beside, (p - point.position).norm() - 2 * 0.002));
+  }
+  CHECK(worst <= 0.001);
 }
 
 TEST_CASE("an effect in a corner is due where the motion behind it begins") {

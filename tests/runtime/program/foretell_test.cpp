@@ -93,6 +93,16 @@ TEST_CASE("a FOR is followed to its end, and so is every loop that moves, an hou
   CHECK(endless.planned == doctest::Approx(3600).epsilon(0.001));
 }
 
+TEST_CASE("an OVERRIDE before a motion with a profile holds from its beginning") {
+  const std::string law = "LAW LOOKAHEAD\n";
+  const std::string move = "MOVE(100, 0, 0) AT 20mm/s PROFILE TRAPEZOIDAL";
+  CHECK(foretold(law + "OVERRIDE 50%\n" + move).planned ==
+        doctest::Approx(2 * foretold(law + move).planned).epsilon(1e-9));
+  CHECK(foretold(law + "MOVE(50, 0, 0) FINE\nOVERRIDE 50%\n" + move).planned >
+        2 * foretold(law + "MOVE(50, 0, 0) FINE\nMOVE(50, 50, 0) PROFILE TRAPEZOIDAL").planned -
+            foretold(law + "MOVE(50, 0, 0) FINE").planned - 0.02);
+}
+
 TEST_CASE("of many findings the first hundred are told, and the number of the others") {
   std::string text;
   for (int i = 1; i <= 300; ++i) text += "MOVE(" + std::to_string(i % 2) + ", 0, 0) OVER 1s\n";
