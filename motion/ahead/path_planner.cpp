@@ -367,9 +367,10 @@ bool PathPlanner::send(double goal) {
 /// Where places act together, that changes along a straight line, too.
 double PathPlanner::longest_piece() const {
   if (!averages_sigma() || alone_) return kAny;
-  constexpr double kParts = 16;  // [choice] of the way within the mean's time
+  // [choice] of the way within the mean's time, which is a period at least: Guide::kMostParts
+  constexpr double kParts = 16;
   const double speed = greatest_rate(robot_, *open_, open_->at(open_->sent));
-  return std::max(speed * window_ / kParts, 1e-6);
+  return std::max(speed * mean_time() / kParts, 1e-6);
 }
 
 void PathPlanner::write(std::vector<Piece>& pieces) {
