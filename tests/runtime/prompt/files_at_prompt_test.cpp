@@ -38,6 +38,16 @@ void kill_after(std::chrono::microseconds time, Work work) {
   REQUIRE(WIFSIGNALED(status));
 }
 
+/// Between the kills of 200 rounds: so long that the last come far behind one change, however slow
+/// this computer is.
+template <typename Change>
+std::chrono::microseconds between_kills(const Change& change) {
+  const auto begin = std::chrono::steady_clock::now();
+  change();
+  const auto took = std::chrono::steady_clock::now() - begin;
+  return std::max(50us, std::chrono::duration_cast<std::chrono::microseconds>(took) / 20);
+}
+
 }  // namespace
 
 TEST_CASE("what is loaded and saved again is the same, comments, layout and all") {
@@ -112,9 +122,13 @@ TEST_CASE("kill -9 in the middle of saving leaves the old file or the new one, w
     texts[1] += "PRINT 1     // new\n";
   }
   write(file, texts[0]);
+  const auto step = between_kills([&] {
+    ProgramFile own(folder.file("archive"));
+    own.save(file, texts[0], true);
+  });
   int saves = 0;
   for (int round = 0; round < 200; ++round) {
-    kill_after(50us * round, [&] {
+    kill_after(step * round, [&] {
       ProgramFile own(folder.file("archive"));
       for (int i = 0;; ++i) own.save(file, texts[(i + round) % 2], true);
     });
@@ -140,9 +154,14 @@ TEST_CASE("kill -9 in the middle of a change of a point leaves all points, befor
     text += fmt::format("p{} = POSE(40mm, {}mm, 0mm, 0deg, 0deg, 0deg) IN world TAUGHT \"now\"\n",
                         i, i);
   write(file, text);
+  const auto step = between_kills([&] {
+    PointsFile points(file, robot);
+    points.rename("p7", "seven");
+    points.rename("seven", "p7");
+  });
   int renamed = 0;
   for (int round = 0; round < 200; ++round) {
-    kill_after(50us * round, [&] {
+    kill_after(step * round, [&] {
       for (PointsFile points(file, robot);;) {
         if (!points.rename("p7", "seven")) points.rename("seven", "p7");
       }
