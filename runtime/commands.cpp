@@ -16,13 +16,17 @@
 #include "runtime/control/units.h"
 #include "runtime/explain.h"
 #include "runtime/format_files.h"
+#include "runtime/program/atomic_file.h"
 #include "runtime/program/console.h"
 #include "runtime/program/files.h"
 #include "runtime/program/foretell.h"
+#include "runtime/program/interruption.h"
 #include "runtime/program/json_report.h"
 #include "runtime/program/load.h"
 #include "runtime/program/machine.h"
+#include "runtime/program/output_file.h"
 #include "runtime/program/path_file.h"
+#include "runtime/program/points_file.h"
 #include "runtime/program/progress.h"
 #include "runtime/program/run.h"
 #include "runtime/program/run_mark.h"
@@ -55,6 +59,7 @@ RunListener listener_of(const Options& options, Progress& progress) {
     put_message("rob: " + message + "\n");
   };
   listener.consult = [&](const Note& note, int line) { progress.consult(note, line); };
+  listener.abandoned = reader_has_gone;
   if (options.json) return listener;
   listener.print = [&](const std::string& text) {
     progress.clear();
@@ -78,6 +83,20 @@ void tell_unclean_ends() {
   for (const std::string& end : unclean_ends()) put_message(end);
 }
 
+/// TEACH keeps points beside the program; where that is not possible nothing moves. Throws
+/// FileError.
+void find_out_whether_points_can_be_kept(const LoadedProgram& program) {
+  const auto& teach = program.compilation.chunk->first_teach;
+  if (!teach) return;
+  try {
+    try_saving(points_file_of(program.file));
+  } catch (const FileError& error) {
+    const std::string file = teach->file == 0 ? program.file : used_names(program)[teach->file - 1];
+    throw FileError(
+        fmt::format("{}; TEACH in {}:{} keeps points there", error.what(), file, teach->line));
+  }
+}
+
 /// The program's machine, open, and the program as it fits to it.
 OpenMachine machine_for(LoadedProgram& program, const Options& options) {
   OpenMachine machine =
@@ -92,6 +111,7 @@ RunResult run_one(LoadedProgram& program, const Options& options, const SignalSc
   const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
+  find_out_whether_points_can_be_kept(program);
   std::optional<RunResult> foretold;
   if (isatty(STDERR_FILENO) != 0 || robot.law == motion::Law::LookAhead)
     foretold = foretell(program, robot, {options.seed, &script, options.override_share});
@@ -101,6 +121,8 @@ RunResult run_one(LoadedProgram& program, const Options& options, const SignalSc
       options.fast, options.override_share,         options.trace, options.seed, &script,
       &terminal,    foretold ? &*foretold : nullptr};
   const RunListener listener = listener_of(options, progress);
+  StopRequests before_motion;
+  const Interruption interruption(before_motion);  // from here on the mark must be taken back
   std::optional<RunMark> running;
   if (!options.fast) mark(running, program, listener);
   RunResult result = run(program, std::move(machine), run_options, listener);
@@ -128,6 +150,18 @@ std::vector<SignalScript> load_scripts(const Options& options,
   return scripts;
 }
 
+/// Everything that the command reads, and what the programs may keep.
+void refuse_overwriting_inputs(std::string_view option, const std::string& output,
+                               const Options& options, const std::vector<LoadedProgram>& programs) {
+  if (output.empty()) return;
+  std::vector<InputFile> inputs;
+  for (const LoadedProgram& program : programs)
+    std::ranges::copy(inputs_of(program), std::back_inserter(inputs));
+  if (!options.signals.empty()) inputs.push_back({options.signals, "the signal script"});
+  if (options.robot.ends_with(".toml")) inputs.push_back({options.robot, "the robot file"});
+  refuse_overwriting(option, output, inputs);
+}
+
 /// What is wrong with the program or with its script, for people.
 std::string problems_text(const RunResult& result, const LoadedProgram& program,
                           const SignalScript& script) {
@@ -146,6 +180,7 @@ ExitCode run_files(const Options& options) {
     refuse_what_an_arm_cannot(program);
   }
   const std::vector<SignalScript> scripts = load_scripts(options, programs);
+  refuse_overwriting_inputs("--trace", options.trace, options, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
     LoadedProgram& program = programs[i];
     const RunResult result = run_one(program, options, scripts[i]);
@@ -172,7 +207,6 @@ bool plans_a_path(const LoadedProgram& program) {
 /// The file for the path; none asked for, or nothing to be foretold.
 std::optional<PathFile> open_path(const Options& options, const LoadedProgram& program) {
   if (options.path.empty() || !program.runnable()) return std::nullopt;
-  refuse_overwriting(program, options.path, "path");
   return std::optional<PathFile>(std::in_place, options.path, program.robot);
 }
 
@@ -193,6 +227,7 @@ ExitCode check_files(const Options& options) {
   std::vector<LoadedProgram> programs = load_programs(options);
   for (LoadedProgram& program : programs) refuse_what_an_arm_cannot(program);
   const std::vector<SignalScript> scripts = load_scripts(options, programs);
+  refuse_overwriting_inputs("--path", options.path, options, programs);
   if (!options.path.empty() && !plans_a_path(programs.front())) {
     put_message("rob: --path: under Paul's law no path is planned ahead; use --law lookahead\n");
     return ExitCode::Usage;

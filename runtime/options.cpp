@@ -20,6 +20,11 @@ std::string check_override(const std::string& text) {
   return fmt::format("takes a share from above 0% to {}%, not '{}'", kMostOverride, text);
 }
 
+/// A script whose variable is not set gives an empty name: it must not mean "none".
+std::string check_name(const std::string& name) {
+  return name.empty() ? "takes a name, which must not be empty" : "";
+}
+
 std::string check_law(const std::string& law) {
   if (law == "paul" || law == "lookahead") return "";
   return fmt::format("there is no law '{}'; there are paul and lookahead", law);
@@ -44,10 +49,11 @@ struct Parser {
 
   Parser();
   void add_files(CLI::App& command) {
-    command.add_option("FILE", options.files, "programs (.rob)")->required();
+    command.add_option("FILE", options.files, "programs (.rob)")->required()->check(check_name);
   }
   void add_robot(CLI::App& command) {
-    command.add_option("--robot", options.robot, "a robot's name (rob robots), or its file.toml");
+    command.add_option("--robot", options.robot, "a robot's name (rob robots), or its file.toml")
+        ->check(check_name);
     command.add_option("--law", law, "transition law: paul or lookahead")->check(check_law);
   }
   void add_seed(CLI::App& command) {
@@ -57,7 +63,8 @@ struct Parser {
         ->check(CLI::NonNegativeNumber);
   }
   void add_signals(CLI::App& command) {
-    command.add_option("--signals", options.signals, "a script that drives the simulated inputs");
+    command.add_option("--signals", options.signals, "a script that drives the simulated inputs")
+        ->check(check_name);
   }
   void add_backend(CLI::App& command) {
     command
@@ -69,8 +76,9 @@ struct Parser {
     add_backend(command);
     command.add_flag("--home", options.home, "the machine homes itself first");
     command.add_flag("--fast", options.fast, "on the virtual clock, as fast as possible");
-    command.add_option("--trace", options.trace,
-                       "write a row for each reference period to this file");
+    command
+        .add_option("--trace", options.trace, "write a row for each reference period to this file")
+        ->check(check_name);
     command.add_option("--override", override_text, "share of the programmed speed, such as 50%")
         ->check(check_override);
   }
@@ -122,8 +130,10 @@ void Parser::add_check() {
   add_seed(check);
   add_signals(check);
   add_backend(check);
-  check.add_option("--path", options.path,
-                   "write the path that the look-ahead law plans to this file");
+  check
+      .add_option("--path", options.path,
+                  "write the path that the look-ahead law plans to this file")
+      ->check(check_name);
 }
 
 void Parser::add_test() {

@@ -216,6 +216,7 @@ struct Chunk {
   /// a handler.
   bool timed = false;
   std::optional<Place> first_signal;  ///< where the text first reads, sets or pulses one
+  std::optional<Place> first_teach;   ///< where the text first keeps a point
   int registers = 0;                  ///< of the top level
   int text_registers = 0;
   Slots memory;                                 ///< of the top level, behind its registers

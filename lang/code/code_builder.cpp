@@ -104,6 +104,7 @@ void CodeBuilder::load_text(Register target, const std::string& text, Place plac
 
 void CodeBuilder::teach(Register pose, const std::string& point, const std::string& frame,
                         Place place) {
+  if (!chunk_.first_teach) chunk_.first_teach = place;
   emit(Opcode::teach, place, pose);
   emit(operand_word(text_index(point)), place);
   emit(operand_word(text_index(frame)), place);

@@ -18,6 +18,7 @@
 #include "runtime/control/operator_panel.h"
 #include "runtime/control/press_desk.h"
 #include "runtime/control/safe_values.h"
+#include "runtime/control/stop_requests.h"
 #include "runtime/control/way_back.h"
 
 namespace rob::runtime {
@@ -127,7 +128,8 @@ struct Channels {
   std::atomic<std::int64_t> simulations_done{0};  ///< motion → program: SIMULATEs that have acted
   OperatorPanel panel;  ///< motion → program: what a signal script does in the operator's place
   SafeValues safe;
-  std::atomic<bool> hold_requested{false};  ///< main → motion: for good
+  StopRequests stop;                    ///< any thread → motion
+  std::atomic<bool> drives_off{false};  ///< motion → servo: for good
   // At a prompt, main → motion:
   std::atomic<bool> pause_requested{false};  ///< stand on the path until it is withdrawn
   HoldPoints hold_points;                    ///< where motion asks for that by itself

@@ -39,11 +39,16 @@ ControlThreads::ControlThreads(Controller& controller)
           },
           &line_) {
   line_.wait_until_ready();
+}
+
+void ControlThreads::begin() {
   clock_ = SystemClock(kThreadLead);
+  begun_ = true;
   line_.go();
 }
 
 ControlThreads::~ControlThreads() {
+  if (!begun_) return;  // the tasks end at the line
   controller_.request_hold();
   finish();
 }

@@ -49,8 +49,10 @@ class Controller {
   }
 
   /// Slow down on the path to rest, within the limits. From any thread.
-  void request_hold() { channels_.hold_requested.store(true, std::memory_order_relaxed); }
-  bool holding() const { return channels_.hold_requested.load(std::memory_order_relaxed); }
+  void request_hold() { channels_.stop.hold.store(true, std::memory_order_relaxed); }
+  /// As fast as the axes can, off the path; then the drives are without force.
+  void request_brake() { channels_.stop.brake.store(true, std::memory_order_relaxed); }
+  bool holding() const { return channels_.stop.hold.load(std::memory_order_relaxed); }
 
  private:
   const motion::RobotModel& robot_;

@@ -17,6 +17,13 @@ constexpr double kMostShare = 2;  // of an override
 
 constexpr double kInstantTolerance = 1e-9;  // s: an instant on the period's border is in it
 
+motion::JointVector greatest_accelerations(const motion::RobotModel& robot) {
+  motion::JointVector a_max(robot.axis_count());
+  for (int i = 0; i < robot.axis_count(); ++i)
+    a_max[i] = robot.axes[static_cast<std::size_t>(i)].a_max;
+  return a_max;
+}
+
 motion::JointVector six(const motion::Wrench& wrench) noexcept {
   motion::JointVector values(6);
   values << wrench.force, wrench.torque;
@@ -41,6 +48,7 @@ MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenera
       simulated_(script, channels.panel),
       relief_(robot.reference_period),
       retrace_(robot, recorded),
+      brake_(greatest_accelerations(robot)),
       press_(robot) {
   if (override_share_ != 1) set_override(override_share_);
   program_.current.reference.q = robot.start;
@@ -79,6 +87,7 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   advance(number + 1);
   follow_way_back(motion::cycle_instant(number + 1, period_) - now_);
   follow_press();
+  follow_brake(motion::cycle_instant(number + 1, period_));
   lateness_ = lateness;
   channels_.references.push(active_->current.reference);
   collect_events();
@@ -137,7 +146,8 @@ void MotionTask::take_finding(double time, const FollowingFinding& finding) noex
 }
 
 void MotionTask::take_requests() noexcept {
-  if (channels_.hold_requested.load(std::memory_order_relaxed)) hold();
+  if (channels_.stop.hold.load(std::memory_order_relaxed)) hold();
+  if (channels_.stop.brake.load(std::memory_order_relaxed) && !brake_.active()) brake();
   take_way_back();
   pause(channels_.pause_requested.load(std::memory_order_relaxed));
   if (const double share = channels_.override_asked.exchange(0, std::memory_order_relaxed))
@@ -160,6 +170,28 @@ void MotionTask::hold() noexcept {
   }
   if (retrace_.moving()) retrace_.halt();
   take_safe_values();
+}
+
+/// From the reference that was handed out last.
+void MotionTask::brake() noexcept {
+  hold();
+  backing_off_ = BackOff::None;
+  brake_.start(active_->current.reference);
+}
+
+void MotionTask::follow_brake(double stamp) noexcept {
+  if (!brake_.active()) return;
+  motion::GeneratorSample& sample = active_->current;
+  sample.reference = brake_.at(stamp);
+  sample.rate = 0;
+  sample.state = stamp < brake_.rest() ? motion::MotionState::Stopping : motion::MotionState::Held;
+  if (!brake_.take_rest(stamp)) return;
+  MotionEvent event;
+  event.kind = MotionEvent::Kind::Held;
+  event.time = brake_.rest();
+  event.tag = sample.tag;
+  active_->pending.push(event);
+  channels_.drives_off.store(true, std::memory_order_relaxed);
 }
 
 motion::CycleView MotionTask::view(double now) const noexcept {
@@ -209,7 +241,8 @@ void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
 void MotionTask::collect_events() noexcept {
   MotionEvent event;
   for (Track* const track : {&program_, &handlers_}) {
-    while (track->generator.take_event(event)) track->pending.push(event);
+    while (track->generator.take_event(event))
+      if (!brake_.active()) track->pending.push(event);
   }
 }
 

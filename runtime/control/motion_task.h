@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "motion/force/press.h"
+#include "motion/generate/axis_brake.h"
 #include "motion/generate/drive_relief.h"
 #include "motion/generate/retrace.h"
 #include "motion/generate/trajectory_generator.h"
@@ -82,6 +83,8 @@ class MotionTask {
   void release_events(double until) noexcept;
   void release(Track& track, motion::MotionEvent event, double cycle_time) noexcept;
   void hold() noexcept;
+  void brake() noexcept;
+  void follow_brake(double stamp) noexcept;
   void take_immediate() noexcept;
   void act(const motion::Effect& effect, double now) noexcept;
   /// Whether the effect is on an output that has taken its SAFE value for good.
@@ -130,6 +133,7 @@ class MotionTask {
   double saturation_ = 0;
   motion::DriveRelief relief_;
   motion::Retrace retrace_;
+  motion::AxisBrake brake_;  ///< once it is active, the generators no longer count
   motion::Press press_;
   motion::JointVector unpressed_;  ///< where the path is, without what the PRESS adds
   int beyond_ = 0;                 ///< cycles in which the force has been beyond the robot's limit

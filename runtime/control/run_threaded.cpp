@@ -18,21 +18,53 @@ constexpr auto kProgramPause = 1ms;             // [choice] a tenth of a referen
 constexpr auto kReportPause = 10ms;             // [choice] what an eye does not notice
 
 /// The program's thread: sleeps while the program has to wait. It works far ahead of the motion,
-/// so that its pauses shape nothing.
-/// TASKs run on until the motion is over.
-void run_program(ProgramTask& program, ProgramTask::State state,
-                 const std::atomic<bool>& stopping) {
-  while (!stopping.load(std::memory_order_relaxed)) {
-    if (state != ProgramTask::State::Over) state = program.step(kSlice);
-    state = program.run_tasks(state);
-    if (state == ProgramTask::State::Over && !program.has_tasks()) return;
-    if (state != ProgramTask::State::Busy) std::this_thread::sleep_for(kProgramPause);
+/// so that its pauses shape nothing. TASKs run on until the motion is over.
+class ProgramThread {
+ public:
+  /// It waits for begin(). Throws std::system_error.
+  explicit ProgramThread(ProgramTask& program)
+      : program_(program), thread_([this] {
+          begun_.wait(false);
+          run();
+        }) {}
+  ~ProgramThread() {
+    stop();
+    begin(ProgramTask::State::Over);
+    if (thread_.joinable()) thread_.join();
   }
-}
+  ProgramThread(const ProgramThread&) = delete;
+  ProgramThread& operator=(const ProgramThread&) = delete;
+
+  /// The program has come so far.
+  void begin(ProgramTask::State state) {
+    if (begun_) return;
+    state_ = state;
+    begun_ = true;
+    begun_.notify_all();
+  }
+  void stop() { stopping_.store(true, std::memory_order_relaxed); }
+  void join() { thread_.join(); }
+
+ private:
+  void run() {
+    while (!stopping_.load(std::memory_order_relaxed)) {
+      if (state_ != ProgramTask::State::Over) state_ = program_.step(kSlice);
+      state_ = program_.run_tasks(state_);
+      if (state_ == ProgramTask::State::Over && !program_.has_tasks()) return;
+      if (state_ != ProgramTask::State::Busy) std::this_thread::sleep_for(kProgramPause);
+    }
+  }
+
+  ProgramTask& program_;
+  ProgramTask::State state_ = ProgramTask::State::Over;
+  std::atomic<bool> begun_{false};
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
 
 /// Reports until the robot stands for good. If the reporting itself fails, the robot is stopped on
 /// its path first; what went wrong is returned.
-std::exception_ptr watch_over(Controller& controller, std::atomic<bool>& program_stops,
+std::exception_ptr watch_over(Controller& controller, ProgramThread& program,
                               const Attend& attend) {
   std::exception_ptr trouble;
   while (!controller.motion().over()) {
@@ -43,7 +75,7 @@ std::exception_ptr watch_over(Controller& controller, std::atomic<bool>& program
       trouble = std::current_exception();
       controller.request_hold();
     }
-    if (controller.holding()) program_stops = true;
+    if (controller.holding()) program.stop();
   }
   return trouble;
 }
@@ -51,16 +83,17 @@ std::exception_ptr watch_over(Controller& controller, std::atomic<bool>& program
 }  // namespace
 
 Timing run_threaded(Controller& controller, ProgramTask& program, const Attend& attend) {
-  std::atomic<bool> program_stops{false};
+  ControlThreads threads(controller);
+  ProgramThread program_thread(program);
   controller.servo().enable(-kThreadLead);  // where the clock will begin
   controller.motion().prepare(0);
   const auto program_state = program.step(kHeadStart);
   controller.plan_path();
-  ControlThreads threads(controller);
-  std::thread program_thread([&] { run_program(program, program_state, program_stops); });
+  threads.begin();
+  program_thread.begin(program_state);
 
-  const std::exception_ptr trouble = watch_over(controller, program_stops, attend);
-  program_stops = true;
+  const std::exception_ptr trouble = watch_over(controller, program_thread, attend);
+  program_thread.stop();
   program_thread.join();
   const Timing timing = threads.finish();
   if (trouble) std::rethrow_exception(trouble);

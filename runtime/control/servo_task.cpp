@@ -149,6 +149,7 @@ void ServoTask::cycle(double now, double due) noexcept {
     followed_ = now;
     return tell(status == DriverStatus::Ok ? motion::FollowingFinding{} : judge(status, 0));
   }
+  if (enabled_ && channels_.drives_off.load(std::memory_order_relaxed)) disable();
   if (references_are_coming(now, gap)) return tell({});
   followed_ = now;
   if (gap > bridged_gap_ && gap <= longest_gap_ && read == DriverStatus::Ok) {

@@ -80,29 +80,25 @@ class Save {
     old_ = status;
   }
 
-  /// Two programs that save the same file must not write into the same temporary one: it belongs
-  /// to who has locked it, as long as it still has its name.
+  /// A new file, and never one that was there: nothing is written through a link of its name. Two
+  /// programs that save the same file must not mix their texts: it belongs to who has locked it.
   void open_temporary() {
     constexpr unsigned kNewFile = S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH;
-    fd_ = calls_.open(temporary_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
-                      kNewFile);
-    if (fd_ < 0) fail(shown_, errno);
-    Status opened{};
-    Status named{};
-    const bool plain = ::fstat(fd_, &opened) == 0 && S_ISREG(opened.st_mode);
-    if (!plain)
-      throw FileError(fmt::format("cannot save '{}': '{}' is in the way", shown_, temporary_));
-    const bool locked = calls_.lock(fd_) == 0;
-    if (!locked && errno != EWOULDBLOCK) fail(shown_, errno);
-    if (!locked || ::lstat(temporary_.c_str(), &named) != 0 || named.st_ino != opened.st_ino) {
-      throw FileError(
-          fmt::format("cannot save '{}': another program is just saving it; try again", shown_));
+    constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    constexpr int kMostLeftovers = 3;  // [choice] others may save the same file meanwhile
+    for (int i = 0; fd_ < 0; ++i) {
+      fd_ = calls_.open(temporary_.c_str(), kFlags, kNewFile);
+      if (fd_ < 0 && (errno != EEXIST || i == kMostLeftovers)) fail(shown_, errno);
+      if (fd_ < 0) remove_leftover();
     }
     ours_ = true;
+    if (calls_.lock(fd_) == 0) return;
+    ours_ = errno != EWOULDBLOCK;  // another program has taken it for a leftover, and removes it
+    if (ours_) fail(shown_, errno);
+    fail_for_another();
   }
 
   void write(std::string_view text) {
-    check(calls_.truncate(fd_));
     if (old_) take_over_owner();
     while (!text.empty()) {
       const long n = calls_.write(fd_, text.data(), text.size());
@@ -119,11 +115,40 @@ class Save {
     // The new name reaches the disk with the folder; the file is whole whether or not it does now.
     const int folder = ::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder < 0) return;
-    ::fsync(folder);
+    calls_.sync(folder);
     ::close(folder);
   }
 
  private:
+  /// What a crash left, or whoever else gave a file this name; its content stays where it has
+  /// another name. Not what another program is writing: that is locked.
+  void remove_leftover() {
+    const int fd = ::open(temporary_.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (fd < 0 && errno == ENOENT) return;  // it has gone meanwhile
+    const bool link = fd < 0 && errno == ELOOP;
+    const bool busy = fd >= 0 && calls_.lock(fd) != 0 && errno == EWOULDBLOCK;
+    const bool gone = fd >= 0 && !busy && !is_temporary(fd);
+    const bool removed =
+        !busy && (gone || ((link || fd >= 0) && calls_.remove(temporary_.c_str()) == 0));
+    if (fd >= 0) ::close(fd);
+    if (busy) fail_for_another();
+    if (removed) return;
+    throw FileError(fmt::format("cannot save '{}': '{}' is in the way", shown_, temporary_));
+  }
+
+  /// The temporary file's name still belongs to this open file.
+  bool is_temporary(int fd) const {
+    Status opened{};
+    Status named{};
+    return ::fstat(fd, &opened) == 0 && ::lstat(temporary_.c_str(), &named) == 0 &&
+           named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+  }
+
+  [[noreturn]] void fail_for_another() const {
+    throw FileError(
+        fmt::format("cannot save '{}': another program is just saving it; try again", shown_));
+  }
+
   void take_over_owner() {
     Status status{};
     check(::fstat(fd_, &status));
@@ -153,7 +178,6 @@ int FileCalls::open(const char* path, int flags, unsigned mode) {
   return ::open(path, flags, mode);
 }
 int FileCalls::lock(int fd) { return ::flock(fd, LOCK_EX | LOCK_NB); }
-int FileCalls::truncate(int fd) { return ::ftruncate(fd, 0); }
 int FileCalls::own(int fd, unsigned user, unsigned group) { return ::fchown(fd, user, group); }
 int FileCalls::permit(int fd, unsigned mode) { return ::fchmod(fd, mode); }
 long FileCalls::write(int fd, const char* data, std::size_t size) {
@@ -174,6 +198,13 @@ void save_file(const std::string& path, std::string_view text, FileCalls& calls)
   save.open_temporary();
   save.write(text);
   save.rename();
+}
+
+void try_saving(const std::string& path) {
+  FileCalls calls;
+  Save save(path, calls);
+  save.look_at_old();
+  save.open_temporary();
 }
 
 }  // namespace rob::runtime

@@ -13,6 +13,12 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A command line that asks for what it cannot mean. Exit code 64.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// The whole of a regular file of at most `most` bytes. Throws FileError, at once also for
 /// folders, pipes and devices, which might never end.
 std::string read_file(const std::string& path, std::size_t most);

@@ -6,56 +6,67 @@ namespace rob::runtime {
 
 namespace {
 
-constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
+/// Those whose default action ends the process, without the crashes.
+constexpr int kSignals[] = {SIGHUP,    SIGINT,  SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2,  SIGALRM,
+                            SIGVTALRM, SIGPROF, SIGIO,   SIGPWR,  SIGXCPU, SIGSTKFLT};
 
 // A signal handler can reach nothing but these.
 volatile std::sig_atomic_t first_signal = 0;
-volatile std::sig_atomic_t ctrl_c_seen = 0;
-std::atomic<std::atomic<bool>*> hold_flag{nullptr};
+volatile std::sig_atomic_t ctrl_c_count = 0;  // 2: twice or more
+volatile std::sig_atomic_t tells_ctrl_c = 0;
+std::atomic<StopRequests*> innermost{nullptr};
 static_assert(std::atomic<bool>::is_always_lock_free);
-static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);
+static_assert(std::atomic<StopRequests*>::is_always_lock_free);
 
 void remember(int signal) {
+  StopRequests* const requests = innermost.load();
+  if (signal == SIGINT) {
+    const bool again = ctrl_c_count > 0;
+    ctrl_c_count = again ? 2 : 1;
+    if (tells_ctrl_c != 0) return;
+    if (again && requests != nullptr) requests->brake.store(true);
+  }
   if (first_signal == 0) first_signal = signal;
-  if (std::atomic<bool>* const hold = hold_flag.load()) hold->store(true);
+  if (requests != nullptr) requests->hold.store(true);
 }
 
-void remember_ctrl_c(int) { ctrl_c_seen = 1; }
-
-void handle(int signal, void (*handler)(int)) {
+void handle_all(void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
-  action.sa_flags = SA_RESTART;
-  sigaction(signal, &action, nullptr);
+  for (const int signal : kSignals) sigaction(signal, &action, nullptr);
+  for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
 
-Interruption::Interruption(std::atomic<bool>& hold, CtrlC ctrl_c) {
-  first_signal = 0;
-  ctrl_c_seen = 0;
-  hold_flag = &hold;
-  for (const int signal : kSignals) handle(signal, remember);
-  if (ctrl_c == CtrlC::IsTold) handle(SIGINT, remember_ctrl_c);
+Interruption::Interruption(StopRequests& requests, CtrlC ctrl_c)
+    : outer_(innermost.load()), outer_tells_(tells_ctrl_c != 0) {
+  if (outer_ == nullptr) first_signal = 0;
+  if (outer_ == nullptr) ctrl_c_count = 0;
+  tells_ctrl_c = ctrl_c == CtrlC::IsTold ? 1 : 0;
+  innermost = &requests;
+  if (outer_ == nullptr) handle_all(remember);
+  if (requested()) requests.hold = true;
+  if (requested() && ctrl_c_count > 1) requests.brake = true;
 }
 
 Interruption::~Interruption() {
-  for (const int signal : kSignals) handle(signal, SIG_DFL);
-  hold_flag = nullptr;
+  if (outer_ == nullptr) handle_all(SIG_DFL);
+  innermost = outer_;
+  tells_ctrl_c = outer_tells_ ? 1 : 0;
 }
 
 bool Interruption::requested() { return first_signal != 0; }
 
 bool Interruption::ctrl_c_pressed() {
-  if (ctrl_c_seen == 0) return false;
-  ctrl_c_seen = 0;
-  return true;
+  const bool seen = ctrl_c_count != 0;
+  ctrl_c_count = 0;
+  return seen;
 }
 
 ExitCode Interruption::exit_code() {
-  if (first_signal == SIGTERM) return ExitCode::Terminated;
-  if (first_signal == SIGHUP) return ExitCode::HungUp;
-  return ExitCode::Interrupted;
+  constexpr int kOfSignals = 128;  // as a shell reports the end by a signal
+  return static_cast<ExitCode>(kOfSignals + first_signal);
 }
 
 }  // namespace rob::runtime

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include "lang/machine/move_pose.h"
 #include "lang/syntax/robot_name.h"
@@ -34,13 +33,6 @@ constexpr const char* kDefaultRobot = "gantry";
 
 using Coordinates = std::vector<lang::RobotSignature::Coordinate>;
 constexpr int kCoordinatesOfTool = 6;  // x, y, z, a, b, c
-
-bool same_file(const std::string& a, const std::string& b) {
-  struct stat first {};
-  struct stat second {};
-  return ::stat(a.c_str(), &first) == 0 && ::stat(b.c_str(), &second) == 0 &&
-         first.st_dev == second.st_dev && first.st_ino == second.st_ino;
-}
 
 bool is_known_robot(const std::string& name) {
   const auto names = motion::robot_names();
@@ -107,16 +99,6 @@ std::vector<std::string> used_names(const LoadedProgram& program) {
   std::vector<std::string> names;
   for (const lang::SourceFile& file : program.compilation.used) names.push_back(file.name);
   return names;
-}
-
-void refuse_overwriting(const LoadedProgram& program, const std::string& output, const char* what) {
-  std::vector<std::string> files = used_names(program);
-  files.push_back(program.file);
-  for (const std::string& file : files) {
-    if (!same_file(output, file)) continue;
-    throw FileError(
-        fmt::format("the {} would overwrite the program '{}'; name another file", what, file));
-  }
 }
 
 void place_in(const LoadedProgram& program, Problem& problem) {

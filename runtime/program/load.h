@@ -25,8 +25,6 @@ struct LoadedProgram {
 
 /// What the files are called that it USEs, by lang::Place::file from 1.
 std::vector<std::string> used_names(const LoadedProgram& program);
-/// Throws FileError where a file to be written is one of the program's own; `what` it is.
-void refuse_overwriting(const LoadedProgram& program, const std::string& output, const char* what);
 /// Tells a problem the names of the files that it speaks of.
 void place_in(const LoadedProgram& program, Problem& problem);
 

@@ -277,8 +277,8 @@ OpenMachine open_machine(const BackendName& name, LoadedProgram& program,
                          std::optional<motion::Law> law, bool home) {
   if (!program.runnable()) return {};
   motion::RobotModel robot = program.robot;
-  std::atomic<bool> hold = false;
-  const Interruption interruption(hold);  // of homing
+  StopRequests requests;
+  const Interruption interruption(requests);  // of homing
   OpenMachine machine = open_machine(name, robot, home);
   if (Interruption::requested()) fail("stopped before anything has moved");
   if (name.simulated()) return machine;

@@ -31,7 +31,6 @@ constexpr RunLimits kNoLimits{std::numeric_limits<double>::infinity(),
 std::optional<TraceWriter> open_trace(const RunOptions& options, const LoadedProgram& program,
                                       const motion::RobotModel& robot) {
   if (options.trace.empty()) return std::nullopt;
-  refuse_overwriting(program, options.trace, "trace");
   return std::optional<TraceWriter>(std::in_place, options.trace, robot, used_names(program));
 }
 
@@ -48,9 +47,11 @@ void add_timing(RunResult& result, const Timing& timing) {
 void close_trace(std::optional<TraceWriter>& trace, const RunOptions& options, RunResult& result,
                  const RunListener& listener) {
   if (!trace) return;
-  trace->close();
+  const bool whole = trace->close();
   result.lost_rows += trace->lost();
-  if (result.lost_rows > 0 && listener.warn) {
+  if (whole && result.lost_rows == 0) return;
+  if (result.exit_code == ExitCode::Done) result.exit_code = ExitCode::InputOutput;
+  if (listener.warn) {
     listener.warn(fmt::format("the trace '{}' is incomplete: {} rows are lost; is the disk full?",
                               options.trace, result.lost_rows));
   }
@@ -108,9 +109,19 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
                         },
                         listener.consult});
 
-  const Interruption interruption(controller.channels().hold_requested);
+  Channels& channels = controller.channels();
+  const Interruption interruption(channels.stop);
+  bool abandoned = false;
+  int cycles = 0;
   const Attend attend = [&] {
     recorder.drain();
+    // On the virtual clock this is every cycle: a question to the system would take longer.
+    constexpr int kCyclesPerLook = 1000;
+    if (listener.abandoned && (!options.fast || cycles++ % kCyclesPerLook == 0) &&
+        listener.abandoned()) {
+      abandoned = true;
+      controller.request_hold();
+    }
     if (listener.progress) {
       listener.progress({recorder.line(), recorder.time(), recorder.state()});
     }
@@ -130,6 +141,10 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   if (Interruption::requested() && !result.error) {
     result.status = "interrupted";
     result.exit_code = Interruption::exit_code();
+  }
+  if (abandoned && result.exit_code == ExitCode::Done) {
+    result.status = "interrupted";
+    result.exit_code = ExitCode::InputOutput;
   }
   close_trace(trace, options, result, listener);
   return of_program(program, std::move(result));

@@ -42,11 +42,12 @@ struct RunListener {
   std::function<void(const Position& position)> progress;
   std::function<void(const std::string& message)> warn;       ///< a line for the user about the run
   std::function<void(const Note& note, int line)> consult{};  ///< see RunRecorder::Listener
+  std::function<bool()> abandoned{};  ///< nobody waits for the results: the run stops on its path
 };
 
 /// Runs a compiled program on an open machine, in real time or, if it is the simulation, on the
-/// virtual clock. Ctrl-C, SIGTERM and SIGHUP stop it on its path. Throws FileError before anything
-/// moves.
+/// virtual clock. Ctrl-C and the other signals of Interruption stop it on its path. Throws
+/// FileError before anything moves.
 RunResult run(const LoadedProgram& program, OpenMachine machine, const RunOptions& options,
               const RunListener& listener);
 /// The same on the simulation of this robot.

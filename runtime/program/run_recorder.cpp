@@ -159,7 +159,7 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
 void RunRecorder::begin_early_end(const MotionEvent& event) {
   const bool hit = event.kind == MotionEvent::Kind::Hit;
   add_event(event.time, hit ? "hit" : "brake", static_cast<int>(event.tag), "");
-  early_ = EarlyEnd{result_.events.size() - 1, hit ? "hit" : "brake", event.time, {}, {}};
+  early_ = EarlyEnd{events_.count() - 1, hit ? "hit" : "brake", event.time, {}, {}};
 }
 
 /// The motion has ended, early or not; its target and its corner count only if it was not.
@@ -180,9 +180,10 @@ void RunRecorder::locate(const Snapshot& snapshot) {
   const Eigen::Vector3d tip = running_ ? running_->tip : Eigen::Vector3d::Zero();
   const double way =
       (place_of(tip, tool.forward(q)) - place_of(tip, tool.forward(early_->from))).norm();
-  result_.events[early_->event].text =
-      fmt::format("at rest {} s and {} mm later", shown(*early_->rest - early_->tripped, 3),
-                  shown(way * kMillimetresPerMetre, 3));
+  if (RunEvent* const event = events_.find(early_->event))
+    event->text =
+        fmt::format("at rest {} s and {} mm later", shown(*early_->rest - early_->tripped, 3),
+                    shown(way * kMillimetresPerMetre, 3));
   reached_ = q;
   early_.reset();
 }
@@ -243,8 +244,8 @@ void RunRecorder::take_note(const MotionEvent& event, Note note) {
   const int line = static_cast<int>(event.tag);
   switch (note.kind) {
     case Note::Kind::Print:
-      result_.output.push_back(std::move(note.text));
-      if (listener_.print) listener_.print(result_.output.back());
+      if (listener_.print) listener_.print(note.text);
+      output_.push_back(std::move(note.text));
       return;
     case Note::Kind::Halt:
     case Note::Kind::Ask:
@@ -259,22 +260,25 @@ void RunRecorder::take_note(const MotionEvent& event, Note note) {
 }
 
 void RunRecorder::take_output(const MotionEvent& event) {
-  if (event.effect.kind == Effect::Kind::Analog) {
+  const bool analog = event.effect.kind == Effect::Kind::Analog;
+  if (analog) {
     add_analog(event);
   } else {
     add_output(event, event.effect.kind == Effect::Kind::Pulse || event.effect.value);
   }
   if (event.effect.safe) {
-    add_event(event.time, "safe", static_cast<int>(event.tag),
-              fmt::format("{} takes its SAFE value", result_.signals.back().name));
+    add_event(
+        event.time, "safe", static_cast<int>(event.tag),
+        fmt::format("{} takes its SAFE value", analog ? names_.analog_output(event.effect.channel)
+                                                      : names_.output(event.effect.channel)));
   }
 }
 
 void RunRecorder::add_output(const MotionEvent& event, bool value) {
-  result_.signals.push_back({.time = event.time,
-                             .name = names_.output(event.effect.channel),
-                             .value = value,
-                             .line = static_cast<int>(event.tag)});
+  signals_.push_back({.time = event.time,
+                      .name = names_.output(event.effect.channel),
+                      .value = value,
+                      .line = static_cast<int>(event.tag)});
 }
 
 void RunRecorder::add_analog(const MotionEvent& event) {
@@ -284,11 +288,11 @@ void RunRecorder::add_analog(const MotionEvent& event) {
   const double volts = motion::within_analog_range(event.effect.volts);
   const std::string name = names_.analog_output(channel);
   const SignalNames::Quantity carried = names_.quantity(channel, volts);
-  result_.signals.push_back({.time = event.time,
-                             .name = name,
-                             .number = carried.number,
-                             .unit = carried.unit,
-                             .line = line});
+  signals_.push_back({.time = event.time,
+                      .name = name,
+                      .number = carried.number,
+                      .unit = carried.unit,
+                      .line = line});
   if (std::abs(event.effect.volts - volts) <= kSame) return;
   const std::string text =
       fmt::format("{}: {} is beyond what the channel carries; it is set to {}", name,
@@ -315,7 +319,7 @@ void RunRecorder::take_peaks(const Snapshot& snapshot) {
 }
 
 void RunRecorder::add_event(double time, const char* kind, int line, std::string text) {
-  result_.events.push_back({time, kind, line, std::move(text), shown_joints()});
+  events_.push_back({time, kind, line, std::move(text), shown_joints()});
 }
 
 void RunRecorder::fail(double time, const char* kind, Words words, std::optional<int> line) {
@@ -350,6 +354,12 @@ LineResult& RunRecorder::line_of(const LoggedSegment& segment) {
 
 RunResult RunRecorder::finish() {
   result_.dropped_effects += log_.effects();
+  result_.output_count = output_.count();
+  result_.output = output_.take();
+  result_.signals_count = signals_.count();
+  result_.signals = signals_.take();
+  result_.events_count = events_.count();
+  result_.events = events_.take();
   result_.findings = log_.findings();
   result_.findings_left_out = log_.findings_left_out();
   result_.lost_rows = channels_.lost.load();

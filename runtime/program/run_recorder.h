@@ -11,6 +11,7 @@
 #include "runtime/control/messages.h"
 #include "runtime/control/program_log.h"
 #include "runtime/program/corner_meter.h"
+#include "runtime/program/kept_ends.h"
 #include "runtime/program/path_meter.h"
 #include "runtime/program/run_result.h"
 #include "runtime/program/signal_names.h"
@@ -54,7 +55,7 @@ class RunRecorder {
   };
   /// A motion that brakes, until it is known where it came to rest.
   struct EarlyEnd {
-    std::size_t event;  ///< in RunResult::events
+    std::int64_t event;  ///< its number
     const char* ended;
     double tripped;            ///< s
     motion::JointVector from;  ///< where it was then; empty until it is known
@@ -111,6 +112,9 @@ class RunRecorder {
   PathMeter path_;
   SlowPlaces slow_;
   RunResult result_;
+  KeptEnds<std::string> output_;
+  KeptEnds<SignalChange> signals_;
+  KeptEnds<RunEvent> events_;
   std::map<int, LineResult> lines_;
   std::optional<Running> running_;
   std::optional<Running> behind_;  ///< the one before, whose corner running_ makes

@@ -110,9 +110,13 @@ struct RunResult {
   std::vector<double> final_joints;  ///< mm, deg
   std::string stands;                ///< the same for people: "x 100 mm, theta 90 deg"
   std::vector<double> final_pose;    ///< x, y, z in mm, a, b, c in deg
+  // Of each the first and the last 5000, and the number of all.
   std::vector<SignalChange> signals;
   std::vector<std::string> output;
   std::vector<RunEvent> events;
+  std::int64_t signals_count = 0;
+  std::int64_t output_count = 0;
+  std::int64_t events_count = 0;
   std::vector<lang::Diagnostic> findings;
   std::size_t findings_left_out = 0;  ///< see ProgramLog::findings()
   std::optional<Problem> error;

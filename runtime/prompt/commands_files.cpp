@@ -43,12 +43,23 @@ PointsBeside points_beside(Session& session, const std::string& file, bool repla
   return beside;
 }
 
+/// The program and its points cannot be where the session writes its trace.
+bool is_traced(Session& session, const std::string& file) {
+  for (const std::string& name : {file, points_file_of(file)}) {
+    if (!session.traces_to(name)) continue;
+    session.fail(fmt::format("'{}' is the trace of this session", name), "name another file",
+                 ExitCode::Usage);
+    return true;
+  }
+  return false;
+}
+
 void save_as(Session& session, const Words& words, bool replace) {
   ProgramFile& own = session.workshop().file;
   const std::string file = file_in(words, own.name());
   if (file.empty())
     return session.fail("the program has no file yet", ":save FILE", ExitCode::Usage);
-  if (!session.stands(":save")) return;
+  if (is_traced(session, file) || !session.stands(":save")) return;
   const PointsBeside beside = points_beside(session, file, replace);
   own.save(file, session.workshop().program.text(), replace);
   if (beside.needed) save_file(beside.to, read_file(beside.from, kMostBytes));
@@ -82,7 +93,7 @@ void save_over(Session& session, const Words& words) { save_as(session, words, t
 void load(Session& session, const Words& words) {
   const std::string file = file_in(words, "");
   if (file.empty()) return session.fail(":load takes a file", "", ExitCode::Usage);
-  if (!session.stands(":load")) return;
+  if (is_traced(session, file) || !session.stands(":load")) return;
   Workshop& workshop = session.workshop();
   ProgramFile loaded = workshop.file;
   const std::string text = loaded.load(file);

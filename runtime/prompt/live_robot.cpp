@@ -62,14 +62,21 @@ void LiveRobot::begin(OpenMachine machine) {
     stepper_ = std::make_unique<Stepper>(*controller_);
     return;
   }
+  threads_ = std::make_unique<ControlThreads>(*controller_);
+  begun_ = false;
+  program_ = std::thread([this] {
+    begun_.wait(false);
+    run_entries();
+  });
   if (guided_) {
     controller_->servo().guide(-kThreadLead);
   } else {
     controller_->servo().enable(-kThreadLead);
   }
   controller_->motion().prepare(0);
-  threads_ = std::make_unique<ControlThreads>(*controller_);
-  program_ = std::thread([this] { run_entries(); });
+  threads_->begin();
+  begun_ = true;
+  begun_.notify_all();
 }
 
 /// The robot comes to rest on its path first.
@@ -115,8 +122,9 @@ void LiveRobot::let_pass() {
 }
 
 void LiveRobot::look_for_end() {
-  if (options_.ended != nullptr && options_.ended->load(std::memory_order_relaxed))
-    controller_->request_hold();
+  if (options_.requests == nullptr) return;
+  if (options_.requests->hold.load(std::memory_order_relaxed)) controller_->request_hold();
+  if (options_.requests->brake.load(std::memory_order_relaxed)) controller_->request_brake();
 }
 
 void LiveRobot::pause(bool on) {

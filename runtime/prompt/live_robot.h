@@ -28,8 +28,8 @@ struct LiveOptions {
   std::string trace;        ///< empty: none
   BackendName backend;      ///< what moves
   bool home = false;        ///< it homes itself first
-  /// Set by a signal of the system: the robot comes to rest for good. Null: none.
-  const std::atomic<bool>* ended = nullptr;
+  /// What signals of the system ask for. Null: nothing.
+  const StopRequests* requests = nullptr;
 };
 
 /// A robot, simulated or a machine, under control from one entry to the next. In real time its
@@ -69,6 +69,8 @@ class LiveRobot {
   bool going_back() const { return channels().way_back.under_way.load(std::memory_order_acquire); }
   /// Brakes on the path and drops all that was commanded.
   void stop();
+  /// As fast as the axes can, for good; then the drives are without force.
+  void brake() { controller_->request_brake(); }
   void set_override(double share);
   double override_share() const { return options_.override_share; }
   /// After a fault: under control anew, where the axes stand.
@@ -106,6 +108,7 @@ class LiveRobot {
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<ControlThreads> threads_;
   std::atomic<bool> ending_{false};
+  std::atomic<bool> begun_{false};  ///< the robot is under control: entries may run
   bool guided_ = false;
   std::thread program_;
 };

@@ -73,7 +73,10 @@ void show_pendant(Session& session, KeptScreen& kept) {
     if (quiet > kPausesOfAFrame) {
       if (const auto escape = keys.lone_escape()) pendant.press(*escape);
     }
-    if (Interruption::ctrl_c_pressed()) pendant.give_up();
+    if (Interruption::ctrl_c_pressed() && !session.interrupt_again()) {
+      pendant.give_up();
+      session.await_rest();
+    }
     if (Interruption::requested()) break;
     session.let_pass();
     pendant.go_on();

@@ -14,6 +14,7 @@
 #include "runtime/program/console.h"
 #include "runtime/program/files.h"
 #include "runtime/program/interruption.h"
+#include "runtime/program/output_file.h"
 #include "runtime/program/run_mark.h"
 #include "runtime/prompt/session.h"
 #include "runtime/prompt/terminal_prompt.h"
@@ -109,11 +110,11 @@ ExitCode filter(Session& session, bool fast) {
 }
 
 ExitCode filter(SessionOptions options) {
-  std::atomic<bool> ended{false};
-  const Interruption interruption(ended);
+  StopRequests requests;
+  const Interruption interruption(requests);
   PlainScreen screen;
   const bool fast = options.fast;
-  options.ended = &ended;
+  options.requests = &requests;
   options.waits = true;
   Session session(std::move(options), screen);
   return filter(session, fast);
@@ -141,6 +142,11 @@ ExitCode run_prompt(const Options& options) {
   session.trace = options.trace;
   session.backend = *backend_of(options.backend);
   session.home = options.home;
+  if (!session.trace.empty()) {
+    std::vector<InputFile> inputs{{session.points_file, "where the prompt keeps points"}};
+    if (session.robot.ends_with(".toml")) inputs.push_back({session.robot, "the robot file"});
+    refuse_overwriting("--trace", session.trace, inputs);
+  }
   const bool person = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
   return person ? talk(std::move(session)) : filter(std::move(session));
 }

@@ -101,7 +101,7 @@ std::unique_ptr<LiveRobot> Session::live(const motion::RobotModel& robot) {
   options.trace = options_.trace;
   options.backend = options_.backend;
   options.home = std::exchange(options_.home, false);
-  options.ended = options_.ended;
+  options.requests = options_.requests;
   return std::make_unique<LiveRobot>(robot, std::move(options), listener(), this);
 }
 
@@ -201,6 +201,7 @@ void Session::tell(const LoadedProgram& compiled, std::uint32_t line) {
 
 void Session::let_pass() {
   robot_->let_pass();
+  interrupted_ = interrupted_ && !robot_->idle();
   take_failures();
   tell_held();
 }
@@ -256,6 +257,14 @@ void Session::finish() {
 bool Session::interrupt() {
   if (robot_->idle() || robot_->over()) return false;
   robot_->stop();
+  interrupted_ = true;
+  return true;
+}
+
+bool Session::interrupt_again() {
+  if (!interrupted_ || !moves()) return false;
+  robot_->brake();
+  screen_->message("braked as hard as the axes can; the drives are without force\n");
   return true;
 }
 

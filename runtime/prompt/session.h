@@ -35,7 +35,7 @@ struct SessionOptions {
   /// Nobody types meanwhile: commands that need a robot at rest wait for it, and those that run a
   /// program wait for its end or a breakpoint. Otherwise such commands are refused.
   bool waits = false;
-  const std::atomic<bool>* ended = nullptr;  ///< as of LiveOptions
+  const StopRequests* requests = nullptr;  ///< as of LiveOptions
 };
 
 /// A line for the workshop; it acts at once, also while a block is open.
@@ -64,6 +64,10 @@ class Session final : public Person {
   void finish();
   /// Ctrl-C, while the robot moves or an entry is open; false where there is nothing to stop.
   bool interrupt();
+  /// Ctrl-C once more, while the robot comes to rest; false where it does not.
+  bool interrupt_again();
+  /// A jog has been interrupted.
+  void await_rest() { interrupted_ = !robot_->idle(); }
 
   /// A jog as long as `held` says No; it begins when the robot stands.
   void jog(const lang::MoveCommand& command, const motion::Watch& held);
@@ -124,6 +128,8 @@ class Session final : public Person {
   void carry_out_aside(LoadedProgram compiled);
   /// Where points are kept; empty: nowhere.
   const std::string& points_file() const { return options_.points_file; }
+  /// Whether that file is where the session writes its trace.
+  bool traces_to(const std::string& file) const;
   /// From now on they are kept there, and those that are there can be used. Throws FileError, with
   /// all as it was, if the file cannot be used.
   void follow_points(const std::string& file);
@@ -172,6 +178,7 @@ class Session final : public Person {
   ExitCode worst_ = ExitCode::Done;
   bool over_ = false;
   bool pendant_ = false;
+  bool interrupted_ = false;  ///< and the robot has not come to rest yet
   std::atomic<bool> asks_{false};
   std::mutex mutex_;  ///< of what the operator has typed
   std::deque<std::string> answers_;

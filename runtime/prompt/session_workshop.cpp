@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lang/text/ascii.h"
+#include "runtime/program/output_file.h"
 #include "runtime/prompt/session.h"
 
 /// The part of Session that the commands need which build programs and points.
@@ -111,6 +112,10 @@ void Session::follow_points(const std::string& file) {
   text_->use_points(file);
   robot_->points()->move_to(file);
   take_points();
+}
+
+bool Session::traces_to(const std::string& file) const {
+  return !options_.trace.empty() && same_file(options_.trace, file);
 }
 
 /// While statements are under way the file may not be what they leave.

@@ -106,8 +106,8 @@ class TerminalPrompt {
   void stop_or_drop();
   void come_to_rest();
 
-  std::atomic<bool> ended_{false};
-  Interruption interruption_{ended_, Interruption::CtrlC::IsTold};
+  StopRequests requests_;
+  Interruption interruption_{requests_, Interruption::CtrlC::IsTold};
   TerminalGuard guard_;
   LineEditor editor_;
   TerminalScreen screen_{editor_};
@@ -121,8 +121,8 @@ class TerminalPrompt {
   Clock::time_point shown_{};  ///< when
 };
 
-SessionOptions with(SessionOptions options, const std::atomic<bool>& ended) {
-  options.ended = &ended;
+SessionOptions with(SessionOptions options, const StopRequests& requests) {
+  options.requests = &requests;
   return options;
 }
 
@@ -130,7 +130,7 @@ TerminalPrompt::TerminalPrompt(SessionOptions options)
     : editor_([this](std::string_view before) { return complete(before, vocabulary()); },
               history_file()),
       fast_(options.fast),
-      session_(with(std::move(options), ended_), screen_) {}
+      session_(with(std::move(options), requests_), screen_) {}
 
 Vocabulary TerminalPrompt::vocabulary() const {
   Vocabulary known;
@@ -218,7 +218,7 @@ void TerminalPrompt::show_state() {
 
 /// Ctrl-C: the robot first, then the line and the block that it belongs to.
 void TerminalPrompt::stop_or_drop() {
-  if (session_.interrupt()) return;
+  if (session_.interrupt_again() || session_.interrupt()) return;
   const bool nothing = editor_.empty() && entry_.empty();
   editor_.drop();
   entry_.clear();
@@ -245,7 +245,7 @@ ExitCode TerminalPrompt::run() {
     if (Interruption::requested()) break;
     if (Interruption::ctrl_c_pressed()) stop_or_drop();
     if (!wait()) {
-      ended_ = true;
+      requests_.hold = true;
       return Interruption::requested() ? Interruption::exit_code() : ExitCode::HungUp;
     }
     editor_.read();

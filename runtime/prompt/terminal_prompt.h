@@ -6,7 +6,7 @@
 
 namespace rob::runtime {
 
-/// A person at the terminal that is standard input and output. `options.ended` is not needed.
+/// A person at the terminal that is standard input and output. `options.requests` is not needed.
 ExitCode talk(SessionOptions options);
 
 }  // namespace rob::runtime

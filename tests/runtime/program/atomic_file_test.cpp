@@ -40,7 +40,7 @@ struct Scratch {
   }
 };
 
-enum class Call { None, Open, Lock, Truncate, Permit, Write, Sync, Rename };
+enum class Call { None, Open, Lock, Permit, Write, Sync, Rename };
 
 /// Lets one call fail, or the whole process die there.
 class FaultyCalls : public FileCalls {
@@ -51,7 +51,6 @@ class FaultyCalls : public FileCalls {
     return fails(Call::Open) ? -1 : FileCalls::open(path, flags, mode);
   }
   int lock(int fd) override { return fails(Call::Lock) ? -1 : FileCalls::lock(fd); }
-  int truncate(int fd) override { return fails(Call::Truncate) ? -1 : FileCalls::truncate(fd); }
   int permit(int fd, unsigned mode) override {
     return fails(Call::Permit) ? -1 : FileCalls::permit(fd, mode);
   }
@@ -81,7 +80,7 @@ class FaultyCalls : public FileCalls {
   bool written_ = false;
 };
 
-constexpr Call kAll[] = {Call::Open,  Call::Lock, Call::Truncate, Call::Permit,
+constexpr Call kAll[] = {Call::Open,  Call::Lock, Call::Permit,
                          Call::Write, Call::Sync, Call::Rename};
 
 }  // namespace
@@ -120,7 +119,7 @@ TEST_CASE("faults 39, 41: whichever call fails, the old file is intact and nothi
       FaultyCalls calls(call, error);
       CHECK_THROWS_AS(save_file(scratch.file(), "new text", calls), FileError);
       CHECK(scratch.content() == "old");
-      if (call != Call::Lock) CHECK(scratch.tidy());
+      CHECK(scratch.tidy());
     }
   }
 }
@@ -184,4 +183,43 @@ TEST_CASE("two programs that save the same file do not mix their texts") {
   CHECK(scratch.content() == "old");
   CHECK(fs::exists(scratch.temporary()));
   close(other);
+}
+
+TEST_CASE("nothing is written through a file that has the name of the temporary one") {
+  const auto made_by = [](const Scratch& scratch, const std::string& how) {
+    const fs::path other = scratch.path / "other";
+    std::ofstream(other) << "theirs";
+    if (how == "hard link") fs::create_hard_link(other, scratch.temporary());
+    if (how == "symbolic link") fs::create_symlink(other, scratch.temporary());
+    if (how == "dangling link") fs::create_symlink(scratch.path / "nowhere", scratch.temporary());
+    if (how == "pipe") mkfifo(scratch.temporary().c_str(), 0600);
+    return other;
+  };
+  for (const char* const how : {"hard link", "symbolic link", "dangling link", "pipe"}) {
+    CAPTURE(how);
+    const Scratch scratch;
+    const fs::path other = made_by(scratch, how);
+    save_file(scratch.file(), "new");
+    CHECK(scratch.content() == "new");
+    CHECK(read_file(other.string(), 1000) == "theirs");
+    CHECK_FALSE(fs::exists(fs::symlink_status(scratch.temporary())));
+    CHECK_FALSE(fs::exists(scratch.path / "nowhere"));
+  }
+  const Scratch scratch;
+  fs::create_directory(scratch.temporary());
+  CHECK(message_of([&] { save_file(scratch.file(), "new"); }).ends_with("is in the way"));
+  CHECK(scratch.content() == "old");
+}
+
+TEST_CASE("whether a file can be saved is found out without changing anything") {
+  const Scratch scratch;
+  rob::runtime::try_saving(scratch.file());
+  CHECK(scratch.content() == "old");
+  CHECK(scratch.tidy());
+  const std::string missing = (scratch.path / "no" / "such").string();
+  CHECK(message_of([&] { rob::runtime::try_saving(missing); }).find("check the name") !=
+        std::string::npos);
+  fs::remove(scratch.file());
+  rob::runtime::try_saving(scratch.file());
+  CHECK_FALSE(fs::exists(scratch.file()));
 }

@@ -68,7 +68,7 @@ TEST_CASE(
   const RunResult endless = foretold("PRINT 0\nLOOP\nPRINT 1\nENDLOOP");
   CHECK(findings(endless) ==
         Texts{"3 N632 the loop goes on; it was foretold for 10000 turns without a motion"});
-  CHECK(endless.output.size() == 10'001);
+  CHECK(endless.output_count == 10'001);
   CHECK(endless.status == "done");
   const RunResult nested = foretold(
       "VAR n = 0\nVAR i = 0\nVAR j = 0\nWHILE i < 30 DO\ni = i + 1\nj = 0\nWHILE j < 9000 DO\n"

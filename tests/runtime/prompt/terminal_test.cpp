@@ -213,12 +213,34 @@ TEST_CASE("Ctrl-D in motion: the robot comes to rest first") {
   CHECK(terminal.modes_as_found());
 }
 
+TEST_CASE("a second Ctrl-C brakes as hard as the axes can, and takes the force away") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("MOVE(100,0,0)\r");
+  REQUIRE(terminal.expect("gantry moving"));
+  terminal.watch(2s);  // it has its full speed
+  terminal.send(kCtrlC);
+  terminal.watch(60ms);
+  terminal.send(kCtrlC);
+  CHECK(terminal.expect("the drives are without force"));
+  CHECK(terminal.expect("fault"));
+  terminal.send("MOVE(0,0,0)\r");
+  CHECK(terminal.expect("the robot has stopped for good"));
+  terminal.send(":reset\r");
+  REQUIRE(terminal.expect("gantry idle ("));
+  terminal.send(kCtrlD);
+  CHECK(terminal.wait() == 0);
+}
+
 TEST_CASE("whatever ends the prompt, the exit code tells it and the terminal is as it was") {
   struct End {
     int signal;
     int exit_code;
   };
-  for (const End end : {End{SIGTERM, 143}, End{SIGHUP, 129}, End{SIGSEGV, 128 + SIGSEGV}}) {
+  for (const End end : {End{SIGTERM, 143}, End{SIGHUP, 129}, End{SIGQUIT, 131}, End{SIGUSR1, 138},
+                        End{SIGSEGV, 128 + SIGSEGV}}) {
     CAPTURE(end.signal);
     const Desk desk;
     PseudoTerminal terminal({ROB_BINARY}, desk.options());
