@@ -104,8 +104,8 @@ TEST_CASE("a path that cannot be written, or is not planned, is refused with the
   CHECK(contains(two.err, "--path is of one program"));
 
   const ProcessResult own = refusal({"--path", rob.program()});
-  CHECK(own.exit_code == 74);
-  CHECK(contains(own.err, "would overwrite the program"));
+  CHECK(own.exit_code == 64);
+  CHECK(contains(own.err, "is the program; name another file"));
   CHECK(rob::test::read_whole_file(rob.program()) == kCorner);
 
   const ProcessResult nowhere = refusal({"--path", rob.file("none/p.csv")});

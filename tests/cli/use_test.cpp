@@ -119,6 +119,6 @@ TEST_CASE("a trace does not overwrite a file that the program USEs") {
   shop.file("tools.rob", "CONST n = 1\n");
   const ProcessResult result =
       shop.rob()("run", {"--fast", "--trace", shop.rob().file("tools.rob")});
-  CHECK(result.exit_code == 74);
+  CHECK(result.exit_code == 64);
   CHECK(read_whole_file(shop.rob().file("tools.rob")) == "CONST n = 1\n");
 }
