@@ -74,13 +74,28 @@ bool has_name(const std::vector<T>& entries, std::string_view name) {
                      [&](const T& entry) { return entry.name == name; });
 }
 
-DriveData read_drive(const TableReader& file, const KindRules& rules, const Axis& axis) {
+/// A count that no axis can move in a period is a jump of the encoder, however slow the axis.
+void check_count(const TableReader& file, const KindRules& rules, const Axis& axis, double count,
+                 double servo_period) {
+  const double most = kJumpMargin * axis.v_max * servo_period;
+  if (count <= most) return;
+  file.fail("encoder_resolution",
+            number_text(count) + " " + std::string(si_unit(rules.position)) +
+                " a count is more than the axis can move in a servo_period (" + number_text(most) +
+                " " + std::string(si_unit(rules.position)) +
+                "): every run would end in E504; write a finer one, or raise v_max or"
+                " servo_period");
+}
+
+DriveData read_drive(const TableReader& file, const KindRules& rules, const Axis& axis,
+                     double servo_period) {
   DriveData drive;
   drive.inertia = file.quantity("inertia", rules.inertia, kInertia);
   drive.viscous_friction = file.quantity("viscous_friction", rules.viscous, kViscous);
   drive.coulomb_friction = file.quantity("coulomb_friction", rules.force, kCoulomb);
   drive.force_max = file.quantity("force_max", rules.force, kForce);
   drive.encoder_resolution = file.quantity("encoder_resolution", rules.position, kResolution);
+  check_count(file, rules, axis, drive.encoder_resolution, servo_period);
   drive.bandwidth = file.quantity("bandwidth", Quantity::Bandwidth, kBandwidth);
   drive.following_warn = file.quantity("following_warn", rules.position, kFollowing);
   drive.following_limit = file.quantity("following_limit", rules.position, kFollowing);
@@ -96,7 +111,7 @@ DriveData read_drive(const TableReader& file, const KindRules& rules, const Axis
 }
 
 /// Reads one [[axis]]; `start` is where the simulated axis stands.
-Axis read_axis(TableReader& file, double& start) {
+Axis read_axis(TableReader& file, double servo_period, double& start) {
   Axis axis;
   axis.name = file.name("name");
   file.rename("axis " + axis.name);
@@ -114,7 +129,7 @@ Axis read_axis(TableReader& file, double& start) {
   const TableReader drive =
       file.table("drive", {"inertia", "viscous_friction", "coulomb_friction", "force_max",
                            "encoder_resolution", "bandwidth", "following_warn", "following_limit"});
-  axis.drive = read_drive(drive, rules, axis);
+  axis.drive = read_drive(drive, rules, axis, servo_period);
   return axis;
 }
 
@@ -152,7 +167,7 @@ std::vector<TableReader> read_axes(const TableReader& file, RobotModel& robot) {
   robot.start.resize(static_cast<Eigen::Index>(tables.size()));
   for (TableReader& table : tables) {
     double start = 0;
-    Axis axis = read_axis(table, start);
+    Axis axis = read_axis(table, robot.servo_period, start);
     if (has_name(robot.axes, axis.name)) table.fail("name", "there is another axis of this name");
     robot.start[robot.axis_count()] = start;
     robot.axes.push_back(std::move(axis));

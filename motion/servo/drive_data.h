@@ -17,6 +17,10 @@ struct DriveData {
   double following_limit = 0;     ///< m or rad: limit at v_max
 };
 
+/// How much farther than at v_max an axis may have moved between two measurements: beyond that its
+/// encoder has jumped (FollowingSupervisor). [choice] twice: an axis overshoots.
+inline constexpr double kJumpMargin = 2;
+
 /// What closes the loop of the axes, and what goes out to the drives.
 enum class ServoStructure : std::uint8_t {
   Force,         ///< S2's law: forces (ServoLaw)

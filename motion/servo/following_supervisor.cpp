@@ -13,7 +13,6 @@ using Verdict = FollowingFinding::Verdict;
 using Cause = FollowingFinding::Cause;
 
 constexpr double kWarnShare = 0.5;  // of the limit
-constexpr double kJumpMargin = 2;   // of what v_max allows
 // Of the way that overcomes Coulomb friction: at a reversal the integral still holds against it
 // from the other side, so twice that way is needed; the third is the margin.
 constexpr double kBreakawayMargin = 3;

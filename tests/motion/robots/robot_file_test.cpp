@@ -202,6 +202,15 @@ TEST_CASE("limits that contradict each other are refused") {
   check_error(edit(22, "60 N", "2 N"), 22, "a_max at v_max takes 2.3 N");
 }
 
+TEST_CASE("a count that no axis can move in a servo period is refused: it would always be a jump") {
+  // x: 2·20 mm/s·5 ms = 0.2 mm
+  check_error(edit(23, "1 um", "0.21 mm"), 23,
+              "encoder_resolution of drive of axis x: 0.00021 m a count is more than the axis"
+              " can move in a servo_period (0.0002 m): every run would end in E504");
+  CHECK(error_of(edit(23, "1 um", "0.19 mm")) == "");
+  check_error(edit(15, "20 mm/s", "0.05 mm/s"), 23, "every run would end in E504");
+}
+
 TEST_CASE("a servo that is slower than its references, or a hundred times as fast, is refused") {
   check_error(edit(7, "5 ms", "10.1 ms"), 7, "must not be longer than reference_period");
   CHECK(parse_robot_file(edit(7, "5 ms", "3 ms"), "my.toml").servo_period == 0.003);
