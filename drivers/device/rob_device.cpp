@@ -11,6 +11,10 @@ void RobDevice::stand_at(const wire::Axes& position) noexcept {
 }
 
 void RobDevice::receive(Bytes bytes, std::uint32_t now) noexcept {
+  if (bytes.empty()) return;
+  const bool paused = static_cast<std::uint32_t>(wire::between(now, received_)) > kPause;
+  if (paused) reader_.clear();
+  received_ = now;
   wire::Frame frame;
   for (const std::uint8_t byte : bytes) {
     reader_.add({&byte, 1});
@@ -25,37 +29,49 @@ wire::Wire RobDevice::send() noexcept {
 }
 
 void RobDevice::take(const wire::Frame& frame, std::uint32_t now) noexcept {
+  step(now);  // the answer says where the axes are now
   const Bytes payload = frame.payload.view();
   last_ = frame.sequence;
+  wire::Reference reference;
   switch (frame.type) {
     case Type::Hello:
-      enable(false, now);  // a new session begins without force
-      session_ = true;
-      flags_ = 0;
-      return answer(
-          Type::Info, frame.sequence,
-          wire::payload_of(wire::Info{wire::kVersion, static_cast<std::uint8_t>(settings_.axes),
-                                      settings_.highest_rate, kQueue, settings_.firmware})
-              .view());
+      return begin_session(frame.sequence, now);
     case Type::Reference:
-      take_reference(payload, now);
+      if (!wire::parse(payload, settings_.axes, reference)) return refuse(frame);
+      take_reference(reference, now);
       break;
     case Type::Enable:
-      if (payload.size() == 1 && session_) enable(payload[0] == 1, now);
+      if (payload.size() != 1 || payload[0] > 1) return refuse(frame);
+      if (session_) enable(payload[0] == 1, now);
       break;
     case Type::Stop:
-      if (payload.size() == 1) stop(payload[0], now);
+      if (payload.size() != 1 || payload[0] > 1) return refuse(frame);
+      stop(payload[0], now);
       break;
-    default: {
-      const std::uint8_t unknown = static_cast<std::uint8_t>(frame.type);
-      return answer(Type::Error, frame.sequence, {&unknown, 1});
-    }
+    default:
+      return refuse(frame);
   }
   answer_state(frame.sequence, now);
 }
 
+/// Without force, whatever it was doing.
+void RobDevice::begin_session(std::uint8_t sequence, std::uint32_t now) noexcept {
+  enable(false, now);
+  session_ = true;
+  flags_ = 0;
+  const wire::Info info{wire::kVersion, static_cast<std::uint8_t>(settings_.axes),
+                        settings_.highest_rate, kQueue, settings_.firmware};
+  answer(Type::Info, sequence, wire::payload_of(info).view());
+}
+
+void RobDevice::refuse(const wire::Frame& frame) noexcept {
+  const auto type = static_cast<std::uint8_t>(frame.type);
+  answer(Type::Error, frame.sequence, {&type, 1});
+}
+
 void RobDevice::enable(bool on, std::uint32_t now) noexcept {
-  if (on == enabled_ || (on && flags_ != 0)) return;
+  const bool stopped = (flags_ & (State::kStarved | State::kFault)) != 0;
+  if (on == enabled_ || (on && stopped)) return;
   enabled_ = on;
   braking_ = false;
   has_before_ = false;
@@ -71,12 +87,11 @@ void RobDevice::stop(int category, std::uint32_t now) noexcept {
   has_before_ = false;
 }
 
-void RobDevice::take_reference(Bytes payload, std::uint32_t now) noexcept {
-  wire::Reference reference;
-  if (!enabled_ || braking_ || !wire::parse(payload, settings_.axes, reference)) return;
-  heard_ = now;
+void RobDevice::take_reference(const wire::Reference& reference, std::uint32_t now) noexcept {
+  if (!enabled_ || braking_) return;
   if (wire::between(reference.apply, now) <= 0) {
     ++late_;
+    flags_ |= State::kLate;
     return;
   }
   const int last = (first_ + count_ - 1) % kQueue;
@@ -85,11 +100,16 @@ void RobDevice::take_reference(Bytes payload, std::uint32_t now) noexcept {
       wire::between(reference.apply, queue_[static_cast<std::size_t>(last)].apply) <= 0)
     return;
   if (count_ == kQueue) return;
-  if (!has_before_) {
-    before_ = {now, 0, position_, {}};
-    has_before_ = true;
-  }
+  heard_ = now;  // what is not carried out does not keep the watchdog quiet
+  if (count_ == 0) begin_path(now);
   queue_[static_cast<std::size_t>((first_ + count_++) % kQueue)] = reference;
+}
+
+/// From where the axes are now, with the velocity that they have: nothing is left in the queue, so
+/// they stand, or have gone on from the last reference.
+void RobDevice::begin_path(std::uint32_t now) noexcept {
+  before_ = {now, before_.period, position_, velocity_};
+  has_before_ = true;
 }
 
 void RobDevice::answer(Type type, std::uint8_t sequence, Bytes payload) noexcept {
@@ -106,6 +126,7 @@ void RobDevice::answer_state(std::uint8_t sequence, std::uint32_t now) noexcept 
   state.velocity = velocity_;
   state.last = last_;
   state.broken = static_cast<std::uint16_t>(reader_.broken());
+  flags_ &= static_cast<std::uint16_t>(~State::kLate);
   answer(Type::State, sequence, wire::payload_of(state, settings_.axes).view());
 }
 
@@ -115,11 +136,12 @@ bool RobDevice::moving() const noexcept {
   return false;
 }
 
-/// Nothing to go to any more, and something was missing.
+/// No reference came, or nothing is left to go to while it moves.
 bool RobDevice::starved(std::uint32_t now) const noexcept {
   const auto silent = static_cast<std::uint32_t>(wire::between(now, heard_));
   const std::uint32_t missing = kMissing * static_cast<std::uint32_t>(before_.period);
-  return silent > kSilence || (count_ == 0 && moving() && missing != 0 && silent > missing);
+  return silent > (has_before_ ? kSilence : kFirst) ||
+         (count_ == 0 && moving() && missing != 0 && silent > missing);
 }
 
 void RobDevice::step(std::uint32_t now) noexcept {

@@ -69,13 +69,14 @@ struct State {
   static constexpr std::uint16_t kMoving = 2;
   static constexpr std::uint16_t kStarved = 4;  ///< its watchdog has stopped it
   static constexpr std::uint16_t kFault = 8;
+  static constexpr std::uint16_t kLate = 16;  ///< a reference came late since the last STATE
 
   std::uint32_t time = 0;  ///< µs of the device's clock
   std::uint16_t flags = 0;
-  std::uint16_t queue = 0;  ///< references that wait
+  std::uint16_t queue = 0;  ///< references whose instant has not come
   Axes position{};
   Axes velocity{};
-  std::uint16_t last = 0;    ///< SEQ of the last frame that it took
+  std::uint16_t last = 0;    ///< SEQ of the frame that this answers
   std::uint16_t broken = 0;  ///< frames with a wrong CRC since it was switched on
 };
 

@@ -135,6 +135,12 @@ TEST_CASE("the vectors of Rob's own protocol") {
   const std::string digits = "123456789";
   CHECK(wire::crc16({reinterpret_cast<const std::uint8_t*>(digits.data()), 9}) == 0x29B1);
   CHECK(octets(wire::encode(wire::Type::Hello, 42, {}).view()) == hex("A5 5A 01 2A 00 81 12"));
+  const wire::Info info{1, 1, 500, 16, 1};
+  CHECK(octets(wire::encode(wire::Type::Info, 42, wire::payload_of(info).view()).view()) ==
+        hex("A5 5A 02 2A 08 01 01 F4 01 10 00 01 00 E7 1A"));
+  const std::uint8_t on = 1;
+  CHECK(octets(wire::encode(wire::Type::Enable, 43, {&on, 1}).view()) ==
+        hex("A5 5A 30 2B 01 01 0E FD"));
 }
 
 TEST_CASE("six axes of Rob's own protocol take 128 bytes a cycle") {
