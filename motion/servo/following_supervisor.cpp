@@ -82,6 +82,7 @@ FollowingFinding FollowingSupervisor::check(DriverStatus status, const JointRefe
 FollowingFinding FollowingSupervisor::no_answer(DriverStatus status) noexcept {
   if (status == DriverStatus::Lost) return stop(Cause::Lost, -1, 0, 0);
   if (status == DriverStatus::Alarm) return stop(Cause::Alarm, -1, 0, 0);
+  if (status != DriverStatus::Silent) return {};
   silent_ = std::min(silent_ + 1, kSilentCycles);
   if (silent_ < kSilentCycles) return {};
   return stop(Cause::Silent, -1, silent_, kSilentCycles);

@@ -56,7 +56,8 @@ struct FollowingFinding {
 /// *Jump*: |Δq| > 2·v_max·(time since the last measurement, at least T, and what is uncertain of
 /// both instants).
 ///
-/// *Silent*: the third cycle in a row without an answer. *Alarm*, *Lost*: at once.
+/// *Silent*: the third answer in a row that did not come. *Alarm*, *Lost*: at once. Pending and
+/// Late say nothing about the machine.
 ///
 /// The gravest finding is reported, of equals that of the lowest axis, in every cycle in which it
 /// holds: a jump once. Every call but the constructor may be used in the tick.

@@ -18,9 +18,11 @@ class DriverError : public std::runtime_error {
 
 enum class DriverStatus : std::uint8_t {
   Ok,
-  Silent,  ///< no answer this time
-  Alarm,   ///< the machine itself says that it has stopped, or cannot be trusted any more
-  Lost     ///< it is gone
+  Pending,  ///< nothing new since the last read(), and no time for it yet
+  Silent,   ///< no answer this time
+  Late,     ///< this computer kept the thread that asks the machine waiting for too long
+  Alarm,    ///< the machine itself says that it has stopped, or cannot be trusted any more
+  Lost      ///< it is gone
 };
 
 /// What one servo cycle asks of the machine. A backend with its own position loop follows
@@ -36,6 +38,8 @@ struct ServoCommand {
 struct ServoState {
   JointMeasurement measured;
   double spread = 0;         ///< s by which the instant of an axis may differ from measured.time
+  double seen = 0;           ///< when the machine reported this position, by the servo's clock, s
+  double late = 0;           ///< with Late: s for which nobody has asked the machine
   std::uint64_t inputs = 0;  ///< bit i: digital input channel i
   AnalogValues analog_inputs{};
   Wrench wrench;           ///< of the force sensor, about the flange and along its axes
@@ -49,9 +53,11 @@ struct ServoState {
 /// read() and write() run inside the servo tick: they return at once, take no memory, and report
 /// trouble by their value. `now` is the time of the servo's clock in s and never goes back.
 ///
-/// `measured.time` of what read() tells may lie before `now`: it is the instant of the references
-/// that the measurement belongs to, so a machine that follows later is compared with what it was
-/// told, and not with what it has not come to yet.
+/// `measured.time` that read() returns may lie before `now`: it is the instant of the references
+/// that the measurement belongs to. A machine that follows later is thus compared with what it was
+/// sent, and not with what it has not come to yet. It lies after `now` if the thread of the servo
+/// was kept waiting between looking at its clock and reading; a clock that has not begun shows
+/// times below 0.
 class ServoBackend {
  public:
   virtual ~ServoBackend() = default;
@@ -59,7 +65,7 @@ class ServoBackend {
   virtual int axes() const noexcept = 0;
   virtual void open() = 0;
   virtual void close() noexcept = 0;
-  /// Drives hold their present position until the first write().
+  /// Drives hold their current position until the first write().
   virtual DriverStatus enable(double now) noexcept = 0;
   /// Drives are without force from now on.
   virtual void disable(double now) noexcept = 0;
@@ -69,9 +75,12 @@ class ServoBackend {
   /// It closes the position loop itself: references are what it takes, no servo law stands before
   /// it, and it is told them as long as it is not lost.
   virtual bool follows_references() const noexcept { return false; }
-  /// Why the last status was not Ok, in words and with the remedy; empty where nothing more is
-  /// known. From any thread but the tick.
+  /// Why the last status was not Ok: "what is wrong; the remedy". Empty if nothing more is known.
+  /// From any thread but the tick.
   virtual std::string trouble() const { return {}; }
+  /// What the machine shows that explains why its axes are not where they should be, in the same
+  /// form. Empty: nothing. From any thread but the tick.
+  virtual std::string remark() const { return {}; }
 };
 
 }  // namespace rob::motion

@@ -38,6 +38,13 @@ struct ServoSample {
   };
   Felt felt;
   motion::FollowingFinding finding;
+  /// Where the machine was sent; after a gap in which it was on its own, if the servo `braked` it,
+  /// the axes go on from here.
+  motion::JointReference reference;
+  bool braked = false;
+  /// A machine that follows references later has come to rest; one that does not answer is not
+  /// waited for.
+  bool settled = true;
 };
 
 /// What is known of one reference period, for the trace and the report: the reference and what
@@ -87,10 +94,10 @@ enum class AfterHandler : std::uint8_t {
 /// Everything through which the tasks of one run talk: rings and atomics with one writer each, so
 /// that no tick ever waits for another. Memory is taken by the constructor alone.
 struct Channels {
-  // [choice] 0.64 s of references, 1 s of servo samples at 5 ms, and 20 s of rows and events at
-  // 10 ms: what the reader may be late before something is lost.
-  static constexpr std::size_t kReferences = 64;
-  static constexpr std::size_t kSamples = 256;
+  // [choice] At 1 kHz half a second of references and servo samples, more than twice what a thread
+  // may be late before the run ends; 2 s of rows and 4 s of events.
+  static constexpr std::size_t kReferences = 512;
+  static constexpr std::size_t kSamples = 512;
   static constexpr std::size_t kSnapshots = 2048;
   static constexpr std::size_t kEvents = 4096;
 
@@ -137,8 +144,10 @@ struct Channels {
   PressDesk press;
   std::atomic<bool> stop_requested{false};  ///< brake, and drop all that was commanded
   std::atomic<double> override_asked{0};    ///< once each; 0: none
-  /// What the machine says of its own trouble; not for the ticks.
-  std::function<std::string()> trouble = [] { return std::string(); };
+  /// What the machine says about a finding: its trouble, or what explains that an axis is not where
+  /// it should be. Not for the ticks.
+  std::function<std::string(const motion::FollowingFinding&)> of_machine =
+      [](const motion::FollowingFinding&) { return std::string(); };
   std::atomic<std::int64_t> lost{0};  ///< snapshots that found their ring full
 };
 

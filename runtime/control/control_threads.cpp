@@ -15,9 +15,9 @@ ControlThreads::ControlThreads(Controller& controller)
     : controller_(controller),
       servo_(
           clock_, controller.robot().servo_period, kServoPriority,
-          [this](std::int64_t number, double now, double) {
+          [this](std::int64_t number, double, double) {
             controller_.servo().cycle(
-                now, motion::cycle_instant(number, controller_.robot().servo_period));
+                clock_, motion::cycle_instant(number, controller_.robot().servo_period));
             return !stopping_.load(std::memory_order_relaxed);
           },
           &line_),

@@ -28,7 +28,9 @@ Controller::Controller(const motion::RobotModel& robot,
   machine_.run_handlers_on(handlers_machine_);
   machine_.set_override(override_share);
   channels_.joints.store(robot.start);
-  channels_.trouble = [this] { return backend_->trouble(); };
+  channels_.of_machine = [this](const motion::FollowingFinding& finding) {
+    return finding.axis < 0 ? backend_->trouble() : backend_->remark();
+  };
 }
 
 Controller::~Controller() {

@@ -37,19 +37,66 @@ Words beyond(const Refusal& refusal, const motion::RobotModel& robot) {
                       shown(axis.min, axis.kind), shown(axis.max, axis.kind))};
 }
 
-/// The machine's own words, where it has any: what is wrong up to the last semicolon, the remedy
-/// behind it.
+/// What a machine's own words say is wrong, up to the last semicolon, and the remedy after it.
+struct MachineWords {
+  explicit MachineWords(const std::string& text) {
+    const std::size_t cut = text.rfind("; ");
+    what = text.substr(0, cut);
+    if (cut != std::string::npos) remedy = text.substr(cut + 2);
+  }
+  std::string what;
+  std::string remedy;
+};
+
+/// A finding about an axis, and what the machine shows that explains it.
+Words explained(Words words, const std::string& remark) {
+  if (remark.empty()) return words;
+  const MachineWords machine(remark);
+  words.message += ": " + machine.what;
+  words.help = machine.remedy;
+  return words;
+}
+
 Words words_of_machine(FollowingFinding::Cause cause, const std::string& trouble) {
   using Cause = FollowingFinding::Cause;
   const char* const number = cause == Cause::Lost    ? code::kMachineGone
                              : cause == Cause::Alarm ? code::kMachineAlarm
                                                      : code::kNoAnswer;
-  const std::size_t cut = trouble.rfind("; ");
-  if (cut != std::string::npos) return {number, trouble.substr(0, cut), trouble.substr(cut + 2)};
   const char* const what = cause == Cause::Lost    ? "the machine is gone"
                            : cause == Cause::Alarm ? "the machine itself has stopped"
                                                    : "the machine does not answer";
-  return {number, trouble.empty() ? what : trouble, "check its power and its cable"};
+  const char* const remedy = cause == Cause::Alarm ? "look at the machine for the reason"
+                                                   : "check its power and its cable";
+  if (trouble.empty()) return {number, what, remedy};
+  const MachineWords machine(trouble);
+  return {number, machine.what, machine.remedy};
+}
+
+Words words_for_axis(const FollowingFinding& finding, const motion::Axis& axis) {
+  using Cause = FollowingFinding::Cause;
+  const std::string value = shown(finding.value, axis.kind);
+  const std::string limit = shown(finding.limit, axis.kind);
+  switch (finding.cause) {
+    case Cause::FollowingError:
+      return {code::kFollowingError,
+              fmt::format("axis {} is {} off its reference; {} are permitted at this speed",
+                          axis.name, value, limit),
+              "look for what blocks the axis, or lower the speed"};
+    case Cause::Frozen:
+      return {code::kEncoderFrozen,
+              fmt::format("the encoder of axis {} stands still while the reference went away by {}",
+                          axis.name, value),
+              "check the encoder and its cable, and whether the axis is blocked"};
+    case Cause::Jump:
+      return {code::kEncoderJump,
+              fmt::format("the encoder of axis {} jumped by {}; the axis can move {} in that time",
+                          axis.name, value, limit),
+              "check the encoder's cable and shielding; the position is not to be trusted"};
+    default:
+      return {code::kEncoderNoNumber,
+              fmt::format("axis {} reports no number as its position", axis.name),
+              "check the encoder and its cable"};
+  }
 }
 
 }  // namespace
@@ -158,7 +205,7 @@ Words words_for_many_simulations() {
 }
 
 Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot,
-                const std::string& trouble) {
+                const std::string& of_machine) {
   if (finding.cause == FollowingFinding::Cause::Overrun) return words_for_overrun(finding.value);
   if (finding.cause == FollowingFinding::Cause::Noisy) {
     return {code::kNoisyWire,
@@ -176,31 +223,8 @@ Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot
   if (finding.cause == FollowingFinding::Cause::Force ||
       finding.cause == FollowingFinding::Cause::Insensible)
     return words_for_force(finding, robot);
-  if (finding.axis < 0) return words_of_machine(finding.cause, trouble);
-  const motion::Axis& axis = axis_of(robot, finding.axis);
-  const std::string value = shown(finding.value, axis.kind);
-  const std::string limit = shown(finding.limit, axis.kind);
-  switch (finding.cause) {
-    case FollowingFinding::Cause::FollowingError:
-      return {code::kFollowingError,
-              fmt::format("axis {} is {} off its reference; {} are permitted at this speed",
-                          axis.name, value, limit),
-              "look for what blocks the axis, or lower the speed"};
-    case FollowingFinding::Cause::Frozen:
-      return {code::kEncoderFrozen,
-              fmt::format("the encoder of axis {} stands still while the reference went away by {}",
-                          axis.name, value),
-              "check the encoder and its cable, and whether the axis is blocked"};
-    case FollowingFinding::Cause::Jump:
-      return {code::kEncoderJump,
-              fmt::format("the encoder of axis {} jumped by {}; the axis can move {} in that time",
-                          axis.name, value, limit),
-              "check the encoder's cable and shielding; the position is not to be trusted"};
-    default:
-      return {code::kEncoderNoNumber,
-              fmt::format("axis {} reports no number as its position", axis.name),
-              "check the encoder and its cable"};
-  }
+  if (finding.axis < 0) return words_of_machine(finding.cause, of_machine);
+  return explained(words_for_axis(finding, axis_of(robot, finding.axis)), of_machine);
 }
 
 std::string text_for_stopped_jog(int axis, const motion::RobotModel& robot) {
@@ -225,7 +249,7 @@ Words words_for_cut_lead(double late) {
 Words words_for_overrun(double lateness) {
   return {code::kOverrun,
           fmt::format("motion control came {:.0f} ms late, more than can be made up; the robot was"
-                      " stopped from the last reference sent",
+                      " stopped",
                       lateness * 1e3),
           "start the program again; see docs/realtime.md if it happens often"};
 }

@@ -34,10 +34,11 @@ Words words_for_place(double distance, double way);
 /// More places on one motion than it can have; a PATH of more motions than can be planned as one.
 Words words_for_many_places(std::size_t most);
 Words words_for_long_path(std::size_t most);
-/// "axis x follows 2.1 mm behind; 2 mm are permitted here".
-/// `trouble`: what the machine itself says of it, "what is wrong; the remedy"; empty: nothing.
+/// "axis x is 2.1 mm off its reference; 2 mm are permitted here".
+/// `of_machine`: what the machine itself says about it (Channels::of_machine), "what is wrong; the
+/// remedy"; empty: nothing.
 Words words_for(const motion::FollowingFinding& finding, const motion::RobotModel& robot,
-                const std::string& trouble = "");
+                const std::string& of_machine = "");
 /// Why a jog goes no further: the axis whose way ends there, −1: none.
 std::string text_for_stopped_jog(int axis, const motion::RobotModel& robot);
 /// A path event that came too early by so many s; below 0: too late.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "motion/space/cycle_instant.h"
 
@@ -15,14 +16,12 @@ namespace {
 
 constexpr double kMostShare = 2;  // of an override
 
-constexpr double kInstantTolerance = 1e-9;  // s: an instant on the period's border is in it
+// s. [choice] what a machine that follows later lags and reports behind; older measurements are
+// those of a machine that does not answer
+constexpr double kLongestLag = 0.3;
+constexpr double kLongestSettling = 1;  // s [choice] for an axis that does not come to rest
 
-motion::JointVector greatest_accelerations(const motion::RobotModel& robot) {
-  motion::JointVector a_max(robot.axis_count());
-  for (int i = 0; i < robot.axis_count(); ++i)
-    a_max[i] = robot.axes[static_cast<std::size_t>(i)].a_max;
-  return a_max;
-}
+constexpr double kInstantTolerance = 1e-9;  // s: an instant on the period's border is in it
 
 motion::JointVector six(const motion::Wrench& wrench) noexcept {
   motion::JointVector values(6);
@@ -48,13 +47,14 @@ MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenera
       simulated_(script, channels.panel),
       relief_(robot.reference_period),
       retrace_(robot, recorded),
-      brake_(greatest_accelerations(robot)),
+      last_stop_(robot),
       press_(robot) {
   if (override_share_ != 1) set_override(override_share_);
   program_.current.reference.q = robot.start;
 }
 
 void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
+  if (over()) return;
   now_ = motion::cycle_instant(number, period_);
   take_samples();
   relieve_drives();
@@ -74,7 +74,8 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   if (!retrace_.away()) retrace_.add(active_->current.reference.q);
   release_events(now_);
   end_pulses(now_);
-  if (finished_ && !pulses_.any() && !retrace_.moving() && backing_off_ == BackOff::None)
+  const bool done = finished_ && !pulses_.any() && !retrace_.moving();
+  if (done && backing_off_ == BackOff::None && machine_settled())
     over_.store(true, std::memory_order_release);
   channels_.cycle.store(number, std::memory_order_relaxed);
   channels_.joints.store(active_->current.reference.q);
@@ -87,10 +88,10 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   advance(number + 1);
   follow_way_back(motion::cycle_instant(number + 1, period_) - now_);
   follow_press();
-  follow_brake(motion::cycle_instant(number + 1, period_));
+  collect_events();
+  follow_last_stop(motion::cycle_instant(number + 1, period_));
   lateness_ = lateness;
   channels_.references.push(active_->current.reference);
-  collect_events();
   for (Track* const track : {&program_, &handlers_}) {
     MotionProgress& progress = track->progress;
     progress.standing.store(track->current.state == motion::MotionState::Idle,
@@ -114,7 +115,15 @@ void MotionTask::take_samples() noexcept {
     gauge_.take(sample);
     if (sample.finding.verdict != FollowingFinding::Verdict::None)
       take_finding(sample.time, sample.finding);
+    last_stop_.take(sample);
   }
+}
+
+/// A machine that follows its references later, by what it reports.
+bool MotionTask::machine_settled() noexcept {
+  if (!finished_at_) finished_at_ = now_;
+  return samples_ == 0 || history_[(samples_ - 1) % kHistory].settled ||
+         now_ - *finished_at_ > kLongestSettling;
 }
 
 void MotionTask::prepare(double now) noexcept {
@@ -137,6 +146,7 @@ void MotionTask::latch_inputs(double now) noexcept {
 
 void MotionTask::take_finding(double time, const FollowingFinding& finding) noexcept {
   const bool stop = finding.verdict == FollowingFinding::Verdict::Stop;
+  if (stop && finding.cause == FollowingFinding::Cause::Overrun) last_stop_.lose_touch(now_);
   if (faulted_ || (warned_ && !stop)) return;
   channels_.notices.push({time, finding});
   warned_ = true;
@@ -147,7 +157,7 @@ void MotionTask::take_finding(double time, const FollowingFinding& finding) noex
 
 void MotionTask::take_requests() noexcept {
   if (channels_.stop.hold.load(std::memory_order_relaxed)) hold();
-  if (channels_.stop.brake.load(std::memory_order_relaxed) && !brake_.active()) brake();
+  if (channels_.stop.brake.load(std::memory_order_relaxed)) brake();
   take_way_back();
   pause(channels_.pause_requested.load(std::memory_order_relaxed));
   if (const double share = channels_.override_asked.exchange(0, std::memory_order_relaxed))
@@ -172,26 +182,23 @@ void MotionTask::hold() noexcept {
   take_safe_values();
 }
 
-/// From the reference that was handed out last.
+/// From the reference that was handed out last; then without force.
 void MotionTask::brake() noexcept {
+  disables_ = true;
+  if (last_stop_.braking()) return;
   hold();
-  backing_off_ = BackOff::None;
-  brake_.start(active_->current.reference);
+  last_stop_.brake(active_->current.reference);
 }
 
-void MotionTask::follow_brake(double stamp) noexcept {
-  if (!brake_.active()) return;
-  motion::GeneratorSample& sample = active_->current;
-  sample.reference = brake_.at(stamp);
-  sample.rate = 0;
-  sample.state = stamp < brake_.rest() ? motion::MotionState::Stopping : motion::MotionState::Held;
-  if (!brake_.take_rest(stamp)) return;
+void MotionTask::follow_last_stop(double stamp) noexcept {
+  if (last_stop_.active()) backing_off_ = BackOff::None;
+  if (!last_stop_.lead(active_->current, stamp)) return;
   MotionEvent event;
   event.kind = MotionEvent::Kind::Held;
-  event.time = brake_.rest();
-  event.tag = sample.tag;
+  event.time = last_stop_.rest();
+  event.tag = active_->current.tag;
   active_->pending.push(event);
-  channels_.drives_off.store(true, std::memory_order_relaxed);
+  if (disables_) channels_.drives_off.store(true, std::memory_order_relaxed);
 }
 
 motion::CycleView MotionTask::view(double now) const noexcept {
@@ -232,7 +239,8 @@ void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
   if (const ServoSample* servo = sample_at(sample.reference.time)) {
     // On the virtual clock both instants are the same; in real time the servo's is the nearer past.
     const double since = sample.reference.time - servo->measured.time;
-    snapshot.measured = servo->measured.q + servo->measured.qd * since;
+    snapshot.measured = servo->measured.q;
+    if (since < kLongestLag) snapshot.measured += servo->measured.qd * since;
     snapshot.drive = servo->drive;
   }
   if (!channels_.snapshots.push(snapshot)) channels_.lost.fetch_add(1, std::memory_order_relaxed);
@@ -241,8 +249,11 @@ void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
 void MotionTask::collect_events() noexcept {
   MotionEvent event;
   for (Track* const track : {&program_, &handlers_}) {
-    while (track->generator.take_event(event))
-      if (!brake_.active()) track->pending.push(event);
+    while (track->generator.take_event(event)) {
+      if (last_stop_.active()) continue;
+      track->pending.push(event);
+      if (event.kind == MotionEvent::Kind::Overrun && track == active_) last_stop_.lose_touch(now_);
+    }
   }
 }
 

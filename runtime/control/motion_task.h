@@ -4,16 +4,17 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "motion/force/press.h"
-#include "motion/generate/axis_brake.h"
 #include "motion/generate/drive_relief.h"
 #include "motion/generate/retrace.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
 #include "runtime/control/force_gauge.h"
+#include "runtime/control/last_stop.h"
 #include "runtime/control/pulses.h"
 #include "runtime/control/simulated_inputs.h"
 
@@ -54,6 +55,7 @@ class MotionTask {
 
   void advance(std::int64_t number) noexcept;
   void take_samples() noexcept;
+  bool machine_settled() noexcept;
   void latch_inputs(double now) noexcept;
   void take_finding(double time, const motion::FollowingFinding& finding) noexcept;
   void take_requests() noexcept;
@@ -84,7 +86,7 @@ class MotionTask {
   void release(Track& track, motion::MotionEvent event, double cycle_time) noexcept;
   void hold() noexcept;
   void brake() noexcept;
-  void follow_brake(double stamp) noexcept;
+  void follow_last_stop(double stamp) noexcept;
   void take_immediate() noexcept;
   void act(const motion::Effect& effect, double now) noexcept;
   /// Whether the effect is on an output that has taken its SAFE value for good.
@@ -129,11 +131,13 @@ class MotionTask {
   motion::Wrench wrench_;  ///< of the present cycle, along the world
   SimulatedInputs simulated_;
   Pulses pulses_;
-  bool finished_ = false;  ///< motion is over; pulses may still be under way
+  bool finished_ = false;              ///< motion is over; pulses may still be under way
+  std::optional<double> finished_at_;  ///< s
+  bool disables_ = false;              ///< the drives, when the last stop has come to its end
   double saturation_ = 0;
   motion::DriveRelief relief_;
   motion::Retrace retrace_;
-  motion::AxisBrake brake_;  ///< once it is active, the generators no longer count
+  LastStop last_stop_;
   motion::Press press_;
   motion::JointVector unpressed_;  ///< where the path is, without what the PRESS adds
   int beyond_ = 0;                 ///< cycles in which the force has been beyond the robot's limit

@@ -38,7 +38,15 @@ JointVector limits_of(const motion::RobotModel& robot, double motion::Axis::*lim
   return values;
 }
 
-constexpr double kNoisyWire = 0.05;  // [choice] fault 25: 1 % is repeated, 10 % is told
+JointVector counts_of(const motion::RobotModel& robot) {
+  JointVector counts(robot.axis_count());
+  for (int i = 0; i < robot.axis_count(); ++i)
+    counts[i] = robot.axes[static_cast<std::size_t>(i)].drive.encoder_resolution;
+  return counts;
+}
+
+constexpr double kPatience = 0.01;   // s [choice] for a thread that the same computer runs next
+constexpr double kNoisyWire = 0.05;  // [choice] fault 25: 1 % is repeated, 10 % is reported
 
 /// s between two cycles. As much lateness as the generator makes up (20 reference periods, at least
 /// 200 ms), and the period itself: after more the machine has been on its own.
@@ -60,17 +68,30 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
       reference_period_(robot.reference_period),
       bridged_gap_((motion::ReferenceInterpolator::kLongestGap - 1) *
                    std::max(robot.reference_period, robot.servo_period)),
-      longest_gap_(longest_gap(robot)) {
+      longest_gap_(longest_gap(robot)),
+      v_max_(limits_of(robot, &motion::Axis::v_max)),
+      stop_(limits_of(robot, &motion::Axis::a_max)),
+      still_(counts_of(robot)) {
   const JointVector zero = JointVector::Zero(robot.axis_count());
   state_.measured = {0, robot.start, zero};
   command_.reference = {0, robot.start, zero, zero};
   command_.drive = zero;
 }
 
+/// Without an answer nothing is known of its speed.
+DriverStatus ServoTask::read_machine(double now) noexcept {
+  const DriverStatus status = backend_.read(now, state_);
+  const bool answers = status == DriverStatus::Ok || status == DriverStatus::Alarm;
+  answers_ = status != DriverStatus::Silent && status != DriverStatus::Lost;
+  if (!answers) state_.measured.qd.setZero();
+  if (answers) still_.look(state_.measured.q, state_.seen);
+  return status;
+}
+
 void ServoTask::learn_stand(double now) noexcept {
   now_ = now;
   followed_ = now;
-  backend_.read(now, state_);
+  read_machine(now);
   take_as_it_stands(now);
   channels_.inputs.store(state_.inputs, std::memory_order_relaxed);
   channels_.analog_inputs.store(state_.analog_inputs);
@@ -82,7 +103,8 @@ void ServoTask::enable(double now) noexcept {
   enabled_ = true;
 }
 
-/// What follows starts from the measured place and joins the references slowly, wherever they are.
+/// What follows starts from the measured position and joins the references slowly, wherever they
+/// are.
 void ServoTask::take_as_it_stands(double now) noexcept {
   const JointVector zero = JointVector::Zero(state_.measured.q.size());
   command_.reference = {now, state_.measured.q, zero, zero};
@@ -94,24 +116,33 @@ void ServoTask::take_as_it_stands(double now) noexcept {
 
 /// The whole process was stopped for a while, and this thread came back before the one that makes
 /// the references: what it lacks, or the instant from which it holds, is about to come. Until then
-/// the drives go on as they were told.
-bool ServoTask::references_are_coming(double now, double gap) const noexcept {
-  return gap > bridged_gap_ && gap <= longest_gap_ && std::abs(now - newest_) > reference_period_;
+/// the drives go on as they were told; but not for long, since that thread may be late again.
+bool ServoTask::references_are_coming(double now, double gap) noexcept {
+  const bool missing =
+      gap > bridged_gap_ && gap <= longest_gap_ && std::abs(now - newest_) > reference_period_;
+  if (!missing) {
+    waiting_since_.reset();
+    return false;
+  }
+  if (!waiting_since_) waiting_since_ = now;
+  return now - *waiting_since_ <= std::max(reference_period_, kPatience);
 }
 
-/// Nobody looked after the machine for too long: its drives have stopped it by themselves, and
-/// where it should be by now no longer counts.
-motion::FollowingFinding ServoTask::judge(DriverStatus status, double gap) noexcept {
+motion::FollowingFinding ServoTask::judge(DriverStatus status) noexcept {
   using motion::FollowingFinding;
-  if (gap <= longest_gap_) {
-    const FollowingFinding found = supervisor_.check(status, history_.at(state_.measured.time),
-                                                     state_.measured, state_.spread);
-    if (found.verdict != FollowingFinding::Verdict::None || state_.wire_errors <= kNoisyWire)
-      return found;
-    return {FollowingFinding::Verdict::Warn, FollowingFinding::Cause::Noisy, -1, state_.wire_errors,
-            kNoisyWire};
-  }
-  return {FollowingFinding::Verdict::Stop, FollowingFinding::Cause::Overrun, -1, gap, longest_gap_};
+  const FollowingFinding found =
+      supervisor_.check(status, history_.at(state_.measured.time), state_.measured, state_.spread);
+  if (found.verdict != FollowingFinding::Verdict::None || state_.wire_errors <= kNoisyWire)
+    return found;
+  return {FollowingFinding::Verdict::Warn, FollowingFinding::Cause::Noisy, -1, state_.wire_errors,
+          kNoisyWire};
+}
+
+/// This computer was late, whatever the machine says.
+motion::FollowingFinding ServoTask::overrun() const noexcept {
+  using motion::FollowingFinding;
+  return {FollowingFinding::Verdict::Stop, FollowingFinding::Cause::Overrun, -1, gap_,
+          longest_gap_};
 }
 
 void ServoTask::guide(double now) noexcept {
@@ -132,40 +163,68 @@ motion::JointReference ServoTask::found_at(double instant) const noexcept {
   return {instant, state_.measured.q, state_.measured.qd, zero};
 }
 
-void ServoTask::cycle(double now, double due) noexcept {
-  const bool follows = backend_.follows_references();
-  const double instant = follows ? due : now;
-  const double gap = now - followed_;
-  now_ = now;
-  const DriverStatus read = backend_.read(now, state_);
-  const DriverStatus status = read == DriverStatus::Ok ? written_ : read;
-  if (gap > longest_gap_ && read == DriverStatus::Ok) take_as_it_stands(instant);
+void ServoTask::take_references() noexcept {
   motion::JointReference newest;
   while (channels_.references.take(newest)) {
     interpolator_.push(newest);
     newest_ = newest.time;
   }
+}
+
+void ServoTask::lose_touch(double now, double gap) noexcept {
+  touch_ = Touch::Lost;
+  lost_ = now;
+  gap_ = gap;
+}
+
+/// A position that the machine reported after the gap: there the axes are braked from the velocity
+/// that they have. Drives that have braked by themselves thus stay where they are.
+bool ServoTask::find_machine(double instant, DriverStatus read) noexcept {
+  const motion::JointMeasurement& found = state_.measured;
+  const bool fresh = std::max(state_.seen, found.time) >= lost_;
+  const bool finite = found.q.allFinite() && found.qd.allFinite();
+  if (read != DriverStatus::Ok || !fresh || !finite) return false;
+  take_as_it_stands(instant);
+  command_.reference.qd = found.qd.cwiseMin(v_max_).cwiseMax(-v_max_);
+  stop_.start(command_.reference);
+  touch_ = Touch::Braked;
+  return true;
+}
+
+void ServoTask::run(double now, double due) noexcept {
+  const double instant = backend_.follows_references() ? due : now;
+  const double gap = now - followed_;
+  now_ = now;
+  const DriverStatus read = read_machine(now);
+  const DriverStatus status = read == DriverStatus::Ok ? written_ : read;
   if (guided_) {
     followed_ = now;
-    return tell(status == DriverStatus::Ok ? motion::FollowingFinding{} : judge(status, 0));
+    return tell(status == DriverStatus::Ok ? motion::FollowingFinding{} : judge(status));
   }
   if (enabled_ && channels_.drives_off.load(std::memory_order_relaxed)) disable();
-  if (references_are_coming(now, gap)) return tell({});
+  if (gap > longest_gap_) lose_touch(now, gap);
+  if (read == DriverStatus::Late && touch_ == Touch::Kept) lose_touch(now, state_.late);
+  if (touch_ == Touch::Kept && references_are_coming(now, gap)) return tell({});
   followed_ = now;
-  if (gap > bridged_gap_ && gap <= longest_gap_ && read == DriverStatus::Ok) {
+  if (touch_ == Touch::Lost && !find_machine(instant, read)) return tell(overrun());
+  if (touch_ == Touch::Kept && gap > bridged_gap_ && read == DriverStatus::Ok)
     interpolator_.join_from(found_at(instant));
-  }
-  command_.reference = interpolator_.at(instant);
+  command_.reference = touch_ == Touch::Braked ? stop_.at(instant) : interpolator_.at(instant);
   history_.push(command_.reference);
+  const motion::FollowingFinding finding = touch_ == Touch::Braked ? overrun() : judge(status);
+  follow(now, read);
+  tell(finding);
+}
+
+/// Sends what the reference asks for.
+void ServoTask::follow(double now, DriverStatus read) noexcept {
+  const bool follows = backend_.follows_references();
   command_.outputs = channels_.outputs.load(std::memory_order_relaxed);
   command_.analog_outputs = channels_.analog_outputs.load();
-
-  const motion::FollowingFinding finding = judge(status, gap);
-  if (enabled_ && (follows ? read != DriverStatus::Lost : read == DriverStatus::Ok)) {
-    if (!follows) command_.drive = servo_->update(now, command_.reference, state_.measured);
-    written_ = backend_.write(now, command_);
-  }
-  tell(finding);
+  if (!enabled_ || (follows ? read == DriverStatus::Lost : read != DriverStatus::Ok)) return;
+  if (!follows) command_.drive = servo_->update(now, command_.reference, state_.measured);
+  written_ = backend_.write(now, command_);
+  still_.send(command_.reference.q, now);
 }
 
 void ServoTask::tell(const motion::FollowingFinding& finding) noexcept {
@@ -179,6 +238,9 @@ void ServoTask::tell(const motion::FollowingFinding& finding) noexcept {
   sample.analog_inputs = state_.analog_inputs;
   sample.saturation = servo_->take_saturation();
   sample.felt = {state_.wrench_time, state_.wrench};
+  sample.reference = command_.reference;
+  sample.braked = touch_ == Touch::Braked;
+  sample.settled = !backend_.follows_references() || !answers_ || still_.still();
   channels_.samples.push(sample);
 }
 

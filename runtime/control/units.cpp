@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace rob::runtime {
 
 std::string shown(double value, int decimals) {
@@ -23,6 +25,31 @@ std::string axes_text(const motion::RobotModel& robot, const motion::JointVector
   for (int i = 0; i < robot.axis_count(); ++i) {
     const motion::Axis& axis = robot.axes[static_cast<std::size_t>(i)];
     text += fmt::format("{}{} {}", i == 0 ? "" : ", ", axis.name, shown(q[i], axis.kind));
+  }
+  return text;
+}
+
+bool stands_beside(const motion::Axis& axis, double measured, double reference) {
+  constexpr double kSeen = 0.05;  // mm or deg [choice]
+  const double beside = std::abs(measured - reference);
+  return beside > axis.drive.encoder_resolution && beside * shown_per_si(axis.kind) > kSeen;
+}
+
+std::string stand_text(const motion::RobotModel& robot, const motion::JointVector& measured,
+                       const motion::JointVector& reference) {
+  constexpr int kDecimals = 2;
+  std::string text;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const motion::Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    const char* const comma = i == 0 ? "" : ", ";
+    if (!stands_beside(axis, measured[i], reference[i])) {
+      text += fmt::format("{}{} {}", comma, axis.name, shown(reference[i], axis.kind));
+      continue;
+    }
+    text +=
+        fmt::format("{}{} {} {} (its reference is {} {})", comma, axis.name,
+                    shown(measured[i] * shown_per_si(axis.kind), kDecimals), unit_name(axis.kind),
+                    shown(reference[i] * shown_per_si(axis.kind), kDecimals), unit_name(axis.kind));
   }
   return text;
 }

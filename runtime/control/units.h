@@ -30,6 +30,14 @@ std::string shown(double value, int decimals);
 /// "x 40 mm, y 12.5 mm, theta 0 deg".
 std::string axes_text(const motion::RobotModel& robot, const motion::JointVector& q);
 
+/// Whether an axis stands beside its reference by more than the eye, or its encoder, can tell.
+bool stands_beside(const motion::Axis& axis, double measured, double reference);
+
+/// Where the axes stand: as axes_text(), measured to 0.01 mm or deg, and of an axis that
+/// stands_beside() its reference, that too: "pan -3.05 deg (its reference is -21.3 deg)".
+std::string stand_text(const motion::RobotModel& robot, const motion::JointVector& measured,
+                       const motion::JointVector& reference);
+
 /// x, y, z in mm, a, b, c in deg.
 std::vector<double> shown_pose(const motion::Pose& pose);
 

@@ -82,7 +82,10 @@ Json final_json(const RunResult& result) {
   for (std::size_t i = 0; i < result.final_pose.size(); ++i) {
     pose[names[i]] = millimetres(result.final_pose[i]);
   }
-  return {{"joints", joints_json(result.final_joints)}, {"pose", pose}};
+  return {{"joints", joints_json(result.final_joints)},
+          {"measured", joints_json(result.final_measured)},
+          {"reference", joints_json(result.final_reference)},
+          {"pose", pose}};
 }
 
 Json signals_json(const RunResult& result) {

@@ -132,7 +132,7 @@ void RunRecorder::take(const MotionEvent& event) {
 }
 
 void RunRecorder::take(const ServoNotice& notice) {
-  const Words words = words_for(notice.finding, robot_, channels_.trouble());
+  const Words words = words_for(notice.finding, robot_, channels_.of_machine(notice.finding));
   if (notice.finding.verdict == motion::FollowingFinding::Verdict::Stop) {
     fail(notice.time, "fault", words);
   } else {
@@ -319,7 +319,8 @@ void RunRecorder::take_peaks(const Snapshot& snapshot) {
 }
 
 void RunRecorder::add_event(double time, const char* kind, int line, std::string text) {
-  events_.push_back({time, kind, line, std::move(text), shown_joints()});
+  events_.push_back({time, kind, line, std::move(text),
+                     shown_joints(last_ ? last_->sample.reference.q : robot_.start)});
 }
 
 void RunRecorder::fail(double time, const char* kind, Words words, std::optional<int> line) {
@@ -332,9 +333,7 @@ void RunRecorder::fail(double time, const char* kind, Words words, std::optional
                           std::move(words.message), std::move(words.help)};
 }
 
-/// Of the last reference, mm or deg.
-std::vector<double> RunRecorder::shown_joints() const {
-  const motion::JointVector& q = last_ ? last_->sample.reference.q : robot_.start;
+std::vector<double> RunRecorder::shown_joints(const motion::JointVector& q) const {
   std::vector<double> shown;
   for (int i = 0; i < robot_.axis_count(); ++i) {
     shown.push_back(q[i] * shown_per_si(robot_.axes[static_cast<std::size_t>(i)].kind));
@@ -342,8 +341,22 @@ std::vector<double> RunRecorder::shown_joints() const {
   return shown;
 }
 
-std::string RunRecorder::stands() const {
-  return axes_text(robot_, last_ ? last_->sample.reference.q : robot_.start);
+/// Where the robot has come to rest. After a fault the axes may be anywhere beside their
+/// references.
+void RunRecorder::take_stand() {
+  const motion::JointVector& reference = last_ ? last_->sample.reference.q : robot_.start;
+  const motion::JointVector& measured = last_ ? last_->measured : robot_.start;
+  motion::JointVector q = reference;
+  for (int i = 0; i < robot_.axis_count(); ++i) {
+    const motion::Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
+    if (result_.status != "done" && stands_beside(axis, measured[i], reference[i]))
+      q[i] = measured[i];
+  }
+  result_.final_joints = shown_joints(q);
+  result_.final_measured = shown_joints(measured);
+  result_.final_reference = shown_joints(reference);
+  result_.final_pose = shown_pose(robot_.kinematics->forward(q));
+  result_.stands = stand_text(robot_, measured, reference);
 }
 
 LineResult& RunRecorder::line_of(const LoggedSegment& segment) {
@@ -370,10 +383,7 @@ RunResult RunRecorder::finish() {
   for (auto& [number, line] : lines_) result_.lines.push_back(line);
   result_.deviation = std::max(result_.deviation, path_.deviation() * kMillimetresPerMetre);
   result_.slow_places = slow_.finish();
-  result_.final_joints = shown_joints();
-  result_.stands = stands();
-  const motion::JointVector q = last_ ? last_->sample.reference.q : robot_.start;
-  result_.final_pose = shown_pose(robot_.kinematics->forward(q));
+  take_stand();
   return std::move(result_);
 }
 

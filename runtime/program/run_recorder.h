@@ -93,8 +93,9 @@ class RunRecorder {
   void add_output(const motion::MotionEvent& event, bool value);
   void add_analog(const motion::MotionEvent& event);
   void take_peaks(const Snapshot& snapshot);
-  std::vector<double> shown_joints() const;
-  std::string stands() const;
+  /// mm or deg.
+  std::vector<double> shown_joints(const motion::JointVector& q) const;
+  void take_stand();
   void add_event(double time, const char* kind, int line, std::string text);
   /// `line`: its tag; none: that of the motion that runs.
   void fail(double time, const char* kind, Words words, std::optional<int> line = {});

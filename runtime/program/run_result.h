@@ -105,11 +105,15 @@ struct RunResult {
   double measured = 0;   ///< s
   std::int64_t cycles = 0;
   std::int64_t late_cycles = 0;
-  double worst_lateness = 0;         ///< s
-  std::vector<LineResult> lines;     ///< in the order of their tags
-  std::vector<double> final_joints;  ///< mm, deg
-  std::string stands;                ///< the same for people: "x 100 mm, theta 90 deg"
-  std::vector<double> final_pose;    ///< x, y, z in mm, a, b, c in deg
+  double worst_lateness = 0;      ///< s
+  std::vector<LineResult> lines;  ///< in the order of their tags
+  /// Where the axes stand, mm or deg: at their references; after a fault, what was measured of an
+  /// axis that is off its reference.
+  std::vector<double> final_joints;
+  std::vector<double> final_measured;   ///< mm, deg
+  std::vector<double> final_reference;  ///< mm, deg
+  std::string stands;                   ///< for people: "x 100 mm, theta 90 deg", measured
+  std::vector<double> final_pose;       ///< of final_joints: x, y, z in mm, a, b, c in deg
   // Of each the first and the last 5000, and the number of all.
   std::vector<SignalChange> signals;
   std::vector<std::string> output;

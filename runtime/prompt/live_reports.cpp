@@ -1,5 +1,6 @@
 #include "runtime/prompt/live_reports.h"
 #include "runtime/control/force_words.h"
+#include "runtime/control/units.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +10,8 @@ using motion::Effect;
 using motion::MotionEvent;
 
 void LiveReports::drain() {
+  const bool over =
+      controller_.motion().over();  // before looking: all that came before is then seen
   Channels& channels = controller_.channels();
   Snapshot snapshot;
   while (channels.snapshots.take(snapshot)) {
@@ -25,14 +28,28 @@ void LiveReports::drain() {
   while (channels.events.take(event)) take(event);
   ServoNotice notice;
   while (channels.notices.take(notice)) {
-    const Words words = words_for(notice.finding, controller_.robot(), channels.trouble());
+    const Words words =
+        words_for(notice.finding, controller_.robot(), channels.of_machine(notice.finding));
     const bool stops = notice.finding.verdict == motion::FollowingFinding::Verdict::Stop;
-    if (!stops) {
+    if (stops) {
+      fail(line_, words);
+    } else {
       tell(fmt::format("warning: {}", words.message));
-    } else if (listener_.fault) {
-      listener_.fault(line_, words);
     }
   }
+  if (failed_ && over) tell_stand();
+}
+
+void LiveReports::fail(int line, const Words& words) {
+  failed_ = true;
+  if (listener_.fault) listener_.fault(line, words);
+}
+
+void LiveReports::tell_stand() {
+  failed_ = false;
+  if (last_)
+    tell(fmt::format("the robot stands at {}",
+                     stand_text(controller_.robot(), last_->measured, last_->sample.reference.q)));
 }
 
 void LiveReports::take(const MotionEvent& event) {
@@ -60,14 +77,11 @@ void LiveReports::take(const MotionEvent& event) {
     case Kind::NoWayBack:
       return tell("there is no way back from here: what is recorded begins here");
     case Kind::Overrun:
-      if (listener_.fault) listener_.fault(line, words_for_overrun(event.value));
-      return;
+      return fail(line, words_for_overrun(event.value));
     case Kind::Fault:
-      if (listener_.fault) listener_.fault(line, words_for_not_finite(event.axis, robot));
-      return;
+      return fail(line, words_for_not_finite(event.axis, robot));
     case Kind::PaceFailed:
-      if (listener_.fault) listener_.fault(line, words_for_no_pace());
-      return;
+      return fail(line, words_for_no_pace());
     default:
       return;
   }

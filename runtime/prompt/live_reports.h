@@ -33,6 +33,8 @@ class LiveReports {
  private:
   void take(const motion::MotionEvent& event);
   void take_note(const Note& note);
+  void fail(int line, const Words& words);
+  void tell_stand();
   void tell(const std::string& text) {
     if (listener_.tell) listener_.tell(text);
   }
@@ -42,6 +44,7 @@ class LiveReports {
   std::optional<Snapshot> last_;
   int line_ = 0;
   bool jogging_ = false;  ///< that a jog ends is no news
+  bool failed_ = false;   ///< where the robot comes to rest is still to be told
 };
 
 }  // namespace rob::runtime

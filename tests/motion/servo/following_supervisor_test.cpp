@@ -240,6 +240,25 @@ TEST_CASE("a machine may miss two answers in a row, not three") {
   CHECK(silent().verdict == Verdict::Stop);
 }
 
+TEST_CASE(
+    "an answer that is not due yet, and a computer that is late, are not counted as silence") {
+  FollowingSupervisor supervisor = supervisor_at_rest();
+  const JointVector zero = both(0, 0);
+  const JointReference reference{0, zero, zero, zero};
+  const JointMeasurement stale{0, zero, zero};
+  const auto status = [&](DriverStatus value) { return supervisor.check(value, reference, stale); };
+  for (int i = 0; i < 10; ++i) {
+    CHECK(status(DriverStatus::Pending).verdict == Verdict::None);
+    CHECK(status(DriverStatus::Late).verdict == Verdict::None);
+  }
+  // In between they do not make silence good.
+  status(DriverStatus::Silent);
+  status(DriverStatus::Pending);
+  status(DriverStatus::Silent);
+  status(DriverStatus::Late);
+  CHECK(status(DriverStatus::Silent).cause == Cause::Silent);
+}
+
 TEST_CASE("a machine that is gone stops the run at once") {
   FollowingSupervisor supervisor = supervisor_at_rest();
   const FollowingFinding found = supervisor.check(DriverStatus::Lost, {}, {});
