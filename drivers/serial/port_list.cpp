@@ -1,14 +1,17 @@
 #include "drivers/serial/port_list.h"
 
 #include <grp.h>
+#include <pwd.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
 namespace rob::drivers {
@@ -34,10 +37,31 @@ PortEntry& entry_of(std::vector<PortEntry>& ports, const std::string& path) {
   return known != ports.end() ? *known : ports.emplace_back(PortEntry{path, "", ""});
 }
 
+/// Whether the group of the port exists for such devices, and may use it.
+bool is_for_devices(const std::string& path) {
+  constexpr std::array<std::string_view, 3> kGroups{"dialout", "uucp", "plugdev"};
+  struct stat file {};
+  if (::stat(path.c_str(), &file) != 0) return false;
+  const bool permitted = (file.st_mode & S_IRGRP) != 0 && (file.st_mode & S_IWGRP) != 0;
+  return permitted && std::ranges::find(kGroups, group_of(path)) != kGroups.end();
+}
+
+/// "root:tty, mode 0620".
+std::string ownership_of(const std::string& path) {
+  struct stat file {};
+  if (::stat(path.c_str(), &file) != 0) return "nobody";
+  const passwd* const owner = ::getpwuid(file.st_uid);
+  std::array<char, 8> mode{};
+  std::snprintf(mode.data(), mode.size(), "%04o", static_cast<unsigned>(file.st_mode & 07777));
+  return (owner != nullptr ? std::string(owner->pw_name) : std::to_string(file.st_uid)) + ":" +
+         group_of(path) + ", mode " + mode.data();
+}
+
 std::string state_of(const std::string& path) {
   if (const std::string owner = lock_owner(path); !owner.empty()) return "used by " + owner;
   if (::access(path.c_str(), R_OK | W_OK) == 0) return "free";
-  return "not permitted: needs the group " + group_of(path);
+  if (is_for_devices(path)) return "not permitted: needs the group " + group_of(path);
+  return "not permitted: belongs to " + ownership_of(path);
 }
 
 }  // namespace
@@ -69,6 +93,14 @@ std::string group_of(const std::string& path) {
   if (::stat(path.c_str(), &file) != 0) return "";
   const group* const found = ::getgrgid(file.st_gid);
   return found != nullptr ? found->gr_name : std::to_string(file.st_gid);
+}
+
+std::string permission_advice(const std::string& path) {
+  if (is_for_devices(path))
+    return "it needs the group " + group_of(path) + ": sudo usermod -aG " + group_of(path) +
+           " $USER, then log in again";
+  return "it belongs to " + ownership_of(path) +
+         ": ask the administrator of this computer for a udev rule that gives you access to it";
 }
 
 std::vector<PortEntry> list_ports(const std::string& dev) {

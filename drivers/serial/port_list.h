@@ -23,4 +23,9 @@ std::string lock_owner(const std::string& path);
 /// The group to which the port belongs: "dialout"; empty if the file is not there.
 std::string group_of(const std::string& path);
 
+/// How a user gets access to a port that he may not use: by joining its group, if that group exists
+/// for such devices (dialout, uucp, plugdev) and may use the port. Membership in any other group
+/// (root, tty, disk) would give away more than a port: then it names owner, group and mode instead.
+std::string permission_advice(const std::string& path);
+
 }  // namespace rob::drivers

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <linux/serial.h>
-#include <poll.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
@@ -11,9 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <utility>
@@ -67,9 +64,7 @@ std::string owner_text(const std::string& path) {
       throw DriverError("there is no port '" + path + "'; " + ports_text());
     case EACCES:
     case EPERM:
-      throw DriverError("you may not use the port '" + path + "'; it needs the group " +
-                        group_of(path) + ": sudo usermod -aG " + group_of(path) +
-                        " $USER, then log in anew");
+      throw DriverError("you may not use the port '" + path + "'; " + permission_advice(path));
     case EBUSY:
       fail_used(path);
     default:
@@ -101,41 +96,23 @@ int latency_timer_of(const std::string& path) {
   return file >> milliseconds ? milliseconds : 0;
 }
 
-/// ms for poll(), rounded up, so that it does not spin before the deadline.
-int poll_time(double deadline) noexcept {
-  return static_cast<int>(std::ceil(std::clamp(deadline - wire_time(), 0.0, 60.0) * 1e3));
-}
-
-bool has_nothing_now(int error) noexcept {
-  return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
-}
-
 }  // namespace
 
-double wire_time() noexcept {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-SerialPort::SerialPort(const std::string& path, int baud) : path_(path) {
-  file_ = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (file_ < 0) fail_to_open(path, errno);
-  try {
-    configure(baud);
-  } catch (...) {
-    ::close(file_);
-    throw;
-  }
+SerialPort::SerialPort(const std::string& path, int baud) : WirePort(path) {
+  const int opened = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (opened < 0) fail_to_open(path, errno);
+  take(opened);
+  configure(baud);
 }
 
 void SerialPort::configure(int baud) {
-  if (::isatty(file_) == 0) throw DriverError("'" + path_ + "' is no serial port; " + ports_text());
-  if (::flock(file_, LOCK_EX | LOCK_NB) != 0) fail_used(path_);
-  ::ioctl(file_, TIOCEXCL);
-  const speed_t speed = speed_of(path_, baud);
+  if (::isatty(file()) == 0)
+    throw DriverError("'" + path() + "' is no serial port; " + ports_text());
+  if (::flock(file(), LOCK_EX | LOCK_NB) != 0) fail_used(path());
+  ::ioctl(file(), TIOCEXCL);
+  const speed_t speed = speed_of(path(), baud);
   termios mode{};
-  if (::tcgetattr(file_, &mode) != 0) fail_to_open(path_, errno);
+  if (::tcgetattr(file(), &mode) != 0) fail_to_open(path(), errno);
   ::cfmakeraw(&mode);
   mode.c_cflag |= CLOCAL | CREAD;
   // Without HUPCL a board is not reset when the port is closed.
@@ -144,49 +121,11 @@ void SerialPort::configure(int baud) {
   mode.c_cc[VTIME] = 0;
   ::cfsetispeed(&mode, speed);
   ::cfsetospeed(&mode, speed);
-  if (::tcsetattr(file_, TCSANOW, &mode) != 0) fail_to_open(path_, errno);
-  ask_for_low_latency(file_);
-  latency_timer_ = latency_timer_of(path_);
+  if (::tcsetattr(file(), TCSANOW, &mode) != 0) fail_to_open(path(), errno);
+  ask_for_low_latency(file());
+  latency_timer_ = latency_timer_of(path());
 }
 
-SerialPort::~SerialPort() {
-  ::ioctl(file_, TIOCNXCL);
-  ::close(file_);
-}
-
-WireIo SerialPort::read(std::span<std::uint8_t> into, double deadline) noexcept {
-  for (;;) {
-    const ssize_t count = ::read(file_, into.data(), into.size());
-    if (count > 0) return {WireIo::Status::Ok, static_cast<std::size_t>(count)};
-    if (count == 0 || !has_nothing_now(errno)) return {WireIo::Status::Gone, 0};
-    if (wire_time() >= deadline) return {WireIo::Status::TimedOut, 0};
-    pollfd waits{file_, POLLIN, 0};
-    ::poll(&waits, 1, poll_time(deadline));
-  }
-}
-
-WireIo SerialPort::write(std::span<const std::uint8_t> bytes, double deadline) noexcept {
-  std::size_t written = 0;
-  while (written < bytes.size()) {
-    const ssize_t count = ::write(file_, bytes.data() + written, bytes.size() - written);
-    if (count > 0) {
-      written += static_cast<std::size_t>(count);
-      continue;
-    }
-    if (count < 0 && !has_nothing_now(errno)) return {WireIo::Status::Gone, written};
-    if (wire_time() >= deadline) return {WireIo::Status::TimedOut, written};
-    pollfd waits{file_, POLLOUT, 0};
-    ::poll(&waits, 1, poll_time(deadline));
-    if ((waits.revents & (POLLHUP | POLLERR)) != 0) return {WireIo::Status::Gone, written};
-  }
-  return {WireIo::Status::Ok, written};
-}
-
-void SerialPort::discard_input() noexcept {
-  std::array<std::uint8_t, 256> lost;
-  // At most what a pseudo-terminal holds.
-  for (int i = 0; i < 80 && ::read(file_, lost.data(), lost.size()) > 0; ++i) {
-  }
-}
+SerialPort::~SerialPort() { ::ioctl(file(), TIOCNXCL); }
 
 }  // namespace rob::drivers

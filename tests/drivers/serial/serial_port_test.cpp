@@ -1,6 +1,8 @@
 #include "drivers/serial/serial_port.h"
 
 #include <doctest/doctest.h>
+#include <grp.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -113,21 +115,66 @@ TEST_CASE("fault 33: a port that is used is refused, and the process is named") 
   CHECK(trouble_of(wire.path()) == "");
 }
 
-TEST_CASE("a port that may not be used names its group") {
-  if (::geteuid() != 0) return;  // only root can become somebody else
-  PtyWire wire;
-  std::filesystem::permissions(wire.path(), std::filesystem::perms::owner_read);
+namespace {
+
+/// What a user without any right is told of the port; runs in a process of its own.
+std::string told_to_nobody(const std::string& path) {
+  int ends[2];
+  REQUIRE(::pipe(ends) == 0);
   const pid_t child = ::fork();
   if (child == 0) {
-    const bool other = ::setgid(65534) == 0 && ::setuid(65534) == 0;  // nobody
-    const std::string trouble = trouble_of(wire.path());
-    const bool told =
-        has(trouble, "it needs the group " + group_of(wire.path())) && has(trouble, "usermod");
-    ::_exit(other && told ? 0 : 1);
+    const bool other = ::setgroups(0, nullptr) == 0 && ::setgid(65534) == 0 && ::setuid(65534) == 0;
+    const std::string trouble = other ? trouble_of(path) : "still root";
+    const ssize_t written = ::write(ends[1], trouble.data(), trouble.size());
+    ::_exit(written == static_cast<ssize_t>(trouble.size()) ? 0 : 1);
   }
+  ::close(ends[1]);
+  std::string told;
+  char part[256];
+  for (ssize_t count = 0; (count = ::read(ends[0], part, sizeof part)) > 0;)
+    told.append(part, static_cast<std::size_t>(count));
+  ::close(ends[0]);
   int status = 1;
   ::waitpid(child, &status, 0);
   CHECK(status == 0);
+  return told;
+}
+
+void belong_to(const std::string& path, const char* name, mode_t mode) {
+  const group* const found = ::getgrnam(name);
+  REQUIRE(found != nullptr);
+  REQUIRE(::chown(path.c_str(), 0, found->gr_gid) == 0);
+  REQUIRE(::chmod(path.c_str(), mode) == 0);
+}
+
+}  // namespace
+
+TEST_CASE("a port that may not be used names its group, if that exists for devices") {
+  if (::geteuid() != 0) return;  // only root can become somebody else
+  const PtyWire wire;
+  for (const char* name : {"dialout", "uucp", "plugdev"}) {
+    belong_to(wire.path(), name, 0660);
+    const std::string told = told_to_nobody(wire.path());
+    CAPTURE(told);
+    CHECK(has(told, std::string("it needs the group ") + name));
+    CHECK(has(told, std::string("sudo usermod -aG ") + name + " $USER"));
+  }
+}
+
+TEST_CASE("nobody is advised to join a group that gives more than a port") {
+  if (::geteuid() != 0) return;
+  const PtyWire wire;
+  for (const char* name : {"root", "tty", "disk"}) {
+    belong_to(wire.path(), name, 0660);
+    const std::string told = told_to_nobody(wire.path());
+    CAPTURE(told);
+    CHECK_FALSE(has(told, "usermod"));
+    CHECK(has(told, std::string("it belongs to root:") + name + ", mode 0660"));
+  }
+  belong_to(wire.path(), "dialout", 0600);  // its members may not use it either
+  const std::string told = told_to_nobody(wire.path());
+  CHECK_FALSE(has(told, "usermod"));
+  CHECK(has(told, "it belongs to root:dialout, mode 0600"));
 }
 
 TEST_CASE("ports are listed once, with the name that stays") {
