@@ -33,9 +33,9 @@ std::string check_law(const std::string& law) {
 std::string check_backend(const std::string& backend) {
   if (backend_of(backend)) return "";
   return fmt::format(
-      "there is no backend '{}'; there are sim, grbl:PORT, dynamixel:PORT, feetech:PORT, "
-      "feetech-scs:PORT and rob:PORT, such as grbl:/dev/ttyUSB0 (rob ports lists the ports)",
-      backend);
+      "there is no backend '{}'; there are {}, such as grbl:/dev/ttyUSB0 or grbl:tcp://host:23"
+      " (rob ports lists the serial ports)",
+      backend, backend_names());
 }
 
 /// CLI11's objects and the texts that they write into.

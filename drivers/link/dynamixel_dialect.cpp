@@ -78,8 +78,10 @@ dynamixel::Wire DynamixelDialect::write_all(std::span<const std::uint8_t> ids,
   return dynamixel::encode(dynamixel::kEveryone, Instruction::SyncWrite, parameters.view());
 }
 
+ServoSetting DynamixelDialect::torque_setting(bool on) { return {kTorque, 1, on ? 1U : 0U}; }
+
 dynamixel::Wire DynamixelDialect::torque(std::span<const std::uint8_t> ids, bool on) {
-  return write_all(ids, {kTorque, 1, on ? 1U : 0U});
+  return write_all(ids, torque_setting(on));
 }
 
 dynamixel::Wire DynamixelDialect::ask_health(std::uint8_t id) {

@@ -72,8 +72,10 @@ feetech::Wire FeetechDialect::write_all(std::span<const std::uint8_t> ids,
                     static_cast<std::uint8_t>(setting.size), rest.view());
 }
 
+ServoSetting FeetechDialect::torque_setting(bool on) { return {kTorque, 1, on ? 1U : 0U}; }
+
 feetech::Wire FeetechDialect::torque(std::span<const std::uint8_t> ids, bool on) {
-  return write_all(ids, {kTorque, 1, on ? 1U : 0U});
+  return write_all(ids, torque_setting(on));
 }
 
 feetech::Wire FeetechDialect::ask_health(std::uint8_t id) { return feetech::read(id, kTorque, 1); }

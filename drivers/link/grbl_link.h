@@ -1,30 +1,36 @@
 #pragma once
 
 #include <deque>
-#include <map>
 #include <memory>
-#include <optional>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "drivers/link/driver.h"
+#include "drivers/link/grbl_port.h"
+#include "drivers/link/grbl_setup.h"
 #include "drivers/link/grbl_stream.h"
 #include "drivers/link/wire_link.h"
 #include "drivers/protocol/grbl_line.h"
 
 namespace rob::drivers {
 
-/// grbl 1.1 or grblHAL. References go out as short moves of exact duration (GrblStream), where the
-/// machine stands comes back ten times a second, compared with the references of that instant.
-/// grbl has no watchdog: without references it stands when its moves are done, 80 ms later.
+/// grbl 1.1 or grblHAL. References go out as short moves of exact duration (GrblStream). grbl
+/// reports where it stands ten times a second; that is compared with the references of that
+/// instant. grbl has no watchdog: without references it stands when its moves are done, 80 ms
+/// later.
+///
+/// Whatever makes grbl do something else than its moves ends the streaming with an Alarm that names
+/// it: a hold, an open door, a jog or an override at the machine, another program's work offset,
+/// answers that were lost.
 class GrblLink final : public WireLink {
  public:
   static constexpr double kPeriod = 0.02;  ///< s a move: 50 Hz, of which 115200 baud bears twice
 
-  /// `axes`: letter, X = 0; mm.
-  explicit GrblLink(const std::vector<WireAxis>& axes);
+  /// `axes`: letter, X = 0; mm. `baud`: for the check that the moves fit through the line.
+  explicit GrblLink(const std::vector<WireAxis>& axes, int baud = 115200);
 
-  void connect(SerialPort& port) override;
+  void connect(WirePort& port) override;
   void home(const std::function<bool()>& given_up) override;
   double least_period() const override { return kPeriod; }
   motion::DriverStatus enable() noexcept override;
@@ -35,47 +41,42 @@ class GrblLink final : public WireLink {
  private:
   using Status = motion::DriverStatus;
 
-  bool send(std::string_view text) noexcept;
-  bool send_byte(std::uint8_t byte) noexcept;
-  /// The next line until then; none: `gone_`, or the time is over.
-  bool next_line(grbl::Line& line, double deadline) noexcept;
-  void greet();
-  void read_settings();
-  void carry_out(const std::string& line, double seconds, const std::string& what,
-                 const std::function<bool()>& given_up = {});
-  double setting(int number) const;
-  void check_settings();
-  void take_limits();
-
   Status take(const grbl::Line& line) noexcept;
   Status take_status(const grbl::Status& status) noexcept;
-  Status stop_streaming(std::string trouble) noexcept;
+  Status find_interference(const grbl::Status& status) noexcept;
+  Status stop_streaming(const std::string& what, const std::string& remedy) noexcept;
   Status alarm(int number) noexcept;
-  void query(double now) noexcept;
+  void query(double period) noexcept;
   Status stream(const WireCommand* command) noexcept;
+  bool deserted(const WireCommand* command) const noexcept;
+  void fill(WireAnswer& answer) noexcept;
   double instant_of_report() const noexcept;
+  double silence(double now) const noexcept;
   Status check_answers(double now) noexcept;
+  bool run_dry() noexcept;
+  void brake() noexcept;
   bool wait_for(grbl::Machine machine, double seconds) noexcept;
 
   std::vector<WireAxis> axes_;
-  SerialPort* port_ = nullptr;
-  grbl::LineReader reader_;
-  std::array<std::uint8_t, 512> bytes_{};
-  Bytes unread_;
-  bool gone_ = false;
-  std::map<int, double> settings_;
+  int baud_;
+  GrblPort port_;
+  GrblSettings settings_;
   GrblStream stream_;
   std::deque<WireCommand> told_;  ///< the references of the last kWindow
   grbl::Machine machine_ = grbl::Machine::Unknown;
+  int phase_ = 0;          ///< of its state
   WireVector offset_{};    ///< WCO
   WireVector position_{};  ///< of the last report
   double reported_ = 0;    ///< when it came; 0: never
-  double asked_ = 0;
+  double asked_ = 0;       ///< when a report was asked for last
+  double waiting_ = 0;     ///< since when one has been asked for and has not come; 0: none
+  double sent_ = 0;        ///< when a line was sent last
   bool enabled_ = false;
   bool stopped_ = false;  ///< an alarm or an error: nothing more is streamed
-  bool settled_ = true;   ///< nothing was streamed since the place was taken over at standstill
+  bool settled_ = true;   ///< nothing was streamed since the position was taken over at standstill
 };
 
-std::unique_ptr<WireLink> grbl_link(const std::vector<WireAxis>& axes);
+std::unique_ptr<WireLink> grbl_link(const std::vector<WireAxis>& axes, int baud = 115200);
+std::unique_ptr<WireBackend> make_grbl(WireSettings settings, std::span<const WiredAxis> axes);
 
 }  // namespace rob::drivers

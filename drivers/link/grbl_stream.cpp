@@ -7,9 +7,10 @@
 namespace rob::drivers {
 
 void GrblStream::begin(const std::vector<int>& letters, const std::vector<double>& steps,
-                       double period) {
+                       double period, const std::vector<double>& speeds) {
   letters_ = letters;
   steps_ = steps;
+  speeds_ = speeds;
   period_ = period;
   sent_.clear();
   unacknowledged_ = 0;
@@ -45,9 +46,17 @@ void GrblStream::push(const WireCommand& command) {
   }
   idle_ = 0;
   for (std::size_t i = 0; i < steps_.size(); ++i) queued_[i] += way[i];
-  lines_.push_back(line_of(way, std::max(pending_, 1e-3)));
+  lines_.push_back(line_of(way, std::max(pending_, least_time(way))));
   pending_ = 0;
   if (lines_.size() >= kAhead) flush();
+}
+
+/// s that the way takes at the greatest speeds.
+double GrblStream::least_time(const Steps& way) const noexcept {
+  double least = 1e-3;
+  for (std::size_t i = 0; i < speeds_.size(); ++i)
+    least = std::max(least, static_cast<double>(std::abs(way[i])) / steps_[i] / speeds_[i]);
+  return least;
 }
 
 std::string GrblStream::line_of(const Steps& way, double seconds) const {
@@ -63,10 +72,14 @@ std::string GrblStream::line_of(const Steps& way, double seconds) const {
   return line + text;
 }
 
+bool GrblStream::full() const noexcept {
+  return !lines_.empty() && !collecting_ &&
+         unacknowledged_ + static_cast<int>(lines_.front().size()) > kBuffer;
+}
+
 std::string GrblStream::next_line(double now) {
-  if (lines_.empty() || collecting_) return "";
+  if (lines_.empty() || collecting_ || full()) return "";
   const int bytes = static_cast<int>(lines_.front().size());
-  if (unacknowledged_ + bytes > kBuffer) return "";
   std::string line = std::move(lines_.front());
   lines_.pop_front();
   if (sent_.empty()) open_since_ = now;
@@ -75,10 +88,11 @@ std::string GrblStream::next_line(double now) {
   return line;
 }
 
-void GrblStream::acknowledged() noexcept {
-  if (sent_.empty()) return;
+bool GrblStream::acknowledged() noexcept {
+  if (sent_.empty()) return false;
   unacknowledged_ -= sent_.front();
   sent_.pop_front();
+  return true;
 }
 
 }  // namespace rob::drivers

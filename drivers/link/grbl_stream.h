@@ -22,13 +22,17 @@ class GrblStream {
   static constexpr int kAhead = 4;
   static constexpr int kBuffer = 127;  ///< bytes, of 128
 
-  /// `steps`: per mm, of each axis; `letters`: X = 0.
-  void begin(const std::vector<int>& letters, const std::vector<double>& steps, double period);
+  /// `steps`: per mm, of each axis; `letters`: X = 0; `speeds`: mm/s that no move exceeds, to make
+  /// up for references that were missing either (empty: any).
+  void begin(const std::vector<int>& letters, const std::vector<double>& steps, double period,
+             const std::vector<double>& speeds = {});
   /// Stands there, mm; nothing is under way.
   void stand_at(const WireVector& position) noexcept;
 
   /// The next reference.
   void push(const WireCommand& command);
+  /// Forgets the lines that have not been sent; stand_at() has to follow.
+  void drop_waiting() noexcept { lines_.clear(); }
   /// The end of what waits, though no more has come.
   void flush() noexcept { collecting_ = false; }
   /// Nothing was told to it for a while, and all lines are acknowledged.
@@ -38,7 +42,10 @@ class GrblStream {
 
   /// The next line, with its end, as far as grbl's buffer has room; empty: none.
   std::string next_line(double now);
-  void acknowledged() noexcept;
+  /// A line waits, and grbl's buffer has no room for it.
+  bool full() const noexcept;
+  /// False: all lines had been acknowledged before.
+  bool acknowledged() noexcept;
   /// Lines that were sent and not acknowledged; since when there has been one without a break: an
   /// acknowledgement that is lost is never made good by those of the lines behind.
   int open_lines() const noexcept { return static_cast<int>(sent_.size()); }
@@ -50,9 +57,11 @@ class GrblStream {
   using Steps = std::array<std::int64_t, motion::kMaxJoints>;
 
   std::string line_of(const Steps& way, double seconds) const;
+  double least_time(const Steps& way) const noexcept;
 
   std::vector<int> letters_;
   std::vector<double> steps_;
+  std::vector<double> speeds_;
   double period_ = 0.02;
   Steps queued_{};
   double last_ = 0;     ///< time of the last reference

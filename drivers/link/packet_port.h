@@ -1,9 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "drivers/protocol/frame_reader.h"
-#include "drivers/serial/serial_port.h"
+#include "drivers/serial/wire_port.h"
 
 namespace rob::drivers {
 
@@ -14,28 +18,52 @@ class PacketPort {
   using Frame = typename Format::Frame;
   enum class Result : std::uint8_t { Ok, TimedOut, Gone };
 
-  void attach(SerialPort& port) {
+  void attach(WirePort& port) {
     port_ = &port;
     reader_.clear();
+    echo_.clear();
+    echoes_ = false;
   }
-  const SerialPort& port() const noexcept { return *port_; }
+  const WirePort& port() const noexcept { return *port_; }
+
+  /// Whether the adapter gives back all that is sent through it, as some do on a bus of one wire.
+  /// From here on that is taken out again. `question`: one that nothing answers.
+  bool find_echo(Bytes question, double deadline) noexcept {
+    echoes_ = false;
+    ask(question, deadline);
+    std::array<std::uint8_t, Format::kMost> back{};
+    std::size_t got = 0;
+    while (got < question.size()) {
+      const std::span left = std::span(back).first(question.size()).subspan(got);
+      const WireIo io = port_->read(left, deadline);
+      if (io.status != WireIo::Status::Ok) break;
+      got += io.bytes;
+    }
+    echoes_ = got == question.size() && std::equal(question.begin(), question.end(), back.begin());
+    return echoes_;
+  }
 
   Result send(Bytes bytes, double deadline) noexcept {
+    if (echoes_) echo_.push(bytes);
     return result(port_->write(bytes, deadline).status);
   }
-  /// The same, when what has come before is forgotten: nothing late is taken for the answer.
+  /// The same, after what has come before is forgotten, so that nothing late is taken for the
+  /// answer.
   Result ask(Bytes bytes, double deadline) noexcept {
-    port_->discard_input();
+    stale_ = port_->discard_input();
     reader_.clear();
+    echo_.clear();
     return send(bytes, deadline);
   }
+  /// Bytes that the last ask() has forgotten: answers that came too late.
+  std::size_t stale() const noexcept { return stale_; }
   /// The next whole packet.
   Result receive(Frame& frame, double deadline) noexcept {
     std::array<std::uint8_t, 256> bytes;
     while (!reader_.next(frame)) {
       const WireIo io = port_->read(bytes, deadline);
       if (io.status != WireIo::Status::Ok) return result(io.status);
-      reader_.add({bytes.data(), io.bytes});
+      reader_.add(without_echo({bytes.data(), io.bytes}));
     }
     return Result::Ok;
   }
@@ -54,8 +82,25 @@ class PacketPort {
     return Result::Gone;
   }
 
-  SerialPort* port_ = nullptr;
+  /// What is left when the bytes that were sent are taken from the front. A byte that is none of
+  /// them ends the echo: it was lost, or is over.
+  Bytes without_echo(Bytes bytes) noexcept {
+    std::size_t same = 0;
+    const std::size_t most = std::min(bytes.size(), echo_.size());
+    while (same < most && bytes[same] == echo_[same]) ++same;
+    if (same == most) {
+      echo_.drop(same);
+    } else {
+      echo_.clear();
+    }
+    return bytes.subspan(same);
+  }
+
+  WirePort* port_ = nullptr;
   FrameReader<Format> reader_;
+  ByteBuffer<3 * Format::kMost> echo_;  ///< sent, and not come back yet
+  bool echoes_ = false;
+  std::size_t stale_ = 0;
 };
 
 }  // namespace rob::drivers

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+
+#include "drivers/serial/tcp_port.h"
 
 namespace rob::drivers {
 
@@ -14,7 +18,12 @@ namespace {
 
 constexpr double kHelloTime = 0.5;  // s [choice] a board may be starting
 constexpr int kHellos = 6;
-constexpr double kStopTime = 0.05;
+constexpr double kAnswerTime = 0.05;  // s [choice] for what is not a reference
+constexpr double kBrakingTime = 1.5;  // s [choice] for the slowest machine to brake
+constexpr int kTries = 3;
+constexpr double kTurnaround = 1e-3;  // s [choice] for a device to answer
+constexpr double kShare = 0.8;        // of a cycle, for all that is said in it (WireBackend)
+constexpr double kBitsPerByte = 10;
 constexpr double kMicro = 1e6;
 constexpr double kTripForgets = 1.01;  // a cycle: a clock that drifts is followed
 
@@ -29,24 +38,51 @@ std::int32_t in_range(double value) noexcept {
 
 }  // namespace
 
-RobLink::RobLink(const std::vector<WireAxis>& axes, double period)
-    : axes_(static_cast<int>(axes.size())), period_(period) {}
+RobLink::RobLink(const std::vector<WireAxis>& axes, double period, int baud)
+    : axes_(static_cast<int>(axes.size())), period_(period), baud_(baud) {}
 
-/// The answer to this question: its SEQ is that of the question.
+/// s that a reference and its answer take on the line. A board on USB ("ttyACM") or a network does
+/// not care for the baud rate.
+double RobLink::round_trip() const noexcept {
+  const std::string& path = packets_.port().path();
+  if (is_network_address(path) || path.find("ttyACM") != std::string::npos) return 0;
+  const std::size_t reference = wire::payload_of(wire::Reference{}, axes_).size();
+  const std::size_t state = wire::payload_of(State{}, axes_).size();
+  const std::size_t frames = 2 * (wire::kMostFrame - wire::kMostPayload);
+  return static_cast<double>(reference + state + frames) * kBitsPerByte / baud_;
+}
+
+double RobLink::least_period() const {
+  return std::max(1.0 / info_.highest_rate, round_trip() / kShare);
+}
+
+void RobLink::use_period(double period) {
+  constexpr double kMostPeriod = 0.065535;  // s
+  if (period > kMostPeriod)
+    throw DriverError("a cycle of " + std::to_string(std::lround(1e3 * period)) +
+                      " ms is longer than Rob's protocol permits (65 ms); write a shorter period in"
+                      " [wire] of the robot file, or raise the baud rate");
+  period_ = period;
+}
+
+/// The answer to this question: its SEQ is that of the question. The time for it counts from the
+/// question: a thread that was kept waiting before has not asked yet.
 auto RobLink::ask(Type type, Bytes payload, wire::Frame& answer, double deadline) noexcept
     -> Result {
   const std::uint8_t sequence = ++sequence_;
   Result result = packets_.send(wire::encode(type, sequence, payload).view(), deadline);
+  deadline = std::max(deadline, wire_time() + round_trip() + kTurnaround);
   while (result == Result::Ok) {
     result = packets_.receive(answer, deadline);
     if (result == Result::Ok && answer.sequence == sequence) return result;
+    late_ = late_ || result == Result::Ok;
   }
   return result;
 }
 
-void RobLink::connect(SerialPort& port) {
+void RobLink::connect(WirePort& port) {
   packets_.attach(port);
-  enabled_ = false;
+  enabled_ = late_ = false;
   clocked_ = false;
   wire::Frame answer;
   Result result = Result::TimedOut;
@@ -72,6 +108,10 @@ void RobLink::connect(SerialPort& port) {
     throw DriverError("the device on " + port.path() + " has " + std::to_string(info_.axes) +
                       " axes, the robot " + std::to_string(axes_) +
                       "; is it the right robot file?");
+  if (info_.queue <= kLead)
+    throw DriverError("the device on " + port.path() + " keeps " + std::to_string(info_.queue) +
+                      " references, and needs " + std::to_string(kLead + 1) +
+                      "; its firmware does not follow docs/serial-protocol.md");
 }
 
 /// The quickest of the last answers tells best what the device's clock says.
@@ -81,7 +121,7 @@ void RobLink::follow_clock(double asked, double answered) noexcept {
   if (clocked_ && trip > trip_) return;
   clocked_ = true;
   trip_ = trip;
-  // Unwrapped towards the present estimate, so that it goes on steadily over 2^32.
+  // Unwrapped towards the current estimate, so that it goes on steadily over 2^32.
   const double middle = (asked + answered) / 2 * kMicro;
   const std::uint32_t expected = wrapped(middle + offset_);
   offset_ += static_cast<double>(wire::between(state_.time, expected));
@@ -100,9 +140,17 @@ auto RobLink::ask_state(Type type, Bytes payload, double deadline) noexcept -> R
   return result;
 }
 
-DriverStatus RobLink::enable() noexcept {
+/// A question that is lost is asked again: an ENABLE that comes twice is one.
+auto RobLink::enable_drives() noexcept -> Result {
   const std::uint8_t on = 1;
-  const Result result = ask_state(Type::Enable, {&on, 1}, wire_time() + kStopTime);
+  Result result = Result::TimedOut;
+  for (int i = 0; i < kTries && result == Result::TimedOut; ++i)
+    result = ask_state(Type::Enable, {&on, 1}, wire_time() + kAnswerTime);
+  return result;
+}
+
+DriverStatus RobLink::enable() noexcept {
+  const Result result = enable_drives();
   enabled_ = true;
   return judge(result);
 }
@@ -124,12 +172,17 @@ void RobLink::run_dry() noexcept {
 void RobLink::disable() noexcept {
   if (enabled_) run_dry();
   enabled_ = false;
-  for (const std::uint8_t category : {std::uint8_t{1}, std::uint8_t{0}}) {
-    const double deadline = wire_time() + kStopTime;
-    while (ask_state(Type::Stop, {&category, 1}, deadline) == Result::Ok &&
-           (state_.flags & State::kMoving) != 0) {
-    }
+  const auto stop = [&](std::uint8_t category) {
+    return ask_state(Type::Stop, {&category, 1}, wire_time() + kAnswerTime);
+  };
+  const double end = wire_time() + kBrakingTime;
+  for (int mute = 0; mute < kTries && wire_time() < end;) {
+    const Result result = stop(1);
+    if (result == Result::Gone) return;
+    if (result == Result::Ok && (state_.flags & State::kMoving) == 0) break;
+    mute += result == Result::Ok ? 0 : 1;
   }
+  stop(0);
 }
 
 ByteBuffer<wire::kMostPayload> RobLink::reference_of(const WireCommand& command) const noexcept {
@@ -146,6 +199,7 @@ ByteBuffer<wire::kMostPayload> RobLink::reference_of(const WireCommand& command)
 DriverStatus RobLink::exchange(const WireCommand* command, double deadline,
                                WireAnswer& answer) noexcept {
   const std::uint32_t broken = packets_.broken();
+  late_ = false;
   const double half = (wire_time() + deadline) / 2;
   const auto once = [&](double until) {
     if (command != nullptr) return ask_state(Type::Reference, reference_of(*command).view(), until);
@@ -157,28 +211,28 @@ DriverStatus RobLink::exchange(const WireCommand* command, double deadline,
     result = once(deadline);
   }
   errors_ += packets_.broken() - broken;
-  const DriverStatus status = judge(result);
-  if (status == DriverStatus::Ok) fill(answer);
-  return status;
+  if (result == Result::Ok) fill(answer);  // a device that has stopped reports where, too
+  return judge(result);
 }
 
 DriverStatus RobLink::judge(Result result) noexcept {
   if (result == Result::Gone) return lost(packets_.port());
+  const std::string device = "the device on " + packets_.port().path();
+  if (result == Result::TimedOut && late_)
+    return fail(DriverStatus::Silent, device + " answers, but later than the cycle permits",
+                "raise period in [wire] of the robot file, or the baud rate");
   if (result == Result::TimedOut)
-    return fail(DriverStatus::Silent, "the device on " + packets_.port().path() +
-                                          " does not answer; check its power and its cable");
+    return fail(DriverStatus::Silent, device + " does not answer", "check its power and its cable");
   if ((state_.flags & State::kFault) != 0)
     return fail(DriverStatus::Alarm,
-                "the device reports a fault, or sends what this protocol has not; switch it off"
-                " and on, and look where the machine stands");
+                device + " reports a fault, or sends what this protocol does not have",
+                "switch it off and on, and check where the machine stands");
   if ((state_.flags & State::kStarved) != 0)
-    return fail(DriverStatus::Alarm,
-                "the device has stopped by itself: references came too late; see"
-                " docs/realtime.md if it happens often");
+    return fail(DriverStatus::Alarm, device + " has stopped by itself: references came too late",
+                "close what loads this computer, and see docs/realtime.md if it happens often");
   if (enabled_ && (state_.flags & State::kEnabled) == 0)
-    return fail(DriverStatus::Alarm,
-                "the device has restarted or was switched off its drives; look where the machine"
-                " stands");
+    return fail(DriverStatus::Alarm, device + " has restarted, or its drives were switched off",
+                "check its supply and its emergency stop, and where the machine stands");
   return DriverStatus::Ok;
 }
 
@@ -186,14 +240,25 @@ void RobLink::fill(WireAnswer& answer) const noexcept {
   const double now = wire_time();
   const double age = wire::between(wrapped(now * kMicro + offset_), state_.time) / kMicro;
   answer.time = now - std::max(age, 0.0) - (enabled_ ? kLead * period_ : 0);
+  answer.seen = now - std::max(age, 0.0);
+  answer.spread = trip_ / 2;  // by which the device's clock may be off
   for (std::size_t i = 0; i < static_cast<std::size_t>(axes_); ++i) {
     answer.position[i] = state_.position[i];
     answer.velocity[i] = state_.velocity[i];
   }
 }
 
-std::unique_ptr<WireLink> rob_link(const std::vector<WireAxis>& axes, double period) {
-  return std::make_unique<RobLink>(axes, period);
+std::unique_ptr<WireLink> rob_link(const std::vector<WireAxis>& axes, double period, int baud) {
+  return std::make_unique<RobLink>(axes, period, baud);
+}
+
+std::unique_ptr<WireBackend> make_rob(WireSettings settings, std::span<const WiredAxis> axes) {
+  constexpr double kMillimetre = 1e-3;
+  constexpr double kDegree = 0.017453292519943295;
+  for (const WiredAxis& axis : axes)
+    settings.axes.push_back(axis_on(axis, kMicro, axis.linear ? kMillimetre : kDegree, 0));
+  auto link = rob_link(settings.axes, settings.period, settings.baud);
+  return std::make_unique<WireBackend>(std::move(settings), std::move(link));
 }
 
 }  // namespace rob::drivers

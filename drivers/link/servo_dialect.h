@@ -10,13 +10,13 @@
 
 namespace rob::drivers {
 
-/// What a servo on a bus tells of itself each cycle.
+/// What a servo on a bus reports each cycle.
 struct ServoReading {
   double position = 0;  ///< ticks, 4096 a turn
   double velocity = 0;  ///< ticks/s
 };
 
-/// What one is told: ticks, ticks/s at most.
+/// What one is sent: ticks, ticks/s at most.
 struct ServoGoal {
   std::uint8_t id = 0;
   int position = 0;
@@ -45,10 +45,14 @@ struct DynamixelDialect {
   static constexpr int kModeAddress = 11;
   static constexpr std::uint32_t kMode = 3;  ///< position, one turn
   static constexpr const char* kModeHelp = "operating mode 3 (position control), register 11";
-  static constexpr bool kHasWatchdog = true;
+  static constexpr int kWatchdogAddress = 98;
+  static constexpr std::uint32_t kTripped = 255;  ///< what it holds after it has stopped the servo
   static constexpr bool kHasSyncRead = true;
-  static constexpr int kReadingBytes = 19;  ///< of a status with velocity and position
-  static constexpr int kGoalBytes = 5;
+  static constexpr int kReadingBytes = 19;   ///< of a status with velocity and position
+  static constexpr int kGoalBytes = 5;       ///< of one goal in a sync write
+  static constexpr int kQuestionBytes = 14;  ///< of a question to one servo
+  static constexpr int kFrameBytes = 14;     ///< of a sync write or sync read without its servos
+  static constexpr int kHealthBytes = 18;    ///< of a status with torque to hardware error
 
   static Wire ping(std::uint8_t id) { return dynamixel::ping(id); }
   static Wire read(std::uint8_t id, int address, int size);
@@ -56,6 +60,7 @@ struct DynamixelDialect {
   static Wire ask_readings(std::span<const std::uint8_t> ids);
   static Wire ask_reading(std::uint8_t id);
   static Wire goals(std::span<const ServoGoal> goals);
+  static ServoSetting torque_setting(bool on);
   static Wire torque(std::span<const std::uint8_t> ids, bool on);
   static Wire ask_health(std::uint8_t id);
   static bool parse_reading(const Frame& frame, ServoReading& reading);
@@ -88,10 +93,14 @@ struct FeetechDialect {
   static constexpr int kModeAddress = 33;
   static constexpr std::uint32_t kMode = 0;
   static constexpr const char* kModeHelp = "mode 0 (position), register 33";
-  static constexpr bool kHasWatchdog = false;
+  static constexpr int kWatchdogAddress = 0;  ///< none
+  static constexpr std::uint32_t kTripped = 0;
   static constexpr bool kHasSyncRead = true;
   static constexpr int kReadingBytes = 14;
   static constexpr int kGoalBytes = 7;
+  static constexpr int kQuestionBytes = 8;
+  static constexpr int kFrameBytes = 8;
+  static constexpr int kHealthBytes = 7;
 
   static Wire ping(std::uint8_t id) { return feetech::ping(id); }
   static Wire read(std::uint8_t id, int address, int size);
@@ -99,6 +108,7 @@ struct FeetechDialect {
   static Wire ask_readings(std::span<const std::uint8_t> ids);
   static Wire ask_reading(std::uint8_t id);
   static Wire goals(std::span<const ServoGoal> goals);
+  static ServoSetting torque_setting(bool on);
   static Wire torque(std::span<const std::uint8_t> ids, bool on);
   static Wire ask_health(std::uint8_t id);
   static bool parse_reading(const Frame& frame, ServoReading& reading);

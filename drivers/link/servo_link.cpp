@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rob::drivers {
 
@@ -12,21 +13,26 @@ namespace {
 
 constexpr double kAnswerTime = 0.05;        // s [choice] when nothing moves yet; a servo takes 1 ms
 constexpr int kTries = 3;                   // likewise
+constexpr double kEchoTime = 0.02;          // s [choice] an adapter echoes while it sends
+constexpr std::uint8_t kNobody = 253;       // no servo of a robot file can have this ID
 constexpr std::uint32_t kHealthEvery = 10;  // cycles
-constexpr double kChainShare = 0.5;         // of a cycle, for the sync read
-// The least period: bytes of 10 bits, and room for what a USB adapter and this computer take.
+constexpr double kChainShare = 0.5;         // of a cycle, at least, for the sync read
+constexpr double kShare = 0.8;              // of a cycle, for all that is said in it (WireBackend)
+// Bytes of 10 bits; a USB adapter and this computer take their time for each turn of the line.
 constexpr double kBits = 10;
-constexpr double kRoom = 1.3;
 constexpr double kTurnaround = 1e-3;  // s
-constexpr double kQuestionBytes = 8;
 // A goal's own speed limit: the axis' speed and a half, so that it never shapes the references.
 constexpr double kSpeedMargin = 1.5;
+// A servo stands if it moves by less, ticks, while its goal is farther away. [choice] More than the
+// noise of an encoder; much less than what E503 is raised for.
+constexpr double kStands = 1;
+constexpr double kAway = 10;
 
 }  // namespace
 
 template <typename Dialect>
 ServoLink<Dialect>::ServoLink(const std::vector<WireAxis>& axes, int baud)
-    : axes_(axes), baud_(baud), answered_(axes.size()) {
+    : axes_(axes), baud_(baud), answered_(axes.size(), true) {
   for (const WireAxis& axis : axes) ids_.push_back(static_cast<std::uint8_t>(axis.address));
 }
 
@@ -36,19 +42,38 @@ std::string ServoLink<Dialect>::servo(std::size_t i) const {
 }
 
 template <typename Dialect>
-double ServoLink<Dialect>::least_period() const {
-  const auto count = static_cast<double>(axes_.size());
-  // Where there is no sync read each servo is asked by itself.
-  const double question = Dialect::kHasSyncRead ? 1 : kQuestionBytes;
-  const double bytes = 28 + count * (Dialect::kGoalBytes + question + Dialect::kReadingBytes) + 32;
-  return kRoom * bytes * kBits / baud_ + kTurnaround * (Dialect::kHasSyncRead ? 1 : count);
+double ServoLink<Dialect>::time_of(double bytes) const noexcept {
+  return bytes * kBits / baud_;
 }
 
-/// Until the servo has answered; what others say late is passed over.
+/// s from the goals to the last answer of the sync read; where there is none, all the single ones.
+template <typename Dialect>
+double ServoLink<Dialect>::chain_time() const noexcept {
+  const auto count = static_cast<double>(axes_.size());
+  const double goals = Dialect::kFrameBytes + count * Dialect::kGoalBytes;
+  if (!Dialect::kHasSyncRead) return time_of(goals) + count * question_time(Dialect::kReadingBytes);
+  const double question = Dialect::kFrameBytes + count;
+  return time_of(goals + question + count * Dialect::kReadingBytes) + kTurnaround;
+}
+
+/// s from a question to one servo to its answer of so many bytes.
+template <typename Dialect>
+double ServoLink<Dialect>::question_time(int answer) const noexcept {
+  return time_of(Dialect::kQuestionBytes + answer) + kTurnaround;
+}
+
+template <typename Dialect>
+double ServoLink<Dialect>::least_period() const {
+  return (chain_time() + time_of(Dialect::kQuestionBytes + Dialect::kHealthBytes)) / kShare;
+}
+
+/// Until the servo has answered; what others say late is passed over. The time for the answer
+/// counts from the question: a thread that was kept waiting before has not asked yet.
 template <typename Dialect>
 auto ServoLink<Dialect>::ask(std::uint8_t id, const typename Dialect::Wire& question, Frame& answer,
                              double deadline) noexcept -> Result {
   Result result = packets_.ask(question.view(), deadline);
+  deadline = std::max(deadline, wire_time() + question_time(Dialect::kReadingBytes));
   while (result == Result::Ok) {
     result = packets_.receive(answer, deadline);
     if (result == Result::Ok && Dialect::is_status(answer) && Dialect::id_of(answer) == id)
@@ -61,7 +86,8 @@ template <typename Dialect>
 auto ServoLink<Dialect>::must_ask(std::size_t i, const typename Dialect::Wire& question) -> Frame {
   Frame answer;
   for (int tries = 0; tries < kTries; ++tries) {
-    const Result result = ask(ids_[i], question, answer, wire_time() + kAnswerTime);
+    const Result result = ask(ids_[i], question, answer,
+                              wire_time() + kAnswerTime + question_time(Dialect::kReadingBytes));
     if (result == Result::Ok) return answer;
     if (result == Result::Gone) {
       lost(packets_.port());
@@ -75,9 +101,12 @@ auto ServoLink<Dialect>::must_ask(std::size_t i, const typename Dialect::Wire& q
 }
 
 template <typename Dialect>
-void ServoLink<Dialect>::connect(SerialPort& port) {
+void ServoLink<Dialect>::connect(WirePort& port) {
   packets_.attach(port);
-  enabled_ = false;
+  enabled_ = late_ = false;
+  stalled_ = kNone;
+  const typename Dialect::Wire question = Dialect::ping(kNobody);
+  packets_.find_echo(question.view(), wire_time() + kEchoTime + time_of(Dialect::kQuestionBytes));
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     must_ask(i, Dialect::ping(ids_[i]));
     configure(i);
@@ -111,15 +140,22 @@ void ServoLink<Dialect>::configure(std::size_t i) {
   limits_.max[i] = most;
 }
 
+/// Another program may have left its torque on, and some registers are locked then.
+template <typename Dialect>
+void ServoLink<Dialect>::release_torque(std::size_t i) {
+  must_ask(i, Dialect::write(ids_[i], Dialect::torque_setting(false)));
+}
+
 /// Only where it is different: some registers wear out.
 template <typename Dialect>
 void ServoLink<Dialect>::write_setting(std::size_t i, const ServoSetting& setting) {
   const Frame now = must_ask(i, Dialect::read(ids_[i], setting.address, setting.size));
   if (Dialect::value_of(now) == setting.value) return;
+  release_torque(i);
   const Frame done = must_ask(i, Dialect::write(ids_[i], setting));
   if (const std::string complaint = Dialect::complaint(done); !complaint.empty())
     throw DriverError(servo(i) + " does not take register " + std::to_string(setting.address) +
-                      ": " + complaint + "; switch its power off and on");
+                      ": " + complaint + "; look up the register in the servo's manual");
 }
 
 template <typename Dialect>
@@ -133,8 +169,9 @@ DriverStatus ServoLink<Dialect>::enable() noexcept {
   if (result == Result::Ok) result = packets_.send(Dialect::torque(ids_, true).view(), deadline);
   enabled_ = result == Result::Ok;
   if (result == Result::Gone) return lost(packets_.port());
-  return enabled_ ? DriverStatus::Ok
-                  : fail(DriverStatus::Silent, "the bus takes no more: " + packets_.port().path());
+  if (enabled_) return DriverStatus::Ok;
+  return fail(DriverStatus::Silent, packets_.port().path() + " takes no more bytes",
+              "check the adapter and its driver");
 }
 
 template <typename Dialect>
@@ -206,55 +243,107 @@ template <typename Dialect>
 DriverStatus ServoLink<Dialect>::exchange(const WireCommand* command, double deadline,
                                           WireAnswer& answer) noexcept {
   const double begun = wire_time();
+  const WireAnswer before = answer;
+  const bool missing = std::ranges::find(answered_, false) != answered_.end();
   answered_.assign(ids_.size(), false);
   complaint_.clear();
   Result result =
       command != nullptr ? send_goals(command->position, deadline) : packets_.ask({}, deadline);
-  if (result == Result::Ok) result = read_all(begun + kChainShare * (deadline - begun), answer);
+  late_ = missing && packets_.stale() > 0;
+  // Where the bytes of the chain leave no time to ask again, it may have all there is.
+  const double half = begun + kChainShare * (deadline - begun);
+  const double needed = wire_time() + chain_time();
+  const double chain = needed <= half ? half : std::max(needed, deadline);
+  if (result == Result::Ok) result = read_all(chain, answer);
   errors_ += std::ranges::find(answered_, false) != answered_.end() ? 1 : 0;
   if (result != Result::Gone) result = read_each(deadline, answer);
   if (result == Result::Ok && std::ranges::find(answered_, false) == answered_.end()) {
-    answer.spread = (wire_time() - begun) / 2;
+    answer.seen = wire_time();
+    answer.spread = (answer.seen - begun) / 2;
     answer.time = begun + answer.spread;
+    watch_stalls(command, before, answer);
   }
   return judge(result, deadline);
+}
+
+/// A servo that has restarted, or is blocked, stands while its goal goes away: it is asked at once.
+template <typename Dialect>
+void ServoLink<Dialect>::watch_stalls(const WireCommand* command, const WireAnswer& before,
+                                      const WireAnswer& answer) noexcept {
+  stalled_ = kNone;
+  double farthest = kAway;
+  for (std::size_t i = 0; command != nullptr && i < ids_.size(); ++i) {
+    const double away = std::abs(command->position[i] - answer.position[i]);
+    const bool stands = std::abs(answer.position[i] - before.position[i]) < kStands;
+    if (!stands || away <= farthest) continue;
+    farthest = away;
+    stalled_ = i;
+  }
 }
 
 template <typename Dialect>
 DriverStatus ServoLink<Dialect>::judge(Result result, double deadline) noexcept {
   if (result == Result::Gone) return lost(packets_.port());
   if (!complaint_.empty())
-    return fail(DriverStatus::Alarm,
-                complaint_ + "; look what loads it, then switch it off and on");
-  const auto mute = std::ranges::find(answered_, false);
-  if (mute != answered_.end()) {
-    const auto i = static_cast<std::size_t>(mute - answered_.begin());
-    const auto count = std::ranges::count(answered_, false);
-    return fail(DriverStatus::Silent,
-                (count > 1 && count == static_cast<std::ptrdiff_t>(ids_.size())
-                     ? "no servo on " + packets_.port().path() + " answers"
-                     : servo(i) + " does not answer") +
-                    "; check its power and its cable");
-  }
-  return enabled_ && ++cycle_ % kHealthEvery == 0 ? check_health(deadline) : DriverStatus::Ok;
+    return fail(DriverStatus::Alarm, complaint_,
+                "check what is loading it, then switch its power off and on");
+  if (std::ranges::find(answered_, false) != answered_.end()) return no_answer();
+  if (!enabled_) return DriverStatus::Ok;
+  ++cycle_;
+  if (stalled_ != kNone) return check_health(stalled_, deadline);
+  if (cycle_ % kHealthEvery != 0) return DriverStatus::Ok;
+  return check_health(cycle_ / kHealthEvery % ids_.size(), deadline);
 }
 
 template <typename Dialect>
-DriverStatus ServoLink<Dialect>::check_health(double deadline) noexcept {
-  const std::size_t i = cycle_ / kHealthEvery % ids_.size();
+DriverStatus ServoLink<Dialect>::no_answer() noexcept {
+  const auto mute = std::ranges::find(answered_, false);
+  const auto i = static_cast<std::size_t>(mute - answered_.begin());
+  const auto count = std::ranges::count(answered_, false);
+  const bool all = count > 1 && count == static_cast<std::ptrdiff_t>(ids_.size());
+  if (late_)
+    return fail(
+        DriverStatus::Silent,
+        (all ? "the servos on " + packets_.port().path() + " answer" : servo(i) + " answers") +
+            ", but later than the cycle permits",
+        "raise period in [wire] of the robot file, or the baud rate, or lower the latency"
+        " timer of the adapter (docs/drivers.md)");
+  return fail(
+      DriverStatus::Silent,
+      all ? "no servo on " + packets_.port().path() + " answers" : servo(i) + " does not answer",
+      "check its power and its cable");
+}
+
+template <typename Dialect>
+DriverStatus ServoLink<Dialect>::check_health(std::size_t i, double deadline) noexcept {
   Frame frame;
   ServoHealth health;
   const Result result = ask(ids_[i], Dialect::ask_health(ids_[i]), frame, deadline);
   if (result == Result::Gone) return lost(packets_.port());
-  // Its place is known; its health is asked again in its turn.
+  // Its position is known; its health is asked for again in its turn.
   if (result != Result::Ok || !Dialect::parse_health(frame, health)) return DriverStatus::Ok;
   if (!health.trouble.empty())
-    return fail(DriverStatus::Alarm, servo(i) + ": " + health.trouble +
-                                         "; look what loads it, then switch it off and on");
-  if (health.torque) return DriverStatus::Ok;
-  return fail(DriverStatus::Alarm, servo(i) +
-                                       " has switched its torque off or has restarted;"
-                                       " check its supply, and look where the arm stands");
+    return fail(DriverStatus::Alarm, servo(i) + ": " + health.trouble,
+                "check what is loading it, then switch its power off and on");
+  if (!health.torque)
+    return fail(DriverStatus::Alarm, servo(i) + " has restarted, or its torque was switched off",
+                "check its supply, and where the arm stands");
+  return i == stalled_ ? check_watchdog(i, deadline) : DriverStatus::Ok;
+}
+
+/// A servo whose bus watchdog has stopped it does not take goals any more.
+template <typename Dialect>
+DriverStatus ServoLink<Dialect>::check_watchdog(std::size_t i, double deadline) noexcept {
+  if (Dialect::kWatchdogAddress == 0) return DriverStatus::Ok;
+  Frame frame;
+  const Result result =
+      ask(ids_[i], Dialect::read(ids_[i], Dialect::kWatchdogAddress, 1), frame, deadline);
+  if (result == Result::Gone) return lost(packets_.port());
+  if (result != Result::Ok || Dialect::value_of(frame) != Dialect::kTripped)
+    return DriverStatus::Ok;
+  return fail(DriverStatus::Alarm,
+              "the bus watchdog of " + servo(i) + " has stopped it: this computer was late",
+              "close what loads the computer, and see docs/realtime.md if it happens often");
 }
 
 template class ServoLink<DynamixelDialect>;

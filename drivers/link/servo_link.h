@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "drivers/link/driver.h"
 #include "drivers/link/packet_port.h"
 #include "drivers/link/servo_dialect.h"
 #include "drivers/link/wire_link.h"
@@ -11,17 +13,21 @@
 namespace rob::drivers {
 
 /// Servos with position loops of their own on one half-duplex bus. A cycle is one sync write of all
-/// goals and one sync read of all places; a servo that is mute there is asked by itself, since it
-/// stalls those behind it in the chain, and so is each where there is no sync read. Every tenth
-/// cycle one servo is asked for its health too: an alert, or torque that is off because the servo
-/// has restarted, is an Alarm.
+/// goals and one sync read of all positions; a servo that is mute there is asked by itself, since
+/// it stalls those behind it in the chain, and so is each where there is no sync read. What the
+/// bytes take at this baud rate is waited for, however short the cycle.
+///
+/// Every tenth cycle one servo is asked for its health too, and at once one that stands while its
+/// goal goes away: an alert, or torque that is off because the servo has restarted, is an Alarm.
+///
+/// An adapter that gives back what it sends is found when the bus is connected.
 template <typename Dialect>
 class ServoLink final : public WireLink {
  public:
   /// `axes`: ID, and ticks per rad or m. `baud`: for the least period of a cycle.
   ServoLink(const std::vector<WireAxis>& axes, int baud);
 
-  void connect(SerialPort& port) override;
+  void connect(WirePort& port) override;
   double least_period() const override;
   motion::DriverStatus enable() noexcept override;
   void disable() noexcept override;
@@ -40,12 +46,20 @@ class ServoLink final : public WireLink {
   void check_mode(std::size_t i);
   void configure(std::size_t i);
   void write_setting(std::size_t i, const ServoSetting& setting);
+  void release_torque(std::size_t i);
+  double time_of(double bytes) const noexcept;
+  double chain_time() const noexcept;
+  double question_time(int answer) const noexcept;
   Result send_goals(const WireVector& position, double deadline) noexcept;
   Result read_all(double deadline, WireAnswer& answer) noexcept;
   Result read_each(double deadline, WireAnswer& answer) noexcept;
   bool take(std::size_t i, const Frame& frame, WireAnswer& answer) noexcept;
   motion::DriverStatus judge(Result result, double deadline) noexcept;
-  motion::DriverStatus check_health(double deadline) noexcept;
+  motion::DriverStatus no_answer() noexcept;
+  void watch_stalls(const WireCommand* command, const WireAnswer& before,
+                    const WireAnswer& answer) noexcept;
+  motion::DriverStatus check_health(std::size_t i, double deadline) noexcept;
+  motion::DriverStatus check_watchdog(std::size_t i, double deadline) noexcept;
 
   std::vector<WireAxis> axes_;
   std::vector<std::uint8_t> ids_;
@@ -54,12 +68,21 @@ class ServoLink final : public WireLink {
   WireVector last_{};
   std::vector<bool> answered_;
   std::uint32_t cycle_ = 0;
-  std::string complaint_;  ///< of a servo, in this cycle
+  std::string complaint_;        ///< of a servo, in this cycle
+  std::size_t stalled_ = kNone;  ///< the servo that stands while its goal goes away
+  bool late_ = false;            ///< answers have come, but after their cycle
   bool enabled_ = false;
+
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 };
 
 std::unique_ptr<WireLink> dynamixel_link(const std::vector<WireAxis>& axes, int baud);
 std::unique_ptr<WireLink> feetech_link(const std::vector<WireAxis>& axes, int baud);
 std::unique_ptr<WireLink> feetech_scs_link(const std::vector<WireAxis>& axes, int baud);
+
+std::unique_ptr<WireBackend> make_dynamixel(WireSettings settings, std::span<const WiredAxis> axes);
+std::unique_ptr<WireBackend> make_feetech(WireSettings settings, std::span<const WiredAxis> axes);
+std::unique_ptr<WireBackend> make_feetech_scs(WireSettings settings,
+                                              std::span<const WiredAxis> axes);
 
 }  // namespace rob::drivers

@@ -19,6 +19,12 @@ constexpr double kShare = 0.8;    // of the period, for one exchange
 constexpr double kCounting = 1;   // s over which errors are counted
 constexpr double kCredible = 2;   // times the axis' speed, as FollowingSupervisor's
 
+/// As asked for, if the wire can do that; otherwise the next multiple of 5 ms that it can do.
+double period_for(double asked, double least) {
+  constexpr double kStep = 5e-3;  // s [choice] a figure that people remember
+  return least <= asked ? asked : kStep * std::ceil(least / kStep);
+}
+
 }  // namespace
 
 WireBackend::WireBackend(WireSettings settings, std::unique_ptr<WireLink> link)
@@ -27,10 +33,11 @@ WireBackend::WireBackend(WireSettings settings, std::unique_ptr<WireLink> link)
 WireBackend::~WireBackend() { close(); }
 
 void WireBackend::open() {
-  port_.emplace(settings_.port, settings_.baud);
+  port_ = open_port(settings_.port, settings_.baud);
   link_->connect(*port_);
   if (settings_.home) link_->home(settings_.given_up);
-  period_ = std::max(settings_.period, link_->least_period());
+  period_ = period_for(settings_.period, link_->least_period());
+  link_->use_period(period_);
   first_exchange();
   start();
 }
@@ -49,7 +56,7 @@ void WireBackend::first_exchange() {
 void WireBackend::start() {
   stopping_ = false;
   event_ = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
-  if (event_ < 0) throw motion::DriverError("no eventfd is to be had: too many files are open");
+  if (event_ < 0) throw motion::DriverError("cannot create an eventfd; too many files are open");
   thread_ = std::thread([this] { run(); });
 }
 
@@ -74,35 +81,60 @@ void WireBackend::disable(double) noexcept {
   wake();
 }
 
+/// The wire_time() of the servo's 0. Looking at its clock and then here takes some time, so the
+/// least difference is the nearest to the true one. A clock that has not begun says nothing; until
+/// then the tick counts as alive.
+double WireBackend::zero_seen(double now) noexcept {
+  const double here = wire_time();
+  const bool begun = now >= 0;
+  looked_.store(begun ? here : std::numeric_limits<double>::infinity(), std::memory_order_relaxed);
+  if (!begun) return here - now;
+  return zero_ = std::min(zero_, here - now);
+}
+
+DriverStatus WireBackend::status_of(const Report& report) noexcept {
+  const bool old = std::exchange(taken_, report.number) == report.number;
+  const DriverStatus status = report.status;
+  if (status == DriverStatus::Alarm || status == DriverStatus::Lost) return status;
+  if (wire_time() - report.tried > std::max(kLate, 3 * period_)) return DriverStatus::Late;
+  return old && status == DriverStatus::Silent ? DriverStatus::Pending : status;
+}
+
+/// Where the axes were last is told with every status: an alarm does not hide it.
 DriverStatus WireBackend::read(double now, motion::ServoState& state) noexcept {
+  const double zero = zero_seen(now);
   const Report& report = reports_.load();
-  const double since = wire_time() - report.answer.time;
+  const WireAnswer& answer = report.answer;
   state.wire_errors = report.errors;
-  if (report.status != DriverStatus::Ok) return report.status;
-  if (wire_time() - report.received > std::max(kTickLost, 3 * period_)) return DriverStatus::Silent;
-  state.measured.time = now - std::max(since, 0.0);
-  state.spread = report.answer.spread;
+  state.late = wire_time() - report.tried;
+  state.measured.time = answer.time - zero;
+  state.seen = answer.seen - zero;
+  state.spread = answer.spread;
+  state.inputs = answer.inputs;
+  state.analog_inputs = answer.analog_inputs;
   state.measured.q.resize(axes());
   state.measured.qd.resize(axes());
   for (int i = 0; i < axes(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const WireAxis& axis = settings_.axes[k];
-    state.measured.q[i] = report.answer.position[k] / axis.scale + axis.offset;
-    state.measured.qd[i] = report.answer.velocity[k] / axis.scale;
+    state.measured.q[i] = answer.position[k] / axis.scale + axis.offset;
+    state.measured.qd[i] = answer.velocity[k] / axis.scale;
   }
-  return DriverStatus::Ok;
+  return status_of(report);
 }
 
 DriverStatus WireBackend::write(double now, const motion::ServoCommand& command) noexcept {
-  WireCommand told;
-  told.time = wire_time() + (command.reference.time - now);
+  WireCommand sent;
+  sent.time = command.reference.time + zero_seen(now);
   for (std::size_t k = 0; k < settings_.axes.size(); ++k) {
     const WireAxis& axis = settings_.axes[k];
     const auto i = static_cast<Eigen::Index>(k);
-    told.position[k] = (command.reference.q[i] - axis.offset) * axis.scale;
-    told.velocity[k] = command.reference.qd[i] * axis.scale;
+    sent.position[k] = (command.reference.q[i] - axis.offset) * axis.scale;
+    sent.velocity[k] = command.reference.qd[i] * axis.scale;
   }
-  commands_.store(told);
+  sent.outputs = command.outputs;
+  sent.analog_outputs = command.analog_outputs;
+  commands_.store(sent);
   wake();
   return DriverStatus::Ok;
 }
@@ -117,6 +149,11 @@ std::string WireBackend::trouble() const {
   return trouble_;
 }
 
+std::string WireBackend::remark() const {
+  const std::lock_guard lock(mutex_);
+  return remark_;
+}
+
 // ---- the thread's side
 
 void WireBackend::run() noexcept {
@@ -124,11 +161,12 @@ void WireBackend::run() noexcept {
   window_ = wire_time();
   while (!stopping_.load(std::memory_order_relaxed)) {
     const bool told = wait();
-    follow_wish();
+    follow_wish(told);
     const bool ended =
         report_.status == DriverStatus::Lost || stopping_.load(std::memory_order_relaxed);
     // The tick has fallen silent: so does this side, for the machine's watchdog.
-    const bool deserted = enabled_ && !told && wire_time() - newest_ > kTickLost;
+    const double heard = std::max(newest_, looked_.load(std::memory_order_relaxed));
+    const bool deserted = enabled_ && !told && wire_time() - heard > kTickLost;
     if (!ended && !deserted) exchange();
   }
   if (enabled_ && report_.status != DriverStatus::Lost) link_->disable();
@@ -144,23 +182,26 @@ bool WireBackend::wait() noexcept {
   return commands_.load().time > newest_;
 }
 
-void WireBackend::follow_wish() noexcept {
+/// Under force with the first command: until the tick has begun, nobody would look after the
+/// machine.
+void WireBackend::follow_wish(bool told) noexcept {
   const bool wanted = wanted_.load(std::memory_order_acquire);
-  if (wanted == enabled_) return;
+  if (wanted == enabled_ || (wanted && !told)) return;
   if (report_.status == DriverStatus::Lost || report_.status == DriverStatus::Alarm) {
     enabled_ = wanted;
     return;
   }
   enabled_ = wanted;
-  newest_ = wire_time();
   if (!wanted) return link_->disable();
   if (const DriverStatus status = link_->enable(); status != DriverStatus::Ok) publish(status);
 }
 
 void WireBackend::exchange() noexcept {
   const WireCommand& command = commands_.load();
-  const bool fresh = enabled_ && command.time > newest_;
+  bool fresh = enabled_ && command.time > newest_;
   if (fresh) newest_ = command.time;
+  // One that this process was stopped over is too old to be carried out.
+  fresh = fresh && wire_time() - command.time < kLate;
   const bool stopped = report_.status == DriverStatus::Alarm;
   const WireAnswer before = report_.answer;
   ++exchanges_;
@@ -192,7 +233,8 @@ DriverStatus WireBackend::believed(DriverStatus status, const WireAnswer& before
 
 void WireBackend::publish(DriverStatus status) noexcept {
   report_.status = status;
-  if (status == DriverStatus::Ok) report_.received = wire_time();
+  report_.tried = wire_time();
+  ++report_.number;
   if (wire_time() - window_ > kCounting) {
     const auto errors = static_cast<double>(link_->errors() - errors_before_);
     report_.errors = exchanges_ > 0 ? errors / exchanges_ : 0;
@@ -200,9 +242,10 @@ void WireBackend::publish(DriverStatus status) noexcept {
     exchanges_ = 0;
     window_ = wire_time();
   }
-  if (status != DriverStatus::Ok) {
+  if (status != DriverStatus::Ok || link_->remark() != remark_) {
     const std::lock_guard lock(mutex_);
-    trouble_ = link_->trouble();
+    if (status != DriverStatus::Ok) trouble_ = link_->trouble();
+    remark_ = link_->remark();
   }
   reports_.store(report_);
 }

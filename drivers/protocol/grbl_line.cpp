@@ -11,7 +11,8 @@ namespace {
 constexpr std::pair<std::string_view, Machine> kMachines[] = {
     {"Idle", Machine::Idle},   {"Run", Machine::Run},     {"Hold", Machine::Hold},
     {"Jog", Machine::Jog},     {"Alarm", Machine::Alarm}, {"Door", Machine::Door},
-    {"Check", Machine::Check}, {"Home", Machine::Home},   {"Sleep", Machine::Sleep}};
+    {"Check", Machine::Check}, {"Home", Machine::Home},   {"Sleep", Machine::Sleep},
+    {"Tool", Machine::Tool}};
 
 template <typename T>
 bool number(std::string_view text, T& value) noexcept {
@@ -45,6 +46,7 @@ bool parse_field(std::string_view field, Status& status) noexcept {
     return status.axes > 0;
   }
   if (name == "WCO") return status.has_offset = numbers(field, status.offset) > 0;
+  if (name == "Ov") return number(take(field, ','), status.feed_override);
   if (name != "Bf") return true;
   status.has_buffer = true;
   return number(take(field, ','), status.free_blocks) && number(field, status.free_bytes);
@@ -53,9 +55,10 @@ bool parse_field(std::string_view field, Status& status) noexcept {
 /// Between < and >.
 bool parse_status(std::string_view text, Status& status) noexcept {
   std::string_view state = take(text, '|');
-  state = state.substr(0, state.find(':'));  // Hold:0
+  const std::string_view name_of_state = take(state, ':');
+  if (!state.empty() && !number(state, status.phase)) return false;
   for (const auto& [name, machine] : kMachines)
-    if (name == state) status.machine = machine;
+    if (name == name_of_state) status.machine = machine;
   if (status.machine == Machine::Unknown) return false;
   while (!text.empty())
     if (!parse_field(take(text, '|'), status)) return false;
@@ -84,6 +87,15 @@ void parse_numbered(std::string_view text, Line::Kind kind, Line& line) noexcept
   number(text.substr(text.find(':') + 1), line.number);
 }
 
+/// "[G54:1.000,0.000,0.000]", "[TLO:0.000]"; false for other messages.
+bool parse_parameter(std::string_view text, Line& line) noexcept {
+  if (!text.ends_with(']')) return false;
+  std::string_view rest = text.substr(1, text.size() - 2);
+  line.name = take(rest, ':');
+  line.values = numbers(rest, line.parameter);
+  return line.values > 0;
+}
+
 bool is_banner(std::string_view text) noexcept {
   return text.starts_with("Grbl ") || text.starts_with("GrblHAL ");
 }
@@ -109,7 +121,7 @@ bool parse(std::string_view text, Line& line) noexcept {
     line.kind = Line::Kind::Setting;
     return parse_setting(text, line);
   } else if (text.starts_with('[')) {
-    line.kind = Line::Kind::Message;
+    line.kind = parse_parameter(text, line) ? Line::Kind::Parameter : Line::Kind::Message;
   }
   return true;
 }
@@ -149,6 +161,8 @@ const char* error_text(int number) noexcept {
     case 2:
     case 3:
       return "it does not understand the line";
+    case 5:
+      return "homing is switched off in its settings";
     case 8:
       return "it takes that only while it stands idle";
     case 9:

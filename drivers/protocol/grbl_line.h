@@ -32,12 +32,14 @@ enum class Machine : std::uint8_t {
   Door,
   Check,
   Home,
-  Sleep
+  Sleep,
+  Tool  ///< grblHAL: it waits for another tool
 };
 
-/// "<Run|MPos:1.000,0.000,0.000|FS:600,0|Bf:12,100|WCO:…>". mm.
+/// "<Run|MPos:1.000,0.000,0.000|FS:600,0|Bf:12,100|Ov:100,100,100|WCO:…>". mm.
 struct Status {
   Machine machine = Machine::Unknown;
+  int phase = 0;  ///< the number behind the state: Hold:1 still brakes, Hold:0 stands
   int axes = 0;
   std::array<double, kMostAxes> position{};
   bool of_work = false;  ///< WPos, not MPos
@@ -46,16 +48,30 @@ struct Status {
   bool has_buffer = false;
   int free_blocks = 0;
   int free_bytes = 0;
+  int feed_override = 0;  ///< %; 0: this report does not have it
 };
 
 struct Line {
-  enum class Kind : std::uint8_t { Other, Ok, Error, Alarm, Status, Banner, Setting, Message };
+  enum class Kind : std::uint8_t {
+    Other,
+    Ok,
+    Error,
+    Alarm,
+    Status,
+    Banner,
+    Setting,
+    Parameter,  ///< of $#: "[G54:1.000,0.000,0.000]"
+    Message
+  };
   Kind kind = Kind::Other;
   int number = 0;         ///< of error, alarm, setting; 0 where it is no number
   double value = 0;       ///< of a setting
   int version = 0;        ///< of a banner: 101 for 1.1
   std::string_view text;  ///< the whole line
   Status status;
+  std::string_view name;                      ///< of a parameter: "G54"
+  std::array<double, kMostAxes> parameter{};  ///< its values
+  int values = 0;                             ///< how many
 };
 
 /// A line without its end. False for a status or setting that is mutilated: it is not to be used.

@@ -4,13 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
-#include "drivers/link/grbl_link.h"
-#include "drivers/link/rob_link.h"
-#include "drivers/link/servo_link.h"
-#include "drivers/link/wire_backend.h"
 #include "motion/robots/time_scaling.h"
 #include "runtime/control/units.h"
 #include "runtime/program/interruption.h"
@@ -22,135 +17,41 @@ namespace rob::runtime {
 
 namespace {
 
-using drivers::WireAxis;
-using Kind = BackendName::Kind;
-
-constexpr double kTicks = 4096;     // a turn of a servo, of both makers
-constexpr double kScsTicks = 1024;  // the way of a servo of Feetech's SCS series
-constexpr double kPeriod = 0.01;    // s [choice] 100 Hz: six servos at 1 Mbit/s take 5 ms
-constexpr double kFineUnits = 1e6;  // of Rob's own protocol, per mm or deg
-constexpr int kLetters = 6;
+constexpr double kPeriod = 0.01;  // s [choice] 100 Hz: six servos at 1 Mbit/s take 5 ms
 constexpr double kBack = 0.1;  // of its speed [choice] what a hand at the emergency stop can follow
-
-struct Protocol {
-  const char* name;
-  Kind kind;
-  int baud;
-};
-constexpr Protocol kProtocols[] = {{"grbl", Kind::Grbl, 115200},
-                                   {"dynamixel", Kind::Dynamixel, 1000000},
-                                   {"feetech", Kind::Feetech, 1000000},
-                                   {"feetech-scs", Kind::FeetechScs, 1000000},
-                                   {"rob", Kind::Rob, 115200}};
-
-const Protocol& protocol_of(Kind kind) {
-  return *std::ranges::find(kProtocols, kind, &Protocol::kind);
-}
 
 [[noreturn]] void fail(const std::string& text) { throw motion::DriverError(text); }
 
-/// mm or deg: what a millimetre of grbl is.
-double per_shown(const motion::Axis& axis) { return 1 / shown_per_si(axis.kind); }
-
-/// An axis of the machine: the units per m or rad, and where its zero is.
-WireAxis axis_on(const motion::Axis& axis, double units, double travel, double zero) {
-  WireAxis wire;
-  wire.name = axis.name;
-  wire.scale = axis.wire.direction * units / travel;
-  wire.offset = axis.wire.offset - zero / wire.scale;
-  wire.most_step = axis.v_max * std::abs(wire.scale);
-  return wire;
-}
-
-WireAxis servo_axis(const motion::Axis& axis, int number, double ticks) {
-  double travel = axis.wire.travel;
-  if (travel == 0 && axis.kind == motion::AxisKind::Rotary && ticks == kTicks)
-    travel = 2 * std::numbers::pi;
-  if (travel == 0)
-    fail(
-        fmt::format("the robot file does not say how far axis {} goes in a turn of its servo (SCS:"
-                    " over its 1024 places); write [axis.wire] travel = \"{}\" there",
-                    axis.name, axis.kind == motion::AxisKind::Linear ? "40 mm" : "300 deg"));
-  WireAxis wire = axis_on(axis, ticks, travel, ticks / 2);
-  wire.address = axis.wire.id >= 0 ? axis.wire.id : number;
-  return wire;
-}
-
-WireAxis rob_axis(const motion::Axis& axis) {
-  return axis_on(axis, shown_per_si(axis.kind) * kFineUnits, 1, 0);
-}
-
-/// The letter that the file says, that of the axis' name, or the next that is free.
-std::vector<int> letters_of(const motion::RobotModel& robot) {
-  std::vector<int> letters;
-  for (const motion::Axis& axis : robot.axes) {
-    const std::size_t named = std::string("xyzabc").find(axis.name);
-    const bool has_name = axis.name.size() == 1 && named != std::string::npos;
-    letters.push_back(axis.wire.letter >= 0 ? axis.wire.letter
-                      : has_name            ? static_cast<int>(named)
-                                            : -1);
-  }
-  for (int& letter : letters)
-    for (int free = 0; letter < 0 && free < kLetters; ++free)
-      if (std::ranges::find(letters, free) == letters.end()) letter = free;
-  return letters;
-}
-
-std::vector<WireAxis> axes_of(Kind kind, const motion::RobotModel& robot) {
-  std::vector<WireAxis> axes;
-  const std::vector<int> letters = letters_of(robot);
-  for (std::size_t i = 0; i < robot.axes.size(); ++i) {
-    const motion::Axis& axis = robot.axes[i];
-    if (kind == Kind::Grbl) {
-      if (letters[i] < 0) fail("grbl has no letter for axis " + axis.name);
-      const double travel = axis.wire.travel != 0 ? axis.wire.travel : per_shown(axis);
-      axes.push_back(axis_on(axis, 1, travel, 0));
-      axes.back().address = letters[i];
-    } else if (kind == Kind::Rob) {
-      axes.push_back(rob_axis(axis));
-    } else {
-      const double ticks = kind == Kind::FeetechScs ? kScsTicks : kTicks;
-      axes.push_back(servo_axis(axis, static_cast<int>(i) + 1, ticks));
-    }
-  }
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    for (std::size_t k = 0; kind != Kind::Rob && k < i; ++k)
-      if (axes[i].address == axes[k].address)
-        fail(
-            fmt::format("axes {} and {} have the same {} on the wire; write [axis.wire] in the "
-                        "robot file",
-                        axes[k].name, axes[i].name, kind == Kind::Grbl ? "letter" : "id"));
+std::vector<drivers::WiredAxis> axes_of(const motion::RobotModel& robot) {
+  std::vector<drivers::WiredAxis> axes;
+  for (const motion::Axis& axis : robot.axes)
+    axes.push_back({axis.name, axis.kind == motion::AxisKind::Linear, axis.v_max, axis.wire.id,
+                    axis.wire.letter, axis.wire.travel, axis.wire.offset, axis.wire.direction});
   return axes;
-}
-
-std::unique_ptr<drivers::WireLink> link_of(Kind kind, const drivers::WireSettings& settings) {
-  switch (kind) {
-    case Kind::Grbl:
-      return drivers::grbl_link(settings.axes);
-    case Kind::Dynamixel:
-      return drivers::dynamixel_link(settings.axes, settings.baud);
-    case Kind::Feetech:
-      return drivers::feetech_link(settings.axes, settings.baud);
-    case Kind::FeetechScs:
-      return drivers::feetech_scs_link(settings.axes, settings.baud);
-    default:
-      return drivers::rob_link(settings.axes, settings.period);
-  }
 }
 
 drivers::WireSettings settings_of(const BackendName& name, const motion::RobotModel& robot,
                                   bool home) {
   drivers::WireSettings settings;
   settings.port = name.port;
-  settings.baud = robot.wire.baud != 0 ? robot.wire.baud : protocol_of(name.kind).baud;
+  settings.baud = robot.wire.baud != 0 ? robot.wire.baud : name.driver->default_baud;
   const double asked = std::max(robot.servo_period, kPeriod);
   settings.period = robot.wire.period != 0 ? robot.wire.period : asked;
-  if (name.kind == Kind::Grbl) settings.period = drivers::GrblLink::kPeriod;
-  settings.axes = axes_of(name.kind, robot);
   settings.home = home;
   settings.begin_thread = [] { enter_real_time(kServoPriority); };
   settings.given_up = [] { return Interruption::requested() || Interruption::ctrl_c_pressed(); };
   return settings;
+}
+
+/// A cycle that the wire cannot do is longer, and the user is told.
+void tell_period(const drivers::WireBackend& machine, const drivers::WireSettings& settings,
+                 std::vector<std::string>& notes) {
+  if (machine.period() <= machine.asked_period()) return;
+  notes.push_back(fmt::format(
+      "a cycle of this machine takes {} ms, not {} ms: shorter ones do not fit the machine and its "
+      "line ({} axes at {} baud)",
+      shown(1e3 * machine.period(), 1), shown(1e3 * machine.asked_period(), 1), machine.axes(),
+      settings.baud));
 }
 
 /// The tighter one; a note where it is not the file's.
@@ -211,7 +112,7 @@ void take_place(const motion::JointVector& place, bool back, motion::RobotModel&
   }
 }
 
-/// No wire carries signals: a program that counts on them is told.
+/// A program that counts on signals is told where the wire does not carry them.
 void tell_of_signals(const LoadedProgram& program, std::vector<std::string>& notes) {
   const auto& used = program.compilation.chunk->first_signal;
   if (!used) return;
@@ -250,21 +151,29 @@ std::optional<BackendName> backend_of(const std::string& text) {
   if (text == "sim") return BackendName{};
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos || colon + 1 == text.size()) return std::nullopt;
-  for (const Protocol& protocol : kProtocols)
-    if (text.substr(0, colon) == protocol.name)
-      return BackendName{protocol.kind, text.substr(colon + 1)};
-  return std::nullopt;
+  const drivers::Driver* const driver = drivers::find_driver(text.substr(0, colon));
+  if (driver == nullptr) return std::nullopt;
+  return BackendName{driver, text.substr(colon + 1)};
+}
+
+std::string backend_names() {
+  std::string names = "sim";
+  for (const drivers::Driver& driver : drivers::drivers())
+    names += fmt::format(", {}:PORT", driver.name);
+  return names;
 }
 
 OpenMachine open_machine(const BackendName& name, motion::RobotModel& robot, bool home, bool back) {
   if (name.simulated()) return {simulation_of(robot), robot.servo_period, {}};
   const drivers::WireSettings settings = settings_of(name, robot, home);
-  auto machine = std::make_unique<drivers::WireBackend>(settings, link_of(name.kind, settings));
+  auto machine = name.driver->make(settings, axes_of(robot));
   machine->open();
   OpenMachine opened;
+  tell_period(*machine, settings, opened.notes);
   take_limits(*machine, robot, opened.notes);
   take_place(machine->position(), back, robot, opened.notes);
   opened.period = machine->period();
+  opened.carries_signals = machine->carries_signals();
   opened.backend = std::move(machine);
   return opened;
 }
@@ -283,7 +192,7 @@ OpenMachine open_machine(const BackendName& name, LoadedProgram& program,
   if (Interruption::requested()) fail("stopped before anything has moved");
   if (name.simulated()) return machine;
   program = compile_program(program.file, program.source, robot, points_file_of(program.file), law);
-  if (program.runnable()) tell_of_signals(program, machine.notes);
+  if (program.runnable() && !machine.carries_signals) tell_of_signals(program, machine.notes);
   return machine;
 }
 

@@ -5,31 +5,34 @@
 #include <string>
 #include <vector>
 
+#include "drivers/link/driver.h"
 #include "motion/robots/robot_model.h"
 #include "motion/servo/servo_backend.h"
 #include "runtime/program/load.h"
 
 namespace rob::runtime {
 
-/// What moves: the simulation, or a machine on a serial line ("grbl:/dev/ttyUSB0").
+/// What moves: the simulation, or a machine on a wire ("grbl:/dev/ttyUSB0").
 struct BackendName {
-  enum class Kind { Simulation, Grbl, Dynamixel, Feetech, FeetechScs, Rob };
-  Kind kind = Kind::Simulation;
+  const drivers::Driver* driver = nullptr;  ///< null: the simulation
   std::string port;
 
-  bool simulated() const { return kind == Kind::Simulation; }
-  /// Whether it knows where a hand has brought its axes: grbl counts the steps that it makes.
-  bool sees_hand() const { return kind != Kind::Grbl; }
+  bool simulated() const { return driver == nullptr; }
+  /// Whether it knows where a hand has moved its axes.
+  bool sees_hand() const { return simulated() || driver->sees_hand; }
 };
 
 /// As --backend has it; none for what is no backend.
 std::optional<BackendName> backend_of(const std::string& text);
+/// "sim, grbl:PORT, …": all that there are.
+std::string backend_names();
 
 /// A machine that is open: what moves, and what was found out about it that a user has to know.
 struct OpenMachine {
   std::unique_ptr<motion::ServoBackend> backend;
   double period = 0;  ///< s of its servo cycles
   std::vector<std::string> notes;
+  bool carries_signals = true;  ///< outputs and inputs are those of the machine
 };
 
 /// Opens the machine. `robot` becomes what the machine is: it starts where the axes stand, its

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -15,10 +16,10 @@ namespace rob::test {
 
 using Octets = std::vector<std::uint8_t>;
 
-/// A device behind a pseudo-terminal, with everything that can go wrong on a wire. What is derived
-/// is written from the documents of its protocol, and shares no code with the driver. It is
-/// switched on, in a thread of its own, when its path is asked for first; the derived class calls
-/// end() first thing when it goes.
+/// A device behind a pseudo-terminal, with everything that can go wrong on a wire. The classes
+/// derived from it are written from the documents of their protocols, and share no code with the
+/// drivers. It is switched on, in a thread of its own, when its path is asked for first; the
+/// derived class calls end() first thing in its destructor.
 class DeviceEmulator {
  public:
   std::atomic<bool> silent{false};    ///< it answers nothing
@@ -27,6 +28,8 @@ class DeviceEmulator {
   std::atomic<int> halved{0};         ///< % of answers that break off
   std::atomic<int> late_ms{0};        ///< each answer comes later by that
   std::atomic<bool> echo_old{false};  ///< before each answer comes the one before it again
+  std::atomic<bool> echoes{false};    ///< its adapter gives back what is sent to it
+  std::atomic<int> baud{0};           ///< bytes take the time that this gives them; 0: none
 
   virtual ~DeviceEmulator() = default;
 
@@ -55,6 +58,7 @@ class DeviceEmulator {
   void answer(Octets bytes) {
     ++questions_;
     if (silent) return;
+    take_time(bytes.size());
     if (late_ms > 0) std::this_thread::sleep_for(std::chrono::milliseconds(late_ms));
     const Octets clean = bytes;
     if (happens(corrupt) && !bytes.empty()) {
@@ -71,11 +75,22 @@ class DeviceEmulator {
   mutable std::mutex mutex_;  ///< held while bytes are taken and time passes
 
  private:
+  /// Of so many bytes on the line, which are sent one after the other without a pause.
+  void take_time(std::size_t bytes) {
+    constexpr double kBits = 10;
+    if (baud == 0 || bytes == 0) return;
+    line_free_ = std::max(line_free_, now()) + kBits * static_cast<double>(bytes) / baud;
+    std::this_thread::sleep_until(on_ +
+                                  std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                      std::chrono::duration<double>(line_free_)));
+  }
   bool happens(int percent) { return static_cast<int>(random_() % 100) < percent; }
 
   void serve() {
     while (!stopping_ && !leaving_) {
       const Octets bytes = wire_.receive(1);
+      if (echoes) wire_.send(bytes);
+      take_time(bytes.size());
       const std::lock_guard lock(mutex_);
       pass(now());
       for (const std::uint8_t byte : bytes) take(byte);
@@ -86,6 +101,7 @@ class DeviceEmulator {
 
   PtyWire wire_;
   std::chrono::steady_clock::time_point on_ = std::chrono::steady_clock::now();
+  double line_free_ = 0;  ///< when the last byte has passed, s
   std::mt19937 random_{1};
   Octets old_;
   std::atomic<int> questions_{0};

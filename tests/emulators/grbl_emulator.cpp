@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace rob::test {
 
@@ -58,18 +59,42 @@ double GrblEmulator::moved_for() const {
   return last_move_ - first_move_;
 }
 
+void GrblEmulator::hold() {
+  const std::lock_guard lock(mutex_);
+  held_ = !blocks_.empty();
+}
+
+void GrblEmulator::open_door() {
+  const std::lock_guard lock(mutex_);
+  door_ = held_ = true;
+}
+
+void GrblEmulator::override_feed(int percent) {
+  const std::lock_guard lock(mutex_);
+  override_ = percent;
+  tell_override_ = true;
+}
+
+void GrblEmulator::take_foreign(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  foreign_ = true;
+  carry_out(line);
+  foreign_ = false;
+}
+
 bool GrblEmulator::idle() const {
   const std::lock_guard lock(mutex_);
   return blocks_.empty();
 }
 
 void GrblEmulator::say(const std::string& line) {
+  if (foreign_) return;
   const std::string whole = line + "\r\n";
   answer(Octets(whole.begin(), whole.end()));
 }
 
 void GrblEmulator::ok() {
-  if (lost_oks > 0) {
+  if (!foreign_ && lost_oks > 0) {
     --lost_oks;
     return;
   }
@@ -77,16 +102,26 @@ void GrblEmulator::ok() {
 }
 
 void GrblEmulator::reset() {
-  if (!blocks_.empty()) alarm_ = true;  // the position is lost
+  if (!blocks_.empty() && pace_ > 0) alarm_ = true;  // in motion: the position is lost
   blocks_.clear();
   lines_.clear();
   line_.clear();
   buffered_ = 0;
-  running_ = held_ = false;
+  running_ = false;
+  held_ = door_ = opens_door;
+  pace_ = 1;
+  override_ = 100;
+  started_ = now() + starts_for;
   relative_ = inverse_time_ = false;
   planned_ = here_;
   reports_ = 0;
   alarm_ = alarm_ || locked;
+  greets_ = true;
+  if (starts_for == 0) greet();
+}
+
+void GrblEmulator::greet() {
+  greets_ = false;
   say("");
   say(banner);
   if (alarm_) say("[MSG:'$H'|'$X' to unlock]");
@@ -97,7 +132,7 @@ void GrblEmulator::real_time(std::uint8_t byte) {
     case '?':
       return report();
     case '!':
-      held_ = !blocks_.empty();
+      held_ = held_ || !blocks_.empty();
       return;
     case '~':
       held_ = false;
@@ -105,6 +140,9 @@ void GrblEmulator::real_time(std::uint8_t byte) {
     case 0x18:
       ++resets_;
       return reset();
+    case 0x90:
+      override_ = 100;
+      return;
     case 0x85:
       std::erase_if(blocks_, [](const Block& block) { return block.jog; });
       return;
@@ -113,20 +151,24 @@ void GrblEmulator::real_time(std::uint8_t byte) {
   }
 }
 
-const char* GrblEmulator::state() const {
+std::string GrblEmulator::state() const {
   if (alarm_) return "Alarm";
-  if (held_) return "Hold:0";
+  if (door_) return "Door:1";
+  if (held_) return pace_ > 0 ? "Hold:1" : "Hold:0";
   if (blocks_.empty()) return "Idle";
   return blocks_.front().jog ? "Jog" : "Run";
 }
 
 void GrblEmulator::report() {
-  std::string text = std::string("<") + state() + "|MPos:";
+  std::string text = "<" + state() + "|MPos:";
   for (int i = 0; i < kAxes; ++i)
     text += (i > 0 ? "," : "") + fixed(here_[static_cast<std::size_t>(i)]);
   text += "|Bf:" + std::to_string(kPlanner - blocks_.size()) + "," +
           std::to_string(kReceiveBuffer - buffered_) + "|FS:0,0";
-  if (reports_++ % 10 == 0) {
+  ++reports_;
+  if (std::exchange(tell_override_, false) || reports_ % 20 == 0)
+    text += "|Ov:" + std::to_string(override_) + ",100,100";
+  if (offset_in_report > 0 && reports_ % 10 == offset_in_report) {
     text += "|WCO:";
     for (int i = 0; i < kAxes; ++i)
       text += (i > 0 ? "," : "") + fixed(offset[static_cast<std::size_t>(i)]);
@@ -135,6 +177,7 @@ void GrblEmulator::report() {
 }
 
 void GrblEmulator::take(std::uint8_t byte) {
+  if (now() < started_ && byte != 0x18) return;
   if (byte == '?' || byte == '!' || byte == '~' || byte == 0x18 || byte >= 0x80)
     return real_time(byte);
   if (++buffered_ > kReceiveBuffer) ++overflows_;
@@ -162,6 +205,11 @@ void GrblEmulator::system_command(const std::string& line) {
       say("$" + std::to_string(number) + "=" + fixed(value));
     return ok();
   }
+  if (line == "$#") return list_parameters();
+  if (line == "$G") {
+    say("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]");
+    return ok();
+  }
   if (line == "$X") {
     alarm_ = false;
     return ok();
@@ -175,6 +223,25 @@ void GrblEmulator::system_command(const std::string& line) {
     return ok();
   }
   say("error:3");
+}
+
+/// The work offset is the sum of G54, G92 and, along Z, the tool's length.
+void GrblEmulator::list_parameters() {
+  constexpr double kOfG92 = 1;
+  constexpr double kTool = 2;
+  std::array<double, kAxes> g54 = offset;
+  g54[0] -= kOfG92;
+  g54[2] -= kTool;
+  const auto list = [](const std::array<double, kAxes>& values) {
+    return fixed(values[0]) + "," + fixed(values[1]) + "," + fixed(values[2]) + "]";
+  };
+  say("[G54:" + list(g54));
+  say("[G55:" + list({50, 50, 50}));
+  say("[G28:" + list({}));
+  say("[G92:" + list({kOfG92, 0, 0}));
+  say("[TLO:" + fixed(kTool) + "]");
+  say("[PRB:0.000,0.000,0.000:0]");
+  ok();
 }
 
 void GrblEmulator::g_code(const std::string& line, bool jog) {
@@ -218,23 +285,32 @@ void GrblEmulator::g_code(const std::string& line, bool jog) {
 }
 
 void GrblEmulator::pass(double now) {
+  if (last_ == 0 && starts_for > 0) say(banner);
+  if (greets_ && now >= started_) greet();
   while (!lines_.empty() && blocks_.size() < kPlanner) {
     const std::string line = lines_.front();
     lines_.pop_front();
     buffered_ -= static_cast<int>(line.size()) + 1;
     carry_out(line);
   }
-  if (held_) begun_ += now - last_;
+  run(now - last_);
   last_ = now;
-  while (!blocks_.empty() && !held_) {
+}
+
+/// A hold brakes, an override changes how fast the moves go.
+void GrblEmulator::run(double seconds) {
+  const double change = seconds / kBraking;
+  pace_ = std::clamp(pace_ + (held_ ? -change : change), 0.0, 1.0);
+  machine_time_ += pace_ * seconds * override_ / 100;
+  while (!blocks_.empty()) {
     if (!running_) {
       running_ = true;
       from_ = here_;
-      begun_ = now;
-      if (first_move_ < 0) first_move_ = now;
+      begun_ = machine_time_;
+      if (first_move_ < 0) first_move_ = machine_time_;
     }
     const Block& block = blocks_.front();
-    const double share = std::min((now - begun_) / block.seconds, 1.0);
+    const double share = std::min((machine_time_ - begun_) / block.seconds, 1.0);
     for (std::size_t i = 0; i < kAxes; ++i)
       here_[i] = jammed ? here_[i] : from_[i] + share * (block.target[i] - from_[i]);
     if (share < 1) return;

@@ -10,7 +10,7 @@
 namespace rob::test {
 
 /// grbl 1.1 as its wiki describes it: a planner of 15 blocks, a receive buffer of 128 bytes, moves
-/// at constant speed for their time. mm, s.
+/// at constant speed for their time; a hold brakes within kBraking. mm, s.
 class GrblEmulator final : public DeviceEmulator {
  public:
   static constexpr int kAxes = 3;
@@ -18,18 +18,31 @@ class GrblEmulator final : public DeviceEmulator {
   GrblEmulator();
   ~GrblEmulator() override { end(); }
 
+  static constexpr double kBraking = 0.05;
+
   std::map<int, double> settings;  ///< before it is talked to
   std::string banner = "Grbl 1.1h ['$' for help]";
+  /// The report after a reset that has WCO first: 1 of grbl, 2 of grblHAL; 0: none ever has.
+  int offset_in_report = 1;
+  /// s from a reset to the banner, in which it drops what it receives. Above 0, an old banner is
+  /// there before Rob says anything.
+  double starts_for = 0;
   std::atomic<int> lost_oks{0};        ///< so many of the next are not sent
   std::atomic<int> error_next{0};      ///< the next line gets this error
   std::atomic<bool> jammed{false};     ///< its motors turn, its axes do not
   std::atomic<bool> homes_on{false};   ///< its homing switches are never met
   bool locked = false;                 ///< it starts in alarm
+  bool opens_door = false;             ///< its door is open, whatever resets it
   std::array<double, kAxes> offset{};  ///< WCO
 
   void stand_at(double x, double y, double z);
   void raise_alarm(int number);
   void restart();
+  void hold();       ///< feed hold is pressed
+  void open_door();  ///< until it is reset
+  void override_feed(int percent);
+  /// A line of another sender, whose answer goes there.
+  void take_foreign(const std::string& line);
 
   std::array<double, kAxes> position() const;
   /// s from the first move to the end of the last.
@@ -57,7 +70,10 @@ class GrblEmulator final : public DeviceEmulator {
   void ok();
   void report();
   void reset();
-  const char* state() const;
+  std::string state() const;
+  void list_parameters();
+  void greet();
+  void run(double seconds);
 
   std::string line_;
   std::deque<std::string> lines_;  ///< received, not carried out
@@ -69,8 +85,16 @@ class GrblEmulator final : public DeviceEmulator {
   double begun_ = 0;
   bool running_ = false;
   double last_ = 0;
+  double machine_time_ = 0;  ///< s; passes as its moves do
+  double pace_ = 1;          ///< machine time a second, without the override
   bool alarm_ = false;
   bool held_ = false;
+  bool door_ = false;
+  bool foreign_ = false;  ///< the line that is carried out is another sender's
+  int override_ = 100;    ///< %
+  bool tell_override_ = true;
+  double started_ = 0;   ///< when it takes again what comes
+  bool greets_ = false;  ///< its banner is due
   bool relative_ = false;
   bool inverse_time_ = false;
   double feed_ = 0;

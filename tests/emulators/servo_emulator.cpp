@@ -7,6 +7,9 @@ namespace rob::test {
 
 namespace {
 
+constexpr int kBusWatchdog = 98;
+constexpr std::uint8_t kTripped = 255;
+
 /// Bit by bit, as the document defines it.
 std::uint16_t crc_of(const Octets& bytes) {
   std::uint32_t crc = 0;
@@ -83,21 +86,39 @@ double ServoEmulator::moved_for() const {
   return last_motion_ - first_motion_;
 }
 
-void ServoEmulator::restart(int id) { set(id, torque_register(), 1, 0); }
+void ServoEmulator::restart(int id) {
+  const std::lock_guard lock(mutex_);
+  Servo& servo = servos_.at(id);
+  const auto kept = static_cast<std::size_t>(torque_register());
+  std::fill(servo.registers.begin() + static_cast<std::ptrdiff_t>(kept), servo.registers.end(),
+            std::uint8_t{0});
+}
 
-void ServoEmulator::pass(double now) {
-  const double step = speed * (now - last_);
-  last_ = now;
+bool ServoEmulator::tripped(int id) const { return get(id, kBusWatchdog, 1) == kTripped; }
+
+void ServoEmulator::move(int id, Servo& servo, double now) {
+  const double passed = now - last_;
+  const double step = speed * passed;
   const bool dynamixel = kind_ == Kind::Dynamixel;
-  for (auto& [id, servo] : servos_) {
-    if (servo.registers[static_cast<std::size_t>(torque_register())] != 1) continue;
+  const double before = servo.position;
+  std::uint8_t& watchdog = servo.registers[kBusWatchdog];
+  const bool on = servo.registers[static_cast<std::size_t>(torque_register())] == 1;
+  if (dynamixel && on && watchdog > 0 && watchdog != kTripped && now - heard_ > 0.02 * watchdog)
+    watchdog = kTripped;
+  if (on && blocked != id && !(dynamixel && watchdog == kTripped)) {
     const double goal =
         static_cast<std::int32_t>(value(servo, dynamixel ? 116 : 42, dynamixel ? 4 : 2));
-    if (goal == servo.position) continue;
     servo.position += std::clamp(goal - servo.position, -step, step);
-    if (first_motion_ < 0) first_motion_ = now;
-    last_motion_ = now;
   }
+  if (passed > 0) servo.velocity = (servo.position - before) / passed;
+  if (servo.position == before) return;
+  if (first_motion_ < 0) first_motion_ = now;
+  last_motion_ = now;
+}
+
+void ServoEmulator::pass(double now) {
+  for (auto& [id, servo] : servos_) move(id, servo, now);
+  last_ = now;
 }
 
 void ServoEmulator::refresh(Servo& servo) const {
@@ -105,6 +126,12 @@ void ServoEmulator::refresh(Servo& servo) const {
   const auto place = static_cast<std::uint32_t>(std::lround(servo.position) + jumped);
   const bool dynamixel = kind_ == Kind::Dynamixel;
   write(servo, dynamixel ? 132 : 56, dynamixel ? 4 : 2, place);
+  // 0.229 rev/min a unit; Feetech: ticks/s, the sign in bit 15
+  if (dynamixel)
+    return write(servo, 128, 4,
+                 static_cast<std::uint32_t>(std::lround(servo.velocity / (0.229 / 60 * 4096))));
+  const auto amount = static_cast<std::uint32_t>(std::lround(std::abs(servo.velocity)));
+  write(servo, 58, 2, std::min(amount, 0x7FFFU) | (servo.velocity < 0 ? 0x8000U : 0U));
 }
 
 void ServoEmulator::status(int id, std::uint8_t error, const Octets& p) {
@@ -174,7 +201,16 @@ bool ServoEmulator::take_feetech() {
   return true;
 }
 
+/// ROBOTIS: settings while the torque is on; goals after the bus watchdog has tripped.
+bool ServoEmulator::refuses(const Servo& servo, int address) const {
+  if (kind_ != Kind::Dynamixel) return false;
+  const bool on = servo.registers[static_cast<std::size_t>(torque_register())] == 1;
+  const bool goal = address >= 100 && address <= 116;
+  return (on && address < torque_register()) || (goal && servo.registers[kBusWatchdog] == kTripped);
+}
+
 void ServoEmulator::carry_out(int id, int instruction, const Octets& p) {
+  heard_ = now();
   if (instruction == 0x82 || instruction == 0x83) return sync(instruction, p);
   const auto found = servos_.find(id);
   if (found == servos_.end()) return;
@@ -189,6 +225,7 @@ void ServoEmulator::carry_out(int id, int instruction, const Octets& p) {
     return status(id, 0, Octets(first, first + size));
   }
   if (instruction != 0x03) return status(id, dynamixel ? 2 : 0, {});
+  if (refuses(servo, address)) return status(id, 7, {});
   std::copy(p.begin() + width(), p.end(), servo.registers.begin() + address);
   status(id, 0, {});
 }
@@ -200,7 +237,8 @@ void ServoEmulator::sync(int instruction, const Octets& p) {
   auto at = p.begin() + 2 * width();
   if (instruction == 0x83) {
     for (; p.end() - at > size; at += 1 + size)
-      if (const auto found = servos_.find(*at); found != servos_.end())
+      if (const auto found = servos_.find(*at);
+          found != servos_.end() && !refuses(found->second, address))
         std::copy(at + 1, at + 1 + size, found->second.registers.begin() + address);
     return;
   }

@@ -244,4 +244,117 @@ TEST_CASE("the period is what the bus can do") {
   CHECK(dynamixel_link(axes, 57600)->least_period() > 0.031);  // drivers of six servos: 178 bytes
 }
 
+TEST_CASE("six DYNAMIXEL servos run at the 57,600 baud that they have from the factory") {
+  ServoEmulator bus(ServoEmulator::Kind::Dynamixel, 6);
+  bus.baud = 57600;
+  const auto axes = test::plain_axes(6, 1, 3000);
+  WireBench bench(std::make_unique<WireBackend>(test::settings_for(bus.path(), axes, 0.01),
+                                                dynamixel_link(axes, 57600)));
+  CHECK(bench.machine().asked_period() == 0.01);
+  CHECK(bench.machine().period() == doctest::Approx(0.05));
+  bench.go(all(6, 2300), 2);
+  bench.comes(DriverStatus::Lost, 0.3);
+  for (int id = 1; id <= 6; ++id) CHECK(std::abs(bus.position(id) - 2300) < 1);
+  CHECK(bench.count(DriverStatus::Ok) > bench.count(DriverStatus::Silent));
+  CHECK(bench.state().measured.q[5] == doctest::Approx(2300).epsilon(0.001));
+}
+
+TEST_CASE_TEMPLATE("an adapter that echoes is found, and its echo is not taken for an answer", Bus,
+                   Dynamixel, Feetech, FeetechScs) {
+  ServoEmulator bus(Bus::kKind, 3);
+  bus.echoes = true;
+  bus.stand_at(2, 700);
+  WireBench bench(machine_on<Bus>(bus));
+  CHECK(bench.machine().position()[1] == 700);
+  bench.go(all(3, 800), 0.4);
+  bench.comes(DriverStatus::Lost, 0.3);
+  for (const int id : {1, 2, 3}) CHECK(std::abs(bus.position(id) - 800) < 1);
+  CHECK(bench.count(DriverStatus::Alarm) == 0);
+  CHECK(bench.count(DriverStatus::Ok) > 10);
+}
+
+TEST_CASE_TEMPLATE("fault 31: a servo that restarts in motion is named before it looks frozen", Bus,
+                   Dynamixel, Feetech) {
+  ServoEmulator bus(Bus::kKind, 6);
+  WireBench bench(machine_on<Bus>(bus, 6));
+  bench.go(all(6, 2100), 0.2);
+  bus.restart(5);
+  // From here on its goal goes away by 20 ticks a cycle: three cycles are what E503 waits for.
+  const int before = bench.count(DriverStatus::Ok);
+  bench.go(all(6, 3100), 1);
+  CHECK(bench.count(DriverStatus::Alarm) > 0);
+  CHECK(bench.count(DriverStatus::Ok) - before <= 5);
+  CHECK(mentions(bench.machine().trouble(), "servo 5 (axis b) has restarted"));
+}
+
+TEST_CASE("a servo that its bus watchdog has stopped is named, with the computer that was late") {
+  ServoEmulator bus(ServoEmulator::Kind::Dynamixel, 3);
+  WireBench bench(machine_on<Dynamixel>(bus));
+  bench.go(all(3, 2100), 0.2);
+  bus.set(2, 98, 1, 255);
+  bench.go(all(3, 3100), 1);
+  CHECK(bench.count(DriverStatus::Alarm) > 0);
+  CHECK(mentions(bench.machine().trouble(), "the bus watchdog of servo 2 (axis y) has stopped it"));
+}
+
+TEST_CASE("torque that another program has left on is taken off before settings are written") {
+  ServoEmulator bus(ServoEmulator::Kind::Dynamixel, 2);
+  bus.set(2, 64, 1, 1);
+  bus.set(2, 116, 4, 2048);
+  const auto machine = machine_on<Dynamixel>(bus, 2);
+  CHECK(test::trouble_opening(*machine) == "");
+  CHECK(bus.get(2, 9, 1) == 0);  // return delay, which is kept in its EEPROM
+  CHECK_FALSE(bus.torque(2));
+}
+
+TEST_CASE_TEMPLATE("servos that answer, but too late, are not said to be mute", Bus, Dynamixel,
+                   Feetech) {
+  ServoEmulator bus(Bus::kKind, 2);
+  WireBench bench(machine_on<Bus>(bus, 2));
+  bench.go(all(2, 2100), 0.2);
+  bus.late_ms = 30;
+  CHECK(bench.comes(DriverStatus::Silent, 2));
+  bool told = false;
+  for (int i = 0; i < 40 && !told; ++i) {
+    bench.cycle(all(2, 2100));
+    told = mentions(bench.machine().trouble(), "later than the cycle permits; raise period");
+  }
+  CHECK(told);
+}
+
+TEST_CASE("stamps are those of the servo's clock, though its thread waits between two looks") {
+  ServoEmulator bus(ServoEmulator::Kind::Feetech, 2);
+  WireBench bench(machine_on<Feetech>(bus, 2));
+  bench.comes(DriverStatus::Lost, 0.3);
+  motion::ServoState state;
+  for (const int waits : {0, 60, 0, 40}) {
+    const double looked = bench.now();
+    std::this_thread::sleep_for(std::chrono::milliseconds(waits));
+    bench.machine().read(looked, state);
+    const double now = bench.now();
+    CAPTURE(waits);
+    CHECK(state.seen <= now);
+    CHECK(now - state.seen < 0.038);  // a period and a half, and the wire
+    CHECK(state.measured.time <= now);
+    CHECK(now - state.measured.time < 0.038);
+    bench.cycle(all(2, 2048));
+  }
+}
+
+TEST_CASE("a tick that only reads keeps the exchange going, one that does neither ends it") {
+  ServoEmulator bus(ServoEmulator::Kind::Feetech, 1);
+  WireBench bench(machine_on<Feetech>(bus, 1));
+  bench.comes(DriverStatus::Lost, 0.2);
+  for (int i = 0; i < 20; ++i) {
+    bench.look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  CHECK(bench.now() - bench.state().seen < 0.2);
+  const int questions = bus.questions();
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  CHECK(bus.questions() - questions < 15);  // of a cycle of 20 ms, and its last 100 ms
+  CHECK(bench.look() == DriverStatus::Late);
+  CHECK(bench.state().late > 0.2);
+}
+
 }  // namespace rob::drivers

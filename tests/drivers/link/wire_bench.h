@@ -58,6 +58,8 @@ class WireBench {
     std::this_thread::sleep_for(std::chrono::duration<double>(period_));
     return status;
   }
+  /// Reads, and writes nothing.
+  DriverStatus look() { return machine_->read(now(), state_); }
   /// Stands for so long; true when `status` comes before that.
   bool comes(DriverStatus status, double seconds) {
     const double end = now() + seconds;

@@ -25,6 +25,26 @@ std::vector<std::string> lines_in(const std::string& text, LineReader& reader) {
 
 }  // namespace
 
+TEST_CASE("the parameters of $#, and what a report shows of the machine") {
+  const Line offset = parsed("[G54:-100.000,-80.000,4.500]");
+  CHECK(offset.kind == Line::Kind::Parameter);
+  CHECK(offset.name == "G54");
+  CHECK(offset.values == 3);
+  CHECK(offset.parameter[1] == -80);
+  CHECK(parsed("[TLO:2.000]").values == 1);
+  CHECK(parsed("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]").kind == Line::Kind::Message);
+  CHECK(parsed("[PRB:0.000,0.000,0.000:0]").kind == Line::Kind::Message);
+  const Status held = parsed("<Hold:1|MPos:1.000,0.000,0.000|FS:0,0|Ov:50,100,100>").status;
+  CHECK(held.machine == Machine::Hold);
+  CHECK(held.phase == 1);
+  CHECK(held.feed_override == 50);
+  CHECK(parsed("<Tool|MPos:1.000,0.000,0.000|FS:0,0>").status.machine == Machine::Tool);
+  CHECK(parsed("<Idle|MPos:1.000,0.000,0.000|FS:0,0>").status.feed_override == 0);
+  Line line;
+  CHECK_FALSE(parse("<Hold:x|MPos:1.000,0.000,0.000>", line));
+  CHECK_FALSE(parse("<Idle|MPos:1.000,0.000,0.000|Ov:a>", line));
+}
+
 TEST_CASE("the answers of grbl") {
   CHECK(parsed("ok").kind == Line::Kind::Ok);
   CHECK(parsed("error:22").kind == Line::Kind::Error);
