@@ -23,7 +23,7 @@ constexpr int kSoftLimits = 20;
 constexpr int kInches = 13;
 constexpr int kSteps = 100;
 constexpr int kMostRate = 110;  // mm/min
-constexpr int kAcceleration = 120;
+constexpr int kAccelerationSetting = 120;
 constexpr int kTravel = 130;
 
 std::string numbered(int number, double value) {
@@ -126,13 +126,13 @@ void GrblLink::check_settings() {
                         " steps/mm is no number of"
                         " steps");
     const double speed = std::min(axis.most_step, setting(kMostRate + axis.address) / 60);
-    const double acceleration = setting(kAcceleration + axis.address);
+    const double acceleration = setting(kAccelerationSetting + axis.address);
     const double needed = speed / (2 * GrblStream::kAhead * kPeriod);
     if (acceleration >= needed) continue;
-    throw DriverError("grbl's " + numbered(kAcceleration + axis.address, acceleration) +
+    throw DriverError("grbl's " + numbered(kAccelerationSetting + axis.address, acceleration) +
                       " mm/s^2 is too little for axis " + axis.name +
                       ": to follow at its speed takes " +
-                      numbered(kAcceleration + axis.address, std::ceil(needed)) +
+                      numbered(kAccelerationSetting + axis.address, std::ceil(needed)) +
                       "; write that, if the machine can, or lower v_max in the robot file");
   }
 }
@@ -143,7 +143,7 @@ void GrblLink::take_limits() {
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const int letter = axes_[i].address;
     limits_.speed[i] = setting(kMostRate + letter) / 60;
-    limits_.acceleration[i] = setting(kAcceleration + letter);
+    limits_.acceleration[i] = setting(kAccelerationSetting + letter);
     const auto soft = settings_.find(kSoftLimits);
     if (soft == settings_.end() || soft->second == 0) continue;
     limits_.min[i] = -setting(kTravel + letter) - offset_[i];

@@ -10,7 +10,7 @@ using motion::DriverStatus;
 
 namespace {
 
-constexpr double kAnswerTime = 0.05;        // s [choice] when nothing moves yet; a servo takes 1 ms
+constexpr double kServoAnswerTime = 0.05;   // s [choice] when nothing moves yet; a servo takes 1 ms
 constexpr int kTries = 3;                   // likewise
 constexpr std::uint32_t kHealthEvery = 10;  // cycles
 constexpr double kChainShare = 0.5;         // of a cycle, for the sync read
@@ -61,7 +61,7 @@ template <typename Dialect>
 auto ServoLink<Dialect>::must_ask(std::size_t i, const typename Dialect::Wire& question) -> Frame {
   Frame answer;
   for (int tries = 0; tries < kTries; ++tries) {
-    const Result result = ask(ids_[i], question, answer, wire_time() + kAnswerTime);
+    const Result result = ask(ids_[i], question, answer, wire_time() + kServoAnswerTime);
     if (result == Result::Ok) return answer;
     if (result == Result::Gone) {
       lost(packets_.port());
@@ -124,7 +124,7 @@ void ServoLink<Dialect>::write_setting(std::size_t i, const ServoSetting& settin
 
 template <typename Dialect>
 DriverStatus ServoLink<Dialect>::enable() noexcept {
-  const double deadline = wire_time() + kAnswerTime;
+  const double deadline = wire_time() + kServoAnswerTime;
   // Where they stand is the goal before there is force: nothing jumps.
   Result result = send_goals(last_, deadline);
   for (const ServoSetting& setting : Dialect::watchdog(true))
@@ -139,7 +139,7 @@ DriverStatus ServoLink<Dialect>::enable() noexcept {
 
 template <typename Dialect>
 void ServoLink<Dialect>::disable() noexcept {
-  const double deadline = wire_time() + kAnswerTime;
+  const double deadline = wire_time() + kServoAnswerTime;
   // Twice: a broadcast is not answered, so a bad frame would not be noticed.
   for (int turn = 0; turn < 2; ++turn) packets_.send(Dialect::torque(ids_, false).view(), deadline);
   for (const ServoSetting& setting : Dialect::watchdog(false))

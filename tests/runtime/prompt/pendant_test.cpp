@@ -15,7 +15,7 @@ using Event = Key::Event;
 namespace {
 
 constexpr Key kRight{Key::Kind::Right};
-constexpr Key kUp{Key::Kind::Up};
+constexpr Key kUpKey{Key::Kind::Up};
 
 Key letter(char c, Event event = Event::Press) {
   return {Key::Kind::Character, static_cast<char32_t>(c), event};
@@ -98,7 +98,7 @@ TEST_CASE("a step is as long as it says") {
   held.rest();
   CHECK(held.q(0) == doctest::Approx(0.001).epsilon(1e-6));  // 1 mm
   held.pendant.press(letter('.'));
-  held.pendant.press(kUp);
+  held.pendant.press(kUpKey);
   held.rest();
   CHECK(held.q(1) == doctest::Approx(0.010).epsilon(1e-6));
 }
