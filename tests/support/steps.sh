@@ -66,7 +66,8 @@ step_format() {
 }
 
 # Warnings and asserts as in a debug build, but fast enough to run every test.
-sanitizer_options=(-DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1")
+sanitizer_options=(-DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1
+  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
 
 step_address() {
   heading "tests under the address and undefined-behaviour sanitizers"
