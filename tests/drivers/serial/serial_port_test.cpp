@@ -1,7 +1,6 @@
 #include "drivers/serial/serial_port.h"
 
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -14,6 +13,7 @@
 #include "motion/servo/servo_backend.h"
 #include "tests/support/pty_wire.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/without_privileges.h"
 
 namespace rob::drivers {
 namespace {
@@ -114,20 +114,27 @@ TEST_CASE("fault 33: a port that is used is refused, and the process is named") 
 }
 
 TEST_CASE("a port that may not be used names its group") {
-  if (::geteuid() != 0) return;  // only root can become somebody else
-  PtyWire wire;
+  const PtyWire wire;
   std::filesystem::permissions(wire.path(), std::filesystem::perms::owner_read);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const bool other = ::setgid(65534) == 0 && ::setuid(65534) == 0;  // nobody
+  CHECK(test::true_without_privileges([&] {
     const std::string trouble = trouble_of(wire.path());
-    const bool told =
-        has(trouble, "it needs the group " + group_of(wire.path())) && has(trouble, "usermod");
-    ::_exit(other && told ? 0 : 1);
-  }
-  int status = 1;
-  ::waitpid(child, &status, 0);
-  CHECK(status == 0);
+    return has(trouble, "it needs the group " + group_of(wire.path())) && has(trouble, "usermod");
+  }));
+}
+
+TEST_CASE("a port in the list that may be read or written only is not free") {
+  const test::ScratchFolder scratch;
+  const std::string port = scratch.file("ttyUSB0");
+  std::ofstream{port};
+  const auto state = [&](std::filesystem::perms permissions) {
+    std::filesystem::permissions(port, permissions);
+    return list_ports(scratch.path().string()).at(0).state;
+  };
+  using std::filesystem::perms;
+  const std::string refused = "not permitted: needs the group " + group_of(port);
+  CHECK(test::true_without_privileges([&] { return state(perms::owner_read) == refused; }));
+  CHECK(test::true_without_privileges([&] { return state(perms::owner_write) == refused; }));
+  CHECK(test::true_without_privileges([&] { return state(perms(0600)) == "free"; }));
 }
 
 TEST_CASE("ports are listed once, with the name that stays") {

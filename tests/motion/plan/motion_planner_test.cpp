@@ -48,6 +48,9 @@ struct GantryPlanner {
   PlannedSegment take(const MotionRequest& wish) {
     return std::get<PlannedSegment>(planner.plan(wish));
   }
+  JogRates jog(const JogRates& rates) {
+    return std::get<PlannedSegment>(planner.jog(1, rates)).segment.jog;
+  }
   Refusal refusal(const MotionRequest& wish) { return std::get<Refusal>(planner.plan(wish)); }
 };
 
@@ -258,6 +261,42 @@ TEST_CASE("after an early end left-out axes stay where the axes stand") {
   const SegmentDescriptor segment = p.take(request(kLeftOut, 100, kLeftOut)).segment;
   CHECK(segment.target[0] == 0.03);
   CHECK(segment.duration == doctest::Approx(3));
+}
+
+TEST_CASE("a jog of whole periods lasts as many, whatever rounding the quotient has") {
+  GantryPlanner p;  // its period is 0.01 s
+  JogRates rates;
+  rates.space = JogRates::Space::World;
+  rates.rate = JointVector::Zero(6);
+  for (int periods = 1; periods <= 1000; ++periods) {
+    CAPTURE(periods);
+    for (const double seconds : {periods / 100.0, periods * 0.01, (0.5 + periods) / 100 - 0.005}) {
+      rates.lasts = seconds;
+      CHECK(std::lround(100 * p.jog(rates).lasts) == periods);
+    }
+    rates.lasts = (periods + 1e-6) / 100;  // more than that is a period more
+    CHECK(std::lround(100 * p.jog(rates).lasts) == periods + 1);
+  }
+}
+
+TEST_CASE("rates beyond any axis are reduced to 1000 m/s or rad/s, all in the same ratio") {
+  GantryPlanner p;
+  JogRates rates;
+  rates.space = JogRates::Space::World;
+  rates.rate = JointVector::Zero(6);
+  rates.rate[0] = -4e3;
+  rates.rate[1] = 1e3;
+  const auto planned = [&] { return p.jog(rates).rate; };
+  CHECK(planned()[0] == doctest::Approx(-1e3));
+  CHECK(planned()[1] == doctest::Approx(250));
+  rates.rate[0] = 1e300;  // a product with the time would overflow
+  CHECK(planned()[0] == doctest::Approx(1e3));
+  rates.rate[0] = 600;  // below: as they are
+  rates.rate[1] = 300;
+  CHECK(planned()[0] == 600);
+  p.planner.set_override(2);  // makes 1200 of 600
+  CHECK(planned()[0] == doctest::Approx(1e3));
+  CHECK(planned()[1] == doctest::Approx(500));
 }
 
 TEST_CASE("planning takes no memory") {
