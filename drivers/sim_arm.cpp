@@ -12,7 +12,7 @@ using motion::JointVector;
 namespace {
 
 // s. Only an arm whose brakes are closed is left alone for so long: it stands long before.
-constexpr double kLongest = 0.5;
+constexpr double kLongestAlone = 0.5;
 
 // Rounds until the friction of axes 2 and 3 agrees. Each leaves H32²/(H22·H33) of the error: with
 // 10 kg in the hand about 0.4, 1e-8 in all.
@@ -104,7 +104,7 @@ void SimArm::measure(JointVector& q, JointVector& qd) const noexcept {
 }
 
 void SimArm::advance(double dt) noexcept {
-  const double time = std::min(dt, kLongest);
+  const double time = std::min(dt, kLongestAlone);
   const int steps = std::max(1, static_cast<int>(std::ceil(time / Encoder::kPeriod - 1e-6)));
   for (int k = 0; k < steps; ++k) step(time / steps);
 }

@@ -30,7 +30,7 @@ constexpr int kSoftLimits = 20;
 constexpr int kInches = 13;
 constexpr int kSteps = 100;
 constexpr int kMostRate = 110;  // mm/min
-constexpr int kAcceleration = 120;
+constexpr int kAccelerationSetting = 120;
 constexpr int kTravel = 130;
 
 std::string numbered(int number, double value) {
@@ -99,7 +99,7 @@ double GrblSettings::braking_time(const std::vector<WireAxis>& axes) const {
   double longest = 0;
   for (const WireAxis& axis : axes)
     longest = std::max(longest, values_.at(kMostRate + axis.address) / 60 /
-                                    values_.at(kAcceleration + axis.address));
+                                    values_.at(kAccelerationSetting + axis.address));
   return longest;
 }
 
@@ -109,7 +109,7 @@ void GrblSettings::check(const std::vector<WireAxis>& axes, const std::string& p
   std::string slow;
   std::string needs;
   for (const WireAxis& axis : axes) {
-    for (const int number : {kSteps, kMostRate, kAcceleration, kTravel})
+    for (const int number : {kSteps, kMostRate, kAccelerationSetting, kTravel})
       if (!values_.contains(number + axis.address))
         throw DriverError("grbl on " + path + " has no setting $" +
                           std::to_string(number + axis.address) +
@@ -117,14 +117,14 @@ void GrblSettings::check(const std::vector<WireAxis>& axes, const std::string& p
     if (steps(axis.address) <= 0)
       throw DriverError("grbl's " + numbered(kSteps + axis.address, steps(axis.address)) +
                         " is no number of steps per mm; write that of the machine");
-    const double acceleration = values_.at(kAcceleration + axis.address);
+    const double acceleration = values_.at(kAccelerationSetting + axis.address);
     const double speed = std::min(axis.most_step, values_.at(kMostRate + axis.address) / 60);
     const double needed = speed / (2 * GrblStream::kAhead * GrblLink::kPeriod);
     if (acceleration >= needed) continue;
     const std::string comma = slow.empty() ? "" : ", ";
-    slow +=
-        comma + numbered(kAcceleration + axis.address, acceleration) + " (axis " + axis.name + ")";
-    needs += comma + numbered(kAcceleration + axis.address, std::ceil(needed));
+    slow += comma + numbered(kAccelerationSetting + axis.address, acceleration) + " (axis " +
+            axis.name + ")";
+    needs += comma + numbered(kAccelerationSetting + axis.address, std::ceil(needed));
   }
   if (!slow.empty())
     throw DriverError(
@@ -137,7 +137,7 @@ WireLimits GrblSettings::limits(const std::vector<WireAxis>& axes, const WireVec
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const int letter = axes[i].address;
     limits.speed[i] = values_.at(kMostRate + letter) / 60;
-    limits.acceleration[i] = values_.at(kAcceleration + letter);
+    limits.acceleration[i] = values_.at(kAccelerationSetting + letter);
     if (value_or(kSoftLimits, 0) == 0) continue;
     limits.min[i] = -values_.at(kTravel + letter) - offset[i];
     limits.max[i] = -offset[i];

@@ -11,7 +11,7 @@ using motion::DriverStatus;
 
 namespace {
 
-constexpr double kAnswerTime = 0.05;        // s [choice] when nothing moves yet; a servo takes 1 ms
+constexpr double kServoAnswerTime = 0.05;   // s [choice] when nothing moves yet; a servo takes 1 ms
 constexpr int kTries = 3;                   // likewise
 constexpr double kEchoTime = 0.02;          // s [choice] an adapter echoes while it sends
 constexpr std::uint8_t kNobody = 253;       // no servo of a robot file can have this ID
@@ -86,8 +86,9 @@ template <typename Dialect>
 auto ServoLink<Dialect>::must_ask(std::size_t i, const typename Dialect::Wire& question) -> Frame {
   Frame answer;
   for (int tries = 0; tries < kTries; ++tries) {
-    const Result result = ask(ids_[i], question, answer,
-                              wire_time() + kAnswerTime + question_time(Dialect::kReadingBytes));
+    const Result result =
+        ask(ids_[i], question, answer,
+            wire_time() + kServoAnswerTime + question_time(Dialect::kReadingBytes));
     if (result == Result::Ok) return answer;
     if (result == Result::Gone) {
       lost(packets_.port());
@@ -160,7 +161,7 @@ void ServoLink<Dialect>::write_setting(std::size_t i, const ServoSetting& settin
 
 template <typename Dialect>
 DriverStatus ServoLink<Dialect>::enable() noexcept {
-  const double deadline = wire_time() + kAnswerTime;
+  const double deadline = wire_time() + kServoAnswerTime;
   // Where they stand is the goal before there is force: nothing jumps.
   Result result = send_goals(last_, deadline);
   for (const ServoSetting& setting : Dialect::watchdog(true))
@@ -176,7 +177,7 @@ DriverStatus ServoLink<Dialect>::enable() noexcept {
 
 template <typename Dialect>
 void ServoLink<Dialect>::disable() noexcept {
-  const double deadline = wire_time() + kAnswerTime;
+  const double deadline = wire_time() + kServoAnswerTime;
   // Twice: a broadcast is not answered, so a bad frame would not be noticed.
   for (int turn = 0; turn < 2; ++turn) packets_.send(Dialect::torque(ids_, false).view(), deadline);
   for (const ServoSetting& setting : Dialect::watchdog(false))

@@ -13,11 +13,10 @@ namespace rob::lang {
 namespace {
 
 bool unknown(const Type& type) { return type.kind == Type::Kind::Unknown; }
-bool is_text(const Type& type) { return type.kind == Type::Kind::String; }
 
 /// The remedy where a number and a text meet.
 std::string text_remedy(const Type& a, const Type& b) {
-  return is_text(a) != is_text(b) ? "STR(x) makes a text of any value" : "";
+  return a.text() != b.text() ? "STR(x) makes a text of any value" : "";
 }
 
 /// The remedy where a bare number meets a quantity.
@@ -171,9 +170,9 @@ Type ExpressionChecker::check_sum(const Binary& binary, const Expr& expression) 
   if (unknown(common)) return unlike(binary, expression);
   if (common.numeric() || common.is(Type::Kind::Vec) || common.is(Type::Kind::Joints))
     return common;
-  if (is_text(common) && binary.op == BinaryOp::Add) return common;
+  if (common.text() && binary.op == BinaryOp::Add) return common;
   std::string these = in_words(common);
-  if (is_text(common)) these = "texts";
+  if (common.text()) these = "texts";
   diagnostics_.error(
       code::kTypeMismatch, expression.place,
       fmt::format("'{}' needs two numbers; these are {}", symbol_of(binary.op), these));

@@ -6,11 +6,6 @@
 /// The part of ExpressionCompiler that knows routines, and where variables live that are not in
 /// the present frame.
 namespace rob::lang {
-namespace {
-
-bool is_text(const Type& type) { return type.kind == Type::Kind::String; }
-
-}  // namespace
 
 bool calls_routine(const Expr& expression) {
   struct Visitor {
@@ -75,7 +70,7 @@ Location ExpressionCompiler::call_routine(const Call& call, const Expr& expressi
           std::any_of(call.bound.begin() + static_cast<std::ptrdiff_t>(i) + 1, call.bound.end(),
                       [](const Expr* later) { return later != nullptr && calls_routine(*later); });
       pass_places(located_as(argument, group.type, keep), group.type, home, first, argument.place);
-    } else if (is_text(group.type)) {
+    } else if (group.type.text()) {
       into(argument, static_cast<Register>(first_text + home.texts.offset), false);
     } else {
       into(argument, static_cast<Register>(first + home.numbers.offset),

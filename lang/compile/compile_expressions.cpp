@@ -14,8 +14,6 @@
 namespace rob::lang {
 namespace {
 
-bool is_text(const Expr& expression) { return expression.type.kind == Type::Kind::String; }
-
 bool is_truth(const Expr& expression) { return expression.type.kind == Type::Kind::Bool; }
 
 }  // namespace
@@ -63,7 +61,7 @@ Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
   }
   if (!convert && expression.moved_from == nullptr && is_variable(expression)) {
     const Location at = locate(expression);
-    const SlotsAt& part = is_text(expression) ? at.texts : at.numbers;
+    const SlotsAt& part = expression.type.text() ? at.texts : at.numbers;
     if (part.in_register()) return part.reg();
     const Register target = result_register(expression.type);
     load(at, expression.type, target, expression.place);
@@ -73,7 +71,7 @@ Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
   if (const auto* const call = std::get_if<Call>(&expression.node);
       call != nullptr && call->routine != nullptr && !convert && expression.moved_from == nullptr) {
     const Location result = call_routine(*call, expression);
-    return is_text(expression) ? result.texts.reg() : result.numbers.reg();
+    return expression.type.text() ? result.texts.reg() : result.numbers.reg();
   }
   const Register target = expression.place_slots != 0
                               ? code_.number_registers(expression.place_slots)
@@ -226,8 +224,8 @@ void ExpressionCompiler::call_on_texts(const Builtin& builtin, const Call& call,
   }
   const auto index = static_cast<unsigned>(&builtin - builtins().data());
   code_.emit(Opcode::call_text, expression.place, numbers, texts, index);
-  code_.emit(is_text(expression) ? Opcode::copy_text : Opcode::copy, expression.place, target,
-             is_text(expression) ? texts : numbers);
+  code_.emit(expression.type.text() ? Opcode::copy_text : Opcode::copy, expression.place, target,
+             expression.type.text() ? texts : numbers);
 }
 
 void ExpressionCompiler::append(const Expr& expression, Register text) {

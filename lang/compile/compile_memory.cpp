@@ -13,8 +13,6 @@ using Base = SlotsAt::Base;
 Instruction word(std::uint32_t value) { return {value}; }
 Instruction word(std::int64_t value) { return {static_cast<std::uint32_t>(value)}; }
 
-bool is_text(const Type& type) { return type.kind == Type::Kind::String; }
-
 }  // namespace
 
 Location ExpressionCompiler::memory(Slots slots, Place place) {
@@ -48,7 +46,7 @@ void ExpressionCompiler::put(const Expr& value, const Location& to, const Type& 
   const auto mark = code_.mark();
   const Place place = value.place;
   if (type.in_registers()) {
-    const SlotsAt& part = is_text(type) ? to.texts : to.numbers;
+    const SlotsAt& part = type.text() ? to.texts : to.numbers;
     const bool as_real = type.is(Type::Kind::Real);
     if (part.in_register()) {
       into(value, part.reg(), as_real);
@@ -124,7 +122,7 @@ void ExpressionCompiler::copy(const Location& from, const Location& to, const Ty
   if (!type.in_registers()) {
     copy_memory(to, from, slots_of(type), place);
   } else {
-    const SlotsAt& part = is_text(type) ? from.texts : from.numbers;
+    const SlotsAt& part = type.text() ? from.texts : from.numbers;
     Register value = part.reg();
     if (!part.in_register()) {
       value = result_register(type);
@@ -156,7 +154,7 @@ bool ExpressionCompiler::is_number_element(const Expr& expression) const {
   if (watching_) return false;  // it was fixed before
   const auto* const index = std::get_if<Index>(&expression.node);
   return index != nullptr && index->object->type.is(Type::Kind::Array) &&
-         expression.type.scalar() && !is_text(expression.type) &&
+         expression.type.scalar() && !expression.type.text() &&
          !std::holds_alternative<std::int64_t>(index->index->constant);
 }
 

@@ -12,8 +12,6 @@ using Base = SlotsAt::Base;
 /// The instruction's word that holds an offset or a count.
 Instruction word(std::uint32_t value) { return {value}; }
 
-bool is_text(const Type& type) { return type.kind == Type::Kind::String; }
-
 }  // namespace
 
 Location ExpressionCompiler::home(const Symbol& symbol) const {
@@ -63,7 +61,7 @@ Location ExpressionCompiler::locate(const Expr& expression) {
     put(expression, fresh, expression.type);
     return fresh;
   }
-  into(expression, is_text(expression.type) ? fresh.texts.reg() : fresh.numbers.reg(), false);
+  into(expression, expression.type.text() ? fresh.texts.reg() : fresh.numbers.reg(), false);
   return fresh;
 }
 
@@ -206,12 +204,12 @@ void ExpressionCompiler::store_text(SlotsAt to, Register value, Place place) {
 
 void ExpressionCompiler::load(const Location& from, const Type& type, Register target,
                               Place place) {
-  if (is_text(type)) return load_text(from.texts, target, place);
+  if (type.text()) return load_text(from.texts, target, place);
   load_numbers(from.numbers, target, slots_of(type).numbers, place);
 }
 
 void ExpressionCompiler::store(const Location& to, const Type& type, Register value, Place place) {
-  if (is_text(type)) return store_text(to.texts, value, place);
+  if (type.text()) return store_text(to.texts, value, place);
   store_numbers(to.numbers, value, slots_of(type).numbers, place);
 }
 
@@ -222,7 +220,7 @@ void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
   const auto mark = code_.mark();
   if (const auto* const name = std::get_if<Name>(&target.node)) {
     const Location at = home(*name->symbol);
-    const SlotsAt& part = is_text(type) ? at.texts : at.numbers;
+    const SlotsAt& part = type.text() ? at.texts : at.numbers;
     if (type.in_registers() && part.in_register()) {
       value_into(value, part.reg(), as_real);
       return publish(*name->symbol, target.place);

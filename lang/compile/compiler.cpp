@@ -15,8 +15,6 @@
 namespace rob::lang {
 namespace {
 
-bool is_text(const Type& type) { return type.kind == Type::Kind::String; }
-
 std::vector<std::string> signal_names(const RobotSignature& robot) {
   std::vector<std::string> names;
   for (const RobotSignature::Signal& signal : robot.signals) names.push_back(shown_name(signal));
@@ -98,7 +96,7 @@ Location StatementCompiler::declare_in_registers(const Symbol& symbol) {
 /// Tells listings what the registers are called.
 void StatementCompiler::name_home(const Symbol& symbol, const Location& home) {
   if (symbol.name.empty()) return;
-  const bool text = is_text(symbol.type);
+  const bool text = symbol.type.text();
   code_.name_register(symbol.name, text ? home.texts.reg() : home.numbers.reg(), text);
 }
 

@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 24> kClauseWords{
     "VIA",   "TO",   "FROM",  "OF",   "TURNS",   "STEP",  "TIMEOUT", "INTO",
     "LIMIT", "LEAD", "LAG",   "MASS", "COG",     "SCALE", "SAFE",    "AFTER"};
 
-bool among(std::span<const std::string_view> words, std::string_view word) {
+bool is_among(std::span<const std::string_view> words, std::string_view word) {
   return std::ranges::any_of(words, [&](std::string_view each) { return same_word(each, word); });
 }
 
@@ -103,13 +103,13 @@ WordUse StatementWords::use_of_word(const Token& word, TokenKind behind) {
 
 /// A statement that is known by its place only, at the beginning of a line.
 bool StatementWords::begins_as_keyword(const Token& word, TokenKind behind) const {
-  if (!at_begin_ || !among(kFirstWords, word.text)) return false;
+  if (!at_begin_ || !is_among(kFirstWords, word.text)) return false;
   return behind != TokenKind::Assign && !goes_on(behind) && behind != TokenKind::LeftBracket &&
          behind != TokenKind::LeftParen;
 }
 
 bool StatementWords::is_clause(const Token& word, TokenKind behind) const {
-  if (behind_value_ || follows_clause("PATH")) return among(kClauseWords, word.text);
+  if (behind_value_ || follows_clause("PATH")) return is_among(kClauseWords, word.text);
   const auto is = [&](std::string_view text) { return same_word(word.text, text); };
   if (follows(Keyword::Jog)) return is("JOINT") || is("WORLD") || is("TOOL");
   if (follows(Keyword::Move) || follows(Keyword::Movel)) {

@@ -12,9 +12,9 @@ namespace {
 constexpr std::size_t kMostDigits = 18;
 
 /// Goes over one line.
-class Reader {
+class LineReader {
  public:
-  explicit Reader(std::string_view text, std::size_t at) : text_(text), at_(at) {}
+  explicit LineReader(std::string_view text, std::size_t at) : text_(text), at_(at) {}
 
   std::size_t at() const { return at_; }
   char now() const { return at_ < text_.size() ? text_[at_] : '\n'; }
@@ -46,7 +46,7 @@ class Reader {
 };
 
 /// [ "-" ] digits [ "." digits ] [ unit ]
-bool Reader::component(PlainMotion::Component& component) {
+bool LineReader::component(PlainMotion::Component& component) {
   skip_blanks();
   if (now() == ',' || now() == ')') return true;
   component.negative = accept('-');
@@ -69,7 +69,7 @@ bool Reader::component(PlainMotion::Component& component) {
 }  // namespace
 
 std::optional<PlainMotion> read_plain_motion(std::string_view text, std::size_t word) {
-  Reader reader(text, word);
+  LineReader reader(text, word);
   PlainMotion motion;
   if (!reader.accept('(')) return std::nullopt;
   do {

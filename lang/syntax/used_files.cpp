@@ -19,10 +19,10 @@ namespace rob::lang {
 namespace {
 
 /// Goes from a text to those that it USEs, before it is parsed itself.
-class Reader {
+class UseReader {
  public:
-  Reader(const Sources* sources, const RobotSignature& robot, Diagnostics& diagnostics,
-         std::vector<SourceFile>& used)
+  UseReader(const Sources* sources, const RobotSignature& robot, Diagnostics& diagnostics,
+            std::vector<SourceFile>& used)
       : sources_(sources), robot_(robot), diagnostics_(diagnostics), used_(used) {
     used_.reserve(kMostUsedFiles);  // tokens point into the texts: they must stay where they are
   }
@@ -190,7 +190,7 @@ class Reader {
 
 Program read_program(std::string_view source, const Sources* sources, const RobotSignature& robot,
                      Diagnostics& diagnostics, std::vector<SourceFile>& used) {
-  return Reader(sources, robot, diagnostics, used).read(source);
+  return UseReader(sources, robot, diagnostics, used).read(source);
 }
 
 }  // namespace rob::lang

@@ -94,6 +94,7 @@ struct Type {
   bool operator==(const Type& other) const;
   bool known() const { return kind != Kind::Unknown; }
   bool numeric() const { return kind == Kind::Int || kind == Kind::Real; }
+  bool text() const { return kind == Kind::String; }
   bool is(Kind other) const { return kind == other; }
   /// Of one slot.
   bool scalar() const { return kind <= Kind::String; }

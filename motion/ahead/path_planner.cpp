@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kPending = 3;
 
 /// s: so long before it would have to brake a corner is made of what is known.
-constexpr double kNear = 0.1;
+constexpr double kSoon = 0.1;
 
 /// Pieces that a corner, or the way to the next node of a leg, may take.
 constexpr std::size_t kSpare = 512;
@@ -249,7 +249,7 @@ bool PathPlanner::join_next() {
   }
   const bool known = pending_.size() > 1 || next.guard.present() || buffer_.closed();
   const double control = greatest_control(*open_, open_->at(open_->length()));
-  if (!known && sent_ && !guide_within(kNear, control)) return false;
+  if (!known && sent_ && !guide_within(kSoon, control)) return false;
   if (!known && !sent_) {
     sent_ = send(open_->length() - longest_turn(*open_));
     return true;

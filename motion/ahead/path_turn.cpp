@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "motion/ahead/mean_shift.h"
@@ -12,8 +11,6 @@
 namespace rob::motion {
 
 namespace {
-
-constexpr double kAny = std::numeric_limits<double>::infinity();
 
 /// Slopes that differ by less, per m, are one.
 constexpr double kSameSlope = 1e-9;

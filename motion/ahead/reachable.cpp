@@ -10,8 +10,6 @@ namespace rob::motion {
 
 namespace {
 
-constexpr double kAny = Piece::kAny;
-
 /// |slope·u + bend·x| <= most. Without values of its own, which an array of many would wait for.
 struct Row {
   double slope;
@@ -84,13 +82,13 @@ class Stretch {
   const Piece& piece_;
   std::array<Row, kMaxJoints*(2 + kWithin.size())> rows_;
   std::size_t count_ = 0;
-  double bent_square_ = kAny;
+  double bent_square_ = Piece::kAny;
 };
 
 /// The range of u at one x, and the rows that bound it.
 struct Bounds {
-  double low = -kAny;
-  double high = kAny;
+  double low = -Piece::kAny;
+  double high = Piece::kAny;
   const Row* low_row = &kNone;
   const Row* high_row = &kNone;
 
@@ -99,16 +97,16 @@ struct Bounds {
     return low_row->bend / low_row->slope - high_row->bend / high_row->slope;
   }
 
-  static constexpr Row kNone{1, 0, kAny, -1};
+  static constexpr Row kNone{1, 0, Piece::kAny, -1};
 };
 
-constexpr double kRounding = 1 + 1e-9;
+constexpr double kRoundedUp = 1 + 1e-9;
 
 /// With `more` times the acceleration. Where a bend asks for just what there is, or for `given`
 /// times that, u must not come to its help: above a slope of next to nothing that would take a
 /// control without end. One quotient a bound, so that what cancels above such a slope cancels
 /// exactly.
-Bounds bounds_at(const Stretch& stretch, double x, double given = kRounding,
+Bounds bounds_at(const Stretch& stretch, double x, double given = kRoundedUp,
                  double more = 1) noexcept {
   Bounds bounds;
   for (const Row& row : stretch.rows()) {
@@ -140,10 +138,10 @@ ControlRange control_range(const Piece& piece, const PathPoint& here, const Path
   constexpr int kTries = 16;
   const bool curve = piece.count > 3;
   const Stretch stretch(piece, here, end, rest);
-  Bounds bounds = bounds_at(stretch, x, curve ? kBetween : kRounding);
+  Bounds bounds = bounds_at(stretch, x, curve ? kBetween : kRoundedUp);
   double more = kFirst;
   for (int i = 0; i < kTries && bounds.low > bounds.high; ++i, more *= kMore)
-    bounds = bounds_at(stretch, x, kRounding, 1 + more);
+    bounds = bounds_at(stretch, x, kRoundedUp, 1 + more);
   if (bounds.low > bounds.high) {  // then no axis more than it has for σ'' alone
     const double most = even_braking(piece, here, end, 0);
     const double u = std::clamp((bounds.low + bounds.high) / 2, -most, most);
@@ -151,13 +149,13 @@ ControlRange control_range(const Piece& piece, const PathPoint& here, const Path
   }
   ControlRange range{bounds.low, bounds.high, bounds.low_row->axis, bounds.high_row->axis,
                      bounds.low};
-  if (curve) range.lowest = std::min(range.low, bounds_at(stretch, x, kRounding, kToStay).low);
+  if (curve) range.lowest = std::min(range.low, bounds_at(stretch, x, kRoundedUp, kToStay).low);
   return range;
 }
 
 double even_braking(const Piece& piece, const PathPoint& here, const PathPoint& end,
                     double x) noexcept {
-  double most = kAny;
+  double most = Piece::kAny;
   for (int i = 0; i < piece.acceleration.size(); ++i) {
     const bool mean = piece.averaged();
     const double slope =
@@ -172,7 +170,7 @@ double even_braking(const Piece& piece, const PathPoint& here, const PathPoint& 
 }
 
 StraightControl straight_control(const Piece& piece) noexcept {
-  StraightControl control{kAny, -1};
+  StraightControl control{Piece::kAny, -1};
   for (int i = 0; i < piece.acceleration.size(); ++i) {
     const double slope = piece.averaged() ? piece.swings[i] : std::abs(piece.terms[1][i]);
     const double most = piece.acceleration[i];

@@ -8,7 +8,7 @@ namespace rob::motion {
 namespace {
 
 /// Of σ: what sums of a path's lengths leave.
-constexpr double kRounding = 1e-12;
+constexpr double kSumRounding = 1e-12;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void ReferenceAverage::take(const Guide& guide) noexcept {
   newest_ = newest_ + 1 == periods_ ? 0 : newest_ + 1;
   samples_[static_cast<std::size_t>(newest_)] = sample_of(guide);
   // A very short motion begins and ends within one period.
-  const bool stood = std::abs(guide.sigma() - before) <= kRounding * (1 + std::abs(before));
+  const bool stood = std::abs(guide.sigma() - before) <= kSumRounding * (1 + std::abs(before));
   still_ = !guide.stands() ? 0 : stood ? std::min(still_ + 1, periods_) : 1;
   double sigma = 0;
   double rate = 0;

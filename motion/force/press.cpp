@@ -12,7 +12,7 @@ constexpr double kStiffest = 150e3;
 
 /// m/s² along the axis. [choice] an arm of 0.4 m takes 70 deg/s² of its axes for it; half of what a
 /// linear axis has
-constexpr double kAcceleration = 0.5;
+constexpr double kPressAcceleration = 0.5;
 /// m/s³, the same. [choice] 2900 deg/s³ of such axes; S4's 5 mm/s are taken back in 32 ms
 constexpr double kJerk = 20;
 
@@ -21,7 +21,7 @@ constexpr double kInstant = 0x1p-11;
 
 PressContact contact_of(const RobotModel& robot) {
   PressContact contact{robot.force.stiffness > 0 ? robot.force.stiffness : kStiffest,
-                       robot.force.delay, robot.reference_period, kAcceleration, kJerk};
+                       robot.force.delay, robot.reference_period, kPressAcceleration, kJerk};
   for (const Axis& axis : robot.axes) {
     if (axis.kind != AxisKind::Linear) continue;
     contact.acceleration = std::min(contact.acceleration, axis.a_max / 2);

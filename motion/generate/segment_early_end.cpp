@@ -6,7 +6,7 @@
 /// that was commanded behind.
 namespace rob::motion {
 
-using Kind = MotionEvent::Kind;
+using EventKind = MotionEvent::Kind;
 
 void SegmentGenerator::look(const CycleView& view) noexcept {
   view_ = view;
@@ -26,7 +26,10 @@ void SegmentGenerator::look(const CycleView& view) noexcept {
 /// False where nothing more is to be asked in this cycle.
 bool SegmentGenerator::do_watched(WatchedAction& action, WatchAnswer answer) noexcept {
   if (answer == WatchAnswer::Yes && action.kind == WatchedAction::Kind::Act) {
-    tell({.kind = Kind::ActionDue, .time = view_.time, .tag = action.tag, .effect = action.effect});
+    tell({.kind = EventKind::ActionDue,
+          .time = view_.time,
+          .tag = action.tag,
+          .effect = action.effect});
     return true;
   }
   if (failing()) return false;  // the first error is the one to mend
@@ -69,7 +72,7 @@ void SegmentGenerator::trip(Rest::Outcome outcome, WatchedAction* by) noexcept {
   // Behind an error nothing acts that has not acted yet; else what stands before the motion does.
   kept_ = by != nullptr ? passed_ : segment_.number - (segment_.number > 0 ? 1 : 0);
   braking_ = true;
-  tell({.kind = outcome == Rest::Outcome::Hit ? Kind::Hit : Kind::Braking,
+  tell({.kind = outcome == Rest::Outcome::Hit ? EventKind::Hit : EventKind::Braking,
         .time = view_.time,
         .tag = segment_.tag,
         .number = segment_.number});
@@ -83,7 +86,7 @@ bool SegmentGenerator::hit_at_start(const SegmentDescriptor& segment, double ins
   segment_.tag = segment.tag;
   segment_.number = segment.number;
   segment_.generation = segment.generation;
-  tell({.kind = Kind::SegmentStarted,
+  tell({.kind = EventKind::SegmentStarted,
         .time = instant,
         .tag = segment.tag,
         .number = segment.number});
@@ -124,7 +127,7 @@ void SegmentGenerator::close_guard(double instant) noexcept {
 void SegmentGenerator::tell_rest(double time) noexcept {
   rest_.time = time;
   rests_.push(rest_);
-  tell({.kind = Kind::Rest, .time = time, .tag = rest_.tag, .number = segment_.number});
+  tell({.kind = EventKind::Rest, .time = time, .tag = rest_.tag, .number = segment_.number});
 }
 
 /// A WHEN whose block the program has left is disarmed in any case.

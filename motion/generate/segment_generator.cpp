@@ -9,7 +9,7 @@ namespace rob::motion {
 
 namespace {
 
-using Kind = MotionEvent::Kind;
+using EventKind = MotionEvent::Kind;
 
 /// [choice: four times what the buffer's effects can make in one period; taken every period]
 constexpr std::size_t kEvents = 4 * LookAheadBuffer::kEffects;
@@ -56,7 +56,7 @@ void SegmentGenerator::catch_up(std::int64_t period) noexcept {
   hold();
   last_period_ = period - 1;
   stamp_ = cycle_instant(last_period_, period_);
-  tell({.kind = Kind::Overrun,
+  tell({.kind = EventKind::Overrun,
         .time = stamp_,
         .tag = segment_.tag,
         .number = segment_.number,
@@ -151,7 +151,7 @@ bool SegmentGenerator::take_up(const SegmentDescriptor& next, double instant) no
   }
   next.dwell ? begin_dwell(next, instant) : begin(next, instant);
   running_ = true;
-  tell({.kind = Kind::SegmentStarted,
+  tell({.kind = EventKind::SegmentStarted,
         .time = instant,
         .tag = next.tag,
         .number = next.number,
@@ -167,7 +167,7 @@ void SegmentGenerator::begin_dwell(const SegmentDescriptor& segment, double inst
 
 void SegmentGenerator::fail(const SegmentDescriptor& segment, int axis, double instant) noexcept {
   faulted_ = true;
-  tell({.kind = Kind::Fault,
+  tell({.kind = EventKind::Fault,
         .time = instant,
         .tag = segment.tag,
         .number = segment.number,
@@ -196,7 +196,10 @@ void SegmentGenerator::finish_if_done() noexcept {
   if (next_segment() != nullptr || buffer_.next_effect() != nullptr) return;
   if (awaits_path_event()) return;  // a LAG is not over yet
   finished_ = true;
-  tell({.kind = Kind::Finished, .time = latest_, .tag = segment_.tag, .number = segment_.number});
+  tell({.kind = EventKind::Finished,
+        .time = latest_,
+        .tag = segment_.tag,
+        .number = segment_.number});
 }
 
 std::optional<double> SegmentGenerator::at_rest_since() const noexcept {
@@ -210,7 +213,7 @@ void SegmentGenerator::report_held() noexcept {
   const bool asked = stopped_ || !handling() || faulted_;
   if (!(held || (faulted_ && !running_)) || held_told_ || !asked) return;
   held_told_ = true;
-  tell({.kind = Kind::Held,
+  tell({.kind = EventKind::Held,
         .time = held ? *at_rest_since() : latest_,
         .tag = segment_.tag,
         .number = segment_.number,
@@ -229,7 +232,7 @@ void SegmentGenerator::fire_effects(double time) noexcept {
     const bool dropped = effect->generation <= ended_ && effect->after > kept_;
     if (!dropped && (effect->after > passed_ || failing())) return;
     arm_or_disarm(*effect, dropped);
-    tell({.kind = dropped ? Kind::EffectDropped : Kind::EffectDue,
+    tell({.kind = dropped ? EventKind::EffectDropped : EventKind::EffectDue,
           .time = time,
           .tag = effect->tag,
           .effect = *effect});
@@ -241,7 +244,7 @@ void SegmentGenerator::fire_path_events(double until, std::uint32_t number) noex
   double due = 0;
   if (failing()) return;
   while (const Effect* effect = take_path_event(until, number, due)) {
-    tell({.kind = Kind::ActionDue, .time = due, .tag = effect->tag, .effect = *effect});
+    tell({.kind = EventKind::ActionDue, .time = due, .tag = effect->tag, .effect = *effect});
   }
 }
 
@@ -302,14 +305,14 @@ void SegmentGenerator::publish_decidable() noexcept {
     --number;
   }
   for (std::uint32_t next = decidable() + 1; tells_decisions() && next <= number; ++next)
-    tell({.kind = Kind::DecisionPoint, .time = stamp_, .tag = segment_.tag, .number = next});
+    tell({.kind = EventKind::DecisionPoint, .time = stamp_, .tag = segment_.tag, .number = next});
   if (number > decidable()) decidable_.store(number, std::memory_order_release);
 }
 
 void SegmentGenerator::tell_late_decision(double instant) noexcept {
   if (faulted_) return;
   late_decisions_.fetch_add(1, std::memory_order_relaxed);
-  tell({.kind = Kind::LateDecision,
+  tell({.kind = EventKind::LateDecision,
         .time = instant,
         .tag = segment_.tag,
         .number = segment_.number});
@@ -318,7 +321,7 @@ void SegmentGenerator::tell_late_decision(double instant) noexcept {
 void SegmentGenerator::tell_cut_lead(const Effect& effect, double due, double by) noexcept {
   constexpr double kInstant = 1e-6;  // s, to which a report tells times
   if (by <= kInstant) return;
-  tell({.kind = Kind::LeadCut, .time = due, .tag = effect.tag, .value = by});
+  tell({.kind = EventKind::LeadCut, .time = due, .tag = effect.tag, .value = by});
 }
 
 double SegmentGenerator::live_rate(const SegmentDescriptor& segment) noexcept {

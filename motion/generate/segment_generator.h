@@ -11,12 +11,10 @@
 #include "motion/generate/watch_list.h"
 #include "motion/plan/look_ahead_buffer.h"
 #include "motion/robots/robot_model.h"
+#include "motion/space/cycle_instant.h"
 #include "motion/space/spsc_ring.h"
 
 namespace rob::motion {
-
-/// s. Instants that differ by less are one: rounding of sums of times, days long.
-inline constexpr double kSameInstant = 1e-9;
 
 /// What every law has in common that makes references on line, segment by segment: the periods,
 /// effects in motion order, early ends, handlers, dwells, jogs, and what is told. How the axes move

@@ -7,7 +7,7 @@
 /// The part of SegmentGenerator that moves at given rates.
 namespace rob::motion {
 
-using Kind = MotionEvent::Kind;
+using EventKind = MotionEvent::Kind;
 
 namespace {
 
@@ -48,7 +48,7 @@ void SegmentGenerator::begin_jog(const SegmentDescriptor& segment, double instan
   jog_told_ = false;
   jog_done_ = 0;
   passed_ = before;
-  tell({.kind = Kind::SegmentStarted,
+  tell({.kind = EventKind::SegmentStarted,
         .time = instant,
         .tag = segment.tag,
         .number = segment.number,
@@ -94,7 +94,7 @@ void SegmentGenerator::end_jog() noexcept {
 void SegmentGenerator::report_jog_stopped() noexcept {
   const bool told = std::exchange(jog_told_, jog_.stopped());
   if (told || !jog_told_) return;
-  tell({.kind = Kind::JogStopped,
+  tell({.kind = EventKind::JogStopped,
         .time = stamp_,
         .tag = segment_.tag,
         .number = segment_.number,

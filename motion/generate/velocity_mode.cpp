@@ -9,7 +9,7 @@ namespace rob::motion {
 
 namespace {
 
-using Kind = JogLimit::Kind;
+using Limit = JogLimit::Kind;
 
 /// Relative: what rounding and differences of inverse solutions add.
 constexpr double kRounding = 1e-6;
@@ -125,7 +125,7 @@ void VelocityMode::step(double share) noexcept {
   if (stands() && !(share > 0)) return;
   const auto asked = share > 0 ? image(asked_.rate) : std::nullopt;
   if (share > 0 && !asked) {
-    limit_ = {Kind::Reach, -1};
+    limit_ = {Limit::Reach, -1};
     affordable_ = 1;
   }
   if (asked && find_step(share, *asked)) return;
@@ -150,8 +150,8 @@ bool VelocityMode::find_step(double share, const JointVector& asked) noexcept {
     tried = granted;
     State next;
     JogLimit limit = go(state_, share * granted, asked, period_, next);
-    if (limit.kind == Kind::None) limit = try_rest(next, steps);
-    if (limit.kind == Kind::None) {
+    if (limit.kind == Limit::None) limit = try_rest(next, steps);
+    if (limit.kind == Limit::None) {
       state_ = next;
       rest_periods_ = 0;
       granted_ = granted;
@@ -168,7 +168,7 @@ bool VelocityMode::go_on_to_rest() noexcept {
     rest_begin_ = state_;
     const JointVector none = JointVector::Zero(state_.axes.q.size());
     const double time = period_ * periods_a_rest_step_;
-    if (go(state_, 0, none, time, rest_end_).kind == Kind::Reach) return false;
+    if (go(state_, 0, none, time, rest_end_).kind == Limit::Reach) return false;
   }
   if (++rest_periods_ == periods_a_rest_step_) {
     rest_periods_ = 0;
@@ -217,17 +217,17 @@ double VelocityMode::greatest_share(const JointVector& asked) noexcept {
     limit_ = limit;
   };
   for (int i = 0; i < asked.size(); ++i) {
-    bound(asked[i], v_max_[i] * asked_.share, {asked_.share < 1 ? Kind::Share : Kind::Speed, i});
+    bound(asked[i], v_max_[i] * asked_.share, {asked_.share < 1 ? Limit::Share : Limit::Speed, i});
     const bool turns = space_.joint() && rotary_[static_cast<std::size_t>(i)];
-    if (turns) bound(asked[i], asked_.turning_speed, {Kind::Share, i});
+    if (turns) bound(asked[i], asked_.turning_speed, {Limit::Share, i});
   }
   if (asked_.tool_speed == JogRates::kAny && asked_.turning_speed == JogRates::kAny) return share;
   const Pose from = space_.tip(state_.axes.q);
   const Pose to = space_.tip(state_.axes.q + asked * kInstant);
-  bound((to.position - from.position).norm() / kInstant, asked_.tool_speed, {Kind::Share, -1});
+  bound((to.position - from.position).norm() / kInstant, asked_.tool_speed, {Limit::Share, -1});
   if (space_.joint()) return share;
   bound(from.orientation.angularDistance(to.orientation) / kInstant, asked_.turning_speed,
-        {Kind::Share, -1});
+        {Limit::Share, -1});
   return share;
 }
 
@@ -244,7 +244,7 @@ JogLimit VelocityMode::go(const State& from, double share, const JointVector& as
   }
   to.place = moved(from, to, time);
   const JointVector near = from.axes.q + from.axes.qd * time + from.axes.qdd * (time * time / 2);
-  if (!follow(near, to) || leaves_reach(from.axes.q, to.axes.q)) return {Kind::Reach, -1};
+  if (!follow(near, to) || leaves_reach(from.axes.q, to.axes.q)) return {Limit::Reach, -1};
   return judge(from.axes, to.axes, time);
 }
 
@@ -318,15 +318,15 @@ JogLimit VelocityMode::judge(const JointReference& from, const JointReference& t
     const bool turns = between && from.qd[i] * to.qd[i] < 0;
     const double more = turns ? time * std::min(std::abs(from.qd[i]), std::abs(to.qd[i])) : 0;
     const double rounding = kSamePlace - more;
-    if (most > high_[i] + rounding || least < low_[i] - rounding) return {Kind::End, i};
+    if (most > high_[i] + rounding || least < low_[i] - rounding) return {Limit::End, i};
     const double leap = j_max_[i] * time * time * time / 48 + kSamePlace;
-    if (std::abs(left[i]) > leap) return {Kind::Reach, -1};
-    if (std::abs(to.qd[i]) > v_max_[i] * kMost) return {Kind::Speed, i};
+    if (std::abs(left[i]) > leap) return {Limit::Reach, -1};
+    if (std::abs(to.qd[i]) > v_max_[i] * kMost) return {Limit::Speed, i};
     const bool peaks = between && from.qdd[i] * to.qdd[i] < 0;
     const double peak = peaks ? from.qd[i] - square(from.qdd[i]) * time / (2 * bent[i]) : to.qd[i];
-    if (std::abs(peak) > v_max_[i] * kMost) return {Kind::Speed, i};
+    if (std::abs(peak) > v_max_[i] * kMost) return {Limit::Speed, i};
     const bool bends = std::abs(bent[i]) > j_max_[i] * time * forces;
-    if (bends || std::abs(to.qdd[i]) > a_max_[i] * forces) return {Kind::Acceleration, i};
+    if (bends || std::abs(to.qdd[i]) > a_max_[i] * forces) return {Limit::Acceleration, i};
   }
   return {};
 }
@@ -337,9 +337,9 @@ JogLimit VelocityMode::try_rest(State state, int& steps) const noexcept {
   const double time = period_ * periods_a_rest_step_;
   State next;
   while (!at_rest(state)) {
-    if (steps-- <= 0) return {Kind::Acceleration, -1};
+    if (steps-- <= 0) return {Limit::Acceleration, -1};
     const JogLimit limit = go(state, 0, none, time, next);
-    if (limit.kind != Kind::None) return limit;
+    if (limit.kind != Limit::None) return limit;
     state = next;
   }
   return {};

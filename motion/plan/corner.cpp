@@ -54,8 +54,8 @@ constexpr double kRounding = 1e-9;
 
 Finding judge(const RobotModel& robot, const Corner& corner, double braking) {
   Finding finding = Finding::Good;
-  constexpr int kParts = 16;
-  corner.axes.survey(kParts, [&](double /*t*/, const PathPoint& point) {
+  constexpr int kLooks = 16;
+  corner.axes.survey(kLooks, [&](double /*t*/, const PathPoint& point) {
     for (int i = 0; i < robot.axis_count(); ++i) {
       const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
       const double speed = std::abs(point.qd[i]);

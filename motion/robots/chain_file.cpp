@@ -7,11 +7,11 @@ namespace rob::motion {
 
 namespace {
 
-constexpr Range kPlace{-10, 10};  // [choice] as the steps of an arm
+constexpr Range kStep{-10, 10};  // [choice] as the steps of an arm
 constexpr Range kTurn{-2 * std::numbers::pi, 2 * std::numbers::pi};
 
 Pose read_pose(const TableReader& table) {
-  const std::vector<double> place = table.quantities("place", Quantity::Length, kPlace, 3);
+  const std::vector<double> place = table.quantities("place", Quantity::Length, kStep, 3);
   const std::vector<double> turn = table.quantities("turn", Quantity::Angle, kTurn, 3);
   return {{place[0], place[1], place[2]}, orientation_from({turn[0], turn[1], turn[2]})};
 }

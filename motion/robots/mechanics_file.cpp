@@ -7,9 +7,9 @@ namespace rob::motion {
 namespace {
 
 // [choice] As wide as the drives' inertia and force (robot_file.cpp).
-constexpr Range kInertia{0, 1e6};
+constexpr Range kLinkInertia{0, 1e6};
 constexpr Range kRotorInertia{1e-9, 1e3};
-constexpr Range kTorque{0, 1e7};
+constexpr Range kLinkTorque{0, 1e7};
 constexpr Range kTorqueMax{1e-6, 1e7};
 constexpr Range kGear{0.1, 1e4};
 constexpr Range kEfficiency{0.1, 1};
@@ -41,9 +41,9 @@ ArmMechanics read_mechanics(const TableReader& file, const std::vector<TableRead
                                    {"c5", &p.c5},
                                    {"c7", &p.c7},
                                    {"c8", &p.c8}}) {
-    *value = table.quantity(key, Quantity::Inertia, kInertia);
+    *value = table.quantity(key, Quantity::Inertia, kLinkInertia);
   }
-  p.c6 = table.quantity("c6", Quantity::Torque, kTorque);
+  p.c6 = table.quantity("c6", Quantity::Torque, kLinkTorque);
   if (const char* fault = fault_of(p)) file.fail("dynamics", fault);
   ArmMechanics mechanics{Ums7Dynamics(p), {}};
   for (std::size_t i = 0; i < axes.size(); ++i) mechanics.motors.at(i) = read_motor(axes[i]);

@@ -8,7 +8,7 @@ namespace {
 
 // [choice] As wide as an encoder's count and a drive's friction and force (robot_file.cpp).
 constexpr Range kPulse{1e-10, 1e-2};
-constexpr Range kStiffness{1e-9, 1e6};
+constexpr Range kSpeedStiffness{1e-9, 1e6};
 constexpr Range kRipple{0, 1e5};
 constexpr Range kRipplePeriod{1e-6, 10};
 
@@ -27,8 +27,9 @@ PulseDriveData read_pulse_drive(const TableReader& axis, AxisKind kind) {
       axis.table("pulse_drive", {"pulse", "speed_stiffness", "ripple", "ripple_period"});
   PulseDriveData drive;
   drive.pulse = table.quantity("pulse", place, kPulse);
-  drive.speed_stiffness = table.quantity(
-      "speed_stiffness", linear ? Quantity::LinearFriction : Quantity::RotaryFriction, kStiffness);
+  drive.speed_stiffness =
+      table.quantity("speed_stiffness",
+                     linear ? Quantity::LinearFriction : Quantity::RotaryFriction, kSpeedStiffness);
   drive.ripple = table.quantity("ripple", linear ? Quantity::Force : Quantity::Torque, kRipple);
   drive.ripple_period = table.quantity("ripple_period", place, kRipplePeriod);
   return drive;

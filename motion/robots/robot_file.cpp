@@ -62,7 +62,7 @@ constexpr KindRules kRotary{Quantity::Angle,
                             {1e-6, 1e4},
                             {1e-6, 1e7}};
 
-std::string number_text(double value) {
+std::string short_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
@@ -104,7 +104,7 @@ DriveData read_drive(const TableReader& file, const KindRules& rules, const Axis
   const double needed =
       drive.inertia * axis.a_max + drive.viscous_friction * axis.v_max + drive.coulomb_friction;
   if (drive.force_max < needed) {
-    file.fail("force_max", "a_max at v_max takes " + number_text(needed) + " " +
+    file.fail("force_max", "a_max at v_max takes " + short_number(needed) + " " +
                                std::string(si_unit(rules.force)) + "; allow more, or lower a_max");
   }
   return drive;
@@ -277,13 +277,13 @@ void check_paul(const TableReader& file, const std::vector<TableReader>& axes,
     const KindRules& rules = axis.kind == AxisKind::Linear ? kLinear : kRotary;
     const double acceleration = 1.5 * axis.v_max / t;
     if (acceleration > axis.a_max) {
-      axes[i].fail("a_max", "Paul's law needs 1.5*v_max/t_acc = " + number_text(acceleration) +
+      axes[i].fail("a_max", "Paul's law needs 1.5*v_max/t_acc = " + short_number(acceleration) +
                                 " " + std::string(si_unit(rules.acceleration)) +
                                 "; allow more, lower v_max or raise t_acc");
     }
     const double jerk = 3 * axis.v_max / (t * t);
     if (jerk > axis.j_max) {
-      axes[i].fail("j_max", "Paul's law needs 3*v_max/t_acc^2 = " + number_text(jerk) + " " +
+      axes[i].fail("j_max", "Paul's law needs 3*v_max/t_acc^2 = " + short_number(jerk) + " " +
                                 std::string(si_unit(rules.jerk)) +
                                 "; allow more, lower v_max or raise t_acc");
     }
@@ -291,7 +291,7 @@ void check_paul(const TableReader& file, const std::vector<TableReader>& axes,
   if (leaves_room_to_stop(axis_reserve(robot), t)) return;
   file.fail("t_acc",
             "Paul's corners leave too little of a_max and j_max to stop on the path within " +
-                number_text(kLongestStop) + " s; raise t_acc, a_max or j_max, or lower v_max");
+                short_number(kLongestStop) + " s; raise t_acc, a_max or j_max, or lower v_max");
 }
 
 }  // namespace

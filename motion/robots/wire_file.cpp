@@ -9,11 +9,11 @@ namespace {
 
 constexpr int kLeastBaud = 1200;
 constexpr int kMostBaud = 4'500'000;
-constexpr Range kPeriod{1e-3, 0.1};
+constexpr Range kWirePeriod{1e-3, 0.1};
 constexpr int kMostId = 252;  // of a DYNAMIXEL servo
 // [choice] From a fine screw to a belt wheel, from a gear of 1000 to a friction wheel.
-constexpr Range kTravel{1e-6, 10};
-constexpr Range kTurn{1e-3, 100};
+constexpr Range kLengthTravel{1e-6, 10};
+constexpr Range kAngleTravel{1e-3, 100};
 constexpr Range kOffset{-100, 100};
 constexpr Range kTurned{-1e3, 1e3};
 
@@ -26,7 +26,8 @@ WireAxisData read_axis(const TableReader& axis, AxisKind kind) {
   WireAxisData wire;
   wire.id = table.integer_or("id", 0, kMostId, -1);
   if (table.has("letter")) wire.letter = table.choice("letter", {kLetters.begin(), kLetters.end()});
-  if (table.has("travel")) wire.travel = table.quantity("travel", place, linear ? kTravel : kTurn);
+  if (table.has("travel"))
+    wire.travel = table.quantity("travel", place, linear ? kLengthTravel : kAngleTravel);
   if (table.has("offset"))
     wire.offset = table.quantity("offset", place, linear ? kOffset : kTurned);
   wire.direction = table.integer_or("direction", -1, 1, 1);
@@ -40,7 +41,8 @@ void read_wire(const TableReader& file, const std::vector<TableReader>& axes, Ro
   if (file.has("wire")) {
     const TableReader table = file.table("wire", {"baud", "period"});
     robot.wire.baud = table.integer_or("baud", kLeastBaud, kMostBaud, 0);
-    if (table.has("period")) robot.wire.period = table.quantity("period", Quantity::Time, kPeriod);
+    if (table.has("period"))
+      robot.wire.period = table.quantity("period", Quantity::Time, kWirePeriod);
   }
   for (std::size_t i = 0; i < axes.size(); ++i)
     if (axes[i].has("wire")) robot.axes[i].wire = read_axis(axes[i], robot.axes[i].kind);

@@ -8,9 +8,9 @@
 namespace rob::motion {
 namespace {
 
-constexpr double kInnerPhase = 0.4;     // rad: the most that ω_v·T may be
-constexpr double kOuterShare = 0.25;    // kp/ω_v
-constexpr double kIntegralShare = 0.5;  // ki/((1 + kv)·kp)
+constexpr double kInnerPhase = 0.4;          // rad: the most that ω_v·T may be
+constexpr double kOuterShare = 0.25;         // kp/ω_v
+constexpr double kPulseIntegralShare = 0.5;  // ki/((1 + kv)·kp)
 
 }  // namespace
 
@@ -27,7 +27,7 @@ PulseGains pulse_gains(const DriveData& drive, const PulseDriveData& pulses,
   const double omega = std::min(drive.bandwidth / kOuterShare, kInnerPhase / servo_period);
   gains.kp = kOuterShare * omega;
   gains.kv = std::max(0.0, (omega * drive.inertia - Dc) / D - 1);
-  gains.ki = kIntegralShare * (1 + gains.kv) * gains.kp;
+  gains.ki = kPulseIntegralShare * (1 + gains.kv) * gains.kp;
   return gains;
 }
 

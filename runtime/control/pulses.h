@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "motion/plan/segment_descriptor.h"
+#include "motion/space/cycle_instant.h"
 
 namespace rob::runtime {
 
@@ -24,11 +25,10 @@ class Pulses {
   /// Takes one that is over at `now`, the lowest channel first; null if there is none. The pointer
   /// is valid until the next call.
   const motion::Effect* take_over(double now) noexcept {
-    constexpr double kSameInstant = 1e-9;  // s
     for (std::uint64_t left = under_way_; left != 0; left &= left - 1) {
       const int channel = std::countr_zero(left);
       Pulse& entry = pulses_[static_cast<std::size_t>(channel)];
-      if (entry.end > now + kSameInstant) continue;
+      if (entry.end > now + motion::kSameInstant) continue;
       forget(channel);
       return &entry.effect;
     }

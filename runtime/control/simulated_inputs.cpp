@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "motion/space/cycle_instant.h"
+
 namespace rob::runtime {
 
 namespace {
 
-using Kind = WorldSignal::Kind;
-
-constexpr double kSameInstant = 1e-9;  // s: sums of cycles that differ by less are one
+using SignalKind = WorldSignal::Kind;
 
 double bit_value(std::uint64_t bits, int channel) noexcept {
   return static_cast<double>(bits >> channel & 1U);
@@ -16,17 +16,17 @@ double bit_value(std::uint64_t bits, int channel) noexcept {
 
 double value_of(const WorldSignal& signal, const WorldImage& image) noexcept {
   switch (signal.kind) {
-    case Kind::Input:
+    case SignalKind::Input:
       return bit_value(image.inputs, signal.channel);
-    case Kind::Output:
+    case SignalKind::Output:
       return bit_value(image.outputs, signal.channel);
-    case Kind::AnalogInput:
+    case SignalKind::AnalogInput:
       return image.analog_inputs[signal.channel];
-    case Kind::AnalogOutput:
+    case SignalKind::AnalogOutput:
       return image.analog_outputs[signal.channel];
-    case Kind::Force:
-    case Kind::Go:
-    case Kind::Answer:
+    case SignalKind::Force:
+    case SignalKind::Go:
+    case SignalKind::Answer:
       break;  // they are set, never looked at
   }
   return 0;
@@ -88,11 +88,11 @@ void SimulatedInputs::latch(double now, WorldImage& image) noexcept {
 }
 
 void SimulatedInputs::apply_waiting(double now) noexcept {
-  while (next_ < script_.size() && script_[next_].time <= now + kSameInstant) {
+  while (next_ < script_.size() && script_[next_].time <= now + motion::kSameInstant) {
     apply(script_[next_++].setting);
   }
   std::size_t due = 0;
-  while (due < waiting_count_ && waiting_[due].time <= now + kSameInstant) {
+  while (due < waiting_count_ && waiting_[due].time <= now + motion::kSameInstant) {
     apply(waiting_[due++].setting);
   }
   if (due == 0) return;
@@ -109,7 +109,7 @@ void SimulatedInputs::look(Watch& watch, double now, const WorldImage& image) no
     watch.due_at = now + watch.rule.time;
   }
   watch.was_true = is_true;
-  if (!watch.due || watch.due_at > now + kSameInstant) return;
+  if (!watch.due || watch.due_at > now + motion::kSameInstant) return;
   watch.due = false;
   apply(watch.rule.setting);
 }
@@ -118,25 +118,25 @@ void SimulatedInputs::apply(const SimulatedSetting& setting) noexcept {
   const WorldSignal& place = setting.place;
   const std::uint64_t bit = std::uint64_t{1} << place.channel;
   switch (place.kind) {
-    case Kind::Input:
+    case SignalKind::Input:
       driven_ |= bit;
       inputs_ = setting.value != 0 ? inputs_ | bit : inputs_ & ~bit;
       return;
-    case Kind::AnalogInput:
+    case SignalKind::AnalogInput:
       analog_driven_[place.channel] = true;
       analog_inputs_[place.channel] = motion::within_analog_range(setting.value);
       return;
-    case Kind::Force:
+    case SignalKind::Force:
       force_driven_[place.channel] = true;
       force_[place.channel] = setting.value;
       return;
-    case Kind::Go:
+    case SignalKind::Go:
       if (setting.value != 0) panel_.go();
       return;
-    case Kind::Answer:
+    case SignalKind::Answer:
       return panel_.answer(setting.answer);
-    case Kind::Output:
-    case Kind::AnalogOutput:
+    case SignalKind::Output:
+    case SignalKind::AnalogOutput:
       return;  // outputs are the program's: no script sets one
   }
 }

@@ -4,13 +4,6 @@
 
 namespace rob::runtime {
 
-namespace {
-
-/// Instants of both tasks that differ by less are the same one, s.
-constexpr double kSameInstant = 1e-9;
-
-}  // namespace
-
 Stepper::Stepper(Controller& controller) : controller_(controller) {
   controller.servo().enable(clock_.now());
   controller.motion().prepare(clock_.now());
@@ -27,7 +20,7 @@ void Stepper::servo_cycles() {
   const double until = motion::cycle_instant(next_, robot.reference_period);
   for (;; ++next_servo_) {
     const double instant = motion::cycle_instant(next_servo_, robot.servo_period);
-    if (instant > until + kSameInstant) break;
+    if (instant > until + motion::kSameInstant) break;
     clock_.sleep_until(instant);
     controller_.servo().cycle(clock_.now());
   }

@@ -11,12 +11,6 @@ namespace rob::runtime {
 using lang::Reply;
 using motion::Effect;
 
-namespace {
-
-constexpr double kSameInstant = 1e-9;  // s: sums of cycles that differ by less are one
-
-}  // namespace
-
 TaskMachine::TaskMachine(RobotMachine& robot)
     : robot_(robot),
       channels_(robot.channels()),
@@ -29,7 +23,7 @@ double TaskMachine::now() const {
 
 Reply TaskMachine::wait(int /*line*/, double seconds) {
   if (!waiting_since_) waiting_since_ = now();
-  if (now() < *waiting_since_ + seconds - kSameInstant) return Reply::Later;
+  if (now() < *waiting_since_ + seconds - motion::kSameInstant) return Reply::Later;
   waiting_since_.reset();
   return Reply::Done;
 }

@@ -12,6 +12,7 @@
 #include <optional>
 #include <system_error>
 
+#include "lang/text/source_text.h"
 #include "runtime/program/atomic_file.h"
 #include "runtime/program/files.h"
 
@@ -20,8 +21,6 @@ namespace rob::runtime {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kMostBytes = std::size_t{32} << 20U;  // the language's own limit
 
 /// A version as a file: "00007_20261122-213005.rob".
 struct Entry {
@@ -79,10 +78,10 @@ std::string Archive::folder_of(const std::string& file) const {
 void Archive::keep(const std::string& file) const {
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) return;
-  const std::string text = read_file(file, kMostBytes);
+  const std::string text = read_file(file, lang::kMaxSourceBytes);
   const std::string folder = folder_of(file);
   const std::vector<Entry> entries = entries_in(folder);
-  if (!entries.empty() && read_file(entries.back().path, kMostBytes) == text) return;
+  if (!entries.empty() && read_file(entries.back().path, lang::kMaxSourceBytes) == text) return;
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
@@ -97,7 +96,7 @@ void Archive::keep(const std::string& file) const {
 std::vector<Archive::Version> Archive::versions(const std::string& file) const {
   std::vector<Version> versions;
   for (const Entry& entry : entries_in(folder_of(file))) {
-    const std::string text = read_file(entry.path, kMostBytes);
+    const std::string text = read_file(entry.path, lang::kMaxSourceBytes);
     versions.push_back({entry.number, time_in(entry.path),
                         static_cast<std::size_t>(std::ranges::count(text, '\n'))});
   }
@@ -106,7 +105,7 @@ std::vector<Archive::Version> Archive::versions(const std::string& file) const {
 
 std::string Archive::text(const std::string& file, int number) const {
   for (const Entry& entry : entries_in(folder_of(file))) {
-    if (entry.number == number) return read_file(entry.path, kMostBytes);
+    if (entry.number == number) return read_file(entry.path, lang::kMaxSourceBytes);
   }
   throw FileError(fmt::format("there is no version {} of '{}'; :archive lists them", number, file));
 }

@@ -84,7 +84,7 @@ class Save {
   /// programs that save the same file must not mix their texts: it belongs to who has locked it.
   void open_temporary() {
     constexpr unsigned kNewFile = S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH;
-    constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
     constexpr int kMostLeftovers = 3;  // [choice] others may save the same file meanwhile
     for (int i = 0; fd_ < 0; ++i) {
       fd_ = calls_.open(temporary_.c_str(), kFlags, kNewFile);

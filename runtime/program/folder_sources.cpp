@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kEnding = ".rob";
 
-fs::path folder_of(const std::string& file) {
+fs::path parent_of(const std::string& file) {
   const fs::path folder = fs::path(file).parent_path();
   return folder.empty() ? "." : folder;
 }
@@ -49,7 +49,7 @@ FolderSources::FolderSources(const std::string& program)
 
 std::variant<lang::SourceFile, lang::NoSource> FolderSources::find(std::string_view name,
                                                                    const std::string& by) const {
-  const std::array folders{folder_of(by), folder_of(program_.name) / "lib"};
+  const std::array folders{parent_of(by), parent_of(program_.name) / "lib"};
   for (const fs::path& folder : folders) {
     const fs::path path = (folder / fmt::format("{}{}", name, kEnding)).lexically_normal();
     std::error_code none;

@@ -24,8 +24,6 @@ namespace rob::runtime {
 
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{4} << 20U;  // [choice] more than 10,000 points
-
 bool is_there(const std::string& file) {
   struct stat status {};
   return ::lstat(file.c_str(), &status) == 0 || errno != ENOENT;
@@ -138,7 +136,7 @@ std::string points_text(const Points& points, const motion::RobotModel& robot) {
 
 Points load_points(const std::string& file, const motion::RobotModel& robot) {
   if (!is_there(file)) return {};
-  const std::string text = read_file(file, kMostBytes);
+  const std::string text = read_file(file, kMostPointsBytes);
   Points points = parse_points(text, robot);
   if (!points.diagnostics.has_errors()) return points;
   std::string messages = fmt::format("the points in '{}' cannot be used", file);
@@ -198,7 +196,7 @@ bool PointsFile::forget(std::string_view name) {
 
 bool PointsFile::change(const std::function<bool(Points&)>& edit) {
   const std::lock_guard lock(mutex_);
-  std::string before = is_there(file_) ? read_file(file_, kMostBytes) : "";
+  std::string before = is_there(file_) ? read_file(file_, kMostPointsBytes) : "";
   Points points = load_points(file_, robot_);
   if (!edit(points)) return false;
   std::string after = is_empty(points) ? "" : points_text(points, robot_);
@@ -210,7 +208,7 @@ bool PointsFile::change(const std::function<bool(Points&)>& edit) {
 bool PointsFile::undo() {
   const std::lock_guard lock(mutex_);
   if (changes_.empty()) return false;
-  if (!is_there(file_) || read_file(file_, kMostBytes) != changes_.back().after)
+  if (!is_there(file_) || read_file(file_, kMostPointsBytes) != changes_.back().after)
     throw FileError(fmt::format("'{}' has been changed by others since", file_));
   const std::string& before = changes_.back().before;
   save_file(file_, before);

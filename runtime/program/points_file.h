@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -12,6 +13,9 @@
 #include "runtime/control/point_keeper.h"
 
 namespace rob::runtime {
+
+/// The size up to which a points file is read. [choice] more than 10,000 points
+inline constexpr std::size_t kMostPointsBytes = std::size_t{4} << 20U;
 
 /// What a points file (docs/language.md, "Points") holds: behind a line that names the robot and
 /// tells its geometry, by where some joints bring its flange, a point a line, blank lines and `//`

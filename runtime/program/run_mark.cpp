@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kMark = "run-";
-constexpr std::size_t kMostBytes = 4096;  // [choice] of a line
+constexpr std::size_t kLongestMark = 4096;  // [choice] of a line
 
 FileError not_marked(const fs::path& file, int error) {
   return FileError(fmt::format(
@@ -34,7 +34,7 @@ FileError not_marked(const fs::path& file, int error) {
 std::string take(const fs::path& file) {
   const int mark = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (mark < 0) return "";
-  std::string line(kMostBytes, '\0');
+  std::string line(kLongestMark, '\0');
   struct stat status {};
   ssize_t length = 0;
   if (::flock(mark, LOCK_EX | LOCK_NB) == 0 && ::fstat(mark, &status) == 0 &&
@@ -61,7 +61,7 @@ RunMark::RunMark(const std::string& what, const std::string& robot) {
   if (lock_ < 0) throw not_marked(file, errno);
   const std::string line = fmt::format("{} on {} (process {}, begun {:%Y-%m-%d %H:%M:%S} UTC)",
                                        what, robot, ::getpid(), fmt::gmtime(std::time(nullptr)))
-                               .substr(0, kMostBytes);
+                               .substr(0, kLongestMark);
   const bool written =
       ::flock(lock_, LOCK_EX | LOCK_NB) == 0 &&
       ::write(lock_, line.data(), line.size()) == static_cast<ssize_t>(line.size()) &&

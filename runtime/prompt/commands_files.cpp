@@ -6,6 +6,7 @@
 #include "runtime/program/atomic_file.h"
 #include "runtime/program/files.h"
 #include "runtime/program/line_diff.h"
+#include "runtime/program/points_file.h"
 #include "runtime/prompt/commands.h"
 #include "runtime/prompt/line_numbers.h"
 #include "runtime/prompt/session.h"
@@ -14,8 +15,6 @@
 namespace rob::runtime::command {
 
 namespace {
-
-constexpr std::size_t kMostBytes = std::size_t{4} << 20U;  // of a points file, its own limit
 
 std::string file_in(const Words& words, const std::string& otherwise) {
   if (words.empty()) return otherwise;
@@ -62,7 +61,7 @@ void save_as(Session& session, const Words& words, bool replace) {
   if (is_traced(session, file) || !session.stands(":save")) return;
   const PointsBeside beside = points_beside(session, file, replace);
   own.save(file, session.workshop().program.text(), replace);
-  if (beside.needed) save_file(beside.to, read_file(beside.from, kMostBytes));
+  if (beside.needed) save_file(beside.to, read_file(beside.from, kMostPointsBytes));
   session.follow_points(beside.to);
   session.screen().message(
       fmt::format("saved '{}', {} lines\n", file, session.workshop().program.size()));

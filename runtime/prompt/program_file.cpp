@@ -5,14 +5,13 @@
 #include <filesystem>
 #include <system_error>
 
+#include "lang/text/source_text.h"
 #include "runtime/program/atomic_file.h"
 #include "runtime/program/files.h"
 
 namespace rob::runtime {
 
 namespace {
-
-constexpr std::size_t kMostBytes = std::size_t{32} << 20U;  // the language's own limit
 
 bool is_there(const std::string& file) {
   std::error_code ignored;  // what cannot be looked at is refused when it is written
@@ -22,7 +21,7 @@ bool is_there(const std::string& file) {
 }  // namespace
 
 std::string ProgramFile::load(const std::string& file) {
-  content_ = read_file(file, kMostBytes);
+  content_ = read_file(file, lang::kMaxSourceBytes);
   name_ = file;
   return content_;
 }
@@ -34,7 +33,7 @@ void ProgramFile::refuse_overwriting(const std::string& file) const {
         fmt::format("'{0}' is there already; :save! {0} replaces it, its content goes into the"
                     " archive",
                     file));
-  if (read_file(file, kMostBytes) != content_)
+  if (read_file(file, lang::kMaxSourceBytes) != content_)
     throw FileError(fmt::format(
         "'{0}' has been changed by another program; :save! {0} replaces it all the same", file));
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kEnter = "\x1b[?1049h\x1b[?25l";
 constexpr const char* kLeave = "\x1b[<u\x1b[?25h\x1b[?1049l";
 
-termios before{};
+termios modes_before{};
 
 void put(std::string_view text) {
   while (!text.empty()) {
@@ -39,9 +39,9 @@ winsize size_of_terminal() {
 }  // namespace
 
 RawTerminal::RawTerminal() {
-  if (::isatty(STDOUT_FILENO) == 0 || ::tcgetattr(STDIN_FILENO, &before) != 0)
+  if (::isatty(STDOUT_FILENO) == 0 || ::tcgetattr(STDIN_FILENO, &modes_before) != 0)
     throw FileError("the pendant needs a terminal");
-  termios raw = before;
+  termios raw = modes_before;
   ::cfmakeraw(&raw);
   raw.c_lflag |= ISIG;  // Ctrl-C stays what it is
   ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &raw);
@@ -52,7 +52,7 @@ RawTerminal::RawTerminal() {
 RawTerminal::~RawTerminal() {
   TerminalGuard::send_at_end(nullptr);
   put(kLeave);
-  ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &before);
+  ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &modes_before);
 }
 
 std::optional<std::string> RawTerminal::read(int milliseconds) {

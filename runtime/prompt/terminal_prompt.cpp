@@ -29,7 +29,7 @@ namespace rob::runtime {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using SteadyClock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr int kLookMs = 20;          // [choice] two reference periods between looks at the robot
@@ -115,10 +115,10 @@ class TerminalPrompt {
   Session session_;
   bool draws_ = draws();
   bool colours_ = draws_ && !is_set("NO_COLOR");
-  std::string entry_;          ///< lines of a block that is open
-  std::size_t width_ = 0;      ///< of the state in the prompt
-  std::string prompt_;         ///< as it is shown
-  Clock::time_point shown_{};  ///< when
+  std::string entry_;                ///< lines of a block that is open
+  std::size_t width_ = 0;            ///< of the state in the prompt
+  std::string prompt_;               ///< as it is shown
+  SteadyClock::time_point shown_{};  ///< when
 };
 
 SessionOptions with(SessionOptions options, const StopRequests& requests) {
@@ -161,7 +161,7 @@ std::string TerminalPrompt::prompt_text() {
 void TerminalPrompt::begin_line() {
   width_ = 0;
   prompt_ = prompt_text();
-  shown_ = Clock::now();
+  shown_ = SteadyClock::now();
   editor_.begin(prompt_, entry_.empty() || session_.asks() ? "" : indent_behind(entry_));
 }
 
@@ -208,8 +208,8 @@ void TerminalPrompt::enter(const std::string& line) {
 }
 
 void TerminalPrompt::show_state() {
-  if (!draws_ || Clock::now() - shown_ < kStateEvery) return;
-  shown_ = Clock::now();
+  if (!draws_ || SteadyClock::now() - shown_ < kStateEvery) return;
+  shown_ = SteadyClock::now();
   std::string now = prompt_text();
   if (now == prompt_) return;
   prompt_ = std::move(now);

@@ -3,12 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tests/bench/bench_options.h"
 #include "tests/bench/cell_runs.h"
 
 namespace {
@@ -145,9 +146,9 @@ int run_cells(const CellBench& bench) {
 
 int main(int argc, char** argv) {
   CellBench bench{.program = ROB_SOURCE_DIR "/examples/20_capping.rob", .cells = 200};
-  CLI::App app("Capping in many simulated cells");
-  bench.add_to(app);
-  CLI11_PARSE(app, argc, argv);
+  rob::bench::BenchOptions line("Capping in many simulated cells");
+  bench.add_to(line);
+  if (const std::optional<int> exit_code = line.parse(argc, argv)) return *exit_code;
   try {
     return run_cells(bench);
   } catch (const std::exception& error) {

@@ -96,12 +96,12 @@ CellRun run_in_cell(const std::string& file, const std::string& source,
   return made;
 }
 
-void CellBench::add_to(CLI::App& app) {
-  app.add_option("--program", program)->capture_default_str();
-  app.add_option("--first", first, "seed")->capture_default_str();
-  app.add_option("--cells", cells, "how many")->capture_default_str();
-  app.add_flag("--by-hand", by_hand, "the skill as it is spelt out in velocity mode");
-  app.add_flag("--every", every, "a line for each, not only for those that fail");
+void CellBench::add_to(BenchOptions& line) {
+  line.add("--program", program);
+  line.add("--first", first, "seed");
+  line.add("--cells", cells, "how many");
+  line.add_flag("--by-hand", by_hand, "the skill as it is spelt out in velocity mode");
+  line.add_flag("--every", every, "a line for each, not only for those that fail");
 }
 
 std::string CellBench::source() const {

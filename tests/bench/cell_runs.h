@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,6 +7,7 @@
 #include "drivers/contact/sim_cell.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/program/run_result.h"
+#include "tests/bench/bench_options.h"
 
 namespace rob::bench {
 
@@ -49,7 +49,7 @@ struct CellBench {
   bool by_hand = false;  ///< the skill as it is spelt out in velocity mode
   bool every = false;    ///< a line for each cell, not only for those that fail
 
-  void add_to(CLI::App& app);
+  void add_to(BenchOptions& line);
   /// The program's text, in the form that was asked for; throws as edited() does.
   std::string source() const;
   /// lwa4p in the cell number `i` of `cells`.

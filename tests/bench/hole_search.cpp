@@ -3,13 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tests/bench/bench_options.h"
 #include "tests/bench/cell_runs.h"
 
 namespace {
@@ -160,11 +161,11 @@ int main(int argc, char** argv) {
   Bench bench;
   bench.program = ROB_SOURCE_DIR "/examples/21_hole_search.rob";
   bench.cells = 1000;
-  CLI::App app("The search for a hole in many simulated cells");
-  bench.add_to(app);
-  app.add_option("--pace", bench.pace, "of the search, mm/s")->capture_default_str();
-  app.add_option("--beside", bench.beside, "mm that each hole is beside its place");
-  CLI11_PARSE(app, argc, argv);
+  rob::bench::BenchOptions line("The search for a hole in many simulated cells");
+  bench.add_to(line);
+  line.add("--pace", bench.pace, "of the search, mm/s");
+  line.add("--beside", bench.beside, "mm that each hole is beside its place");
+  if (const std::optional<int> exit_code = line.parse(argc, argv)) return *exit_code;
   try {
     return run_cells(bench);
   } catch (const std::exception& error) {

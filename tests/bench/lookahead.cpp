@@ -3,12 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tests/bench/bench_options.h"
 #include "tests/bench/lookahead_cases.h"
 #include "tests/support/trace_figures.h"
 #include "tests/support/traced_run.h"
@@ -110,13 +111,13 @@ Count print_table(const char* title, double jerk, const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("The look-ahead law beside other controllers. In bold what is too much.");
-  app.add_option("--rob", options.rob, "the program to measure")->capture_default_str();
-  app.add_option("--robots", options.robots, "where xy.toml and xyza.toml are")
-      ->capture_default_str();
-  app.add_option("--law", options.law)->capture_default_str();
-  app.add_option("--only", options.only, "cases whose name holds this");
-  CLI11_PARSE(app, argc, argv);
+  rob::bench::BenchOptions line(
+      "The look-ahead law beside other controllers. In bold what is too much.");
+  line.add("--rob", options.rob, "the program to measure");
+  line.add("--robots", options.robots, "where xy.toml and xyza.toml are");
+  line.add("--law", options.law);
+  line.add("--only", options.only, "cases whose name holds this");
+  if (const std::optional<int> exit_code = line.parse(argc, argv)) return *exit_code;
   try {
     const Count plain = print_table("Every axis 1000 mm/s², jerk unlimited:", 0, options);
     const Count jerk = print_table("With JERK 1e5mm/s^3:", kBenchJerk, options);

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,6 +13,7 @@
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
+#include "tests/bench/bench_options.h"
 #include "tests/bench/cost.h"
 #include "tests/motion/ahead/ahead_run.h"
 #include "tests/support/process.h"
@@ -96,9 +97,9 @@ RobotModel from_file(const std::string& file) {
 
 int main(int argc, char** argv) {
   int vertices = 100'000;
-  CLI::App app("Processor time of the look-ahead law");
-  app.add_option("--vertices", vertices)->check(CLI::Range(10, 1'000'000))->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  rob::bench::BenchOptions line("Processor time of the look-ahead law");
+  line.add("--vertices", vertices, 10, 1'000'000);
+  if (const std::optional<int> exit_code = line.parse(argc, argv)) return *exit_code;
   try {
     measure("3 axes", from_file(ROB_BENCH_ROBOTS "/xy.toml"), vertices, 5e-4);
     measure("6 axes", embedded_robot("irb120"), vertices / 10, 5e-4);

@@ -4,13 +4,14 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tests/bench/bench_options.h"
 #include "tests/bench/lookahead_cases.h"
 #include "tests/support/ordered_distance.h"
 #include "tests/support/random_text.h"
@@ -146,11 +147,11 @@ bool judge(const LookAheadCase& c, double jerk, const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("The look-ahead law where the jerk is low");
-  app.add_option("--rob", options.rob, "the program to measure")->capture_default_str();
-  app.add_option("--robot", options.robot)->capture_default_str();
-  app.add_option("--only", options.only, "cases whose name holds this");
-  CLI11_PARSE(app, argc, argv);
+  rob::bench::BenchOptions line("The look-ahead law where the jerk is low");
+  line.add("--rob", options.rob, "the program to measure");
+  line.add("--robot", options.robot);
+  line.add("--only", options.only, "cases whose name holds this");
+  if (const std::optional<int> exit_code = line.parse(argc, argv)) return *exit_code;
   try {
     fmt::print(
         "ZONE 0.1mm\n\n| program | F mm/s | jerk | Rob s | stops s | acceleration | jerk | "

@@ -5,15 +5,16 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tests/bench/bench_options.h"
 #include "tests/bench/lookahead_cases.h"
 #include "tests/support/ordered_distance.h"
 #include "tests/support/random_text.h"
@@ -158,13 +159,13 @@ bool judge_memory(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Long programs under the look-ahead law");
-  app.add_option("--rob", options.rob, "the program to measure")->capture_default_str();
-  app.add_option("--robot", options.robot)->capture_default_str();
-  app.add_option("--polylines", options.polylines, "how many")->capture_default_str();
-  app.add_option("--segments", options.segments, "of each")->capture_default_str();
-  app.add_option("--million", options.million, "segments of the stream")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  rob::bench::BenchOptions line("Long programs under the look-ahead law");
+  line.add("--rob", options.rob, "the program to measure");
+  line.add("--robot", options.robot);
+  line.add("--polylines", options.polylines, "how many");
+  line.add("--segments", options.segments, "of each");
+  line.add("--million", options.million, "segments of the stream");
+  if (const std::optional<int> exit_code = line.parse(argc, argv)) return *exit_code;
   try {
     const bool memory = judge_memory(options);
     const bool kept = judge_long(options);

@@ -3,19 +3,20 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <limits>
+#include <optional>
 #include <string>
 #include <thread>
 
 #include "runtime/time/clock.h"
 #include "runtime/time/periodic_task.h"
 #include "runtime/time/real_time.h"
+#include "tests/bench/bench_options.h"
 #include "tests/bench/cost.h"
 #include "tests/support/stepped_run.h"
 
@@ -86,12 +87,11 @@ void print(const char* how, Costs& costs) {
 int main(int argc, char** argv) {
   int stepped_runs = 100;
   int real_runs = 1;
-  CLI::App app("Processor time of a motion and a servo cycle, over the published program");
-  app.add_option("--stepped-runs", stepped_runs)->check(CLI::Range(1, 250))->capture_default_str();
-  app.add_option("--real-runs", real_runs, "19.1 s each")
-      ->check(CLI::Range(1, 250))
-      ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  rob::bench::BenchOptions line(
+      "Processor time of a motion and a servo cycle, over the published program");
+  line.add("--stepped-runs", stepped_runs, 1, 250);
+  line.add("--real-runs", real_runs, 1, 250, "19.1 s each");
+  if (const std::optional<int> exit_code = line.parse(argc, argv)) return *exit_code;
   try {
     rob::bench::Costs stepped;
     rob::bench::Costs real;

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +15,7 @@
 #include "motion/robots/robot_library.h"
 #include "runtime/program/foretell.h"
 #include "runtime/program/load.h"
+#include "tests/bench/bench_options.h"
 #include "tests/bench/busy.h"
 #include "tests/bench/first_organisation.h"
 #include "tests/bench/robs_organisation.h"
@@ -117,17 +118,12 @@ void measure(const Options& options) {
 
 int main(int argc, char** argv) {
   rob::bench::Options options;
-  CLI::App app("The published program in real time, under two organisations of its loops");
-  app.add_option("--work-ms", options.work_ms, "processor time added to every cycle")
-      ->check(CLI::Range(0.0, 4.0))
-      ->capture_default_str();
-  app.add_option("--runs", options.runs, "of each organisation")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--load", options.load, "threads that compute all the while")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  rob::bench::BenchOptions line(
+      "The published program in real time, under two organisations of its loops");
+  line.add("--work-ms", options.work_ms, 0.0, 4.0, "processor time added to every cycle");
+  line.add("--runs", options.runs, 1, 1000, "of each organisation");
+  line.add("--load", options.load, 0, 1024, "threads that compute all the while");
+  if (const std::optional<int> exit_code = line.parse(argc, argv)) return *exit_code;
   try {
     rob::bench::measure(options);
   } catch (const std::exception& error) {

@@ -17,7 +17,7 @@ const std::string kXy = std::string(ROB_SOURCE_DIR) + "/tests/bench/xy.toml";
 const std::string kAhead = "LAW LOOKAHEAD\n";
 
 /// Refused by check and by run, before anything has moved.
-void refuses(const std::string& text, const std::string& message) {
+void refuses_motion(const std::string& text, const std::string& message) {
   const RobCommand rob(text);
   for (const auto& command : {std::vector<std::string>{"check", "--json"},
                               std::vector<std::string>{"run", "--fast", "--json"}}) {
@@ -57,27 +57,27 @@ void ends_at(const json& report, const std::vector<double>& joints) {
 
 TEST_CASE("a target on the limits is reached, the next one beyond is refused") {
   ends_at(runs(kAhead + "MOVE(400, 300, 180)\nMOVE(0, 0, -180)\n"), {0, 0, -180});
-  refuses(kAhead + "MOVE(10, 0, 0)\nMOVE(400.0001, 0, 0)\n", "400.0001 mm is beyond 400 mm");
-  refuses(kAhead + "MOVE(10, 0, 0)\nMOVE(0, -0.0001, 0)\n", "-0.0001 mm is below 0 mm");
-  refuses(kAhead + "MOVE(10, 0, 0)\nMOVE(0, 0, 180.001)\n", "180.001 deg is beyond 180 deg");
+  refuses_motion(kAhead + "MOVE(10, 0, 0)\nMOVE(400.0001, 0, 0)\n", "400.0001 mm is beyond 400 mm");
+  refuses_motion(kAhead + "MOVE(10, 0, 0)\nMOVE(0, -0.0001, 0)\n", "-0.0001 mm is below 0 mm");
+  refuses_motion(kAhead + "MOVE(10, 0, 0)\nMOVE(0, 0, 180.001)\n", "180.001 deg is beyond 180 deg");
 }
 
 TEST_CASE("a joint target of an arm on its limits is reached, the next one beyond is refused") {
   const std::string arm = "ROBOT \"irb120\"\n" + kAhead;
   ends_at(runs(arm + "MOVE JOINTS(165deg, 0deg, 0deg, 0deg, 90deg, 0deg)\n"),
           {165, 0, 0, 0, 90, 0});
-  refuses(arm + "MOVE JOINTS(165.001deg, 0deg, 0deg, 0deg, 90deg, 0deg)\n",
-          "165.001 deg is beyond 165 deg");
+  refuses_motion(arm + "MOVE JOINTS(165.001deg, 0deg, 0deg, 0deg, 90deg, 0deg)\n",
+                 "165.001 deg is beyond 165 deg");
 }
 
 TEST_CASE("a path event beyond its motion is refused, the ends of the way are not") {
   const std::string head = kAhead + "MOVE(100, 0, 0) DO\n";
   const std::string tail = " : DOUT[1] = ON\nENDMOVE\n";
   for (const char* place : {"AFTER 100.001mm", "BEFORE 100.001mm"})
-    refuses(head + place + tail, "is beyond this motion, whose way is 100 mm long");
-  refuses(head + "AFTER 1mm LEAD 0.6s" + tail, "LEAD is 0s to 0.5s");
-  refuses(head + "AFTER -1mm" + tail, "from 0mm on");
-  refuses(kAhead + "MOVE(0, 0, 0) DO\nAFTER 0mm" + tail, "no way to go in this motion");
+    refuses_motion(head + place + tail, "is beyond this motion, whose way is 100 mm long");
+  refuses_motion(head + "AFTER 1mm LEAD 0.6s" + tail, "LEAD is 0s to 0.5s");
+  refuses_motion(head + "AFTER -1mm" + tail, "from 0mm on");
+  refuses_motion(kAhead + "MOVE(0, 0, 0) DO\nAFTER 0mm" + tail, "no way to go in this motion");
   const json report = runs(head + "AFTER 0mm : DOUT[1] = ON\nBEFORE 0mm : DOUT[2] = ON\nENDMOVE\n");
   REQUIRE(report["signals"].size() == 2);
   CHECK(report["signals"][0]["t"].get<double>() == 0);

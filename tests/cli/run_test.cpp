@@ -8,32 +8,21 @@
 #include <thread>
 
 #include "tests/support/rob_command.h"
+#include "tests/support/trace_rows.h"
 
 using nlohmann::json;
 using rob::test::contains;
+using rob::test::lines_in;
 using rob::test::Process;
 using rob::test::ProcessResult;
 using rob::test::RobCommand;
+using rob::test::wait_until_it_moves;
 using namespace std::chrono_literals;
 
 namespace {
 
 constexpr const char* kTriangle =
     "MOVE(40,40,0)\nMOVE(140,40,0)\nMOVE(90,126,0)\nMOVE(40,40,0)\nSTOP\nEND\n";
-
-std::size_t lines_in(const std::string& path) {
-  std::ifstream file(path);
-  std::size_t count = 0;
-  for (std::string line; std::getline(file, line);) ++count;
-  return count;
-}
-
-/// Waits until the run's trace shows that the robot moves. Bounded only against hanging: a loaded
-/// machine may take its time.
-void wait_until_it_moves(const std::string& trace) {
-  for (int i = 0; i < 6000 && lines_in(trace) < 60; ++i) std::this_thread::sleep_for(10ms);
-  REQUIRE(lines_in(trace) >= 60);
-}
 
 /// The greatest step of an axis between two rows, mm or deg: a jump would show.
 double greatest_step(const std::string& trace, std::size_t axes) {
@@ -199,23 +188,6 @@ TEST_CASE("behind a program that failed while it ran no other is started") {
   CHECK_FALSE(contains(result.out, "started"));
 }
 
-TEST_CASE("in real time a program takes the time that was foretold") {
-  // Generous on purpose: a loaded machine may stall the whole process (docs/realtime.md). A stall
-  // that could not be made up is a fault of the machine's, and tried again.
-  for (int attempt = 0; attempt < 3; ++attempt) {
-    const ProcessResult result = RobCommand("MOVE(20,0,0)\n")("run", {"--json"});
-    const json report = json::parse(result.out);
-    if (report["status"] == "fault") continue;
-    CHECK(result.exit_code == 0);
-    CHECK(report["clock"] == "system");
-    CHECK(report["planned_s"] == 5.5);
-    CHECK(std::abs(report["measured_s"].get<double>() - 5.5) < 0.3);
-    CHECK(report["cycles"] == 550);
-    return;
-  }
-  FAIL("three runs in a row were stalled");
-}
-
 TEST_CASE("faults 35 and 36: Ctrl-C, SIGTERM and SIGHUP stop on the path, then exit") {
   struct Case {
     int signal;
@@ -269,31 +241,6 @@ TEST_CASE("fault 13: an endless loop without motion ends at Ctrl-C") {
   wait_until_it_moves(rob.file("t.csv"));
   run.send(SIGINT);
   CHECK(run.wait().exit_code == 130);
-}
-
-TEST_CASE("fault 15: a process that is stopped for moments loses samples, not time") {
-  for (int attempt = 0; attempt < 5; ++attempt) {
-    const RobCommand rob("MOVE(20,0,0)\n");
-    const std::string trace = rob.file("t.csv");
-    Process run(rob.line("run", {"--json", "--trace", trace}));
-    wait_until_it_moves(trace);
-    for (int stall = 0; stall < 3; ++stall) {
-      run.send(SIGSTOP);
-      std::this_thread::sleep_for(50ms);
-      run.send(SIGCONT);
-      std::this_thread::sleep_for(300ms);
-    }
-    const ProcessResult result = run.wait();
-    const json report = json::parse(result.out);
-    // A loaded machine may have made more than 200 ms of it, which is another fault.
-    if (report["status"] == "fault" && report["error"]["code"] == "E501") continue;
-    CHECK(result.exit_code == 0);
-    CHECK(report["late_cycles"] >= 3);
-    CHECK(report["cycles"] == 550);
-    CHECK(std::abs(report["measured_s"].get<double>() - 5.5) < 0.3);
-    return;
-  }
-  FAIL("five runs in a row were stalled for longer than 200 ms");
 }
 
 TEST_CASE("faults 16 and 38: a process that was stopped holds the robot where it was") {

@@ -9,6 +9,7 @@
 #include "motion/robots/robot_library.h"
 #include "motion/servo/reference_interpolator.h"
 #include "motion/servo/servo_law.h"
+#include "tests/support/degrees.h"
 
 namespace rob::test {
 
@@ -21,7 +22,6 @@ inline constexpr double kTourTime = 9;
 /// From the start and back by way of two postures in 3 s each, at rest in each: quintics, at up to
 /// 56 deg/s in axes 1 to 3 and 94 deg/s in the hand.
 inline motion::JointReference tour(double t) {
-  constexpr double kDegree = 3.14159265358979323846 / 180;
   static constexpr double kPostures[4][6] = {{0, -45, 135, 0, 90, 0},
                                              {90, 0, 90, 60, 20, 150},
                                              {30, -80, 60, -90, -60, 0},

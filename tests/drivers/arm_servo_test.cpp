@@ -5,6 +5,7 @@
 #include <map>
 
 #include "tests/drivers/arm_bench.h"
+#include "tests/support/degrees.h"
 #include "tests/support/no_allocation.h"
 
 // S2's servo on the simulated UMS-7: 40 ms references, interpolated; what feed-forward is worth,
@@ -15,8 +16,6 @@ namespace {
 
 using motion::ArmInertia;
 using motion::JointVector;
-
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 /// ∫|error| that a unit impulse of torque leaves, times ω²·inertia: of the loop
 /// s/(s³ + 2ωs² + ω²s + ω³/10) that ServoLaw makes, at ω = 1. It is 1 without the integral.

@@ -11,8 +11,8 @@
 namespace rob::drivers {
 namespace {
 
-constexpr double kStep = 250e-6;
-constexpr double kPeriod = 0.002;
+constexpr double kDriveStep = 250e-6;
+constexpr double kDrivePeriod = 0.002;
 
 // τ = 0.1/5 = 20 ms, no friction.
 motion::DriveData free_axis() {
@@ -35,11 +35,11 @@ struct Bench {
   PulseDrive drive;
 
   explicit Bench(const motion::PulseDriveData& data, double gain = 0)
-      : drive(data, kPeriod, gain) {}
+      : drive(data, kDrivePeriod, gain) {}
   void run(int steps) noexcept {
     for (int k = 0; k < steps; ++k) {
-      axis.push(drive.force(kStep, axis.q(), axis.measured_q(), axis.v()));
-      axis.advance(kStep);
+      axis.push(drive.force(kDriveStep, axis.q(), axis.measured_q(), axis.v()));
+      axis.advance(kDriveStep);
     }
   }
 };
@@ -85,11 +85,11 @@ TEST_CASE("the gear's wave pushes at equal places of every turn") {
   motion::PulseDriveData data = pulses();
   data.ripple = 0.3;
   data.ripple_period = 0.04;
-  PulseDrive drive(data, kPeriod, 0);
-  CHECK(drive.force(kStep, 0.01, 0, 0) == test::relative(0.3));
-  CHECK(drive.force(kStep, 0.05, 0, 0) == test::relative(0.3));
-  CHECK(drive.force(kStep, 0.03, 0, 0) == test::relative(-0.3));
-  CHECK(std::abs(drive.force(kStep, 0.04, 0, 0)) < 1e-12);
+  PulseDrive drive(data, kDrivePeriod, 0);
+  CHECK(drive.force(kDriveStep, 0.01, 0, 0) == test::relative(0.3));
+  CHECK(drive.force(kDriveStep, 0.05, 0, 0) == test::relative(0.3));
+  CHECK(drive.force(kDriveStep, 0.03, 0, 0) == test::relative(-0.3));
+  CHECK(std::abs(drive.force(kDriveStep, 0.04, 0, 0)) < 1e-12);
 }
 
 TEST_CASE("pulses that are no number count as none") {

@@ -7,6 +7,7 @@
 
 #include "drivers/sim_gantry.h"
 #include "tests/drivers/gantry_bench.h"
+#include "tests/support/degrees.h"
 #include "tests/support/no_allocation.h"
 
 // The servo law on the simulated gantry: 5 ms, counts of 1 µm, velocities estimated.
@@ -16,8 +17,7 @@ namespace {
 
 using motion::FollowingFinding;
 using motion::JointVector;
-
-constexpr double kDegree = 3.14159265358979323846 / 180;
+using rob::test::kDegree;
 
 struct Followed {
   JointVector worst = JointVector::Zero(3);  // |where the axis is − reference|

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "lang/compile/compile.h"
 #include "tests/support/gantry_signature.h"
+#include "tests/support/process.h"
 #include "tests/support/random_program.h"
 #include "tests/support/same_code.h"
 
@@ -43,12 +42,6 @@ void check_keeps_meaning(const std::string& source) {
   const Compilation after = compile(laid_out(source), robot);
   REQUIRE(before.chunk.has_value() == after.chunk.has_value());
   if (before.chunk) CHECK(rob::test::same_code(*before.chunk, *after.chunk));
-}
-
-std::string whole_file(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
 }
 
 /// The same program written by somebody careless: blanks, capital letters and empty lines are
@@ -195,14 +188,14 @@ TEST_CASE("blocks that are skipped as not in this version cannot make the layout
 TEST_CASE("every program of the tests and examples means the same afterwards") {
   for (const fs::path& path : programs()) {
     CAPTURE(path.string());
-    check_keeps_meaning(whole_file(path));
+    check_keeps_meaning(rob::test::read_whole_file(path));
   }
 }
 
 TEST_CASE("however carelessly a program is written, its layout is the same") {
   std::mt19937 random(40);
   for (const fs::path& path : programs()) {
-    const std::string source = whole_file(path);
+    const std::string source = rob::test::read_whole_file(path);
     const Formatting tidy = format(source);
     // Comments behind code are set by where they stand, which the disturbance changes.
     if (!tidy.text || source.find("//") != std::string::npos) continue;

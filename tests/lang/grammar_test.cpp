@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "lang/compile/compile.h"
 #include "lang/syntax/parser.h"
@@ -15,6 +13,7 @@
 #include "lang/vm/vm.h"
 #include "tests/support/gantry_signature.h"
 #include "tests/support/grammar_program.h"
+#include "tests/support/process.h"
 #include "tests/support/random_text.h"
 
 using namespace rob::lang;
@@ -25,16 +24,9 @@ using rob::test::tokens_of;
 
 namespace {
 
-std::string whole_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  REQUIRE(file.good());
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 const Grammar& grammar() {
-  static const Grammar read(whole_file(std::filesystem::path(ROB_SOURCE_DIR) / "docs/rob.ebnf"));
+  static const Grammar read(
+      rob::test::read_whole_file(std::filesystem::path(ROB_SOURCE_DIR) / "docs/rob.ebnf"));
   return read;
 }
 
@@ -121,7 +113,7 @@ TEST_CASE("what the parser accepts of the programs at hand is derivable from the
   int derived = 0;
   for (const char* const folder : {"examples", "tests/programs", "tests/fuzz/seeds"}) {
     for (const std::filesystem::path& path : programs_below(folder)) {
-      const std::string text = whole_file(path);
+      const std::string text = rob::test::read_whole_file(path);
       Diagnostics diagnostics;
       parse(text, diagnostics);
       if (diagnostics.has_errors()) continue;

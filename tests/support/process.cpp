@@ -1,14 +1,12 @@
 #include "tests/support/process.h"
 
 #include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -26,40 +24,53 @@ std::string read_whole_file(const fs::path& file) {
   return text.str();
 }
 
-Process::Process(const std::vector<std::string>& arguments) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
+namespace {
+
+/// In the child; only what may be called between fork() and exec().
+[[noreturn]] void become(char* const* argv, const char* out, const char* err) {
+  die_with_parent();
+  lead_group();
   constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out().c_str(), kWrite, 0600);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err().c_str(), kWrite, 0600);
+  ::dup2(::open("/dev/null", O_RDONLY | O_CLOEXEC), STDIN_FILENO);
+  ::dup2(::open(out, kWrite | O_CLOEXEC, 0600), STDOUT_FILENO);
+  ::dup2(::open(err, kWrite | O_CLOEXEC, 0600), STDERR_FILENO);
+  ::execv(argv[0], argv);
+  ::_exit(127);
+}
+
+}  // namespace
+
+Process::Process(const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments) name_ += (name_.empty() ? "" : " ") + argument;
+  if (::access(arguments.front().c_str(), X_OK) != 0) {
+    throw std::system_error(errno, std::generic_category(), arguments.front());
+  }
   std::vector<char*> argv;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  const int error = posix_spawn(&child_, argv[0], &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw std::system_error(error, std::generic_category(), arguments.front());
+  const std::string out_file = out();
+  const std::string err_file = err();
+  child_ = ::fork();
+  if (child_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (child_ == 0) become(argv.data(), out_file.c_str(), err_file.c_str());
 }
 
 Process::~Process() {
-  if (ended_) return;
-  ::kill(child_, SIGKILL);
-  ::waitpid(child_, nullptr, 0);
+  if (!ended_) kill_group(child_);
 }
 
 void Process::send(int signal) const { ::kill(child_, signal); }
 
-ProcessResult Process::wait() {
-  int status = 0;
-  while (waitpid(child_, &status, 0) < 0) {
-    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitpid");
+ProcessResult Process::wait(std::chrono::milliseconds patience) {
+  const std::optional<int> exit_code = wait_for(child_, patience);
+  if (!exit_code) {
+    kill_group(child_);
+    ended_ = true;
+    throw std::runtime_error("'" + name_ + "' has not ended in " +
+                             std::to_string(patience.count()) + " ms, and was killed");
   }
   ended_ = true;
-  ProcessResult result;
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  result.out = read_whole_file(out());
-  result.err = read_whole_file(err());
-  return result;
+  return {*exit_code, read_whole_file(out()), read_whole_file(err())};
 }
 
 ProcessResult run_process(const std::vector<std::string>& arguments) {

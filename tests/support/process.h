@@ -2,10 +2,12 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "tests/support/child.h"
 #include "tests/support/scratch_folder.h"
 
 namespace rob::test {
@@ -21,8 +23,8 @@ struct ProcessResult {
 std::string read_whole_file(const std::filesystem::path& file);
 
 /// A program that runs beside the test: `arguments[0]` with the others, standard input empty.
-/// The constructor throws std::system_error if it cannot be started; the destructor kills what has
-/// not been waited for.
+/// The constructor throws std::system_error if it cannot be started. The destructor kills what has
+/// not ended, with all that it has started.
 class Process {
  public:
   explicit Process(const std::vector<std::string>& arguments);
@@ -31,14 +33,16 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   void send(int signal) const;
-  /// Its end, and all that it wrote. Once.
-  ProcessResult wait();
+  /// Waits for its end, once, and returns all that it wrote. If it takes longer than `patience`, it
+  /// is killed with all that it has started, and std::runtime_error names it.
+  ProcessResult wait(std::chrono::milliseconds patience = kLongestRun);
 
  private:
   std::filesystem::path out() const { return scratch_.path() / "out"; }
   std::filesystem::path err() const { return scratch_.path() / "err"; }
 
   ScratchFolder scratch_;
+  std::string name_;
   pid_t child_ = 0;
   bool ended_ = false;
 };

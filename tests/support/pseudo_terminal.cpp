@@ -16,6 +16,8 @@
 #include <system_error>
 #include <thread>
 
+#include "tests/support/child.h"
+
 namespace rob::test {
 
 namespace {
@@ -31,7 +33,8 @@ std::system_error error_of(const std::string& what) {
 
 /// In the child; only what may be called between fork() and exec().
 [[noreturn]] void become(int slave, const char* folder, char* const* argv, char* const* envp) {
-  login_tty(slave);
+  die_with_parent();
+  login_tty(slave);  // and leads a session, and so a process group, of its own
   if (*folder != '\0' && chdir(folder) != 0) _exit(127);
   execve(argv[0], argv, envp);
   _exit(127);
@@ -73,10 +76,7 @@ PseudoTerminal::PseudoTerminal(const std::vector<std::string>& arguments, const 
 }
 
 PseudoTerminal::~PseudoTerminal() {
-  if (!over_) {
-    ::kill(child_, SIGKILL);
-    ::waitpid(child_, nullptr, 0);
-  }
+  if (!over_) kill_group(child_);
   if (master_ >= 0) ::close(master_);
   if (slave_ >= 0) ::close(slave_);
 }

@@ -41,15 +41,15 @@ End end_at(const ToppNode& a, const ToppNode& b, double share) {
 }
 
 std::vector<Interval> intervals_of(const std::vector<ToppNode>& nodes, std::size_t grid) {
-  constexpr std::size_t kLeast = 8;  // in each piece, however short
-  constexpr double kSame = 1e-12;    // of the path: two nodes at one place, but for rounding
+  constexpr std::size_t kLeastParts = 8;  // in each piece, however short
+  constexpr double kSame = 1e-12;         // of the path: two nodes at one place, but for rounding
   const double whole = nodes.back().sigma - nodes.front().sigma;
   std::vector<Interval> intervals;
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
     const double length = nodes[k + 1].sigma - nodes[k].sigma;
     if (length <= kSame * whole) continue;
     const double share = static_cast<double>(grid) * length / whole;
-    const std::size_t parts = std::max(kLeast, static_cast<std::size_t>(share));
+    const std::size_t parts = std::max(kLeastParts, static_cast<std::size_t>(share));
     const auto at = [&](std::size_t j) {
       return static_cast<double>(j) / static_cast<double>(parts);
     };
@@ -62,7 +62,7 @@ std::vector<Interval> intervals_of(const std::vector<ToppNode>& nodes, std::size
 }
 
 /// The values of σ'' that are allowed.
-struct Range {
+struct InputRange {
   double least = -std::numeric_limits<double>::infinity();
   double greatest = std::numeric_limits<double>::infinity();
 
@@ -80,8 +80,8 @@ struct Range {
 };
 
 /// What σ'' may be in an interval that is entered with σ'² = x and left with `after` at most.
-Range allowed(const Interval& part, const ToppLimits& limits, double x, double after) {
-  Range u;
+InputRange allowed(const Interval& part, const ToppLimits& limits, double x, double after) {
+  InputRange u;
   const double h = 2 * part.length;  // σ'² grows by h·u
   for (std::size_t i = 0; i < limits.a.size(); ++i) {
     u.bound(part.begin.dq[i], part.begin.ddq[i] * x, limits.a[i]);
@@ -144,7 +144,7 @@ ToppMotion time_optimal(const std::vector<ToppNode>& nodes, const ToppLimits& li
   for (std::size_t k = 0; k < count; ++k) {
     motion.sigma.push_back(parts[k].sigma);
     motion.rate.push_back(std::sqrt(x));
-    const Range u = allowed(parts[k], limits, x, most[k + 1]);
+    const InputRange u = allowed(parts[k], limits, x, most[k + 1]);
     const double next = std::clamp(x + 2 * parts[k].length * u.greatest, 0.0, most[k + 1]);
     motion.time += 2 * parts[k].length / (std::sqrt(x) + std::sqrt(next));
     x = next;

@@ -17,7 +17,7 @@ using rob::test::ToppNode;
 
 namespace {
 
-constexpr double kA = 1000;
+constexpr double kAcceleration = 1000;
 
 std::vector<ToppNode> line(const AxisValues& direction, double length) {
   const AxisValues none(direction.size(), 0.0);
@@ -44,7 +44,7 @@ double greatest_rate(const ToppMotion& motion) {
 }  // namespace
 
 TEST_CASE("a line takes d/v + v/a, or 2·√(d/a) where v is not reached") {
-  const ToppLimits limits{{100}, {kA}};
+  const ToppLimits limits{{100}, {kAcceleration}};
   CHECK(time_optimal(line({1}, 100), limits, 10'000).time == doctest::Approx(1.1).epsilon(1e-5));
   CHECK(time_optimal(line({1}, 4), limits, 10'000).time ==
         doctest::Approx(2 * std::sqrt(0.004)).epsilon(1e-5));
@@ -52,10 +52,10 @@ TEST_CASE("a line takes d/v + v/a, or 2·√(d/a) where v is not reached") {
 
 TEST_CASE("the axis that goes farthest bounds a slanted line, the rate bounds what is left") {
   // 0.8 of the way on axis 2: 125 mm/s and 1250 mm/s² along the line.
-  const ToppLimits axes{{100, 100}, {kA, kA}};
+  const ToppLimits axes{{100, 100}, {kAcceleration, kAcceleration}};
   CHECK(time_optimal(line({0.6, 0.8}, 100), axes, 10'000).time ==
         doctest::Approx(100.0 / 125 + 125.0 / 1250).epsilon(1e-5));
-  const ToppLimits paced{{100, 100}, {kA, kA}, 50};
+  const ToppLimits paced{{100, 100}, {kAcceleration, kAcceleration}, 50};
   CHECK(time_optimal(line({0.6, 0.8}, 100), paced, 10'000).time ==
         doctest::Approx(100.0 / 50 + 50.0 / 1250).epsilon(1e-5));
 }
@@ -67,7 +67,7 @@ TEST_CASE("a part of the path may ask for less speed than the rest") {
   nodes[0].rate = 200;
   const double first = 0.2 + (100 - 20 - 15) / 200.0 + 0.1;
   const double second = 95 / 100.0 + 0.1;
-  CHECK(time_optimal(nodes, {{1e3}, {kA}}, 20'000).time ==
+  CHECK(time_optimal(nodes, {{1e3}, {kAcceleration}}, 20'000).time ==
         doctest::Approx(first + second).epsilon(1e-4));
 }
 
@@ -81,14 +81,15 @@ TEST_CASE("speeds of the axes alone: a circle takes ∫ max(|sin|, |cos|) r/v d�
 TEST_CASE("a circle begins with its tangent's axis at full acceleration: y = a·t²/2") {
   constexpr double kRadius = 50, kF = 100;
   // y' = σ'·cos θ reaches its share of F where a·t = F·cos θ, with sin θ = a·t²/2r.
-  double t = kF / kA;
+  double t = kF / kAcceleration;
   for (int k = 0; k < 50; ++k) {
-    const double sine = kA * t * t / 2 / kRadius;
-    t = kF * std::sqrt(1 - sine * sine) / kA;
+    const double sine = kAcceleration * t * t / 2 / kRadius;
+    t = kF * std::sqrt(1 - sine * sine) / kAcceleration;
   }
-  const double theta = std::asin(kA * t * t / 2 / kRadius);
+  const double theta = std::asin(kAcceleration * t * t / 2 / kRadius);
   const double even = (2 * std::numbers::pi - 2 * theta) * kRadius / kF;
-  const ToppMotion motion = time_optimal(circle(kRadius, 360), {{1e3, 1e3}, {kA, kA}, kF}, 50'000);
+  const ToppMotion motion =
+      time_optimal(circle(kRadius, 360), {{1e3, 1e3}, {kAcceleration, kAcceleration}, kF}, 50'000);
   CHECK(motion.time == doctest::Approx(2 * t + even).epsilon(1e-5));
 }
 
@@ -102,10 +103,11 @@ TEST_CASE("a parabola between two lines caps the speed: v² = 2·l·a") {
       {kLeg + 2 * kL, {kLeg + kL, kL}, {0, 1}, {-1 / (2 * kL), 1 / (2 * kL)}},
       {kLeg + 2 * kL, {kLeg + kL, kL}, {0, 1}, {0, 0}},
       {2 * kLeg + 2 * kL, {kLeg + kL, kLeg + kL}, {0, 1}, {0, 0}}};
-  const double corner = std::sqrt(2 * kL * kA);
-  const double peak = std::sqrt((2 * kA * kLeg + corner * corner) / 2);
-  const double leg = (peak + (peak - corner)) / kA;
-  const ToppMotion motion = time_optimal(nodes, {{1e4, 1e4}, {kA, kA}}, 50'000);
+  const double corner = std::sqrt(2 * kL * kAcceleration);
+  const double peak = std::sqrt((2 * kAcceleration * kLeg + corner * corner) / 2);
+  const double leg = (peak + (peak - corner)) / kAcceleration;
+  const ToppMotion motion =
+      time_optimal(nodes, {{1e4, 1e4}, {kAcceleration, kAcceleration}}, 50'000);
   CHECK(motion.time == doctest::Approx(2 * leg + 2 * kL / corner).epsilon(1e-5));
   CHECK(greatest_rate(motion) == doctest::Approx(peak).epsilon(1e-4));
 }

@@ -17,8 +17,7 @@ using test::kCappedHole;
 using test::kEmptyHole;
 using test::SceneHand;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kLead = 3e-3 / (2 * kPi);  // m a rad
+constexpr double kLead = 3e-3 / (2 * std::numbers::pi);  // m a rad
 
 /// Takes the tube of hole 0 by its body and carries it over the empty hole, its end at 130 mm.
 void fetch_tube(CellScene& scene, SceneHand& hand) {
@@ -132,11 +131,12 @@ TEST_CASE("a pressed cap sinks as it is turned, and its torque rises before the 
   CHECK(scene.reaction().torque == test::relative(0.15));
   // The hand's twist of 1.5 mrad is not on the thread: 0.7 um lower, 0.04 N more.
   CHECK(hand.force() == test::relative(10 + 50e3 * 0.0015 * kLead, 1e-6));
-  const double left = 3.5 * kPi - kPi / 8 - 4;  // half-way up the rise
+  const double left = 3.5 * std::numbers::pi - std::numbers::pi / 8 - 4;  // half-way up the rise
   hand.turn(left + 0.775 / 100, left * kLead, 40000);
   CHECK(scene.reaction().torque == test::relative(0.775, 1e-3));
   scene.open_jaws();
-  CHECK(scene.cap_turned(kCappedHole) == test::relative(3.5 * kPi - kPi / 8, 1e-3));
+  CHECK(scene.cap_turned(kCappedHole) ==
+        test::relative(3.5 * std::numbers::pi - std::numbers::pi / 8, 1e-3));
 }
 
 TEST_CASE("without pressing, and with the jaws open, the hand turns freely") {

@@ -40,7 +40,7 @@ std::vector<typename Format::Frame> frames_in(const Octets& bytes, std::size_t s
 }
 
 /// Every format's own frame around these parameters, and what comes out of it again.
-struct Dynamixel {
+struct DynamixelFrames {
   using Format = dynamixel::Format;
   static constexpr std::size_t kMost = 80;
   static Octets encode(const Octets& p) {
@@ -50,7 +50,7 @@ struct Dynamixel {
     return packet.id == 7 ? octets(packet.parameters.view()) : Octets{0xEE};
   }
 };
-struct Feetech {
+struct FeetechFrames {
   using Format = feetech::Format;
   static constexpr std::size_t kMost = 80;
   static Octets encode(const Octets& p) { return octets(feetech::encode(7, 3, p).view()); }
@@ -176,8 +176,8 @@ TEST_CASE("instants that wrap are compared modulo 2^32") {
   CHECK(wire::between(4294967290U, 5) == -11);
 }
 
-TEST_CASE_TEMPLATE("any parameters come out of the frame as they went in", Kind, Dynamixel, Feetech,
-                   Robs) {
+TEST_CASE_TEMPLATE("any parameters come out of the frame as they went in", Kind, DynamixelFrames,
+                   FeetechFrames, Robs) {
   std::mt19937 random(1);
   for (int i = 0; i < 2000; ++i) {
     const Octets parameters = random_octets(random, Kind::kMost);
@@ -187,7 +187,8 @@ TEST_CASE_TEMPLATE("any parameters come out of the frame as they went in", Kind,
   }
 }
 
-TEST_CASE_TEMPLATE("a single bit that is wrong is always found", Kind, Dynamixel, Feetech, Robs) {
+TEST_CASE_TEMPLATE("a single bit that is wrong is always found", Kind, DynamixelFrames,
+                   FeetechFrames, Robs) {
   std::mt19937 random(2);
   for (int i = 0; i < 30; ++i) {
     const Octets parameters = random_octets(random, 24);
@@ -200,7 +201,8 @@ TEST_CASE_TEMPLATE("a single bit that is wrong is always found", Kind, Dynamixel
   }
 }
 
-TEST_CASE_TEMPLATE("fault 24: frames are found behind garbage", Kind, Dynamixel, Feetech, Robs) {
+TEST_CASE_TEMPLATE("fault 24: frames are found behind garbage", Kind, DynamixelFrames,
+                   FeetechFrames, Robs) {
   std::mt19937 random(3);
   for (int i = 0; i < 300; ++i) {
     const Octets parameters = random_octets(random, 20);
@@ -215,8 +217,8 @@ TEST_CASE_TEMPLATE("fault 24: frames are found behind garbage", Kind, Dynamixel,
   }
 }
 
-TEST_CASE_TEMPLATE("fault 26: what was half a frame is forgotten on command", Kind, Dynamixel,
-                   Feetech, Robs) {
+TEST_CASE_TEMPLATE("fault 26: what was half a frame is forgotten on command", Kind, DynamixelFrames,
+                   FeetechFrames, Robs) {
   const Octets whole = Kind::encode({1, 2, 3, 4});
   FrameReader<typename Kind::Format> reader;
   typename Kind::Format::Frame frame;
@@ -229,7 +231,8 @@ TEST_CASE_TEMPLATE("fault 26: what was half a frame is forgotten on command", Ki
   CHECK(reader.next(frame));
 }
 
-TEST_CASE_TEMPLATE("a reader takes no memory, whatever comes", Kind, Dynamixel, Feetech, Robs) {
+TEST_CASE_TEMPLATE("a reader takes no memory, whatever comes", Kind, DynamixelFrames, FeetechFrames,
+                   Robs) {
   std::mt19937 random(4);
   const Octets noise = random_octets(random, 4000);
   FrameReader<typename Kind::Format> reader;

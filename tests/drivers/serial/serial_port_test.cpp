@@ -16,6 +16,7 @@
 #include "motion/servo/servo_backend.h"
 #include "tests/support/pty_wire.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/without_privileges.h"
 
 namespace rob::drivers {
 namespace {
@@ -175,6 +176,23 @@ TEST_CASE("nobody is advised to join a group that gives more than a port") {
   const std::string told = told_to_nobody(wire.path());
   CHECK_FALSE(has(told, "usermod"));
   CHECK(has(told, "it belongs to root:dialout, mode 0600"));
+}
+
+TEST_CASE("a port in the list that may be read or written only is not free") {
+  const test::ScratchFolder scratch;
+  const std::string port = scratch.file("ttyUSB0");
+  std::ofstream{port};
+  const auto state = [&](std::filesystem::perms permissions) {
+    std::filesystem::permissions(port, permissions);
+    return list_ports(scratch.path().string()).at(0).state;
+  };
+  using std::filesystem::perms;
+  const auto refused = [&](std::filesystem::perms permissions) {
+    return state(permissions).starts_with("not permitted: belongs to ");
+  };
+  CHECK(test::true_without_privileges([&] { return refused(perms::owner_read); }));
+  CHECK(test::true_without_privileges([&] { return refused(perms::owner_write); }));
+  CHECK(test::true_without_privileges([&] { return state(perms(0600)) == "free"; }));
 }
 
 TEST_CASE("ports are listed once, with the name that stays") {

@@ -6,7 +6,7 @@ using namespace rob::motion;
 
 namespace {
 
-constexpr double kPeriod = 0.004;
+constexpr double kMeanPeriod = 0.004;
 constexpr int kPeriods = 40;
 constexpr double kWay = 5e-5;
 
@@ -35,14 +35,14 @@ TEST_CASE("the mean of a motion within one period takes all of its time") {
     ReferenceAverage average(of_sigma, ring, start);
     average.begin_run(kPeriods, guide);
     for (int k = 1; k < kPeriods; ++k) {
-      guide.step(k * kPeriod, [](const Guide::Part&) {});
+      guide.step(k * kMeanPeriod, [](const Guide::Part&) {});
       average.take(guide);
       REQUIRE(guide.at_run_end());
       CHECK_FALSE(average.stands());
       CHECK(average.mean().q[0] == doctest::Approx(kWay * k / kPeriods));
       CHECK(average.sigma() == doctest::Approx(kWay * k / kPeriods));
     }
-    guide.step(kPeriods * kPeriod, [](const Guide::Part&) {});
+    guide.step(kPeriods * kMeanPeriod, [](const Guide::Part&) {});
     average.take(guide);
     CHECK(average.stands());
     CHECK(average.mean().q[0] == doctest::Approx(kWay).epsilon(1e-12));

@@ -69,7 +69,7 @@ JointVector newton_euler(const Chain& chain, const JointVector& q, const JointVe
 
 Matrix3d inertia_of(double x, double y, double z) { return Vector3d(x, y, z).asDiagonal(); }
 
-constexpr double kUpper = 0.45, kFore = 0.35;
+constexpr double kUpperLength = 0.45, kForeLength = 0.35;
 constexpr double kUpperMass = 11, kUpperCentre = 0.2, kUpperInertia = 0.17;
 constexpr double kForeMass = 7, kForeCentre = 0.15, kForeInertia = 0.08;
 constexpr double kHandMass = 3, kHandCentre = 0.09, kHandAcross = 0.006, kHandAlong = 0.004;
@@ -84,12 +84,12 @@ Chain arm(double arm_masses, double hand_masses) {
   const Matrix3d none = Matrix3d::Zero();
   return {Body{z, zero, 0, zero, m * inertia_of(0, 0, 0.7)},
           Body{y,
-               {kUpper, 0, 0},
+               {kUpperLength, 0, 0},
                m * kUpperMass,
                {kUpperCentre, 0, 0},
                m * inertia_of(0, kUpperInertia, kUpperInertia)},
           Body{y,
-               {0, 0, kFore},
+               {0, 0, kForeLength},
                m * kForeMass,
                {0, 0, kForeCentre},
                m * inertia_of(kForeInertia, kForeInertia, 0)},
@@ -106,10 +106,11 @@ Chain arm(double arm_masses, double hand_masses) {
 Ums7Dynamics table() {
   Ums7Parameters p;
   p.c0 = 0.7;
-  p.c1 = kUpperInertia + kUpperMass * kUpperCentre * kUpperCentre + kForeMass * kUpper * kUpper;
+  p.c1 = kUpperInertia + kUpperMass * kUpperCentre * kUpperCentre +
+         kForeMass * kUpperLength * kUpperLength;
   p.c3 = kForeInertia + kForeMass * kForeCentre * kForeCentre;
   p.c4 = p.c1 + p.c3;
-  p.c5 = kForeMass * kForeCentre * kUpper;
+  p.c5 = kForeMass * kForeCentre * kUpperLength;
   p.c2 = 2 * p.c5;
   p.c6 = kHandMass * kGravity * kHandCentre;
   p.c7 = kHandAcross + kHandMass * kHandCentre * kHandCentre;

@@ -20,7 +20,7 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr double kStep = 1e-5;  // rad: differences are exact to kStep² and 1e-16/kStep
+constexpr double kDifference = 1e-5;  // rad: differences are exact to kStep² and 1e-16/kDifference
 constexpr double kExact = 1e-8;
 
 Matrix6 matrix_of(const ArmInertia& h) {
@@ -31,8 +31,9 @@ Matrix6 matrix_of(const ArmInertia& h) {
 
 /// By how much the inertia changes along qd.
 Matrix6 rate_of_inertia(const Ums7Dynamics& arm, const JointVector& q, const JointVector& qd) {
-  return (matrix_of(arm.inertia(q + kStep * qd)) - matrix_of(arm.inertia(q - kStep * qd))) /
-         (2 * kStep);
+  return (matrix_of(arm.inertia(q + kDifference * qd)) -
+          matrix_of(arm.inertia(q - kDifference * qd))) /
+         (2 * kDifference);
 }
 
 /// Christoffel's matrix C(q, q') with C·q' = coriolis: the one bilinear and symmetric form that has
@@ -96,8 +97,8 @@ TEST_CASE("gravity is the gradient of the potential, in all of its six parts") {
     const JointVector q = random_six(random, 3);
     const JointVector g = arm.gravity(q);
     for (int i = 0; i < 6; ++i) {
-      const JointVector d = axis(i, kStep);
-      const double slope = (arm.potential(q + d) - arm.potential(q - d)) / (2 * kStep);
+      const JointVector d = axis(i, kDifference);
+      const double slope = (arm.potential(q + d) - arm.potential(q - d)) / (2 * kDifference);
       CHECK(std::abs(g[i] - slope) < kExact);
     }
   }
@@ -141,8 +142,9 @@ TEST_CASE("Coriolis torques are Lagrange's: H'q' less half the gradient of q'Hq'
     const JointVector v = random_six(random, 2);
     JointVector expected = rate_of_inertia(arm, q, v) * v;
     for (int i = 0; i < 6; ++i) {
-      const JointVector d = axis(i, kStep);
-      expected[i] -= (arm.kinetic_energy(q + d, v) - arm.kinetic_energy(q - d, v)) / (2 * kStep);
+      const JointVector d = axis(i, kDifference);
+      expected[i] -=
+          (arm.kinetic_energy(q + d, v) - arm.kinetic_energy(q - d, v)) / (2 * kDifference);
     }
     CHECK((arm.coriolis(q, v) - expected).norm() < 100 * kExact);  // H·v² is up to 40
   }

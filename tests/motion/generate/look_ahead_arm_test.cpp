@@ -7,13 +7,13 @@
 #include "motion/path/tool_line.h"
 #include "motion/space/rotation.h"
 #include "tests/motion/generate/look_ahead_run.h"
+#include "tests/support/degrees.h"
 
 using namespace rob::motion;
+using rob::test::kDegree;
 using rob::test::LookAheadRun;
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 RobotModel arm_looking_ahead(const char* name) {
   RobotModel robot = embedded_robot(name);
@@ -116,7 +116,6 @@ TEST_CASE("a run of an arm is the same, whatever mean the run behind its stop ha
 }
 
 TEST_CASE("a joint motion alone has no bends: it takes d/v + v/a + a/j") {
-  constexpr double kDegree = std::numbers::pi / 180;
   ArmAhead run;
   run.turn(60, 0, 0);
   run.close();

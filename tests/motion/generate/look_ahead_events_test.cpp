@@ -33,7 +33,7 @@ void on_the_way(SegmentDescriptor& segment, double share, double lead, std::uint
   segment.on_the_way.push_back(event);
 }
 
-void check_limits(const LookAheadRun& run) {
+void check_within_limits(const LookAheadRun& run) {
   const LookAheadRun::Peak peak = run.peak();
   CHECK(peak.speed <= 1 + 1e-6);
   CHECK(peak.acceleration <= 1 + 1e-6);
@@ -208,7 +208,7 @@ TEST_CASE("a jog between two motions begins and ends at rest, and the path goes 
   run.close();
   run.finish();
   CHECK((run.last().q - gantry_q(0, 0, 0)).norm() < 1e-15);
-  check_limits(run);
+  check_within_limits(run);
 }
 
 // The planner says how long the profile lasts, and the generator takes so long.
@@ -228,7 +228,7 @@ TEST_CASE("a motion with a profile takes its time between two motions that it le
   CHECK(lasted >= segment.duration - kRounding);
   CHECK(lasted <= segment.duration + kPeriod + kRounding);  // a path begins at a stamp
   CHECK((run.last().q - gantry_q(0, 60, 0)).norm() < 1e-15);
-  check_limits(run);
+  check_within_limits(run);
 }
 
 TEST_CASE("braked, a motion ends on its way, and what is behind it is dropped") {
@@ -250,7 +250,7 @@ TEST_CASE("braked, a motion ends on its way, and what is behind it is dropped") 
   run.close();
   run.finish();
   CHECK((run.last().q - gantry_q(0, 0, 0)).norm() < 1e-15);
-  check_limits(run);
+  check_within_limits(run);
 }
 
 TEST_CASE("more motions to one place than are looked ahead over end there, and the path goes on") {
@@ -271,7 +271,7 @@ TEST_CASE("more motions to one place than are looked ahead over end there, and t
   }
   REQUIRE(run.all(Kind::Finished).size() == 1);
   CHECK((run.last().q - gantry_q(20, 20, 0)).norm() < 1e-15);
-  check_limits(run);
+  check_within_limits(run);
 }
 
 TEST_CASE("a slow motion of next to no length arrives") {
@@ -317,6 +317,6 @@ TEST_CASE("a corner keeps its zone however long the mean of its references") {
     CHECK(miss <= 1.01 * zone_mm / 1000);
     // Where the mean asks for more than the zone, two third-order profiles take less time.
     CHECK((miss > 0.5 * zone_mm / 1000 || zone_mm < 0.7));
-    check_limits(run);
+    check_within_limits(run);
   }
 }

@@ -7,25 +7,25 @@ using namespace rob::motion;
 namespace {
 
 constexpr TimeScaleLimits kLimits{4.0, 40.0};
-constexpr double kPeriod = 0.01;
+constexpr double kClockPeriod = 0.01;
 
 void run_to(PathClock& clock, int from, int to) {
-  for (int k = from; k <= to; ++k) clock.advance(k * kPeriod, false);
+  for (int k = from; k <= to; ++k) clock.advance(k * kClockPeriod, false);
 }
 
 }  // namespace
 
 TEST_CASE("while nothing slows the motion, path time is the stamp to the last bit") {
-  PathClock clock(kLimits, kPeriod);
+  PathClock clock(kLimits, kClockPeriod);
   for (int k = 0; k < 1000; ++k) {
-    clock.advance(k * kPeriod, false);
-    CHECK(clock.path_time() == k * kPeriod);
-    CHECK(clock.run_time(k * kPeriod - 0.003) == k * kPeriod - 0.003);
+    clock.advance(k * kClockPeriod, false);
+    CHECK(clock.path_time() == k * kClockPeriod);
+    CHECK(clock.run_time(k * kClockPeriod - 0.003) == k * kClockPeriod - 0.003);
   }
 }
 
 TEST_CASE("a hold and a resume cost the standing time and half of both ramps") {
-  PathClock clock(kLimits, kPeriod);
+  PathClock clock(kLimits, kClockPeriod);
   run_to(clock, 0, 100);
   clock.hold();
   run_to(clock, 101, 200);
@@ -40,32 +40,32 @@ TEST_CASE("a hold and a resume cost the standing time and half of both ramps") {
 }
 
 TEST_CASE("what the path time will be is announced and kept") {
-  PathClock clock(kLimits, kPeriod);
+  PathClock clock(kLimits, kClockPeriod);
   run_to(clock, 0, 10);
   for (int k = 11; k < 400; ++k) {
     const double announced = clock.next();
     if (k % 50 == 20) clock.hold();
     if (k % 50 == 40) clock.resume();
     if (k == 333) clock.set_override(0.3);
-    clock.advance(k * kPeriod, false);
+    clock.advance(k * kClockPeriod, false);
     CHECK(clock.path_time() <= announced + 1e-15);
   }
 }
 
 TEST_CASE("the run's time is found for instants inside a ramp") {
-  PathClock clock(kLimits, kPeriod);
+  PathClock clock(kLimits, kClockPeriod);
   run_to(clock, 0, 100);
   clock.hold();
   for (int k = 101; k <= 130; ++k) {
     const double before = clock.path_time();
-    clock.advance(k * kPeriod, false);
-    CHECK(clock.run_time(before) == doctest::Approx((k - 1) * kPeriod));
-    CHECK(clock.run_time(clock.path_time()) == doctest::Approx(k * kPeriod));
+    clock.advance(k * kClockPeriod, false);
+    CHECK(clock.run_time(before) == doctest::Approx((k - 1) * kClockPeriod));
+    CHECK(clock.run_time(clock.path_time()) == doctest::Approx(k * kClockPeriod));
   }
 }
 
 TEST_CASE("with the axes at rest the time scale changes at once") {
-  PathClock clock(kLimits, kPeriod);
+  PathClock clock(kLimits, kClockPeriod);
   clock.advance(0, true);
   clock.hold();
   clock.advance(0.01, true);
@@ -79,7 +79,7 @@ TEST_CASE("with the axes at rest the time scale changes at once") {
 }
 
 TEST_CASE("a skipped gap is not run") {
-  PathClock clock(kLimits, kPeriod);
+  PathClock clock(kLimits, kClockPeriod);
   run_to(clock, 0, 100);
   clock.skip(1.0);
   clock.advance(2.01, false);

@@ -22,8 +22,9 @@ WatchAnswer input_0(const void*, const CycleView& view) noexcept {
 WatchAnswer never_computed(const void*, const CycleView&) noexcept { return WatchAnswer::Failed; }
 
 /// UNTIL: the motion, and the stop that makes it exact.
-void guarded(GantryRun& run, double x_mm, Watch::Test test, Tag tag = 7) {
-  auto segment = std::get<PlannedSegment>(run.planner().plan(move_to(gantry_q(x_mm, 0, 0), tag)));
+void guarded(GantryRun& run, double x_in_mm, Watch::Test test, Tag tag = 7) {
+  auto segment =
+      std::get<PlannedSegment>(run.planner().plan(move_to(gantry_q(x_in_mm, 0, 0), tag)));
   segment.segment.guard = {test, nullptr};
   run.push(segment.segment);
   auto stop = run.planner().stop(tag);
@@ -34,7 +35,7 @@ void guarded(GantryRun& run, double x_mm, Watch::Test test, Tag tag = 7) {
 void until(GantryRun& run, double time) {
   while (run.samples().empty() || run.samples().back().reference.time < time - 1e-9) run.step();
 }
-double x_mm(const JointVector& q) { return q[0] * 1000; }
+double x_in_mm(const JointVector& q) { return q[0] * 1000; }
 
 /// No speed changes by more than the axis can accelerate: over the whole run.
 void check_accelerations(const GantryRun& run) {
@@ -56,7 +57,7 @@ TEST_CASE("a guarded motion whose condition never holds arrives and says so") {
   CHECK(run.rests()[0].tag == 7);
   // 100 mm at 20 mm/s and the exact stop
   CHECK(run.rests()[0].time == doctest::Approx(5 + 2.75).epsilon(1e-12));
-  CHECK(x_mm(run.rests()[0].q) == doctest::Approx(100));
+  CHECK(x_in_mm(run.rests()[0].q) == doctest::Approx(100));
   CHECK(run.samples().back().state == MotionState::Idle);
   CHECK(run.generator().late_decisions() == 0);
 }
@@ -65,18 +66,18 @@ TEST_CASE("a guarded motion brakes on its path where its condition holds") {
   GantryRun run;
   guarded(run, 100, input_0);
   until(run, 3);
-  const double x_at_trip = x_mm(run.samples().back().reference.q);
+  const double x_at_trip = x_in_mm(run.samples().back().reference.q);
   run.inputs = 1;
   until(run, 5);
   REQUIRE(run.rests().size() == 1);
   const Rest& rest = run.rests()[0];
   CHECK(rest.outcome == Outcome::Hit);
   CHECK(rest.trip_time == doctest::Approx(3).epsilon(1e-12));
-  CHECK(x_mm(rest.trip_q) == doctest::Approx(x_at_trip));
+  CHECK(x_in_mm(rest.trip_q) == doctest::Approx(x_at_trip));
   const double braking = stopping_time(time_scale_limits(run.robot()));
   CHECK(rest.time == doctest::Approx(3 + braking).epsilon(1e-9));
   // The ramp of the time scale is symmetric: half of the way at full speed.
-  CHECK(x_mm(rest.q) - x_at_trip == doctest::Approx(20 * braking / 2).epsilon(1e-9));
+  CHECK(x_in_mm(rest.q) - x_at_trip == doctest::Approx(20 * braking / 2).epsilon(1e-9));
   CHECK(rest.q == run.samples().back().reference.q);
   check_accelerations(run);
 }
@@ -93,7 +94,7 @@ TEST_CASE("what is commanded behind an early end starts from the place of rest")
   run.stop(8);
   run.close();
   run.finish(2000);
-  CHECK(x_mm(run.samples().back().reference.q) == doctest::Approx(0));
+  CHECK(x_in_mm(run.samples().back().reference.q) == doctest::Approx(0));
   CHECK(run.saw(Kind::Finished));
   check_accelerations(run);
 }
@@ -106,7 +107,7 @@ TEST_CASE("from standstill a condition that holds keeps the motion from starting
   REQUIRE(run.rests().size() == 1);
   CHECK(run.rests()[0].outcome == Outcome::Hit);
   CHECK(run.rests()[0].time <= 0.02);
-  CHECK(x_mm(run.samples().back().reference.q) == 0);
+  CHECK(x_in_mm(run.samples().back().reference.q) == 0);
   CHECK(run.samples().back().piece == run.planner().last_number());
 }
 
@@ -119,7 +120,7 @@ TEST_CASE("behind an exact stop, too, a condition that holds keeps the motion fr
   until(run, 8);
   REQUIRE(run.rests().size() == 1);
   CHECK(run.rests()[0].time == doctest::Approx(2 * 2.75).epsilon(0.01));
-  CHECK(x_mm(run.samples().back().reference.q) == doctest::Approx(20));
+  CHECK(x_in_mm(run.samples().back().reference.q) == doctest::Approx(20));
 }
 
 TEST_CASE("a guarded motion that is blended into is asked from the beginning of the corner") {
@@ -171,7 +172,7 @@ TEST_CASE("a condition that holds in the last moment ends at the target") {
   until(run, 7);
   REQUIRE(run.rests().size() == 1);
   CHECK(run.rests()[0].outcome == Outcome::Hit);
-  CHECK(x_mm(run.rests()[0].q) == doctest::Approx(40).epsilon(1e-4));
+  CHECK(x_in_mm(run.rests()[0].q) == doctest::Approx(40).epsilon(1e-4));
 }
 
 TEST_CASE("a motion that is to be braked brakes as soon as it is the running one") {
@@ -198,7 +199,7 @@ TEST_CASE("braking where nothing moves is over at once") {
   until(run, 6.05);
   REQUIRE(run.rests().size() == 1);
   CHECK(run.rests()[0].outcome == Outcome::Braked);
-  CHECK(x_mm(run.rests()[0].q) == doctest::Approx(20));
+  CHECK(x_in_mm(run.rests()[0].q) == doctest::Approx(20));
 }
 
 TEST_CASE("motions of a generation that has ended are passed over") {

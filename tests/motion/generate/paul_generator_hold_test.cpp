@@ -4,18 +4,16 @@
 #include <cmath>
 
 #include "motion/robots/time_scaling.h"
+#include "tests/motion/generate/distance.h"
 #include "tests/motion/generate/gantry_run.h"
 #include "tests/motion/generate/superposition.h"
 
 using namespace rob::motion;
 using namespace rob::test;
 using Kind = MotionEvent::Kind;
+using rob::test::distance;
 
 namespace {
-
-double distance(const JointVector& a, const JointVector& b) {
-  return (a - b).cwiseAbs().maxCoeff();
-}
 
 /// To and fro at full speed, turning as often as the law allows: the most that Paul's corners ask.
 /// Returns the path by a second computation.

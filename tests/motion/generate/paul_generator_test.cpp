@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tests/motion/generate/distance.h"
 #include "tests/motion/generate/gantry_run.h"
 #include "tests/motion/generate/superposition.h"
 #include "tests/support/no_allocation.h"
@@ -12,12 +13,9 @@
 using namespace rob::motion;
 using namespace rob::test;
 using Kind = MotionEvent::Kind;
+using rob::test::distance;
 
 namespace {
-
-double distance(const JointVector& a, const JointVector& b) {
-  return (a - b).cwiseAbs().maxCoeff();
-}
 
 bool same_bits(const GeneratorSample& a, const GeneratorSample& b) {
   return a.reference.time == b.reference.time && a.reference.q == b.reference.q &&

@@ -3,20 +3,18 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/motion/generate/distance.h"
 #include "tests/motion/generate/gantry_run.h"
 #include "tests/motion/generate/superposition.h"
 
 using namespace rob::motion;
 using namespace rob::test;
 using Kind = MotionEvent::Kind;
+using rob::test::distance;
 
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-double distance(const JointVector& a, const JointVector& b) {
-  return (a - b).cwiseAbs().maxCoeff();
-}
 
 bool finite(const JointReference& reference) {
   return reference.q.allFinite() && reference.qd.allFinite() && reference.qdd.allFinite();

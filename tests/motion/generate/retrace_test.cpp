@@ -15,7 +15,7 @@ using rob::motion::Retrace;
 
 namespace {
 
-constexpr double kPeriod = 0.01;
+constexpr double kRetracePeriod = 0.01;
 
 /// A quarter of a circle of 40 mm about (0, 40 mm), from rest to rest in a second: the angle is
 /// π/2·(t − sin 2πt/2π).
@@ -28,7 +28,7 @@ JointVector arc(double t) {
 /// Two axes of 0.2 m/s, 1 m/s² and 20 m/s³, the third slower; the arc is within all of them.
 rob::motion::RobotModel robot() {
   rob::motion::RobotModel robot;
-  robot.reference_period = kPeriod;
+  robot.reference_period = kRetracePeriod;
   for (const double share : {1.0, 1.0, 0.5}) {
     rob::motion::Axis axis;
     axis.v_max = 0.2 * share;
@@ -52,7 +52,7 @@ void drive_arc(Retrace& retrace) {
 double drive(Retrace& retrace) {
   double off = 0;
   while (retrace.moving()) {
-    retrace.pass(kPeriod);
+    retrace.pass(kRetracePeriod);
     const JointVector q = retrace.reference(0).q;
     off = std::max(off, std::abs(std::hypot(q[0], q[1] - 0.04) - 0.04));
   }

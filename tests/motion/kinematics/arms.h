@@ -11,12 +11,11 @@
 
 #include "motion/kinematics/arm_kinematics.h"
 #include "motion/robots/robot_library.h"
+#include "tests/support/degrees.h"
 
 /// Arms whose Denavit-Hartenberg tables are published, multiplied out as homogeneous matrices: a
 /// second way from joints to tool, which shares nothing with ArmKinematics.
 namespace rob::test {
-
-inline constexpr double kDegree = std::numbers::pi / 180;
 
 /// One row of a table: m, degrees. theta is what is added to the joint.
 struct DhRow {

@@ -2,15 +2,14 @@
 
 #include <doctest/doctest.h>
 
-#include <numbers>
-
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
+#include "tests/support/degrees.h"
 
 namespace rob::motion {
-namespace {
+using test::kDegree;
 
-constexpr double kDegree = std::numbers::pi / 180;
+namespace {
 
 JointVector joints(double pan, double lift, double elbow, double wrist, double roll, double grip) {
   JointVector q(6);

@@ -15,8 +15,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 Pose pose(double x, double y, double z, const Vector3d& turned = Vector3d::Zero()) {
   return {Vector3d(x, y, z), rotation_by(turned)};
 }
@@ -49,13 +47,13 @@ double off(const Pose& a, const Pose& b) {
 }  // namespace
 
 TEST_CASE("a rotation vector is the rotation that it came from") {
-  for (const double angle : {0.0, 1e-12, 1e-5, 1.0, 3.0, kPi - 1e-9}) {
+  for (const double angle : {0.0, 1e-12, 1e-5, 1.0, 3.0, std::numbers::pi - 1e-9}) {
     const Vector3d v = angle * Vector3d(1, -2, 2) / 3;
     CHECK((rotation_vector(rotation_by(v)) - v).norm() < 1e-14);
   }
   // The shorter way round, whatever the quaternion's sign.
-  const Vector3d back = rotation_vector(rotation_by(Vector3d(0, 0, 1.5 * kPi)));
-  CHECK((back - Vector3d(0, 0, -0.5 * kPi)).norm() < 1e-14);
+  const Vector3d back = rotation_vector(rotation_by(Vector3d(0, 0, 1.5 * std::numbers::pi)));
+  CHECK((back - Vector3d(0, 0, -0.5 * std::numbers::pi)).norm() < 1e-14);
 }
 
 TEST_CASE("a line runs evenly, and turns evenly by the shortest rotation") {
@@ -64,23 +62,24 @@ TEST_CASE("a line runs evenly, and turns evenly by the shortest rotation") {
   CHECK(line->way() == doctest::Approx(0.5));
   CHECK(line->turn() == doctest::Approx(1));
   CHECK(off(line->at(0.25), pose(0.075, 0, 0.1, Vector3d(0, 0, 0.25))) < 1e-15);
-  CHECK_FALSE(ToolLine::between(pose(0, 0, 0), pose(1, 0, 0, Vector3d(kPi, 0, 0))).has_value());
+  CHECK_FALSE(ToolLine::between(pose(0, 0, 0), pose(1, 0, 0, Vector3d(std::numbers::pi, 0, 0)))
+                  .has_value());
 }
 
 TEST_CASE("an arc lies on the circle through its three points, evenly") {
   // Around (1, 2, 3) with radius 2 in the plane z = 3: from 0° through 90° to 200°.
   const auto at = [](double degrees) {
-    const double angle = degrees * kPi / 180;
+    const double angle = degrees * std::numbers::pi / 180;
     return pose(1 + 2 * std::cos(angle), 2 + 2 * std::sin(angle), 3);
   };
   const auto arc = ToolArc::through(at(0), at(90).position, at(200));
   REQUIRE(arc.has_value());
-  CHECK(arc->way() == doctest::Approx(2 * 200 * kPi / 180));
+  CHECK(arc->way() == doctest::Approx(2 * 200 * std::numbers::pi / 180));
   for (int i = 0; i <= 10; ++i) CHECK(off(arc->at(i / 10.0), at(20.0 * i)) < 1e-14);
   // The other way round through the other side.
   const auto other = ToolArc::through(at(0), at(-90).position, at(200));
   REQUIRE(other.has_value());
-  CHECK(other->way() == doctest::Approx(2 * 160 * kPi / 180));
+  CHECK(other->way() == doctest::Approx(2 * 160 * std::numbers::pi / 180));
   CHECK(off(other->at(0.5), at(-80)) < 1e-14);
 }
 
@@ -137,17 +136,18 @@ TEST_CASE("a spline may turn farther than half a turn in all") {
 
 // S4: from −r in x through +y; each turn is 2πr at first, and the speed shrinks with the radius.
 TEST_CASE("a spiral runs inwards around a centre that lies its radius along the frame's x") {
-  const Pose down = pose(0.4, 0.1, 0.2, Vector3d(kPi, 0, 0));  // the tool points down
+  const Pose down = pose(0.4, 0.1, 0.2, Vector3d(std::numbers::pi, 0, 0));  // the tool points down
   const auto spiral = ToolSpiral::inwards(down, Eigen::Quaterniond::Identity(), 0.004, 5);
   REQUIRE(spiral.has_value());
   CHECK(off(spiral->at(0), down) < 1e-15);
   CHECK((spiral->at(1).position - Vector3d(0.404, 0.1, 0.2)).norm() < 1e-15);
   // A quarter of the first turn: at +y, with a twentieth of the radius gone.
   CHECK((spiral->at(0.05).position - Vector3d(0.404, 0.1 + 0.95 * 0.004, 0.2)).norm() < 1e-15);
-  CHECK(spiral->greatest_speed() == doctest::Approx(2 * kPi * 0.004 * 5));
+  CHECK(spiral->greatest_speed() == doctest::Approx(2 * std::numbers::pi * 0.004 * 5));
   CHECK(spiral->way() == doctest::Approx(measured_way(*spiral)).epsilon(1e-6));
   CHECK(spiral->share_at(0.3) ==
         doctest::Approx(measured_way(*spiral, 0.3) / spiral->way()).epsilon(1e-6));
-  const Eigen::Quaterniond upright = rotation_by(Vector3d(0, -kPi / 2, 0));  // x along z
+  const Eigen::Quaterniond upright =
+      rotation_by(Vector3d(0, -std::numbers::pi / 2, 0));  // x along z
   CHECK_FALSE(ToolSpiral::inwards(down, upright, 0.004, 5).has_value());
 }

@@ -7,7 +7,7 @@
 #include "motion/robots/robot_library.h"
 
 using namespace rob::motion;
-using Kind = Refusal::Kind;
+using Cause = Refusal::Kind;
 
 TEST_CASE("a target on the limits can be reached, one micrometre beyond cannot") {
   const RobotModel robot = embedded_robot("gantry");
@@ -15,13 +15,13 @@ TEST_CASE("a target on the limits can be reached, one micrometre beyond cannot")
   CHECK_FALSE(check_target(robot, 0b111, {0, 0, 0}));
   const auto above = check_target(robot, 0b111, {0.400001, 0, 0});
   REQUIRE(above);
-  CHECK(above->kind == Kind::AboveMaximum);
+  CHECK(above->kind == Cause::AboveMaximum);
   CHECK(above->axis == 0);
   CHECK(above->value == 0.400001);
   CHECK(above->limit == 0.4);
   const auto below = check_target(robot, 0b111, {0, -0.000001, 0});
   REQUIRE(below);
-  CHECK(below->kind == Kind::BelowMinimum);
+  CHECK(below->kind == Cause::BelowMinimum);
   CHECK(below->axis == 1);
   CHECK(below->limit == 0);
 }
@@ -43,7 +43,7 @@ TEST_CASE("what is no number is refused as such") {
   for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     const auto refusal = check_target(robot, 0b100, {0, 0, value});
     REQUIRE(refusal);
-    CHECK(refusal->kind == Kind::NotFinite);
+    CHECK(refusal->kind == Cause::NotFinite);
     CHECK(refusal->axis == 2);
   }
 }

@@ -10,6 +10,7 @@
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_library.h"
 #include "motion/space/rotation.h"
+#include "tests/support/degrees.h"
 #include "tests/support/no_allocation.h"
 
 using namespace rob::motion;
@@ -17,10 +18,10 @@ using Eigen::Vector3d;
 using Bound = MotionRequest::Bound;
 using Pace = MotionRequest::Pace;
 using Zone = MotionRequest::Zone;
+using rob::test::kDegree;
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 RobotModel under_look_ahead(const std::string& name) {

@@ -5,8 +5,10 @@
 #include <numbers>
 
 #include "motion/robots/robot_library.h"
+#include "tests/support/degrees.h"
 
 using rob::motion::JointVector;
+using rob::test::kDegree;
 
 namespace {
 
@@ -20,7 +22,6 @@ JointVector joints(double x, double y, double theta) {
 
 TEST_CASE("of two turns to a pose the nearer one is taken, unless it is beyond the limits") {
   const rob::motion::RobotModel gantry = rob::motion::embedded_robot("gantry");
-  constexpr double kDegree = std::numbers::pi / 180;
   const auto pose = gantry.kinematics->forward(joints(0.1, 0.2, -170 * kDegree));
   // 190 degrees would be nearer to 170 degrees, and beyond the limit of 180 degrees.
   for (const double near : {-180.0, 0.0, 170.0}) {
@@ -42,7 +43,6 @@ TEST_CASE("a place beyond the limits is told as it is nearest") {
 
 TEST_CASE("of an arm's solutions the nearest within the limits is taken, whole turns included") {
   const rob::motion::RobotModel arm = rob::motion::embedded_robot("irb120");
-  constexpr double kDegree = std::numbers::pi / 180;
   JointVector q(6);
   q << 10, 20, -30, 100, 60, 50;
   q *= kDegree;
@@ -68,7 +68,6 @@ TEST_CASE("of an arm's solutions the nearest within the limits is taken, whole t
 
 TEST_CASE("where all of an arm's solutions are beyond a limit the nearest tells which") {
   const rob::motion::RobotModel arm = rob::motion::embedded_robot("irb120");
-  constexpr double kDegree = std::numbers::pi / 180;
   JointVector q(6);
   q << 10, 20, 80, 40, 60, 50;  // axis 3 ends at 70 degrees
   q *= kDegree;

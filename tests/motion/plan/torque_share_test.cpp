@@ -7,15 +7,15 @@
 
 #include "motion/path/paul_transition.h"
 #include "motion/robots/robot_library.h"
+#include "tests/support/degrees.h"
 #include "tests/support/no_allocation.h"
 #include "tests/support/relative.h"
 
 namespace rob::motion {
 namespace {
 
+using rob::test::kDegree;
 using test::relative;
-
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 JointVector vector_of(std::initializer_list<double> values) {
   JointVector v(static_cast<Eigen::Index>(values.size()));

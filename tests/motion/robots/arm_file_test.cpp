@@ -1,18 +1,17 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 
 #include "motion/kinematics/arm_kinematics.h"
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
+#include "tests/support/degrees.h"
 
 using namespace rob::motion;
+using rob::test::kDegree;
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The file of an arm, with `was` in it replaced.
 std::string file_of(const char* name, const std::string& was = "", const std::string& is = "") {
@@ -30,7 +29,7 @@ std::string file_of(const char* name, const std::string& was = "", const std::st
 }
 
 /// What is wrong with lwa4p's file after the edit, without the place; empty: nothing.
-std::string error_of(const std::string& was, const std::string& is) {
+std::string arm_error(const std::string& was, const std::string& is) {
   try {
     parse_robot_file(file_of("lwa4p", was, is), "arm.toml");
   } catch (const RobotFileError& error) {
@@ -80,38 +79,39 @@ TEST_CASE("all arms are known by name and stand within their limits, at no singu
 }
 
 TEST_CASE("an arm's table is read strictly") {
-  CHECK(error_of("[arm]", "[arms]") == "unknown key \"arms\"; did you mean \"arm\"?");
-  CHECK(error_of("c2 = ", "d2 = ").starts_with("unknown key \"d2\" in arm"));
-  CHECK(error_of("c3 = \"305 mm\"", "") == "c3 of arm: is missing");
-  CHECK(error_of("c2 = \"350 mm\"", "c2 = \"-350 mm\"") ==
+  CHECK(arm_error("[arm]", "[arms]") == "unknown key \"arms\"; did you mean \"arm\"?");
+  CHECK(arm_error("c2 = ", "d2 = ").starts_with("unknown key \"d2\" in arm"));
+  CHECK(arm_error("c3 = \"305 mm\"", "") == "c3 of arm: is missing");
+  CHECK(arm_error("c2 = \"350 mm\"", "c2 = \"-350 mm\"") ==
         "c2 of arm: \"-350 mm\" is out of range; it must lie from 0.001 to 10 m");
-  CHECK(error_of("c2 = \"350 mm\"", "c2 = \"350 deg\"").starts_with("c2 of arm: "));
-  CHECK(error_of("c2 = \"350 mm\"", "c2 = \"nan mm\"").starts_with("c2 of arm: "));
-  CHECK(error_of("c3 = \"305 mm\"", "c3 = \"0 mm\"") ==
+  CHECK(arm_error("c2 = \"350 mm\"", "c2 = \"350 deg\"").starts_with("c2 of arm: "));
+  CHECK(arm_error("c2 = \"350 mm\"", "c2 = \"nan mm\"").starts_with("c2 of arm: "));
+  CHECK(arm_error("c3 = \"305 mm\"", "c3 = \"0 mm\"") ==
         "c3 of arm: the wrist must be at least 1 mm from axis 3");
-  CHECK(error_of("c4 = \"75 mm\"", "c4 = \"-1 mm\"").starts_with("c4 of arm: \"-1 mm\" is out of"));
+  CHECK(
+      arm_error("c4 = \"75 mm\"", "c4 = \"-1 mm\"").starts_with("c4 of arm: \"-1 mm\" is out of"));
 }
 
 TEST_CASE("signs and offsets of an arm are lists of six") {
   const std::string signs = "signs = [1, 1, -1, 1, -1, 1]";
   const std::string six = "signs of arm: must be a list of 6, as [first, second, …]";
-  CHECK(error_of(signs, "signs = [1, 1, -1, 1, -1]") == six);
-  CHECK(error_of(signs, "signs = 1") == six);
-  CHECK(error_of(signs, "signs = [1, 1, 0, 1, -1, 1]") == "signs of arm: each must be 1 or -1");
-  CHECK(error_of(signs, "signs = [1, 1, 1.0, 1, -1, 1]") == "signs of arm: each must be 1 or -1");
+  CHECK(arm_error(signs, "signs = [1, 1, -1, 1, -1]") == six);
+  CHECK(arm_error(signs, "signs = 1") == six);
+  CHECK(arm_error(signs, "signs = [1, 1, 0, 1, -1, 1]") == "signs of arm: each must be 1 or -1");
+  CHECK(arm_error(signs, "signs = [1, 1, 1.0, 1, -1, 1]") == "signs of arm: each must be 1 or -1");
   const std::string offsets = "offsets = [\"0 deg\", \"0 deg\"";
-  CHECK(
-      error_of(offsets, "offsets = [\"0 deg\"").starts_with("offsets of arm: must be a list of 6"));
-  CHECK(error_of(offsets, "offsets = [\"0 deg\", 0")
+  CHECK(arm_error(offsets, "offsets = [\"0 deg\"")
+            .starts_with("offsets of arm: must be a list of 6"));
+  CHECK(arm_error(offsets, "offsets = [\"0 deg\", 0")
             .starts_with("offsets of arm: must be a number with its unit"));
-  CHECK(error_of(offsets, "offsets = [\"0 deg\", \"500 deg\"")
+  CHECK(arm_error(offsets, "offsets = [\"0 deg\", \"500 deg\"")
             .starts_with("offsets of arm: \"500 deg\" is out of range"));
 }
 
 TEST_CASE("an arm has six rotary axes and a table [arm], a gantry has none") {
-  CHECK(error_of("kinematics = \"arm\"", "kinematics = \"gantry\"") ==
+  CHECK(arm_error("kinematics = \"arm\"", "kinematics = \"gantry\"") ==
         "kinematics: a gantry has two or three linear axes, then at most a rotary one");
-  CHECK(error_of("kind = \"rotary\"", "kind = \"linear\"") != "");
+  CHECK(arm_error("kind = \"rotary\"", "kind = \"linear\"") != "");
   std::string gantry = file_of("gantry");
   gantry.replace(gantry.find("[[axis]]"), 0, "[arm]\na1 = \"0 mm\"\n\n");
   CHECK_THROWS_WITH_AS(parse_robot_file(gantry, "my.toml"),

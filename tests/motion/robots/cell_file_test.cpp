@@ -17,7 +17,7 @@ std::string lwa4p() {
 }
 
 /// What is wrong with the file after the edit, without the place; empty: nothing.
-std::string error_of(const std::string& was, const std::string& is) {
+std::string cell_error(const std::string& was, const std::string& is) {
   std::string text = lwa4p();
   REQUIRE(text.find(was) != std::string::npos);
   text.replace(text.find(was), was.size(), is);
@@ -32,7 +32,7 @@ std::string error_of(const std::string& was, const std::string& is) {
 }
 
 bool refused(const std::string& was, const std::string& is, const char* why) {
-  return error_of(was, is).find(why) != std::string::npos;
+  return cell_error(was, is).find(why) != std::string::npos;
 }
 
 }  // namespace

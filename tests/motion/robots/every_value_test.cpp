@@ -42,7 +42,7 @@ std::vector<Value> values_of(const std::string& text) {
   return values;
 }
 
-std::string error_of(std::string text, const Value& value, const std::string& instead) {
+std::string error_with(std::string text, const Value& value, const std::string& instead) {
   text.replace(value.at, value.size, instead);
   try {
     parse_robot_file(text, "my.toml");
@@ -56,7 +56,7 @@ std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
 /// The message names the file, the line and the key.
 void check_refused(const std::string& text, const Value& value, const std::string& instead) {
-  const std::string error = error_of(text, value, instead);
+  const std::string error = error_with(text, value, instead);
   CAPTURE(value.key);
   CAPTURE(instead);
   CAPTURE(error);
@@ -124,7 +124,7 @@ TEST_CASE("limits, periods and masses of nothing or less are refused, and the bo
       for (const char* number : {"0", "-1"}) {
         check_refused(text, value, quoted(std::string(number) + " " + value.unit));
         const std::string error =
-            error_of(text, value, quoted(std::string(number) + " " + value.unit));
+            error_with(text, value, quoted(std::string(number) + " " + value.unit));
         CHECK(error.find("it must lie from") != std::string::npos);
       }
     }

@@ -10,7 +10,7 @@ using namespace rob::motion;
 
 namespace {
 
-std::string file_of(const char* name) {
+std::string text_of_arm(const char* name) {
   for (const EmbeddedRobot& robot : embedded_robots())
     if (robot.name == name) return std::string(robot.text);
   FAIL("no such robot");
@@ -18,8 +18,8 @@ std::string file_of(const char* name) {
 }
 
 /// What is wrong with the file after the edit, without the place; empty: nothing.
-std::string error_of(const char* name, const std::string& was, const std::string& is) {
-  std::string text = file_of(name);
+std::string mechanics_error(const char* name, const std::string& was, const std::string& is) {
+  std::string text = text_of_arm(name);
   REQUIRE(text.find(was) != std::string::npos);
   text.replace(text.find(was), was.size(), is);
   try {
@@ -32,8 +32,8 @@ std::string error_of(const char* name, const std::string& was, const std::string
   return "";
 }
 
-std::string error_of(const std::string& was, const std::string& is) {
-  return error_of("ums7", was, is);
+std::string mechanics_error(const std::string& was, const std::string& is) {
+  return mechanics_error("ums7", was, is);
 }
 
 }  // namespace
@@ -90,47 +90,52 @@ TEST_CASE("a drive's inertia is no more than the least that the mechanics give")
 }
 
 TEST_CASE("a table of dynamics that is no arm's is refused") {
-  CHECK(error_of("c2 = \"2.24 kg*m^2\"", "c2 = \"2 kg*m^2\"") == "dynamics: c2 must be 2*c5");
-  CHECK(error_of("c8 = \"0.004 kg*m^2\"", "c8 = \"0 kg*m^2\"") ==
+  CHECK(mechanics_error("c2 = \"2.24 kg*m^2\"", "c2 = \"2 kg*m^2\"") ==
+        "dynamics: c2 must be 2*c5");
+  CHECK(mechanics_error("c8 = \"0.004 kg*m^2\"", "c8 = \"0 kg*m^2\"") ==
         "dynamics: c0, c7 and c8 must be above 0");
-  CHECK(error_of("c8 = \"0.004 kg*m^2\"", "") == "c8 of dynamics: is missing");
-  CHECK(error_of("c6 = \"2.35 Nm\"", "c6 = \"2.35 kg*m^2\"").starts_with("c6 of dynamics: "));
-  CHECK(error_of("c6 = \"2.35 Nm\"", "c9 = \"2.35 Nm\"").starts_with("unknown key \"c9\""));
+  CHECK(mechanics_error("c8 = \"0.004 kg*m^2\"", "") == "c8 of dynamics: is missing");
+  CHECK(
+      mechanics_error("c6 = \"2.35 Nm\"", "c6 = \"2.35 kg*m^2\"").starts_with("c6 of dynamics: "));
+  CHECK(mechanics_error("c6 = \"2.35 Nm\"", "c9 = \"2.35 Nm\"").starts_with("unknown key \"c9\""));
 }
 
 TEST_CASE("motors and dynamics belong together") {
-  CHECK(error_of("[axis.motor]\ngear = 120\nrotor_inertia = \"1e-3 kg*m^2\"\nefficiency = 0.9\n"
-                 "torque_max = \"300 Nm\"\n",
-                 "") == "motor of axis q1: is missing");
-  CHECK(error_of("lwa4p", "[axis.drive]", "[axis.motor]\ngear = 1\n[axis.drive]")
+  CHECK(mechanics_error(
+            "[axis.motor]\ngear = 120\nrotor_inertia = \"1e-3 kg*m^2\"\nefficiency = 0.9\n"
+            "torque_max = \"300 Nm\"\n",
+            "") == "motor of axis q1: is missing");
+  CHECK(mechanics_error("lwa4p", "[axis.drive]", "[axis.motor]\ngear = 1\n[axis.drive]")
             .ends_with("belongs to a table [dynamics], which is missing"));
-  CHECK(error_of("gantry", "[[axis]]", "[dynamics]\n[[axis]]") ==
+  CHECK(mechanics_error("gantry", "[[axis]]", "[dynamics]\n[[axis]]") ==
         "dynamics: is an arm's; a gantry has none");
 }
 
 TEST_CASE("the simulated arm may differ from what the servo counts with") {
   CHECK(embedded_robot("ums7").deviation.payload == 0);
-  std::string text = file_of("ums7");
+  std::string text = text_of_arm("ums7");
   text.insert(text.find("[dynamics]"), "[simulation]\npayload = \"3 kg\"\nfriction = 1.5\n\n");
   const RobotModel robot = parse_robot_file(text, "arm.toml");
   CHECK(robot.deviation.payload == 3);
   CHECK(robot.deviation.masses == 1);
   CHECK(robot.deviation.friction == 1.5);
   CHECK(robot.mechanics->dynamics.parameters().c6 == 2.35);
-  CHECK(error_of("[dynamics]", "[simulation]\nmasses = 0\n\n[dynamics]") ==
+  CHECK(mechanics_error("[dynamics]", "[simulation]\nmasses = 0\n\n[dynamics]") ==
         "masses of simulation: must be a number from 0.1 to 10, without quotation marks");
-  CHECK(error_of("[dynamics]", "[simulation]\nmass = 2\n\n[dynamics]")
+  CHECK(mechanics_error("[dynamics]", "[simulation]\nmass = 2\n\n[dynamics]")
             .starts_with("unknown key \"mass\" in simulation; known are \"payload\""));
-  CHECK(error_of("lwa4p", "[[axis]]", "[simulation]\n[[axis]]") ==
+  CHECK(mechanics_error("lwa4p", "[[axis]]", "[simulation]\n[[axis]]") ==
         "simulation: needs a table [dynamics], which is missing");
 }
 
 TEST_CASE("a motor is read strictly") {
-  CHECK(error_of("gear = 120", "gear = 0") ==
+  CHECK(mechanics_error("gear = 120", "gear = 0") ==
         "gear of motor of axis q1: must be a number from 0.1 to 10000, without quotation marks");
-  CHECK(error_of("gear = 120", "gear = \"120\"").starts_with("gear of motor of axis q1: must be"));
-  CHECK(error_of("gear = 120", "gear = 120.5").empty());
-  CHECK(error_of("efficiency = 0.9", "efficiency = 1.1").starts_with("efficiency of motor"));
-  CHECK(error_of("efficiency = 0.9", "efficiency = nan").starts_with("efficiency of motor"));
-  CHECK(error_of("torque_max = \"300 Nm\"", "torque_max = \"0 Nm\"").starts_with("torque_max of"));
+  CHECK(mechanics_error("gear = 120", "gear = \"120\"")
+            .starts_with("gear of motor of axis q1: must be"));
+  CHECK(mechanics_error("gear = 120", "gear = 120.5").empty());
+  CHECK(mechanics_error("efficiency = 0.9", "efficiency = 1.1").starts_with("efficiency of motor"));
+  CHECK(mechanics_error("efficiency = 0.9", "efficiency = nan").starts_with("efficiency of motor"));
+  CHECK(mechanics_error("torque_max = \"300 Nm\"", "torque_max = \"0 Nm\"")
+            .starts_with("torque_max of"));
 }

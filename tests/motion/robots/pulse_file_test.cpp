@@ -23,7 +23,7 @@ std::string edited(const char* name, const std::string& was, const std::string& 
   return text.replace(text.find(was), was.size(), is);
 }
 
-std::string error_of(const std::string& text) {
+std::string pulse_error(const std::string& text) {
   try {
     parse_robot_file(text, "arm.toml");
   } catch (const RobotFileError& error) {
@@ -52,32 +52,32 @@ TEST_CASE("another structure is a word in the file") {
   };
   CHECK(servo("servo = \"position_loop\"") == ServoStructure::PositionLoop);
   const std::string message =
-      error_of(edited("pc104", "servo = \"double_loop\"", "servo = \"double\""));
+      pulse_error(edited("pc104", "servo = \"double_loop\"", "servo = \"double\""));
   CHECK(message.find("double_loop") != std::string::npos);
 }
 
 TEST_CASE("a pulse train that leaves the axis too far behind is refused") {
   // 60 °/s · 4·30/(1500 + 40)/(1 + 40/1500) = 4.55°, following_limit is 2°.
   const std::string message =
-      error_of(edited("pc104", "servo = \"double_loop\"", "servo = \"pulse_train\""));
+      pulse_error(edited("pc104", "servo = \"double_loop\"", "servo = \"pulse_train\""));
   CHECK(message.find("v_max of axis j1") != std::string::npos);
   CHECK(message.find("0.0795 rad behind") != std::string::npos);
 }
 
 TEST_CASE("pulses and forces do not mix") {
   std::string text = edited("pc104", "servo = \"double_loop\"", "servo = \"force\"");
-  CHECK(error_of(text).find("pulse_drive") != std::string::npos);
+  CHECK(pulse_error(text).find("pulse_drive") != std::string::npos);
   text = edited("pc104", "[axis.pulse_drive]", "[axis.pulse]");
-  CHECK(error_of(text).find("unknown key \"pulse\"") != std::string::npos);
+  CHECK(pulse_error(text).find("unknown key \"pulse\"") != std::string::npos);
   text = edited("ums7", "look_ahead = 64", "look_ahead = 64\nservo = \"double_loop\"");
-  CHECK(error_of(text).find("[dynamics] is fed forward as forces") != std::string::npos);
+  CHECK(pulse_error(text).find("[dynamics] is fed forward as forces") != std::string::npos);
   text = edited("gantry", "look_ahead = 64", "look_ahead = 64\nservo = \"double_loop\"");
-  CHECK(error_of(text).find("pulse_drive") != std::string::npos);
+  CHECK(pulse_error(text).find("pulse_drive") != std::string::npos);
 }
 
 TEST_CASE("a pulse drive that is faster than the simulation is refused") {
   const std::string text =
       edited("pc104", "speed_stiffness = \"5 Nm*s/rad\"", "speed_stiffness = \"100 Nm*s/rad\"");
-  CHECK(error_of(text).find("pulse_drive of axis j6") != std::string::npos);
-  CHECK(error_of(edited("pc104", "pulse = \"0.001 deg\"", "pulse = \"0 deg\"")).size() > 0);
+  CHECK(pulse_error(text).find("pulse_drive of axis j6") != std::string::npos);
+  CHECK(pulse_error(edited("pc104", "pulse = \"0.001 deg\"", "pulse = \"0 deg\"")).size() > 0);
 }

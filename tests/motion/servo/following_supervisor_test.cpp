@@ -7,16 +7,19 @@
 #include <limits>
 #include <vector>
 
+#include "tests/motion/servo/two_axes.h"
 #include "tests/support/no_allocation.h"
 #include "tests/support/relative.h"
 
 namespace rob::motion {
 namespace {
 
+using test::both;
+
 using Verdict = FollowingFinding::Verdict;
 using Cause = FollowingFinding::Cause;
 
-constexpr double kPeriod = 0.005;
+constexpr double kServoPeriod = 0.005;
 constexpr double kCount = 1e-6;
 
 // 12 kg at 40 rad/s: kp = 19200 N/m; 0.48 N of Coulomb friction are 25 µm, 40 mm/s² as much. A
@@ -33,18 +36,13 @@ DriveData drive() {
   return d;
 }
 
-const JointVector kVMax = JointVector::Constant(2, 0.020);
-const JointVector kAMax = JointVector::Constant(2, 0.040);
-
-JointVector both(double x, double y) {
-  JointVector v(2);
-  v << x, y;
-  return v;
-}
+const JointVector kSpeedLimits = JointVector::Constant(2, 0.020);
+const JointVector kAccelerationLimits = JointVector::Constant(2, 0.040);
 
 // Two axes, both at 0 with their reference at 0, at t = 0.
 FollowingSupervisor supervisor_at_rest() {
-  FollowingSupervisor supervisor(std::vector{drive(), drive()}, kVMax, kAMax, kPeriod);
+  FollowingSupervisor supervisor(std::vector{drive(), drive()}, kSpeedLimits, kAccelerationLimits,
+                                 kServoPeriod);
   const JointVector zero = both(0, 0);
   supervisor.reset({0, zero, zero, zero}, {0, zero, zero});
   return supervisor;
@@ -56,10 +54,10 @@ FollowingFinding check(FollowingSupervisor& supervisor, double t, const JointVec
 }
 
 // One check of the second axis, which is `error` behind a reference of velocity v0.
-FollowingFinding error_of(double error, double v0) {
+FollowingFinding with_error(double error, double v0) {
   FollowingSupervisor supervisor = supervisor_at_rest();
   const JointVector at = both(0, 0.0001);
-  return check(supervisor, kPeriod, both(0, 0.0001 + error), both(0, v0), at);
+  return check(supervisor, kServoPeriod, both(0, 0.0001 + error), both(0, v0), at);
 }
 
 }  // namespace
@@ -67,7 +65,7 @@ FollowingFinding error_of(double error, double v0) {
 TEST_CASE("a machine that follows raises nothing") {
   FollowingSupervisor supervisor = supervisor_at_rest();
   for (int k = 1; k < 1000; ++k) {
-    const double t = k * kPeriod;
+    const double t = k * kServoPeriod;
     const JointVector q0 = both(0.02 * t, -0.01 * t);
     CHECK(check(supervisor, t, q0, both(0.02, -0.01), q0 - both(1e-5, 1e-5)).verdict ==
           Verdict::None);
@@ -75,26 +73,26 @@ TEST_CASE("a machine that follows raises nothing") {
 }
 
 TEST_CASE("fault 18: the following error warns at half its limit and stops at it") {
-  CHECK(error_of(0.000249, 0).verdict == Verdict::None);
-  const FollowingFinding warning = error_of(0.000251, 0);
+  CHECK(with_error(0.000249, 0).verdict == Verdict::None);
+  const FollowingFinding warning = with_error(0.000251, 0);
   CHECK(warning.verdict == Verdict::Warn);
   CHECK(warning.cause == Cause::FollowingError);
   CHECK(warning.axis == 1);
   CHECK(warning.value == test::relative(0.000251));
   CHECK(warning.limit == test::relative(0.0005));
-  CHECK(error_of(0.000499, 0).verdict == Verdict::Warn);
-  const FollowingFinding stop = error_of(-0.000501, 0);
+  CHECK(with_error(0.000499, 0).verdict == Verdict::Warn);
+  const FollowingFinding stop = with_error(-0.000501, 0);
   CHECK(stop.verdict == Verdict::Stop);
   CHECK(stop.cause == Cause::FollowingError);
   CHECK(stop.value == test::relative(0.000501));
 }
 
 TEST_CASE("fault 18: the limit grows with speed, from half the greatest speed on") {
-  CHECK(error_of(0.000501, 0.010).verdict == Verdict::Stop);
-  CHECK(error_of(0.000501, -0.0101).verdict == Verdict::Warn);
-  CHECK(error_of(0.000749, 0.015).limit == test::relative(0.00075));
-  CHECK(error_of(0.000999, -0.020).verdict == Verdict::Warn);
-  CHECK(error_of(0.001001, 0.020).verdict == Verdict::Stop);
+  CHECK(with_error(0.000501, 0.010).verdict == Verdict::Stop);
+  CHECK(with_error(0.000501, -0.0101).verdict == Verdict::Warn);
+  CHECK(with_error(0.000749, 0.015).limit == test::relative(0.00075));
+  CHECK(with_error(0.000999, -0.020).verdict == Verdict::Warn);
+  CHECK(with_error(0.001001, 0.020).verdict == Verdict::Stop);
 }
 
 TEST_CASE("fault 19: an encoder without a count while the reference moves is frozen") {
@@ -103,15 +101,15 @@ TEST_CASE("fault 19: an encoder without a count while the reference moves is fro
     FollowingFinding found;
     double way = 0;
     for (int k = 1; found.verdict == Verdict::None; ++k) {
-      way = speed * k * kPeriod;
-      found = check(supervisor, k * kPeriod, both(way, 0), both(speed, 0), both(0, 0));
+      way = speed * k * kServoPeriod;
+      found = check(supervisor, k * kServoPeriod, both(way, 0), both(speed, 0), both(0, 0));
     }
     CHECK(found.verdict == Verdict::Stop);
     CHECK(found.cause == Cause::Frozen);
     CHECK(found.axis == 0);
-    const double three_cycles = 3 * speed * kPeriod;
+    const double three_cycles = 3 * speed * kServoPeriod;
     CHECK(way > 120e-6 * (1 - 1e-9));
-    CHECK(way <= std::max(120e-6 + speed * kPeriod, three_cycles) * (1 + 1e-9));
+    CHECK(way <= std::max(120e-6 + speed * kServoPeriod, three_cycles) * (1 + 1e-9));
   }
 }
 
@@ -120,9 +118,9 @@ TEST_CASE("a jump is measured against the longest time that may have passed") {
   for (const double step : {0.319e-3, 0.321e-3}) {
     FollowingSupervisor supervisor = supervisor_at_rest();
     const JointReference reference{0, both(0, 0), both(0, 0), both(0, 0)};
-    supervisor.check(DriverStatus::Ok, reference, {kPeriod, both(0, 0), both(0, 0)}, 0.002);
+    supervisor.check(DriverStatus::Ok, reference, {kServoPeriod, both(0, 0), both(0, 0)}, 0.002);
     const FollowingFinding found = supervisor.check(
-        DriverStatus::Ok, reference, {2 * kPeriod, both(step, 0), both(0, 0)}, 0.001);
+        DriverStatus::Ok, reference, {2 * kServoPeriod, both(step, 0), both(0, 0)}, 0.001);
     CHECK((found.cause == Cause::Jump) == (step > 0.32e-3));
   }
 }
@@ -130,9 +128,9 @@ TEST_CASE("a jump is measured against the longest time that may have passed") {
 TEST_CASE("a drive that repeats an answer twice is not taken for frozen") {
   FollowingSupervisor supervisor = supervisor_at_rest();
   for (int k = 1; k < 100; ++k) {
-    const double q0 = 0.020 * k * kPeriod;
-    const double old = 0.020 * (k - k % 3) * kPeriod;
-    CHECK(check(supervisor, k * kPeriod, both(q0, 0), both(0.02, 0), both(old, 0)).cause !=
+    const double q0 = 0.020 * k * kServoPeriod;
+    const double old = 0.020 * (k - k % 3) * kServoPeriod;
+    CHECK(check(supervisor, k * kServoPeriod, both(q0, 0), both(0.02, 0), both(old, 0)).cause !=
           Cause::Frozen);
   }
 }
@@ -142,9 +140,9 @@ TEST_CASE("no motion is so slow that it looks like a frozen encoder") {
   FollowingSupervisor supervisor = supervisor_at_rest();
   const double speed = 50e-9;
   for (int k = 1; k < 100000; ++k) {
-    const double q0 = speed * k * kPeriod;
+    const double q0 = speed * k * kServoPeriod;
     const double q = std::floor(std::max(0.0, q0 - 25e-6) / kCount) * kCount;
-    REQUIRE(check(supervisor, k * kPeriod, both(q0, 0), both(speed, 0), both(q, 0)).verdict ==
+    REQUIRE(check(supervisor, k * kServoPeriod, both(q0, 0), both(speed, 0), both(q, 0)).verdict ==
             Verdict::None);
   }
 }
@@ -152,15 +150,17 @@ TEST_CASE("no motion is so slow that it looks like a frozen encoder") {
 TEST_CASE("a reference that comes back to an axis that lags behind asks for no count") {
   FollowingSupervisor supervisor = supervisor_at_rest();
   const double lag = 240e-6;  // no warning yet
-  CHECK(check(supervisor, kPeriod, both(lag, 0), both(0, 0), both(0, 0)).cause != Cause::Frozen);
+  CHECK(check(supervisor, kServoPeriod, both(lag, 0), both(0, 0), both(0, 0)).cause !=
+        Cause::Frozen);
   int k = 2;
   for (double q0 = lag; q0 > 0; q0 -= 60e-6, ++k) {
-    CHECK(check(supervisor, k * kPeriod, both(q0, 0), both(-0.012, 0), both(1e-6, 0)).verdict ==
-          Verdict::None);
+    CHECK(
+        check(supervisor, k * kServoPeriod, both(q0, 0), both(-0.012, 0), both(1e-6, 0)).verdict ==
+        Verdict::None);
   }
   // It then leaves to the other side: what counts is the way from where it met the axis.
   const FollowingFinding found =
-      check(supervisor, k * kPeriod, both(-122e-6, 0), both(-0.012, 0), both(1e-6, 0));
+      check(supervisor, k * kServoPeriod, both(-122e-6, 0), both(-0.012, 0), both(1e-6, 0));
   CHECK(found.cause == Cause::Frozen);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("an axis that is held at rest may stand for ever") {
   FollowingSupervisor supervisor = supervisor_at_rest();
   for (int k = 1; k < 1000; ++k) {
     const double wobble = (k % 2 == 0) ? 60e-6 : 0;  // below what must move it
-    CHECK(check(supervisor, k * kPeriod, both(wobble, 0), both(0, 0), both(0, 0)).verdict ==
+    CHECK(check(supervisor, k * kServoPeriod, both(wobble, 0), both(0, 0), both(0, 0)).verdict ==
           Verdict::None);
   }
 }
@@ -176,10 +176,10 @@ TEST_CASE("an axis that is held at rest may stand for ever") {
 TEST_CASE("fault 19: no axis moves more than twice its greatest speed allows") {
   // 2·20 mm/s·5 ms = 0.2 mm
   FollowingSupervisor supervisor = supervisor_at_rest();
-  CHECK(check(supervisor, kPeriod, both(0, 0.0001), both(0, 0), both(0, 0.000199)).verdict ==
+  CHECK(check(supervisor, kServoPeriod, both(0, 0.0001), both(0, 0), both(0, 0.000199)).verdict ==
         Verdict::None);
   const FollowingFinding jump =
-      check(supervisor, 2 * kPeriod, both(0, 0.0001), both(0, 0), both(0, -0.000002));
+      check(supervisor, 2 * kServoPeriod, both(0, 0.0001), both(0, 0), both(0, -0.000002));
   CHECK(jump.verdict == Verdict::Stop);
   CHECK(jump.cause == Cause::Jump);
   CHECK(jump.axis == 1);
@@ -189,8 +189,9 @@ TEST_CASE("fault 19: no axis moves more than twice its greatest speed allows") {
 
 TEST_CASE("after a late cycle an axis may have gone further") {
   FollowingSupervisor supervisor = supervisor_at_rest();
-  CHECK(check(supervisor, 4 * kPeriod, both(0.0006, 0), both(0, 0), both(0.00079, 0)).verdict ==
-        Verdict::None);
+  CHECK(
+      check(supervisor, 4 * kServoPeriod, both(0.0006, 0), both(0, 0), both(0.00079, 0)).verdict ==
+      Verdict::None);
 }
 
 TEST_CASE("fault 7: what is not a number is found, whichever value it is") {
@@ -201,8 +202,8 @@ TEST_CASE("fault 7: what is not a number is found, whichever value it is") {
       JointVector v[5] = {both(0, 0), both(0, 0), both(0, 0), both(0, 0), both(0, 0)};
       v[where][1] = value;
       FollowingSupervisor supervisor = supervisor_at_rest();
-      const FollowingFinding found =
-          supervisor.check(DriverStatus::Ok, {kPeriod, v[0], v[1], v[2]}, {kPeriod, v[3], v[4]});
+      const FollowingFinding found = supervisor.check(
+          DriverStatus::Ok, {kServoPeriod, v[0], v[1], v[2]}, {kServoPeriod, v[3], v[4]});
       CHECK(found.verdict == Verdict::Stop);
       CHECK(found.cause == Cause::NotFinite);
       CHECK(found.axis == 1);
@@ -214,10 +215,10 @@ TEST_CASE("the gravest finding is reported, of equals that of the lowest axis") 
   FollowingSupervisor supervisor = supervisor_at_rest();
   const JointVector q = both(0.0001, 0.0001);
   const FollowingFinding found =
-      check(supervisor, kPeriod, q + both(0.0003, 0.0006), both(0, 0), q);
+      check(supervisor, kServoPeriod, q + both(0.0003, 0.0006), both(0, 0), q);
   CHECK(found.verdict == Verdict::Stop);
   CHECK(found.axis == 1);
-  CHECK(check(supervisor, 2 * kPeriod, q + both(0.0006, 0.0007), both(0, 0), q).axis == 0);
+  CHECK(check(supervisor, 2 * kServoPeriod, q + both(0.0006, 0.0007), both(0, 0), q).axis == 0);
 }
 
 TEST_CASE("a machine may miss two answers in a row, not three") {
@@ -270,7 +271,7 @@ TEST_CASE("reset believes what is measured now") {
   FollowingSupervisor supervisor = supervisor_at_rest();
   const JointVector there = both(0.3, 0.2);
   supervisor.reset({9, there, both(0, 0), both(0, 0)}, {9, there, both(0, 0)});
-  CHECK(check(supervisor, 9 + kPeriod, there, both(0, 0), there).verdict == Verdict::None);
+  CHECK(check(supervisor, 9 + kServoPeriod, there, both(0, 0), there).verdict == Verdict::None);
 }
 
 TEST_CASE("supervision takes no memory") {

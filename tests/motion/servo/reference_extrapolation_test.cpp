@@ -2,25 +2,22 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/motion/servo/two_axes.h"
 #include "tests/support/no_allocation.h"
 #include "tests/support/relative.h"
 
 namespace rob::motion {
 namespace {
 
-JointVector both(double x, double y) {
-  JointVector v(2);
-  v << x, y;
-  return v;
-}
+using test::both;
 
 // mm instead of m, so that the numbers can be checked by eye; nothing here knows the unit.
-const JointVector kVMax = both(20, 20);
-const JointVector kAMax = both(100, 100);
+const JointVector kSpeeds = both(20, 20);
+const JointVector kAccelerations = both(100, 100);
 constexpr double kPeriod = 0.01;
 
 ReferenceExtrapolation from(const JointVector& qd, const JointVector& qdd) {
-  ReferenceExtrapolation extrapolation(kPeriod, kVMax, kAMax);
+  ReferenceExtrapolation extrapolation(kPeriod, kSpeeds, kAccelerations);
   extrapolation.start({1.0, both(40, 50), qd, qdd});
   return extrapolation;
 }
@@ -72,7 +69,7 @@ TEST_CASE("what stands is held where it stands") {
 }
 
 TEST_CASE("extrapolation takes no memory") {
-  ReferenceExtrapolation extrapolation(kPeriod, kVMax, kAMax);
+  ReferenceExtrapolation extrapolation(kPeriod, kSpeeds, kAccelerations);
   const JointReference last{1.0, both(40, 50), both(10, -4), both(50, 0)};
   test::NoAllocation guard;
   extrapolation.start(last);

@@ -7,24 +7,21 @@
 #include <limits>
 #include <vector>
 
+#include "tests/motion/servo/two_axes.h"
 #include "tests/support/no_allocation.h"
 
 namespace rob::motion {
 namespace {
 
-constexpr double kPeriod = 0.01;
+using test::both;
 
-JointVector both(double x, double y) {
-  JointVector v(2);
-  v << x, y;
-  return v;
-}
+constexpr double kReferencePeriod = 0.01;
 
-const JointVector kVMax = both(0.02, 0.35);
-const JointVector kAMax = both(0.1, 1.75);
-const JointVector kJMax = both(1, 17.5);
+const JointVector kMostSpeed = both(0.02, 0.35);
+const JointVector kMostAcceleration = both(0.1, 1.75);
+const JointVector kMostJerk = both(1, 17.5);
 
-double stamp(int k) { return k * kPeriod; }
+double stamp(int k) { return k * kReferencePeriod; }
 
 // A smooth motion inside the limits: 9 mm·sin 2t and 0.15 rad·(1 − cos 2t).
 JointReference on_path(double t) {
@@ -38,7 +35,7 @@ bool same_bits(const JointReference& a, const JointReference& b) {
 }
 
 ReferenceInterpolator standing_at_start() {
-  ReferenceInterpolator interpolator(kPeriod, kVMax, kAMax, kJMax);
+  ReferenceInterpolator interpolator(kReferencePeriod, kMostSpeed, kMostAcceleration, kMostJerk);
   interpolator.reset({0, both(0, 0), both(0, 0), both(0, 0)});
   return interpolator;
 }
@@ -175,9 +172,10 @@ TEST_CASE("missing references are bridged without a jump, and joined again") {
         // The path's own acceleration, the share that a join may add, and the difference that it
         // finds: ramp against path.
         const double path = i == 0 ? 0.036 : 0.6;
-        CHECK(worst.acceleration[i] <= path + 0.5 * kAMax[i] + (kAMax[i] + path));
-        CHECK(worst.position_jump[i] <= 2 * kAMax[i] * 0.001 * 0.001);
-        CHECK(worst.speed[i] <= 1.5 * kVMax[i]);
+        CHECK(worst.acceleration[i] <=
+              path + 0.5 * kMostAcceleration[i] + (kMostAcceleration[i] + path));
+        CHECK(worst.position_jump[i] <= 2 * kMostAcceleration[i] * 0.001 * 0.001);
+        CHECK(worst.speed[i] <= 1.5 * kMostSpeed[i]);
       }
       CHECK(interpolator.starved() == static_cast<std::uint64_t>(missing));
       CHECK_FALSE(interpolator.joining());
@@ -187,24 +185,28 @@ TEST_CASE("missing references are bridged without a jump, and joined again") {
 }
 
 TEST_CASE("catching up at full speed exceeds it by no more than a tenth") {
-  const auto at_v_max = [](double t) { return JointReference{t, kVMax * t, kVMax, both(0, 0)}; };
+  const auto at_v_max = [](double t) {
+    return JointReference{t, kMostSpeed * t, kMostSpeed, both(0, 0)};
+  };
   for (const int missing : {1, 3, 5, 19}) {
     CAPTURE(missing);
     ReferenceInterpolator interpolator = standing_at_start();
     const auto sent = run_with_gap(interpolator, at_v_max, 20, missing, 3000);
     const Worst worst = worst_of(sent, 20);
-    CHECK(worst.speed[0] <= 1.1 * kVMax[0] * (1 + 1e-9));
-    CHECK(worst.speed[1] <= 1.1 * kVMax[1] * (1 + 1e-9));
+    CHECK(worst.speed[0] <= 1.1 * kMostSpeed[0] * (1 + 1e-9));
+    CHECK(worst.speed[1] <= 1.1 * kMostSpeed[1] * (1 + 1e-9));
     CHECK(same_bits(sent[29990], at_v_max(stamp(2999))));
   }
 }
 
 TEST_CASE("three missing references at constant speed are not felt at all") {
-  const auto at_v_max = [](double t) { return JointReference{t, kVMax * t, kVMax, both(0, 0)}; };
+  const auto at_v_max = [](double t) {
+    return JointReference{t, kMostSpeed * t, kMostSpeed, both(0, 0)};
+  };
   ReferenceInterpolator interpolator = standing_at_start();
   const auto sent = run_with_gap(interpolator, at_v_max, 20, 3, 100);
   for (std::size_t n = 20; n < sent.size(); ++n)
-    CHECK((sent[n].q - kVMax * sent[n].time).cwiseAbs().maxCoeff() < 1e-15);
+    CHECK((sent[n].q - kMostSpeed * sent[n].time).cwiseAbs().maxCoeff() < 1e-15);
 }
 
 TEST_CASE("after a stall the axes go back to where the references go on") {
@@ -217,8 +219,8 @@ TEST_CASE("after a stall the axes go back to where the references go on") {
   ReferenceInterpolator interpolator = standing_at_start();
   const auto sent = run_with_gap(interpolator, stalled, 30, 100, 1500);
   const Worst worst = worst_of(sent, 20);
-  CHECK(worst.acceleration[0] <= 0.036 + 0.5 * kAMax[0] + kAMax[0] + 0.036);
-  CHECK(worst.position_jump[0] <= 2 * kAMax[0] * 0.001 * 0.001);
+  CHECK(worst.acceleration[0] <= 0.036 + 0.5 * kMostAcceleration[0] + kMostAcceleration[0] + 0.036);
+  CHECK(worst.position_jump[0] <= 2 * kMostAcceleration[0] * 0.001 * 0.001);
   CHECK(same_bits(sent[14990], stalled(stamp(1499))));
 }
 
@@ -246,9 +248,9 @@ TEST_CASE("a reference that comes when its instant is past corrects the extrapol
     sent.push_back(interpolator.at(stamp(20) + 0.001 * ms));
   }
   const Worst worst = worst_of(sent, 0);
-  CHECK(worst.position_jump[0] <= 2 * kAMax[0] * 0.001 * 0.001);
-  CHECK(worst.acceleration[0] <= 2 * kAMax[0]);
-  ReferenceExtrapolation from_21(kPeriod, kVMax, kAMax);
+  CHECK(worst.position_jump[0] <= 2 * kMostAcceleration[0] * 0.001 * 0.001);
+  CHECK(worst.acceleration[0] <= 2 * kMostAcceleration[0]);
+  ReferenceExtrapolation from_21(kReferencePeriod, kMostSpeed, kMostAcceleration);
   from_21.start(on_path(stamp(21)));
   CHECK(sent.back().q == from_21.at(sent.back().time).q);
   CHECK_FALSE(interpolator.joining());
@@ -301,11 +303,11 @@ TEST_CASE("a machine found elsewhere is led back to the references slowly, whoev
     CAPTURE(known_before);
     CHECK((sent.front().q - found.q).cwiseAbs().maxCoeff() < 20e-6);
     const Worst worst = worst_of(sent, 1);
-    CHECK(worst.position_jump[0] <= 2 * kAMax[0] * 0.001 * 0.001);
+    CHECK(worst.position_jump[0] <= 2 * kMostAcceleration[0] * 0.001 * 0.001);
     // The path's speed, the difference in speed at the start, what taking back the difference in
     // acceleration adds to it, and the join's tenth.
-    const double added = 0.036 * (0.036 / (0.5 * kJMax[0])) / 2;
-    CHECK(worst.speed[0] <= 0.018 + 0.018 + added + 0.1 * kVMax[0]);
+    const double added = 0.036 * (0.036 / (0.5 * kMostJerk[0])) / 2;
+    CHECK(worst.speed[0] <= 0.018 + 0.018 + added + 0.1 * kMostSpeed[0]);
     CHECK_FALSE(interpolator.joining());
     const double end = sent.back().time;
     CHECK((sent.back().q - on_path(end).q).cwiseAbs().maxCoeff() < 1e-8);
@@ -329,8 +331,8 @@ TEST_CASE("a machine found off its references while moving is led back from wher
   CHECK((sent.front().q - found.q).cwiseAbs().maxCoeff() < 1e-9);
   CHECK((sent.front().qd - found.qd).cwiseAbs().maxCoeff() < 1e-9);
   const Worst worst = worst_of(sent, 0);
-  CHECK(worst.position_jump[0] <= 2 * kAMax[0] * 0.001 * 0.001);
-  CHECK(worst.speed[0] <= 0.018 + 0.002 + 0.1 * kVMax[0]);
+  CHECK(worst.position_jump[0] <= 2 * kMostAcceleration[0] * 0.001 * 0.001);
+  CHECK(worst.speed[0] <= 0.018 + 0.002 + 0.1 * kMostSpeed[0]);
   const double end = sent.back().time;
   CHECK((sent.back().q - on_path(end).q).cwiseAbs().maxCoeff() < 1e-8);
 }

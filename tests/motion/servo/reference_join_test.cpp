@@ -8,17 +8,14 @@
 #include <random>
 #include <vector>
 
+#include "tests/motion/servo/two_axes.h"
 #include "tests/support/no_allocation.h"
 #include "tests/support/relative.h"
 
 namespace rob::motion {
 namespace {
 
-JointVector both(double x, double y) {
-  JointVector v(2);
-  v << x, y;
-  return v;
-}
+using test::both;
 
 const JointVector kVMax = both(0.02, 0.35);
 const JointVector kAMax = both(0.1, 1.75);

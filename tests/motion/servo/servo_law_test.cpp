@@ -13,7 +13,7 @@
 namespace rob::motion {
 namespace {
 
-constexpr double kPeriod = 0.005;
+constexpr double kLawPeriod = 0.005;
 
 // The x axis of a gantry: 12 kg, 4 N/(m/s), 60 N, 40 rad/s.
 DriveData linear_drive() {
@@ -30,7 +30,7 @@ JointVector one(double x) { return JointVector::Constant(1, x); }
 JointReference reference(double q, double qd, double qdd) { return {0, one(q), one(qd), one(qdd)}; }
 JointMeasurement measured(double q, double qd) { return {0, one(q), one(qd)}; }
 
-ServoLaw law_of(const DriveData& drive, double period = kPeriod) {
+ServoLaw law_of(const DriveData& drive, double period = kLawPeriod) {
   ServoLaw law(std::array{drive}, period);
   law.reset(0);
   return law;
@@ -67,12 +67,12 @@ double spectral_radius(const Eigen::Matrix4d& A) { return A.eigenvalues().cwiseA
 
 TEST_CASE("the gains put both error poles at the bandwidth") {
   DriveData drive = linear_drive();
-  const ServoGains gains = servo_gains(drive, kPeriod);
+  const ServoGains gains = servo_gains(drive, kLawPeriod);
   CHECK(gains.kp == test::relative(40.0 * 40 * 12));
   CHECK(gains.kv == test::relative(2 * 40.0 * 12 - 4));
   CHECK(gains.ki == test::relative(0.1 * 40 * 19200));
   drive.bandwidth = 10;
-  CHECK(servo_gains(drive, kPeriod).kp == test::relative(1200));
+  CHECK(servo_gains(drive, kLawPeriod).kp == test::relative(1200));
 }
 
 TEST_CASE("a longer servo period lowers the bandwidth") {
@@ -83,7 +83,7 @@ TEST_CASE("a longer servo period lowers the bandwidth") {
 TEST_CASE("the force is feed-forward, proportional, derivative and integral part") {
   ServoLaw law = law_of(linear_drive());
   // 12·0.1 + 4·0.02 = 1.28; 19200·0.1 mm = 1.92; 956·1 mm/s = 0.956; 76800·0.1 mm·5 ms = 0.0384
-  const JointVector u = law.update(kPeriod, reference(0.1001, 0.020, 0.1), measured(0.1, 0.019));
+  const JointVector u = law.update(kLawPeriod, reference(0.1001, 0.020, 0.1), measured(0.1, 0.019));
   CHECK(u[0] == test::relative(1.28 + 1.92 + 0.956 + 0.0384));
 }
 
@@ -91,12 +91,12 @@ TEST_CASE("the integral grows with the time that has really passed") {
   ServoLaw steady = law_of(linear_drive());
   ServoLaw late = law_of(linear_drive());
   const auto target = reference(1e-4, 0, 0);
-  for (int k = 1; k <= 7; ++k) steady.update(k * kPeriod, target, measured(0, 0));
-  late.update(2 * kPeriod, target, measured(0, 0));
-  late.update(2 * kPeriod, target, measured(0, 0));
-  const double u = late.update(7 * kPeriod, target, measured(0, 0))[0];
-  CHECK(u == test::relative(1.92 + 76800 * 1e-4 * 7 * kPeriod));
-  CHECK(steady.update(7 * kPeriod, target, measured(0, 0))[0] == test::relative(u));
+  for (int k = 1; k <= 7; ++k) steady.update(k * kLawPeriod, target, measured(0, 0));
+  late.update(2 * kLawPeriod, target, measured(0, 0));
+  late.update(2 * kLawPeriod, target, measured(0, 0));
+  const double u = late.update(7 * kLawPeriod, target, measured(0, 0))[0];
+  CHECK(u == test::relative(1.92 + 76800 * 1e-4 * 7 * kLawPeriod));
+  CHECK(steady.update(7 * kLawPeriod, target, measured(0, 0))[0] == test::relative(u));
 }
 
 TEST_CASE("the integral never takes more than half of the drive") {
@@ -105,7 +105,7 @@ TEST_CASE("the integral never takes more than half of the drive") {
     double u = 0;
     law.reset(0);
     for (int k = 1; k < 10000; ++k)
-      u = law.update(k * kPeriod, reference(sign * 1e-4, 0, 0), measured(0, 0))[0];
+      u = law.update(k * kLawPeriod, reference(sign * 1e-4, 0, 0), measured(0, 0))[0];
     CHECK(u == test::relative(sign * (1.92 + 30)));
   }
 }
@@ -113,9 +113,9 @@ TEST_CASE("the integral never takes more than half of the drive") {
 TEST_CASE("the force stays within the drive, and the integral stands still meanwhile") {
   ServoLaw law = law_of(linear_drive());
   for (int k = 1; k <= 1000; ++k)  // 10 mm: 192 N are asked for
-    CHECK(law.update(k * kPeriod, reference(-0.010, 0, 0), measured(0, 0))[0] == -60);
+    CHECK(law.update(k * kLawPeriod, reference(-0.010, 0, 0), measured(0, 0))[0] == -60);
   // Nothing has been wound up: without error there is no force.
-  CHECK(law.update(1001 * kPeriod, reference(0, 0, 0), measured(0, 0))[0] == 0);
+  CHECK(law.update(1001 * kLawPeriod, reference(0, 0, 0), measured(0, 0))[0] == 0);
 }
 
 TEST_CASE("saturation is the greatest share of the drive since it was last asked for") {
@@ -129,17 +129,17 @@ TEST_CASE("saturation is the greatest share of the drive since it was last asked
 }
 
 TEST_CASE("an axis whose values are no numbers gets no force, the others theirs") {
-  ServoLaw law(std::array{linear_drive(), linear_drive()}, kPeriod);
+  ServoLaw law(std::array{linear_drive(), linear_drive()}, kLawPeriod);
   law.reset(0);
   const JointVector zero = JointVector::Zero(2);
   const JointReference target{0, JointVector::Constant(2, 1e-4), zero, zero};
   JointMeasurement broken{0, zero, zero};
   broken.q[0] = std::numeric_limits<double>::quiet_NaN();
-  const JointVector u = law.update(kPeriod, target, broken);
+  const JointVector u = law.update(kLawPeriod, target, broken);
   CHECK(u[0] == 0);
   CHECK(u[1] == test::relative(1.92 + 0.0384));
   // The integral of the first has not become NaN: it begins now.
-  const JointVector next = law.update(2 * kPeriod, target, {0, zero, zero});
+  const JointVector next = law.update(2 * kLawPeriod, target, {0, zero, zero});
   CHECK(next[0] == test::relative(1.92 + 0.0384));
 }
 
@@ -187,23 +187,23 @@ TEST_CASE("the sampled loop with an estimated velocity is stable, and damped") {
 TEST_CASE("five times that bandwidth would be unstable") {
   DriveData fast = linear_drive();
   fast.bandwidth = 200;
-  const ServoGains too_high = servo_gains(fast, kPeriod / 5);
-  CHECK(spectral_radius(sampled_loop(fast, too_high, kPeriod)) > 1);
+  const ServoGains too_high = servo_gains(fast, kLawPeriod / 5);
+  CHECK(spectral_radius(sampled_loop(fast, too_high, kLawPeriod)) > 1);
 }
 
 TEST_CASE("the law moves a sampled axis as its matrix foretells") {
   const DriveData drive = linear_drive();
-  const Plant plant(drive, kPeriod);
-  const Eigen::Matrix4d A = sampled_loop(drive, servo_gains(drive, kPeriod), kPeriod);
+  const Plant plant(drive, kLawPeriod);
+  const Eigen::Matrix4d A = sampled_loop(drive, servo_gains(drive, kLawPeriod), kLawPeriod);
   ServoLaw law = law_of(drive);
   Eigen::Vector4d x{1e-4, 0, 1e-4, 0};
   double q = 1e-4;
   double v = 0;
   double before = q;
   for (int k = 1; k <= 400; ++k) {
-    const double estimate = (q - before) / kPeriod;
+    const double estimate = (q - before) / kLawPeriod;
     before = q;
-    const double u = law.update(k * kPeriod, reference(0, 0, 0), measured(q, estimate))[0];
+    const double u = law.update(k * kLawPeriod, reference(0, 0, 0), measured(q, estimate))[0];
     q += plant.way_of_v * v + plant.way_of_u * u;
     v = plant.fade * v + plant.v_of_u * u;
     x = A * x;
@@ -218,7 +218,7 @@ TEST_CASE("the servo law takes no memory") {
   const JointMeasurement at = measured(0, 0);
   test::NoAllocation guard;
   law.reset(0);
-  const double u = law.update(kPeriod, target, at)[0] + law.take_saturation();
+  const double u = law.update(kLawPeriod, target, at)[0] + law.take_saturation();
   CHECK(guard.count() == 0);
   CHECK(u > 0);
 }

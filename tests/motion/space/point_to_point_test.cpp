@@ -18,9 +18,9 @@ JointVector three(double x, double y, double z) {
   return v;
 }
 
-const JointVector kVMax = three(1, 0.5, 2);
-const JointVector kAMax = three(2, 3, 4);
-const JointVector kJMax = three(20, 15, 60);
+const JointVector kMostRate = three(1, 0.5, 2);
+const JointVector kMostRateChange = three(2, 3, 4);
+const JointVector kMostBend = three(20, 15, 60);
 const JointVector kNone = three(0, 0, 0);
 
 JointVector random_vector(std::mt19937& random, double size) {
@@ -29,13 +29,14 @@ JointVector random_vector(std::mt19937& random, double size) {
 }
 
 double time_alone(int axis, double way) {
-  return AxisMotion({0, 0, 0}, way, {kVMax[axis], kAMax[axis], kJMax[axis]}).duration();
+  return AxisMotion({0, 0, 0}, way, {kMostRate[axis], kMostRateChange[axis], kMostBend[axis]})
+      .duration();
 }
 
 }  // namespace
 
 TEST_CASE("axes arrive together, when the slowest can") {
-  PointToPoint motion(kVMax, kAMax, kJMax);
+  PointToPoint motion(kMostRate, kMostRateChange, kMostBend);
   const JointVector target = three(0.5, -0.1, 1);
   motion.aim({3, kNone, kNone, kNone}, target);
   double slowest = 0;
@@ -68,7 +69,7 @@ TEST_CASE("from rest, axes of like limits keep to a straight line") {
 TEST_CASE("a target changed at any instant: nothing leaps, and limits hold") {
   constexpr double kStep = 0.002;
   std::mt19937 random(8);
-  PointToPoint motion(kVMax, kAMax, kJMax);
+  PointToPoint motion(kMostRate, kMostRateChange, kMostBend);
   motion.aim({0, kNone, kNone, kNone}, random_vector(random, 1));
   JointReference before = motion.at(0);
   std::uniform_real_distribution<double> chance(0, 1);
@@ -80,13 +81,13 @@ TEST_CASE("a target changed at any instant: nothing leaps, and limits hold") {
     }
     const JointReference now = motion.at(i * kStep);
     for (int k = 0; k < 3; ++k) {
-      REQUIRE(std::abs(now.qd[k]) <= kVMax[k] * (1 + 1e-9));
-      REQUIRE(std::abs(now.qdd[k]) <= kAMax[k] * (1 + 1e-9));
-      REQUIRE(std::abs(now.qdd[k] - before.qdd[k]) <= kJMax[k] * kStep * (1 + 1e-7));
+      REQUIRE(std::abs(now.qd[k]) <= kMostRate[k] * (1 + 1e-9));
+      REQUIRE(std::abs(now.qdd[k]) <= kMostRateChange[k] * (1 + 1e-9));
+      REQUIRE(std::abs(now.qdd[k] - before.qdd[k]) <= kMostBend[k] * kStep * (1 + 1e-7));
       const double v = before.qd[k] + (before.qdd[k] + now.qdd[k]) * kStep / 2;
-      REQUIRE(std::abs(now.qd[k] - v) <= kJMax[k] * kStep * kStep / 4 * (1 + 1e-7));
+      REQUIRE(std::abs(now.qd[k] - v) <= kMostBend[k] * kStep * kStep / 4 * (1 + 1e-7));
       const double q = before.q[k] + (before.qd[k] + now.qd[k]) * kStep / 2;
-      REQUIRE(std::abs(now.q[k] - q) <= kAMax[k] * kStep * kStep / 8);
+      REQUIRE(std::abs(now.q[k] - q) <= kMostRateChange[k] * kStep * kStep / 8);
     }
     before = now;
   }
@@ -94,7 +95,7 @@ TEST_CASE("a target changed at any instant: nothing leaps, and limits hold") {
 }
 
 TEST_CASE("aimed at the same target again and again it arrives as without") {
-  PointToPoint motion(kVMax, kAMax, kJMax);
+  PointToPoint motion(kMostRate, kMostRateChange, kMostBend);
   const JointVector target = three(0.5, -0.1, 1);
   motion.aim({0, kNone, three(0.5, 0.2, -1), three(1, -2, 0)}, target);
   const double arrival = motion.arrival();
@@ -104,7 +105,7 @@ TEST_CASE("aimed at the same target again and again it arrives as without") {
 }
 
 TEST_CASE("a motion from point to point takes no memory") {
-  PointToPoint motion(kVMax, kAMax, kJMax);
+  PointToPoint motion(kMostRate, kMostRateChange, kMostBend);
   const JointReference from{1, kNone, three(0.5, 0.2, -1), three(1, -2, 0)};
   const JointVector target = three(0.5, -0.1, 1);
   test::NoAllocation guard;

@@ -9,16 +9,16 @@
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/program/simulation.h"
+#include "tests/support/degrees.h"
 #include "tests/support/faulty_backend.h"
 #include "tests/support/relative.h"
 #include "tests/support/stepped_run.h"
 
 using namespace rob;
 using Fault = test::FaultyBackend::Fault;
+using rob::test::kDegree;
 
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 /// Axis 1 alone, 80 degrees; at 60 deg/s from 0.5 s on.
 constexpr const char* kTurn = "MOVE JOINT 1 BY 80deg\nSTOP\nEND\n";

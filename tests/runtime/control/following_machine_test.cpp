@@ -15,7 +15,7 @@ using rob::test::SteppedRun;
 
 namespace {
 
-constexpr double kPeriod = 0.01;
+constexpr double kFollowingPeriod = 0.01;
 constexpr double kOff = 0.0005;  // m, where x is found, beside where the program begins
 
 /// Goes wherever it is told, at once.
@@ -61,21 +61,22 @@ struct LateRun {
 
   LateRun(const Lateness& most, unsigned seed) {
     rob::motion::RobotModel robot = rob::motion::embedded_robot("gantry");
-    robot.servo_period = kPeriod;
+    robot.servo_period = kFollowingPeriod;
     SteppedRun run("MOVE (40, 40, 0)\nMOVE (140, 40, 30)\nSTOP\nMOVE (40, 0, 0)\nSTOP\n",
                    std::make_unique<Follower>(told), 1, robot);
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> share(0, 1);
     run.task.step(1'000'000);
-    run.controller.servo().enable(-kPeriod);
+    run.controller.servo().enable(-kFollowingPeriod);
     std::int64_t made = 0;
     double next = most.motion * share(random);
     for (std::int64_t k = 0; !run.controller.motion().over() && k < 5000; ++k) {
-      const double due = rob::motion::cycle_instant(k, kPeriod);
+      const double due = rob::motion::cycle_instant(k, kFollowingPeriod);
       const double now = due + most.servo * share(random);
       while (next < now) {
         run.controller.motion().cycle(made++, 0);
-        next = std::max(next, static_cast<double>(made) * kPeriod + most.motion * share(random));
+        next = std::max(next,
+                        static_cast<double>(made) * kFollowingPeriod + most.motion * share(random));
       }
       run.controller.servo().cycle(now, due);
       run.recorder.drain();
@@ -110,9 +111,9 @@ TEST_CASE("a machine that follows references is led to them once, and told them 
     CHECK(off[0] == doctest::Approx(kOff));
     for (std::size_t k = 0; k < off.size(); ++k) {
       CAPTURE(k);
-      const double time = static_cast<double>(k) * kPeriod;
+      const double time = static_cast<double>(k) * kFollowingPeriod;
       if (time < join - 0.05) REQUIRE(off[k] > 0);
-      if (time > join + kPeriod) REQUIRE(off[k] == 0);
+      if (time > join + kFollowingPeriod) REQUIRE(off[k] == 0);
     }
   }
 }
@@ -126,7 +127,7 @@ TEST_CASE(
     const std::vector<double> off = run.off();
     REQUIRE(off.size() > 1000);
     // x begins with 1.5·20 mm/s/1.375 s² at most; what a leap of it makes in three periods.
-    const double most = 0.5 * (1.5 * 0.020 / 1.375) * 9 * kPeriod * kPeriod;
+    const double most = 0.5 * (1.5 * 0.020 / 1.375) * 9 * kFollowingPeriod * kFollowingPeriod;
     std::size_t beside = 0;
     for (std::size_t k = 100; k < off.size(); ++k) {
       REQUIRE(off[k] < most);

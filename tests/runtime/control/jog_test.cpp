@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "tests/support/stepped_run.h"
 
@@ -173,6 +174,23 @@ TEST_CASE("an error behind a jog takes effect when it has come to rest") {
   const RunResult result = run.run();
   CHECK(result.output.at(0) == "no10mm");
   CHECK(result.final_joints[0] == doctest::Approx(20).epsilon(1e-6));
+}
+
+TEST_CASE("a share above 100% that is computed takes no more of a jog than 100%") {
+  const auto rows = [](const char* share) {
+    SteppedRun run(std::string("VAR share = ") + share +
+                   "\nJOG JOINT (60mm/s, 0mm/s, 0deg/s) AT share FOR 2s\n");
+    CHECK(run.run().status == "done");
+    return run.rows;
+  };
+  const auto most = rows("100%");
+  const auto more = rows("300%");
+  REQUIRE(more.size() == most.size());
+  const bool same = std::ranges::equal(more, most, [](const Snapshot& a, const Snapshot& b) {
+    return a.sample.reference.q == b.sample.reference.q;
+  });
+  CHECK(same);
+  CHECK(most[150].sample.reference.qd[0] == doctest::Approx(0.02));  // m/s: v_max of the axis
 }
 
 TEST_CASE("a jog that goes no further is an event, not an error") {

@@ -16,22 +16,22 @@ using rob::test::SteppedRun;
 
 namespace {
 
-constexpr double kPeriod = 0.01;  // s
-constexpr double kSpeed = 0.02;   // m/s
-constexpr double kAccel = 0.1;    // m/s²
-constexpr double kJerk = 1;       // m/s³
+constexpr double kAheadPeriod = 0.01;  // s
+constexpr double kAheadSpeed = 0.02;   // m/s
+constexpr double kAheadAccel = 0.1;    // m/s²
+constexpr double kAheadJerk = 1;       // m/s³
 
 SteppedRun looking_ahead(const std::string& text) { return SteppedRun("LAW LOOKAHEAD\n" + text); }
 
 /// No reference leaves what the axes can do, however the path was left and found again.
-void check_limits(const std::vector<Snapshot>& rows) {
+void check_ahead_limits(const std::vector<Snapshot>& rows) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const auto& before = rows[i - 1].sample.reference;
     const auto& now = rows[i].sample.reference;
     for (int axis = 0; axis < 2; ++axis) {
-      REQUIRE(std::abs(now.q[axis] - before.q[axis]) <= kSpeed * kPeriod * (1 + 1e-6));
-      REQUIRE(std::abs(now.qd[axis] - before.qd[axis]) <= kAccel * kPeriod * (1 + 1e-6));
-      REQUIRE(std::abs(now.qdd[axis] - before.qdd[axis]) <= kJerk * kPeriod * (1 + 1e-6));
+      REQUIRE(std::abs(now.q[axis] - before.q[axis]) <= kAheadSpeed * kAheadPeriod * (1 + 1e-6));
+      REQUIRE(std::abs(now.qd[axis] - before.qd[axis]) <= kAheadAccel * kAheadPeriod * (1 + 1e-6));
+      REQUIRE(std::abs(now.qdd[axis] - before.qdd[axis]) <= kAheadJerk * kAheadPeriod * (1 + 1e-6));
     }
   }
 }
@@ -44,7 +44,7 @@ TEST_CASE("looking ahead, a handler has the axes at rest, brings them back, and 
       "lift = ON\nMOVE(100,0,0)\nMOVE(100,50,0)\nPRINT \"end\"");
   const RunResult result = run.run();
   CHECK(result.output == std::vector<std::string>{"up", "there", "end"});
-  check_limits(run.rows);
+  check_ahead_limits(run.rows);
   double left = -1, found = -1;
   bool on_its_way = true;
   for (const Snapshot& row : run.rows) {
@@ -73,7 +73,7 @@ TEST_CASE("looking ahead, a handler that does not move leaves path and corners a
   const RunResult without = plain.run();
   SteppedRun run = looking_ahead("WHEN lift_up DO\n  WAIT 1s\nENDWHEN\n" + triangle);
   const RunResult with = run.run();
-  check_limits(run.rows);
+  check_ahead_limits(run.rows);
   for (int number = 3; number <= 5; ++number) {
     CHECK(*line(with, number + 3).miss_measured ==
           doctest::Approx(*line(without, number + 1).miss_measured).epsilon(0.02));
@@ -90,7 +90,7 @@ TEST_CASE("looking ahead, BRAKE in a handler: what is queued starts from where t
                                    "BRAKE\nENDWHEN\nlift = ON\nMOVE(100,0,0) ZONE 5mm\n"
                                    "MOVE(x: 60)\nSTOP\nDOUT[1] = ON\nMOVE(x: 10)\nWAIT 0.5s");
     const RunResult result = run.run();
-    check_limits(run.rows);
+    check_ahead_limits(run.rows);
     const auto& end = run.rows.back().sample.reference.q;
     CHECK(end[0] == doctest::Approx(0.01));
     CHECK(end[1] == doctest::Approx(*there != 0 ? 0.05 : 0).epsilon(0.01));  // where it was left
@@ -110,7 +110,7 @@ TEST_CASE("looking ahead, an error in a handler drops all that it has interrupte
   const RunResult result = run.run();
   REQUIRE(!run.task.failure());
   CHECK(result.output == std::vector<std::string>{"no 30mm", "on"});
-  check_limits(run.rows);
+  check_ahead_limits(run.rows);
   CHECK(run.rows.back().sample.reference.q[0] == doctest::Approx(0).epsilon(1e-9));
   CHECK(run.rows.back().sample.reference.q[1] == doctest::Approx(0.04));
 }

@@ -20,7 +20,7 @@ using test::SteppedRun;
 
 namespace {
 
-RunResult run(const std::string& text, const std::string& script = "") {
+RunResult run_rules(const std::string& text, const std::string& script = "") {
   const motion::RobotModel gantry = motion::embedded_robot("gantry");
   const auto program = runtime::compile_program("test.rob", text, gantry);
   REQUIRE(program.runnable());
@@ -44,9 +44,9 @@ bool found(const RunResult& result, const std::string& code, const std::string& 
 }  // namespace
 
 TEST_CASE("what is queued carries the values of its place in the program") {
-  const RunResult result =
-      run("VAR n = 1\nVAR up = TRUE\nMOVE(100, 0, 0)\nPRINT n\nlift = up\nn = 2\nup = FALSE\n"
-          "MOVE(100, 100, 0)\nPRINT n\nlift = up\n");
+  const RunResult result = run_rules(
+      "VAR n = 1\nVAR up = TRUE\nMOVE(100, 0, 0)\nPRINT n\nlift = up\nn = 2\nup = FALSE\n"
+      "MOVE(100, 100, 0)\nPRINT n\nlift = up\n");
   CHECK(result.output == Lines{"1", "2"});
   REQUIRE(result.signals.size() == 2);
   CHECK(result.signals[0].value == 1);
@@ -58,24 +58,25 @@ TEST_CASE("what is queued carries the values of its place in the program") {
 
 TEST_CASE("of AT and OVER the slower one counts") {
   const RunResult result =
-      run("MOVE(100, 0, 0) AT 10mm/s OVER 20s FINE\nMOVE(0, 0, 0) AT 5mm/s OVER 1s FINE\n");
+      run_rules("MOVE(100, 0, 0) AT 10mm/s OVER 20s FINE\nMOVE(0, 0, 0) AT 5mm/s OVER 1s FINE\n");
   CHECK(line(result, 1).measured == doctest::Approx(20 + 2.75));
   CHECK(line(result, 2).measured == doctest::Approx(20 + 2.75));
 }
 
 TEST_CASE("durations are exact, and the cycles are those that have begun") {
-  const RunResult result = run("WAIT 0.333s\n");
+  const RunResult result = run_rules("WAIT 0.333s\n");
   CHECK(result.measured == doctest::Approx(0.333).epsilon(1e-12));
   CHECK(result.cycles == 34);
-  CHECK(run("MOVE(100, 0, 0)\n").cycles == 775);  // 5 s + 2.75 s, no cycle is begun at the end
+  CHECK(run_rules("MOVE(100, 0, 0)\n").cycles ==
+        775);  // 5 s + 2.75 s, no cycle is begun at the end
 }
 
 TEST_CASE(
     "within one cycle come WHENs, then what is queued; a TASK's output acts in the next one") {
-  const RunResult result =
-      run("TASK beside\nWAIT DIN[1]\nDOUT[3] = ON\nENDTASK\nSTART beside\n"
-          "WHEN DIN[1] : DOUT[1] = ON\nWAIT 1s\nDOUT[2] = ON\nDOUT[1] = OFF\nWAIT 1s\n",
-          "at 1s DIN[1] = ON");
+  const RunResult result = run_rules(
+      "TASK beside\nWAIT DIN[1]\nDOUT[3] = ON\nENDTASK\nSTART beside\n"
+      "WHEN DIN[1] : DOUT[1] = ON\nWAIT 1s\nDOUT[2] = ON\nDOUT[1] = OFF\nWAIT 1s\n",
+      "at 1s DIN[1] = ON");
   const double times[] = {1, 1, 1, 1.01};
   const char* const names[] = {"DOUT[1]", "DOUT[2]", "DOUT[1]", "DOUT[3]"};
   REQUIRE(result.signals.size() == 4);
@@ -89,8 +90,8 @@ TEST_CASE(
 TEST_CASE("UNTIL ends its motion before what is queued behind it is looked at") {
   // The place and the end of the guard come in one cycle: what is behind the end is dropped.
   const RunResult result =
-      run("MOVE(100, 0, 0) UNTIL DIN[1] DO\nAFTER 50mm : DOUT[1] = ON\nENDMOVE\nPRINT HIT\n",
-          "at 1s DIN[1] = ON");
+      run_rules("MOVE(100, 0, 0) UNTIL DIN[1] DO\nAFTER 50mm : DOUT[1] = ON\nENDMOVE\nPRINT HIT\n",
+                "at 1s DIN[1] = ON");
   CHECK(result.signals.empty());
   CHECK(result.output == Lines{"TRUE"});
 }
@@ -98,11 +99,11 @@ TEST_CASE("UNTIL ends its motion before what is queued behind it is looked at") 
 TEST_CASE("UNTIL concerns its motion, not the stop that another tool makes before it") {
   for (const char* law : {"LAW PAUL\n", "LAW LOOKAHEAD\n"}) {
     CAPTURE(law);
-    const RunResult result = run(std::string(law) +
-                                     "TOOL pen = POSE(30mm, 0mm, 0mm)\nMOVE(100, 0, 0)\n"
-                                     "WITH pen DO\nMOVE(200, 0, 0) UNTIL DIN[1]\nPRINT HIT\n"
-                                     "ENDWITH\nMOVE(50, 0, 0) UNTIL DIN[2]\nPRINT HIT\n",
-                                 "at 8.5s DIN[1] = ON");
+    const RunResult result = run_rules(std::string(law) +
+                                           "TOOL pen = POSE(30mm, 0mm, 0mm)\nMOVE(100, 0, 0)\n"
+                                           "WITH pen DO\nMOVE(200, 0, 0) UNTIL DIN[1]\nPRINT HIT\n"
+                                           "ENDWITH\nMOVE(50, 0, 0) UNTIL DIN[2]\nPRINT HIT\n",
+                                       "at 8.5s DIN[1] = ON");
     CHECK(result.output == Lines{"TRUE", "FALSE"});
   }
 }
@@ -124,21 +125,21 @@ TEST_CASE("under the look-ahead law a corner is half of the line before it, half
 TEST_CASE("a LEAD longer than the way from standstill to its place is a finding, under both laws") {
   for (const char* law : {"LAW PAUL\n", "LAW LOOKAHEAD\n"}) {
     const std::string head = std::string(law) + "MOVE(100, 0, 0) DO\n";
-    const RunResult early = run(head + "AFTER 0.01mm LEAD 0.5s : DOUT[1] = ON\nENDMOVE\n");
+    const RunResult early = run_rules(head + "AFTER 0.01mm LEAD 0.5s : DOUT[1] = ON\nENDMOVE\n");
     CHECK(found(early, "W646", "as the motion begins"));
     REQUIRE(early.signals.size() == 1);
     CHECK(early.signals[0].time == doctest::Approx(0));
-    const RunResult kept = run(head + "AFTER 50mm LEAD 0.5s : DOUT[1] = ON\nENDMOVE\n");
+    const RunResult kept = run_rules(head + "AFTER 50mm LEAD 0.5s : DOUT[1] = ON\nENDMOVE\n");
     CHECK(kept.findings.empty());
   }
 }
 
 TEST_CASE("a warning of a corner names both its lines") {
-  const RunResult cut = run("LAW LOOKAHEAD\nMOVE(100, 0, 0) ZONE 80mm\nMOVE(100, 100, 0)\n");
+  const RunResult cut = run_rules("LAW LOOKAHEAD\nMOVE(100, 0, 0) ZONE 80mm\nMOVE(100, 100, 0)\n");
   CHECK(found(cut, "W644", "lines 2 and 3, which meet here,"));
-  const RunResult same =
-      run("LAW LOOKAHEAD\nFOR i = 1 TO 2 DO\nMOVE BY (20, 0, 0) ZONE 80mm\nMOVE BY (0, 20, "
-          "0)\nENDFOR\n");
+  const RunResult same = run_rules(
+      "LAW LOOKAHEAD\nFOR i = 1 TO 2 DO\nMOVE BY (20, 0, 0) ZONE 80mm\nMOVE BY (0, 20, "
+      "0)\nENDFOR\n");
   CHECK(found(same, "W644", "lines 3 and 4, which meet here,"));
   const RunResult exact = runtime::foretell(
       runtime::compile_program("test.rob",
@@ -149,6 +150,6 @@ TEST_CASE("a warning of a corner names both its lines") {
       motion::embedded_robot("irb120"));
   CHECK(found(exact, "W641", "lines 3 and 4, which meet here,"));
   const RunResult tool =
-      run("TOOL pen = POSE(30mm, 0mm, 0mm)\nMOVE(100, 0, 0)\nMOVE(200, 0, 0) WITH pen\n");
+      run_rules("TOOL pen = POSE(30mm, 0mm, 0mm)\nMOVE(100, 0, 0)\nMOVE(200, 0, 0) WITH pen\n");
   CHECK(found(tool, "W511", "the target of line 2 is reached exactly"));
 }

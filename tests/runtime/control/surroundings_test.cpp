@@ -7,14 +7,15 @@
 
 #include "motion/generate/stop_ramp.h"
 #include "runtime/program/foretell.h"
+#include "tests/support/degrees.h"
 #include "tests/support/stepped_run.h"
 
 using rob::runtime::RunResult;
+using rob::test::kDegree;
 using rob::test::SteppedRun;
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kSame = 1e-9;  // m, rad: rounding of a few rotations
 
 const char* const kFrames =
@@ -42,7 +43,7 @@ std::string why(const std::string& motions) {
   return run.task.failure()->message;
 }
 
-RunResult foretold(const std::string& text) {
+RunResult foretold_gantry(const std::string& text) {
   const auto robot = rob::motion::embedded_robot("gantry");
   const auto program = rob::runtime::compile_program("test.rob", kFrames + text, robot);
   REQUIRE(program.runnable());
@@ -117,12 +118,12 @@ TEST_CASE("rule 18: a change of the tool in a corner makes it exact, with a warn
                                  [](const auto& finding) { return finding.code == "W511"; });
   };
   // 100 mm at 20 mm/s, 2·t_acc to be exact; then 70 mm, since the tip is 30 mm ahead, and the same.
-  const RunResult changed = foretold("MOVE(100, 0, 0)\nMOVE(200, 0, 90) WITH pen\n");
+  const RunResult changed = foretold_gantry("MOVE(100, 0, 0)\nMOVE(200, 0, 90) WITH pen\n");
   CHECK(jumps(changed) == 1);
   CHECK(rob::test::line(changed, 6).count == 1);
   CHECK(changed.measured == doctest::Approx(5 + 2.75 + 3.5 + 2.75));
-  CHECK(jumps(foretold("MOVE(100, 0, 0) FINE\nMOVE(200, 0, 90) WITH pen\n")) == 0);
-  CHECK(jumps(foretold("MOVE(100, 0, 0)\nMOVE(200, 0, 0) IN raised\n")) == 0);
+  CHECK(jumps(foretold_gantry("MOVE(100, 0, 0) FINE\nMOVE(200, 0, 90) WITH pen\n")) == 0);
+  CHECK(jumps(foretold_gantry("MOVE(100, 0, 0)\nMOVE(200, 0, 0) IN raised\n")) == 0);
 }
 
 // Turning back misses the angle by 3/8·t_acc·v (docs/motion.md); the tip lies 30 mm off the axis.
@@ -142,14 +143,15 @@ TEST_CASE("the miss of a corner is that of the tip") {
 
 TEST_CASE("AT bounds the speed of the tip") {
   // A quarter turn takes a tip that is 30 mm off the axis 30·√2 mm further, as the crow flies.
-  const RunResult turned = foretold("MOVE JOINT 3 TO 90deg WITH pen AT 4mm/s\n");
+  const RunResult turned = foretold_gantry("MOVE JOINT 3 TO 90deg WITH pen AT 4mm/s\n");
   CHECK(turned.measured == doctest::Approx(30 * std::numbers::sqrt2 / 4 + 2.75));
-  CHECK(foretold("MOVE JOINT 3 TO 90deg AT 4mm/s\n").measured == doctest::Approx(90 / 20.0 + 2.75));
+  CHECK(foretold_gantry("MOVE JOINT 3 TO 90deg AT 4mm/s\n").measured ==
+        doctest::Approx(90 / 20.0 + 2.75));
 }
 
 TEST_CASE("OVERRIDE at standstill stretches what follows, and not a WAIT") {
   const std::string text = "MOVE(100,0,0)\nWAIT 1s\nOVERRIDE 50%\nWAIT 1s\nMOVE(0,0,0)\n";
-  const RunResult result = foretold(text);
+  const RunResult result = foretold_gantry(text);
   // 5 s and 2.75 s to be exact, two WAITs, then the same at half speed.
   CHECK(result.measured == doctest::Approx(7.75 + 2 + 2 * 7.75));
   CHECK(result.planned == doctest::Approx(7.75 + 2 + 2 * 7.75));
@@ -158,8 +160,8 @@ TEST_CASE("OVERRIDE at standstill stretches what follows, and not a WAIT") {
 }
 
 TEST_CASE("OVERRIDE before the first motion, or behind a STOP, holds for all of the next one") {
-  CHECK(foretold("OVERRIDE 50%\nMOVE(100,0,0)\n").measured == doctest::Approx(2 * 7.75));
-  CHECK(foretold("MOVE(100,0,0)\nSTOP\nOVERRIDE 25%\nMOVE(0,0,0)\n").measured ==
+  CHECK(foretold_gantry("OVERRIDE 50%\nMOVE(100,0,0)\n").measured == doctest::Approx(2 * 7.75));
+  CHECK(foretold_gantry("MOVE(100,0,0)\nSTOP\nOVERRIDE 25%\nMOVE(0,0,0)\n").measured ==
         doctest::Approx(7.75 + 4 * 7.75));
 }
 
@@ -180,8 +182,10 @@ TEST_CASE("OVERRIDE in a corner scales time from the middle of the corner on") {
 }
 
 TEST_CASE("OVERRIDE above 100 % raises AT from the next motion on, never an axis' maximum") {
-  CHECK(foretold("OVERRIDE 200%\nMOVE(100,0,0) AT 10mm/s\n").measured == doctest::Approx(7.75));
-  CHECK(foretold("OVERRIDE 200%\nMOVE(100,0,0)\n").measured == doctest::Approx(7.75));
-  CHECK(foretold("OVERRIDE 200%\nMOVE(100,0,0)\nSTOP\nOVERRIDE 100%\nMOVE(0,0,0) AT 10mm/s\n")
-            .measured == doctest::Approx(7.75 + 12.75));
+  CHECK(foretold_gantry("OVERRIDE 200%\nMOVE(100,0,0) AT 10mm/s\n").measured ==
+        doctest::Approx(7.75));
+  CHECK(foretold_gantry("OVERRIDE 200%\nMOVE(100,0,0)\n").measured == doctest::Approx(7.75));
+  CHECK(
+      foretold_gantry("OVERRIDE 200%\nMOVE(100,0,0)\nSTOP\nOVERRIDE 100%\nMOVE(0,0,0) AT 10mm/s\n")
+          .measured == doctest::Approx(7.75 + 12.75));
 }

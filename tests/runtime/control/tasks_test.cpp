@@ -20,7 +20,7 @@ const motion::RobotModel& gantry() {
   return robot;
 }
 
-RunResult run(const std::string& text, const std::string& script = "") {
+RunResult run_tasks(const std::string& text, const std::string& script = "") {
   const auto program = runtime::compile_program("test.rob", text, gantry());
   for (const auto& found : program.compilation.diagnostics.all()) MESSAGE(found.message);
   REQUIRE(program.runnable());
@@ -37,9 +37,9 @@ RunResult run(const std::string& text, const std::string& script = "") {
 
 TEST_CASE("a TASK goes on beside a motion, and ends with the program") {
   // The motion takes 2.75 s; the output changes at 0 s, 1 s and 2 s, a cycle later each.
-  const RunResult result =
-      run("TASK blink\nLOOP\ngripper = NOT gripper\nWAIT 1s\nENDLOOP\nENDTASK\n"
-          "START blink\nMOVE(20, 0, 0)\nSTOP\n");
+  const RunResult result = run_tasks(
+      "TASK blink\nLOOP\ngripper = NOT gripper\nWAIT 1s\nENDLOOP\nENDTASK\n"
+      "START blink\nMOVE(20, 0, 0)\nSTOP\n");
   CHECK(result.exit_code == ExitCode::Done);
   CHECK(result.measured == doctest::Approx(5.5));
   REQUIRE(result.signals.size() == 6);
@@ -54,15 +54,15 @@ TEST_CASE("a TASK goes on beside a motion, and ends with the program") {
 
 TEST_CASE("START takes effect in motion order") {
   // Behind a blended motion: in the middle of its corner, 2.75 s.
-  const RunResult result =
-      run("TASK mark\nPRINT \"at \", CLOCK\nENDTASK\n"
-          "MOVE(40, 0, 0)\nSTART mark\nMOVE(40, 40, 0)\n");
+  const RunResult result = run_tasks(
+      "TASK mark\nPRINT \"at \", CLOCK\nENDTASK\n"
+      "MOVE(40, 0, 0)\nSTART mark\nMOVE(40, 40, 0)\n");
   REQUIRE(result.output.size() == 1);
   CHECK(result.output[0] == "at 4.13s");  // 2.75 s + t_acc of 1.375 s, and the next cycle's begin
 }
 
 TEST_CASE("what the program gives a global is seen by a TASK in motion order") {
-  const RunResult result = run(
+  const RunResult result = run_tasks(
       "VAR phase = 1\nVAR name = \"one\"\nVAR p: VEC = VEC(1mm, 1mm, 1mm)\n"
       "TASK watch\nVAR last = 0\nLOOP\n"
       "IF phase <> last THEN\nPRINT name, \" \", p.y, \" \", CLOCK < 3s\nlast = phase\nENDIF\n"
@@ -75,42 +75,43 @@ TEST_CASE("what the program gives a global is seen by a TASK in motion order") {
 
 TEST_CASE("what a TASK gives a global is read by the program at its decision point") {
   // Counted once a cycle from cycle 0 on: at t s about 100 t.
-  const RunResult result =
-      run("VAR count = 0\nTASK counter\nLOOP\ncount = count + 1\nWAIT 0.01s\nENDLOOP\nENDTASK\n"
-          "START counter\nMOVE(40, 0, 0)\nVAR seen = count\nPRINT seen >= 274 AND seen <= 276\n"
-          "MOVE(80, 0, 0)\nSTOP\nPRINT count >= 820 AND count <= 830\n");
+  const RunResult result = run_tasks(
+      "VAR count = 0\nTASK counter\nLOOP\ncount = count + 1\nWAIT 0.01s\nENDLOOP\nENDTASK\n"
+      "START counter\nMOVE(40, 0, 0)\nVAR seen = count\nPRINT seen >= 274 AND seen <= 276\n"
+      "MOVE(80, 0, 0)\nSTOP\nPRINT count >= 820 AND count <= 830\n");
   CHECK(result.output == std::vector<std::string>{"TRUE", "TRUE"});
   CHECK(result.starved == 0);
 }
 
 TEST_CASE("a WAIT of the program can wait for what a TASK changes") {
-  const RunResult result =
-      run("VAR ready = FALSE\nTASK prepare\nlift = ON\nWAIT lift_up\nready = TRUE\nENDTASK\n"
-          "START prepare\nWAIT ready\nPRINT lift_up, CLOCK < 1s\n");
+  const RunResult result = run_tasks(
+      "VAR ready = FALSE\nTASK prepare\nlift = ON\nWAIT lift_up\nready = TRUE\nENDTASK\n"
+      "START prepare\nWAIT ready\nPRINT lift_up, CLOCK < 1s\n");
   CHECK(result.output == std::vector<std::string>{"TRUETRUE"});
 }
 
 TEST_CASE("a WAIT of a TASK can wait for what the program changes") {
-  const RunResult result = run(
+  const RunResult result = run_tasks(
       "VAR ready = FALSE\nTASK follow\nWAIT ready TIMEOUT 100s\nPRINT \"followed \", CLOCK > 5.4s\n"
       "ENDTASK\nSTART follow\nMOVE(40, 0, 0)\nSTOP\nready = TRUE\nMOVE(0, 0, 0)\n");
   CHECK(result.output == std::vector<std::string>{"followed TRUE"});
 }
 
 TEST_CASE("TASKs run in the order of their START, each cycle") {
-  const RunResult result =
-      run("VAR mark = 0\n"
-          "TASK a\nmark = mark * 10 + 1\nENDTASK\nTASK b\nmark = mark * 10 + 2\nENDTASK\n"
-          "START b\nSTART a\nWAIT 0.1s\nPRINT mark\n");
+  const RunResult result = run_tasks(
+      "VAR mark = 0\n"
+      "TASK a\nmark = mark * 10 + 1\nENDTASK\nTASK b\nmark = mark * 10 + 2\nENDTASK\n"
+      "START b\nSTART a\nWAIT 0.1s\nPRINT mark\n");
   CHECK(result.output == std::vector<std::string>{"21"});
 }
 
 TEST_CASE("a TASK that has ended may be started again, one that runs may not") {
-  const RunResult again =
-      run("VAR n = 0\nTASK once\nn = n + 1\nWAIT 0.5s\nENDTASK\n"
-          "START once\nWAIT 1s\nSTART once\nWAIT 1s\nPRINT n\n");
+  const RunResult again = run_tasks(
+      "VAR n = 0\nTASK once\nn = n + 1\nWAIT 0.5s\nENDTASK\n"
+      "START once\nWAIT 1s\nSTART once\nWAIT 1s\nPRINT n\n");
   CHECK(again.output == std::vector<std::string>{"2"});
-  const RunResult twice = run("TASK once\nWAIT 0.5s\nENDTASK\nSTART once\nSTART once\nWAIT 2s\n");
+  const RunResult twice =
+      run_tasks("TASK once\nWAIT 0.5s\nENDTASK\nSTART once\nSTART once\nWAIT 2s\n");
   REQUIRE(twice.error);
   CHECK(twice.error->code == "E343");
   CHECK(twice.error->place.line == 5);
@@ -122,7 +123,7 @@ TEST_CASE("a START of a running TASK is an error also where nothing comes behind
       "SIGNAL torch = DOUT[1] SAFE OFF\nTASK long\nWAIT 100s\nENDTASK\ntorch = ON\nSTART long\n";
   for (const std::string way : {"", "MOVE(20, 0, 0)\n"}) {
     CAPTURE(way);
-    const RunResult result = run(task + way + "START long");
+    const RunResult result = run_tasks(task + way + "START long");
     REQUIRE(result.error);
     CHECK(result.error->code == "E343");
     CHECK(result.final_joints[0] == (way.empty() ? 0 : 20));
@@ -132,10 +133,10 @@ TEST_CASE("a START of a running TASK is an error also where nothing comes behind
 }
 
 TEST_CASE("what stands behind a START of a running TASK is not commanded") {
-  const RunResult result =
-      run("TASK long\nWAIT 100s\nENDTASK\nSTART long\n"
-          "TRY\nMOVE(40, 0, 0)\nPRINT \"before\"\nSTART long\nPRINT \"behind\"\n"
-          "MOVE(100, 0, 0)\nRESCUE why\nPRINT why, HERE.x\nENDTRY\n");
+  const RunResult result = run_tasks(
+      "TASK long\nWAIT 100s\nENDTASK\nSTART long\n"
+      "TRY\nMOVE(40, 0, 0)\nPRINT \"before\"\nSTART long\nPRINT \"behind\"\n"
+      "MOVE(100, 0, 0)\nRESCUE why\nPRINT why, HERE.x\nENDTRY\n");
   CHECK(result.output == std::vector<std::string>{"before", "E343: TASK long runs already40mm"});
   CHECK(result.final_joints[0] == 40);
 }
@@ -143,16 +144,16 @@ TEST_CASE("what stands behind a START of a running TASK is not commanded") {
 TEST_CASE("a START of a TASK that has ended keeps the blend") {
   const std::string task = "TASK once\nWAIT 0.1s\nENDTASK\nSTART once\n";
   const std::string way = "MOVE(40, 40, 0)\nMOVE(140, 40, 0)\n";
-  const RunResult with = run(task + way + "START once\nMOVE(90, 126, 0)\n");
+  const RunResult with = run_tasks(task + way + "START once\nMOVE(90, 126, 0)\n");
   CHECK(with.exit_code == ExitCode::Done);
-  CHECK(with.measured == run(way + "MOVE(90, 126, 0)\n").measured);
+  CHECK(with.measured == run_tasks(way + "MOVE(90, 126, 0)\n").measured);
 }
 
 TEST_CASE("an error of a TASK is one of the program, and a TRY can catch it") {
   const std::string task =
       "SIGNAL torch = DOUT[1] SAFE OFF\nTASK guard\nWAIT DIN[1]\nRAISE \"open\"\nENDTASK\n"
       "START guard\ntorch = ON\n";
-  const RunResult caught = run(
+  const RunResult caught = run_tasks(
       task + "TRY\nMOVE(100, 0, 0)\nMOVE(200, 0, 0)\nWAIT DIN[2]\nRESCUE why\nPRINT why\nENDTRY\n",
       "at 3s DIN[1] = ON");
   CHECK(caught.exit_code == ExitCode::Done);
@@ -160,7 +161,7 @@ TEST_CASE("an error of a TASK is one of the program, and a TRY can catch it") {
   // What was commanded before is finished.
   CHECK(caught.final_joints[0] == 200);
 
-  const RunResult fatal = run(task + "MOVE(100, 0, 0)\nWAIT DIN[2]\n", "at 1s DIN[1] = ON");
+  const RunResult fatal = run_tasks(task + "MOVE(100, 0, 0)\nWAIT DIN[2]\n", "at 1s DIN[1] = ON");
   REQUIRE(fatal.error);
   CHECK(fatal.error->message == "open");
   CHECK(fatal.error->place.line == 4);
@@ -171,10 +172,10 @@ TEST_CASE("an error of a TASK is one of the program, and a TRY can catch it") {
 }
 
 TEST_CASE("an error of a TASK tells where it was started") {
-  const RunResult result =
-      run("PROC check(n: INT)\nASSERT n < 2\nENDPROC\n"
-          "TASK count\ncheck(1)\ncheck(2)\nENDTASK\n"
-          "MOVE(20, 0, 0)\nSTART count\nMOVE(40, 0, 0)\n");
+  const RunResult result = run_tasks(
+      "PROC check(n: INT)\nASSERT n < 2\nENDPROC\n"
+      "TASK count\ncheck(1)\ncheck(2)\nENDTASK\n"
+      "MOVE(20, 0, 0)\nSTART count\nMOVE(40, 0, 0)\n");
   REQUIRE(result.error);
   CHECK(result.error->place.line == 2);
   CHECK(result.error->calls ==
@@ -182,19 +183,19 @@ TEST_CASE("an error of a TASK tells where it was started") {
 }
 
 TEST_CASE("an error of a TASK ends a WAIT, and a motion under guard leaves nothing behind") {
-  const RunResult result =
-      run("TASK guard\nWAIT 1s\nRAISE \"late\"\nENDTASK\n"
-          "START guard\nTRY\nMOVE(100, 0, 0) UNTIL DIN[1]\nRESCUE why\nPRINT why\nENDTRY\n"
-          "MOVE(50, 0, 0) UNTIL DIN[2]\nPRINT HIT\n",
-          "at 2s DIN[1] = ON\nat 9s DIN[2] = ON");
+  const RunResult result = run_tasks(
+      "TASK guard\nWAIT 1s\nRAISE \"late\"\nENDTASK\n"
+      "START guard\nTRY\nMOVE(100, 0, 0) UNTIL DIN[1]\nRESCUE why\nPRINT why\nENDTRY\n"
+      "MOVE(50, 0, 0) UNTIL DIN[2]\nPRINT HIT\n",
+      "at 2s DIN[1] = ON\nat 9s DIN[2] = ON");
   CHECK(result.exit_code == ExitCode::Done);
   CHECK(result.output.size() == 2);
 }
 
 TEST_CASE("a TASK without WAIT or reading is stopped by its budget, not for ever") {
-  const RunResult result =
-      run("VAR n = 0\nTASK busy\nLOOP\nn = n + 1\nENDLOOP\nENDTASK\n"
-          "START busy\nWAIT 1s\nPRINT n > 50000 AND n < 200000\n");
+  const RunResult result = run_tasks(
+      "VAR n = 0\nTASK busy\nLOOP\nn = n + 1\nENDLOOP\nENDTASK\n"
+      "START busy\nWAIT 1s\nPRINT n > 50000 AND n < 200000\n");
   CHECK(result.exit_code == ExitCode::Done);
   CHECK(result.output == std::vector<std::string>{"TRUE"});
 }
@@ -204,8 +205,8 @@ TEST_CASE("a run with TASKs has the same bits every time, and can be foretold an
       "VAR n = 0.0\nTASK draw\nLOOP\nn = RANDOM()\nWAIT 0.1s\nENDLOOP\nENDTASK\n"
       "TEST \"draws\"\nSTART draw\nWAIT 1s\nEXPECT n > 0\nENDTEST\n"
       "START draw\nMOVE(40, 0, 0)\nPRINT n\nMOVE(80, 0, 0)\nSTOP\nPRINT n\n";
-  const RunResult one = run(text);
-  CHECK(one.output == run(text).output);
+  const RunResult one = run_tasks(text);
+  CHECK(one.output == run_tasks(text).output);
   CHECK(one.output[0] != one.output[1]);
   const auto program = runtime::compile_program("test.rob", text, gantry());
   CHECK(runtime::foretell(program, gantry()).exit_code == ExitCode::Done);
@@ -216,7 +217,7 @@ TEST_CASE("a run with TASKs has the same bits every time, and can be foretold an
 }
 
 TEST_CASE("arrays and records are shared as all else, and a TASK has memory of its own") {
-  const RunResult result = run(R"(RECORD part
+  const RunResult result = run_tasks(R"(RECORD part
   name: STRING
   at: ARRAY[2] OF INT
 ENDRECORD
@@ -258,9 +259,9 @@ PRINT parts[1].name, parts[2].at
 }
 
 TEST_CASE("a WAIT of the program can wait for an element that a TASK changes") {
-  const RunResult result =
-      run("VAR done: ARRAY[2] OF BOOL\nTASK work\nWAIT 0.5s\ndone[2] = TRUE\nENDTASK\n"
-          "START work\nWAIT done[2]\nPRINT CLOCK >= 0.5s AND CLOCK < 0.6s\n");
+  const RunResult result = run_tasks(
+      "VAR done: ARRAY[2] OF BOOL\nTASK work\nWAIT 0.5s\ndone[2] = TRUE\nENDTASK\n"
+      "START work\nWAIT done[2]\nPRINT CLOCK >= 0.5s AND CLOCK < 0.6s\n");
   CHECK(result.output == std::vector<std::string>{"TRUE"});
 }
 
@@ -273,20 +274,20 @@ TEST_CASE("globals that registers have no room for are shared, too") {
       "TASK work\nv1 = v1 + 1\nv200 = v200 + 1\nt200 = t200 + \"b\"\nENDTASK\n"
       "PROC set()\nv200 = 4.5\nt200 = \"a\"\nENDPROC\n"
       "set()\nv1 = 2.5\nSTART work\nWAIT 0.1s\nPRINT v1, \" \", v200, \" \", v199, t200\n";
-  CHECK(run(text).output == std::vector<std::string>{"3.5 5.5 0.5ab"});
+  CHECK(run_tasks(text).output == std::vector<std::string>{"3.5 5.5 0.5ab"});
 }
 
 TEST_CASE("a TASK is outside of what WITH says") {
-  const RunResult result =
-      run("TOOL pen = POSE(30mm, 0mm, 0mm)\nTASK where\nPRINT HERE.x\nENDTASK\n"
-          "MOVE(40, 0, 0)\nSTOP\nWITH pen DO\nSTART where\nWAIT 0.1s\nPRINT HERE.x\nENDWITH\n");
+  const RunResult result = run_tasks(
+      "TOOL pen = POSE(30mm, 0mm, 0mm)\nTASK where\nPRINT HERE.x\nENDTASK\n"
+      "MOVE(40, 0, 0)\nSTOP\nWITH pen DO\nSTART where\nWAIT 0.1s\nPRINT HERE.x\nENDWITH\n");
   CHECK(result.output == std::vector<std::string>{"40mm", "70mm"});
 }
 
 TEST_CASE("calls of a TASK that need more memory than it has are an error") {
-  const RunResult result =
-      run("PROC deep(n: INT)\nVAR block: ARRAY[5000] OF INT\nblock[1] = n\ndeep(n + 1)\nENDPROC\n"
-          "TASK work\ndeep(1)\nENDTASK\nSTART work\nWAIT 1s\n");
+  const RunResult result = run_tasks(
+      "PROC deep(n: INT)\nVAR block: ARRAY[5000] OF INT\nblock[1] = n\ndeep(n + 1)\nENDPROC\n"
+      "TASK work\ndeep(1)\nENDTASK\nSTART work\nWAIT 1s\n");
   REQUIRE(result.error);
   CHECK(result.error->code == "E321");
   CHECK(result.error->message.find("16384 numbers and 256 texts") != std::string::npos);

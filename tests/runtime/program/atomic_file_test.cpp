@@ -11,10 +11,12 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "runtime/program/files.h"
 #include "tests/support/file_error.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/without_privileges.h"
 
 namespace fs = std::filesystem;
 using rob::runtime::FileCalls;
@@ -23,6 +25,7 @@ using rob::runtime::read_file;
 using rob::runtime::save_file;
 using rob::test::message_of;
 using rob::test::ScratchFolder;
+using rob::test::true_without_privileges;
 
 namespace {
 
@@ -79,6 +82,27 @@ class FaultyCalls : public FileCalls {
   int error_;
   bool written_ = false;
 };
+
+/// Notes the names of the files that are brought to the disk, and when the file gets its name.
+class SyncedNames : public FileCalls {
+ public:
+  int sync(int fd) override {
+    steps.push_back(fs::read_symlink("/proc/self/fd/" + std::to_string(fd)).string());
+    return FileCalls::sync(fd);
+  }
+  int rename(const char* from, const char* to) override {
+    steps.emplace_back("rename");
+    return FileCalls::rename(from, to);
+  }
+
+  std::vector<std::string> steps;
+};
+
+/// Tries to save the file; whether the message advises to check the permissions.
+bool names_permissions(const std::string& file) {
+  return message_of([&] { save_file(file, "new"); }).find("check the permissions") !=
+         std::string::npos;
+}
 
 constexpr Call kAll[] = {Call::Open,  Call::Lock, Call::Permit,
                          Call::Write, Call::Sync, Call::Rename};
@@ -146,13 +170,34 @@ TEST_CASE("fault 41: a folder, a pipe and a device are refused at once") {
 }
 
 TEST_CASE("fault 41: in a folder that may not be written the old file stays") {
-  if (geteuid() == 0) return;  // nothing is forbidden to root
   const Scratch scratch;
   fs::permissions(scratch.path, fs::perms(0500));
-  CHECK(message_of([&] { save_file(scratch.file(), "new"); }).find("check the permissions") !=
-        std::string::npos);
+  CHECK(true_without_privileges([&] { return names_permissions(scratch.file()); }));
   fs::permissions(scratch.path, fs::perms(0700));
   CHECK(scratch.content() == "old");
+  CHECK(scratch.tidy());
+}
+
+TEST_CASE("fault 41: a file that may not be written stays, though its folder may be written") {
+  const Scratch scratch;
+  fs::permissions(scratch.file(), fs::perms(0400));
+  CHECK(true_without_privileges([&] { return names_permissions(scratch.file()); }));
+  CHECK(scratch.content() == "old");
+  CHECK(scratch.tidy());
+  fs::permissions(scratch.file(), fs::perms(0600));
+  CHECK(true_without_privileges([&] { return !names_permissions(scratch.file()); }));
+  CHECK(scratch.content() == "new");
+}
+
+TEST_CASE("a save ends when the folder with the new name has reached the disk, too") {
+  const Scratch scratch;
+  SyncedNames calls;
+  save_file(scratch.file(), "new", calls);
+  // The text before it gets its name, the name afterwards.
+  REQUIRE(calls.steps.size() == 3);
+  CHECK(calls.steps[0] == (fs::canonical(scratch.path) / ".a.rob.saving").string());
+  CHECK(calls.steps[1] == "rename");
+  CHECK(calls.steps[2] == fs::canonical(scratch.path).string());
 }
 
 TEST_CASE("fault 42: a crash at any call leaves the old file, and the next save cleans up") {

@@ -39,7 +39,7 @@ RunResult run(const std::string& program, const std::string& text) {
   return rob::runtime::run(loaded, robot, options, {});
 }
 
-std::string first_error(const std::string& text) {
+std::string script_error(const std::string& text) {
   const SignalScript script = script_for(
       text, "SIGNAL part_here = DIN[1]\nSIGNAL wire: SPEED = AIN[1] SCALE 0mm/s TO 300mm/s");
   REQUIRE(script.diagnostics.has_errors());
@@ -101,30 +101,30 @@ TEST_CASE("the robot's own inputs can be driven too") {
 }
 
 TEST_CASE("mistakes of a script are all told, with their place") {
-  CHECK(first_error("part_here = ON") == "1:1 E541 at or when expected, not 'part_here'");
-  CHECK(first_error("\nat 5 part_here = ON") ==
+  CHECK(script_error("part_here = ON") == "1:1 E541 at or when expected, not 'part_here'");
+  CHECK(script_error("\nat 5 part_here = ON") ==
         "2:4 E541 a time such as 2.5s behind at expected, not '5'");
-  CHECK(first_error("at 5mm part_here = ON") ==
+  CHECK(script_error("at 5mm part_here = ON") ==
         "1:4 E541 a time such as 2.5s behind at expected, not '5mm'");
-  CHECK(first_error("at 5s part_her = ON") ==
+  CHECK(script_error("at 5s part_her = ON") ==
         "1:7 E542 neither the program nor the robot has a signal part_her");
-  CHECK(first_error("at 5s DIN[17] = ON") ==
+  CHECK(script_error("at 5s DIN[17] = ON") ==
         "1:7 E542 neither the program nor the robot has a signal DIN[17]");
-  CHECK(first_error("at 5s lift = ON") ==
+  CHECK(script_error("at 5s lift = ON") ==
         "1:7 E542 lift is an output: the program sets it, no script can");
-  CHECK(first_error("at 5s part_here = 3") == "1:19 E543 part_here is ON or OFF, not '3'");
-  CHECK(first_error("at 5s wire = 3V") == "1:14 E543 wire is a speed, not '3V'");
-  CHECK(first_error("at 5s wire = 301mm/s") ==
+  CHECK(script_error("at 5s part_here = 3") == "1:19 E543 part_here is ON or OFF, not '3'");
+  CHECK(script_error("at 5s wire = 3V") == "1:14 E543 wire is a speed, not '3V'");
+  CHECK(script_error("at 5s wire = 301mm/s") ==
         "1:14 E543 wire carries 0mm/s to 300mm/s; 301mm/s is beyond that");
-  CHECK(first_error("when part_here > ON : part_here = ON") ==
+  CHECK(script_error("when part_here > ON : part_here = ON") ==
         "1:16 E543 part_here is ON or OFF; compare it with == or <>");
-  CHECK(first_error("when part_here == ON part_here = ON") ==
+  CHECK(script_error("when part_here == ON part_here = ON") ==
         "1:22 E541 ':' expected, not 'part_here'");
-  CHECK(first_error("at 5s part_here = ON twice") ==
+  CHECK(script_error("at 5s part_here = ON twice") ==
         "1:22 E541 the end of the line expected, not 'twice'");
-  CHECK(first_error("at 5s") == "1:6 E541 the name of a signal expected, not the end of the line");
-  CHECK(first_error("at 5s ANSWER = 7") == "1:16 E541 a text such as \"7\" expected, not '7'");
-  CHECK(first_error("at 2000000s part_here = ON") ==
+  CHECK(script_error("at 5s") == "1:6 E541 the name of a signal expected, not the end of the line");
+  CHECK(script_error("at 5s ANSWER = 7") == "1:16 E541 a text such as \"7\" expected, not '7'");
+  CHECK(script_error("at 2000000s part_here = ON") ==
         "1:4 E543 2000000s is beyond the 1000000s of a run");
   CHECK(script_for("at 1s x = ON\nat 2s y = ON", "STOP").diagnostics.error_count() == 2);
 }

@@ -7,15 +7,17 @@
 
 #include "runtime/prompt/pendant_view.h"
 #include "tests/runtime/prompt/virtual_prompt.h"
+#include "tests/support/degrees.h"
 
 using namespace rob::runtime;
+using rob::test::kDegree;
 using rob::test::VirtualPrompt;
 using Event = Key::Event;
 
 namespace {
 
 constexpr Key kRight{Key::Kind::Right};
-constexpr Key kUp{Key::Kind::Up};
+constexpr Key kUpKey{Key::Kind::Up};
 
 Key letter(char c, Event event = Event::Press) {
   return {Key::Kind::Character, static_cast<char32_t>(c), event};
@@ -49,6 +51,17 @@ struct Held : VirtualPrompt {
   }
   double q(int axis) const { return sample().reference.q[axis]; }
   double speed(int axis) const { return sample().reference.qd[axis]; }
+  /// m/s, of the flange.
+  Eigen::Vector3d velocity() const {
+    constexpr double kMoment = 1e-6;  // s
+    const auto place = [&](double time) {
+      return session.robot()
+          .robot()
+          .kinematics->forward(sample().reference.q + sample().reference.qd * time)
+          .position;
+    };
+    return (place(kMoment) - place(-kMoment)) / (2 * kMoment);
+  }
 
   Pendant pendant;
 };
@@ -98,9 +111,37 @@ TEST_CASE("a step is as long as it says") {
   held.rest();
   CHECK(held.q(0) == doctest::Approx(0.001).epsilon(1e-6));  // 1 mm
   held.pendant.press(letter('.'));
-  held.pendant.press(kUp);
+  held.pendant.press(kUpKey);
   held.rest();
   CHECK(held.q(1) == doctest::Approx(0.010).epsilon(1e-6));
+}
+
+TEST_CASE("a step that does not take whole periods at full rate is as long as it says, too") {
+  Held held(false, "lwa4p");
+  held.pendant.press(letter(']'));  // 25 % of 72 deg/s: 10 deg would take 0.5556 s
+  held.pendant.press(letter('.'));
+  const double before = held.q(0);
+  held.pendant.press(kRight);
+  held.rest();
+  CHECK((held.q(0) - before) / kDegree == doctest::Approx(10).epsilon(1e-6));
+}
+
+TEST_CASE("at full speed a tool goes 250 mm/s, if its axes can, and axes as fast as they can") {
+  const auto fastest = [](const std::string& robot, bool tool, const Key& key, auto speed) {
+    Held held(true, robot);
+    for (int i = 0; i < 3; ++i) held.pendant.press(letter(']'));  // 25, 50, 100 %
+    REQUIRE(held.pendant.share() == 1);
+    if (tool) held.pendant.press(letter('w'));
+    held.pendant.press(key);
+    held.pass(0.6);
+    return speed(held);
+  };
+  const Key page_up{Key::Kind::PageUp};
+  const auto axis_speed = [](const Held& held) { return held.speed(0); };
+  const auto tool_speed = [](const Held& held) { return held.velocity().norm(); };
+  CHECK(fastest("gantry", true, kRight, axis_speed) == doctest::Approx(0.02));
+  CHECK(fastest("lwa4p", false, kRight, axis_speed) / kDegree == doctest::Approx(72));
+  CHECK(fastest("lwa4p", true, page_up, tool_speed) == doctest::Approx(0.25));
 }
 
 TEST_CASE("never more than one step is pending") {
