@@ -23,7 +23,7 @@ constexpr double kQuiet = 0.1;       // s [choice] until no answer to a former $
 constexpr double kGlance = 0.05;     // s [choice] between two looks at whether it is given up
 constexpr int kReports = 5;          // [choice] grblHAL's second report after a reset has WCO
 constexpr double kReportTime = 0.2;  // s for a report
-constexpr double kAnswerTime = 2;    // s for $# and $G
+constexpr double kQueryTime = 2;     // s for $# and $G
 constexpr int kLeastVersion = 101;   // 1.1: real-time commands, G93 with jogging beside it
 
 constexpr int kSoftLimits = 20;
@@ -204,8 +204,8 @@ Offset read_offset(GrblPort& port) {
   std::string modes;
   for (const char* const question : {"$#\n", "$G\n"}) {
     port.send(question);
-    const double end = wire_time() + kAnswerTime;
-    const bool whole = take_answer(port, kAnswerTime, end, [&](const Line& line) {
+    const double end = wire_time() + kQueryTime;
+    const bool whole = take_answer(port, kQueryTime, end, [&](const Line& line) {
       if (line.kind == Line::Kind::Parameter) known[std::string(line.name)] = along_axes(line);
       if (line.kind == Line::Kind::Message && line.text.starts_with("[GC:")) modes = line.text;
     });

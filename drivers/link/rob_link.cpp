@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kHelloTime = 0.5;  // s [choice] a board may be starting
 constexpr int kHellos = 6;
-constexpr double kAnswerTime = 0.05;  // s [choice] for what is not a reference
-constexpr double kBrakingTime = 1.5;  // s [choice] for the slowest machine to brake
+constexpr double kCommandTime = 0.05;  // s [choice] for what is not a reference
+constexpr double kBrakingTime = 1.5;   // s [choice] for the slowest machine to brake
 constexpr int kTries = 3;
 constexpr double kTurnaround = 1e-3;  // s [choice] for a device to answer
 constexpr double kShare = 0.8;        // of a cycle, for all that is said in it (WireBackend)
@@ -145,7 +145,7 @@ auto RobLink::enable_drives() noexcept -> Result {
   const std::uint8_t on = 1;
   Result result = Result::TimedOut;
   for (int i = 0; i < kTries && result == Result::TimedOut; ++i)
-    result = ask_state(Type::Enable, {&on, 1}, wire_time() + kAnswerTime);
+    result = ask_state(Type::Enable, {&on, 1}, wire_time() + kCommandTime);
   return result;
 }
 
@@ -173,7 +173,7 @@ void RobLink::disable() noexcept {
   if (enabled_) run_dry();
   enabled_ = false;
   const auto stop = [&](std::uint8_t category) {
-    return ask_state(Type::Stop, {&category, 1}, wire_time() + kAnswerTime);
+    return ask_state(Type::Stop, {&category, 1}, wire_time() + kCommandTime);
   };
   const double end = wire_time() + kBrakingTime;
   for (int mute = 0; mute < kTries && wire_time() < end;) {
