@@ -66,10 +66,17 @@ void StatementChecker::check(Routine& routine) {
   routine.memory = take_memory_use();
   uses_.enter(nullptr);
   inside_.routine = nullptr;
-  if (!routine.function || ending_of(routine.body) != Ending::Surely) return;
+  if (routine.function) check_returns(routine);
+}
+
+/// Where a line could not be read it may have been the RETURN.
+void StatementChecker::check_returns(const Routine& routine) {
+  if (!routine.whole) return;
+  const auto way = way_without_return(routine.body);
+  if (!way) return;
   diagnostics_.error(code::kReturnMissing, routine.end,
-                     fmt::format("{} comes to its end without RETURN", shortened(routine.name)),
-                     "RETURN a value on every way through it");
+                     fmt::format("{} can end without RETURN: {}", shortened(routine.name), *way),
+                     "RETURN a value there, or RAISE an error if this cannot happen");
 }
 
 void StatementChecker::check_parameters(Routine& routine) {

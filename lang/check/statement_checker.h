@@ -189,6 +189,7 @@ class StatementChecker {
   // Routines (check_routines.cpp)
   void declare(const Routine& routine);
   void check(Routine& routine);
+  void check_returns(const Routine& routine);
   void check_parameters(Routine& routine);
 
   /// Whether the name has a meaning already: an error or a warning.
@@ -198,7 +199,7 @@ class StatementChecker {
   /// Checks a block that is never executed if `unreached`.
   void check_guarded(Block& block, bool unreached);
   Type check_range(For& loop);
-  void check_constant_range(const For& loop, const Type& type);
+  void check_constant_range(For& loop, const Type& type);
   /// EXIT and NEXT belong to the innermost loop.
   void require_loop(std::string_view word);
   void check_body(Block& body);

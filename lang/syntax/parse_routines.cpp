@@ -36,6 +36,7 @@ void Parser::routine() {
   }
   routine.body = block_of(open);
   routine.end = current_.place;
+  routine.whole = !diagnostics_.has_error_between(routine.place, routine.end);
   close(open);
   if (routine.name.empty()) return;
   count_node(routine.place);

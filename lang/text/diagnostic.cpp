@@ -116,10 +116,18 @@ std::string Diagnostics::line_of(const Place& place, const Place& from) const {
   return fmt::format("{} of {}", text, named ? file_names_[place.file - 1] : "the program");
 }
 
+bool Diagnostics::has_error_between(const Place& first, const Place& last) const {
+  if (errors_ >= kMost) return true;
+  return std::ranges::any_of(all_, [&](const Diagnostic& one) {
+    return one.severity == Severity::Error && one.place.file == first.file &&
+           one.place.line >= first.line && one.place.line <= last.line;
+  });
+}
+
 void Diagnostics::add(Diagnostic diagnostic) {
   // A message may quote the source, whatever stands there.
-  diagnostic.message = printable(diagnostic.message);
-  diagnostic.help = printable(diagnostic.help);
+  diagnostic.message = visible(diagnostic.message);
+  diagnostic.help = visible(diagnostic.help);
   const bool is_error = diagnostic.severity == Severity::Error;
   if (is_error) ++errors_;
   if (all_.size() >= kMost) {

@@ -241,7 +241,6 @@ class Vm {
   /// The same if a SIMULATE is for the past.
   bool check_after(Code pc, double seconds);
   State fail_calls_too_deep(Code pc);
-  State fail_no_value(Code pc);
   State fail_index(Code pc, std::int64_t index, std::uint32_t count);
   /// Where a reference leads, and some slots further.
   Slot* place_of(Slot reference, std::uint32_t offset) {

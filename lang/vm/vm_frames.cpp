@@ -180,14 +180,6 @@ Vm::State Vm::fail_memory(Code pc) {
                .help = "REF passes an array without copying it"});
 }
 
-Vm::State Vm::fail_no_value(Code pc) {
-  return fail(pc, {.code = std::string(code::kEndedWithoutReturn),
-                   .place = place(pc),
-                   .message = fmt::format("{} came to its end without RETURN",
-                                          chunk_->routines[frame_[-1].routine].name),
-                   .help = "RETURN a value on every way through it"});
-}
-
 Vm::State Vm::fail_index(Code pc, std::int64_t index, std::uint32_t count) {
   return fail(
       pc, {.code = std::string(code::kIndexOutOfRange),
