@@ -6,6 +6,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "lang/text/visible.h"
 #include "runtime/program/machine.h"
 
 namespace rob::runtime {
@@ -169,7 +170,8 @@ void Parser::add_others() {
 }
 
 CommandLineEnd usage_error(const std::string& message) {
-  return {ExitCode::Usage, "", "rob: " + message + "\nrob --help lists the commands\n"};
+  return {ExitCode::Usage, "",
+          fmt::format("rob: {}\nrob --help lists the commands\n", lang::on_one_line(message))};
 }
 
 std::variant<Options, CommandLineEnd> help_on(Parser& parser) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "lang/text/utf8.h"
+#include "lang/text/visible.h"
 
 namespace rob::lang {
 
@@ -62,28 +63,11 @@ std::pair<std::size_t, std::size_t> window(std::string_view line, std::size_t by
   return {begin, end};
 }
 
-/// C0, DEL and C1: they could move the cursor of the terminal.
-bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
-
-/// As a terminal may safely show it, with as many characters as Place counts: a tab as a blank,
-/// control characters and what is no UTF-8 as '?'.
-std::string printable(std::string_view text) {
-  std::string shown;
-  while (!text.empty()) {
-    const CodePoint c = decode_utf8(text);
-    const std::size_t length = std::max<std::size_t>(c.length, 1);
-    if (text.front() == '\t') {
-      shown += ' ';
-    } else if (c.length == 0) {
-      if (!is_utf8_continuation(text.front())) shown += '?';
-    } else if (is_control(c.value)) {
-      shown += '?';
-    } else {
-      shown += text.substr(0, length);
-    }
-    text.remove_prefix(length);
-  }
-  return shown;
+/// A tab is as wide as a blank there.
+std::string shown_part(std::string_view line) {
+  std::string part(line);
+  std::ranges::replace(part, '\t', ' ');
+  return visible(part);
 }
 
 /// The source line and the line with the caret under the place.
@@ -92,15 +76,17 @@ std::string excerpt(const Place& place, std::string_view source) {
   if (line.empty()) return "";
   if (place.column == 0) {
     const auto [begin, end] = window(line, 0);
-    return fmt::format("  {}\n", printable(line.substr(begin, end - begin)));
+    return fmt::format("  {}\n", shown_part(line.substr(begin, end - begin)));
   }
   const std::size_t byte = byte_of_column(line, place.column);
   const auto [begin, end] = window(line, byte);
-  const std::uint32_t blanks = count_code_points(line.substr(begin, byte - begin));
-  const std::uint32_t room = count_code_points(line.substr(byte, end - byte));
-  const std::uint32_t carets = std::clamp(place.length, 1U, std::max(room, 1U));
-  return fmt::format("  {}\n  {}{}\n", printable(line.substr(begin, end - begin)),
-                     std::string(blanks, ' '), std::string(carets, '^'));
+  const std::size_t last = std::min(byte_of_column(line, place.column + place.length), end);
+  const auto width = [&](std::size_t from, std::size_t to) {
+    return count_code_points(shown_part(line.substr(from, to - from)));
+  };
+  const std::uint32_t carets = std::max(width(byte, std::max(byte, last)), 1U);
+  return fmt::format("  {}\n  {}{}\n", shown_part(line.substr(begin, end - begin)),
+                     std::string(width(begin, byte), ' '), std::string(carets, '^'));
 }
 
 }  // namespace
@@ -154,13 +140,13 @@ void Diagnostics::warning(std::string_view code, Place place, std::string messag
 std::string render(const Diagnostic& diagnostic, std::string_view file_name,
                    std::string_view source) {
   const Place& place = diagnostic.place;
-  std::string text(file_name);
+  std::string text = on_one_line(file_name);
   if (place.line > 0) text += fmt::format(":{}", place.line);
   if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
   text += fmt::format(": {}[{}]: {}\n", word_of(diagnostic.severity), diagnostic.code,
-                      printable(diagnostic.message));
+                      visible(diagnostic.message));
   if (place.line > 0) text += excerpt(place, source);
-  if (!diagnostic.help.empty()) text += fmt::format("help: {}\n", printable(diagnostic.help));
+  if (!diagnostic.help.empty()) text += fmt::format("help: {}\n", visible(diagnostic.help));
   return text;
 }
 

@@ -129,7 +129,7 @@ ExitCode run_prompt(const Options& options) {
     try {
       running.emplace("the prompt", options.robot.empty() ? "gantry" : options.robot);
     } catch (const FileError& error) {
-      put_message(fmt::format("rob: warning: {}\n", error.what()));
+      put_error(fmt::format("warning: {}", error.what()));
     }
   }
   SessionOptions session;

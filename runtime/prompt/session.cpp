@@ -9,6 +9,7 @@
 
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
+#include "lang/text/visible.h"
 #include "motion/robots/robot_file.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/units.h"
@@ -108,7 +109,9 @@ std::unique_ptr<LiveRobot> Session::live(const motion::RobotModel& robot) {
 LiveReports::Listener Session::listener() {
   LiveReports::Listener listener;
   listener.print = [this](const std::string& text) { screen_->result(text + "\n"); };
-  listener.tell = [this](const std::string& text) { screen_->message(text + "\n"); };
+  listener.tell = [this](const std::string& text) {
+    screen_->message(lang::on_one_line(text) + "\n");
+  };
   listener.consult = [this](const Note& note) {
     asks_ = note.kind != Note::Kind::Answer;
     if (note.kind == Note::Kind::Ask) screen_->message(note.text + "\n");
@@ -269,7 +272,7 @@ bool Session::interrupt_again() {
 }
 
 void Session::fail(const std::string& message, const std::string& help, ExitCode code) {
-  screen_->message(fmt::format("error: {}\n", message));
+  screen_->message(fmt::format("error: {}\n", lang::on_one_line(message)));
   if (!help.empty()) screen_->message(fmt::format("help: {}\n", help));
   note(code);
 }
@@ -306,7 +309,7 @@ void Session::choose_robot(const std::string& robot, std::optional<motion::Law> 
   if (options.robot == options_.robot) model.start = robot_->channels().joints.load();
   if (!text_->names().empty()) screen_->message("what was declared at the prompt is gone\n");
   if (!options_.trace.empty())
-    screen_->message(fmt::format("the trace '{}' ends here\n", options_.trace));
+    screen_->message(fmt::format("the trace '{}' ends here\n", lang::on_one_line(options_.trace)));
   robot_.reset();
   options.trace.clear();
   options_ = options;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lang/text/ascii.h"
+#include "lang/text/visible.h"
 #include "runtime/program/output_file.h"
 #include "runtime/prompt/session.h"
 
@@ -58,9 +59,10 @@ void Session::tell_held() {
   const bool main = place.file == 0;
   const auto lines = split_lines(main ? run.source : run.used.at(place.file - 1).text);
   const std::string text = place.line <= lines.size() ? lines[place.line - 1] : "";
-  screen_->message(fmt::format("held where {}line {} begins: {}\n",
-                               main ? "" : run.used.at(place.file - 1).name + " ", place.line,
-                               text.substr(std::min(text.find_first_not_of(" \t"), text.size()))));
+  screen_->message(
+      fmt::format("held where {}line {} begins: {}\n",
+                  main ? "" : lang::on_one_line(run.used.at(place.file - 1).name) + " ", place.line,
+                  text.substr(std::min(text.find_first_not_of(" \t"), text.size()))));
 }
 
 void Session::declare(const std::string& entry) { submit(entry, text_->compile(entry)); }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "lang/text/ascii.h"
+#include "lang/text/visible.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/control/units.h"
 #include "runtime/program/console.h"
@@ -67,13 +68,15 @@ std::string history_file() {
   return folder.empty() ? "" : (folder / "history").string();
 }
 
+/// Those that can be shown as they are: readline writes them to the terminal itself.
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code error;
   const std::filesystem::path path = folder.empty() ? "." : folder;
   for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
-    const bool is_folder = entry.is_directory(error);
-    names.push_back(entry.path().filename().string() + (is_folder ? "/" : ""));
+    const std::string name = entry.path().filename().string();
+    if (lang::visible(name) != name) continue;
+    names.push_back(name + (entry.is_directory(error) ? "/" : ""));
   }
   return names;
 }
