@@ -314,7 +314,7 @@ ExitCode carry_out(const Options& options) {
     case Options::Command::Compile:
       return compile_files(options);
     case Options::Command::Format:
-      return format_files(options.files, options.check_only);
+      return format_files(options);
     case Options::Command::Explain:
       return explain(options.word);
     case Options::Command::Robots:

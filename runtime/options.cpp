@@ -156,6 +156,7 @@ void Parser::add_others() {
   CLI::App& format = *app.add_subcommand("fmt", "give programs their canonical layout");
   format.callback([this] { options.command = Options::Command::Format; });
   add_files(format);
+  add_robot(format);
   format.add_flag("--check", options.check_only, "write nothing; name the files that differ");
 
   app.add_subcommand("robots", "the robots known, and what each can do")->callback([this] {
