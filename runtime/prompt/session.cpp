@@ -16,6 +16,7 @@
 #include "runtime/program/simulation.h"
 #include "runtime/program/text_report.h"
 #include "runtime/prompt/commands.h"
+#include "runtime/prompt/entry_lines.h"
 
 namespace rob::runtime {
 
@@ -28,25 +29,9 @@ motion::RobotModel chosen(const SessionOptions& options) {
   return robot;
 }
 
-/// Brackets that are open at the end; texts and comments do not count.
-bool bracket_is_open(std::string_view text) {
-  int open = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '\n') quoted = false;
-    if (c == '"' && (i == 0 || text[i - 1] != '\\')) quoted = !quoted;
-    if (quoted) continue;
-    if (text.substr(i).starts_with("//")) i = std::min(text.find('\n', i), text.size()) - 1;
-    if (c == '(' || c == '[') ++open;
-    if (c == ')' || c == ']') --open;
-  }
-  return open > 0;
-}
-
 bool is_incomplete(const std::string& entry, const LoadedProgram& compiled) {
   if (compiled.runnable()) return false;
-  if (bracket_is_open(entry)) return true;
+  if (EntryLines::brackets_open(entry)) return true;
   return std::ranges::any_of(
       compiled.compilation.diagnostics.all(), [](const lang::Diagnostic& one) {
         return one.code == lang::code::kUnclosedBlock || one.code == lang::code::kRescueMissing;

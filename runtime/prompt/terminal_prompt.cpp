@@ -22,6 +22,7 @@
 #include "runtime/program/console.h"
 #include "runtime/program/interruption.h"
 #include "runtime/program/state_folder.h"
+#include "runtime/prompt/entry_lines.h"
 #include "runtime/prompt/line_editor.h"
 #include "runtime/prompt/pendant_terminal.h"
 #include "runtime/prompt/terminal_guard.h"
@@ -118,7 +119,7 @@ class TerminalPrompt {
   Session session_;
   bool draws_ = draws();
   bool colours_ = draws_ && !is_set("NO_COLOR");
-  std::string entry_;          ///< lines of a block that is open
+  EntryLines entry_;           ///< lines of a block that is open
   std::size_t width_ = 0;      ///< of the state in the prompt
   std::string prompt_;         ///< as it is shown
   Clock::time_point shown_{};  ///< when
@@ -165,7 +166,7 @@ void TerminalPrompt::begin_line() {
   width_ = 0;
   prompt_ = prompt_text();
   shown_ = Clock::now();
-  editor_.begin(prompt_, entry_.empty() || session_.asks() ? "" : indent_behind(entry_));
+  editor_.begin(prompt_, entry_.empty() || session_.asks() ? "" : indent_behind(entry_.text()));
 }
 
 /// For a key, but not longer than until the robot may have something to report. False when the
@@ -205,8 +206,9 @@ void TerminalPrompt::enter(const std::string& line) {
     session_.enter(line);
     return;
   }
-  entry_ += entry_.empty() ? line : "\n" + line;
-  if (session_.enter(entry_) == Session::Taken::Incomplete) return;
+  entry_.add(line);
+  if (entry_.surely_goes_on()) return;
+  if (session_.enter(entry_.text()) == Session::Taken::Incomplete) return entry_.note_open_block();
   entry_.clear();
 }
 
