@@ -12,8 +12,9 @@
 /// The part of StatementChecker that knows PROC, FUNC and RETURN.
 namespace rob::lang {
 
-void StatementChecker::check(Program& program) {
+void StatementChecker::check(Program& program, KnownNames known) {
   scopes_.enter();
+  for (const KeptName* const kept : known) know(*kept);
   for (const Routine& routine : program.routines) {
     scopes_.enter_file(routine.place.file);
     if (!routine.test && !routine.handler) declare(routine);

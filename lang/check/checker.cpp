@@ -265,13 +265,15 @@ void StatementChecker::check_constant_range(For& loop, const Type& type) {
 }
 
 CheckedProgram check(Program program, const RobotSignature& robot, const PointTable& points,
-                     const TargetJudge& judge, Diagnostics& diagnostics) {
+                     const TargetJudge& judge, Diagnostics& diagnostics, KnownNames known) {
   CheckedProgram checked{
       .program = std::move(program), .symbols = {}, .features = {}, .missing_points = {}};
-  TypeDetail& joints = checked.program.types->joints;
-  for (const RobotSignature::Coordinate& axis : robot.axes) joints.axes.push_back(axis.dimension);
-  joints.slots.numbers = static_cast<int>(joints.axes.size());
-  StatementChecker(checked, robot, points, judge, diagnostics).check(checked.program);
+  TypeDetail& joints = *checked.program.types->joints;
+  if (joints.axes.empty()) {  // else it is that of an earlier entry of the prompt
+    for (const RobotSignature::Coordinate& axis : robot.axes) joints.axes.push_back(axis.dimension);
+    joints.slots.numbers = static_cast<int>(joints.axes.size());
+  }
+  StatementChecker(checked, robot, points, judge, diagnostics).check(checked.program, known);
   return checked;
 }
 

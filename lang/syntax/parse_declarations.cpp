@@ -151,11 +151,11 @@ Type Parser::type() {
   if (const auto known = named_type(word.text)) {
     advance();
     if (known->is(Type::Kind::Pose)) return pose_type();
-    if (known->is(Type::Kind::Joints)) return Type::joints(&types_->joints);
+    if (known->is(Type::Kind::Joints)) return Type::joints(types_->joints.get());
     return known->is(Type::Kind::Vec) && at_word("OF") ? vec_type() : *known;
   }
   const TypeDetail* record = imported_type(word.text, word.place, types_->records);
-  if (record == nullptr && names_record(word.text)) record = record_named(word.text);
+  if (record == nullptr && names_record(word.text)) record = &types_->record(file_, word.text);
   if (record != nullptr) {
     advance();
     return {Type::Kind::Record, {}, record};

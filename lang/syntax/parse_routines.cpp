@@ -139,7 +139,8 @@ bool Parser::names_routine(std::string_view name) {
 }
 
 bool Parser::names_record(std::string_view name) {
-  return defined_names().records.contains(to_upper(name));
+  return defined_names().records.contains(to_upper(name)) ||
+         types_->records.contains({file_, to_upper(name)});
 }
 
 }  // namespace rob::lang

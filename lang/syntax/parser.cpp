@@ -42,7 +42,7 @@ std::string described(const Token& token) {
 Parser::Parser(std::string_view source, Diagnostics& diagnostics, SourceContext context)
     : source_(source),
       diagnostics_(diagnostics),
-      lexer_(source, diagnostics, context.file),
+      lexer_(source, diagnostics, context.file, context.parts),
       outline_(*context.outline),
       imports_(std::move(context.imports)),
       nodes_(context.nodes),

@@ -54,6 +54,7 @@ struct Import {
 /// What a text is part of.
 struct SourceContext {
   std::uint32_t file = 0;
+  TextParts parts{};                 ///< of the text
   const Outline* outline = nullptr;  ///< of the text
   std::vector<Import> imports{};
   std::size_t nodes = 0;          ///< of the files that were read before
@@ -147,7 +148,6 @@ class Parser {
   void zero_statement(Block& block);
 
   Type pose_type();
-  const TypeDetail* frame_named(std::string_view name);
   Declaration::Declared declared_name(std::string_view kind);
   Type type();
   Type vec_type();
@@ -156,7 +156,6 @@ class Parser {
   // ARRAY, RECORD and lists (parse_compounds.cpp)
   ExprPtr list();
   Type array_type();
-  TypeDetail* record_named(std::string_view name);
   void record_declaration(Block& block);
   void record_fields(RecordDeclaration& record);
   RecordDeclaration::Fields record_group();

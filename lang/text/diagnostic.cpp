@@ -71,8 +71,7 @@ std::string shown_part(std::string_view line) {
 }
 
 /// The source line and the line with the caret under the place.
-std::string excerpt(const Place& place, std::string_view source) {
-  const std::string_view line = source_line(source, place.line);
+std::string excerpt(const Place& place, std::string_view line) {
   if (line.empty()) return "";
   if (place.column == 0) {
     const auto [begin, end] = window(line, 0);
@@ -137,17 +136,23 @@ void Diagnostics::warning(std::string_view code, Place place, std::string messag
   add({Severity::Warning, std::string(code), place, std::move(message), std::move(help)});
 }
 
-std::string render(const Diagnostic& diagnostic, std::string_view file_name,
-                   std::string_view source) {
+std::string render_line(const Diagnostic& diagnostic, std::string_view file_name,
+                        std::string_view line) {
   const Place& place = diagnostic.place;
   std::string text = on_one_line(file_name);
   if (place.line > 0) text += fmt::format(":{}", place.line);
   if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
   text += fmt::format(": {}[{}]: {}\n", word_of(diagnostic.severity), diagnostic.code,
                       visible(diagnostic.message));
-  if (place.line > 0) text += excerpt(place, source);
+  if (place.line > 0) text += excerpt(place, line);
   if (!diagnostic.help.empty()) text += fmt::format("help: {}\n", visible(diagnostic.help));
   return text;
+}
+
+std::string render(const Diagnostic& diagnostic, std::string_view file_name,
+                   std::string_view source) {
+  const std::uint32_t line = diagnostic.place.line;
+  return render_line(diagnostic, file_name, line == 0 ? source : source_line(source, line));
 }
 
 std::string render(const Diagnostic& diagnostic, std::string_view file_name,

@@ -94,6 +94,10 @@ class Diagnostics {
 std::string render(const Diagnostic& diagnostic, std::string_view file_name,
                    std::string_view source);
 
+/// The same where the line that it is about is at hand.
+std::string render_line(const Diagnostic& diagnostic, std::string_view file_name,
+                        std::string_view line);
+
 /// The same for a program that USEs files.
 std::string render(const Diagnostic& diagnostic, std::string_view file_name,
                    std::string_view source, std::span<const SourceFile> used);

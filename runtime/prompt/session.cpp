@@ -73,7 +73,6 @@ Session::Session(SessionOptions options, Screen& screen)
 /// As if nothing had been typed yet.
 void Session::begin_text(const motion::RobotModel& robot) {
   text_.emplace(robot, options_.points_file);
-  sources_.clear();
   runs_.clear();
   points_.clear();
 }
@@ -139,6 +138,7 @@ Session::Taken Session::enter(const std::string& text, bool last) try {
   take_points();
   LoadedProgram compiled = text_->compile(entry);
   if (!last && is_incomplete(entry, compiled)) return Taken::Incomplete;
+  if (!compiled.runnable()) compiled = text_->compile(entry, SessionText::Knowing::Everything);
   const std::uint32_t line = text_->line();
   if (submit(entry, std::move(compiled)) && workshop_.records) record(entry, line);
   return Taken::Done;
@@ -161,7 +161,6 @@ bool Session::submit(const std::string& entry, LoadedProgram compiled) {
   }
   const std::uint32_t line = text_->line();
   text_->keep(entry, compiled);
-  sources_ += entry + "\n";
   tell(compiled, line);
   if (!compiled.runnable()) {
     note(ExitCode::ProgramError);
@@ -182,8 +181,7 @@ void Session::tell(const LoadedProgram& compiled, std::uint32_t line) {
     const bool before = finding.severity != lang::Severity::Error && finding.place.file == 0 &&
                         finding.place.line < line;
     if (before) continue;
-    screen_->message(
-        lang::render(finding, compiled.file, compiled.source, compiled.compilation.used));
+    screen_->message(text_->rendered(finding, compiled.compilation.used));
   }
 }
 
@@ -207,7 +205,7 @@ void Session::take_failures() {
     const lang::Diagnostic told{lang::Severity::Error, error.code, error.place, error.message,
                                 error.help};
     const auto run = runs_.find(failure->line);
-    screen_->message(run == runs_.end() ? lang::render(told, "prompt", sources_)
+    screen_->message(run == runs_.end() ? text_->rendered(told)
                                         : lang::render(told, run->second.file, run->second.source,
                                                        run->second.used));
   }
