@@ -133,9 +133,18 @@ Declaration::Declared Parser::declared_name(std::string_view kind) {
            fmt::format("{} is the name of a file that is USEd here", described(current_)),
            "choose another name");
   }
+  count_name();
   Declaration::Declared declared{std::string(current_.text), current_.place};
   advance();
   return declared;
+}
+
+void Parser::count_name() {
+  if (++names_ <= kMaxNames) return;
+  report(code::kProgramTooLarge, current_.place,
+         fmt::format("the program is too large: it declares more than {} names", kMaxNames),
+         "keep many values of one kind in an ARRAY");
+  throw GiveUp{};
 }
 
 // type = ( IDENT | "FRAME" | "TOOL" ) [ "IN" IDENT ] | "[" unit "]"

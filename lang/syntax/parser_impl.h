@@ -58,6 +58,7 @@ struct SourceContext {
   const Outline* outline = nullptr;  ///< of the text
   std::vector<Import> imports{};
   std::size_t nodes = 0;          ///< of the files that were read before
+  std::size_t names = 0;          ///< the same
   std::size_t array_lengths = 0;  ///< the same
   /// Of all of them.
   std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>();
@@ -67,6 +68,8 @@ class Parser {
  public:
   Parser(std::string_view source, Diagnostics& diagnostics, SourceContext context);
   Program program();
+  /// That were declared so far, those of the files before included.
+  std::size_t names() const { return names_; }
   Block line_at(std::size_t offset, const Place& place);
 
  private:
@@ -149,6 +152,7 @@ class Parser {
 
   Type pose_type();
   Declaration::Declared declared_name(std::string_view kind);
+  void count_name();
   Type type();
   Type vec_type();
   Type unit_type();
@@ -327,6 +331,7 @@ class Parser {
   int level_ = 0;
   bool rereading_ = false;  ///< what the checker has refused: as a tree
   std::size_t nodes_;
+  std::size_t names_;
   std::uint32_t muted_line_ = 0;  ///< has had its message
   std::vector<OpenBlock> open_blocks_;
   Header header_;

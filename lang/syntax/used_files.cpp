@@ -49,16 +49,19 @@ class Reader {
     if (check_source(text, diagnostics_, number, parts)) {
       file.outline = outline_of(text, number, parts);
       std::vector<Import> imports = imports_of(file.outline, number);
-      file.program = Parser(text, diagnostics_,
-                            {.file = number,
-                             .parts = parts,
-                             .outline = &file.outline,
-                             .imports = std::move(imports),
-                             .nodes = nodes_,
-                             .array_lengths = array_lengths_.size(),
-                             .types = types_})
-                         .program();
+      Parser parser(text, diagnostics_,
+                    {.file = number,
+                     .parts = parts,
+                     .outline = &file.outline,
+                     .imports = std::move(imports),
+                     .nodes = nodes_,
+                     .names = names_,
+                     .array_lengths = array_lengths_.size(),
+                     .types = types_});
+      file.program = parser.program();
       nodes_ = file.program.nodes;
+      names_ = parser.names();
+      whole_ = whole_ && file.program.whole;
       std::ranges::move(file.program.array_lengths, std::back_inserter(array_lengths_));
     }
     file.open = false;
@@ -186,6 +189,7 @@ class Reader {
   std::deque<File> files_;  ///< the program's own first
   std::size_t bytes_ = 0;
   std::size_t nodes_ = 0;
+  std::size_t names_ = 0;
   std::vector<Program::ArrayLength> array_lengths_;
   std::shared_ptr<TypeTable> types_;
   bool whole_ = true;
