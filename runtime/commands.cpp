@@ -48,15 +48,14 @@ ExitCode worse(ExitCode a, ExitCode b) { return a == ExitCode::Done ? b : a; }
 /// One document, or a list where several programs were named, however many of them ran.
 void print_json(const Options& options, const std::vector<Json>& documents) {
   const Json json = options.files.size() == 1 ? documents.front() : Json(documents);
-  // PRINT can write any text; what is not UTF-8 in it must not end the run.
-  put_result(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  put_result(json_text(json));
 }
 
 RunListener listener_of(const Options& options, Progress& progress) {
   RunListener listener;
   listener.warn = [&](const std::string& message) {
     progress.clear();
-    put_message("rob: " + message + "\n");
+    put_error(message);
   };
   listener.consult = [&](const Note& note, int line) { progress.consult(note, line); };
   listener.abandoned = reader_has_gone;
@@ -101,7 +100,7 @@ void find_out_whether_points_can_be_kept(const LoadedProgram& program) {
 OpenMachine machine_for(LoadedProgram& program, const Options& options) {
   OpenMachine machine =
       open_machine(*backend_of(options.backend), program, options.law, options.home);
-  for (const std::string& note : machine.notes) put_message("rob: " + note + "\n");
+  for (const std::string& note : machine.notes) put_error(note);
   return machine;
 }
 
@@ -229,7 +228,7 @@ ExitCode check_files(const Options& options) {
   const std::vector<SignalScript> scripts = load_scripts(options, programs);
   refuse_overwriting_inputs("--path", options.path, options, programs);
   if (!options.path.empty() && !plans_a_path(programs.front())) {
-    put_message("rob: --path: under Paul's law no path is planned ahead; use --law lookahead\n");
+    put_error("--path: under Paul's law no path is planned ahead; use --law lookahead");
     return ExitCode::Usage;
   }
   for (std::size_t i = 0; i < programs.size(); ++i) {
@@ -289,7 +288,7 @@ ExitCode list_ports() {
     if (!port.by_id.empty()) put_result(fmt::format("    {}\n", port.by_id));
   }
   if (ports.empty())
-    put_message("rob: no serial port is there: is the machine plugged in and switched on?\n");
+    put_error("no serial port is there: is the machine plugged in and switched on?");
   return ExitCode::Done;
 }
 
@@ -315,7 +314,7 @@ ExitCode carry_out(const Options& options) {
     case Options::Command::Compile:
       return compile_files(options);
     case Options::Command::Format:
-      return format_files(options.files, options.check_only);
+      return format_files(options);
     case Options::Command::Explain:
       return explain(options.word);
     case Options::Command::Robots:

@@ -39,8 +39,9 @@ ExitCode explain(const std::string& word) {
     return ExitCode::Done;
   }
   const std::string meant = suggestion(word);
-  put_message(fmt::format("rob: there is no help on '{}'{}\nrob --help lists the commands\n",
-                          lang::shortened(word), meant.empty() ? "" : "; " + meant));
+  put_error(fmt::format("there is no help on '{}'{}", lang::shortened(word),
+                        meant.empty() ? "" : "; " + meant));
+  put_message("rob --help lists the commands\n");
   return ExitCode::Usage;
 }
 

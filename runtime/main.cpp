@@ -23,7 +23,7 @@ using rob::runtime::Options;
 namespace {
 
 int fail(ExitCode code, const char* what) {
-  rob::runtime::put_message(fmt::format("rob: {}\n", what));
+  rob::runtime::put_error(what);
   return static_cast<int>(code);
 }
 

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "lang/text/visible.h"
 #include "runtime/program/machine.h"
 
 namespace rob::runtime {
@@ -155,6 +156,7 @@ void Parser::add_others() {
   CLI::App& format = *app.add_subcommand("fmt", "give programs their canonical layout");
   format.callback([this] { options.command = Options::Command::Format; });
   add_files(format);
+  add_robot(format);
   format.add_flag("--check", options.check_only, "write nothing; name the files that differ");
 
   app.add_subcommand("robots", "the robots known, and what each can do")->callback([this] {
@@ -169,7 +171,8 @@ void Parser::add_others() {
 }
 
 CommandLineEnd usage_error(const std::string& message) {
-  return {ExitCode::Usage, "", "rob: " + message + "\nrob --help lists the commands\n"};
+  return {ExitCode::Usage, "",
+          fmt::format("rob: {}\nrob --help lists the commands\n", lang::on_one_line(message))};
 }
 
 std::variant<Options, CommandLineEnd> help_on(Parser& parser) {

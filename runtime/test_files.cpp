@@ -64,7 +64,7 @@ ExitCode test_files(const Options& options) {
   }
   if (!options.json) return code;
   const Json& document = documents.size() == 1 ? documents.front() : documents;
-  put_result(document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  put_result(json_text(document));
   return code;
 }
 

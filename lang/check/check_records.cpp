@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,14 @@ std::size_t index_of(const TypeDetail& record, std::string_view field) {
   return static_cast<std::size_t>(found - record.fields.begin());
 }
 
+void report_field_twice(const TypeDetail& record, const Declaration::Declared& field,
+                        Diagnostics& diagnostics) {
+  diagnostics.error(
+      code::kDeclaredTwice, field.place,
+      fmt::format("{} has a field {} already", shortened(record.name), shortened(field.name)),
+      "give one of them another name");
+}
+
 }  // namespace
 
 void StatementChecker::check(RecordDeclaration& record) {
@@ -33,6 +42,7 @@ void StatementChecker::check(RecordDeclaration& record) {
   declare(Symbol::Kind::Record, declared.name, declared.place, {Type::Kind::Record, {}, &detail},
           {});
   if (detail.complete) return;  // declared twice
+  std::set<std::string> names;  // in capitals
   for (RecordDeclaration::Fields& group : record.groups) {
     const Place place = group.names.front().place;
     if (mentions(group.type, &detail)) {
@@ -44,7 +54,13 @@ void StatementChecker::check(RecordDeclaration& record) {
     } else if (!expressions_.complete(group.type, place)) {
       group.type = Type{};
     }
-    for (const Declaration::Declared& field : group.names) add_field(detail, field, group.type);
+    for (const Declaration::Declared& field : group.names) {
+      if (!names.insert(to_upper(field.name)).second) {
+        report_field_twice(detail, field, diagnostics_);
+      } else {
+        add_field(detail, field, group.type);
+      }
+    }
   }
   if (detail.fields.empty() && record.sound && !detail.faulty) {
     diagnostics_.error(code::kRecordEmpty, declared.place,
@@ -57,13 +73,6 @@ void StatementChecker::check(RecordDeclaration& record) {
 
 void StatementChecker::add_field(TypeDetail& detail, const Declaration::Declared& field,
                                  const Type& type) {
-  if (index_of(detail, field.name) < detail.fields.size()) {
-    diagnostics_.error(
-        code::kDeclaredTwice, field.place,
-        fmt::format("{} has a field {} already", shortened(detail.name), shortened(field.name)),
-        "give one of them another name");
-    return;
-  }
   detail.height = std::max(detail.height, height_of(type) + 1);
   if (detail.height > kMaxDepth) {
     diagnostics_.error(

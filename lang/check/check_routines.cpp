@@ -12,8 +12,9 @@
 /// The part of StatementChecker that knows PROC, FUNC and RETURN.
 namespace rob::lang {
 
-void StatementChecker::check(Program& program) {
+void StatementChecker::check(Program& program, KnownNames known) {
   scopes_.enter();
+  for (const KeptName* const kept : known) know(*kept);
   for (const Routine& routine : program.routines) {
     scopes_.enter_file(routine.place.file);
     if (!routine.test && !routine.handler) declare(routine);
@@ -66,10 +67,17 @@ void StatementChecker::check(Routine& routine) {
   routine.memory = take_memory_use();
   uses_.enter(nullptr);
   inside_.routine = nullptr;
-  if (!routine.function || ending_of(routine.body) != Ending::Surely) return;
+  if (routine.function) check_returns(routine);
+}
+
+/// Where a line could not be read it may have been the RETURN.
+void StatementChecker::check_returns(const Routine& routine) {
+  if (!routine.whole) return;
+  const auto way = way_without_return(routine.body);
+  if (!way) return;
   diagnostics_.error(code::kReturnMissing, routine.end,
-                     fmt::format("{} comes to its end without RETURN", shortened(routine.name)),
-                     "RETURN a value on every way through it");
+                     fmt::format("{} can end without RETURN: {}", shortened(routine.name), *way),
+                     "RETURN a value there, or RAISE an error if this cannot happen");
 }
 
 void StatementChecker::check_parameters(Routine& routine) {

@@ -242,7 +242,7 @@ Type StatementChecker::check_range(For& loop) {
   return type;
 }
 
-void StatementChecker::check_constant_range(const For& loop, const Type& type) {
+void StatementChecker::check_constant_range(For& loop, const Type& type) {
   if (loop.from == nullptr || loop.to == nullptr || !expressions_.reached()) return;
   const Constant step = loop.step == nullptr ? Constant(std::int64_t{1}) : loop.step->constant;
   if (!known(step) || type.kind == Type::Kind::Unknown) return;
@@ -257,6 +257,7 @@ void StatementChecker::check_constant_range(const For& loop, const Type& type) {
       type.kind == Type::Kind::Int
           ? arithmetic::turns(first.integer, last.integer, stride.integer, turns)
           : arithmetic::turns(first.real, last.real, stride.real, turns);
+  loop.turns = range_known && error == ArithmeticError::None && turns > 0;
   if (error == ArithmeticError::None) return;
   const ArithmeticErrorText text = describe(error);
   diagnostics_.error(text.code, loop.step == nullptr ? loop.variable_place : loop.step->place,
@@ -264,13 +265,15 @@ void StatementChecker::check_constant_range(const For& loop, const Type& type) {
 }
 
 CheckedProgram check(Program program, const RobotSignature& robot, const PointTable& points,
-                     const TargetJudge& judge, Diagnostics& diagnostics) {
+                     const TargetJudge& judge, Diagnostics& diagnostics, KnownNames known) {
   CheckedProgram checked{
       .program = std::move(program), .symbols = {}, .features = {}, .missing_points = {}};
-  TypeDetail& joints = checked.program.types->joints;
-  for (const RobotSignature::Coordinate& axis : robot.axes) joints.axes.push_back(axis.dimension);
-  joints.slots.numbers = static_cast<int>(joints.axes.size());
-  StatementChecker(checked, robot, points, judge, diagnostics).check(checked.program);
+  TypeDetail& joints = *checked.program.types->joints;
+  if (joints.axes.empty()) {  // else it is that of an earlier entry of the prompt
+    for (const RobotSignature::Coordinate& axis : robot.axes) joints.axes.push_back(axis.dimension);
+    joints.slots.numbers = static_cast<int>(joints.axes.size());
+  }
+  StatementChecker(checked, robot, points, judge, diagnostics).check(checked.program, known);
   return checked;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "lang/check/kept_name.h"
 #include "lang/check/missing_points.h"
 #include "lang/check/symbols.h"
 #include "lang/machine/machine.h"
@@ -32,11 +33,18 @@ struct CheckedProgram {
   std::deque<Symbol> symbols;  ///< all that Name::symbol and the like point to
   std::vector<FeatureUse> features;
   std::vector<MissingPoint> missing_points;
+  /// What entries of the prompt have declared before.
+  struct Known {
+    const Symbol* symbol = nullptr;
+    const KeptName* kept = nullptr;
+  };
+  std::vector<Known> known{};
 };
 
 /// Settles names, types, dimensions and constants of the whole program, and reports all that is
-/// wrong with them. Where there were errors the result must not be compiled.
+/// wrong with them. Where there were errors the result must not be compiled. `known`: of an entry
+/// of the prompt, what it can name beside its own.
 CheckedProgram check(Program program, const RobotSignature& robot, const PointTable& points,
-                     const TargetJudge& judge, Diagnostics& diagnostics);
+                     const TargetJudge& judge, Diagnostics& diagnostics, KnownNames known = {});
 
 }  // namespace rob::lang

@@ -53,7 +53,7 @@ class ExpressionChecker {
   const Symbol* resolve_channel(Name& name, Place place);
 
   /// The type JOINTS.
-  Type joints() const { return Type::joints(&program_.types->joints); }
+  Type joints() const { return Type::joints(program_.types->joints.get()); }
 
   /// False, and a message, if it needs a force sensor that the robot does not have.
   bool has_sensor(Reading reading, Place place);

@@ -1,18 +1,15 @@
 #pragma once
 
-#include <cstdint>
+#include <optional>
+#include <string>
 
 #include "lang/syntax/ast.h"
 
 namespace rob::lang {
 
-/// How a checked block comes to its end.
-enum class Ending : std::uint8_t {
-  Never,  ///< every way through it ends in RETURN, or turns for ever
-  Maybe,  ///< it depends on values that are not known before the program runs
-  Surely  ///< a way that is written leads to its end
-};
-
-Ending ending_of(const Block& block);
+/// How a call of this body can reach its end without RETURN, in words: "the IF in line 2 has no
+/// ELSE". Nothing if every way through it ends in RETURN or RAISE, or never ends. The body is
+/// checked; conditions that are constant count as what they are.
+std::optional<std::string> way_without_return(const Block& body);
 
 }  // namespace rob::lang

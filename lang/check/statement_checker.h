@@ -34,12 +34,13 @@ class StatementChecker {
         points_(points),
         taught_(checked.program.taught),
         missing_points_(checked.missing_points),
+        known_(checked.known),
         diagnostics_(diagnostics),
         routines_(checked.program.routines),
         entry_(checked.program.entry) {}
 
   /// The top level first, then the routines, which see all its names.
-  void check(Program& program);
+  void check(Program& program, KnownNames known);
 
  private:
   /// What the present statement stands in, up to the routine or handler that it belongs to.
@@ -186,9 +187,14 @@ class StatementChecker {
   void check(Start& start);
   void settle_tasks(const Program& program);
 
+  // What entries of the prompt have declared (check_known.cpp)
+  void know(const KeptName& kept);
+  const Symbol* know_hidden(const KeptName& kept);
+
   // Routines (check_routines.cpp)
   void declare(const Routine& routine);
   void check(Routine& routine);
+  void check_returns(const Routine& routine);
   void check_parameters(Routine& routine);
 
   /// Whether the name has a meaning already: an error or a warning.
@@ -198,7 +204,7 @@ class StatementChecker {
   /// Checks a block that is never executed if `unreached`.
   void check_guarded(Block& block, bool unreached);
   Type check_range(For& loop);
-  void check_constant_range(const For& loop, const Type& type);
+  void check_constant_range(For& loop, const Type& type);
   /// EXIT and NEXT belong to the innermost loop.
   void require_loop(std::string_view word);
   void check_body(Block& body);
@@ -219,6 +225,7 @@ class StatementChecker {
   const PointTable& points_;
   const std::set<std::string>& taught_;
   std::vector<MissingPoint>& missing_points_;
+  std::vector<CheckedProgram::Known>& known_;
   Diagnostics& diagnostics_;
   std::map<int, Place> safe_lines_;  ///< where a signal's SAFE value stands, by its number
   std::map<std::string, Place> points_declared_;  ///< of all files, by their names in capitals

@@ -245,6 +245,16 @@ Slots CodeBuilder::take_memory(Slots slots, Place place) {
   return first;
 }
 
+void CodeBuilder::begin_behind(const Room& room) {
+  numbers_.used = std::max(numbers_.used, room.numbers);
+  texts_.used = std::max(texts_.used, room.texts);
+  numbers_.most = std::max(numbers_.most, numbers_.used);
+  texts_.most = std::max(texts_.most, texts_.used);
+  take_memory({std::max(room.memory.numbers - memory_.numbers, 0),
+               std::max(room.memory.texts - memory_.texts, 0)},
+              {});
+}
+
 void CodeBuilder::release(const Mark& mark) {
   memory_ = mark.memory;
   numbers_.used = mark.numbers;

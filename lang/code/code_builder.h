@@ -16,6 +16,14 @@ namespace rob::lang {
 
 using Register = std::uint8_t;
 
+/// What the top level of a prompt holds from one entry to the next.
+struct Room {
+  int numbers = 0;  ///< registers
+  int texts = 0;
+  Slots memory;
+  std::size_t whens = 0;  ///< that are armed
+};
+
 /// Instructions, constants and registers of a Chunk in the making. Knows the encoding and its
 /// limits, and nothing of the language.
 ///
@@ -79,6 +87,9 @@ class CodeBuilder {
     Slots memory;
   };
   Mark mark() const { return {numbers_.used, texts_.used, live_names_.size(), memory_}; }
+  Room room() const { return {numbers_.used, texts_.used, memory_}; }
+  /// What is taken now lies behind this, which holds values of earlier code.
+  void begin_behind(const Room& room);
   /// Whether so many registers are left for a variable.
   bool has_room(Slots slots) const {
     return numbers_.used + slots.numbers <= kVariableRegisters &&

@@ -7,58 +7,10 @@
 #include "lang/check/checker.h"
 #include "lang/compile/compiler.h"
 #include "lang/syntax/used_files.h"
-#include "lang/text/ascii.h"
-#include "lang/values/types.h"
 
 namespace rob::lang {
 
 namespace {
-
-DeclaredName::Kind kind_of(const Symbol& symbol) {
-  switch (symbol.kind) {
-    case Symbol::Kind::NamedConstant:
-      return DeclaredName::Kind::Const;
-    case Symbol::Kind::Point:
-      return DeclaredName::Kind::Point;
-    case Symbol::Kind::Signal:
-      return DeclaredName::Kind::Signal;
-    case Symbol::Kind::Routine:
-      return DeclaredName::Kind::Routine;
-    case Symbol::Kind::Record:
-      return DeclaredName::Kind::Record;
-    default:
-      return DeclaredName::Kind::Variable;
-  }
-}
-
-bool is_definition(const Symbol& symbol) {
-  return symbol.kind == Symbol::Kind::Routine || symbol.kind == Symbol::Kind::Record;
-}
-
-/// Those of the program, the last of each name.
-std::vector<DeclaredName> names_of(const CheckedProgram& checked) {
-  std::vector<DeclaredName> names;
-  for (const Symbol& symbol : checked.symbols) {
-    const bool named = symbol.place.line != 0 && !symbol.name.empty();
-    if (!named || !(symbol.global || is_definition(symbol))) continue;
-    std::erase_if(names, [&](const DeclaredName& one) { return same_word(one.name, symbol.name); });
-    names.push_back({kind_of(symbol), symbol.name, in_words(symbol.type), symbol.place});
-  }
-  return names;
-}
-
-/// Whether what stands from the entry on has to stay.
-bool lasts(const Program& program) {
-  const auto stays = [](const Statement& statement) {
-    return declares(statement) || std::holds_alternative<When>(statement.node);
-  };
-  const auto is_new = [&](const auto& one) { return one.place.line >= program.entry; };
-  return std::ranges::any_of(program.statements,
-                             [&](const Statement& one) { return is_new(one) && stays(one); }) ||
-         std::ranges::any_of(program.routines, [&](const Routine& one) {
-           return !one.handler && one.place.file == 0 && is_new(one);
-         });
-}
 
 /// The line of the first statement that a program is carried out from.
 std::uint32_t begin_of(const Program& program) {
@@ -68,31 +20,96 @@ std::uint32_t begin_of(const Program& program) {
   return begin == program.statements.end() ? 0 : begin->place.line;
 }
 
-}  // namespace
+/// Routines, records and signals can stand nowhere else.
+bool is_of_top_level(const Symbol& symbol) {
+  return symbol.global || symbol.kind == Symbol::Kind::Routine ||
+         symbol.kind == Symbol::Kind::Record || symbol.kind == Symbol::Kind::Signal;
+}
 
-Compilation compile(std::string_view source, const RobotSignature& robot, const PointTable& points,
-                    const TargetJudge& judge, const Sources* sources, std::uint32_t entry,
-                    std::uint32_t from) {
-  Compilation compilation;
+KeptName kept(const Symbol& symbol, const std::vector<Location>& homes) {
+  KeptName name{symbol, homes[symbol.id], {}};
+  for (const Symbol* const hidden : {symbol.taught, symbol.has_taught})
+    if (hidden != nullptr) name.hidden.push_back({*hidden, homes[hidden->id], {}});
+  name.symbol.taught = name.symbol.has_taught = nullptr;
+  name.symbol.routine = nullptr;
+  return name;
+}
+
+/// What the entry itself declares at its top level.
+std::vector<KeptName> names_of(const CheckedProgram& checked, const Generated& generated) {
+  std::vector<KeptName> names;
+  for (const Symbol& symbol : checked.symbols) {
+    const bool own = symbol.place.file == 0 && symbol.place.line >= checked.program.entry;
+    if (!own || symbol.name.empty() || !is_of_top_level(symbol)) continue;
+    names.push_back(kept(symbol, generated.homes));
+    for (const SafeValue& safe : generated.chunk->safe_values)
+      if (safe.line == line_tag(symbol.place)) names.back().safe = safe;
+  }
+  return names;
+}
+
+std::vector<Compilation::Definition> definitions_of(const Program& program) {
+  std::vector<Compilation::Definition> definitions;
+  for (const Statement& statement : program.statements) {
+    const std::uint32_t line = statement.place.line;
+    if (line >= program.entry && std::holds_alternative<Use>(statement.node))
+      definitions.push_back({line, line, true, {}});
+  }
+  for (const Routine& routine : program.routines) {
+    const bool own = routine.place.file == 0 && routine.place.line >= program.entry;
+    if (!own || routine.handler || routine.test) continue;
+    definitions.push_back({routine.place.line, routine.end.line, false});
+    for (const Routine::Parameters& group : routine.parameters)
+      for (const auto& name : group.names) definitions.back().parameters.push_back(name.name);
+  }
+  return definitions;
+}
+
+/// Checks and generates; `rooms`: of an entry of the prompt.
+void compile(Program program, const RobotSignature& robot, const PointTable& points,
+             const TargetJudge& judge, KnownNames known, const EntryRooms* rooms,
+             Compilation& compilation) {
   Diagnostics& diagnostics = compilation.diagnostics;
-  Program program = read_program(source, sources, robot, diagnostics, compilation.used);
   // Without one of its files nearly every name would be unknown.
-  if (!program.whole) return compilation;
-  program.entry = entry;
-  program.from = from;
+  if (!program.whole) return;
   RobotSignature signature = robot;
   signature.units = program.used_units;
-  CheckedProgram checked = check(std::move(program), signature, points, judge, diagnostics);
+  CheckedProgram checked = check(std::move(program), signature, points, judge, diagnostics, known);
   compilation.law = checked.program.header.law;
   compilation.features = std::move(checked.features);
   compilation.missing_points = std::move(checked.missing_points);
-  if (from != 0) compilation.begins = begin_of(checked.program);
-  if (entry != 0) {
-    compilation.lasts = lasts(checked.program);
-    compilation.names = names_of(checked);
+  if (checked.program.from != 0) compilation.begins = begin_of(checked.program);
+  if (diagnostics.has_errors()) return;
+  Generated generated = generate(checked, signature, diagnostics, rooms);
+  if (!generated.chunk) return;
+  if (rooms != nullptr) {
+    compilation.names = names_of(checked, generated);
+    compilation.definitions = definitions_of(checked.program);
+    compilation.room = generated.room;
+    compilation.types = checked.program.types;
   }
-  if (!diagnostics.has_errors()) compilation.chunk = generate(checked, signature, diagnostics);
-  if (compilation.chunk) compilation.chunk->type_table = checked.program.types;
+  compilation.chunk = std::move(generated.chunk);
+  compilation.chunk->type_table = checked.program.types;
+}
+
+}  // namespace
+
+Compilation compile(std::string_view source, const RobotSignature& robot, const PointTable& points,
+                    const TargetJudge& judge, const Sources* sources, std::uint32_t from) {
+  Compilation compilation;
+  Program program = read_program(source, sources, robot, compilation.diagnostics, compilation.used);
+  program.from = from;
+  compile(std::move(program), robot, points, judge, {}, nullptr, compilation);
+  return compilation;
+}
+
+Compilation compile(const EntryText& entry, const RobotSignature& robot, const PointTable& points,
+                    const TargetJudge& judge, const Sources* sources) {
+  Compilation compilation;
+  Program program = read_program(entry.source, sources, robot, compilation.diagnostics,
+                                 compilation.used, entry.parts, entry.types);
+  program.entry = entry.line;
+  compile(std::move(program), robot, points, judge, entry.known, &entry.rooms, compilation);
   return compilation;
 }
 

@@ -68,10 +68,8 @@ void StatementCompiler::compile(const Routine& routine) {
     expressions_.settle(symbol, home);
   }
   compile(routine.body);
-  code_.emit(routine.handler    ? Opcode::leave_handler
-             : routine.function ? Opcode::no_value
-                                : Opcode::leave,
-             routine.end);
+  // A FUNC never comes here: the checker has seen that it RETURNs before.
+  code_.emit(routine.handler ? Opcode::leave_handler : Opcode::leave, routine.end);
   code_.release(mark);
   routine_ = nullptr;
 }

@@ -33,20 +33,32 @@ bool declares(const Statement& statement) {
       statement.node);
 }
 
-StatementCompiler::StatementCompiler(const CheckedProgram& checked, const RobotSignature& robot)
+StatementCompiler::StatementCompiler(const CheckedProgram& checked, const RobotSignature& robot,
+                                     const EntryRooms* rooms)
     : program_(checked.program),
       robot_(robot),
       code_(signal_names(robot)),
-      expressions_(code_, checked.symbols.size()) {}
+      expressions_(code_, checked.symbols.size()),
+      rooms_(rooms) {
+  for (const CheckedProgram::Known& known : checked.known) know(known);
+}
 
-std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnostics& diagnostics) {
+void StatementCompiler::know(const CheckedProgram::Known& known) {
+  const Symbol& symbol = *known.symbol;
+  expressions_.settle(symbol, known.kept->home);
+  name_constant(symbol);
+  if (symbol.kind == Symbol::Kind::Signal) name_signal(symbol);
+  if (known.kept->safe) code_.declare_safe(*known.kept->safe);
+}
+
+Generated StatementCompiler::compile(const Program& program, Diagnostics& diagnostics) {
   const auto mark = code_.mark();
-  if (program.memory || program.entry != 0) code_.open_memory(program.end);
+  if (program.memory || rooms_ != nullptr) code_.open_memory(program.end);
   for (const Routine& routine : program.routines) {
     if (routine.task) task_numbers_.emplace(routine.index, task_numbers_.size());
   }
   // A WHEN outside of all blocks is armed until the program has ended.
-  compile_top_level(program);
+  rooms_ != nullptr ? compile_entry(program) : compile_top_level(program);
   code_.release(mark);
   code_.land(returns_);
   code_.emit(Opcode::end, program.end);
@@ -54,23 +66,45 @@ std::optional<Chunk> StatementCompiler::compile(const Program& program, Diagnost
   if (!task_numbers_.empty()) code_.task_entry(program.end);
   expressions_.enter_routine();
   for (const Routine& routine : program.routines) compile(routine);
-  if (code_.failed() == CodeBuilder::Limit::None) return code_.finish();
+  if (code_.failed() == CodeBuilder::Limit::None) {
+    return {code_.finish(), room_, expressions_.homes()};
+  }
   report_limit(diagnostics);
-  return std::nullopt;
+  return {};
 }
 
-/// An entry of the prompt jumps over what has been executed: of that the names and their homes
-/// stay. Of a program that begins further down the declarations are executed.
+/// Of a program that begins further down only the declarations are executed before that.
 void StatementCompiler::compile_top_level(const Program& program) {
-  CodeBuilder::Jumps over;
-  if (program.entry != 0) over.push_back(code_.jump(program.end));
   for (const Statement& statement : program.statements) {
-    if (statement.place.line >= program.entry) code_.land(std::exchange(over, {}));
     const bool before = statement.place.file == 0 && statement.place.line < program.from;
     if (before && !declares(statement)) continue;
     compile(statement);
   }
+}
+
+/// What stands before the entry has been executed, and is jumped over: of that the names and their
+/// homes stay.
+void StatementCompiler::compile_entry(const Program& program) {
+  CodeBuilder::Jumps over{code_.jump(program.end)};
+  for (const Statement& statement : program.statements) {
+    const std::uint32_t line = statement.place.line;
+    if (line < program.entry) {
+      begin_behind(rooms_->before.at(line));
+    } else if (!over.empty()) {
+      code_.land(std::exchange(over, {}));
+      begin_behind(rooms_->now);
+    }
+    compile(statement);
+  }
   code_.land(over);
+  begin_behind(rooms_->now);
+  room_ = code_.room();
+  room_.whens = whens_;
+}
+
+void StatementCompiler::begin_behind(const Room& room) {
+  code_.begin_behind(room);
+  whens_ = std::max(whens_, room.whens);
 }
 
 Location StatementCompiler::declare(const Symbol& symbol) {
@@ -93,6 +127,21 @@ Location StatementCompiler::declare_in_registers(const Symbol& symbol) {
   return home;
 }
 
+/// Reports call a TOOL by its name.
+void StatementCompiler::name_constant(const Symbol& symbol) {
+  if (symbol.kind != Symbol::Kind::NamedConstant || !symbol.type.is(Type::Kind::Tool)) return;
+  code_.name_tool({symbol.name, lang::load_pose(to_slots(symbol.value).data())});
+}
+
+/// And a channel by that of its SIGNAL.
+void StatementCompiler::name_signal(const Symbol& symbol) {
+  code_.name_signal({.name = symbol.name,
+                     .signal = symbol.signal,
+                     .dimension = symbol.type.dimension,
+                     .low = symbol.low,
+                     .high = symbol.high});
+}
+
 /// Tells listings what the registers are called.
 void StatementCompiler::name_home(const Symbol& symbol, const Location& home) {
   if (symbol.name.empty()) return;
@@ -102,9 +151,7 @@ void StatementCompiler::name_home(const Symbol& symbol, const Location& home) {
 
 void StatementCompiler::compile(const Declaration& declaration) {
   const Symbol& first = *declaration.names.front().symbol;
-  if (first.type.is(Type::Kind::Tool) && declaration.constant) {
-    code_.name_tool({first.name, lang::load_pose(to_slots(first.value).data())});
-  }
+  name_constant(first);
   // Constants that are known live in the code.
   if (declaration.constant && known(first.value)) return;
   const Location home = declare(first);
@@ -145,14 +192,9 @@ void StatementCompiler::compile(const Pulse& pulse) {
 }
 
 void StatementCompiler::compile(const SignalDeclaration& signal) {
-  const Symbol& symbol = *signal.symbol;
-  code_.name_signal({.name = symbol.name,
-                     .signal = symbol.signal,
-                     .dimension = symbol.type.dimension,
-                     .low = symbol.low,
-                     .high = symbol.high});
+  name_signal(*signal.symbol);
   if (signal.safe == nullptr) return;
-  code_.declare_safe({symbol.signal, signal.safe_value, line_tag(signal.name_place)});
+  code_.declare_safe({signal.symbol->signal, signal.safe_value, line_tag(signal.name_place)});
 }
 
 /// What is constant between two computed values is one text.
@@ -295,9 +337,9 @@ void StatementCompiler::report_limit(Diagnostics& diagnostics) const {
   }
 }
 
-std::optional<Chunk> generate(const CheckedProgram& checked, const RobotSignature& robot,
-                              Diagnostics& diagnostics) {
-  return StatementCompiler(checked, robot).compile(checked.program, diagnostics);
+Generated generate(const CheckedProgram& checked, const RobotSignature& robot,
+                   Diagnostics& diagnostics, const EntryRooms* rooms) {
+  return StatementCompiler(checked, robot, rooms).compile(checked.program, diagnostics);
 }
 
 }  // namespace rob::lang

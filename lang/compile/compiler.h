@@ -1,9 +1,14 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "lang/check/checker.h"
 #include "lang/code/chunk.h"
+#include "lang/code/code_builder.h"
+#include "lang/code/location.h"
 #include "lang/machine/robot_signature.h"
 #include "lang/text/diagnostic.h"
 
@@ -12,9 +17,22 @@ namespace rob::lang {
 /// Whether it gives a name at its level a meaning.
 bool declares(const Statement& statement);
 
+/// Of an entry of the prompt: what earlier ones have taken.
+struct EntryRooms {
+  Room now;                              ///< before the entry
+  std::map<std::uint32_t, Room> before;  ///< before lines of earlier entries that stand in the text
+};
+
+struct Generated {
+  std::optional<Chunk> chunk;
+  // Of an entry:
+  Room room;                    ///< what is taken after it
+  std::vector<Location> homes;  ///< by Symbol::id
+};
+
 /// Turns a program that was checked without errors into code. Fails, with a message, only where a
-/// limit of the code is exceeded.
-std::optional<Chunk> generate(const CheckedProgram& checked, const RobotSignature& robot,
-                              Diagnostics& diagnostics);
+/// limit of the code is exceeded. `rooms`: null if it is no entry of the prompt.
+Generated generate(const CheckedProgram& checked, const RobotSignature& robot,
+                   Diagnostics& diagnostics, const EntryRooms* rooms = nullptr);
 
 }  // namespace rob::lang

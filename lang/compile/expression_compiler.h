@@ -22,6 +22,8 @@ class ExpressionCompiler {
 
   /// Where a variable lives, from its declaration on.
   void settle(const Symbol& symbol, const Location& home) { homes_[symbol.id] = home; }
+  /// By Symbol::id.
+  const std::vector<Location>& homes() const { return homes_; }
 
   /// From here on the code belongs to a routine: globals lie in another frame.
   void enter_routine() { in_routine_ = true; }

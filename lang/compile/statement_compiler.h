@@ -20,12 +20,16 @@ namespace rob::lang {
 /// Private to the compiler: code for statements, one compile() for each kind.
 class StatementCompiler {
  public:
-  StatementCompiler(const CheckedProgram& checked, const RobotSignature& robot);
+  StatementCompiler(const CheckedProgram& checked, const RobotSignature& robot,
+                    const EntryRooms* rooms);
 
-  std::optional<Chunk> compile(const Program& program, Diagnostics& diagnostics);
+  Generated compile(const Program& program, Diagnostics& diagnostics);
 
  private:
   void compile_top_level(const Program& program);
+  void know(const CheckedProgram::Known& known);
+  void compile_entry(const Program& program);
+  void begin_behind(const Room& room);
   /// What a block declares is given back at its end.
   void compile(const Block& block) {
     const auto mark = code_.mark();
@@ -136,6 +140,8 @@ class StatementCompiler {
   /// What instructions look for in registers.
   Location declare_in_registers(const Symbol& symbol);
   void name_home(const Symbol& symbol, const Location& home);
+  void name_constant(const Symbol& symbol);
+  void name_signal(const Symbol& symbol);
   void compile_via(const Expr& point, Place place);
   Register compile_way(const Move& move, MoveForm& form);
   Register compile_rates(const Move& move, MoveForm& form);
@@ -154,7 +160,9 @@ class StatementCompiler {
   ExpressionCompiler expressions_;
   Place place_;  ///< of the present statement: its line is what the Machine is told
   std::vector<LoopJumps> loops_;
-  std::size_t whens_ = 0;  ///< WHENs of this frame whose block is open
+  std::size_t whens_ = 0;    ///< WHENs of this frame whose block is open
+  const EntryRooms* rooms_;  ///< null if it is no entry of the prompt
+  Room room_;                ///< what the entry leaves taken
   enum class Scope : std::uint8_t { With, Press };
   std::vector<Scope> scopes_;        ///< WITHs and PRESSes that are open, of the present routine
   const PathBlock* path_ = nullptr;  ///< around the motion; null outside of PATH

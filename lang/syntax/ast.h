@@ -133,6 +133,7 @@ struct If {
     Block body;
   };
   std::vector<Branch> branches;
+  bool has_else = false;
   Block otherwise;
 };
 struct While {
@@ -147,6 +148,7 @@ struct For {
   ExprPtr to;
   ExprPtr step;  ///< null: 1
   Block body;
+  bool turns = false;  ///< set by the checker: once at least, as its range is constant
 };
 
 struct Loop {
@@ -245,6 +247,7 @@ struct Routine {
   bool task = false;
   bool handler = false;   ///< of the WHEN at `place`; it has no name in the program
   bool sound = true;      ///< its header could be read
+  bool whole = true;      ///< and so could every line of it
   std::size_t index = 0;  ///< in Program::routines
   std::string name;
   Place name_place;

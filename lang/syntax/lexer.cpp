@@ -63,14 +63,14 @@ constexpr auto kRemedies = std::to_array<std::pair<std::string_view, std::string
 
 }  // namespace
 
-Lexer::Lexer(std::string_view source, Diagnostics& diagnostics, std::uint32_t file)
-    : source_(source), diagnostics_(&diagnostics), file_(file) {
+Lexer::Lexer(std::string_view source, Diagnostics& diagnostics, std::uint32_t file, TextParts parts)
+    : source_(source), diagnostics_(&diagnostics), count_(parts), file_(file) {
   if (source.starts_with(kByteOrderMark)) offset_ = begin_ = kByteOrderMark.size();
 }
 
 void Lexer::begin_at(std::size_t offset, const Place& place) {
   offset_ = begin_ = offset;
-  line_ = place.line;
+  count_ = LineCount::at(place.line);
   begin_column_ = place.column;
 }
 
@@ -106,17 +106,17 @@ void Lexer::skip_blanks() {
 
 /// Line ends and what is blank between them; false if there is none.
 bool Lexer::skip_line_ends() {
-  const std::uint32_t before = line_;
+  const std::uint32_t before = count_.line();
   while (at() == '\n' || at() == '\r') {
     if (at() == '\n') {
-      ++line_;
       begin_ = offset_ + 1;
+      count_.next(begin_);
       begin_column_ = 1;
     }
     ++offset_;
     skip_blanks();
   }
-  return line_ != before;
+  return count_.line() != before;
 }
 
 Token Lexer::next() {
@@ -207,7 +207,7 @@ void Lexer::begin_token() {
 Place Lexer::place(std::size_t begin, std::size_t end) const {
   const std::uint32_t before = count_code_points(source_.substr(begin_, begin - begin_));
   const std::uint32_t length = count_code_points(source_.substr(begin, end - begin));
-  return {line_, begin_column_ + before, length, file_};
+  return {count_.line(), begin_column_ + before, length, file_};
 }
 
 Token Lexer::finish(TokenKind kind) {

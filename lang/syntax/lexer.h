@@ -7,6 +7,7 @@
 
 #include "lang/syntax/token.h"
 #include "lang/text/diagnostic.h"
+#include "lang/text/text_parts.h"
 
 namespace rob::lang {
 
@@ -21,8 +22,9 @@ inline constexpr const char* kLargestInt =
 /// passed check_source() and outlive the lexer. A lexer may be copied to look ahead.
 class Lexer {
  public:
-  /// `file`: for places, the number of the file that the text is of.
-  Lexer(std::string_view source, Diagnostics& diagnostics, std::uint32_t file = 0);
+  /// For places: `file` is the number of the file that the text is of, `parts` its lines.
+  Lexer(std::string_view source, Diagnostics& diagnostics, std::uint32_t file = 0,
+        TextParts parts = {});
 
   /// EndOfFile again and again when all is read; an EndOfLine comes before it
   /// unless there is nothing at all.
@@ -71,7 +73,7 @@ class Lexer {
   Diagnostics* diagnostics_;  ///< null: nothing is reported
   std::size_t offset_ = 0;
   std::size_t begin_ = 0;  ///< of the token that is being read
-  std::uint32_t line_ = 1;
+  LineCount count_;
   std::uint32_t file_ = 0;
   std::uint32_t begin_column_ = 1;  ///< column of begin_, counted on from token to token
   bool at_line_begin_ = true;

@@ -30,12 +30,15 @@ bool Outline::names_file(std::string_view word) const {
 
 /// A line that begins with a reserved word begins a statement, inside brackets too, and no text
 /// goes on in the next line: two words of each line tell enough.
-Outline outline_of(std::string_view source, std::uint32_t file) {
+Outline outline_of(std::string_view source, std::uint32_t file, TextParts parts) {
   Outline outline;
-  if (source.starts_with(kByteOrderMark)) source.remove_prefix(kByteOrderMark.size());
-  for (std::uint32_t line = 1; !source.empty(); ++line) {
-    const std::string_view whole = source.substr(0, source.find('\n'));
-    source.remove_prefix(std::min(whole.size() + 1, source.size()));
+  LineCount count(parts);
+  std::size_t begin = source.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  std::size_t behind = begin;
+  for (; begin < source.size(); begin = behind, count.next(begin)) {
+    const std::string_view whole =
+        source.substr(begin, std::min(source.find('\n', begin), source.size()) - begin);
+    behind = begin + whole.size() + 1;
     std::string_view rest = whole;
     skip_blanks(rest);
     const std::string_view word = take_word(rest);
@@ -45,7 +48,7 @@ Outline outline_of(std::string_view source, std::uint32_t file) {
     if (name.empty()) continue;
     if (same_word(word, "USE")) {
       const auto length = static_cast<std::uint32_t>(name.size());
-      outline.uses.push_back({std::string(name), {line, column, length, file}});
+      outline.uses.push_back({std::string(name), {count.line(), column, length, file}});
     } else if (same_word(word, "FRAME") || same_word(word, "RECORD")) {
       outline.types.insert(to_upper(name));
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lang/text/diagnostic.h"
+#include "lang/text/text_parts.h"
 
 namespace rob::lang {
 
@@ -23,7 +24,7 @@ struct Outline {
   bool names_file(std::string_view word) const;
 };
 
-/// `file`: its number, for places.
-Outline outline_of(std::string_view source, std::uint32_t file = 0);
+/// `file`: its number, for places; `parts`: where its lines are of.
+Outline outline_of(std::string_view source, std::uint32_t file = 0, TextParts parts = {});
 
 }  // namespace rob::lang

@@ -212,7 +212,7 @@ void Parser::further_branches(If& node, const OpenBlock& open) {
       node.branches.push_back({condition(Keyword::Then), {}});
       node.branches.back().body = block_of(open);
     } else {
-      had_else = true;
+      had_else = node.has_else = true;
       node.otherwise = block_of(open);
     }
   }

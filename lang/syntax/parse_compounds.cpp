@@ -53,18 +53,11 @@ Type Parser::array_type() {
   }
   advance();
   const Type element = type();
-  TypeDetail& detail = types_->arrays.emplace_back();
+  TypeDetail& detail = types_->details.emplace_back();
   detail.element = element;
   detail.written = static_cast<int>(first_array_length_ + array_lengths_.size());
   array_lengths_.push_back({.array = &detail, .length = std::move(length), .place = place});
   return {Type::Kind::Array, {}, &detail};
-}
-
-/// One detail for each name, as for frames.
-TypeDetail* Parser::record_named(std::string_view name) {
-  TypeDetail& detail = types_->records[{file_, to_upper(name)}];
-  if (detail.name.empty()) detail.name = name;
-  return &detail;
 }
 
 // decl = "RECORD" NAME eol { NAME { "," NAME } ":" type eol } "ENDRECORD" eol .
@@ -84,7 +77,7 @@ void Parser::record_declaration(Block& block) {
            fmt::format("{} is a type of the language", shortened(record.declared.name)),
            "choose another name");
     }
-    record.detail = record_named(record.declared.name);
+    record.detail = &types_->record(file_, record.declared.name);
     header_end("RECORD");
   } catch (const SyntaxError&) {
     record.sound = false;

@@ -133,9 +133,18 @@ Declaration::Declared Parser::declared_name(std::string_view kind) {
            fmt::format("{} is the name of a file that is USEd here", described(current_)),
            "choose another name");
   }
+  count_name();
   Declaration::Declared declared{std::string(current_.text), current_.place};
   advance();
   return declared;
+}
+
+void Parser::count_name() {
+  if (++names_ <= kMaxNames) return;
+  report(code::kProgramTooLarge, current_.place,
+         fmt::format("the program is too large: it declares more than {} names", kMaxNames),
+         "keep many values of one kind in an ARRAY");
+  throw GiveUp{};
 }
 
 // type = ( IDENT | "FRAME" | "TOOL" ) [ "IN" IDENT ] | "[" unit "]"
@@ -151,11 +160,11 @@ Type Parser::type() {
   if (const auto known = named_type(word.text)) {
     advance();
     if (known->is(Type::Kind::Pose)) return pose_type();
-    if (known->is(Type::Kind::Joints)) return Type::joints(&types_->joints);
+    if (known->is(Type::Kind::Joints)) return Type::joints(types_->joints.get());
     return known->is(Type::Kind::Vec) && at_word("OF") ? vec_type() : *known;
   }
   const TypeDetail* record = imported_type(word.text, word.place, types_->records);
-  if (record == nullptr && names_record(word.text)) record = record_named(word.text);
+  if (record == nullptr && names_record(word.text)) record = &types_->record(file_, word.text);
   if (record != nullptr) {
     advance();
     return {Type::Kind::Record, {}, record};

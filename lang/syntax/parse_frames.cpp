@@ -40,7 +40,7 @@ void Parser::frame_declaration(Block& block) {
         declaration.cog = expression();
       }
     }
-    declaration.frame = tool ? nullptr : frame_named(name);
+    declaration.frame = tool ? nullptr : &types_->frame(file_, name);
   } catch (const SyntaxError&) {
     declaration.type = Type{};
     declaration.value = nullptr;
@@ -62,16 +62,9 @@ Type Parser::pose_type() {
   advance();
   if (same_word(name.text, "world")) return Type::pose();
   const TypeDetail* frame = imported_type(name.text, name.place, types_->frames);
-  if (frame == nullptr) frame = frame_named(name.text);
+  if (frame == nullptr) frame = &types_->frame(file_, name.text);
   frame_uses_.push_back({frame, name.place});
   return Type::pose(frame);
-}
-
-/// One detail for each name, so that types are equal where their frames are.
-const TypeDetail* Parser::frame_named(std::string_view name) {
-  TypeDetail& detail = types_->frames[{file_, to_upper(name)}];
-  if (detail.name.empty()) detail.name = name;
-  return &detail;
 }
 
 }  // namespace rob::lang

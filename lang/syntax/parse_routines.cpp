@@ -36,6 +36,7 @@ void Parser::routine() {
   }
   routine.body = block_of(open);
   routine.end = current_.place;
+  routine.whole = !diagnostics_.has_error_between(routine.place, routine.end);
   close(open);
   if (routine.name.empty()) return;
   count_node(routine.place);
@@ -138,7 +139,8 @@ bool Parser::names_routine(std::string_view name) {
 }
 
 bool Parser::names_record(std::string_view name) {
-  return defined_names().records.contains(to_upper(name));
+  return defined_names().records.contains(to_upper(name)) ||
+         types_->records.contains({file_, to_upper(name)});
 }
 
 }  // namespace rob::lang

@@ -80,7 +80,7 @@ const TypeDetail* Parser::imported_type(std::string_view name, const Place& plac
     }
     found = &import;
   }
-  return found == nullptr ? nullptr : &types.at({found->file, key});
+  return found == nullptr ? nullptr : types.at({found->file, key});
 }
 
 }  // namespace rob::lang

@@ -42,10 +42,11 @@ std::string described(const Token& token) {
 Parser::Parser(std::string_view source, Diagnostics& diagnostics, SourceContext context)
     : source_(source),
       diagnostics_(diagnostics),
-      lexer_(source, diagnostics, context.file),
+      lexer_(source, diagnostics, context.file, context.parts),
       outline_(*context.outline),
       imports_(std::move(context.imports)),
       nodes_(context.nodes),
+      names_(context.names),
       file_(context.file),
       first_array_length_(context.array_lengths),
       types_(std::move(context.types)) {}
@@ -79,6 +80,7 @@ Program Parser::program() {
     // Reported; what stands behind END is not read.
   } catch (const GiveUp&) {
     program.end = current_.place;
+    program.whole = false;
   }
   program.header = std::move(header_);
   program.types = types_;

@@ -20,6 +20,11 @@ inline constexpr int kMaxDepth = 200;
 /// node takes some 200 bytes, so the greatest tree takes about 200 MB.
 inline constexpr std::size_t kMaxNodes = 1'000'000;
 
+/// The most names that one program declares: of variables, routines, parameters, fields and so on.
+/// [choice] more than the variables of any program that people write; a declaration takes some
+/// 1000 bytes in the tree and the checker, so all of them take at most about 65 MB.
+inline constexpr std::size_t kMaxNames = 65'536;
+
 /// After this many errors the rest of a text is not read: they are one mistake.
 inline constexpr std::size_t kMaxSyntaxErrors = 1000;
 

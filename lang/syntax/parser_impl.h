@@ -54,9 +54,11 @@ struct Import {
 /// What a text is part of.
 struct SourceContext {
   std::uint32_t file = 0;
+  TextParts parts{};                 ///< of the text
   const Outline* outline = nullptr;  ///< of the text
   std::vector<Import> imports{};
   std::size_t nodes = 0;          ///< of the files that were read before
+  std::size_t names = 0;          ///< the same
   std::size_t array_lengths = 0;  ///< the same
   /// Of all of them.
   std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>();
@@ -66,6 +68,8 @@ class Parser {
  public:
   Parser(std::string_view source, Diagnostics& diagnostics, SourceContext context);
   Program program();
+  /// That were declared so far, those of the files before included.
+  std::size_t names() const { return names_; }
   Block line_at(std::size_t offset, const Place& place);
 
  private:
@@ -147,8 +151,8 @@ class Parser {
   void zero_statement(Block& block);
 
   Type pose_type();
-  const TypeDetail* frame_named(std::string_view name);
   Declaration::Declared declared_name(std::string_view kind);
+  void count_name();
   Type type();
   Type vec_type();
   Type unit_type();
@@ -156,7 +160,6 @@ class Parser {
   // ARRAY, RECORD and lists (parse_compounds.cpp)
   ExprPtr list();
   Type array_type();
-  TypeDetail* record_named(std::string_view name);
   void record_declaration(Block& block);
   void record_fields(RecordDeclaration& record);
   RecordDeclaration::Fields record_group();
@@ -328,6 +331,7 @@ class Parser {
   int level_ = 0;
   bool rereading_ = false;  ///< what the checker has refused: as a tree
   std::size_t nodes_;
+  std::size_t names_;
   std::uint32_t muted_line_ = 0;  ///< has had its message
   std::vector<OpenBlock> open_blocks_;
   Header header_;

@@ -22,14 +22,18 @@ namespace {
 class UseReader {
  public:
   UseReader(const Sources* sources, const RobotSignature& robot, Diagnostics& diagnostics,
-            std::vector<SourceFile>& used)
-      : sources_(sources), robot_(robot), diagnostics_(diagnostics), used_(used) {
+            std::vector<SourceFile>& used, std::shared_ptr<TypeTable> types)
+      : sources_(sources),
+        robot_(robot),
+        diagnostics_(diagnostics),
+        used_(used),
+        types_(std::move(types)) {
     used_.reserve(kMostUsedFiles);  // tokens point into the texts: they must stay where they are
   }
 
-  Program read(std::string_view source) {
+  Program read(std::string_view source, TextParts parts) {
     bytes_ = source.size();
-    read(source, 0);
+    read(source, 0, parts);
     return linked();
   }
 
@@ -40,20 +44,24 @@ class UseReader {
     bool open = true;  ///< what it USEs is being read
   };
 
-  void read(std::string_view text, std::uint32_t number) {
+  void read(std::string_view text, std::uint32_t number, TextParts parts = {}) {
     File& file = files_.emplace_back();
-    if (check_source(text, diagnostics_, number)) {
-      file.outline = outline_of(text, number);
+    if (check_source(text, diagnostics_, number, parts)) {
+      file.outline = outline_of(text, number, parts);
       std::vector<Import> imports = imports_of(file.outline, number);
-      file.program = Parser(text, diagnostics_,
-                            {.file = number,
-                             .outline = &file.outline,
-                             .imports = std::move(imports),
-                             .nodes = nodes_,
-                             .array_lengths = array_lengths_.size(),
-                             .types = types_})
-                         .program();
+      Parser parser(text, diagnostics_,
+                    {.file = number,
+                     .parts = parts,
+                     .outline = &file.outline,
+                     .imports = std::move(imports),
+                     .nodes = nodes_,
+                     .names = names_,
+                     .array_lengths = array_lengths_.size(),
+                     .types = types_});
+      file.program = parser.program();
       nodes_ = file.program.nodes;
+      names_ = parser.names();
+      whole_ = whole_ && file.program.whole;
       std::ranges::move(file.program.array_lengths, std::back_inserter(array_lengths_));
     }
     file.open = false;
@@ -181,16 +189,18 @@ class UseReader {
   std::deque<File> files_;  ///< the program's own first
   std::size_t bytes_ = 0;
   std::size_t nodes_ = 0;
+  std::size_t names_ = 0;
   std::vector<Program::ArrayLength> array_lengths_;
-  std::shared_ptr<TypeTable> types_ = std::make_shared<TypeTable>();
+  std::shared_ptr<TypeTable> types_;
   bool whole_ = true;
 };
 
 }  // namespace
 
 Program read_program(std::string_view source, const Sources* sources, const RobotSignature& robot,
-                     Diagnostics& diagnostics, std::vector<SourceFile>& used) {
-  return UseReader(sources, robot, diagnostics, used).read(source);
+                     Diagnostics& diagnostics, std::vector<SourceFile>& used, TextParts parts,
+                     std::shared_ptr<TypeTable> types) {
+  return UseReader(sources, robot, diagnostics, used, std::move(types)).read(source, parts);
 }
 
 }  // namespace rob::lang

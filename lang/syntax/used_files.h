@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -8,6 +9,7 @@
 #include "lang/machine/robot_signature.h"
 #include "lang/syntax/ast.h"
 #include "lang/text/diagnostic.h"
+#include "lang/text/text_parts.h"
 
 namespace rob::lang {
 
@@ -32,7 +34,9 @@ class Sources {
 /// it is USEd. The declarations of a file come where it is USEd first (Use), its routines among
 /// those of the program. What is wrong goes to `diagnostics`; a USE that leads nowhere leaves
 /// Program::whole false. `sources`: null where there are no files; `used`: what was read.
+/// Of an entry of the prompt: `parts` are its lines, `types` what it can name beside its own.
 Program read_program(std::string_view source, const Sources* sources, const RobotSignature& robot,
-                     Diagnostics& diagnostics, std::vector<SourceFile>& used);
+                     Diagnostics& diagnostics, std::vector<SourceFile>& used, TextParts parts = {},
+                     std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>());
 
 }  // namespace rob::lang

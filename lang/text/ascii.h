@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "lang/text/utf8.h"
+
 /// Letters and digits of the language, independent of the locale.
 namespace rob::lang {
 
@@ -31,7 +33,10 @@ inline bool same_word(std::string_view a, std::string_view b) {
 /// A piece of a program for a message: at most 40 bytes of it. What is cut is ASCII.
 inline std::string shortened(std::string_view text) {
   constexpr std::size_t kMost = 40;
-  return text.size() <= kMost ? std::string(text) : std::string(text.substr(0, kMost)) + "\u2026";
+  if (text.size() <= kMost) return std::string(text);
+  std::size_t end = kMost;
+  while (end > 0 && is_utf8_continuation(text[end])) --end;
+  return std::string(text.substr(0, end)) + "\u2026";
 }
 
 }  // namespace rob::lang

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "lang/text/utf8.h"
+#include "lang/text/visible.h"
 
 namespace rob::lang {
 
@@ -62,45 +63,29 @@ std::pair<std::size_t, std::size_t> window(std::string_view line, std::size_t by
   return {begin, end};
 }
 
-/// C0, DEL and C1: they could move the cursor of the terminal.
-bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
-
-/// As a terminal may safely show it, with as many characters as Place counts: a tab as a blank,
-/// control characters and what is no UTF-8 as '?'.
-std::string printable(std::string_view text) {
-  std::string shown;
-  while (!text.empty()) {
-    const CodePoint c = decode_utf8(text);
-    const std::size_t length = std::max<std::size_t>(c.length, 1);
-    if (text.front() == '\t') {
-      shown += ' ';
-    } else if (c.length == 0) {
-      if (!is_utf8_continuation(text.front())) shown += '?';
-    } else if (is_control(c.value)) {
-      shown += '?';
-    } else {
-      shown += text.substr(0, length);
-    }
-    text.remove_prefix(length);
-  }
-  return shown;
+/// A tab is as wide as a blank there.
+std::string shown_part(std::string_view line) {
+  std::string part(line);
+  std::ranges::replace(part, '\t', ' ');
+  return visible(part);
 }
 
 /// The source line and the line with the caret under the place.
-std::string excerpt(const Place& place, std::string_view source) {
-  const std::string_view line = source_line(source, place.line);
+std::string excerpt(const Place& place, std::string_view line) {
   if (line.empty()) return "";
   if (place.column == 0) {
     const auto [begin, end] = window(line, 0);
-    return fmt::format("  {}\n", printable(line.substr(begin, end - begin)));
+    return fmt::format("  {}\n", shown_part(line.substr(begin, end - begin)));
   }
   const std::size_t byte = byte_of_column(line, place.column);
   const auto [begin, end] = window(line, byte);
-  const std::uint32_t blanks = count_code_points(line.substr(begin, byte - begin));
-  const std::uint32_t room = count_code_points(line.substr(byte, end - byte));
-  const std::uint32_t carets = std::clamp(place.length, 1U, std::max(room, 1U));
-  return fmt::format("  {}\n  {}{}\n", printable(line.substr(begin, end - begin)),
-                     std::string(blanks, ' '), std::string(carets, '^'));
+  const std::size_t last = std::min(byte_of_column(line, place.column + place.length), end);
+  const auto width = [&](std::size_t from, std::size_t to) {
+    return count_code_points(shown_part(line.substr(from, to - from)));
+  };
+  const std::uint32_t carets = std::max(width(byte, std::max(byte, last)), 1U);
+  return fmt::format("  {}\n  {}{}\n", shown_part(line.substr(begin, end - begin)),
+                     std::string(width(begin, byte), ' '), std::string(carets, '^'));
 }
 
 }  // namespace
@@ -116,10 +101,18 @@ std::string Diagnostics::line_of(const Place& place, const Place& from) const {
   return fmt::format("{} of {}", text, named ? file_names_[place.file - 1] : "the program");
 }
 
+bool Diagnostics::has_error_between(const Place& first, const Place& last) const {
+  if (errors_ >= kMost) return true;
+  return std::ranges::any_of(all_, [&](const Diagnostic& one) {
+    return one.severity == Severity::Error && one.place.file == first.file &&
+           one.place.line >= first.line && one.place.line <= last.line;
+  });
+}
+
 void Diagnostics::add(Diagnostic diagnostic) {
   // A message may quote the source, whatever stands there.
-  diagnostic.message = printable(diagnostic.message);
-  diagnostic.help = printable(diagnostic.help);
+  diagnostic.message = visible(diagnostic.message);
+  diagnostic.help = visible(diagnostic.help);
   const bool is_error = diagnostic.severity == Severity::Error;
   if (is_error) ++errors_;
   if (all_.size() >= kMost) {
@@ -143,17 +136,23 @@ void Diagnostics::warning(std::string_view code, Place place, std::string messag
   add({Severity::Warning, std::string(code), place, std::move(message), std::move(help)});
 }
 
-std::string render(const Diagnostic& diagnostic, std::string_view file_name,
-                   std::string_view source) {
+std::string render_line(const Diagnostic& diagnostic, std::string_view file_name,
+                        std::string_view line) {
   const Place& place = diagnostic.place;
-  std::string text(file_name);
+  std::string text = on_one_line(file_name);
   if (place.line > 0) text += fmt::format(":{}", place.line);
   if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
   text += fmt::format(": {}[{}]: {}\n", word_of(diagnostic.severity), diagnostic.code,
-                      printable(diagnostic.message));
-  if (place.line > 0) text += excerpt(place, source);
-  if (!diagnostic.help.empty()) text += fmt::format("help: {}\n", printable(diagnostic.help));
+                      visible(diagnostic.message));
+  if (place.line > 0) text += excerpt(place, line);
+  if (!diagnostic.help.empty()) text += fmt::format("help: {}\n", visible(diagnostic.help));
   return text;
+}
+
+std::string render(const Diagnostic& diagnostic, std::string_view file_name,
+                   std::string_view source) {
+  const std::uint32_t line = diagnostic.place.line;
+  return render_line(diagnostic, file_name, line == 0 ? source : source_line(source, line));
 }
 
 std::string render(const Diagnostic& diagnostic, std::string_view file_name,

@@ -71,6 +71,8 @@ class Diagnostics {
 
   bool has_errors() const { return errors_ > 0; }
   std::size_t error_count() const { return errors_; }
+  /// Whether an error has been found in these lines, of one file; after kMost errors it says yes.
+  bool has_error_between(const Place& first, const Place& last) const;
   /// What the next file is called that the program USEs.
   void name_file(std::string name) { file_names_.push_back(std::move(name)); }
   /// "line 5" for a message about `from`; "line 5 of tools.rob" where that is another file.
@@ -91,6 +93,10 @@ class Diagnostics {
 /// it) with a caret under the place, and the help. `source` may be empty.
 std::string render(const Diagnostic& diagnostic, std::string_view file_name,
                    std::string_view source);
+
+/// The same where the line that it is about is at hand.
+std::string render_line(const Diagnostic& diagnostic, std::string_view file_name,
+                        std::string_view line);
 
 /// The same for a program that USEs files.
 std::string render(const Diagnostic& diagnostic, std::string_view file_name,

@@ -30,7 +30,8 @@ struct Finding {
 /// Walks over a text character by character and remembers what cannot be read.
 class Scan {
  public:
-  Scan(std::string_view source, std::uint32_t file) : source_(source), place_{1, 0, 1, file} {
+  Scan(std::string_view source, std::uint32_t file, TextParts parts)
+      : source_(source), count_(parts), place_{count_.line(), 0, 1, file} {
     if (source.starts_with(kByteOrderMark)) offset_ = line_begin_ = kByteOrderMark.size();
   }
 
@@ -73,7 +74,8 @@ class Scan {
       end_line();
       ++offset_;
       line_begin_ = offset_;
-      place_ = {place_.line + 1, 0, 1, place_.file};
+      count_.next(offset_);
+      place_ = {count_.line(), 0, 1, place_.file};
       return;
     }
     if (byte == '\0') nul_.note(offset_, place_);
@@ -94,6 +96,7 @@ class Scan {
   std::string_view source_;
   std::size_t offset_ = 0;
   std::size_t line_begin_ = 0;
+  LineCount count_;
   Place place_;
   Finding nul_;
   Finding invalid_;
@@ -103,14 +106,15 @@ class Scan {
 
 }  // namespace
 
-bool check_source(std::string_view source, Diagnostics& diagnostics, std::uint32_t file) {
+bool check_source(std::string_view source, Diagnostics& diagnostics, std::uint32_t file,
+                  TextParts parts) {
   if (source.size() > kMaxSourceBytes) {
     diagnostics.error(code::kFileTooLarge, Place{0, 0, 1, file},
                       fmt::format("the file is too large: {} bytes, at most {} are read",
                                   source.size(), kMaxSourceBytes));
     return false;
   }
-  Scan scan(source, file);
+  Scan scan(source, file, parts);
   scan.run();
   return scan.report(diagnostics);
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "lang/text/diagnostic.h"
+#include "lang/text/text_parts.h"
 
 /// What a file must be before it is read as a program: UTF-8 text of bounded size.
 namespace rob::lang {
@@ -19,7 +20,8 @@ inline constexpr std::size_t kMaxLineBytes = std::size_t{64} << 10U;
 /// True if `source` can be read: valid UTF-8 within the limits, without NUL, its lines ended by LF
 /// or CR LF. Otherwise reports what is wrong, each kind once, with the byte offset of the first
 /// place. A byte order mark at the beginning and a missing last line end are accepted.
-/// `file`: its number, for places.
-bool check_source(std::string_view source, Diagnostics& diagnostics, std::uint32_t file = 0);
+/// `file`: its number, for places; `parts`: where its lines are of.
+bool check_source(std::string_view source, Diagnostics& diagnostics, std::uint32_t file = 0,
+                  TextParts parts = {});
 
 }  // namespace rob::lang

@@ -80,24 +80,59 @@ Error real_power(double base, double exponent, double& result) {
   return store_finite(std::pow(base, exponent), result);
 }
 
+namespace {
+
+bool is_whole(double value) { return value == std::trunc(value); }
+
+/// a = b * quotient + rest, rounded down.
+struct Division {
+  double cut = 0;      ///< what fmod() leaves, exactly: it rounds towards zero
+  double rest = 0;     ///< 0, or between 0 and b
+  int correction = 0;  ///< from the quotient rounded towards zero to the one rounded down
+};
+
+Division divide_down(double a, double b) {
+  const double cut = std::fmod(a, b);
+  const bool crosses = cut != 0 && (cut < 0) != (b < 0);
+  const double rest = crosses ? cut + b : cut;
+  const double missing = crosses ? -cut : b - cut;
+  const bool within_margin = missing / b <= kMargin && !(is_whole(a) && is_whole(b));
+  // The rest of two whole numbers can be so near to b that a double cannot tell them apart.
+  const bool full = within_margin || rest == b;
+  return {cut, full ? 0 : rest, (full ? 1 : 0) - (crosses ? 1 : 0)};
+}
+
+/// a / b, which is a whole number but for `cut`. Beyond 2^53 a double holds only the leading digits
+/// of it, so it is computed in two parts.
+Error quotient_without(double cut, double a, double b, std::int64_t& result) {
+  const double near = a / b;
+  const double part = std::trunc(near - near * 0x1p-50);
+  std::int64_t first = 0;
+  if (const Error error = to_integer(part, first); error != Error::None) return error;
+  const double rest = std::fma(-part, b, a) - cut;
+  return add(first, static_cast<std::int64_t>(std::round(rest / b)), result);
+}
+
+}  // namespace
+
 Error floor_modulo(double a, double b, double& result) {
   if (b == 0) return Error::DivisionByZero;
-  const double remainder = std::fmod(a, b);
-  return store_finite(remainder != 0 && (remainder < 0) != (b < 0) ? remainder + b : remainder,
-                      result);
+  return store_finite(divide_down(a, b).rest, result);
 }
 
 Error floor_divide(double a, double b, std::int64_t& result) {
-  double remainder = 0;
-  if (const Error error = floor_modulo(a, b, remainder); error != Error::None) return error;
-  return to_integer(std::round((a - remainder) / b), result);
+  if (b == 0) return Error::DivisionByZero;
+  const Division division = divide_down(a, b);
+  std::int64_t quotient = 0;
+  const Error error = quotient_without(division.cut, a, b, quotient);
+  return error != Error::None ? error : add(quotient, division.correction, result);
 }
 
 Error turns(double from, double to, double step, std::int64_t& result) {
   // 2^53: up to here every count is a double of its own, and from + i * step is meant exactly.
   constexpr double kMost = 9007199254740992.0;
   if (step == 0) return Error::ZeroStep;
-  const double last = std::floor((to - from) / step + 1e-9);
+  const double last = std::floor((to - from) / step + kMargin);
   if (!(last < kMost)) return Error::TooManyTurns;
   if (last < 0) {
     result = 0;

@@ -101,7 +101,7 @@ inline Error negate(double a, double& result) {
   return Error::None;
 }
 
-/// DIV and MOD floor: the remainder has the sign of the divisor.
+/// DIV and MOD round down: the remainder has the sign of the divisor.
 inline Error floor_divide(std::int64_t a, std::int64_t b, std::int64_t& result) {
   if (b == 0) return Error::DivisionByZero;
   if (b == -1) return negate(a, result);
@@ -129,17 +129,21 @@ inline Error to_integer(double whole, std::int64_t& result) {
   return Error::None;
 }
 
-Error floor_modulo(double a, double b, double& result);
-/// Agrees with floor_modulo: a = b * DIV + MOD, where floor(a / b) would round a quotient just
-/// below a whole number up to it.
+/// How much of a whole number may be missing so that it still counts: 0.3 DIV 0.1 is 3, and 0 TO 1
+/// STEP 0.1 reaches 1, although 0.1 is no binary fraction. [choice] far beyond the rounding errors
+/// of a sum of thousands of terms, far below what anybody means by a part.
+inline constexpr double kMargin = 1e-9;
+
+/// a DIV b is floor(a / b + kMargin), and floor(a / b) where both are whole numbers. a MOD b is
+/// a - b * (a DIV b), or 0 where the margin has rounded up; so it has the sign of b.
 Error floor_divide(double a, double b, std::int64_t& result);
+Error floor_modulo(double a, double b, double& result);
 
 /// INT to the power of a whole exponent >= 0, by repeated squaring.
 Error integer_power(std::int64_t base, std::int64_t exponent, std::int64_t& result);
 Error real_power(double base, double exponent, double& result);
 
-/// How often a FOR runs: floor((to - from) / step + 1e-9) + 1, and 0 if that is negative. The
-/// margin lets 0 TO 1 STEP 0.1 reach 1 although 0.1 is no binary fraction.
+/// How often a FOR runs: floor((to - from) / step + kMargin) + 1, and 0 if that is negative.
 Error turns(double from, double to, double step, std::int64_t& result);
 /// The same for whole numbers, exactly.
 Error turns(std::int64_t from, std::int64_t to, std::int64_t step, std::int64_t& result);

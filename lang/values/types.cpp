@@ -123,7 +123,7 @@ bool Type::operator==(const Type& other) const {
 }
 
 Type TypeTable::array(const Type& element, std::int64_t length) {
-  TypeDetail& detail = arrays.emplace_back();
+  TypeDetail& detail = details.emplace_back();
   detail.element = element;
   detail.length = length;
   detail.height = height_of(element) + 1;
@@ -131,6 +131,15 @@ Type TypeTable::array(const Type& element, std::int64_t length) {
   const auto count = static_cast<int>(length);
   detail.slots = {.numbers = slots.numbers * count, .texts = slots.texts * count};
   return {Type::Kind::Array, {}, &detail};
+}
+
+TypeDetail& TypeTable::named(Named& types, std::uint32_t file, std::string_view name) {
+  TypeDetail*& detail = types[{file, to_upper(name)}];
+  if (detail == nullptr) {
+    detail = &details.emplace_back();
+    detail->name = name;
+  }
+  return *detail;
 }
 
 Type free_pose() {

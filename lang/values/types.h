@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -134,15 +135,30 @@ struct TypeDetail {
 
 /// The details of all types of one program. They keep their addresses.
 struct TypeTable {
-  /// By the number of the file that declares them, and name in capitals.
-  using Named = std::map<std::pair<std::uint32_t, std::string>, TypeDetail>;
-  std::deque<TypeDetail> arrays;
-  TypeDetail joints;  ///< all of a program are of one robot, whose axes the checker puts in
-  Named frames;
-  Named records;
+  /// By the number of the file that declares them, and name in capitals. Those that earlier entries
+  /// of the prompt have declared are of their tables.
+  using Named = std::map<std::pair<std::uint32_t, std::string>, TypeDetail*>;
+
+  TypeTable() = default;
+  TypeTable(const TypeTable&) = delete;
+  TypeTable& operator=(const TypeTable&) = delete;
 
   /// The type of a list of `length` such elements.
   Type array(const Type& element, std::int64_t length);
+  /// One detail for each name, so that types are equal where their frames or records are.
+  TypeDetail& frame(std::uint32_t file, std::string_view name) { return named(frames, file, name); }
+  TypeDetail& record(std::uint32_t file, std::string_view name) {
+    return named(records, file, name);
+  }
+
+  std::deque<TypeDetail> details;  ///< its own
+  /// All of a program are of one robot, whose axes the checker puts in.
+  std::shared_ptr<TypeDetail> joints = std::make_shared<TypeDetail>();
+  Named frames;
+  Named records;
+
+ private:
+  TypeDetail& named(Named& types, std::uint32_t file, std::string_view name);
 };
 
 /// A pose that has no frame yet and takes the one that its place in the program wants.

@@ -241,7 +241,6 @@ class Vm {
   /// The same if a SIMULATE is for the past.
   bool check_after(Code pc, double seconds);
   State fail_calls_too_deep(Code pc);
-  State fail_no_value(Code pc);
   State fail_index(Code pc, std::int64_t index, std::uint32_t count);
   /// Where a reference leads, and some slots further.
   Slot* place_of(Slot reference, std::uint32_t offset) {
@@ -252,7 +251,10 @@ class Vm {
   }
   State fail_assertion_at(Code pc);
 
-  Place place(Code pc) const { return chunk_->places[index(pc)]; }
+  Place place(Code pc) const { return place(*chunk_, pc); }
+  static Place place(const Chunk& chunk, Code pc) {
+    return chunk.places[static_cast<std::size_t>(pc - chunk.code.data())];
+  }
   int line(Code pc) const { return line_tag(place(pc)); }
   std::size_t index(Code pc) const { return static_cast<std::size_t>(pc - chunk_->code.data()); }
 
@@ -332,12 +334,13 @@ class Vm {
   bool turned_ = false;  ///< a loop has turned since the last observation
   /// A WHEN that is armed.
   struct Armed {
-    std::size_t depth = 0;     ///< calls that were open
-    std::uint32_t level = 0;   ///< of its frame
-    int id = 0;                ///< the machine's
-    Code handler = nullptr;    ///< its `when_handle`; null: it has none
-    Slot* captured = nullptr;  ///< in the frame of the WHEN, which lives as long as it is armed
-    std::size_t settings = 0;  ///< that were open
+    std::size_t depth = 0;         ///< calls that were open
+    std::uint32_t level = 0;       ///< of its frame
+    int id = 0;                    ///< the machine's
+    const Chunk* chunk = nullptr;  ///< that the handler is of
+    Code handler = nullptr;        ///< its `when_handle`; null: it has none
+    Slot* captured = nullptr;      ///< in the frame of the WHEN, which lives as long as it is armed
+    std::size_t settings = 0;      ///< that were open
   };
   std::array<Armed, kMostWhens> armed_;
   std::size_t armed_count_ = 0;
@@ -356,8 +359,21 @@ class Vm {
     std::size_t settings = 0;
     bool hit = false;
     bool guarded = false;
+    const Frame* frame = nullptr;  ///< behind those of the program
+    const Chunk* chunk = nullptr;
+    std::vector<Callee> callees{};  ///< of the chunk, where the handler is of another one
   };
   Interrupted interrupted_;
+  /// At the prompt a handler may be of an earlier entry.
+  bool is_elsewhere(const Frame& frame) const {
+    return handling_ && interrupted_.chunk != chunk_ && &frame < interrupted_.frame;
+  }
+  const Chunk& chunk_of(const Frame& frame) const {
+    return is_elsewhere(frame) ? *interrupted_.chunk : *chunk_;
+  }
+  Callee& callee_of(const Frame& frame) {
+    return (is_elsewhere(frame) ? interrupted_.callees : callees_)[frame.routine];
+  }
   bool handling_ = false;
   std::vector<Setting> settings_;  ///< of the WITHs that are open
   std::size_t presses_ = 0;        ///< that are open
@@ -367,34 +383,6 @@ class Vm {
   bool observed_ = false;          ///< the world was observed in the present cycle
 };
 
-// In every call: here, so that the dispatch loop has them in line.
-
-inline bool Vm::enter(Slot* numbers, std::string* texts, std::uint32_t number, Code back) {
-  Callee& callee = callees_[number];
-  if (frame_ == std::to_address(frames_.end()) || registers_end_ - numbers < callee.registers ||
-      text_registers_end_ - texts < callee.text_registers) {
-    return false;
-  }
-  // One by one: GCC would build a whole one elsewhere, and wait for that to copy it.
-  frame_->back = back;
-  frame_->numbers = numbers_;
-  frame_->texts = texts_;
-  frame_->memory = memory_;
-  frame_->routine = number;
-  ++frame_;
-  numbers_ = numbers;
-  texts_ = texts;
-  if (callee.called_in == cycle_) turned_ = true;
-  callee.called_in = cycle_;
-  return true;
-}
-
-inline Vm::Code Vm::leave_routine() {
-  const Frame& frame = *--frame_;
-  numbers_ = frame.numbers;
-  texts_ = frame.texts;
-  memory_ = frame.memory;
-  return frame.back;
-}
-
 }  // namespace rob::lang
+
+#include "lang/vm/vm_calls.inc"

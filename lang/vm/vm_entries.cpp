@@ -45,8 +45,8 @@ void Vm::go_on_with(const Chunk& chunk) {
 }
 
 Reply Vm::give_up_entry() {
+  const int at = state_ == State::Failed ? line_tag(error_.place) : line(next_);
   if (handling_) abandon_handler();
-  const int at = line(next_);
   if (const Reply reply = end_presses(at, 0); reply != Reply::Done) return reply;
   leave_settings(at, 0);
   if (const Reply reply = disarm(at, kept_whens_); reply != Reply::Done) return reply;

@@ -108,7 +108,7 @@ Vm::State Vm::leave(Code pc, Code resume, State state) {
     ++cycle_;
     // What still runs counts as called in the cycle in which it goes on.
     std::for_each(frames_.data(), frame_,
-                  [&](const Frame& frame) { callees_[frame.routine].called_in = cycle_; });
+                  [&](const Frame& frame) { callee_of(frame).called_in = cycle_; });
   }
   return state;
 }
@@ -137,11 +137,13 @@ Vm::State Vm::fail(Code pc, RuntimeError error) {
   error_ = std::move(error);
   for (const Frame* frame = frame_; frame != frames_.data();) {
     --frame;
-    const RoutineCode& routine = chunk_->routines[frame->routine];
+    const Chunk& chunk = chunk_of(*frame);
+    const RoutineCode& routine = chunk.routines[frame->routine];
     if (routine.handler) {
       error_.calls.push_back({routine.name, line_tag(routine.place), CallSite::By::When});
     } else {
-      error_.calls.push_back({.routine = routine.name, .line = line(frame->back - 1)});
+      error_.calls.push_back(
+          {.routine = routine.name, .line = line_tag(place(chunk, frame->back - 1))});
     }
   }
   return give_up(pc);
@@ -178,14 +180,6 @@ Vm::State Vm::fail_memory(Code pc) {
                                       static_cast<int>(number_stack_.size()) - registers_.numbers,
                                       static_cast<int>(text_stack_.size()) - registers_.texts),
                .help = "REF passes an array without copying it"});
-}
-
-Vm::State Vm::fail_no_value(Code pc) {
-  return fail(pc, {.code = std::string(code::kEndedWithoutReturn),
-                   .place = place(pc),
-                   .message = fmt::format("{} came to its end without RETURN",
-                                          chunk_->routines[frame_[-1].routine].name),
-                   .help = "RETURN a value on every way through it"});
 }
 
 Vm::State Vm::fail_index(Code pc, std::int64_t index, std::uint32_t count) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "lang/vm/vm.h"
 
@@ -11,6 +12,7 @@ Reply Vm::when_handle(Code pc) {
   const Reply reply = machine_->when_handle(line(pc), pc->c() != 0);
   if (reply != Reply::Done) return reply;
   Armed& armed = armed_[armed_count_ - 1];
+  armed.chunk = chunk_;
   armed.handler = pc;
   armed.captured = numbers_ + pc->a();
   armed.settings = settings_.size();
@@ -29,15 +31,18 @@ void Vm::handle(int when, Machine& machine) {
   const bool top = depth() == 0;
   const RoutineCode* const routine = top ? nullptr : &chunk_->routines[(frame_ - 1)->routine];
   const std::uint32_t number = (armed->handler + 1)->word;
-  interrupted_ = {machine_,         next_, latch_,  latched_random_, turned_, guards_.size(),
-                  settings_.size(), hit_,  guarded_};
+  interrupted_ = {machine_,         next_, latch_,   latched_random_, turned_, guards_.size(),
+                  settings_.size(), hit_,  guarded_, frame_,          chunk_};
   machine_ = &machine;
   handling_ = true;
   if (state_ == State::Done) state_ = State::Running;
   Slot* const numbers = numbers_ + (top ? chunk_->registers : routine->registers);
   std::string* const texts = texts_ + (top ? chunk_->text_registers : routine->text_registers);
+  if (armed->chunk != chunk_) {
+    chunk_ = armed->chunk;
+    interrupted_.callees = std::exchange(callees_, callees_of(*chunk_));
+  }
   if (!enter(numbers, texts, number, next_)) {
-    abandon_handler();
     state_ = fail_calls_too_deep(armed->handler);
     return;
   }
@@ -49,7 +54,6 @@ void Vm::handle(int when, Machine& machine) {
 
 /// The program goes on as though nothing had been, but for what the handler has changed.
 void Vm::end_handler() {
-  leave_routine();
   abandon_handler();
   settings_.resize(interrupted_.settings);
   next_ = interrupted_.next;
@@ -62,6 +66,11 @@ void Vm::end_handler() {
 
 /// What goes wrong in a handler goes wrong in the program.
 void Vm::abandon_handler() {
+  while (frame_ != interrupted_.frame) leave_routine();
+  if (chunk_ != interrupted_.chunk) {
+    chunk_ = interrupted_.chunk;
+    callees_.swap(interrupted_.callees);
+  }
   machine_ = interrupted_.machine;
   handling_ = false;
 }

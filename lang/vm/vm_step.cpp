@@ -88,8 +88,6 @@ Vm::Step Vm::step(Code pc) {
     case Opcode::leave_with_text:
       if (pc->a() != 0) texts_[0] = texts_[pc->a()];
       return go(pc + 1, leave_routine());
-    case Opcode::no_value:
-      return fail_no_value(pc);
     case Opcode::equal_text:
       n[pc->a()].integer = texts_[pc->b()] == texts_[pc->c()] ? 1 : 0;
       return pc + 1;

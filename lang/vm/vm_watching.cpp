@@ -97,7 +97,6 @@ void Vm::interrupt(RuntimeError error) {
   if (handling_) {  // it is the program's error, not one of the handler's own
     guards_.erase(guards_.begin() + static_cast<std::ptrdiff_t>(interrupted_.guards),
                   guards_.end());
-    abandon_handler();
   }
   state_ = fail(next_, std::move(error));
 }

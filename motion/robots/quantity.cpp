@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "motion/robots/quoted.h"
+
 namespace rob::motion {
 
 namespace {
@@ -67,8 +69,8 @@ std::string units_of(Quantity quantity) {
 }
 
 [[noreturn]] void refuse(std::string_view text, const std::string& why, Quantity quantity) {
-  throw std::invalid_argument("\"" + std::string(text) + "\" " + why +
-                              "; write a number and one of the units " + units_of(quantity));
+  throw std::invalid_argument(quoted(text) + " " + why + "; write a number and one of the units " +
+                              units_of(quantity));
 }
 
 }  // namespace

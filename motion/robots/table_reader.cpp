@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "motion/robots/closest_name.h"
+#include "motion/robots/quoted.h"
 #include "motion/robots/robot_file.h"
 
 namespace rob::motion {
@@ -18,8 +19,6 @@ std::string number_text(double value) {
   std::snprintf(text, sizeof text, "%g", value);
   return text;
 }
-
-std::string quoted(std::string_view word) { return std::string("\"").append(word).append("\""); }
 
 std::string in_quotes(const std::vector<std::string_view>& words) {
   std::string text;

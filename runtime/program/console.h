@@ -5,9 +5,15 @@
 namespace rob::runtime {
 
 /// Results for standard output, messages for people on standard error. A full disk is remembered,
-/// and reported when the run is over.
+/// and reported when the run is over. What a terminal would act on, such as ESC in a name, is shown
+/// there (lang/text/visible.h); a pipe or a file gets the bytes.
 void put_result(std::string_view text);
 void put_message(std::string_view text);
+/// "rob: …", one message on one line, whatever names stand in it.
+void put_error(std::string_view what);
+
+/// On a terminal: messages go on at the beginning of the line that was shown last.
+void clear_message_line();
 
 /// Whoever read the results has closed the pipe: nobody waits for the rest of the run.
 bool reader_has_gone();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lang/text/visible.h"
 #include "runtime/program/slow_places.h"
 
 namespace rob::runtime {
@@ -227,6 +228,10 @@ Json check_json(const RunResult& result) {
           {"slow_places", slow_places_json(result)},
           {"findings", findings_json(result)},
           {"error", problem_json(result.error)}};
+}
+
+std::string json_text(const Json& document) {
+  return lang::visible_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace rob::runtime

@@ -68,6 +68,15 @@ std::optional<lang::Refusal> refusal_of(const lang::MoveCommand& command,
   return lang::Refusal{words->code, words->message, words->help};
 }
 
+/// For this robot, whose coordinates these are; both must outlive it.
+lang::TargetJudge judge_of(const motion::RobotModel& robot, const Coordinates& coordinates) {
+  return [&](const lang::MoveCommand& command) { return refusal_of(command, robot, coordinates); };
+}
+
+lang::PointTable points_in(const std::string& file, const motion::RobotModel& robot) {
+  return file.empty() ? lang::PointTable{} : load_points(file, robot).table();
+}
+
 void refuse_what_the_robot_cannot(lang::Compilation& compilation, const motion::RobotModel& robot) {
   for (const lang::FeatureUse& use : compilation.features) {
     const auto words = words_against(use.feature, robot);
@@ -152,18 +161,25 @@ SignalScript load_signal_script(const std::string& file, const LoadedProgram& pr
 
 LoadedProgram compile_program(std::string file, std::string source, const motion::RobotModel& robot,
                               const std::string& points_file, std::optional<motion::Law> law,
-                              std::uint32_t entry, std::uint32_t from) {
+                              std::uint32_t from) {
   LoadedProgram program{std::move(file), std::move(source), robot, {}};
   const FolderSources sources(program.file);
   const lang::RobotSignature signature = signature_of(robot);
-  program.compilation = lang::compile(
-      program.source, signature,
-      points_file.empty() ? lang::PointTable{} : load_points(points_file, robot).table(),
-      [&](const lang::MoveCommand& command) {
-        return refusal_of(command, robot, signature.coordinates);
-      },
-      &sources, entry, from);
+  program.compilation = lang::compile(program.source, signature, points_in(points_file, robot),
+                                      judge_of(robot, signature.coordinates), &sources, from);
   settle_law(program, law);
+  if (!robot.tool_coordinates) refuse_what_the_robot_cannot(program.compilation, program.robot);
+  return program;
+}
+
+LoadedProgram compile_entry(const lang::Entries& entries, std::string entry,
+                            const motion::RobotModel& robot, const lang::RobotSignature& signature,
+                            const std::string& points_file, const lang::Sources& sources,
+                            lang::Entries::Knowing knowing) {
+  LoadedProgram program{sources.program().name, std::move(entry), robot, {}};
+  program.compilation = entries.compile(program.source, signature, points_in(points_file, robot),
+                                        judge_of(robot, signature.coordinates), &sources, knowing);
+  settle_law(program, robot.law);
   if (!robot.tool_coordinates) refuse_what_the_robot_cannot(program.compilation, program.robot);
   return program;
 }

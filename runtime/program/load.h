@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lang/compile/compile.h"
+#include "lang/compile/entries.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/program/run_result.h"
 #include "runtime/program/signal_script.h"
@@ -46,12 +47,18 @@ LoadedProgram compile_program(std::string file, std::string source, const std::s
                               std::optional<motion::Law> law = {});
 
 /// Compiles for this robot, whatever the text says; checks the targets that are known beforehand
-/// against the robot, so that nothing moves if one of them cannot be reached. `entry`, `from`: as
-/// of lang::compile().
+/// against the robot, so that nothing moves if one of them cannot be reached. `from`: as of
+/// lang::compile().
 LoadedProgram compile_program(std::string file, std::string source, const motion::RobotModel& robot,
                               const std::string& points_file = "",
-                              std::optional<motion::Law> law = {}, std::uint32_t entry = 0,
-                              std::uint32_t from = 0);
+                              std::optional<motion::Law> law = {}, std::uint32_t from = 0);
+
+/// The same of an entry of a prompt, which runs under the law of its robot; `signature`: that of
+/// the robot, which takes longer to make than most entries to compile.
+LoadedProgram compile_entry(const lang::Entries& entries, std::string entry,
+                            const motion::RobotModel& robot, const lang::RobotSignature& signature,
+                            const std::string& points_file, const lang::Sources& sources,
+                            lang::Entries::Knowing knowing);
 
 /// Refuses a program that needs points which nobody has taught: for what moves or tests.
 void refuse_missing_points(LoadedProgram& program);

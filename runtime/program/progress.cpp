@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "lang/text/visible.h"
 #include "runtime/program/console.h"
 
 namespace rob::runtime {
@@ -14,7 +15,6 @@ namespace rob::runtime {
 namespace {
 
 constexpr double kEvery = 0.1;  // s of the run: as often as an eye reads
-constexpr const char* kClearLine = "\r\033[K";
 
 const char* name_of(motion::MotionState state) {
   switch (state) {
@@ -47,12 +47,13 @@ void Progress::show(const Position& position) {
   last_ = position.time;
   shown_ = true;
   const lang::Place place = lang::tagged_place(position.line);
-  std::string text = fmt::format("{}line {}", kClearLine, place.line);
-  if (place.file > 0) text += " of " + used_[place.file - 1];
+  std::string text = fmt::format("line {}", place.line);
+  if (place.file > 0) text += " of " + lang::on_one_line(used_[place.file - 1]);
   text += fmt::format("  {:.1f} s", position.time);
   if (planned_ > 0) {
     text += fmt::format("  {:.1f} s left", std::max(0.0, planned_ - position.time));
   }
+  clear_message_line();
   put_message(text + fmt::format("  {:.0f}%  {}", 100 * override_share_, name_of(position.state)));
 }
 
@@ -72,7 +73,7 @@ void Progress::consult(const Note& note, int line) {
 void Progress::clear() {
   if (!shown_) return;
   shown_ = false;
-  put_message(kClearLine);
+  clear_message_line();
 }
 
 }  // namespace rob::runtime

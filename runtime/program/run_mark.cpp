@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "lang/text/visible.h"
 #include "runtime/program/files.h"
 #include "runtime/program/state_folder.h"
 
@@ -90,7 +91,7 @@ std::vector<std::string> unclean_ends() {
       runs.push_back(
           fmt::format("rob: unclean end: the run of {} was cut off, by kill -9, a crash or"
                       " the loss of power; look where the robot stands\n",
-                      run));
+                      lang::on_one_line(run)));
   }
   return runs;
 }

@@ -4,10 +4,13 @@
 
 #include <optional>
 
+#include "lang/text/visible.h"
 #include "runtime/control/units.h"
 #include "runtime/program/slow_places.h"
 
 namespace rob::runtime {
+
+using lang::on_one_line;
 
 namespace {
 
@@ -54,7 +57,8 @@ std::string calls_text(const Problem& problem) {
   for (std::size_t i = 0; i < calls.size() && i < kMost; ++i) {
     const lang::Place place = lang::tagged_place(calls[i].line);
     text += fmt::format("  in {} line {}", calling(calls[i]), place.line);
-    text += place.file == 0 ? "\n" : fmt::format(" of {}\n", problem.used[place.file - 1]);
+    text +=
+        place.file == 0 ? "\n" : fmt::format(" of {}\n", on_one_line(problem.used[place.file - 1]));
   }
   if (calls.size() > kMost) text += fmt::format("  and {} calls more\n", calls.size() - kMost);
   return text;
@@ -67,7 +71,7 @@ std::string file_heading(const RunResult& result, const LineResult& line) {
   const std::uint32_t file = lang::tagged_place(line.line).file;
   const bool first =
       &line == result.lines.data() || lang::tagged_place((&line)[-1].line).file != file;
-  return file > 0 && first ? fmt::format("  {}\n", result.used[file - 1]) : "";
+  return file > 0 && first ? fmt::format("  {}\n", on_one_line(result.used[file - 1])) : "";
 }
 
 std::uint32_t line_number(const LineResult& line) { return lang::tagged_place(line.line).line; }
@@ -79,7 +83,7 @@ std::string slow_places_text(const RunResult& result) {
     const lang::Place line = lang::tagged_place(place.line);
     text += text.empty() ? "slowest: " : "         ";
     text += fmt::format("line {}{}, {}{} mm on: {} of {} mm/s; {}\n", line.line,
-                        line.file == 0 ? "" : " of " + result.used[line.file - 1],
+                        line.file == 0 ? "" : " of " + on_one_line(result.used[line.file - 1]),
                         place.corner ? "in a corner " : "", shown(place.at, 1),
                         shown(place.speed, 1), shown(place.asked, 1), cause_of(place));
   }
@@ -132,7 +136,7 @@ std::string problems_text(const RunResult& result, std::string_view source,
     told = told || finding.severity == lang::Severity::Error;
   }
   if (result.findings_left_out > 0) {
-    text += fmt::format("{}: and {} more\n", result.file, result.findings_left_out);
+    text += fmt::format("{}: and {} more\n", on_one_line(result.file), result.findings_left_out);
   }
   if (result.error && !told) {
     const Problem& e = *result.error;

@@ -48,7 +48,7 @@ std::optional<LoadedProgram> compiled(Session& session, std::size_t from, bool t
   const motion::RobotModel& robot = session.robot().robot();
   LoadedProgram program =
       compile_program(file.empty() ? "program" : file, workshop.program.text(), robot,
-                      session.points_file(), robot.law, 0, static_cast<std::uint32_t>(from));
+                      session.points_file(), robot.law, static_cast<std::uint32_t>(from));
   refuse_missing_points(program);
   refuse_what_an_arm_cannot(program);
   if (tells || !program.runnable()) tell_findings(session, program);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "lang/text/visible.h"
 #include "motion/generate/limit_numbers.h"
 #include "runtime/control/signal_access.h"
 #include "runtime/control/units.h"
@@ -131,7 +132,7 @@ std::string pendant_view(const Pendant& pendant, const std::string& told, int co
   std::string text;
   for (std::size_t i = 0; i < lines.size() && i < static_cast<std::size_t>(rows); ++i) {
     if (i > 0) text += "\n";
-    text += cut(lines[i], columns);
+    text += cut(lang::visible(lines[i]), columns);
   }
   return text;
 }

@@ -16,6 +16,7 @@
 #include "runtime/program/interruption.h"
 #include "runtime/program/output_file.h"
 #include "runtime/program/run_mark.h"
+#include "runtime/prompt/entry_lines.h"
 #include "runtime/prompt/session.h"
 #include "runtime/prompt/terminal_prompt.h"
 
@@ -40,8 +41,9 @@ class InputLines {
  public:
   /// None behind the last, where it cannot be read, and where the process shall end.
   std::optional<std::string> next() {
-    std::size_t end = bytes_.find('\n');
+    std::size_t end = bytes_.find('\n', begin_);
     while (end == std::string::npos) {
+      bytes_.erase(0, std::exchange(begin_, 0));
       if (bytes_.size() > kMostLine) {
         trouble_ = fmt::format("a line of more than {} bytes", kMostLine);
         return std::nullopt;
@@ -53,8 +55,8 @@ class InputLines {
       }
       end = bytes_.find('\n', before);
     }
-    std::string line = bytes_.substr(0, end);
-    bytes_.erase(0, end + 1);
+    std::string line = bytes_.substr(begin_, end - begin_);
+    begin_ = end + 1;
     return line;
   }
   /// Why there is no further one; empty at the end of the input.
@@ -77,28 +79,33 @@ class InputLines {
   }
 
   std::string bytes_;
+  std::size_t begin_ = 0;  ///< of those that have not been handed out
   std::string trouble_;
 };
 
 /// Lines from a pipe or a file: no prompt, no colours, and the exit code of the first error.
 ExitCode filter(Session& session, bool fast) {
   InputLines lines;
-  std::string entry;
+  EntryLines entry;
   while (!session.over() && !Interruption::requested()) {
     const auto line = lines.next();
     if (!line) break;
     if (is_command(*line)) {
       session.enter(*line);
     } else {
-      entry += entry.empty() ? *line : "\n" + *line;
-      const bool last = entry.size() > kMostLine;
-      if (session.enter(entry, last) == Session::Taken::Incomplete) continue;
+      entry.add(*line);
+      const bool last = entry.text().size() > kMostLine;
+      if (!last && !session.asks() && entry.surely_goes_on()) continue;
+      if (session.enter(entry.text(), last) == Session::Taken::Incomplete) {
+        entry.note_open_block();
+        continue;
+      }
       entry.clear();
     }
     if (session.take_pendant()) session.fail("the pendant needs a terminal", "", ExitCode::Usage);
     session.carry_out_entries(fast ? 0 : kAhead);
   }
-  if (!entry.empty()) session.enter(entry, true);
+  if (!entry.empty()) session.enter(entry.text(), true);
   if (!lines.trouble().empty()) session.fail(lines.trouble(), "", ExitCode::InputOutput);
   session.finish();
   if (session.asks() && !Interruption::requested())
@@ -129,7 +136,7 @@ ExitCode run_prompt(const Options& options) {
     try {
       running.emplace("the prompt", options.robot.empty() ? "gantry" : options.robot);
     } catch (const FileError& error) {
-      put_message(fmt::format("rob: warning: {}\n", error.what()));
+      put_error(fmt::format("warning: {}", error.what()));
     }
   }
   SessionOptions session;

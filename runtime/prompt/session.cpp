@@ -9,12 +9,14 @@
 
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
+#include "lang/text/visible.h"
 #include "motion/robots/robot_file.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/units.h"
 #include "runtime/program/simulation.h"
 #include "runtime/program/text_report.h"
 #include "runtime/prompt/commands.h"
+#include "runtime/prompt/entry_lines.h"
 
 namespace rob::runtime {
 
@@ -27,25 +29,9 @@ motion::RobotModel chosen(const SessionOptions& options) {
   return robot;
 }
 
-/// Brackets that are open at the end; texts and comments do not count.
-bool bracket_is_open(std::string_view text) {
-  int open = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '\n') quoted = false;
-    if (c == '"' && (i == 0 || text[i - 1] != '\\')) quoted = !quoted;
-    if (quoted) continue;
-    if (text.substr(i).starts_with("//")) i = std::min(text.find('\n', i), text.size()) - 1;
-    if (c == '(' || c == '[') ++open;
-    if (c == ')' || c == ']') --open;
-  }
-  return open > 0;
-}
-
 bool is_incomplete(const std::string& entry, const LoadedProgram& compiled) {
   if (compiled.runnable()) return false;
-  if (bracket_is_open(entry)) return true;
+  if (EntryLines::brackets_open(entry)) return true;
   return std::ranges::any_of(
       compiled.compilation.diagnostics.all(), [](const lang::Diagnostic& one) {
         return one.code == lang::code::kUnclosedBlock || one.code == lang::code::kRescueMissing;
@@ -87,7 +73,6 @@ Session::Session(SessionOptions options, Screen& screen)
 /// As if nothing had been typed yet.
 void Session::begin_text(const motion::RobotModel& robot) {
   text_.emplace(robot, options_.points_file);
-  sources_.clear();
   runs_.clear();
   points_.clear();
 }
@@ -108,7 +93,9 @@ std::unique_ptr<LiveRobot> Session::live(const motion::RobotModel& robot) {
 LiveReports::Listener Session::listener() {
   LiveReports::Listener listener;
   listener.print = [this](const std::string& text) { screen_->result(text + "\n"); };
-  listener.tell = [this](const std::string& text) { screen_->message(text + "\n"); };
+  listener.tell = [this](const std::string& text) {
+    screen_->message(lang::on_one_line(text) + "\n");
+  };
   listener.consult = [this](const Note& note) {
     asks_ = note.kind != Note::Kind::Answer;
     if (note.kind == Note::Kind::Ask) screen_->message(note.text + "\n");
@@ -151,6 +138,7 @@ Session::Taken Session::enter(const std::string& text, bool last) try {
   take_points();
   LoadedProgram compiled = text_->compile(entry);
   if (!last && is_incomplete(entry, compiled)) return Taken::Incomplete;
+  if (!compiled.runnable()) compiled = text_->compile(entry, SessionText::Knowing::Everything);
   const std::uint32_t line = text_->line();
   if (submit(entry, std::move(compiled)) && workshop_.records) record(entry, line);
   return Taken::Done;
@@ -173,7 +161,6 @@ bool Session::submit(const std::string& entry, LoadedProgram compiled) {
   }
   const std::uint32_t line = text_->line();
   text_->keep(entry, compiled);
-  sources_ += entry + "\n";
   tell(compiled, line);
   if (!compiled.runnable()) {
     note(ExitCode::ProgramError);
@@ -194,8 +181,7 @@ void Session::tell(const LoadedProgram& compiled, std::uint32_t line) {
     const bool before = finding.severity != lang::Severity::Error && finding.place.file == 0 &&
                         finding.place.line < line;
     if (before) continue;
-    screen_->message(
-        lang::render(finding, compiled.file, compiled.source, compiled.compilation.used));
+    screen_->message(text_->rendered(finding, compiled.compilation.used));
   }
 }
 
@@ -219,7 +205,7 @@ void Session::take_failures() {
     const lang::Diagnostic told{lang::Severity::Error, error.code, error.place, error.message,
                                 error.help};
     const auto run = runs_.find(failure->line);
-    screen_->message(run == runs_.end() ? lang::render(told, "prompt", sources_)
+    screen_->message(run == runs_.end() ? text_->rendered(told)
                                         : lang::render(told, run->second.file, run->second.source,
                                                        run->second.used));
   }
@@ -269,7 +255,7 @@ bool Session::interrupt_again() {
 }
 
 void Session::fail(const std::string& message, const std::string& help, ExitCode code) {
-  screen_->message(fmt::format("error: {}\n", message));
+  screen_->message(fmt::format("error: {}\n", lang::on_one_line(message)));
   if (!help.empty()) screen_->message(fmt::format("help: {}\n", help));
   note(code);
 }
@@ -306,7 +292,7 @@ void Session::choose_robot(const std::string& robot, std::optional<motion::Law> 
   if (options.robot == options_.robot) model.start = robot_->channels().joints.load();
   if (!text_->names().empty()) screen_->message("what was declared at the prompt is gone\n");
   if (!options_.trace.empty())
-    screen_->message(fmt::format("the trace '{}' ends here\n", options_.trace));
+    screen_->message(fmt::format("the trace '{}' ends here\n", lang::on_one_line(options_.trace)));
   robot_.reset();
   options.trace.clear();
   options_ = options;

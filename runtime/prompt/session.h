@@ -164,7 +164,6 @@ class Session final : public Person {
   std::optional<SessionText> text_;
   DeadMan dead_man_;
   std::unique_ptr<LiveRobot> robot_;
-  std::string sources_;  ///< of all entries, for messages
   /// A program that was run, for messages.
   struct Run {
     std::string file;

@@ -1,10 +1,9 @@
 #include "runtime/prompt/session_text.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
+#include <utility>
 
 #include "lang/text/ascii.h"
+#include "runtime/control/robot_machine.h"
 
 namespace rob::runtime {
 
@@ -12,16 +11,6 @@ namespace {
 
 /// What messages call the text.
 constexpr const char* kName = "prompt";
-
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> lines;
-  for (;;) {
-    const std::size_t end = text.find('\n');
-    lines.emplace_back(text.substr(0, end));
-    if (end == std::string_view::npos) return lines;
-    text.remove_prefix(end + 1);
-  }
-}
 
 }  // namespace
 
@@ -39,43 +28,44 @@ std::size_t find_word(std::string_view line, std::string_view word, std::size_t 
   return std::string_view::npos;
 }
 
-LoadedProgram SessionText::compile(std::string_view entry) const {
-  std::string source;
-  for (const std::string& line : lines_) source.append(line).push_back('\n');
-  source.append(entry).push_back('\n');
-  return compile_program(kName, std::move(source), robot_, points_file_, robot_.law, line());
+SessionText::SessionText(motion::RobotModel robot, std::string points_file)
+    : robot_(std::move(robot)),
+      signature_(signature_of(robot_)),
+      points_file_(std::move(points_file)),
+      sources_(kName) {}
+
+LoadedProgram SessionText::compile(std::string_view entry, Knowing knowing) const {
+  return compile_entry(entries_, std::string(entry), robot_, signature_, points_file_, sources_,
+                       knowing);
 }
 
 void SessionText::keep(std::string_view entry, const LoadedProgram& compiled) {
-  const bool stays = compiled.runnable() && compiled.compilation.lasts;
-  for (std::string& line : lines_of(entry))
-    lines_.push_back(stays ? std::move(line) : std::string());
-  if (stays) names_ = compiled.compilation.names;
+  entries_.keep(entry, compiled.compilation);
+  add_typed(entry);
 }
 
-void SessionText::forget(std::uint32_t first, std::uint32_t last) {
-  for (std::size_t line = first; line <= last && line <= lines_.size(); ++line)
-    lines_[line - 1].clear();
-  std::erase_if(names_, [&](const lang::DeclaredName& one) {
-    return one.place.line >= first && one.place.line <= last;
-  });
+void SessionText::pass_line(std::string_view line) {
+  entries_.pass_line();
+  add_typed(line);
 }
 
-/// Its line goes on declaring something under another name: what is declared behind keeps its place
-/// in the memory of the variables.
-bool SessionText::forget_name(const std::string& name) {
-  const auto declares = [&](const std::string& line) {
-    return find_word(line, "POINT") == line.find_first_not_of(" \t") && has_word(line, name);
-  };
-  const bool used = std::ranges::any_of(
-      lines_, [&](const std::string& one) { return has_word(one, name) && !declares(one); });
-  if (used) return false;
-  for (std::string& line : lines_) {
-    if (declares(line))
-      line.replace(find_word(line, name), name.size(), fmt::format("forgotten_{}", ++forgotten_));
-  }
-  std::erase_if(names_, [&](const auto& one) { return lang::same_word(one.name, name); });
-  return true;
+void SessionText::add_typed(std::string_view text) {
+  begins_.push_back(typed_.size());
+  for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
+    begins_.push_back(typed_.size() + at + 1);
+  typed_.append(text) += '\n';
+}
+
+std::string_view SessionText::typed(std::uint32_t line) const {
+  if (line == 0 || line > begins_.size()) return {};
+  const std::string_view rest = std::string_view(typed_).substr(begins_[line - 1]);
+  return rest.substr(0, rest.find('\n'));
+}
+
+std::string SessionText::rendered(const lang::Diagnostic& finding,
+                                  const std::vector<lang::SourceFile>& used) const {
+  if (finding.place.file != 0) return lang::render(finding, kName, "", used);
+  return lang::render_line(finding, kName, typed(finding.place.line));
 }
 
 }  // namespace rob::runtime

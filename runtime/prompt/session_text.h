@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "lang/compile/entries.h"
+#include "runtime/program/folder_sources.h"
 #include "runtime/program/load.h"
 
 namespace rob::runtime {
@@ -16,42 +19,56 @@ inline bool has_word(std::string_view line, std::string_view word) {
   return find_word(line, word) != std::string_view::npos;
 }
 
-/// All that has been typed at a prompt, as the text in front of the next entry: what declares
-/// something or arms a WHEN stays, of all else its line is left blank. So each entry is compiled
-/// with the names of those before, and every message tells the line in which it was typed, from 1.
+/// All that has been typed at a prompt, line by line from 1, for messages; and what of it counts
+/// for the next entry, which is compiled for the robot of the prompt.
 class SessionText {
  public:
-  /// `points_file`: where TEACH keeps points; empty: nowhere.
-  SessionText(motion::RobotModel robot, std::string points_file)
-      : robot_(std::move(robot)), points_file_(std::move(points_file)) {}
+  using Knowing = lang::Entries::Knowing;
 
-  /// Compiled behind all that stays; nothing is kept of it before keep().
-  LoadedProgram compile(std::string_view entry) const;
-  /// The entry has been taken, or refused: the next one begins on the line behind it.
+  /// `points_file`: where TEACH keeps points; empty: nowhere.
+  SessionText(motion::RobotModel robot, std::string points_file);
+
+  /// Compiled after all that stays; nothing is kept of it before keep().
+  LoadedProgram compile(std::string_view entry, Knowing knowing = Knowing::Needed) const;
+  /// The entry has been taken, or refused: the next one begins on the line after it.
   void keep(std::string_view entry, const LoadedProgram& compiled);
   /// What was declared on these lines is forgotten: their entries have not been carried out.
-  void forget(std::uint32_t first, std::uint32_t last);
-
+  void forget(std::uint32_t first, std::uint32_t last) { entries_.forget(first, last); }
   /// A line that declares nothing: a command that is carried out as an entry.
-  void pass_line() { lines_.emplace_back(); }
-  /// What was declared on this line has the effect that it has had, and is not repeated.
-  void blank(std::uint32_t line) { lines_.at(line - 1).clear(); }
-  /// This name means nothing any more. False if something that stays uses it: then it stays, too.
-  bool forget_name(const std::string& name);
+  void pass_line(std::string_view line);
+  /// This name means nothing any more. False if a routine uses it: then it stays.
+  bool forget_name(const std::string& name) { return entries_.forget(name); }
   /// From now on points are kept there.
   void use_points(std::string file) { points_file_ = std::move(file); }
 
   /// The line on which the next entry begins.
-  std::uint32_t line() const { return static_cast<std::uint32_t>(lines_.size()) + 1; }
-  /// The names that entries have declared.
-  const std::vector<lang::DeclaredName>& names() const { return names_; }
+  std::uint32_t line() const { return entries_.line(); }
+  /// As it was typed.
+  std::string_view typed(std::uint32_t line) const;
+  /// A finding about one of the lines, or about a file that the entry USEs.
+  std::string rendered(const lang::Diagnostic& finding,
+                       const std::vector<lang::SourceFile>& used = {}) const;
+
+  /// What entries have declared by this name.
+  std::optional<lang::DeclaredName> find(std::string_view name) const {
+    return entries_.find(name);
+  }
+  std::vector<lang::DeclaredName> names() const { return entries_.names(); }
+  /// Those that occur in a text.
+  std::vector<lang::DeclaredName> named_in(std::string_view text) const {
+    return entries_.named_in(text);
+  }
 
  private:
+  void add_typed(std::string_view text);
+
   motion::RobotModel robot_;
+  lang::RobotSignature signature_;
   std::string points_file_;
-  std::vector<std::string> lines_;
-  std::vector<lang::DeclaredName> names_;
-  int forgotten_ = 0;
+  FolderSources sources_;
+  lang::Entries entries_;
+  std::string typed_;
+  std::vector<std::size_t> begins_;  ///< of the lines in `typed_`
 };
 
 }  // namespace rob::runtime

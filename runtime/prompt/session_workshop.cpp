@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lang/text/ascii.h"
+#include "lang/text/visible.h"
 #include "runtime/program/output_file.h"
 #include "runtime/prompt/session.h"
 
@@ -29,8 +30,7 @@ bool Session::stands(const char* command) {
 
 void Session::run(LoadedProgram program) {
   const std::uint32_t line = text_->line();
-  text_->pass_line();
-  sources_ += ":run\n";
+  text_->pass_line(":run");
   auto chunk = std::make_shared<const lang::Chunk>(std::move(*program.compilation.chunk));
   runs_[line] = {program.file, program.source, program.compilation.used};
   robot_->submit({line, EntryTask::Program{std::move(chunk), options_.seed}});
@@ -58,9 +58,10 @@ void Session::tell_held() {
   const bool main = place.file == 0;
   const auto lines = split_lines(main ? run.source : run.used.at(place.file - 1).text);
   const std::string text = place.line <= lines.size() ? lines[place.line - 1] : "";
-  screen_->message(fmt::format("held where {}line {} begins: {}\n",
-                               main ? "" : run.used.at(place.file - 1).name + " ", place.line,
-                               text.substr(std::min(text.find_first_not_of(" \t"), text.size()))));
+  screen_->message(
+      fmt::format("held where {}line {} begins: {}\n",
+                  main ? "" : lang::on_one_line(run.used.at(place.file - 1).name) + " ", place.line,
+                  text.substr(std::min(text.find_first_not_of(" \t"), text.size()))));
 }
 
 void Session::declare(const std::string& entry) { submit(entry, text_->compile(entry)); }
@@ -75,8 +76,8 @@ void Session::carry_out_aside(LoadedProgram compiled) {
 void Session::record(const std::string& entry, std::uint32_t line) {
   ProgramText& program = workshop_.program;
   std::string points;
-  for (const lang::DeclaredName& name : text_->names()) {
-    if (name.kind != lang::DeclaredName::Kind::Point || !has_word(entry, name.name)) continue;
+  for (const lang::DeclaredName& name : text_->named_in(entry)) {
+    if (name.kind != lang::DeclaredName::Kind::Point) continue;
     const auto declares = [&](const std::string& text) {
       return find_word(text, "POINT") == text.find_first_not_of(" \t") && has_word(text, name.name);
     };
@@ -136,19 +137,15 @@ void Session::read_points() {
   if (!change.declares.empty()) declare(change.declares);
 }
 
-/// TEACH has to stand beside the POINT that it gives its first value, and need not be repeated.
+/// TEACH has to stand beside the POINT that it gives its first value.
 void Session::teach(const std::string& point) {
   if (robot_->guided()) {  // where a hand has brought the axes is where the robot stands now
     robot_->reset();
     begin_text(robot_->robot());
   }
-  const bool declared = std::ranges::any_of(text_->names(), [&](const lang::DeclaredName& name) {
-    return name.kind == lang::DeclaredName::Kind::Point && lang::same_word(name.name, point);
-  });
-  if (declared) return declare("TEACH " + point);
-  const std::uint32_t line = text_->line();
-  declare(fmt::format("POINT {0}\nTEACH {0}", point));
-  text_->blank(line + 1);
+  const auto declared = text_->find(point);
+  const bool known = declared && declared->kind == lang::DeclaredName::Kind::Point;
+  declare(known ? "TEACH " + point : fmt::format("POINT {0}\nTEACH {0}", point));
 }
 
 }  // namespace rob::runtime

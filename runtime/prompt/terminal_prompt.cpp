@@ -16,11 +16,13 @@
 #include <vector>
 
 #include "lang/text/ascii.h"
+#include "lang/text/visible.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/control/units.h"
 #include "runtime/program/console.h"
 #include "runtime/program/interruption.h"
 #include "runtime/program/state_folder.h"
+#include "runtime/prompt/entry_lines.h"
 #include "runtime/prompt/line_editor.h"
 #include "runtime/prompt/pendant_terminal.h"
 #include "runtime/prompt/terminal_guard.h"
@@ -67,13 +69,15 @@ std::string history_file() {
   return folder.empty() ? "" : (folder / "history").string();
 }
 
+/// Those that can be shown as they are: readline writes them to the terminal itself.
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code error;
   const std::filesystem::path path = folder.empty() ? "." : folder;
   for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
-    const bool is_folder = entry.is_directory(error);
-    names.push_back(entry.path().filename().string() + (is_folder ? "/" : ""));
+    const std::string name = entry.path().filename().string();
+    if (lang::visible(name) != name) continue;
+    names.push_back(name + (entry.is_directory(error) ? "/" : ""));
   }
   return names;
 }
@@ -115,7 +119,7 @@ class TerminalPrompt {
   Session session_;
   bool draws_ = draws();
   bool colours_ = draws_ && !is_set("NO_COLOR");
-  std::string entry_;                ///< lines of a block that is open
+  EntryLines entry_;                 ///< lines of a block that is open
   std::size_t width_ = 0;            ///< of the state in the prompt
   std::string prompt_;               ///< as it is shown
   SteadyClock::time_point shown_{};  ///< when
@@ -162,7 +166,7 @@ void TerminalPrompt::begin_line() {
   width_ = 0;
   prompt_ = prompt_text();
   shown_ = SteadyClock::now();
-  editor_.begin(prompt_, entry_.empty() || session_.asks() ? "" : indent_behind(entry_));
+  editor_.begin(prompt_, entry_.empty() || session_.asks() ? "" : indent_behind(entry_.text()));
 }
 
 /// For a key, but not longer than until the robot may have something to report. False when the
@@ -202,8 +206,9 @@ void TerminalPrompt::enter(const std::string& line) {
     session_.enter(line);
     return;
   }
-  entry_ += entry_.empty() ? line : "\n" + line;
-  if (session_.enter(entry_) == Session::Taken::Incomplete) return;
+  entry_.add(line);
+  if (entry_.surely_goes_on()) return;
+  if (session_.enter(entry_.text()) == Session::Taken::Incomplete) return entry_.note_open_block();
   entry_.clear();
 }
 

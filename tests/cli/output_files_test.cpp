@@ -1,7 +1,5 @@
-// Files that a command writes: never what it reads, and what they cost in memory.
+// Files that a command writes: never what it reads.
 #include <doctest/doctest.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -133,44 +131,6 @@ TEST_CASE("a points file that cannot be written is found before anything moves")
   fs::remove(rob.file(".test.points.saving"));
   CHECK(rob("run", {"--fast"}).exit_code == 0);
 }
-
-#if !defined(__SANITIZE_ADDRESS__)
-namespace {
-
-/// The greatest memory of `rob` with these arguments, MB. In a process of its own, of whose
-/// children it is the only one.
-int megabytes_of(const std::vector<std::string>& arguments) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const bool done = run_process(arguments).exit_code == 0;
-    rusage usage{};
-    ::getrusage(RUSAGE_CHILDREN, &usage);
-    ::_exit(done ? static_cast<int>(usage.ru_maxrss / 1024) : 255);
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WEXITSTATUS(status);
-}
-
-}  // namespace
-
-TEST_CASE("the memory of a run does not grow with what it prints and switches") {
-  // At 12 bytes each the last million would take 12 MB.
-  for (const char* const body : {"PRINT i", "DOUT[3] = ON\nDOUT[3] = OFF"}) {
-    CAPTURE(body);
-    const auto program = [&](int count) {
-      return RobCommand("FOR i = 1 TO " + std::to_string(count) + " DO\n" + body + "\nENDFOR\n");
-    };
-    const RobCommand few = program(100'000);
-    const RobCommand many = program(1'100'000);
-    const int before = megabytes_of(few.line("run", {"--fast", "--json"}));
-    const int after = megabytes_of(many.line("run", {"--fast", "--json"}));
-    CHECK(before > 5);
-    CHECK(after < 64);
-    CHECK(after - before < 12);
-  }
-}
-#endif
 
 TEST_CASE("the report keeps the first and the last 5,000 of a list, and counts all") {
   const RobCommand rob("FOR i = 1 TO 20000 DO\nPRINT i\nDOUT[3] = ON\nENDFOR\n");

@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "lang/code/disassembler.h"
+#include "lang/syntax/parser.h"
 #include "tests/lang/program_run.h"
+#include "tests/support/text_files.h"
 
 using namespace rob::lang;
 using rob::test::ProgramRun;
@@ -47,6 +49,20 @@ TEST_CASE("variables that find no register lie in memory") {
   // Two registers hold the places of the memory.
   CHECK(program.chunk().memory == Slots{.numbers = 300 - (kVariableRegisters - 2), .texts = 0});
   CHECK(program.printed() == "71");
+}
+
+TEST_CASE("names of USEd files count, and after one too many nothing else is reported") {
+  rob::test::TextFiles files;
+  std::string& used = files.texts["used"];
+  for (std::size_t i = 0; i < kMaxNames - 1; ++i) used += "CONST c" + std::to_string(i) + " = 1\n";
+  const auto compiled = [&](const std::string& source) {
+    return compile(source, rob::test::gantry_signature(), {}, {}, &files);
+  };
+  CHECK_FALSE(compiled("USE used\nVAR n = c7\n").diagnostics.has_errors());
+  const Compilation beyond = compiled("USE used\nVAR n = c7\nVAR m = 1\nn = later()\n");
+  REQUIRE(beyond.diagnostics.all().size() == 1);
+  CHECK(beyond.diagnostics.all().front().code == "E142");
+  CHECK(beyond.diagnostics.all().front().place.line == 3);
 }
 
 TEST_CASE("more intermediate values than there are registers is an error of its own") {

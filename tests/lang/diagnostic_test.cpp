@@ -75,16 +75,22 @@ TEST_CASE("nothing in a source line can move the cursor of a terminal") {
   const Rendered text = rendered(error_at(1, 6),
                                  "a\tb\x1B[\x7F\xC2\x9B"
                                  "c");
-  CHECK(text.source == "  a b?[??c");
-  CHECK(text.caret == "       ^");
+  CHECK(text.source == "  a b\\u{1B}[\\u{7F}\\u{9B}c");
+  CHECK(text.caret == "            ^^^^^^");  // under the DEL, which is shown as six characters
 }
 
-TEST_CASE("bytes that are no UTF-8 are shown as question marks") {
+TEST_CASE("the caret stands under its character behind others that are shown as several") {
+  const Rendered text = rendered(error_at(1, 4, 2), "\x1B\xE2\x80\xAE\"x\" + y");
+  CHECK(text.source == "  \\u{1B}\\u{202E}\"x\" + y");
+  CHECK(text.caret == "                 ^^");
+}
+
+TEST_CASE("bytes that are no UTF-8 are shown as numbers") {
   CHECK(rendered(error_at(1, 1),
                  "a\xE4"
                  "b")
-            .source == "  a?b");
-  CHECK(rendered(error_at(1, 1), "a\xC3").source == "  a?");
+            .source == "  a\\xE4b");
+  CHECK(rendered(error_at(1, 1), "a\xC3").source == "  a\\xC3");
 }
 
 TEST_CASE("of a long line at most 200 bytes around the place are shown, in whole characters") {
@@ -160,6 +166,25 @@ TEST_CASE("every code has a title, and none is given twice") {
 TEST_CASE("a message that quotes a control character is kept as a terminal may show it") {
   Diagnostics diagnostics;
   diagnostics.error("E160", {1, 7, 3}, "cm\x02 is no unit", "a\tb\xFF");
-  CHECK(diagnostics.all().front().message == "cm? is no unit");
-  CHECK(diagnostics.all().front().help == "a b?");
+  CHECK(diagnostics.all().front().message == "cm\\u{2} is no unit");
+  CHECK(diagnostics.all().front().help == "a\\tb\\xFF");
+}
+
+TEST_CASE("neither a message nor the name of its file can forge another message") {
+  const Diagnostic diagnostic{
+      Severity::Error, "E120", {1, 1, 1}, "no\nf.rob:9:9: error[E999]: forged", "a\rb\xC2\x85 c"};
+  CHECK(render(diagnostic, "f\ng.rob", "") ==
+        "f\\ng.rob:1:1: error[E120]: no\\nf.rob:9:9: error[E999]: forged\n"
+        "help: a\\u{D}b\\u{85} c\n");
+}
+
+TEST_CASE("a range of lines has an error in it or has none") {
+  Diagnostics diagnostics;
+  diagnostics.add(error_at(5, 1));
+  diagnostics.warning("W501", {8, 1, 1}, "doubtful");
+  CHECK(diagnostics.has_error_between({3, 1}, {5, 9}));
+  CHECK(diagnostics.has_error_between({5, 1}, {5, 9}));
+  CHECK_FALSE(diagnostics.has_error_between({1, 1}, {4, 9}));
+  CHECK_FALSE(diagnostics.has_error_between({6, 1}, {9, 9}));
+  CHECK_FALSE(diagnostics.has_error_between({5, 1, 1, 2}, {5, 9, 1, 2}));
 }

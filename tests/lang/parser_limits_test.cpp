@@ -67,6 +67,30 @@ TEST_CASE("a program of more than a million values is refused") {
   CHECK(error.place.line == kMaxNodes / 5 + 1);
 }
 
+TEST_CASE("a program that declares more names than it may is refused at the first one too many") {
+  const auto names = [](const char* head, const char* tail, std::size_t count) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) text += head + std::to_string(i) + tail;
+    return text;
+  };
+  for (const auto& [head, tail] : {std::pair{"VAR v", ": INT\n"},
+                                   {"CONST c", " = 1\n"},
+                                   {"POINT p", "\n"},
+                                   {"PROC p", "()\nENDPROC\n"}}) {
+    CAPTURE(head);
+    sound(names(head, tail, kMaxNames));
+    const Diagnostic error = only_error(names(head, tail, 2 * kMaxNames));
+    CHECK(error.code == "E142");
+    CHECK(error.message == "the program is too large: it declares more than 65536 names");
+    const auto lines_each = std::string(tail).find("ENDPROC") == std::string::npos ? 1U : 2U;
+    CHECK(error.place.line == lines_each * kMaxNames + 1);
+  }
+  const std::string fields = names("f", ": INT\n", kMaxNames);
+  CHECK(only_error("RECORD r\n" + fields + "ENDRECORD\n").code == "E142");
+  const std::string parameters = names("p", ",\n", kMaxNames);
+  CHECK(only_error("PROC p(" + parameters + "last: INT)\nENDPROC\n").code == "E142");
+}
+
 TEST_CASE("motions in numbers alone may be as many as the text holds") {
   std::string text;
   for (std::size_t i = 0; i <= kMaxNodes; ++i) text += "MOVE(1,2,3)\n";

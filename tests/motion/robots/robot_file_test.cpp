@@ -129,6 +129,15 @@ void check_error(const std::string& text, int line, std::string_view part) {
 
 }  // namespace
 
+TEST_CASE("a message shows what cannot be printed, and says all that it has to say") {
+  check_error(edit(1, "name = \"table\"", "name = \"ta\\u0000b\\u001B\\nle\""), 1,
+              "name: \"ta\\u0000b\\u001B\\u000Ale\" is no name; write a small letter");
+  check_error(edit(1, "name = \"table\"", "name = \"table\"\n\"ke\\u0000y\" = 3"), 2,
+              "unknown key \"ke\\u0000y\"; known are");
+  check_error(edit(1, "travel_time = \"0.5 s\"", "travel_time = \"0.5\\u0000 s\""), 79,
+              "\"0.5\\u0000 s\"");
+}
+
 TEST_CASE("a complete robot file is read") {
   const RobotModel robot = parse_robot_file(kGood, "my.toml");
   CHECK(robot.name == "table");

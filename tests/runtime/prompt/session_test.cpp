@@ -171,6 +171,34 @@ TEST_CASE("behind an error in a handler the prompt goes on") {
         "POSE(40mm, 0mm, 0mm, 0deg, 0deg, 0deg)\n");
 }
 
+/// Until the time of an observation has come, a handler can begin.
+constexpr const char* kPass = "PROC pass()\n  WAIT 0.1s\n  VAR t = CLOCK\nENDPROC";
+
+TEST_CASE("a handler of an earlier entry interrupts routines of later ones, and finds its own") {
+  Prompt prompt;
+  prompt.enter({"VAR n = 1", "FUNC doubled(x: INT): INT\n  RETURN 2 * x\nENDFUNC",
+                "WHEN DOUT[1] DO\n  VAR a: ARRAY[50] OF INT\n  a[50] = doubled(n)\n"
+                "  n = n + a[50]\nENDWHEN"});
+  CHECK(prompt.enter({"VAR b: ARRAY[200] OF INT", "b[200] = 7", "VAR s = \"kept\"",
+                      "PROC first()\n  PRINT \"first\"\nENDPROC", kPass,
+                      "FUNC slow(k: INT): INT\n  VAR c: ARRAY[9] OF INT\n  c[9] = k\n"
+                      "  first()\n  pass()\n  RETURN c[9] + n\nENDFUNC",
+                      "DOUT[1] = ON\nPRINT slow(4), \" \", slow(5)",
+                      "PRINT n, \" \", b[200], \" \", b[1], \" \", s"}) ==
+        "first\nfirst\n7 8\n3 7 0 kept\n");
+  CHECK(prompt.enter({"DOUT[1] = OFF", "pass()", "DOUT[1] = ON", "pass()", "PRINT n"}) == "9\n");
+  CHECK(prompt.screen.messages.empty());
+}
+
+TEST_CASE("an error in a handler of an earlier entry can be rescued, and says where it was") {
+  Prompt prompt;
+  CHECK(prompt.enter({"VAR zero = 0", "WHEN DOUT[1] DO\n  PRINT 1 DIV zero\nENDWHEN", kPass,
+                      "TRY\n  DOUT[1] = ON\n  pass()\nRESCUE why\n  PRINT why\nENDTRY",
+                      "PRINT \"on\""}) == "E302: division by zero\non\n");
+  prompt.enter({"DOUT[1] = OFF", "pass()", "DOUT[1] = ON\npass()"});
+  CHECK(prompt.screen.messages.find("prompt:3:11: error[E302]") != std::string::npos);
+}
+
 TEST_CASE("an entry that fails tells how many behind it are dropped, and their names are free") {
   Prompt prompt;
   prompt.session.enter("MOVE(40,0,0)");
