@@ -80,8 +80,8 @@ void check_count(const TableReader& file, const KindRules& rules, const Axis& ax
   const double most = kJumpMargin * axis.v_max * servo_period;
   if (count <= most) return;
   file.fail("encoder_resolution",
-            number_text(count) + " " + std::string(si_unit(rules.position)) +
-                " a count is more than the axis can move in a servo_period (" + number_text(most) +
+            short_number(count) + " " + std::string(si_unit(rules.position)) +
+                " a count is more than the axis can move in a servo_period (" + short_number(most) +
                 " " + std::string(si_unit(rules.position)) +
                 "): every run would end in E504; write a finer one, or raise v_max or"
                 " servo_period");
