@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/link/servo_link.h"
+#include "drivers/serial/serial_port.h"
 #include "tests/emulators/servo_emulator.h"
 
 namespace {

@@ -29,26 +29,27 @@ using namespace std::chrono_literals;
 
 namespace {
 
-struct Ended {
+struct Interfered {
   ProcessResult result;
   double seconds = 0;  ///< from what happened to the end of the process
 };
 
 /// 100 mm along x on grbl, into which something happens.
-Ended run_into(GrblEmulator& grbl, const std::function<void()>& happens) {
+Interfered interfere(GrblEmulator& grbl, const std::function<void()>& happens) {
   const RobCommand rob("MOVE(100,0,0)\n");
   Process process(rob.line("run", {"--backend", "grbl:" + grbl.path()}));
   REQUIRE(eventually([&] { return grbl.moves() >= 50; }));
   happens();
   const auto since = std::chrono::steady_clock::now();
-  Ended ended;
+  Interfered ended;
   ended.result = process.wait();
   ended.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
   return ended;
 }
 
 /// The same on servos, 20.48 ticks a mm.
-Ended run_into(const std::string& kind, ServoEmulator& bus, const std::function<void()>& happens) {
+Interfered interfere(const std::string& kind, ServoEmulator& bus,
+                     const std::function<void()>& happens) {
   bus.stand_at(3, 2048 + 50 * 20.48);
   const RobCommand rob("MOVE(110,0,0)\n");
   const std::string file = gantry_file(rob, kServoWires);
@@ -81,7 +82,7 @@ TEST_CASE("what is done at grbl ends the run with its name, and the measured pos
       {"answers of grbl were lost", [](GrblEmulator& grbl) { grbl.lost_oks = 1000; }}};
   for (const Case& made : cases) {
     GrblEmulator grbl;
-    const Ended ended = run_into(grbl, [&] { made.happens(grbl); });
+    const Interfered ended = interfere(grbl, [&] { made.happens(grbl); });
     CAPTURE(ended.result.err);
     CHECK(ended.result.exit_code == 70);
     CHECK(contains(ended.result.err, made.words));
@@ -93,7 +94,7 @@ TEST_CASE("what is done at grbl ends the run with its name, and the measured pos
 
 TEST_CASE("fault 26: after grbl has fallen silent the process ends when the axes stand") {
   GrblEmulator grbl;
-  const Ended ended = run_into(grbl, [&] { grbl.silent = true; });
+  const Interfered ended = interfere(grbl, [&] { grbl.silent = true; });
   CHECK(ended.result.exit_code == 70);
   CHECK(contains(ended.result.err, "does not answer"));
   // 0.5 s until it counts as silent, 0.4 s to brake, 0.3 s to be left.
@@ -103,7 +104,7 @@ TEST_CASE("fault 26: after grbl has fallen silent the process ends when the axes
 
 TEST_CASE("a servo that is blocked: where it was measured, and where its reference is") {
   ServoEmulator bus(Kind::Feetech, 3);
-  const Ended ended = run_into("feetech", bus, [&] { bus.blocked = 3; });
+  const Interfered ended = interfere("feetech", bus, [&] { bus.blocked = 3; });
   CAPTURE(ended.result.err);
   CHECK(ended.result.exit_code == 70);
   const double stands = 60 - (bus.position(3) - 2048) / 20.48;
@@ -115,7 +116,7 @@ TEST_CASE("fault 31: a servo that restarts in motion is said to have restarted")
   for (const auto kind : {Kind::Dynamixel, Kind::Feetech}) {
     ServoEmulator bus(kind, 3);
     const std::string name = kind == Kind::Dynamixel ? "dynamixel" : "feetech";
-    const Ended ended = run_into(name, bus, [&] { bus.restart(3); });
+    const Interfered ended = interfere(name, bus, [&] { bus.restart(3); });
     CAPTURE(ended.result.err);
     CHECK(ended.result.exit_code == 70);
     CHECK(contains(ended.result.err, "error[E510]"));

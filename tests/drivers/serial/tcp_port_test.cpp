@@ -16,7 +16,7 @@ namespace {
 
 using Status = WireIo::Status;
 
-std::string trouble_of(const std::string& address) {
+std::string tcp_trouble(const std::string& address) {
   try {
     const TcpPort port(address);
   } catch (const motion::DriverError& error) {
@@ -25,7 +25,7 @@ std::string trouble_of(const std::string& address) {
   return "";
 }
 
-bool has(const std::string& text, const std::string& part) {
+bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -67,15 +67,15 @@ TEST_CASE("fault 23: a connection that breaks is gone, and is not made again") {
 TEST_CASE("an address that is none, and a host that does not answer, are refused with a remedy") {
   for (const char* text : {"tcp://", "tcp://host", "tcp://:23", "tcp://host:", "tcp://host:0",
                            "tcp://host:65536", "tcp://host:telnet"})
-    CHECK(has(trouble_of(text), "is no network address; write tcp://host:port"));
-  CHECK(has(trouble_of("tcp://no.such.host.invalid:23"), "there is no host"));
+    CHECK(contains(tcp_trouble(text), "is no network address; write tcp://host:port"));
+  CHECK(contains(tcp_trouble("tcp://no.such.host.invalid:23"), "there is no host"));
   // Nothing listens there: the port was this process' own until now.
   std::string address;
   {
     const test::PtyWire device;
     address = test::TcpBridge(device.path()).address();
   }
-  CHECK(has(trouble_of(address), "no connection to " + address + ": Connection refused"));
+  CHECK(contains(tcp_trouble(address), "no connection to " + address + ": Connection refused"));
 }
 
 }  // namespace rob::drivers

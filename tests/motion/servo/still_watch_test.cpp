@@ -2,14 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/motion/servo/two_axes.h"
+
 namespace rob::motion {
 namespace {
 
-JointVector both(double x, double y) {
-  JointVector q(2);
-  q << x, y;
-  return q;
-}
+using test::both;
 
 }  // namespace
 

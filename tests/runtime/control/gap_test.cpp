@@ -19,7 +19,7 @@ using rob::test::SteppedRun;
 
 namespace {
 
-constexpr double kPeriod = 0.01;
+constexpr double kGapPeriod = 0.01;
 constexpr std::int64_t kGapAt = 400;  // at 4 s x goes at 20 mm/s
 constexpr double kV = 0.020;          // m/s
 constexpr double kA = 0.100;          // m/s²
@@ -30,7 +30,7 @@ RunResult run_with_gap(SteppedRun& run, std::int64_t missed, bool servo_too = tr
   run.controller.servo().enable(0);
   for (std::int64_t cycle = 0; !run.controller.motion().over() && cycle < 5000; ++cycle) {
     const bool gone = cycle > kGapAt && cycle <= kGapAt + missed;
-    if (!gone || !servo_too) run.controller.servo().cycle(static_cast<double>(cycle) * kPeriod);
+    if (!gone || !servo_too) run.controller.servo().cycle(static_cast<double>(cycle) * kGapPeriod);
     if (!gone) run.controller.motion().cycle(cycle, 0);
     run.recorder.drain();
   }
@@ -113,7 +113,7 @@ struct LonelyRun {
       : run(kPublishedProgram, std::make_unique<Lonely>(ways, told)),
         result(run_with_gap(run, 100)) {
     std::ranges::copy_if(told, std::back_inserter(after), [](const JointReference& reference) {
-      return reference.time > static_cast<double>(kGapAt + 100) * kPeriod;
+      return reference.time > static_cast<double>(kGapAt + 100) * kGapPeriod;
     });
   }
 };
@@ -125,7 +125,8 @@ TEST_CASE("fault 38: axes that their drives have braked stay there, and the refe
   const RunResult result = run_with_gap(run, 100);
   REQUIRE(result.error.has_value());
   CHECK(result.error->code == "E501");
-  const std::vector<Snapshot> rows = rows_after(run, static_cast<double>(kGapAt + 101) * kPeriod);
+  const std::vector<Snapshot> rows =
+      rows_after(run, static_cast<double>(kGapAt + 101) * kGapPeriod);
   // The drives' watchdog braked 0.25 s after the last command, and took its way.
   const Snapshot& before = *(std::ranges::find_if(run.rows,
                                                   [&](const Snapshot& row) {
@@ -180,8 +181,8 @@ TEST_CASE("fault 38: nothing is told to a machine before it has said where it is
   const LonelyRun lonely({.rests = 0.1, .stale = 7});
   CHECK(lonely.result.error->code == "E501");
   REQUIRE_FALSE(lonely.after.empty());
-  const double gap_end = static_cast<double>(kGapAt + 101) * kPeriod;
-  CHECK(lonely.after.front().time >= gap_end + 7 * kPeriod - 1e-9);
+  const double gap_end = static_cast<double>(kGapAt + 101) * kGapPeriod;
+  CHECK(lonely.after.front().time >= gap_end + 7 * kGapPeriod - 1e-9);
   for (const JointReference& reference : lonely.after)
     CHECK(reference.q[0] == lonely.after.front().q[0]);
 }
@@ -192,7 +193,8 @@ TEST_CASE(
   const RunResult result = run_with_gap(run, 100, false);
   REQUIRE(result.error.has_value());
   CHECK(result.error->code == "E501");
-  const std::vector<Snapshot> rows = rows_after(run, static_cast<double>(kGapAt + 101) * kPeriod);
+  const std::vector<Snapshot> rows =
+      rows_after(run, static_cast<double>(kGapAt + 101) * kGapPeriod);
   // It went on for three periods and braked: no axis is led back.
   double farthest = 0;
   for (const Snapshot& row : rows) {

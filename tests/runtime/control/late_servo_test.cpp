@@ -23,7 +23,7 @@ rob::motion::RobotModel quick_robot() {
 }
 
 /// How late a thread is, s: punctual in most cycles, `often` up to `most`.
-struct Lateness {
+struct ServoLateness {
   double often;
   double most;
 };
@@ -31,9 +31,9 @@ struct Lateness {
 /// A run whose two ticks are kept waiting at random: before they begin, and the servo also after it
 /// has begun, where its thread has looked at some things and not yet at others. The motion goes on
 /// meanwhile.
-class LateRun {
+class LateServoRun {
  public:
-  LateRun(unsigned seed, const Lateness& lateness)
+  LateServoRun(unsigned seed, const ServoLateness& lateness)
       : random_(seed),
         lateness_(lateness),
         run_(kProgram, rob::test::simulated(quick_robot()), 1, quick_robot()),
@@ -63,7 +63,7 @@ class LateRun {
   /// The servo's thread waits just before it looks.
   class Clock final : public rob::runtime::Clock {
    public:
-    explicit Clock(LateRun& run) : run_(run) {}
+    explicit Clock(LateServoRun& run) : run_(run) {}
     double now() const noexcept override {
       run_.let_pass(run_.time_ + run_.late());
       return run_.time_;
@@ -71,7 +71,7 @@ class LateRun {
     void sleep_until(double) noexcept override {}
 
    private:
-    LateRun& run_;
+    LateServoRun& run_;
   };
 
   double late() {
@@ -93,7 +93,7 @@ class LateRun {
   }
 
   std::mt19937 random_;
-  Lateness lateness_;
+  ServoLateness lateness_;
   SteppedRun run_;
   double period_;
   double time_ = 0;    ///< s
@@ -104,13 +104,13 @@ class LateRun {
 }  // namespace
 
 TEST_CASE("late ticks are no jump of an encoder, and less than 200 ms of them no end of the run") {
-  for (const Lateness& lateness :
-       {Lateness{0.02, 0.01}, Lateness{0.01, 0.04}, Lateness{0.2, 0.02}, Lateness{0.005, 0.09}}) {
+  for (const ServoLateness& lateness : {ServoLateness{0.02, 0.01}, ServoLateness{0.01, 0.04},
+                                        ServoLateness{0.2, 0.02}, ServoLateness{0.005, 0.09}}) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
       CAPTURE(seed);
       CAPTURE(lateness.often);
       CAPTURE(lateness.most);
-      const rob::runtime::RunResult result = LateRun(seed, lateness).result();
+      const rob::runtime::RunResult result = LateServoRun(seed, lateness).result();
       CHECK_MESSAGE(result.status == "done", result.error->message);
     }
   }
@@ -119,7 +119,7 @@ TEST_CASE("late ticks are no jump of an encoder, and less than 200 ms of them no
 TEST_CASE("what is later than 200 ms is called late, by its time") {
   int late = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {
-    const rob::runtime::RunResult result = LateRun(seed, {0.005, 0.3}).result();
+    const rob::runtime::RunResult result = LateServoRun(seed, {0.005, 0.3}).result();
     if (result.status == "done") continue;
     ++late;
     REQUIRE(result.error.has_value());
