@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -386,23 +384,4 @@ TEST_CASE("a robot has a force sensor if its file says so") {
   CHECK_FALSE(robot.tool_coordinates);
   CHECK(error_of(edit(8, "look", "force_sensor = \"yes\"\nlook"))
             .find("force_sensor: must be true or false") != std::string::npos);
-}
-
-TEST_CASE("the robots of the look-ahead benches load: three linear axes, jerk unlimited") {
-  for (const auto& [name, axes] : {std::pair{"xy.toml", 3}, std::pair{"xyza.toml", 4}}) {
-    const std::string file = std::string(ROB_SOURCE_DIR) + "/tests/bench/" + name;
-    std::ifstream in(file);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    const RobotModel robot = parse_robot_file(text, file);
-    CHECK(robot.law == Law::LookAhead);
-    CHECK(robot.axis_count() == axes);
-    CHECK(robot.kinematics->axes() == axes);
-    CHECK(robot.reference_period == 0.001);
-    for (const Axis& axis : robot.axes) {
-      const double unit = axis.kind == AxisKind::Linear ? 1e-3 : std::numbers::pi / 180;
-      CHECK(axis.v_max == doctest::Approx(1000 * unit));
-      CHECK(axis.a_max == doctest::Approx(1000 * unit));
-      CHECK(std::isinf(axis.j_max));
-    }
-  }
 }

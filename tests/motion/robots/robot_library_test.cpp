@@ -3,8 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "motion/robots/robot_file.h"
 
@@ -81,5 +85,24 @@ TEST_CASE("an unknown robot is refused, with the name that was probably meant") 
     FAIL("hexapod is not known");
   } catch (const RobotFileError& error) {
     CHECK(std::string(error.what()).find("known are gantry") != std::string::npos);
+  }
+}
+
+TEST_CASE("the robots of the look-ahead benches load: three linear axes, jerk unlimited") {
+  for (const auto& [name, axes] : {std::pair{"xy.toml", 3}, std::pair{"xyza.toml", 4}}) {
+    const std::string file = std::string(ROB_SOURCE_DIR) + "/tests/bench/" + name;
+    std::ifstream in(file);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const RobotModel robot = parse_robot_file(text, file);
+    CHECK(robot.law == Law::LookAhead);
+    CHECK(robot.axis_count() == axes);
+    CHECK(robot.kinematics->axes() == axes);
+    CHECK(robot.reference_period == 0.001);
+    for (const Axis& axis : robot.axes) {
+      const double unit = axis.kind == AxisKind::Linear ? 1e-3 : std::numbers::pi / 180;
+      CHECK(axis.v_max == doctest::Approx(1000 * unit));
+      CHECK(axis.a_max == doctest::Approx(1000 * unit));
+      CHECK(std::isinf(axis.j_max));
+    }
   }
 }
