@@ -10,7 +10,7 @@ namespace {
 using Base = SlotsAt::Base;
 
 /// The instruction's word that holds an offset or a count.
-Instruction word(std::uint32_t value) { return {value}; }
+Instruction operand_word(std::uint32_t value) { return {value}; }
 
 }  // namespace
 
@@ -102,9 +102,9 @@ SlotsAt ExpressionCompiler::element_at(SlotsAt whole, bool text, Register which,
     whole = {Base::Place, 0, at};
   }
   code_.emit(Opcode::element, place, at, which, whole.place);
-  code_.emit(word(whole.offset), place);
-  code_.emit(word(static_cast<std::uint32_t>(count)), place);
-  code_.emit(word(static_cast<std::uint32_t>(size)), place);
+  code_.emit(operand_word(whole.offset), place);
+  code_.emit(operand_word(static_cast<std::uint32_t>(count)), place);
+  code_.emit(operand_word(static_cast<std::uint32_t>(size)), place);
   return {Base::Place, 0, at};
 }
 
@@ -121,7 +121,7 @@ void ExpressionCompiler::refer(SlotsAt at, bool text, Register target, Place pla
     case Base::Place:
       if (at.offset == 0) return code_.emit(Opcode::copy, place, target, at.place);
       code_.emit(Opcode::place_behind, place, target, at.place);
-      code_.emit(word(at.offset), place);
+      code_.emit(operand_word(at.offset), place);
       return;
   }
 }
@@ -141,7 +141,7 @@ void ExpressionCompiler::load_numbers(SlotsAt from, Register target, int count, 
       return load_numbers(reached(from, false, place), target, count, place);
     case Base::Place:
       code_.emit(Opcode::load_reference, place, target, from.place, static_cast<unsigned>(count));
-      code_.emit(word(from.offset), place);
+      code_.emit(operand_word(from.offset), place);
       return;
   }
 }
@@ -161,7 +161,7 @@ void ExpressionCompiler::store_numbers(SlotsAt to, Register value, int count, Pl
       return store_numbers(reached(to, false, place), value, count, place);
     case Base::Place:
       code_.emit(Opcode::store_reference, place, value, to.place, static_cast<unsigned>(count));
-      code_.emit(word(to.offset), place);
+      code_.emit(operand_word(to.offset), place);
       return;
   }
 }
@@ -182,7 +182,7 @@ void ExpressionCompiler::load_text(SlotsAt from, Register target, Place place) {
       return load_text(reached(from, true, place), target, place);
     case Base::Place:
       code_.emit(Opcode::load_reference_text, place, target, from.place);
-      code_.emit(word(from.offset), place);
+      code_.emit(operand_word(from.offset), place);
       return;
   }
 }
@@ -197,7 +197,7 @@ void ExpressionCompiler::store_text(SlotsAt to, Register value, Place place) {
       return store_text(reached(to, true, place), value, place);
     case Base::Place:
       code_.emit(Opcode::store_reference_text, place, value, to.place);
-      code_.emit(word(to.offset), place);
+      code_.emit(operand_word(to.offset), place);
       return;
   }
 }

@@ -17,8 +17,6 @@ using arithmetic::to_integer;
 using Error = ArithmeticError;
 using Arguments = std::span<const Slot>;
 
-constexpr double kPi = std::numbers::pi;
-
 Error absolute_int(Arguments a, Slot& r) {
   if (a[0].integer < 0) return arithmetic::negate(a[0].integer, r.integer);
   r.integer = a[0].integer;
@@ -122,8 +120,8 @@ Error same_real(Arguments a, Slot& r) {
 }
 /// Into (-180deg, 180deg].
 Error wrap(Arguments a, Slot& r) {
-  const double turned = std::remainder(a[0].real, 2 * kPi);
-  return store_finite(turned <= -kPi ? kPi : turned, r.real);
+  const double turned = std::remainder(a[0].real, 2 * std::numbers::pi);
+  return store_finite(turned <= -std::numbers::pi ? std::numbers::pi : turned, r.real);
 }
 
 /// "SII:S" taken apart.

@@ -21,8 +21,6 @@ struct NamedUnit {
   Unit unit;
 };
 
-constexpr double kPi = std::numbers::pi;
-
 /// in: 25.4 mm exactly (international yard and pound agreement, 1959).
 constexpr auto kUnits = std::to_array<NamedUnit>({
     {"um", {kLength, -6, 1}},
@@ -30,10 +28,10 @@ constexpr auto kUnits = std::to_array<NamedUnit>({
     {"cm", {kLength, -2, 1}},
     {"m", {kLength, 0, 1}},
     {"in", {kLength, 0, 0.0254}},
-    {"deg", {kAngle, 0, kPi / 180}},
+    {"deg", {kAngle, 0, std::numbers::pi / 180}},
     {"rad", {kAngle, 0, 1}},
-    {"rev", {kAngle, 0, 2 * kPi}},
-    {"rpm", {kAngularSpeed, 0, 2 * kPi / 60}},
+    {"rev", {kAngle, 0, 2 * std::numbers::pi}},
+    {"rpm", {kAngularSpeed, 0, 2 * std::numbers::pi / 60}},
     {"us", {kTime, -6, 1}},
     {"ms", {kTime, -3, 1}},
     {"s", {kTime, 0, 1}},

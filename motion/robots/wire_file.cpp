@@ -14,7 +14,7 @@ constexpr int kMostId = 252;  // of a DYNAMIXEL servo
 // [choice] From a fine screw to a belt wheel, from a gear of 1000 to a friction wheel.
 constexpr Range kLengthTravel{1e-6, 10};
 constexpr Range kAngleTravel{1e-3, 100};
-constexpr Range kOffset{-100, 100};
+constexpr Range kWireOffset{-100, 100};
 constexpr Range kTurned{-1e3, 1e3};
 
 constexpr std::array<std::string_view, 6> kLetters{"X", "Y", "Z", "A", "B", "C"};
@@ -29,7 +29,7 @@ WireAxisData read_axis(const TableReader& axis, AxisKind kind) {
   if (table.has("travel"))
     wire.travel = table.quantity("travel", place, linear ? kLengthTravel : kAngleTravel);
   if (table.has("offset"))
-    wire.offset = table.quantity("offset", place, linear ? kOffset : kTurned);
+    wire.offset = table.quantity("offset", place, linear ? kWireOffset : kTurned);
   wire.direction = table.integer_or("direction", -1, 1, 1);
   if (wire.direction == 0) table.fail("direction", "is 1, or -1 where the machine counts back");
   return wire;

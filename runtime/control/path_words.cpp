@@ -14,7 +14,7 @@ using motion::Refusal;
 
 namespace {
 
-const motion::Axis& axis_of(const motion::RobotModel& robot, int axis) {
+const motion::Axis& axis_in(const motion::RobotModel& robot, int axis) {
   return robot.axes.at(static_cast<std::size_t>(axis));
 }
 
@@ -28,7 +28,7 @@ std::string place_on(const Refusal& refusal) {
 }
 
 Words words_for_limit(const Refusal& refusal, const motion::RobotModel& robot) {
-  const motion::Axis& axis = axis_of(robot, refusal.axis);
+  const motion::Axis& axis = axis_in(robot, refusal.axis);
   return {code::kPathBeyondLimit,
           fmt::format("axis {} would pass its limit of {} at {}", axis.name,
                       shown(refusal.limit, axis.kind), place_on(refusal)),
@@ -126,7 +126,7 @@ Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
   return {
       code::kPathSingular,
       fmt::format("axis {} would have to turn too fast at {}{}{}",
-                  axis_of(robot, refusal.axis).name, place_on(refusal), *why == 0 ? "" : ": ", why),
+                  axis_in(robot, refusal.axis).name, place_on(refusal), *why == 0 ? "" : ": ", why),
       "lead the way past that place, begin in another posture, or write MOVE"};
 }
 

@@ -32,9 +32,9 @@ constexpr double kSamePlace = 1e-4;  // m
 constexpr double kSameTurn = 0.1 / kDegreesPerRadian;
 constexpr std::string_view kText = "a text between quotes";
 
-class Reader : LineReader {
+class PointsReader : LineReader {
  public:
-  Reader(Points& points, std::string_view text, const motion::RobotModel& robot)
+  PointsReader(Points& points, std::string_view text, const motion::RobotModel& robot)
       : LineReader(text, points.diagnostics, code::kPointLine,
                    "mend the line, or take it out and TEACH the point again"),
         points_(points),
@@ -102,7 +102,7 @@ std::string place_text(const lang::PoseValue& pose) {
   return fmt::format("({}, {}, {})", shown(x, kLinear), shown(y, kLinear), shown(z, kLinear));
 }
 
-void Reader::take_remarks(std::string_view text) {
+void PointsReader::take_remarks(std::string_view text) {
   std::map<std::uint32_t, Points::Remarks*> owners{{robot_line_, &points_.robot}};
   for (Points::Point& point : points_.points) {
     owners[lines_.at(lang::to_upper(point.value.name))] = &point.remarks;
@@ -126,7 +126,7 @@ void Reader::take_remarks(std::string_view text) {
 }
 
 // robot = "ROBOT" STRING [ joints pose ]
-bool Reader::robot() {
+bool PointsReader::robot() {
   take_word("ROBOT");
   const lang::Place place = token_.place;
   const std::string name = take_text(kText);
@@ -147,7 +147,7 @@ bool Reader::robot() {
 
 // point = IDENT "=" pose [ joints ] "IN" ( "world" | IDENT ) [ "TOOL" ( "none" | IDENT ) ] "TAUGHT"
 //         STRING
-void Reader::point() {
+void PointsReader::point() {
   const lang::Place place = token_.place;
   Points::Point point;
   point.value.name = point_name();
@@ -178,8 +178,8 @@ void Reader::point() {
   points_.points.push_back(std::move(point));
 }
 
-std::optional<lang::PoseValue> Reader::elsewhere(const std::vector<double>& joints,
-                                                 const lang::PoseValue& pose) const {
+std::optional<lang::PoseValue> PointsReader::elsewhere(const std::vector<double>& joints,
+                                                       const lang::PoseValue& pose) const {
   if (kinematics_ == nullptr) return std::nullopt;
   const Eigen::Map<const Eigen::VectorXd> q(joints.data(), kinematics_->axes());
   const lang::PoseValue there = to_lang(kinematics_->forward(q));
@@ -189,7 +189,7 @@ std::optional<lang::PoseValue> Reader::elsewhere(const std::vector<double>& join
   return same ? std::nullopt : std::optional(there);
 }
 
-void Reader::compare_geometry(const lang::Place& place) {
+void PointsReader::compare_geometry(const lang::Place& place) {
   const std::vector<double> at = joints();
   const auto there = elsewhere(at, pose());
   if (!there) return;
@@ -202,7 +202,7 @@ void Reader::compare_geometry(const lang::Place& place) {
       "run the program on that robot, or move the file away and teach anew");
 }
 
-void Reader::compare(const Points::Point& point, const lang::Place& place) {
+void PointsReader::compare(const Points::Point& point, const lang::Place& place) {
   const bool bare = point.value.frame.empty() && point.tool.empty() && !point.joints.empty();
   const auto there = bare ? elsewhere(point.joints, point.value.pose) : std::nullopt;
   if (!there) return;
@@ -213,7 +213,7 @@ void Reader::compare(const Points::Point& point, const lang::Place& place) {
        "TEACH the point again; where the POSE is right, leave out JOINTS(…) and TOOL");
 }
 
-std::string Reader::point_name() {
+std::string PointsReader::point_name() {
   if (token_.kind != TokenKind::Word || token_.text.size() > kMostName) {
     expected(fmt::format("the name of a point, of at most {} bytes,", kMostName));
   }
@@ -222,7 +222,7 @@ std::string Reader::point_name() {
   return name;
 }
 
-lang::PoseValue Reader::pose() {
+lang::PoseValue PointsReader::pose() {
   take_word("POSE");
   take(TokenKind::LeftParen, "'('");
   double numbers[6];
@@ -235,7 +235,7 @@ lang::PoseValue Reader::pose() {
           lang::pose_math::from_fixed({numbers[3], numbers[4], numbers[5]})};
 }
 
-std::vector<double> Reader::joints() {
+std::vector<double> PointsReader::joints() {
   take_word("JOINTS");
   take(TokenKind::LeftParen, "'('");
   std::vector<double> joints;
@@ -247,7 +247,7 @@ std::vector<double> Reader::joints() {
   return joints;
 }
 
-double Reader::quantity(lang::Dimension dimension) {
+double PointsReader::quantity(lang::Dimension dimension) {
   const bool negative = token_.kind == TokenKind::Minus;
   if (negative) advance();
   const bool fits = token_.kind == TokenKind::Number && token_.number.dimension == dimension;
@@ -260,7 +260,7 @@ double Reader::quantity(lang::Dimension dimension) {
 }
 
 /// Empty for `nothing`.
-std::string Reader::name_or(std::string_view nothing) {
+std::string PointsReader::name_or(std::string_view nothing) {
   if (token_.kind != TokenKind::Word || token_.text.size() > kMostName) {
     expected(fmt::format("a name, or {},", nothing));
   }
@@ -274,7 +274,7 @@ std::string Reader::name_or(std::string_view nothing) {
 Points parse_points(std::string_view text, const motion::RobotModel& robot) {
   Points points;
   if (!lang::check_source(text, points.diagnostics)) return points;
-  Reader reader(points, text, robot);
+  PointsReader reader(points, text, robot);
   reader.read();
   if (!points.diagnostics.has_errors()) reader.take_remarks(text);
   return points;

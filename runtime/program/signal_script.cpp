@@ -71,10 +71,10 @@ Comparison reversed(Comparison comparison) {
   }
 }
 
-class Reader : LineReader {
+class ScriptReader : LineReader {
  public:
-  Reader(SignalScript& script, const motion::RobotModel& robot,
-         const std::vector<lang::NamedSignal>& named)
+  ScriptReader(SignalScript& script, const motion::RobotModel& robot,
+               const std::vector<lang::NamedSignal>& named)
       : LineReader(script.source, script.diagnostics, code::kScriptLine,
                    "a line is: at 2.5s part_here = ON, or: when lift_up == ON after 0.3s : "
                    "part_here = ON"),
@@ -105,7 +105,8 @@ class Reader : LineReader {
   std::vector<Known> known_;
 };
 
-void Reader::know(const motion::RobotModel& robot, const std::vector<lang::NamedSignal>& named) {
+void ScriptReader::know(const motion::RobotModel& robot,
+                        const std::vector<lang::NamedSignal>& named) {
   const lang::RobotSignature signature = signature_of(robot);
   const auto add = [&](std::string name, std::size_t index, const lang::NamedSignal& scale) {
     const lang::RobotSignature::Signal& signal = signature.signals[index];
@@ -133,7 +134,7 @@ void Reader::know(const motion::RobotModel& robot, const std::vector<lang::Named
 
 // rule = "at" TIME setting
 //      | "when" signal ( "==" | "<>" | "<" | "<=" | ">" | ">=" ) value [ "after" TIME ] ":" setting
-void Reader::rule() {
+void ScriptReader::rule() {
   SimulationRule rule;
   const lang::Place place = token_.place;
   if (at_word("at")) {
@@ -159,7 +160,7 @@ void Reader::rule() {
   script_.rules.push_back(rule);
 }
 
-void Reader::condition(SimulationRule& rule) {
+void ScriptReader::condition(SimulationRule& rule) {
   const Known& known = signal();
   const auto comparison = comparison_of(token_.kind);
   const bool order =
@@ -177,7 +178,7 @@ void Reader::condition(SimulationRule& rule) {
 }
 
 // setting = signal "=" value | "GO" "=" "ON" | "ANSWER" "=" STRING
-SimulatedSetting Reader::setting() {
+SimulatedSetting ScriptReader::setting() {
   if (at_word("GO")) return operators_setting(WorldSignal::Kind::Go);
   if (at_word("ANSWER")) return operators_setting(WorldSignal::Kind::Answer);
   const lang::Place place = token_.place;
@@ -192,7 +193,7 @@ SimulatedSetting Reader::setting() {
   return {known.signal, value_for(known), 0};
 }
 
-SimulatedSetting Reader::operators_setting(WorldSignal::Kind kind) {
+SimulatedSetting ScriptReader::operators_setting(WorldSignal::Kind kind) {
   SimulatedSetting setting{{kind, 0}, 0, static_cast<std::uint32_t>(script_.answers.size())};
   advance();
   take(TokenKind::Assign, "'='");
@@ -204,7 +205,7 @@ SimulatedSetting Reader::operators_setting(WorldSignal::Kind kind) {
   return setting;
 }
 
-const Known& Reader::signal() {
+const Known& ScriptReader::signal() {
   if (token_.kind != TokenKind::Word) expected("the name of a signal");
   std::string name(token_.text);
   lang::Place place = token_.place;
@@ -230,7 +231,7 @@ const Known& Reader::signal() {
        lang::did_you_mean(lang::suggest(name, names)));
 }
 
-double Reader::time(std::string_view behind) {
+double ScriptReader::time(std::string_view behind) {
   if (token_.kind != TokenKind::Number || token_.number.dimension != lang::kTime) {
     expected(fmt::format("a time such as 2.5s behind {}", behind));
   }
@@ -244,11 +245,11 @@ double Reader::time(std::string_view behind) {
   return seconds;
 }
 
-double Reader::value_for(const Known& known) {
+double ScriptReader::value_for(const Known& known) {
   return known.analog() ? quantity(known) : truth(known.name) ? 1 : 0;
 }
 
-bool Reader::truth(std::string_view name) {
+bool ScriptReader::truth(std::string_view name) {
   const bool on = at_word("ON") || at_word("TRUE");
   if (!on && !at_word("OFF") && !at_word("FALSE")) {
     fail(code::kScriptValue, token_.place, fmt::format("{} is ON or OFF, not {}", name, shown()));
@@ -258,7 +259,7 @@ bool Reader::truth(std::string_view name) {
 }
 
 /// In V.
-double Reader::quantity(const Known& known) {
+double ScriptReader::quantity(const Known& known) {
   const lang::Place place = token_.place;
   const bool negative = token_.kind == TokenKind::Minus;
   if (negative) advance();
@@ -294,7 +295,7 @@ SignalScript parse_signal_script(std::string file, std::string source,
   script.file = std::move(file);
   script.source = std::move(source);
   if (!lang::check_source(script.source, script.diagnostics)) return script;
-  Reader(script, robot, named).read();
+  ScriptReader(script, robot, named).read();
   return script;
 }
 
