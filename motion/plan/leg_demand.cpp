@@ -11,7 +11,7 @@ namespace rob::motion {
 namespace {
 
 /// [choice] an axis turns by at most 5° in a piece: between neighbours its rates hardly bend.
-constexpr int kParts = 8;
+constexpr int kDemandParts = 8;
 
 }  // namespace
 
@@ -37,7 +37,7 @@ JointVector greatest_rates(const JointPath& axes) {
 
 std::optional<Refusal> first_beyond(const RobotModel& robot, const JointPath& axes) {
   std::optional<Refusal> found;
-  axes.survey(kParts, [&](double s, const PathPoint& point) {
+  axes.survey(kDemandParts, [&](double s, const PathPoint& point) {
     for (int i = 0; i < robot.axis_count() && !found; ++i) {
       const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
       const bool below = point.q[i] < axis.min - kLimitTolerance;
@@ -58,7 +58,7 @@ Slowest slowest_place(const RobotModel& robot, const ToolPath& path, const Joint
   };
   std::vector<Place> places;
   double most = 0;  // of the tool
-  axes.survey(kParts, [&](double s, const PathPoint& point) {
+  axes.survey(kDemandParts, [&](double s, const PathPoint& point) {
     const ToolSpeed tool = speed_at(path, s);
     Place place{
         {s, -1, 1}, std::numeric_limits<double>::infinity(), tool.way + kPerRadian * tool.turn};
@@ -96,7 +96,7 @@ ProfileLimits profile_limits(const RobotModel& robot, const JointVector& straigh
 ProfileLimits profile_limits(const RobotModel& robot, const JointPath& axes, double change) {
   const JointVector rates = greatest_rates(axes);
   ProfileLimits limits = profile_limits(robot, rates, change);
-  axes.survey(kParts, [&](double /*s*/, const PathPoint& point) {
+  axes.survey(kDemandParts, [&](double /*s*/, const PathPoint& point) {
     for (int i = 0; i < robot.axis_count(); ++i) {
       const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
       const double left = axis.a_max - change * axis.v_max;
@@ -109,7 +109,7 @@ ProfileLimits profile_limits(const RobotModel& robot, const JointPath& axes, dou
 
 double least_time(const RobotModel& robot, const JointPath& axes, double change, int& axis) {
   double least = 0;
-  axes.survey(kParts, [&](double /*s*/, const PathPoint& point) {
+  axes.survey(kDemandParts, [&](double /*s*/, const PathPoint& point) {
     for (int i = 0; i < robot.axis_count(); ++i) {
       // a·T² − b·T − c = 0
       const double a = robot.axes[static_cast<std::size_t>(i)].a_max;
