@@ -48,8 +48,8 @@ std::vector<std::string> foreign_words(std::string_view text,
                                        const std::vector<std::string>& parameters) {
   std::vector<std::string> words = words_of(text);
   std::ranges::sort(words);
-  const auto [twice, end] = std::ranges::unique(words);
-  words.erase(twice, end);
+  const auto twice = std::unique(words.begin(), words.end());
+  words.erase(twice, words.end());
   std::erase_if(words, [&](const std::string& word) {
     return std::ranges::any_of(parameters,
                                [&](const std::string& own) { return same_word(own, word); });
@@ -148,8 +148,8 @@ EntryText Entries::text_of(Selection selection, std::string_view entry) const {
   text.types->joints = types_.joints;
   Users& definitions = selection.definitions;
   std::ranges::sort(definitions, {}, &Definition::first);
-  const auto [twice, end] = std::ranges::unique(definitions);
-  definitions.erase(twice, end);
+  const auto twice = std::unique(definitions.begin(), definitions.end());
+  definitions.erase(twice, definitions.end());
   for (const Definition* const definition : definitions) {
     text.parts.push_back({text.source.size(), definition->first});
     text.source += definition->text + "\n";

@@ -118,8 +118,7 @@ step_thread() {
 step_fuzz() {
   heading "fuzzing the front end and the formatter"
   timed "fuzzers, built" prepare "$root/build-fuzz" fuzzers \
-    -DCMAKE_CXX_COMPILER=clang++-14 -DROB_FUZZ=ON \
-    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12
+    -DCMAKE_CXX_COMPILER=clang++-14 -DROB_FUZZ=ON
   timed "fuzzers, run" run_fuzzers front_end_fuzz formatter_fuzz
 }
 
