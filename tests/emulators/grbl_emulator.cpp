@@ -59,6 +59,11 @@ double GrblEmulator::moved_for() const {
   return last_move_ - first_move_;
 }
 
+void GrblEmulator::set_offset(const std::array<double, kAxes>& now) {
+  const std::lock_guard lock(mutex_);
+  offset = now;
+}
+
 void GrblEmulator::hold() {
   const std::lock_guard lock(mutex_);
   held_ = !blocks_.empty();

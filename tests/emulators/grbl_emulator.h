@@ -41,6 +41,7 @@ class GrblEmulator final : public DeviceEmulator {
   void hold();       ///< feed hold is pressed
   void open_door();  ///< until it is reset
   void override_feed(int percent);
+  void set_offset(const std::array<double, kAxes>& now);  ///< by another sender, while it runs
   /// A line of another sender, whose answer goes there.
   void take_foreign(const std::string& line);
 

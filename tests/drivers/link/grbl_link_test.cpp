@@ -145,7 +145,7 @@ TEST_CASE("what is done at the machine stops the streaming, and is named") {
       {"feed override of grbl is at 150 %", [](GrblEmulator& grbl) { grbl.override_feed(150); }},
       {"is jogged", [](GrblEmulator& grbl) { grbl.take_foreign("$J=G91 G21 Y5 F600"); }},
       {"work offset of grbl was changed", [](GrblEmulator& grbl) {
-         grbl.offset = {7, 0, 0};
+         grbl.set_offset({7, 0, 0});
        }}};
   for (const Case& made : cases) {
     CAPTURE(made.what);
