@@ -100,7 +100,7 @@ void RobDevice::take_reference(const wire::Reference& reference, std::uint32_t n
       wire::between(reference.apply, queue_[static_cast<std::size_t>(last)].apply) <= 0)
     return;
   if (count_ == kQueue) return;
-  heard_ = now;  // what is not carried out does not keep the watchdog quiet
+  heard_ = now;  // only a command that is carried out feeds the watchdog
   if (count_ == 0) begin_path(now);
   queue_[static_cast<std::size_t>((first_ + count_++) % kQueue)] = reference;
 }

@@ -37,7 +37,7 @@ class RobDevice {
   /// is not enabled.
   void stand_at(const wire::Axes& position) noexcept;
   void receive(Bytes bytes, std::uint32_t now) noexcept;
-  /// What has to be sent; empty until there is another answer.
+  /// The bytes to send next; empty until there is another answer.
   wire::Wire send() noexcept;
   /// Where the axes shall be now.
   void step(std::uint32_t now) noexcept;
