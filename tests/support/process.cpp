@@ -61,6 +61,10 @@ Process::~Process() {
 
 void Process::send(int signal) const { ::kill(child_, signal); }
 
+std::string Process::err_so_far() const {
+  return std::filesystem::exists(err()) ? read_whole_file(err()) : "";
+}
+
 ProcessResult Process::wait(std::chrono::milliseconds patience) {
   const std::optional<int> exit_code = wait_for(child_, patience);
   if (!exit_code) {

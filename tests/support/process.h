@@ -33,6 +33,8 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   void send(int signal) const;
+  /// What it has written to standard error until now.
+  std::string err_so_far() const;
   /// Waits for its end, once, and returns all that it wrote. If it takes longer than `patience`, it
   /// is killed with all that it has started, and std::runtime_error names it.
   ProcessResult wait(std::chrono::milliseconds patience = kLongestRun);

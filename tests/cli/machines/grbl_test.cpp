@@ -31,8 +31,7 @@ std::string on(const std::string& kind, rob::test::DeviceEmulator& device) {
 
 /// Waits until the device has been spoken to that often.
 void wait_for_motion(const GrblEmulator& grbl) {
-  for (int i = 0; i < 2000 && grbl.moves() < 50; ++i) std::this_thread::sleep_for(10ms);
-  REQUIRE(grbl.moves() >= 50);
+  REQUIRE(eventually([&] { return grbl.moves() >= 50; }));
 }
 
 struct Faulted {
@@ -170,8 +169,7 @@ TEST_CASE("fault 33: a second rob on the same port is refused, and the first goe
   CHECK(contains(second.err, "is used by process"));
   CHECK(contains(second.err, "(rob)"));
   const int moves = grbl.moves();
-  std::this_thread::sleep_for(300ms);
-  CHECK(grbl.moves() > moves);
+  CHECK(eventually([&] { return grbl.moves() > moves; }));
   first.send(SIGINT);
   CHECK(first.wait().exit_code == 130);
   CHECK(eventually([&] { return grbl.idle(); }));
@@ -193,8 +191,8 @@ TEST_CASE("fault 32: at the prompt an axis outside of its limits can go back alo
     const RobCommand rob("");
     const ProcessResult result =
         rob::test::run_process({"/bin/bash", "-c",
-                                "cd " + rob.file("") + " && (echo '" + jog + "'; sleep 3) | " +
-                                    ROB_BINARY + " --backend " + on("grbl", grbl)});
+                                "cd " + rob.file("") + " && echo '" + jog + "' | " + ROB_BINARY +
+                                    " --backend " + on("grbl", grbl)});
     told = result.err + result.out;
     CHECK(eventually([&] { return grbl.idle(); }));
     return grbl.position()[0];

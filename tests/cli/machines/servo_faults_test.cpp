@@ -35,8 +35,7 @@ Ended run_into(const std::string& kind, ServoEmulator& bus, const std::function<
   const std::string file = gantry_file(rob, kServoWires);
   Process process(
       rob.line("run", {"--json", "--robot", file, "--backend", kind + ":" + bus.path()}));
-  for (int i = 0; i < 1500 && bus.moved_for() < 1.5; ++i) std::this_thread::sleep_for(10ms);
-  REQUIRE(bus.moved_for() >= 1.5);
+  REQUIRE(rob::test::eventually([&] { return bus.moved_for() >= 1.5; }));
   happens();
   const auto since = std::chrono::steady_clock::now();
   const ProcessResult result = process.wait();

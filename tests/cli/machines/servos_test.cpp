@@ -3,9 +3,7 @@
 // time, with bounds for a busy computer.
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "tests/emulators/device_process.h"
 #include "tests/emulators/servo_emulator.h"
@@ -15,6 +13,7 @@
 using nlohmann::json;
 using rob::test::contains;
 using rob::test::DeviceProcess;
+using rob::test::eventually;
 using rob::test::gantry_file;
 using rob::test::kScsWires;
 using rob::test::kServoWires;
@@ -49,20 +48,26 @@ TEST_CASE("a prompt on a machine: guided by hand, a point is taught, and driven 
   ServoEmulator bus(Kind::Feetech, 3);
   stand(bus, Kind::Feetech);
   const RobCommand rob("");
+  // The operator goes on typing when the hand has pushed.
   const std::string typed =
-      "(echo ':guide on'; sleep 3; echo ':teach pick'; echo 'MOVE(10,10,0)'; echo ':guide off';"
-      " echo 'MOVE(60,10,0)'; echo 'MOVE pick') | ";
+      "(echo ':guide on'; until [ -e pushed ]; do sleep 0.05; done; echo ':teach pick';"
+      " echo 'MOVE(10,10,0)'; echo ':guide off'; echo 'MOVE(60,10,0)'; echo 'MOVE pick') | ";
   rob::test::Process process({"/bin/bash", "-c",
                               "cd " + rob.file("") + " && " + typed + ROB_BINARY + " --robot " +
                                   gantry_file(rob, kServoWires) + " --backend " +
                                   on("feetech", bus)});
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  const std::string without_force = "the drives are without force: hold what could sink";
+  REQUIRE(eventually([&] { return contains(process.err_so_far(), without_force); }));
   // A hand pushes it to x = 60 − 256/20.48, y = 320/10.24, mm.
   bus.stand_at(3, 2048 + 256);
   bus.stand_at(1, 2048 + 320);
+  const int before = bus.questions();
+  REQUIRE(
+      eventually([&] { return bus.questions() > before + 3 * 25; }));  // half a second of cycles
+  std::ofstream(rob.file("pushed")) << "";
   const ProcessResult result = process.wait();
   CAPTURE(result.err);
-  CHECK(contains(result.err, "the drives are without force: hold what could sink"));
+  CHECK(contains(result.err, without_force));
   CHECK(contains(result.err, ":guide off takes the robot under control again"));
   const std::string points = rob::test::read_whole_file(rob.file("prompt.points"));
   CHECK(contains(points, "pick"));
@@ -105,7 +110,7 @@ TEST_CASE("the same program on three kinds of servos: executed within 1 % of wha
     CHECK(std::abs(bus.position(3) - made.ticks[0]) < 1);
     CHECK(std::abs(bus.position(1) - made.ticks[1]) < 1);
     CHECK(std::abs(bus.position(2) - made.ticks[2]) < 1);
-    for (const int id : {1, 2, 3}) CHECK(rob::test::eventually([&] { return !bus.torque(id); }));
+    for (const int id : {1, 2, 3}) CHECK(eventually([&] { return !bus.torque(id); }));
   }
 }
 
@@ -181,5 +186,5 @@ TEST_CASE("what the wire needs and the robot file does not say, or says twice, i
   CHECK(contains(trouble("dynamixel",
                          {"id = 9\ntravel = \"200 mm\"", "id = 1\ntravel = \"200 mm\"", "id = 2"}),
                  "servo 9 (axis x)"));
-  for (const int id : {1, 2, 3}) CHECK(rob::test::eventually([&] { return !bus.torque(id); }));
+  for (const int id : {1, 2, 3}) CHECK(eventually([&] { return !bus.torque(id); }));
 }

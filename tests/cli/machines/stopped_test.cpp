@@ -14,6 +14,7 @@
 #include "tests/emulators/servo_emulator.h"
 #include "tests/support/eventually.h"
 #include "tests/support/trace_file.h"
+#include "tests/support/trace_rows.h"
 #include "tests/support/wired_gantry.h"
 
 using nlohmann::json;
@@ -22,11 +23,13 @@ using rob::test::DeviceProcess;
 using rob::test::eventually;
 using rob::test::gantry_file;
 using rob::test::GrblEmulator;
+using rob::test::kMeasuredX;
 using rob::test::kServoWires;
 using rob::test::Process;
 using rob::test::ProcessResult;
 using rob::test::RobCommand;
 using rob::test::ServoEmulator;
+using rob::test::wait_for_row;
 using namespace std::chrono_literals;
 
 namespace {
@@ -36,19 +39,20 @@ struct Stopped {
   double ended = 0;  ///< where it stands after the run
 };
 
-/// Runs 100 mm along x from 10 mm on, stops the process for a second as soon as it `moves`, and
-/// lets it go on.
+/// Runs 100 mm along x from 10 mm on, stops the process as soon as it `moves`, for a second or
+/// until the machine stands, and lets it go on.
 Stopped stop_and_go_on(const std::vector<std::string>& line, const std::function<bool()>& moves,
                        const std::function<double()>& place) {
   Process process(line);
   REQUIRE(eventually(moves));
-  std::this_thread::sleep_for(500ms);
   process.send(SIGSTOP);
   Stopped stopped;
   std::this_thread::sleep_for(800ms);
-  stopped.stood = place();
-  std::this_thread::sleep_for(200ms);
-  CHECK(std::abs(place() - stopped.stood) < 1e-6);
+  CHECK(eventually([&] {
+    stopped.stood = place();
+    std::this_thread::sleep_for(200ms);
+    return std::abs(place() - stopped.stood) < 1e-6;
+  }));
   process.send(SIGCONT);
   const ProcessResult result = process.wait();
   stopped.ended = place();
@@ -68,7 +72,7 @@ TEST_CASE("fault 38: grbl that stands after a stopped process is not driven on")
   const RobCommand rob("MOVE(110,0,0)\n");
   const Stopped stopped = stop_and_go_on(
       rob.line("run", {"--json", "--backend", "grbl:" + grbl.path()}),
-      [&] { return grbl.moves() > 20; }, [&] { return grbl.position()[0]; });
+      [&] { return grbl.position()[0] > 20; }, [&] { return grbl.position()[0]; });
   CHECK(std::abs(stopped.ended - stopped.stood) < 0.01);  // two steps
   CHECK(grbl.idle());
 }
@@ -96,9 +100,10 @@ TEST_CASE("fault 38: a device of Rob's own protocol that has braked itself is no
   const std::string file = gantry_file(rob, {"offset = \"10 mm\"", "offset = \"0 mm\"", ""},
                                        "baud = 1000000\nperiod = \"50 ms\"\n");
   const auto begun = std::chrono::steady_clock::now();
-  Process process(
-      rob.line("run", {"--json", "--robot", file, "--backend", "rob:" + device.path()}));
-  std::this_thread::sleep_for(1500ms);
+  const std::string trace = rob.file("t.csv");
+  Process process(rob.line(
+      "run", {"--json", "--robot", file, "--trace", trace, "--backend", "rob:" + device.path()}));
+  wait_for_row(trace, kMeasuredX, [](double x) { return x > 12; });
   process.send(SIGSTOP);
   const std::chrono::duration<double> moved = std::chrono::steady_clock::now() - begun;
   std::this_thread::sleep_for(2s);
@@ -119,7 +124,7 @@ TEST_CASE("fault 38: the simulation stands where its drives have braked, to the 
   const RobCommand rob("MOVE(110,0,0)\n");
   const std::string trace = rob.file("t.csv");
   Process process(rob.line("run", {"--json", "--trace", trace}));
-  std::this_thread::sleep_for(2500ms);
+  wait_for_row(trace, kMeasuredX, [](double x) { return x > 20; });
   process.send(SIGSTOP);
   std::this_thread::sleep_for(1s);
   process.send(SIGCONT);

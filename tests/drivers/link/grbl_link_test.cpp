@@ -214,8 +214,8 @@ TEST_CASE("fault 38: grbl that ran dry while nothing was sent is not driven on")
   bench.go(place(8, 0, 0), 0.4);
   // The tick is gone for longer than grbl has moves; the thread of the wire is, too.
   std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  REQUIRE(test::eventually([&] { return grbl.idle(); }));
   const double stands = grbl.position()[0];
-  CHECK(grbl.idle());
   const int moves = grbl.moves();
   for (int i = 0; i < 20; ++i) {  // only looking
     bench.look();

@@ -28,7 +28,8 @@ struct Script {
   int exchanges = 0;
   int enabled = 0;
   std::atomic<bool> silent{false};
-  std::atomic<bool> blocks{false};  ///< the thread of the wire does not run
+  std::atomic<bool> blocks{false};   ///< the thread of the wire must not go on
+  std::atomic<bool> blocked{false};  ///< it does not
 };
 
 class ScriptedLink final : public WireLink {
@@ -43,7 +44,8 @@ class ScriptedLink final : public WireLink {
   void disable() noexcept override {}
   bool carries_signals() const override { return true; }
   DriverStatus exchange(const WireCommand* command, double, WireAnswer& answer) noexcept override {
-    while (script_.blocks) std::this_thread::sleep_for(1ms);
+    for (; script_.blocks; std::this_thread::sleep_for(1ms)) script_.blocked = true;
+    script_.blocked = false;
     const std::lock_guard lock(script_.mutex);
     ++script_.exchanges;
     if (command != nullptr) script_.told.push_back(*command);
@@ -116,9 +118,9 @@ TEST_CASE("outputs go to the machine and inputs come from it: 64 digital and 16 
 TEST_CASE("the drives come under force with the first command") {
   Scripted scripted;
   scripted.machine.enable(-0.02);
-  std::this_thread::sleep_for(100ms);
+  // It is asked where it stands meanwhile.
+  CHECK(test::eventually([&] { return scripted.exchanges() > 5; }));
   CHECK(scripted.script.enabled == 0);
-  CHECK(scripted.exchanges() > 2);  // it is asked where it stands meanwhile
   scripted.read();
   scripted.write(scripted.now());
   REQUIRE(test::eventually([&] { return scripted.told() == 1; }));
@@ -146,9 +148,8 @@ TEST_CASE("each answer that does not come is told once, however often the tick l
 TEST_CASE("a thread of the wire that does not run is late, and not a silent machine") {
   Scripted scripted;
   scripted.script.blocks = true;
-  std::this_thread::sleep_for(350ms);
-  CHECK(scripted.read() == DriverStatus::Late);
-  CHECK(scripted.state.late > 0.3);
+  CHECK(test::eventually(
+      [&] { return scripted.read() == DriverStatus::Late && scripted.state.late > 0.3; }));
   scripted.script.blocks = false;
   CHECK(test::eventually([&] { return scripted.read() == DriverStatus::Ok; }));
 }
@@ -160,7 +161,7 @@ TEST_CASE("a command that the process was stopped over is too old to be carried 
   scripted.write(scripted.now());
   REQUIRE(test::eventually([&] { return scripted.told() == 1; }));
   scripted.script.blocks = true;
-  std::this_thread::sleep_for(50ms);
+  REQUIRE(test::eventually([&] { return scripted.script.blocked.load(); }));
   scripted.read();
   scripted.write(scripted.now());
   std::this_thread::sleep_for(400ms);

@@ -25,12 +25,21 @@ namespace {
 void write(const std::string& file, const std::string& text) { std::ofstream(file) << text; }
 std::string content(const std::string& file) { return read_file(file, 1'000'000); }
 
-/// A process that does this, which does not end, is killed after a while.
+/// A process that does this, which does not end, is killed so long after it has begun.
 template <typename Work>
 void kill_after(std::chrono::microseconds time, Work work) {
+  int begun[2];
+  REQUIRE(::pipe(begun) == 0);
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
-  if (child == 0) work();
+  if (child == 0) {
+    if (::write(begun[1], "b", 1) != 1) ::_exit(1);
+    work();
+  }
+  ::close(begun[1]);
+  char byte = 0;
+  REQUIRE(::read(begun[0], &byte, 1) == 1);
+  ::close(begun[0]);
   std::this_thread::sleep_for(time);
   ::kill(child, SIGKILL);
   int status = 0;
