@@ -15,17 +15,17 @@ using motion::DriverStatus;
 namespace {
 
 constexpr double kQueryPeriod = 0.1;  // s: the wiki advises 5 to 10 Hz
-constexpr double kLookPeriod = 0.05;  // s [choice] while its buffer is full, or it is waited for
+constexpr double kLookPeriod = 0.05;  // s [choice] while its buffer is full, or Rob waits for it
 constexpr double kAnswerTime = 0.5;   // s [choice] for "ok" and for a report; five queries
-constexpr double kTravelTime = 0.06;  // s [choice] for a line to grbl, and for its "ok" back
-constexpr double kQueueTime = 2;      // s until what was streamed has been carried out
+constexpr double kTravelTime = 0.06;  // s [choice] for a line to grbl and its "ok" back
+constexpr double kQueueTime = 2;      // s for grbl to execute the moves it has received
 constexpr double kHomingTime = 120;   // s [choice] for a large table at its seek rate
 constexpr double kSameOffset = 2e-3;  // mm: two units of the last place of a report
-constexpr double kCatchUp = 1.1;      // of its speed, to make up for a thread that was late
+constexpr double kCatchUp = 1.1;      // of v_max: the speed limit while a late thread catches up
 constexpr int kBitsPerByte = 10;
-constexpr int kBytesPerSecond = 4000;  // 50 lines of 80 bytes, the longest that there are
-// s behind the references within which it may be anywhere on its path: when exactly its moves have
-// begun is not known. [choice] the look-ahead, and a computer that is late by as much again
+constexpr int kBytesPerSecond = 4000;  // 50 lines of at most 80 bytes
+// s by which grbl may lag behind the references: Rob does not know exactly when its moves began.
+// [choice] twice the look-ahead, so that a computer may be late by as much
 constexpr double kWindow = 0.2;
 
 struct Interference {
@@ -105,8 +105,8 @@ DriverStatus GrblLink::enable() noexcept {
   return port_.gone() ? lost(port_.port()) : DriverStatus::Ok;
 }
 
-/// What has been sent is carried out. After an error, or where grbl does not answer, it is braked
-/// and dropped.
+/// Waits until grbl has executed all moves. If an error has stopped the stream, or grbl does not
+/// answer, brakes it and drops the remaining moves.
 void GrblLink::disable() noexcept {
   enabled_ = false;
   stream_.flush();
@@ -114,7 +114,8 @@ void GrblLink::disable() noexcept {
   if (!port_.gone() && machine_ != Machine::Alarm) brake();
 }
 
-/// Until grbl stands at the end of what it has; false: it does not answer, or takes too long.
+/// Waits until grbl stands at the end of its moves. Returns false if it does not answer or takes
+/// too long.
 bool GrblLink::run_dry() noexcept {
   const double end = wire_time() + kQueueTime;
   machine_ = Machine::Unknown;
@@ -132,7 +133,7 @@ bool GrblLink::run_dry() noexcept {
   return false;
 }
 
-/// When it stands its position is kept, and a reset drops the rest of the moves.
+/// Resets grbl, which drops the remaining moves, only after it stands: so it keeps its position.
 void GrblLink::brake() noexcept {
   port_.send_byte(grbl::kFeedHold);
   wait_for(Machine::Hold, settings_.braking_time(axes_) + kQueryPeriod);
@@ -171,7 +172,8 @@ DriverStatus GrblLink::exchange(const WireCommand* command, double deadline,
   return status == DriverStatus::Ok ? check_answers(wire_time()) : status;
 }
 
-/// No reference has come for longer than grbl had moves: what waits here is no longer wanted.
+/// Whether references have been missing for longer than grbl had moves: Rob then drops the waiting
+/// lines.
 bool GrblLink::deserted(const WireCommand* command) const noexcept {
   return enabled_ && command == nullptr && !told_.empty() &&
          wire_time() - told_.back().time > kWindow;
@@ -179,7 +181,7 @@ bool GrblLink::deserted(const WireCommand* command) const noexcept {
 
 void GrblLink::fill(WireAnswer& answer) noexcept {
   if (deserted(nullptr)) {
-    // It comes to rest by itself; what follows begins there.
+    // grbl comes to rest by itself; the next motion begins there.
     if (machine_ != Machine::Idle) return;
     stream_.stand_at(position_);
     told_.clear();
@@ -197,8 +199,8 @@ void GrblLink::fill(WireAnswer& answer) noexcept {
   answer.seen = reported_;
 }
 
-/// When the references were nearest to what it reports: the path counts, and that it is not more
-/// than kWindow behind.
+/// The instant at which the path of the references, within the last kWindow, was nearest to the
+/// reported position.
 double GrblLink::instant_of_report() const noexcept {
   if (!enabled_ || stream_.standing() || told_.empty()) return reported_;
   double best = reported_ - stream_.lag();
@@ -227,7 +229,7 @@ double GrblLink::instant_of_report() const noexcept {
 
 DriverStatus GrblLink::stream(const WireCommand* command) noexcept {
   if (stopped_) return DriverStatus::Alarm;
-  // At standstill its own account of where it is counts: grbl adds up numbers of seven digits.
+  // At standstill take over the position grbl reports: it adds up numbers of only seven digits.
   if (stream_.standing() && machine_ == Machine::Idle && !settled_) {
     stream_.stand_at(position_);
     settled_ = true;
@@ -239,7 +241,7 @@ DriverStatus GrblLink::stream(const WireCommand* command) noexcept {
   }
   for (std::string text; !(text = stream_.next_line(wire_time())).empty();) {
     settled_ = false;
-    machine_ = Machine::Run;  // until it says something else
+    machine_ = Machine::Run;  // until grbl reports another state
     sent_ = wire_time();
     if (!port_.send(text)) break;
   }
@@ -254,15 +256,15 @@ void GrblLink::query(double period) noexcept {
   port_.send_byte(grbl::kStatusQuery);
 }
 
-/// s for which a report has been waited for. It counts from the question: a thread that was kept
-/// waiting has asked nothing meanwhile.
+/// s for which Rob has waited for a report, from its query on: a thread that did not run has not
+/// asked.
 double GrblLink::silence(double now) const noexcept { return waiting_ == 0 ? 0 : now - waiting_; }
 
 DriverStatus GrblLink::check_answers(double now) noexcept {
   if (silence(now) > kAnswerTime)
     return fail(DriverStatus::Silent, "grbl on " + port_.path() + " does not answer",
                 "check its power and its cable");
-  const bool reports = now - reported_ < 2 * kQueryPeriod;  // otherwise it is silent altogether
+  const bool reports = now - reported_ < 2 * kQueryPeriod;  // otherwise grbl is silent
   if (reports && stream_.open_lines() > 0 && now - stream_.open_since() > kAnswerTime)
     return stop_streaming("answers of grbl were lost on the wire: it has not acknowledged " +
                               std::to_string(stream_.open_lines()) + " lines",

@@ -145,7 +145,7 @@ WireLimits GrblSettings::limits(const std::vector<WireAxis>& axes, const WireVec
   return limits;
 }
 
-// ---- what is asked
+// ---- conversation
 
 namespace grbl_setup {
 

@@ -11,31 +11,30 @@
 
 namespace rob::drivers {
 
-/// References as the lines that grbl carries out in the same time:  G91 G21 G93 G1 X… F(60/s).
-/// Targets are whole steps, so that what is rounded once is made up by the next move. At the
-/// beginning of a motion kAhead moves are collected: so many are always ahead in grbl's planner,
-/// which else would brake at the end of each. Character counting: what is not acknowledged never is
-/// more than grbl's buffer holds.
+/// Turns references into moves of the same duration:  G91 G21 G93 G1 X… F(60/s).  Targets are whole
+/// steps, and the next move makes up for the rounding of the last. At the beginning of a motion the
+/// stream collects kAhead moves and keeps that many in grbl's planner, which would otherwise brake
+/// at the end of each. It counts characters: unacknowledged lines never exceed grbl's buffer.
 class GrblStream {
  public:
-  /// [choice] 80 ms of 20 ms moves: a computer that is late by less is not noticed.
+  /// [choice] 80 ms in moves of 20 ms: a computer that is late by less does no harm.
   static constexpr int kAhead = 4;
   static constexpr int kBuffer = 127;  ///< bytes, of 128
 
-  /// `steps`: per mm, of each axis; `letters`: X = 0; `speeds`: mm/s that no move exceeds, to make
-  /// up for references that were missing either (empty: any).
+  /// `steps`: per mm, of each axis; `letters`: X = 0; `speeds`: the limits of each axis, mm/s,
+  /// which hold for moves that make up for missing references, too (empty: none).
   void begin(const std::vector<int>& letters, const std::vector<double>& steps, double period,
              const std::vector<double>& speeds = {});
-  /// Stands there, mm; nothing is under way.
+  /// Takes over the position, mm, at which grbl stands without moves.
   void stand_at(const WireVector& position) noexcept;
 
   /// The next reference.
   void push(const WireCommand& command);
-  /// Forgets the lines that have not been sent; stand_at() has to follow.
+  /// Forgets the lines that have not been sent. The caller must call stand_at() next.
   void drop_waiting() noexcept { lines_.clear(); }
-  /// The end of what waits, though no more has come.
+  /// Stops collecting: sends the moves it has, although no more have come.
   void flush() noexcept { collecting_ = false; }
-  /// Nothing was told to it for a while, and all lines are acknowledged.
+  /// The last kAhead references contained no step, and grbl has acknowledged all lines.
   bool standing() const noexcept {
     return idle_ >= kAhead && lines_.empty() && unacknowledged_ == 0;
   }
@@ -46,8 +45,8 @@ class GrblStream {
   bool full() const noexcept;
   /// False: all lines had been acknowledged before.
   bool acknowledged() noexcept;
-  /// Lines that were sent and not acknowledged; since when there has been one without a break: an
-  /// acknowledgement that is lost is never made good by those of the lines behind.
+  /// Lines that grbl has not acknowledged, and since when there has always been one. After a lost
+  /// acknowledgement there always is: those of later lines do not make up for it.
   int open_lines() const noexcept { return static_cast<int>(sent_.size()); }
   double open_since() const noexcept { return open_since_; }
   /// s from a reference to its execution.

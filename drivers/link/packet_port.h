@@ -27,7 +27,7 @@ class PacketPort {
   const WirePort& port() const noexcept { return *port_; }
 
   /// Whether the adapter gives back all that is sent through it, as some do on a bus of one wire.
-  /// From here on that is taken out again. `question`: one that nothing answers.
+  /// If so, removes the echo from here on. `question`: a packet that no device answers.
   bool find_echo(Bytes question, double deadline) noexcept {
     echoes_ = false;
     ask(question, deadline);
@@ -47,15 +47,15 @@ class PacketPort {
     if (echoes_) echo_.push(bytes);
     return result(port_->write(bytes, deadline).status);
   }
-  /// The same, after what has come before is forgotten, so that nothing late is taken for the
-  /// answer.
+  /// The same, but first forgets all bytes received before, so that no late answer is mistaken for
+  /// this one.
   Result ask(Bytes bytes, double deadline) noexcept {
     stale_ = port_->discard_input();
     reader_.clear();
     echo_.clear();
     return send(bytes, deadline);
   }
-  /// Bytes that the last ask() has forgotten: answers that came too late.
+  /// Bytes that the last ask() forgot: answers that came too late.
   std::size_t stale() const noexcept { return stale_; }
   /// The next whole packet.
   Result receive(Frame& frame, double deadline) noexcept {
@@ -82,8 +82,7 @@ class PacketPort {
     return Result::Gone;
   }
 
-  /// What is left when the bytes that were sent are taken from the front. A byte that is none of
-  /// them ends the echo: it was lost, or is over.
+  /// Removes the echo of the sent bytes from the front. The first byte that differs ends the echo.
   Bytes without_echo(Bytes bytes) noexcept {
     std::size_t same = 0;
     const std::size_t most = std::min(bytes.size(), echo_.size());

@@ -10,26 +10,26 @@
 
 namespace rob::drivers {
 
-/// What a servo on a bus reports each cycle.
+/// The state that a servo on a bus reports each cycle.
 struct ServoReading {
   double position = 0;  ///< ticks, 4096 a turn
   double velocity = 0;  ///< ticks/s
 };
 
-/// What one is sent: ticks, ticks/s at most.
+/// A goal for one servo: ticks, and ticks/s at most.
 struct ServoGoal {
   std::uint8_t id = 0;
   int position = 0;
   int most_speed = 0;
 };
 
-/// What is wrong with a servo by its own account.
+/// The trouble that a servo reports.
 struct ServoHealth {
   bool torque = false;
   std::string trouble;  ///< empty: nothing
 };
 
-/// A register and what it has to hold.
+/// A register and the value it must hold.
 struct ServoSetting {
   int address = 0;
   int size = 1;

@@ -67,8 +67,8 @@ double ServoLink<Dialect>::least_period() const {
   return (chain_time() + time_of(Dialect::kQuestionBytes + Dialect::kHealthBytes)) / kShare;
 }
 
-/// Until the servo has answered; what others say late is passed over. The time for the answer
-/// counts from the question: a thread that was kept waiting before has not asked yet.
+/// Waits for the answer of this servo and ignores late answers of others. The time limit counts
+/// from the question: a thread that did not run has not asked.
 template <typename Dialect>
 auto ServoLink<Dialect>::ask(std::uint8_t id, const typename Dialect::Wire& question, Frame& answer,
                              double deadline) noexcept -> Result {
@@ -141,13 +141,13 @@ void ServoLink<Dialect>::configure(std::size_t i) {
   limits_.max[i] = most;
 }
 
-/// Another program may have left its torque on, and some registers are locked then.
+/// Another program may have left the torque on, which locks some registers.
 template <typename Dialect>
 void ServoLink<Dialect>::release_torque(std::size_t i) {
   must_ask(i, Dialect::write(ids_[i], Dialect::torque_setting(false)));
 }
 
-/// Only where it is different: some registers wear out.
+/// Writes the register only if its value differs: some registers wear out.
 template <typename Dialect>
 void ServoLink<Dialect>::write_setting(std::size_t i, const ServoSetting& setting) {
   const Frame now = must_ask(i, Dialect::read(ids_[i], setting.address, setting.size));
@@ -162,7 +162,7 @@ void ServoLink<Dialect>::write_setting(std::size_t i, const ServoSetting& settin
 template <typename Dialect>
 DriverStatus ServoLink<Dialect>::enable() noexcept {
   const double deadline = wire_time() + kServoAnswerTime;
-  // Where they stand is the goal before there is force: nothing jumps.
+  // The first goal is the current position, sent before the drives get force: so nothing jumps.
   Result result = send_goals(last_, deadline);
   for (const ServoSetting& setting : Dialect::watchdog(true))
     if (result == Result::Ok)
@@ -224,7 +224,7 @@ auto ServoLink<Dialect>::read_all(double deadline, WireAnswer& answer) noexcept 
   return result;
 }
 
-/// Those that have not answered yet, one by one.
+/// Asks each servo that has not answered yet.
 template <typename Dialect>
 auto ServoLink<Dialect>::read_each(double deadline, WireAnswer& answer) noexcept -> Result {
   auto missing = std::ranges::count(answered_, false);
@@ -251,7 +251,7 @@ DriverStatus ServoLink<Dialect>::exchange(const WireCommand* command, double dea
   Result result =
       command != nullptr ? send_goals(command->position, deadline) : packets_.ask({}, deadline);
   late_ = missing && packets_.stale() > 0;
-  // Where the bytes of the chain leave no time to ask again, it may have all there is.
+  // If the cycle is too short to ask again, the chain may take all of it.
   const double half = begun + kChainShare * (deadline - begun);
   const double needed = wire_time() + chain_time();
   const double chain = needed <= half ? half : std::max(needed, deadline);
@@ -267,7 +267,8 @@ DriverStatus ServoLink<Dialect>::exchange(const WireCommand* command, double dea
   return judge(result, deadline);
 }
 
-/// A servo that has restarted, or is blocked, stands while its goal goes away: it is asked at once.
+/// Finds a servo that stands while its goal moves away, because it restarted or is blocked, and
+/// asks for its health at once.
 template <typename Dialect>
 void ServoLink<Dialect>::watch_stalls(const WireCommand* command, const WireAnswer& before,
                                       const WireAnswer& answer) noexcept {
@@ -332,7 +333,7 @@ DriverStatus ServoLink<Dialect>::check_health(std::size_t i, double deadline) no
   return i == stalled_ ? check_watchdog(i, deadline) : DriverStatus::Ok;
 }
 
-/// A servo whose bus watchdog has stopped it does not take goals any more.
+/// A servo that its bus watchdog has stopped no longer accepts goals.
 template <typename Dialect>
 DriverStatus ServoLink<Dialect>::check_watchdog(std::size_t i, double deadline) noexcept {
   if (Dialect::kWatchdogAddress == 0) return DriverStatus::Ok;

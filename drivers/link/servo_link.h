@@ -13,14 +13,14 @@
 namespace rob::drivers {
 
 /// Servos with position loops of their own on one half-duplex bus. A cycle is one sync write of all
-/// goals and one sync read of all positions; a servo that is mute there is asked by itself, since
-/// it stalls those behind it in the chain, and so is each where there is no sync read. What the
-/// bytes take at this baud rate is waited for, however short the cycle.
+/// goals and one sync read of all positions. A mute servo stalls those after it in the chain, so
+/// Rob then asks each of these by itself, and so it does on a bus without sync read. Rob waits as
+/// long as the bytes take at this baud rate, however short the cycle.
 ///
-/// Every tenth cycle one servo is asked for its health too, and at once one that stands while its
-/// goal goes away: an alert, or torque that is off because the servo has restarted, is an Alarm.
+/// Every tenth cycle Rob also asks one servo for its health, and it asks a servo that stands while
+/// its goal moves away at once. An alert is an Alarm, and so is torque that is off after a restart.
 ///
-/// An adapter that gives back what it sends is found when the bus is connected.
+/// connect() detects an adapter that echoes what Rob sends.
 template <typename Dialect>
 class ServoLink final : public WireLink {
  public:

@@ -100,7 +100,7 @@ DriverStatus WireBackend::status_of(const Report& report) noexcept {
   return old && status == DriverStatus::Silent ? DriverStatus::Pending : status;
 }
 
-/// Where the axes were last is told with every status: an alarm does not hide it.
+/// Reports the last known positions with every status, an alarm included.
 DriverStatus WireBackend::read(double now, motion::ServoState& state) noexcept {
   const double zero = zero_seen(now);
   const Report& report = reports_.load();

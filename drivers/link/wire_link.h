@@ -24,7 +24,7 @@ struct WireAxis {
   double most_step = 0;  ///< |u'|, units/s: twice that is not believed
 };
 
-/// Where the axes must be at an instant of wire_time(), and what the outputs must be from then on.
+/// The positions of the axes at an instant of wire_time(), and the outputs from then on.
 struct WireCommand {
   double time = 0;
   WireVector position{};
@@ -33,10 +33,10 @@ struct WireCommand {
   motion::AnalogValues analog_outputs{};  ///< V
 };
 
-/// Where the axes are, and what the inputs are.
+/// The measured positions of the axes, and the inputs.
 struct WireAnswer {
-  /// The instant of the references that the position belongs to: a machine that follows its
-  /// references later than they are sent is compared with what it was sent for this instant.
+  /// The instant of the references that the position belongs to. A machine may follow its
+  /// references with a delay: Rob compares its position with the reference of this instant.
   double time = 0;
   WireVector position{};
   WireVector velocity{};
@@ -46,7 +46,7 @@ struct WireAnswer {
   motion::AnalogValues analog_inputs{};  ///< V
 };
 
-/// What a machine permits of an axis, in its units; infinite where it does not say.
+/// The limits of the machine's axes, in its units; infinite if it does not report them.
 struct WireLimits {
   WireVector min;
   WireVector max;
@@ -62,38 +62,37 @@ class WireLink {
  public:
   virtual ~WireLink() = default;
 
-  /// Finds the machine and learns what it is; it does not move. Throws motion::DriverError.
+  /// Finds the machine and reads its settings, without moving it. Throws motion::DriverError.
   virtual void connect(WirePort& port) = 0;
-  /// Drives to their places of reference by the machine itself, before it is enabled; throws
-  /// motion::DriverError, where it cannot, too. When it is `given_up` (empty: never), the machine
-  /// stops at once; that throws as well.
+  /// Lets the machine home itself, before enable(). Throws motion::DriverError if it fails or
+  /// cannot home. Stops the machine at once, and throws, as soon as `given_up` (empty: never)
+  /// returns true.
   virtual void home(const std::function<bool()>& given_up);
-  /// What it permits. After connect().
+  /// The machine's limits. After connect().
   const WireLimits& limits() const { return limits_; }
   /// The least period of a cycle, s. After connect().
   virtual double least_period() const { return 0; }
-  /// The period that it will be, s.
+  /// Announces the period of the cycle, s.
   virtual void use_period(double /*period*/) {}
 
-  /// Puts the drives under force where they stand.
+  /// Enables the drives where they stand.
   virtual motion::DriverStatus enable() noexcept = 0;
-  /// Takes the force away. A machine that answers first carries out what it has been sent, for 2 s
-  /// at most; one that does not answer is left within the time that its axes need to brake.
+  /// Disables the drives. A machine that answers first executes what it has received, for 2 s at
+  /// most. If it does not answer, returns within the time its axes need to brake.
   virtual void disable() noexcept = 0;
-  /// One cycle until `deadline`; `command` is null while there is nothing to send. With an Alarm
-  /// `answer` still is what the machine reports. Otherwise, unless Ok, it is as it was, or only
-  /// some of its axes are new.
+  /// One cycle, until `deadline`; `command` is null while there is nothing to send. On Ok and Alarm
+  /// `answer` is the machine's report. Otherwise it is unchanged, or new for only some axes.
   virtual motion::DriverStatus exchange(const WireCommand* command, double deadline,
                                         WireAnswer& answer) noexcept = 0;
 
-  /// Whether its outputs and inputs are those of the machine.
+  /// Whether the wire carries the machine's outputs and inputs.
   virtual bool carries_signals() const { return false; }
   /// Why the last call was not Ok, and what to do: "what is wrong; the remedy".
   const std::string& trouble() const { return trouble_; }
-  /// What the machine shows of itself that explains why its axes are not where they should be, in
-  /// the same form; empty: nothing.
+  /// A cause, known to the machine, for axes that are off their references, in the same form;
+  /// empty: none.
   const std::string& remark() const { return remark_; }
-  /// Questions that had to be repeated, and answers that were not understood.
+  /// Number of questions that Rob repeated, and of answers it could not read.
   std::uint32_t errors() const { return errors_; }
 
  protected:

@@ -39,7 +39,7 @@ struct Packet {
 /// As it goes over the wire, stuffed, with CRC.
 using Wire = ByteBuffer<kMostPacket>;
 Wire encode(std::uint8_t id, Instruction instruction, Bytes parameters) noexcept;
-/// What a servo answers.
+/// The answer of a servo.
 Wire encode_status(std::uint8_t id, std::uint8_t error, Bytes parameters) noexcept;
 
 Wire ping(std::uint8_t id) noexcept;
@@ -55,7 +55,7 @@ struct Format {
   static Scan scan(Bytes bytes, Packet& packet) noexcept;
 };
 
-/// What the number of a status says; "" for none.
+/// The meaning of a status number; "" for none.
 const char* error_text(std::uint8_t error) noexcept;
 
 }  // namespace rob::drivers::dynamixel

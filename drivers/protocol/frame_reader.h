@@ -7,7 +7,7 @@
 
 namespace rob::drivers {
 
-/// What a format finds at the beginning of some bytes.
+/// The result of looking for a frame at the beginning of some bytes.
 struct Scan {
   enum class Kind : std::uint8_t {
     NeedMore,  ///< the beginning of a frame, as far as it goes
