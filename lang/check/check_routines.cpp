@@ -14,7 +14,7 @@ namespace rob::lang {
 
 void StatementChecker::check(Program& program, KnownNames known) {
   scopes_.enter();
-  for (const KeptName* const kept : known) know(*kept);
+  declare(known);
   for (const Routine& routine : program.routines) {
     scopes_.enter_file(routine.place.file);
     if (!routine.test && !routine.handler) declare(routine);
@@ -39,6 +39,15 @@ void StatementChecker::check(Program& program, KnownNames known) {
   scopes_.leave();
   uses_.report(diagnostics_);
   warn_of_corner_readings(program, diagnostics_);
+}
+
+void StatementChecker::declare(KnownNames known) {
+  for (const KeptName* const kept : known) {
+    const Symbol& symbol = kept_names_.declare(*kept);
+    if (kept->safe) safe_lines_.try_emplace(symbol.signal, symbol.place);
+    if (symbol.kind == Symbol::Kind::Point)
+      points_declared_.try_emplace(to_upper(symbol.name), symbol.place);
+  }
 }
 
 void StatementChecker::declare(const Routine& routine) {

@@ -8,6 +8,7 @@
 
 #include "lang/check/checker.h"
 #include "lang/check/expression_checker.h"
+#include "lang/check/kept_names.h"
 #include "lang/check/move_checker.h"
 #include "lang/check/routine_uses.h"
 #include "lang/check/symbols.h"
@@ -34,7 +35,7 @@ class StatementChecker {
         points_(points),
         taught_(checked.program.taught),
         missing_points_(checked.missing_points),
-        known_(checked.known),
+        kept_names_(scopes_, uses_, checked.known),
         diagnostics_(diagnostics),
         routines_(checked.program.routines),
         entry_(checked.program.entry) {}
@@ -187,11 +188,8 @@ class StatementChecker {
   void check(Start& start);
   void settle_tasks(const Program& program);
 
-  // What entries of the prompt have declared (check_known.cpp)
-  void know(const KeptName& kept);
-  const Symbol* know_hidden(const KeptName& kept);
-
   // Routines (check_routines.cpp)
+  void declare(KnownNames known);
   void declare(const Routine& routine);
   void check(Routine& routine);
   void check_returns(const Routine& routine);
@@ -225,7 +223,7 @@ class StatementChecker {
   const PointTable& points_;
   const std::set<std::string>& taught_;
   std::vector<MissingPoint>& missing_points_;
-  std::vector<CheckedProgram::Known>& known_;
+  KeptNames kept_names_;
   Diagnostics& diagnostics_;
   std::map<int, Place> safe_lines_;  ///< where a signal's SAFE value stands, by its number
   std::map<std::string, Place> points_declared_;  ///< of all files, by their names in capitals

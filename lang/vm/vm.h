@@ -40,11 +40,6 @@ struct RuntimeError {
   std::vector<CallSite> calls{};  ///< the routines it happened in, the innermost first
 };
 
-/// The longest text that a program can build, in bytes. [choice] far more than a line to be read,
-/// and with at most kTextStack text registers and kMemory.texts in arrays and records a program
-/// never holds more than 320 MiB of text, and those of kMostTries errors.
-inline constexpr std::size_t kMostText = 65536;
-
 /// How deep calls may be nested. [choice] a recursion that goes deeper has most probably no end.
 inline constexpr std::size_t kMostCalls = 1000;
 /// What the budget gives for an instruction on long blocks. [choice] copying them takes as long.
@@ -230,9 +225,6 @@ class Vm {
   bool build_clauses(Code pc, const MoveForm& form, const Slot* next, MoveCommand& command);
   bool check_zone(Code pc, double value, Dimension dimension);
   bool check_positive(Code pc, std::string_view word, double value, Dimension dimension);
-  /// Texts by register; false if the result would be too long.
-  bool append(std::uint8_t target, std::string_view more);
-  bool join(std::uint8_t target, std::uint8_t left, std::uint8_t right);
   State fail_too_long(Code pc);
   /// False, with error_ set, if a WAIT is for less than no time.
   bool check_wait(Code pc, double seconds);

@@ -6,6 +6,7 @@
 
 #include "lang/text/codes.h"
 #include "lang/values/value_text.h"
+#include "lang/vm/texts.h"
 #include "lang/vm/vm.h"
 
 /// The part of Vm that knows frames, and what it says when something goes wrong.

@@ -9,6 +9,7 @@
 #include "lang/values/number_text.h"
 #include "lang/values/pose_functions.h"
 #include "lang/values/value_text.h"
+#include "lang/vm/texts.h"
 #include "lang/vm/vm.h"
 
 /// The part of Vm that executes what its dispatch loop hands over.
@@ -104,18 +105,18 @@ Vm::Step Vm::step(Code pc) {
       texts_[pc->a()] = texts_[pc->b()];
       return pc + 1;
     case Opcode::join_text:
-      if (!join(pc->a(), pc->b(), pc->c())) return fail_too_long(pc);
+      if (!join(texts_[pc->a()], texts_[pc->b()], texts_[pc->c()])) return fail_too_long(pc);
       return pc + 1;
     case Opcode::append_int:
-      if (!append(pc->a(), std::to_string(n[pc->b()].integer))) return fail_too_long(pc);
+      if (!append(texts_[pc->a()], std::to_string(n[pc->b()].integer))) return fail_too_long(pc);
       return pc + 1;
     case Opcode::append_real:
-      if (!append(pc->a(), number_text(n[pc->b()].real, chunk_->dimensions[pc->c()]))) {
+      if (!append(texts_[pc->a()], number_text(n[pc->b()].real, chunk_->dimensions[pc->c()]))) {
         return fail_too_long(pc);
       }
       return pc + 1;
     case Opcode::append_bool:
-      if (!append(pc->a(), text_of(n[pc->b()].integer != 0))) return fail_too_long(pc);
+      if (!append(texts_[pc->a()], text_of(n[pc->b()].integer != 0))) return fail_too_long(pc);
       return pc + 1;
     case Opcode::append_value:
       if (!append_value_text(texts_[pc->a()], chunk_->types[(pc + 1)->word], &n[pc->b()], nullptr,
@@ -124,7 +125,7 @@ Vm::Step Vm::step(Code pc) {
       }
       return pc + 2;
     case Opcode::append_text:
-      if (!append(pc->a(), texts_[pc->b()])) return fail_too_long(pc);
+      if (!append(texts_[pc->a()], texts_[pc->b()])) return fail_too_long(pc);
       return pc + 1;
     case Opcode::latch:
       latch_ = pc;
