@@ -82,6 +82,17 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   result.planned = result.measured;
   for (LineResult& line : result.lines) line.planned = line.measured;
   if (task.failure()) add_failure(result, *task.failure());
+  if (result.status == "interrupted") {
+    result.exit_code = ExitCode::Done;  // as the script wants it
+    result.findings.push_back(
+        {lang::Severity::Note,
+         code::kForetoldSoFar,
+         {},
+         fmt::format("the signal script stops the robot; the program is foretold for the {:.2f} s "
+                     "up to there",
+                     result.measured),
+         ""});
+  }
   if (task.circling() != 0) {
     result.findings.push_back(
         {lang::Severity::Note, code::kCircling, lang::tagged_place(task.circling()),

@@ -34,6 +34,8 @@ RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share,
 }
 
 void RunRecorder::drain() {
+  Intervention intervention;
+  while (channels_.interventions.take(intervention)) take(intervention);
   Snapshot snapshot;
   while (channels_.snapshots.take(snapshot)) {
     const MotionEvent* event = nullptr;
@@ -233,30 +235,11 @@ void RunRecorder::take_effect(const MotionEvent& event) {
   if (kind == Kind::Arm || kind == Kind::Disarm || kind == Kind::Report) return;
   --result_.dropped_effects;
   // Inputs are the machine's, simulated or not.
-  if (kind == Kind::Override) return take_override(event);
+  if (kind == Kind::Override) return change_override(event.time, event.effect.share);
   if (kind == Kind::Simulate || kind == Kind::SimulateAnalog) return;
   if (kind == Kind::SimulateGo || kind == Kind::SimulateAnswer) return;
   if (kind != Kind::Note) return take_output(event);
   take_note(event, log_.take_note(event.effect.id));
-}
-
-void RunRecorder::take_note(const MotionEvent& event, Note note) {
-  const int line = static_cast<int>(event.tag);
-  switch (note.kind) {
-    case Note::Kind::Print:
-      if (listener_.print) listener_.print(note.text);
-      output_.push_back(std::move(note.text));
-      return;
-    case Note::Kind::Halt:
-    case Note::Kind::Ask:
-      if (listener_.consult) listener_.consult(note, line);
-      add_event(event.time, note.kind == Note::Kind::Ask ? "ask" : "halt", line, note.text);
-      return;
-    case Note::Kind::Answer:
-      if (listener_.consult) listener_.consult(note, line);
-      add_event(event.time, "answer", line, note.text);
-      return;
-  }
 }
 
 void RunRecorder::take_output(const MotionEvent& event) {

@@ -66,6 +66,7 @@ class RunRecorder {
   void begin_handler(const motion::MotionEvent& event);
   void end_handler(const motion::MotionEvent& event);
   void take(const ServoNotice& notice);
+  void take(const Intervention& intervention);
   void take(const Snapshot& snapshot);
   void begin_segment(const motion::MotionEvent& event);
   void end_segment(double time, const LoggedSegment* next);
@@ -87,7 +88,7 @@ class RunRecorder {
   void stand_still(const motion::MotionEvent& event);
   void end_corner();
   void take_effect(const motion::MotionEvent& event);
-  void take_override(const motion::MotionEvent& event);
+  void change_override(double time, double share);
   void take_note(const motion::MotionEvent& event, Note note);
   void take_output(const motion::MotionEvent& event);
   void add_output(const motion::MotionEvent& event, bool value);

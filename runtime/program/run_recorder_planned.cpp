@@ -53,13 +53,13 @@ void RunRecorder::count_stop() {
 }
 
 /// The rest of the running motion takes longer, or less, than was foretold when it began.
-void RunRecorder::take_override(const MotionEvent& event) {
+void RunRecorder::change_override(double time, double share) {
   const double before = override_share_;
-  override_share_ = std::min(event.effect.share, 1.0);
+  override_share_ = std::min(share, 1.0);
   if (!comes_timed() || !running_ || running_->dwell || running_->jog.present() || running_->cut ||
-      running_->ends <= event.time)
+      running_->ends <= time)
     return;
-  const double more = (running_->ends - event.time) * (before / override_share_ - 1);
+  const double more = (running_->ends - time) * (before / override_share_ - 1);
   running_->ends += more;
   LineResult& line = line_of(*running_);
   line.planned += more;
