@@ -215,7 +215,11 @@ RunResult check_one(LoadedProgram& program, const Options& options, const Signal
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
   std::optional<PathFile> path = open_path(options, program);
-  RunResult result = foretell(program, robot, {options.seed, &script, 1, path ? &*path : nullptr});
+  ForetellOptions how{options.seed, &script, 1, path ? &*path : nullptr, options.longest};
+  Progress progress(options.longest);
+  how.progress = [&](double time) { progress.show(time); };
+  RunResult result = foretell(program, robot, how);
+  progress.clear();
   if (path) path->save();
   return result;
 }
