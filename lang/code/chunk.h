@@ -96,6 +96,7 @@ struct MoveForm {
   bool zone_angle = false;
   bool lasts = false;  ///< FOR
   bool fine = false;
+  bool euler = false;
   Profile profile = Profile::Unspecified;
 
   bool operator==(const MoveForm&) const = default;

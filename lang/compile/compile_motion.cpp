@@ -205,6 +205,7 @@ void StatementCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) 
   std::array<const Expr*, kClauses> settled{};
   for (std::size_t i = 0; i < kClauses; ++i) {
     settled[i] = clauses.values[i].get();
+  form.euler = clauses.euler;
     const bool missing = settled[i] == nullptr && path_ != nullptr && !settled_by_own(i);
     if (missing) settled[i] = path_->clauses.values[i].get();
     if (settled[i] == live_pace(clauses)) settled[i] = nullptr;
