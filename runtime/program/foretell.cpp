@@ -79,7 +79,8 @@ lang::Diagnostic finding_of(const Problem& problem) {
 RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
                    const ForetellOptions& options) {
   const SignalScript* const script = options.script;
-  Controller controller(robot, simulation_of(robot), options.override_share, rules_of(script));
+  Controller controller(robot, simulation_of(robot), options.override_share, rules_of(script), 0,
+                        has_handlers(program));
   if (options.path != nullptr) controller.tell(*options.path);
   prepare_panel(controller, script);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
@@ -99,7 +100,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   result.clock = "virtual";
   // What the simulated run took is what is foretold, with all its waiting.
   result.planned = result.measured;
-  for (LineResult& line : result.lines) line.planned = line.measured;
+  result.lines.change([](LineTotal& line) { line.planned = line.measured; });
   if (task.failure()) add_failure(result, *task.failure());
   if (result.status == "interrupted") {
     result.exit_code = ExitCode::Done;  // as the script wants it
