@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,17 +39,50 @@
 
 namespace rob::runtime {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
 
 /// The graver of two: the first that is not Done.
 ExitCode worse(ExitCode a, ExitCode b) { return a == ExitCode::Done ? b : a; }
 
+/// Writes what comes in small pieces in larger ones.
+class Pieces {
+ public:
+  Pieces() = default;
+  ~Pieces() { put_result(text_); }
+  Pieces(const Pieces&) = delete;
+  Pieces& operator=(const Pieces&) = delete;
+
+  Put put() {
+    return [this](std::string_view piece) {
+      constexpr std::size_t kMost = 65536;  // bytes [choice]
+      text_ += piece;
+      if (text_.size() < kMost) return;
+      put_result(text_);
+      text_.clear();
+    };
+  }
+
+ private:
+  std::string text_;
+};
+
+using PutJson = void (*)(const RunResult& result, std::size_t indent, const Put& put);
+
 /// One document, or a list where several programs were named, however many of them ran.
-void print_json(const Options& options, const std::vector<Json>& documents) {
-  const Json json = options.files.size() == 1 ? documents.front() : Json(documents);
-  put_result(json_text(json));
+void print_json(const Options& options, const std::vector<RunResult>& results, PutJson document) {
+  Pieces pieces;
+  const Put put = pieces.put();
+  if (options.files.size() == 1) {
+    document(results.front(), 0, put);
+    return put("\n");
+  }
+  const char* comma = "[";
+  for (const RunResult& result : results) {
+    put(std::string(comma) + "\n  ");
+    document(result, 2, put);
+    comma = ",";
+  }
+  put(results.empty() ? "[]\n" : "\n]\n");
 }
 
 RunListener listener_of(const Options& options, Progress& progress) {
@@ -111,9 +145,10 @@ RunResult run_one(LoadedProgram& program, const Options& options, const SignalSc
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
   find_out_whether_points_can_be_kept(program);
-  std::optional<RunResult> foretold;
+  std::optional<Foretold> foretold;
   if (isatty(STDERR_FILENO) != 0 || robot.law == motion::Law::LookAhead)
-    foretold = foretell(program, robot, {options.seed, &script, options.override_share});
+    foretold =
+        foretold_by(foretell(program, robot, {options.seed, &script, options.override_share}));
   Progress progress(foretold ? foretold->planned : 0, options.override_share, used_names(program));
   Terminal terminal(options.fast);
   const RunOptions run_options{
@@ -171,7 +206,7 @@ std::string problems_text(const RunResult& result, const LoadedProgram& program,
 
 ExitCode run_files(const Options& options) {
   ExitCode worst = ExitCode::Done;
-  std::vector<Json> documents;
+  std::vector<RunResult> results;
   if (!options.fast) tell_unclean_ends();
   std::vector<LoadedProgram> programs = load_programs(options);
   for (LoadedProgram& program : programs) {
@@ -182,19 +217,20 @@ ExitCode run_files(const Options& options) {
   refuse_overwriting_inputs("--trace", options.trace, options, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
     LoadedProgram& program = programs[i];
-    const RunResult result = run_one(program, options, scripts[i]);
+    RunResult result = run_one(program, options, scripts[i]);
+    const ExitCode exit_code = result.exit_code;
     const bool starts = program.runnable() && !scripts[i].diagnostics.has_errors();
     put_message(problems_text(result, program, scripts[i]));
     if (options.json) {
-      documents.push_back(run_json(result));
+      results.push_back(std::move(result));
     } else if (starts) {
-      put_result(run_table(result));
+      put_run_table(result, Pieces().put());
     }
-    worst = worse(worst, result.exit_code);
+    worst = worse(worst, exit_code);
     // Where the robot stands now is not where the next program was written to begin.
-    if (starts && result.exit_code != ExitCode::Done) break;
+    if (starts && exit_code != ExitCode::Done) break;
   }
-  if (options.json) print_json(options, documents);
+  if (options.json) print_json(options, results, put_run_json);
   return worst;
 }
 
@@ -215,14 +251,18 @@ RunResult check_one(LoadedProgram& program, const Options& options, const Signal
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
   std::optional<PathFile> path = open_path(options, program);
-  RunResult result = foretell(program, robot, {options.seed, &script, 1, path ? &*path : nullptr});
+  ForetellOptions how{options.seed, &script, 1, path ? &*path : nullptr, options.longest};
+  Progress progress(options.longest);
+  how.progress = [&](double time) { progress.show(time); };
+  RunResult result = foretell(program, robot, how);
+  progress.clear();
   if (path) path->save();
   return result;
 }
 
 ExitCode check_files(const Options& options) {
   ExitCode worst = ExitCode::Done;
-  std::vector<Json> documents;
+  std::vector<RunResult> results;
   std::vector<LoadedProgram> programs = load_programs(options);
   for (LoadedProgram& program : programs) refuse_what_an_arm_cannot(program);
   const std::vector<SignalScript> scripts = load_scripts(options, programs);
@@ -235,14 +275,14 @@ ExitCode check_files(const Options& options) {
     RunResult result = check_one(programs[i], options, scripts[i]);
     if (result.exit_code != ExitCode::Done) result.exit_code = ExitCode::ProgramError;
     put_message(problems_text(result, programs[i], scripts[i]));
-    if (options.json) {
-      documents.push_back(check_json(result));
-    } else if (programs[i].runnable() && !scripts[i].diagnostics.has_errors()) {
-      put_result(check_table(result));
-    }
     worst = worse(worst, result.exit_code);
+    if (options.json) {
+      results.push_back(std::move(result));
+    } else if (programs[i].runnable() && !scripts[i].diagnostics.has_errors()) {
+      put_check_table(result, Pieces().put());
+    }
   }
-  if (options.json) print_json(options, documents);
+  if (options.json) print_json(options, results, put_check_json);
   return worst;
 }
 

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "lang/text/visible.h"
 #include "runtime/program/machine.h"
@@ -19,6 +23,12 @@ constexpr double kMostOverride = 200;  // % (docs/cli.md)
 std::string check_override(const std::string& text) {
   if (override_of(text)) return "";
   return fmt::format("takes a share from above 0% to {}%, not '{}'", kMostOverride, text);
+}
+
+std::string check_duration(const std::string& text) {
+  if (duration_of(text)) return "";
+  return fmt::format("takes a time above 0 with its unit, such as 90s, 20min or 8h, not '{}'",
+                     text);
 }
 
 /// A script whose variable is not set gives an empty name: it must not mean "none".
@@ -44,6 +54,7 @@ struct Parser {
   CLI::App app{"Rob: programs that move robots, exactly where and exactly when they say.", "rob"};
   Options options;
   std::string override_text = "100%";
+  std::string duration_text = "1h";
   std::string law;
   std::optional<std::uint64_t> seed;
   std::string topic;
@@ -135,6 +146,10 @@ void Parser::add_check() {
       .add_option("--path", options.path,
                   "write the path that the look-ahead law plans to this file")
       ->check(check_name);
+  check
+      .add_option("--for", duration_text,
+                  "how much of the program's time it is followed: 90s, 20min, 8h; else 1h")
+      ->check(check_duration);
 }
 
 void Parser::add_test() {
@@ -201,6 +216,21 @@ std::optional<double> override_of(const std::string& text) {
   return percent / 100;
 }
 
+std::optional<double> duration_of(const std::string& text) {
+  constexpr double kLongest = 1e6;  // s, as long as a motion or a WAIT may be
+  constexpr std::pair<std::string_view, double> kUnits[] = {{"s", 1}, {"min", 60}, {"h", 3600}};
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+  const auto* const known =
+      std::ranges::find(kUnits, unit, &std::pair<std::string_view, double>::first);
+  if (error != std::errc() || known == std::end(kUnits)) return std::nullopt;
+  const double seconds = number * known->second;
+  if (!(seconds > 0) || seconds > kLongest) return std::nullopt;
+  return seconds;
+}
+
 std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* const* argv) {
   Parser parser;
   try {
@@ -212,6 +242,7 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
     return CommandLineEnd{ExitCode::Done, out.str(), ""};
   }
   parser.options.override_share = *override_of(parser.override_text);
+  parser.options.longest = *duration_of(parser.duration_text);
   parser.options.seed = parser.seed.value_or(lang::Random::kDefaultSeed);
   parser.options.cell = parser.seed;
   if (!parser.law.empty())

@@ -26,6 +26,7 @@ struct Options {
   std::string backend = "sim";  ///< as backend_of() reads it
   bool home = false;            ///< the machine homes itself first
   double override_share = 1;
+  double longest = 3600;  ///< of Check: s of a program's time for which it is followed
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
   /// Which of its simulated cells the robot stands in; without it that of its file.
   std::optional<std::uint64_t> cell;
@@ -46,6 +47,9 @@ struct CommandLineEnd {
 
 /// "50%" or "50": a share of the programmed speed; none if it is not from above 0 to 200 %.
 std::optional<double> override_of(const std::string& text);
+
+/// "90s", "20min", "8h": s; none if it is not above 0, or beyond what a run can last.
+std::optional<double> duration_of(const std::string& text);
 
 std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* const* argv);
 

@@ -26,7 +26,8 @@ bool MoveChecker::check_value(const Move& move, const ExprPtr& point) {
            check_frame(move, target);
   }
   if (type == Type::vec(kLength) && move.by) return true;
-  if (type.is(Type::Kind::Joints) && !move.by && move.kind == MotionKind::Joint) return true;
+  const bool in_axes = move.kind == MotionKind::Joint || move.kind == MotionKind::Spline;
+  if (type.is(Type::Kind::Joints) && !move.by && in_axes) return true;
   report_no_target(move, target);
   return false;
 }

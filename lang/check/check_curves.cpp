@@ -17,7 +17,22 @@ constexpr Dimension kPerTime{.time = -1};
 bool MoveChecker::check_curve(const Move& move) {
   bool sound = true;
   for (const ExprPtr& point : move.via) sound = check_target(move, point) && sound;
-  return move.target != nullptr && check_target(move, move.target) && sound;
+  if (move.target == nullptr || !check_target(move, move.target) || !sound) return false;
+  return check_alike(move);
+}
+
+/// MOVES goes through joints, or through places.
+bool MoveChecker::check_alike(const Move& move) {
+  const auto is_joints = [](const ExprPtr& point) { return point->type.is(Type::Kind::Joints); };
+  for (const ExprPtr& point : move.via) {
+    if (is_joints(point) == is_joints(move.target)) continue;
+    const Expr& joints = is_joints(point) ? *point : *move.target;
+    diagnostics_.error(code::kNoTarget, joints.place,
+                       "MOVES goes through joints or through places, not through both",
+                       "FORWARD(j) is the place that the joints j bring the tool to");
+    return false;
+  }
+  return true;
 }
 
 bool MoveChecker::check_positive(const ExprPtr& value, const Type& wanted, std::string_view word) {
@@ -68,6 +83,10 @@ bool MoveChecker::refuse_clause(std::string_view clause, Place place, std::strin
 
 bool MoveChecker::check_clauses_of(const Move& move) {
   const Clauses& clauses = move.clauses;
+  if (clauses.euler && move.kind != MotionKind::Line) {
+    return refuse_clause("EULER", clauses.euler_place, "stands behind MOVEL alone",
+                         "on a line the angles a, b, c can change evenly");
+  }
   if (move.kind != MotionKind::Jog) {
     const ExprPtr& lasts = clauses[Clause::For];
     const ExprPtr& jerk = clauses[Clause::Jerk];

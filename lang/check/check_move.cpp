@@ -39,8 +39,10 @@ bool MoveChecker::check_way(const Move& move, Place place, bool guarded) {
 }
 
 void MoveChecker::remember_features(const Move& move, Place place) {
-  const bool in_axes =
-      move.kind == MotionKind::Jog ? move.jog == JogFrame::Joint : move.kind == MotionKind::Joint;
+  const bool joints = move.kind == MotionKind::Spline && move.target != nullptr &&
+                      move.target->type.is(Type::Kind::Joints);
+  const bool in_axes = move.kind == MotionKind::Jog ? move.jog == JogFrame::Joint
+                                                    : move.kind == MotionKind::Joint || joints;
   if (!in_axes) checked_.features.push_back({place, MotionFeature::Lead});
   const Clauses& clauses = move.clauses;
   const ExprPtr& accel = clauses[Clause::Accel];

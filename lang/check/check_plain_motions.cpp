@@ -7,6 +7,7 @@
 namespace rob::lang {
 
 void MoveChecker::check(PlainMotions& motions) {
+  motions.values.reserve(motions.motions.size() * robot_.coordinates.size());
   bool leads = false;  // there may be a million: the first is named
   for (PlainMotions::Written& motion : motions.motions) {
     if (settle(motions, motion)) {

@@ -85,10 +85,13 @@ void StatementChecker::check(PathBlock& path) {
 
 void StatementChecker::check_path_clauses(const Clauses& clauses, Place place) {
   if (clauses.live) watches_.check_live(*clauses[Clause::At]);
-  const bool profile = clauses.profile != Profile::Unspecified;
-  if (!profile && clauses[Clause::For] == nullptr) return;
+  const char* const word = clauses.profile != Profile::Unspecified ? "PROFILE"
+                           : clauses[Clause::For] != nullptr       ? "FOR"
+                           : clauses.euler                         ? "EULER"
+                                                                   : nullptr;
+  if (word == nullptr) return;
   diagnostics_.error(code::kClauseMisplaced, place,
-                     fmt::format("{} does not stand behind PATH", profile ? "PROFILE" : "FOR"),
+                     fmt::format("{} does not stand behind PATH", word),
                      "AT, OVER, ACCEL, JERK, ZONE and FINE do: for each motion in it");
 }
 

@@ -47,6 +47,7 @@ class MoveChecker {
   // Curves, SPIRAL, JOG (check_curves.cpp)
   bool check_way(const Move& move, Place place, bool guarded);
   bool check_curve(const Move& move);
+  bool check_alike(const Move& move);
   bool check_spiral(const Move& move);
   bool check_jog(const Move& move, Place place, bool guarded);
   bool check_positive(const ExprPtr& value, const Type& wanted, std::string_view word);

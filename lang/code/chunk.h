@@ -96,6 +96,7 @@ struct MoveForm {
   bool zone_angle = false;
   bool lasts = false;  ///< FOR
   bool fine = false;
+  bool euler = false;
   Profile profile = Profile::Unspecified;
 
   bool operator==(const MoveForm&) const = default;
@@ -153,23 +154,28 @@ struct RoutineCode {
 };
 
 /// A place for each word of code, in order. Words in a row that come from one place take no more
-/// than one.
+/// than one, and statements that differ in their line alone, as a million motions may, 8 bytes.
 class PlaceTable {
  public:
-  void push_back(const Place& place) {
-    if (runs_.empty() || runs_.back().place != place) runs_.push_back({size_, place});
-    ++size_;
-  }
-  const Place& operator[](std::size_t word) const;
+  void push_back(const Place& place);
+  Place operator[](std::size_t word) const;
   std::size_t size() const { return size_; }
-  const Place& back() const { return runs_.back().place; }
+  Place back() const { return (*this)[size_ - 1]; }
+  /// Memory for so many words of statements in a row.
+  void reserve(std::size_t statements) { runs_.reserve(statements); }
 
  private:
   struct Run {
     std::uint32_t first = 0;  ///< its first word
-    Place place;
+    std::uint32_t line = 0;
+  };
+  /// What else the places have, from a run on.
+  struct Rest {
+    std::uint32_t run = 0;
+    Place place;  ///< its line says nothing
   };
   std::vector<Run> runs_;
+  std::vector<Rest> rests_;
   std::uint32_t size_ = 0;
 };
 
@@ -225,6 +231,8 @@ struct Chunk {
 
 /// Whether a routine takes memory behind its registers.
 bool takes_memory(const Chunk& chunk);
+/// Whether a WHEN has a handler.
+bool has_handlers(const Chunk& chunk);
 
 /// "add_int", and what its operands are: the letters of opcodes.def.
 struct OpcodeInfo {

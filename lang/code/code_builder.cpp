@@ -182,6 +182,13 @@ void CodeBuilder::move_to(const MoveForm& form, std::span<const double> componen
   }
 }
 
+void CodeBuilder::reserve(std::size_t statements, std::size_t words) {
+  if (statements * words < here()) return;  // growing to twice its size does not cost more
+  constexpr std::size_t kMore = 256;        // [choice] statements that may follow, END for one
+  chunk_.code.reserve(here() + (statements + kMore) * words);
+  chunk_.places.reserve(statements + kMore);
+}
+
 CodeBuilder::Jump CodeBuilder::jump(Place place) {
   emit(Instruction::jump(Opcode::jump, 0), place);
   return here() - 1;

@@ -63,6 +63,10 @@ class CodeBuilder {
   /// A move with its components in the code, SI.
   void move_to(const MoveForm& form, std::span<const double> components, Place place);
 
+  /// Memory for so many statements of so many words each that follow, where they are more than all
+  /// before.
+  void reserve(std::size_t statements, std::size_t words);
+
   /// A jump forward, aimed later with land().
   [[nodiscard]] Jump jump(Place place);
   /// Lets jumps arrive at the next instruction.

@@ -66,6 +66,9 @@ void StatementCompiler::compile_motion(const Move& move, const Symbol* taught) {
 }
 
 void StatementCompiler::compile(const PlainMotions& motions) {
+  constexpr std::size_t kWordsOfReal = 2;
+  const std::size_t count = motions.motions.size();
+  code_.reserve(count, 1 + kWordsOfReal * motions.values.size() / count);
   auto values = motions.values.begin();
   for (const PlainMotions::Written& motion : motions.motions) {
     const MoveForm form{.kind = motion.kind,
@@ -202,6 +205,7 @@ void StatementCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) 
     return (clause == Clause::Zone || clause == Clause::ZoneAngle) && (clauses.fine || zoned);
   };
   form.profile = clauses.profile;
+  form.euler = clauses.euler;
   std::array<const Expr*, kClauses> settled{};
   for (std::size_t i = 0; i < kClauses; ++i) {
     settled[i] = clauses.values[i].get();

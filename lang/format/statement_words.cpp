@@ -15,11 +15,14 @@ constexpr std::array<std::string_view, 12> kFirstWords{"PRESS", "PATH",  "TOOL",
                                                        "LAW",   "ROBOT", "UNITS",    "START",
                                                        "ZERO",  "AFTER", "OVERRIDE", "BEFORE"};
 
+/// Clauses without a value.
+constexpr std::array<std::string_view, 2> kWholeClauses{"FINE", "EULER"};
+
 /// Words that stand behind a value: no expression goes on with a name there.
-constexpr std::array<std::string_view, 24> kClauseWords{
-    "AT",    "OVER", "ACCEL", "JERK", "PROFILE", "ZONE",  "FINE",    "BY",
-    "VIA",   "TO",   "FROM",  "OF",   "TURNS",   "STEP",  "TIMEOUT", "INTO",
-    "LIMIT", "LEAD", "LAG",   "MASS", "COG",     "SCALE", "SAFE",    "AFTER"};
+constexpr std::array<std::string_view, 25> kClauseWords{
+    "AT",  "OVER", "ACCEL", "JERK",  "PROFILE", "ZONE",    "FINE", "BY",    "VIA",
+    "TO",  "FROM", "OF",    "TURNS", "STEP",    "TIMEOUT", "INTO", "LIMIT", "LEAD",
+    "LAG", "MASS", "COG",   "SCALE", "SAFE",    "AFTER",   "EULER"};
 
 bool is_among(std::span<const std::string_view> words, std::string_view word) {
   return std::ranges::any_of(words, [&](std::string_view each) { return same_word(each, word); });
@@ -164,7 +167,7 @@ void StatementWords::go_on(const Token& token, WordUse use) {
   behind_value_ = closes(token.kind) || token.kind == TokenKind::Number ||
                   token.kind == TokenKind::String || is_literal(token) ||
                   (token.kind == TokenKind::Word && !clause) ||
-                  (clause && same_word(token.text, "FINE"));
+                  (clause && is_among(kWholeClauses, token.text));
   const bool action_follows = token.kind == TokenKind::Reserved &&
                               (token.keyword == Keyword::Then || token.keyword == Keyword::Else);
   at_begin_ = action_follows || (trigger_ && depth_ == 0 && token.kind == TokenKind::Colon);

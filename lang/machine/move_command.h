@@ -51,6 +51,7 @@ struct MoveCommand {
   double zone_value = 0;  ///< 0: the target is reached exactly, as with FINE
   double zone_angle = 0;  ///< ZONE 5mm 2deg: rad by which the tool may turn off; 0: the robot's
   bool fine = false;
+  bool euler = false;  ///< of Line: the angles a, b, c change evenly
   Bound accel = Bound::Unspecified;
   double accel_value = 0;
   Bound jerk = Bound::Unspecified;

@@ -37,6 +37,8 @@ struct Clauses {
   Surroundings surroundings;
   Profile profile = Profile::Unspecified;
   bool fine = false;
+  bool euler = false;  ///< EULER: of MOVEL
+  Place euler_place{};
   bool live = false;  ///< AT LIVE: computed anew in every control cycle
   Place live_place{};
 

@@ -6,7 +6,7 @@
 namespace rob::lang {
 
 /// What may stand behind the target of a motion, beside reserved words.
-inline constexpr std::array<std::string_view, 7> kMotionClauseWords{
-    "AT", "OVER", "ACCEL", "JERK", "ZONE", "FINE", "PROFILE"};
+inline constexpr std::array<std::string_view, 8> kMotionClauseWords{
+    "AT", "OVER", "ACCEL", "JERK", "ZONE", "FINE", "PROFILE", "EULER"};
 
 }  // namespace rob::lang

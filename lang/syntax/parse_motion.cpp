@@ -281,7 +281,7 @@ void Parser::fail_target(std::string_view motion) {
 }
 
 // clause = "AT" [ "LIVE" ] expr | "OVER" expr | "ACCEL" expr | "JERK" expr | "PROFILE" IDENT
-//        | "ZONE" expr [ NUMBER | QUANTITY | NAME ] | "FINE" | "IN" refframe
+//        | "ZONE" expr [ NUMBER | QUANTITY | NAME ] | "FINE" | "EULER" | "IN" refframe
 //        | "WITH" IDENT | "FOR" expr .
 void Parser::clauses(Clauses& clauses) {
   while (!at_line_end() && !at(Keyword::Else) && !at(Keyword::Until) && !at(Keyword::Do)) {
@@ -292,6 +292,11 @@ void Parser::clauses(Clauses& clauses) {
     } else if (at_word("FINE")) {
       if (clauses.fine) report_twice("FINE");
       clauses.fine = true;
+      advance();
+    } else if (at_word("EULER")) {
+      if (clauses.euler) report_twice("EULER");
+      clauses.euler = true;
+      clauses.euler_place = current_.place;
       advance();
     } else if (at_word("PROFILE")) {
       profile(clauses);

@@ -87,6 +87,7 @@ bool Vm::choose_axis(Code pc, Slot axis, MoveCommand& command) {
 
 bool Vm::build_clauses(Code pc, const MoveForm& form, const Slot* next, MoveCommand& command) {
   command.fine = form.fine;
+  command.euler = form.euler;
   command.profile = form.profile;
   command.pace = form.pace;
   if (form.pace != MoveCommand::Pace::Unspecified) {

@@ -72,9 +72,8 @@ double corner_miss(const Kinematics& kinematics, const JointVector& via,
       kinematics, via, [&](double t) { return corner.sample(t).q; }, t_acc, tip);
 }
 
-double corner_miss(const Kinematics& kinematics, const JointVector& from,
-                   const SegmentDescriptor& in, const SegmentDescriptor& out,
-                   const Eigen::Vector3d& tip) {
+double corner_miss(const Kinematics& kinematics, const JointVector& from, const SegmentMotion& in,
+                   const SegmentMotion& out, const Eigen::Vector3d& tip) {
   if (out.from_rest || out.no_length || in.ends_at_rest()) return 0;
   if (out.corner != nullptr) {
     return least_distance(

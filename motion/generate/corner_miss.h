@@ -14,8 +14,7 @@ double corner_miss(const Kinematics& kinematics, const JointVector& via,
                    const Eigen::Vector3d& tip = Eigen::Vector3d::Zero());
 
 /// The miss at the target of segment `in`, which began at `from` and is followed by `out`.
-double corner_miss(const Kinematics& kinematics, const JointVector& from,
-                   const SegmentDescriptor& in, const SegmentDescriptor& out,
-                   const Eigen::Vector3d& tip = Eigen::Vector3d::Zero());
+double corner_miss(const Kinematics& kinematics, const JointVector& from, const SegmentMotion& in,
+                   const SegmentMotion& out, const Eigen::Vector3d& tip = Eigen::Vector3d::Zero());
 
 }  // namespace rob::motion

@@ -6,6 +6,8 @@
 
 namespace rob::motion {
 
+class JointPath;
+
 /// Where the tip of a tool goes, without time: its pose in the world as a smooth function of a
 /// parameter s from begin() to end(). m, rad.
 class ToolPath {
@@ -14,6 +16,8 @@ class ToolPath {
 
   /// Also a little beyond both ends, where the curve goes on.
   virtual Pose at(double s) const noexcept = 0;
+  /// What the axes do along it, where they lead the tool; null where they follow from it.
+  virtual const JointPath* axes() const noexcept { return nullptr; }
   virtual double begin() const noexcept { return 0; }
   virtual double end() const noexcept { return 1; }
 

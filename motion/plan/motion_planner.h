@@ -80,7 +80,8 @@ class MotionPlanner {
 
   /// From here on `tip`, seen from the flange, is the tool.
   void set_tool(const Pose& tip) noexcept;
-  /// The place of its tip, m, seen from the flange.
+  /// Its tip, seen from the flange, and the place of that, m.
+  const Pose& tool() const noexcept { return tool_; }
   const Eigen::Vector3d& tool_tip() const noexcept { return tool_.position; }
   /// Where the tip is at the last target, in the world.
   Pose tool_pose() const noexcept;

@@ -32,7 +32,9 @@ bool same(const Pose& a, const Pose& b) {
 LegDemand demand_of(const ToolPath& path, const JointPath& axes) {
   LegDemand demand;
   demand.path = &axes;
-  if (dynamic_cast<const ToolLine*>(&path) == nullptr) demand.uneven = &path;
+  const bool even = dynamic_cast<const ToolLine*>(&path) != nullptr;
+  const bool stands = path.axes() != nullptr && path.way() <= kSamePose;  // the axes alone turn
+  if (!even && !stands) demand.uneven = &path;
   demand.rates = greatest_rates(axes);
   demand.way = path.way();
   demand.turn = path.turn();
@@ -45,6 +47,14 @@ LegDemand demand_of(const ToolPath& path, const JointPath& axes) {
   return demand;
 }
 
+/// Along a path that the axes lead.
+Followed led_by(const JointPath& axes) {
+  Followed led{axes, std::nullopt};
+  if (axes.nodes().size() > kMostNodes)
+    led.trouble = PathTrouble{PathTrouble::Kind::TooLong, axes.begin(), -1};
+  return led;
+}
+
 }  // namespace
 
 PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& path) {
@@ -55,7 +65,8 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& pa
     draft.demand = straight_demand(draft.target);
     return take(request, std::move(draft));
   }
-  Followed followed = follow(robot_, path, tool_, commanded_);
+  Followed followed =
+      path.axes() != nullptr ? led_by(*path.axes()) : follow(robot_, path, tool_, commanded_);
   if (const auto refusal = judge(request, path, followed)) return *refusal;
   draft.leg = std::make_shared<PlannedLeg>();
   draft.leg->axes = std::move(followed.axes);
@@ -75,8 +86,9 @@ std::optional<Refusal> MotionPlanner::judge(const MotionRequest& request, const 
   if (followed.axes.nodes().empty()) return first;
   if (const auto beyond = first_beyond(robot_, followed.axes)) {
     first = placed(*beyond, path);
-    first->other = reachable_otherwise(path);
+    first->other = path.axes() == nullptr && reachable_otherwise(path);
   }
+  if (path.axes() != nullptr) return first;  // singular places do no harm to them
   // Where the reach ends the arm is stretched: that says more than how fast it would have to be.
   const bool out = trouble && trouble->kind == PathTrouble::Kind::OutOfReach;
   const auto slow = out ? std::nullopt : too_slow(request, path, followed.axes);

@@ -17,7 +17,7 @@ namespace rob::motion {
 
 /// One motion, complete and admissible: what the generator needs and nothing else.
 /// The segment runs from where the one before it ends (B) to `target` (C).
-struct SegmentDescriptor {
+struct SegmentMotion {
   Tag tag = 0;
   std::uint32_t number = 0;  ///< 1, 2, 3 … in the order of the buffer
   JointVector target;        ///< m, rad
@@ -51,6 +51,10 @@ struct SegmentDescriptor {
   double span() const noexcept {
     return dwell || profile.present() ? duration : duration + (t_acc_before - t_acc);
   }
+};
+
+/// The same with what is done on its way.
+struct SegmentDescriptor : SegmentMotion {
   EventsOnTheWay on_the_way{};
 };
 

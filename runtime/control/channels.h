@@ -18,6 +18,7 @@
 #include "runtime/control/operator_panel.h"
 #include "runtime/control/press_desk.h"
 #include "runtime/control/safe_values.h"
+#include "runtime/control/scripted_operator.h"
 #include "runtime/control/stop_requests.h"
 #include "runtime/control/way_back.h"
 
@@ -123,6 +124,8 @@ struct Channels {
   motion::SpscRing<motion::Effect> immediate{256};  ///< program → motion: what TASKs do in a cycle
 
   motion::SpscRing<ServoNotice> notices{16};  ///< motion → main
+  /// [choice] as many as a script has rules, twice: those of a cycle, before the report takes them
+  motion::SpscRing<Intervention> interventions{2048};  ///< motion → main
 
   std::atomic<std::uint64_t> outputs{0};  ///< motion → servo: bit i is output channel i
   std::atomic<std::uint64_t> inputs{0};   ///< motion → program: latched in this cycle; before

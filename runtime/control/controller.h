@@ -21,9 +21,10 @@ class Controller {
  public:
   /// `backend` is open. `override_share`: 1 is the programmed speed.
   /// `script`: what drives inputs in place of the machine. `recorded`: periods for WayBack.
+  /// `handlers`: the program may have some, for which there has to be room.
   Controller(const motion::RobotModel& robot, std::unique_ptr<motion::ServoBackend> backend,
              double override_share, const std::vector<SimulationRule>& script = {},
-             std::size_t recorded = 0);
+             std::size_t recorded = 0, bool handlers = true);
   /// Drives without force, backend closed.
   ~Controller();
   Controller(const Controller&) = delete;

@@ -1,12 +1,20 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "runtime/control/codes.h"
 #include "runtime/control/robot_machine.h"
 
 /// The part of RobotMachine that tells what is assumed while a program is foretold.
 namespace rob::runtime {
+
+void RobotMachine::assume(std::vector<std::string> inputs) {
+  if (handlers_ != nullptr) handlers_->assume(inputs);
+  assumed_ = std::move(inputs);
+  foretelling_ = true;
+}
 
 void RobotMachine::note_assumed(int line, int signal) {
   if (!standing_) return note_assumed_value(line, signal);

@@ -115,6 +115,7 @@ Reply RobotMachine::leave_handler(int line) {
 }
 
 void RobotMachine::remember(Commanded commanded) {
+  if (!keeps_commanded_) return;
   commanded_.push_back(std::move(commanded));
   // The one that runs, and those of the buffer.
   if (commanded_.size() > static_cast<std::size_t>(robot_.most_ahead()) + 2) commanded_.pop_front();

@@ -47,6 +47,12 @@ motion::MotionRequest::Bound bound_of(lang::MoveCommand::Bound bound) {
   return bound == From::Tool ? To::Tool : bound == From::Rotary ? To::Rotary : To::None;
 }
 
+motion::JointVector joints_of(const lang::MoveCommand& point, Eigen::Index axes) {
+  motion::JointVector q(axes);
+  for (Eigen::Index i = 0; i < axes; ++i) q[i] = point.target[static_cast<std::size_t>(i)];
+  return q;
+}
+
 /// The two lines that a corner belongs to.
 std::string meeting(int before, int line) {
   const std::uint32_t first = lang::tagged_place(before).line;
@@ -202,6 +208,14 @@ ToolPathOrWords RobotMachine::tool_path(const Commanded& commanded) const {
     const lang::PoseValue frame = setting_.in_tool ? to_lang(from) : setting_.frame;
     return spiral_from(from, to_motion(frame), asked.radius, asked.turns);
   }
+  if (asked.kind == MotionKind::Spline && asked.means == lang::MoveCommand::Target::Axes) {
+    std::vector<motion::JointVector> joints{planner_.commanded()};
+    for (const lang::MoveCommand& point : commanded.via)
+      joints.push_back(joints_of(point, joints.front().size()));
+    joints.push_back(joints_of(asked, joints.front().size()));
+    return joints_through(robot_, planner_.tool(), joints);
+  }
+  if (asked.euler) return euler_line(from, target_of(asked));
   std::vector<motion::Pose> points{from};
   for (const lang::MoveCommand& point : commanded.via) points.push_back(target_of(point));
   points.push_back(target_of(asked));

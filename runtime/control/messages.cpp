@@ -159,6 +159,12 @@ Words words_for_nobody(const char* what) {
                   halt ? "GO = ON" : "ANSWER = \"7\"", halt ? "GO = ON" : "ANSWER = \"7\"")};
 }
 
+Words words_for_endless_hold() {
+  return {std::string(lang::code::kNobodyThere),
+          "the signal script holds the robot (HOLD = ON), and nothing lets it go on",
+          "add a later line such as: at 5s GO = ON"};
+}
+
 Words words_for_place(double distance, double way) {
   const auto length = motion::AxisKind::Linear;
   return {code::kPlaceBeyond,

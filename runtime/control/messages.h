@@ -29,6 +29,8 @@ Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseVal
 Words words_for_many_simulations();
 /// HALT or ASK where nobody will ever answer.
 Words words_for_nobody(const char* what);
+/// HOLD of a signal script that has no further GO and no STOP.
+Words words_for_endless_hold();
 /// A path event that lies beyond its motion, m.
 Words words_for_place(double distance, double way);
 /// More places on one motion than it can have; a PATH of more motions than can be planned as one.

@@ -16,16 +16,22 @@ namespace rob::runtime {
 /// What makes references of what one side commands, the program or the handlers of its WHENs, by
 /// the robot's law.
 struct MotionChain {
+  /// How much may be under way.
+  struct Room {
+    std::size_t motions = 0;  ///< that the program may be ahead
+    std::size_t pieces = 0;   ///< that a path ahead may have
+  };
+
   /// Under the look-ahead law: what lies between the buffer and the generator.
   struct Path {
-    Path(const motion::RobotModel& robot, motion::LookAheadBuffer& buffer, std::size_t pieces);
+    Path(const motion::RobotModel& robot, motion::LookAheadBuffer& buffer, const Room& room);
 
     motion::PathRing ring;
     motion::PathPlanner planner;
   };
 
-  /// The axes stand at the robot's start. `pieces`: that a path ahead may have.
-  MotionChain(const motion::RobotModel& robot, std::size_t pieces);
+  /// The axes stand at the robot's start.
+  MotionChain(const motion::RobotModel& robot, const Room& room);
 
   /// Plans the path ahead; neither in the tick nor in the program. Whether there was anything.
   bool plan_path() { return path && path->planner.work(); }

@@ -156,6 +156,7 @@ void MotionTask::take_finding(double time, const FollowingFinding& finding) noex
 }
 
 void MotionTask::take_requests() noexcept {
+  take_interventions();
   if (channels_.stop.hold.load(std::memory_order_relaxed)) hold();
   if (channels_.stop.brake.load(std::memory_order_relaxed)) brake();
   take_way_back();
@@ -329,7 +330,7 @@ void MotionTask::release(Track& track, MotionEvent event, double cycle_time) noe
       break;
     case MotionEvent::Kind::Held:
       if (&track != active_) return;  // the other one's axes do not stand yet
-      if (paused_ && !safe_) break;
+      if (paused_ && !safe_) return;  // it will go on
       finished_ = true;
       end_pulses(std::numeric_limits<double>::infinity());  // nobody will be there to end them
       break;

@@ -59,6 +59,7 @@ class MotionTask {
   void latch_inputs(double now) noexcept;
   void take_finding(double time, const motion::FollowingFinding& finding) noexcept;
   void take_requests() noexcept;
+  void take_interventions() noexcept;
   void pause(bool asked) noexcept;
   motion::CycleView view(double now) const noexcept;
   // Handlers (motion_task_handlers.cpp)

@@ -6,6 +6,29 @@ namespace rob::runtime {
 using motion::Effect;
 using motion::MotionEvent;
 
+/// A signal script in the place of somebody who watches the run.
+void MotionTask::take_interventions() noexcept {
+  using Kind = Intervention::Kind;
+  ScriptedOperator& scripted = simulated_.scripted_operator();
+  const ScriptedOperator::Request asked = scripted.take();
+  if (safe_) return;  // it has come to rest for good, or is about to
+  const auto tell_of = [&](Kind kind, double share = 1) {
+    channels_.interventions.push({now_, kind, share});
+  };
+  if (asked.share > 0) {
+    set_override(asked.share);
+    tell_of(Kind::Override, asked.share);
+  }
+  if (asked.hold) {
+    channels_.pause_requested.store(*asked.hold, std::memory_order_relaxed);
+    tell_of(*asked.hold ? Kind::Hold : Kind::GoOn);
+  }
+  const bool forgotten = asked.hold && scripted.holds_for_ever();
+  if (!asked.stop && !forgotten) return;
+  tell_of(asked.stop ? Kind::Stop : Kind::Forgotten);
+  channels_.stop.hold.store(true, std::memory_order_relaxed);
+}
+
 /// What TASKs have done in the cycle before.
 void MotionTask::take_immediate() noexcept {
   Effect effect;

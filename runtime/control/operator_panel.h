@@ -49,6 +49,8 @@ class OperatorPanel {
   Person* person() const { return person_; }
 
   void go() noexcept { given_.fetch_add(1, std::memory_order_release); }
+  /// A GO that has ended a hold: no HALT gets it.
+  void spend_go() noexcept { spent_.fetch_add(1, std::memory_order_release); }
   /// What finds the ring full is lost: nobody asks so many questions ahead.
   void answer(std::uint32_t text) noexcept {
     answers_.push(text);
@@ -65,8 +67,13 @@ class OperatorPanel {
   }
 
   /// Whether anybody but a person will still act.
-  bool go_may_come() const noexcept { return open(go_promise_, given_); }
-  bool answer_may_come() const noexcept { return open(answer_promise_, answered_); }
+  bool go_may_come() const noexcept {
+    return open(go_promise_,
+                given_.load(std::memory_order_acquire) + spent_.load(std::memory_order_acquire));
+  }
+  bool answer_may_come() const noexcept {
+    return open(answer_promise_, answered_.load(std::memory_order_acquire));
+  }
   /// True once for each GO.
   bool take_go() noexcept {
     if (given_.load(std::memory_order_acquire) == taken_) return false;
@@ -80,8 +87,8 @@ class OperatorPanel {
   }
 
  private:
-  static bool open(const Promise& promise, const std::atomic<std::int64_t>& given) noexcept {
-    return promise.whenever || promise.times > given.load(std::memory_order_acquire);
+  static bool open(const Promise& promise, std::int64_t given) noexcept {
+    return promise.whenever || promise.times > given;
   }
 
   std::deque<std::string> texts_;
@@ -89,6 +96,7 @@ class OperatorPanel {
   Promise answer_promise_;
   Person* person_ = nullptr;
   std::atomic<std::int64_t> given_{0};
+  std::atomic<std::int64_t> spent_{0};
   std::int64_t taken_ = 0;
   std::atomic<std::int64_t> answered_{0};
   motion::SpscRing<std::uint32_t> answers_{64};  // [choice] see answer()

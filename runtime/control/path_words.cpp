@@ -96,6 +96,21 @@ Words words_for_no_spline() {
           "leave one of them out, or put another between them"};
 }
 
+Words words_for_no_joint_spline() {
+  return {code::kNoCurve,
+          "no curve leads through these joints: two points that follow each other are one",
+          "leave one of them out"};
+}
+
+Words words_for_steep_line(bool beginning, double b) {
+  return {code::kSteepLine,
+          fmt::format("EULER: b is {} at the {} of this line, within 1 deg of {}90 deg, where a and"
+                      " c turn about one line",
+                      shown(b, motion::AxisKind::Rotary), beginning ? "beginning" : "end",
+                      b < 0 ? "-" : ""),
+          "leave EULER out: the tool then turns by the shortest rotation"};
+}
+
 Words words_for_no_spiral() {
   return {code::kNoCurve,
           "the x axis of the frame stands on the plane of this SPIRAL, which does not know then"

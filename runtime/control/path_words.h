@@ -13,7 +13,10 @@ Words words_for_half_turn();
 /// Points through which there is no arc, no spline; a plane in which the frame shows no x axis.
 Words words_for_no_arc();
 Words words_for_no_spline();
+Words words_for_no_joint_spline();
 Words words_for_no_spiral();
+/// MOVEL … EULER with b, rad, near ±90° at its beginning or its end.
+Words words_for_steep_line(bool beginning, double b);
 /// ", its wrist would have to be 65 mm farther out than it reaches"; empty where lengths do not
 /// tell.
 std::string by_how_much(const motion::Shortfall& shortfall);

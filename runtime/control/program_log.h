@@ -16,8 +16,8 @@
 
 namespace rob::runtime {
 
-/// A motion as it was planned.
-struct LoggedSegment : motion::SegmentDescriptor {
+/// A motion as it was planned. Thousands may be under way.
+struct LoggedSegment : motion::SegmentMotion {
   bool stop = false;     ///< made by STOP, WAIT or the end of the program, not by a MOVE
   bool further = false;  ///< belongs to the same statement as the one before
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();    ///< of the tool, seen from the flange, m

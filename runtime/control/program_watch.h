@@ -28,7 +28,7 @@ class ProgramWatch {
 
   void set(const lang::Watch& watch) { watch_ = watch; }
   /// Where it stands in the program.
-  const lang::Place& written() const { return watch_.chunk->places[watch_.form.end - 1]; }
+  lang::Place written() const { return watch_.chunk->places[watch_.form.end - 1]; }
   /// Stays valid as long as this object.
   motion::Watch handle() const { return {&ProgramWatch::test, this}; }
   /// The same of what computes a number.

@@ -57,11 +57,9 @@ class RobotMachine final : public lang::Machine {
   /// called, empty for all others. They stay OFF or 0V, a WAIT that reads one is taken as met, and
   /// each place that reads one is a finding.
   /// HALT and ASK are taken as answered where no script answers them.
-  void assume(std::vector<std::string> inputs) {
-    if (handlers_ != nullptr) handlers_->assume(inputs);
-    assumed_ = std::move(inputs);
-    foretelling_ = true;
-  }
+  void assume(std::vector<std::string> inputs);
+  /// Before the run: the program has no handlers, for which what is commanded would be kept.
+  void expect_no_handlers() { keeps_commanded_ = false; }
 
   /// Before the run: what outputs become when it goes wrong.
   void declare_safe(const std::vector<lang::SafeValue>& values);
@@ -373,8 +371,9 @@ class RobotMachine final : public lang::Machine {
   };
   RobotMachine* handlers_ = nullptr;  ///< of a program
   Handler handler_ = Handler::None;
-  std::optional<Errand> errand_;      ///< the last one
-  std::deque<Commanded> commanded_;   ///< the last ones, at least all that are in the buffer
+  std::optional<Errand> errand_;     ///< the last one
+  std::deque<Commanded> commanded_;  ///< the last ones, at least all that are in the buffer
+  bool keeps_commanded_ = true;
   std::optional<motion::Rest> left_;  ///< how the guarded motion has ended, by a handler
 
   bool watched();

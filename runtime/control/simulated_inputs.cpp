@@ -27,6 +27,9 @@ double value_of(const WorldSignal& signal, const WorldImage& image) noexcept {
     case SignalKind::Force:
     case SignalKind::Go:
     case SignalKind::Answer:
+    case SignalKind::Hold:
+    case SignalKind::Stop:
+    case SignalKind::Override:
       break;  // they are set, never looked at
   }
   return 0;
@@ -56,10 +59,22 @@ bool holds(const SimulationRule& rule, const WorldImage& image) noexcept {
   return false;
 }
 
+/// How often a script ends a hold.
+OperatorPanel::Promise releases_of(const std::vector<SimulationRule>& rules) {
+  OperatorPanel::Promise releases;
+  for (const SimulationRule& rule : rules) {
+    const SignalKind kind = rule.setting.place.kind;
+    if (kind != SignalKind::Stop && (kind != SignalKind::Go || rule.setting.value == 0)) continue;
+    releases.whenever = releases.whenever || !rule.timed;
+    releases.times += rule.timed ? 1 : 0;
+  }
+  return releases;
+}
+
 }  // namespace
 
 SimulatedInputs::SimulatedInputs(const std::vector<SimulationRule>& rules, OperatorPanel& panel)
-    : panel_(panel) {
+    : operator_(panel, releases_of(rules)) {
   for (const SimulationRule& rule : rules) {
     if (rule.timed) {
       script_.push_back({rule.time, rule.setting});
@@ -131,10 +146,16 @@ void SimulatedInputs::apply(const SimulatedSetting& setting) noexcept {
       force_[place.channel] = setting.value;
       return;
     case SignalKind::Go:
-      if (setting.value != 0) panel_.go();
+      if (setting.value != 0) operator_.go();
       return;
     case SignalKind::Answer:
-      return panel_.answer(setting.answer);
+      return operator_.answer(setting.answer);
+    case SignalKind::Hold:
+      return operator_.hold();
+    case SignalKind::Stop:
+      return operator_.stop();
+    case SignalKind::Override:
+      return operator_.set_override(setting.value);
     case SignalKind::Output:
     case SignalKind::AnalogOutput:
       return;  // outputs are the program's: no script sets one

@@ -8,20 +8,32 @@
 
 #include "motion/space/analog_channels.h"
 #include "motion/space/wrench.h"
-#include "runtime/control/operator_panel.h"
+#include "runtime/control/scripted_operator.h"
 
 namespace rob::runtime {
 
 /// What a signal script and SIMULATE look at and set. `channel` counts from 0; of Force they are x,
 /// y, z of the force along the world, then of the torque.
 struct WorldSignal {
-  enum class Kind : std::uint8_t { Input, AnalogInput, Output, AnalogOutput, Force, Go, Answer };
+  enum class Kind : std::uint8_t {
+    Input,
+    AnalogInput,
+    Output,
+    AnalogOutput,
+    Force,
+    // What the operator does
+    Go,
+    Answer,
+    Hold,
+    Stop,
+    Override
+  };
 
   Kind kind = Kind::Input;
   std::uint8_t channel = 0;
 };
 
-/// A value for an input, V or 1 for ON, N or Nm; or what the operator does.
+/// A value for an input, V or 1 for ON, N or Nm; or what the operator does, of Override the share.
 struct SimulatedSetting {
   WorldSignal place;
   double value = 0;
@@ -72,6 +84,8 @@ class SimulatedInputs {
   bool feels() const noexcept {
     return std::ranges::any_of(force_driven_, [](bool driven) { return driven; });
   }
+  /// What acts in the operator's place.
+  ScriptedOperator& scripted_operator() noexcept { return operator_; }
   /// Puts what is simulated into `image`, which holds what the machine says.
   void latch(double now, WorldImage& image) noexcept;
 
@@ -92,7 +106,7 @@ class SimulatedInputs {
   void apply(const SimulatedSetting& setting) noexcept;
   void overlay(WorldImage& image) const noexcept;
 
-  OperatorPanel& panel_;
+  ScriptedOperator operator_;
   std::vector<Waiting> script_;  ///< the `at`s, by time
   std::size_t next_ = 0;         ///< of them
   std::vector<Watch> watches_;

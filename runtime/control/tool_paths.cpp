@@ -1,5 +1,7 @@
 #include "runtime/control/tool_paths.h"
 
+#include "motion/path/euler_line.h"
+#include "motion/path/joint_spline.h"
 #include "motion/path/tool_arc.h"
 #include "motion/path/tool_line.h"
 #include "motion/path/tool_spiral.h"
@@ -31,6 +33,24 @@ ToolPathOrWords path_through(MotionKind kind, const std::vector<Pose>& points) {
   if (kind == MotionKind::Line || !line) return made(line, words_for_half_turn());
   return made(ToolArc::through(points.front(), points[1].position, points.back()),
               words_for_no_arc());
+}
+
+ToolPathOrWords joints_through(const motion::RobotModel& robot, const Pose& tip,
+                               const std::vector<motion::JointVector>& points) {
+  return made(motion::JointSpline::through(robot, tip, points), words_for_no_joint_spline());
+}
+
+ToolPathOrWords euler_line(const Pose& from, const Pose& to) {
+  using Trouble = motion::EulerLine::Trouble;
+  auto line = motion::EulerLine::between(from, to);
+  if (const auto* const trouble = std::get_if<Trouble>(&line)) {
+    if (*trouble == Trouble::HalfTurn) return words_for_half_turn();
+    const bool beginning = *trouble == Trouble::SteepBeginning;
+    return words_for_steep_line(beginning,
+                                motion::fixed_angles((beginning ? from : to).orientation).b);
+  }
+  return std::unique_ptr<motion::ToolPath>(
+      std::make_unique<motion::EulerLine>(std::get<motion::EulerLine>(line)));
 }
 
 ToolPathOrWords spiral_from(const Pose& from, const Pose& frame, double radius, double turns) {

@@ -20,9 +20,25 @@ namespace rob::runtime {
 
 namespace {
 
-/// docs/language.md, what `rob check` assumes.
-constexpr RunLimits kForetellLimits{3600, 100'000'000};
+// docs/cli.md, rob check
+constexpr double kHour = 3600;  // s
+constexpr std::int64_t kInstructionsOfHour = 100'000'000;
 constexpr std::uint32_t kForetellTurns = 10'000;
+
+RunLimits limits_of(double longest) {
+  const double hours = std::max(1.0, longest / kHour);
+  return {longest, static_cast<std::int64_t>(kInstructionsOfHour * hours)};
+}
+
+/// It goes on beyond what was foretold.
+lang::Diagnostic cut_short(double after) {
+  return {lang::Severity::Note,
+          code::kForetoldSoFar,
+          {},
+          fmt::format("the program goes on beyond the {:.0f} s that were foretold", after),
+          "times and findings are those up to there, and not of the whole program; rob check --for "
+          "8h follows it longer"};
+}
 
 /// By signal number the names of the inputs that neither the simulated machine nor the script
 /// drives; empty for all others.
@@ -63,7 +79,8 @@ lang::Diagnostic finding_of(const Problem& problem) {
 RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
                    const ForetellOptions& options) {
   const SignalScript* const script = options.script;
-  Controller controller(robot, simulation_of(robot), options.override_share, rules_of(script));
+  Controller controller(robot, simulation_of(robot), options.override_share, rules_of(script), 0,
+                        has_handlers(program));
   if (options.path != nullptr) controller.tell(*options.path);
   prepare_panel(controller, script);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
@@ -72,16 +89,30 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
                        names_in(program, robot), {});
 
-  RunLimits limits = kForetellLimits;
+  RunLimits limits = limits_of(options.longest);
   limits.standstill =
       !program.compilation.chunk->timed && (script == nullptr || script->rules.empty());
-  const Timing timing = run_stepped(controller, task, limits, [&] { recorder.drain(); });
+  const Timing timing = run_stepped(controller, task, limits, [&] {
+    recorder.drain();
+    if (options.progress) options.progress(recorder.time());
+  });
   RunResult result = recorder.finish();
   result.clock = "virtual";
   // What the simulated run took is what is foretold, with all its waiting.
   result.planned = result.measured;
-  for (LineResult& line : result.lines) line.planned = line.measured;
+  result.lines.change([](LineTotal& line) { line.planned = line.measured; });
   if (task.failure()) add_failure(result, *task.failure());
+  if (result.status == "interrupted") {
+    result.exit_code = ExitCode::Done;  // as the script wants it
+    result.findings.push_back(
+        {lang::Severity::Note,
+         code::kForetoldSoFar,
+         {},
+         fmt::format("the signal script stops the robot; the program is foretold for the {:.2f} s "
+                     "up to there",
+                     result.measured),
+         ""});
+  }
   if (task.circling() != 0) {
     result.findings.push_back(
         {lang::Severity::Note, code::kCircling, lang::tagged_place(task.circling()),
@@ -96,15 +127,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
          " could change an input",
          "set an output before that brings it about, or limit it: TIMEOUT 5s"});
   } else if (timing.gave_up) {
-    result.findings.push_back({lang::Severity::Note,
-                               code::kForetoldSoFar,
-                               {},
-                               fmt::format("the program goes on beyond the {:.0f} s that were "
-                                           "foretold: rob check follows it for one hour of its "
-                                           "time or 100,000,000 instructions",
-                                           result.measured),
-                               "times and findings are those up to there, and not of the whole "
-                               "program"});
+    result.findings.push_back(cut_short(result.measured));
   }
   if (result.error) result.findings.push_back(finding_of(*result.error));
   return of_program(program, std::move(result));

@@ -64,12 +64,6 @@ Json line_json(const RunResult& result, const LineResult& line, bool measured) {
   return json;
 }
 
-Json lines_json(const RunResult& result, bool measured) {
-  Json lines = Json::array();
-  for (const LineResult& line : result.lines) lines.push_back(line_json(result, line, measured));
-  return lines;
-}
-
 Json joints_json(const std::vector<double>& values) {
   Json joints = Json::array();
   for (const double q : values) joints.push_back(millimetres(q));
@@ -144,6 +138,11 @@ Json findings_json(const RunResult& result) {
   return findings;
 }
 
+/// Those that have been left out, too.
+std::size_t findings_count(const RunResult& result) {
+  return result.findings.size() + result.findings_left_out;
+}
+
 Json slow_places_json(const RunResult& result) {
   const auto name = [](SlowPlace::Cause cause) {
     constexpr const char* kNames[] = {"speed", "acceleration", "jerk", "end of path"};
@@ -191,6 +190,11 @@ Json problem_json(const std::optional<Problem>& problem) {
           {"calls", calls}};
 }
 
+namespace {
+
+// Stands where the list of lines comes.
+constexpr const char* kLines = "lines of the run";
+
 Json run_json(const RunResult& result) {
   return {{"status", result.status},
           {"robot", result.robot},
@@ -201,7 +205,7 @@ Json run_json(const RunResult& result) {
           {"cycles", result.cycles},
           {"late_cycles", result.late_cycles},
           {"worst_lateness_us", rounded(result.worst_lateness * 1e6, 1e-3)},
-          {"lines", lines_json(result, true)},
+          {"lines", kLines},
           {"final", final_json(result)},
           {"signals", signals_json(result)},
           {"signals_count", result.signals_count},
@@ -210,6 +214,7 @@ Json run_json(const RunResult& result) {
           {"events", events_json(result)},
           {"events_count", result.events_count},
           {"findings", findings_json(result)},
+          {"findings_count", findings_count(result)},
           {"starved", result.starved},
           {"dropped_effects", result.dropped_effects},
           {"lost_rows", result.lost_rows},
@@ -224,10 +229,54 @@ Json check_json(const RunResult& result) {
           {"robot", result.robot},
           {"law", result.law},
           {"planned_s", planned_seconds(result)},
-          {"lines", lines_json(result, false)},
+          {"lines", kLines},
           {"slow_places", slow_places_json(result)},
           {"findings", findings_json(result)},
+          {"findings_count", findings_count(result)},
           {"error", problem_json(result.error)}};
+}
+
+/// A document as it is printed, `indent` blanks deeper than its first line.
+std::string text_of(const Json& json, std::size_t indent) {
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
+  const std::string blanks(indent, ' ');
+  std::string deeper;
+  for (const char c : text) {
+    deeper += c;
+    if (c == '\n') deeper += blanks;
+  }
+  return lang::visible_json(deeper);
+}
+
+void put_lines(const RunResult& result, bool measured, std::size_t indent, const Put& put) {
+  if (result.lines.empty()) return put("[]");
+  const std::string margin = "\n" + std::string(indent + 2, ' ');
+  const char* comma = "[";
+  for (const LineResult& line : result.lines) {
+    put(comma + margin + text_of(line_json(result, line, measured), indent + 2));
+    comma = ",";
+  }
+  put("\n" + std::string(indent, ' ') + "]");
+}
+
+void put_document(const Json& json, const RunResult& result, bool measured, std::size_t indent,
+                  const Put& put) {
+  const std::string text = text_of(json, indent);
+  const std::string lines = Json(kLines).dump();
+  const std::size_t at = text.find("\"lines\": " + lines) + std::string("\"lines\": ").size();
+  put(text.substr(0, at));
+  put_lines(result, measured, indent + 2, put);
+  put(text.substr(at + lines.size()));
+}
+
+}  // namespace
+
+void put_run_json(const RunResult& result, std::size_t indent, const Put& put) {
+  put_document(run_json(result), result, true, indent, put);
+}
+
+void put_check_json(const RunResult& result, std::size_t indent, const Put& put) {
+  put_document(check_json(result), result, false, indent, put);
 }
 
 std::string json_text(const Json& document) {

@@ -4,13 +4,15 @@
 #include <string>
 
 #include "runtime/program/run_result.h"
+#include "runtime/program/text_report.h"
 
 namespace rob::runtime {
 
-/// The documents of `rob run --json` and `rob check --json` (docs/cli.md). Times in s, rounded to
-/// 1 ns; places in mm, rounded to 1 nm; angles in deg.
-nlohmann::ordered_json run_json(const RunResult& result);
-nlohmann::ordered_json check_json(const RunResult& result);
+/// The documents of `rob run --json` and `rob check --json` (docs/cli.md), piece by piece, without
+/// a line end behind them. Times in s, rounded to 1 ns; places in mm, rounded to 1 nm; angles in
+/// deg. `indent`: by how many blanks they are deeper than the document that they stand in.
+void put_run_json(const RunResult& result, std::size_t indent, const Put& put);
+void put_check_json(const RunResult& result, std::size_t indent, const Put& put);
 
 /// As it is printed: UTF-8, whatever a program PRINTs, and nothing that a terminal would act on.
 std::string json_text(const nlohmann::ordered_json& document);

@@ -9,14 +9,20 @@
 namespace rob::runtime {
 
 /// A line at the bottom of a terminal that tells how far a run is: source line, time, time left as
-/// planned, override and state. Prints nothing where stderr is no terminal.
+/// planned, override and state; or how far a program is foretold. Prints nothing where stderr is no
+/// terminal.
 class Progress {
  public:
   /// `planned`: s, or 0 where it is not known. `override_share`: 1 is 100 %. `used`: the names of
   /// the files that the program USEs.
   Progress(double planned, double override_share, std::vector<std::string> used);
 
+  /// Of a program that is foretold, for so many s of its time at most.
+  explicit Progress(double longest) : Progress(longest, 1, {}) {}
+
   void show(const Position& position);
+  /// How far a program is foretold, s.
+  void show(double time);
   /// What HALT and ASK say to the operator. While they wait, nothing else is shown.
   void consult(const Note& note, int line);
   /// Makes room for other output.
@@ -29,7 +35,7 @@ class Progress {
   bool terminal_;
   bool shown_ = false;
   std::optional<Note::Kind> consulting_;
-  double last_ = -1;
+  double last_ = -1;  ///< s of the run, or of the clock
 };
 
 }  // namespace rob::runtime

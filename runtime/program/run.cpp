@@ -75,27 +75,27 @@ RunResult refusal(const lang::Diagnostics& diagnostics, const std::string& file,
 
 /// What is planned, where motions do not bring their times: what was foretold of the lines that
 /// have run as often.
-void add_foretold(RunResult& result, const RunResult& foretold) {
+void compare(RunResult& result, const Foretold& foretold) {
   result.planned = foretold.planned;
-  result.foretold = result.lines.size() == foretold.lines.size();
-  for (LineResult& line : result.lines) {
-    const auto same = std::ranges::lower_bound(foretold.lines, line.line, {}, &LineResult::line);
-    line.foretold =
-        same != foretold.lines.end() && same->line == line.line && same->count == line.count;
-    if (line.foretold) line.planned = same->planned;
+  result.foretold = result.lines.size() == foretold.count;
+  result.lines.change([&](LineTotal& line) {
+    line.foretold = line.foretold && line.expected == line.count;
+    if (!line.foretold) line.planned = 0;
     result.foretold = result.foretold && line.foretold;
-  }
+  });
 }
 
 RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMachine machine,
                  const RunOptions& options, const RunListener& listener) {
   std::optional<TraceWriter> trace = open_trace(options, program, robot);
-  std::optional<RunResult> own;
+  Foretold own;
+  Foretold& foretold = options.foretold != nullptr ? *options.foretold : own;
   if (robot.law == motion::Law::LookAhead && options.foretold == nullptr)
-    own = foretell(program, robot, {options.seed, options.script, options.override_share});
+    own = foretold_by(
+        foretell(program, robot, {options.seed, options.script, options.override_share}));
   robot.servo_period = machine.period;
   Controller controller(robot, std::move(machine.backend), options.override_share,
-                        rules_of(options.script));
+                        rules_of(options.script), 0, has_handlers(program));
   prepare_panel(controller, options.script);
   controller.channels().panel.seat(options.person);
   PointsFile points(points_file_of(program.file), robot);
@@ -109,6 +109,7 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
                         },
                         listener.consult});
 
+  if (robot.law == motion::Law::LookAhead) recorder.expect(std::move(foretold.lines));
   Channels& channels = controller.channels();
   const Interruption interruption(channels.stop);
   bool abandoned = false;
@@ -136,7 +137,7 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   RunResult result = recorder.finish();
   result.clock = options.fast ? "virtual" : "system";
   add_timing(result, timing);
-  if (robot.law == motion::Law::LookAhead) add_foretold(result, own ? *own : *options.foretold);
+  if (robot.law == motion::Law::LookAhead) compare(result, foretold);
   if (task.failure()) add_failure(result, *task.failure());
   if (Interruption::requested() && !result.error) {
     result.status = "interrupted";
@@ -151,6 +152,12 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
 }
 
 }  // namespace
+
+Foretold foretold_by(RunResult result) {
+  Foretold foretold{result.planned, result.lines.size(), std::move(result.lines)};
+  foretold.lines.expect();
+  return foretold;
+}
 
 RunResult run(const LoadedProgram& program, OpenMachine machine, const RunOptions& options,
               const RunListener& listener) {

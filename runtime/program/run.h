@@ -16,6 +16,14 @@
 
 namespace rob::runtime {
 
+/// What foretell() says of a run that is to come.
+struct Foretold {
+  double planned = 0;     ///< s
+  std::size_t count = 0;  ///< of its lines
+  LineTotals lines{};     ///< as LineTotals::expect() leaves them
+};
+Foretold foretold_by(RunResult result);
+
 /// How a program is to be run.
 struct RunOptions {
   bool fast = false;                                ///< on the virtual clock
@@ -26,7 +34,8 @@ struct RunOptions {
   Person* person = nullptr;                         ///< who can answer HALT and ASK
   /// Under the look-ahead law, where times are known of whole paths alone, what is planned is what
   /// foretell() says for the same override; without it (null) the run is foretold first.
-  const RunResult* foretold = nullptr;
+  /// It is used up.
+  Foretold* foretold = nullptr;
 };
 
 /// How far a run is: source line, s, what motion is doing.

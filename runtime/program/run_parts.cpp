@@ -24,6 +24,10 @@ SignalNames names_in(const LoadedProgram& program, const motion::RobotModel& rob
   return {robot, program.compilation.chunk->named_signals};
 }
 
+bool has_handlers(const LoadedProgram& program) {
+  return lang::has_handlers(*program.compilation.chunk);
+}
+
 std::vector<SimulationRule> rules_of(const SignalScript* script) {
   return script == nullptr ? std::vector<SimulationRule>() : script->rules;
 }

@@ -14,6 +14,7 @@ namespace rob::runtime {
 /// What run() and foretell() do alike.
 
 SignalNames names_in(const LoadedProgram& program, const motion::RobotModel& robot);
+bool has_handlers(const LoadedProgram& program);
 /// None without a script.
 std::vector<SimulationRule> rules_of(const SignalScript* script);
 /// What the script says and does as the operator.

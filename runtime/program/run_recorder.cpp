@@ -34,6 +34,8 @@ RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share,
 }
 
 void RunRecorder::drain() {
+  Intervention intervention;
+  while (channels_.interventions.take(intervention)) take(intervention);
   Snapshot snapshot;
   while (channels_.snapshots.take(snapshot)) {
     const MotionEvent* event = nullptr;
@@ -150,7 +152,7 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   programmed(*planned);
 
   slow_.begin(*planned);
-  LineResult& line = line_of(*planned);
+  LineTotal& line = line_of(*planned);
   running_ = Running{*planned, from_, event.time};
   if (!planned->further && line.count++ == 0) line.starts = event.time;
   plan(*planned, event, line);
@@ -159,7 +161,8 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
 void RunRecorder::begin_early_end(const MotionEvent& event) {
   const bool hit = event.kind == MotionEvent::Kind::Hit;
   add_event(event.time, hit ? "hit" : "brake", static_cast<int>(event.tag), "");
-  early_ = EarlyEnd{events_.count() - 1, hit ? "hit" : "brake", event.time, {}, {}};
+  using Ended = LineTotal::Ended;
+  early_ = EarlyEnd{events_.count() - 1, hit ? Ended::Hit : Ended::Brake, event.time, {}, {}};
 }
 
 /// The motion has ended, early or not; its target and its corner count only if it was not.
@@ -192,9 +195,9 @@ void RunRecorder::stand_still(const MotionEvent& event) {
   result_.measured = event.time;
   if (event.kind == MotionEvent::Kind::Held) {  // neither point nor corner has been reached
     if (running_) {
-      LineResult& line = line_of(*running_);
+      LineTotal& line = line_of(*running_);
       line.measured += event.time - running_->started;
-      line.ended = result_.error ? "fault" : "brake";
+      line.ended = result_.error ? LineTotal::Ended::Fault : LineTotal::Ended::Brake;
     }
     return;
   }
@@ -205,7 +208,7 @@ void RunRecorder::stand_still(const MotionEvent& event) {
 void RunRecorder::end_segment(double time, const LoggedSegment* next) {
   end_corner();
   if (!running_) return;
-  LineResult& line = line_of(*running_);
+  LineTotal& line = line_of(*running_);
   line.measured += time - running_->started;
   if (running_->jog.present()) plan_jog(time - running_->started);
   if (running_->cut) return running_.reset();
@@ -221,8 +224,7 @@ void RunRecorder::end_corner() {
   measure_corner();
   const std::optional<double> miss = meter_.take(behind_->number);
   if (miss && !behind_->stop) {
-    std::optional<double>& most = line_of(*behind_).miss_measured;
-    most = std::max(most.value_or(0), *miss * kMillimetresPerMetre);
+    line_of(*behind_).miss_measured.raise_to(*miss * kMillimetresPerMetre);
   }
   behind_.reset();
 }
@@ -233,30 +235,11 @@ void RunRecorder::take_effect(const MotionEvent& event) {
   if (kind == Kind::Arm || kind == Kind::Disarm || kind == Kind::Report) return;
   --result_.dropped_effects;
   // Inputs are the machine's, simulated or not.
-  if (kind == Kind::Override) return take_override(event);
+  if (kind == Kind::Override) return change_override(event.time, event.effect.share);
   if (kind == Kind::Simulate || kind == Kind::SimulateAnalog) return;
   if (kind == Kind::SimulateGo || kind == Kind::SimulateAnswer) return;
   if (kind != Kind::Note) return take_output(event);
   take_note(event, log_.take_note(event.effect.id));
-}
-
-void RunRecorder::take_note(const MotionEvent& event, Note note) {
-  const int line = static_cast<int>(event.tag);
-  switch (note.kind) {
-    case Note::Kind::Print:
-      if (listener_.print) listener_.print(note.text);
-      output_.push_back(std::move(note.text));
-      return;
-    case Note::Kind::Halt:
-    case Note::Kind::Ask:
-      if (listener_.consult) listener_.consult(note, line);
-      add_event(event.time, note.kind == Note::Kind::Ask ? "ask" : "halt", line, note.text);
-      return;
-    case Note::Kind::Answer:
-      if (listener_.consult) listener_.consult(note, line);
-      add_event(event.time, "answer", line, note.text);
-      return;
-  }
 }
 
 void RunRecorder::take_output(const MotionEvent& event) {
@@ -359,12 +342,6 @@ void RunRecorder::take_stand() {
   result_.stands = stand_text(robot_, measured, reference);
 }
 
-LineResult& RunRecorder::line_of(const LoggedSegment& segment) {
-  LineResult& result = lines_[static_cast<int>(segment.tag)];
-  result.line = static_cast<int>(segment.tag);
-  return result;
-}
-
 RunResult RunRecorder::finish() {
   result_.dropped_effects += log_.effects();
   result_.output_count = output_.count();
@@ -380,7 +357,6 @@ RunResult RunRecorder::finish() {
   constexpr double kRounding = 1e-7;
   result_.cycles =
       static_cast<std::int64_t>(std::ceil(result_.measured / robot_.reference_period - kRounding));
-  for (auto& [number, line] : lines_) result_.lines.push_back(line);
   result_.deviation = std::max(result_.deviation, path_.deviation() * kMillimetresPerMetre);
   result_.slow_places = slow_.finish();
   take_stand();

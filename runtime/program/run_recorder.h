@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
@@ -34,6 +35,8 @@ class RunRecorder {
   RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,
               ProgramLog& log, SignalNames names, Listener listener);
 
+  /// Before the run: what was foretold of its lines, by LineTotals::expect().
+  void expect(LineTotals lines) { result_.lines = std::move(lines); }
   /// Takes everything that has come up the channels.
   void drain();
   /// The line that runs now; 0 before the first.
@@ -56,7 +59,7 @@ class RunRecorder {
   /// A motion that brakes, until it is known where it came to rest.
   struct EarlyEnd {
     std::int64_t event;  ///< its number
-    const char* ended;
+    LineTotal::Ended ended;
     double tripped;            ///< s
     motion::JointVector from;  ///< where it was then; empty until it is known
     std::optional<double> rest;
@@ -66,18 +69,19 @@ class RunRecorder {
   void begin_handler(const motion::MotionEvent& event);
   void end_handler(const motion::MotionEvent& event);
   void take(const ServoNotice& notice);
+  void take(const Intervention& intervention);
   void take(const Snapshot& snapshot);
   void begin_segment(const motion::MotionEvent& event);
   void end_segment(double time, const LoggedSegment* next);
   // What was planned (run_recorder_planned.cpp)
   bool comes_timed() const { return robot_.law == motion::Law::Paul; }
-  void plan(const LoggedSegment& planned, const motion::MotionEvent& event, LineResult& line);
+  void plan(const LoggedSegment& planned, const motion::MotionEvent& event, LineTotal& line);
   void take_decision(const motion::MotionEvent& event);
   void count_stop();
   void plan_jog(double duration);
   void plan_corner(const LoggedSegment* next);
   void measure_corner();
-  void add_planned_miss(LineResult& line, double miss);
+  void add_planned_miss(LineTotal& line, double miss);
   void programmed(const LoggedSegment& planned);
   void end_jog(double time);
   void stop_jog(const motion::MotionEvent& event);
@@ -87,7 +91,7 @@ class RunRecorder {
   void stand_still(const motion::MotionEvent& event);
   void end_corner();
   void take_effect(const motion::MotionEvent& event);
-  void take_override(const motion::MotionEvent& event);
+  void change_override(double time, double share);
   void take_note(const motion::MotionEvent& event, Note note);
   void take_output(const motion::MotionEvent& event);
   void add_output(const motion::MotionEvent& event, bool value);
@@ -99,7 +103,9 @@ class RunRecorder {
   void add_event(double time, const char* kind, int line, std::string text);
   /// `line`: its tag; none: that of the motion that runs.
   void fail(double time, const char* kind, Words words, std::optional<int> line = {});
-  LineResult& line_of(const LoggedSegment& segment);
+  LineTotal& line_of(const LoggedSegment& segment) {
+    return result_.lines.of(static_cast<int>(segment.tag));
+  }
 
   const motion::RobotModel& robot_;
   double override_share_;  ///< with the program's OVERRIDE, at most 1
@@ -116,7 +122,6 @@ class RunRecorder {
   KeptEnds<std::string> output_;
   KeptEnds<SignalChange> signals_;
   KeptEnds<RunEvent> events_;
-  std::map<int, LineResult> lines_;
   std::optional<Running> running_;
   std::optional<Running> behind_;  ///< the one before, whose corner running_ makes
   motion::JointVector from_;       ///< where the leg that was programmed last begins

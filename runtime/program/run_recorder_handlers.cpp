@@ -30,7 +30,7 @@ void RunRecorder::end_handler(const MotionEvent& event) {
     running_->started += pause;
     running_->ends += pause;
     running_->cut = left;
-    if (left) line_of(*running_).ended = "brake";
+    if (left) line_of(*running_).ended = LineTotal::Ended::Brake;
   }
   if (!left) {
     reached_ = interrupted_->reached;

@@ -13,7 +13,7 @@ namespace rob::runtime {
 
 using motion::MotionEvent;
 
-void RunRecorder::plan(const LoggedSegment& planned, const MotionEvent& event, LineResult& line) {
+void RunRecorder::plan(const LoggedSegment& planned, const MotionEvent& event, LineTotal& line) {
   // Behind a guarded motion the program goes on when it has ended: nothing is decided before.
   const bool decides = line.count == 1 && !planned.guard.present();
   if (!comes_timed()) {
@@ -37,14 +37,14 @@ void RunRecorder::take_decision(const MotionEvent& event) {
     decisions_[event.number] = event.time;
     return;
   }
-  LineResult& line = line_of(*running_);
+  LineTotal& line = line_of(*running_);
   if (line.count == 1 && !running_->guard.present()) line.decides = event.time;
 }
 
 /// The running motion has been made exact for the next one, which begins at rest.
 void RunRecorder::count_stop() {
   if (!running_ || running_->cut || running_->ends_at_rest()) return;
-  LineResult& line = line_of(*running_);
+  LineTotal& line = line_of(*running_);
   line.exact = true;
   if (!comes_timed()) return;
   const double duration = 2 * running_->t_acc / override_share_;
@@ -53,18 +53,18 @@ void RunRecorder::count_stop() {
 }
 
 /// The rest of the running motion takes longer, or less, than was foretold when it began.
-void RunRecorder::take_override(const MotionEvent& event) {
+void RunRecorder::change_override(double time, double share) {
   const double before = override_share_;
-  override_share_ = std::min(event.effect.share, 1.0);
+  override_share_ = std::min(share, 1.0);
   if (!comes_timed() || !running_ || running_->dwell || running_->jog.present() || running_->cut ||
-      running_->ends <= event.time)
+      running_->ends <= time)
     return;
-  const double more = (running_->ends - event.time) * (before / override_share_ - 1);
+  const double more = (running_->ends - time) * (before / override_share_ - 1);
   running_->ends += more;
-  LineResult& line = line_of(*running_);
+  LineTotal& line = line_of(*running_);
   line.planned += more;
   result_.planned += more;
-  if (line.count == 1 && line.decides) *line.decides += more;
+  if (line.count == 1 && line.decides.has_value()) *line.decides += more;
 }
 
 /// The references are all that there is of the plan of a jog.
@@ -91,8 +91,8 @@ void RunRecorder::measure_corner() {
   add_planned_miss(line_of(*behind_), *reference * kMillimetresPerMetre);
 }
 
-void RunRecorder::add_planned_miss(LineResult& line, double miss) {
-  line.miss_planned = std::max(line.miss_planned.value_or(miss), miss);
+void RunRecorder::add_planned_miss(LineTotal& line, double miss) {
+  line.miss_planned.raise_to(miss);
   result_.deviation = std::max(result_.deviation, miss);
 }
 

@@ -8,6 +8,7 @@
 #include "lang/text/diagnostic.h"
 #include "lang/vm/vm.h"
 #include "motion/kinematics/kinematics.h"
+#include "runtime/program/line_totals.h"
 
 namespace rob::runtime {
 
@@ -23,23 +24,7 @@ enum class ExitCode : int {
   Terminated = 143
 };
 
-/// One source line's share of a run. Times in s, misses in mm. Here and below `line` is a
-/// lang::line_tag().
-struct LineResult {
-  int line = 0;
-  std::int64_t count = 0;  ///< how often it ran
-  double starts = 0;       ///< when it ran first
-  double planned = 0;      ///< how long it takes, the sum over all times
-  bool foretold = true;    ///< `planned` is known
-  double measured = 0;
-  double way = 0;                 ///< of the tool's reference in it, mm, the sum over all times
-  std::optional<double> decides;  ///< when what follows must be known, the first time
-  std::optional<double> miss_planned;  ///< the greatest of all times; none for a STOP
-  std::optional<double> miss_measured;
-  bool exact = false;  ///< its last motion was made exact by a STOP or the end
-  std::string ended = "reached";
-};
-
+/// Here and below `line` is a lang::line_tag().
 struct SignalChange {
   double time = 0;
   std::string name;
@@ -105,8 +90,8 @@ struct RunResult {
   double measured = 0;   ///< s
   std::int64_t cycles = 0;
   std::int64_t late_cycles = 0;
-  double worst_lateness = 0;      ///< s
-  std::vector<LineResult> lines;  ///< in the order of their tags
+  double worst_lateness = 0;  ///< s
+  LineTotals lines;
   /// Where the axes stand, mm or deg: at their references; after a fault, what was measured of an
   /// axis that is off its reference.
   std::vector<double> final_joints;

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "lang/text/source_text.h"
 #include "lang/text/suggest.h"
 #include "lang/values/number_text.h"
+#include "lang/values/percent_text.h"
+#include "lang/values/setting.h"
 #include "runtime/control/codes.h"
 #include "runtime/control/robot_machine.h"
 #include "runtime/program/line_reader.h"
@@ -94,7 +97,9 @@ class ScriptReader : LineReader {
   void rule();
   void condition(SimulationRule& rule);
   SimulatedSetting setting();
-  SimulatedSetting operators_setting(WorldSignal::Kind kind);
+  std::optional<SimulatedSetting> operators_setting();
+  void pressed(std::string_view name, std::string help);
+  double share();
   const Known& signal();
   double time(std::string_view behind);
   double value_for(const Known& known);
@@ -177,10 +182,10 @@ void ScriptReader::condition(SimulationRule& rule) {
   rule.comparison = falling ? reversed(*comparison) : *comparison;
 }
 
-// setting = signal "=" value | "GO" "=" "ON" | "ANSWER" "=" STRING
+// setting = signal "=" value | ( "GO" | "HOLD" | "STOP" ) "=" "ON" | "OVERRIDE" "=" SHARE
+//         | "ANSWER" "=" STRING
 SimulatedSetting ScriptReader::setting() {
-  if (at_word("GO")) return operators_setting(WorldSignal::Kind::Go);
-  if (at_word("ANSWER")) return operators_setting(WorldSignal::Kind::Answer);
+  if (const auto operators = operators_setting()) return *operators;
   const lang::Place place = token_.place;
   const Known& known = signal();
   using Kind = WorldSignal::Kind;
@@ -193,16 +198,51 @@ SimulatedSetting ScriptReader::setting() {
   return {known.signal, value_for(known), 0};
 }
 
-SimulatedSetting ScriptReader::operators_setting(WorldSignal::Kind kind) {
-  SimulatedSetting setting{{kind, 0}, 0, static_cast<std::uint32_t>(script_.answers.size())};
+/// Those of the names that are the operator's; they go before a signal of the same name.
+std::optional<SimulatedSetting> ScriptReader::operators_setting() {
+  using Kind = WorldSignal::Kind;
+  constexpr std::pair<std::string_view, Kind> kNames[] = {{"GO", Kind::Go},
+                                                          {"ANSWER", Kind::Answer},
+                                                          {"HOLD", Kind::Hold},
+                                                          {"STOP", Kind::Stop},
+                                                          {"OVERRIDE", Kind::Override}};
+  const auto* const found =
+      std::ranges::find_if(kNames, [&](const auto& name) { return at_word(name.first); });
+  if (found == std::end(kNames)) return std::nullopt;
+  const Kind kind = found->second;
+  SimulatedSetting setting{{kind, 0}, 1, static_cast<std::uint32_t>(script_.answers.size())};
   advance();
   take(TokenKind::Assign, "'='");
-  if (kind == WorldSignal::Kind::Go) {
-    setting.value = truth("GO") ? 1 : 0;
-    return setting;
-  }
-  script_.answers.push_back(take_text("a text such as \"7\""));
+  if (kind == Kind::Go) setting.value = truth("GO") ? 1 : 0;
+  if (kind == Kind::Hold) pressed("HOLD", "write HOLD = ON; GO = ON lets the robot go on");
+  if (kind == Kind::Stop) pressed("STOP", "write STOP = ON; it ends the run");
+  if (kind == Kind::Override) setting.value = share();
+  if (kind == Kind::Answer) script_.answers.push_back(take_text("a text such as \"7\""));
   return setting;
+}
+
+/// ON, of what the operator can do but not take back.
+void ScriptReader::pressed(std::string_view name, std::string help) {
+  if (!at_word("ON") && !at_word("TRUE")) {
+    fail(code::kScriptValue, token_.place, fmt::format("{} is ON, not {}", name, shown()),
+         std::move(help));
+  }
+  advance();
+}
+
+double ScriptReader::share() {
+  const lang::NumberLiteral& number = token_.number;
+  const bool percent =
+      token_.kind == TokenKind::Number && number.has_unit && number.dimension == lang::kNone;
+  if (!percent || !(number.value > 0) || number.value > lang::kMostOverride) {
+    fail(code::kScriptValue, token_.place,
+         fmt::format("OVERRIDE is a share above 0% and at most {}, not {}",
+                     lang::percent_text(lang::kMostOverride), shown()),
+         "for example OVERRIDE = 30%");
+  }
+  const double share = number.value;
+  advance();
+  return share;
 }
 
 const Known& ScriptReader::signal() {

@@ -18,6 +18,8 @@ namespace rob::runtime {
 ///     when vacuum == ON after 0.3s : vac_ok = ON
 ///     at 4s GO = ON
 ///     at 5s ANSWER = "7"
+///     at 6s HOLD = ON
+///     at 7s OVERRIDE = 30%
 struct SignalScript {
   std::string file;
   std::string source;

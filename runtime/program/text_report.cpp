@@ -67,10 +67,9 @@ std::string calls_text(const Problem& problem) {
 namespace {
 
 /// Above the first line of a USEd file stands its name.
-std::string file_heading(const RunResult& result, const LineResult& line) {
+std::string file_heading(const RunResult& result, const LineResult& line, int before) {
   const std::uint32_t file = lang::tagged_place(line.line).file;
-  const bool first =
-      &line == result.lines.data() || lang::tagged_place((&line)[-1].line).file != file;
+  const bool first = lang::tagged_place(before).file != file;
   return file > 0 && first ? fmt::format("  {}\n", on_one_line(result.used[file - 1])) : "";
 }
 
@@ -92,39 +91,40 @@ std::string slow_places_text(const RunResult& result) {
 
 }  // namespace
 
-std::string check_table(const RunResult& result) {
-  std::string table = "   line  starts   takes   decides at   corner missed by\n";
+void put_check_table(const RunResult& result, const Put& put) {
+  if (result.lines.empty()) return put("nothing moves\n");
+  put("   line  starts   takes   decides at   corner missed by\n");
+  int before = 0;
+  std::size_t left = result.lines.size();
   for (const LineResult& line : result.lines) {
     std::string row =
         fmt::format("{:>6}  {:>6.2f}  {:>7.2f}  {:>9}  {:>11}{}", line_number(line), line.starts,
                     line.planned, decides(line), miss(line.miss_planned), remark(line));
-    if (&line == &result.lines.back()) {
-      row = fmt::format("{:<47}   total {:.2f} s", row, result.planned);
-    }
-    table += file_heading(result, line) + row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    if (--left == 0) row = fmt::format("{:<47}   total {:.2f} s", row, result.planned);
+    put(file_heading(result, line, before) + row.substr(0, row.find_last_not_of(' ') + 1) + "\n");
+    before = line.line;
   }
-  if (result.lines.empty()) return "nothing moves\n";
-  return table + slow_places_text(result);
+  put(slow_places_text(result));
 }
 
-std::string run_table(const RunResult& result) {
-  std::string table;
+void put_run_table(const RunResult& result, const Put& put) {
   if (!result.lines.empty()) {
-    table += "                  takes            corner missed by\n";
-    table += "   line  starts   planned measured   planned  measured\n";
+    put("                  takes            corner missed by\n"
+        "   line  starts   planned measured   planned  measured\n");
   }
+  int before = 0;
   for (const LineResult& line : result.lines) {
     const std::string row =
         fmt::format("{:>6}  {:>6.2f}  {:>8} {:>8.2f}  {:>8}  {:>8}{}", line_number(line),
                     line.starts, planned(line), line.measured, miss(line.miss_planned),
                     miss(line.miss_measured), remark(line));
-    table += file_heading(result, line) + row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    put(file_heading(result, line, before) + row.substr(0, row.find_last_not_of(' ') + 1) + "\n");
+    before = line.line;
   }
   const std::string foretold = result.foretold ? "planned " + planned(result) + " s, " : "";
-  table += fmt::format("{}: {}measured {:.2f} s, {} cycles, {} late, worst lateness {:.2f} ms\n",
-                       result.status, foretold, result.measured, result.cycles, result.late_cycles,
-                       result.worst_lateness * 1e3);
-  return table;
+  put(fmt::format("{}: {}measured {:.2f} s, {} cycles, {} late, worst lateness {:.2f} ms\n",
+                  result.status, foretold, result.measured, result.cycles, result.late_cycles,
+                  result.worst_lateness * 1e3));
 }
 
 std::string problems_text(const RunResult& result, std::string_view source,

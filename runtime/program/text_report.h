@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,10 +9,13 @@
 
 namespace rob::runtime {
 
+/// Takes a report piece by piece: a program may have a million lines.
+using Put = std::function<void(std::string_view piece)>;
+
 /// What `rob check` prints: a line each with start, duration, decision point and corner miss.
-std::string check_table(const RunResult& result);
+void put_check_table(const RunResult& result, const Put& put);
 /// What `rob run` prints at the end: the same with what was measured beside it, and the totals.
-std::string run_table(const RunResult& result);
+void put_run_table(const RunResult& result, const Put& put);
 
 /// The routines that an error happened in. [choice] ten of them: a recursion may be 1000 deep.
 std::string calls_text(const Problem& problem);

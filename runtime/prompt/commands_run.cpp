@@ -87,7 +87,9 @@ void foretell_from_here(Session& session, bool tells) {
       foretell(*program, program->robot, {.override_share = session.robot().override_share()});
   if (tells || result.error)
     session.screen().message(problems_text(result, program->source, program->compilation.used));
-  session.screen().result(check_table(result));
+  std::string table;
+  put_check_table(result, [&](std::string_view piece) { table += piece; });
+  session.screen().result(table);
 }
 
 }  // namespace

@@ -209,7 +209,8 @@ bool ends_value(const Token& token) {
       return token.keyword == Keyword::On || token.keyword == Keyword::Off ||
              token.keyword == Keyword::True || token.keyword == Keyword::False;
     case TokenKind::Word:
-      return !is_clause_word(token) || lang::same_word(token.text, "FINE");
+      return !is_clause_word(token) || lang::same_word(token.text, "FINE") ||
+             lang::same_word(token.text, "EULER");
     case TokenKind::Number:
     case TokenKind::String:
     case TokenKind::RightParen:

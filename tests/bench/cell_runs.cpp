@@ -88,7 +88,7 @@ CellRun run_in_cell(const std::string& file, const std::string& source,
       std::make_unique<WatchedCell>(runtime::simulation_of(robot), robot, made),
       robot.servo_period,
       {}};
-  const runtime::RunResult not_foretold;
+  runtime::Foretold not_foretold;
   runtime::RunOptions options;
   options.fast = true;
   options.foretold = &not_foretold;

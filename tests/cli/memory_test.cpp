@@ -4,6 +4,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
+
 #include "tests/support/rob_command.h"
 
 #if !defined(__SANITIZE_ADDRESS__)
@@ -45,6 +47,29 @@ TEST_CASE("the memory of a run does not grow with what it prints and switches") 
     CHECK(after < 64);
     CHECK(after - before < 12);
   }
+}
+
+TEST_CASE("what is switched takes no memory in rob check, either") {
+  const RobCommand rob("FOR i = 1 TO 600000 DO\nDOUT[3] = ON\nDOUT[3] = OFF\nENDFOR\n");
+  CHECK(megabytes_of(rob.line("check", {"--json"}), 0) < 32);
+}
+
+TEST_CASE("a program of two hundred thousand motions is foretold and run in little memory") {
+  // A tenth of a millimetre each, on circles of 50 mm.
+  constexpr int kMotions = 200'000;
+  std::string text;
+  for (int i = 0; i < kMotions; ++i) {
+    const double angle = i * 0.002;
+    text += "MOVE(" + std::to_string(50 * std::cos(angle)) + ", " +
+            std::to_string(50 * std::sin(angle)) + ", 0)\n";
+  }
+  const RobCommand rob(text);
+  const std::string xy = std::string(ROB_SOURCE_DIR) + "/tests/bench/xy.toml";
+  // 33 MB are the robot's with its 4096 motions of look-ahead, 64 bytes a line's totals.
+  const int foretold = megabytes_of(rob.line("check", {"--robot", xy}), 0);
+  CHECK(foretold > 20);
+  CHECK(foretold <= 66);
+  CHECK(megabytes_of(rob.line("run", {"--fast", "--robot", xy}), 0) <= 68);
 }
 
 TEST_CASE("a program of too many declarations is refused before it takes much memory") {

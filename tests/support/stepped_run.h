@@ -69,7 +69,7 @@ struct SteppedRun {
 };
 
 /// What the report says of a line.
-inline const runtime::LineResult& line(const runtime::RunResult& result, int number) {
+inline runtime::LineResult line(const runtime::RunResult& result, int number) {
   for (const runtime::LineResult& row : result.lines)
     if (row.line == number) return row;
   throw std::logic_error("no such line");

@@ -1,17 +1,25 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <variant>
 #include <vector>
 
+#include "motion/path/euler_line.h"
+#include "motion/path/joint_spline.h"
 #include "motion/path/tool_arc.h"
 #include "motion/path/tool_line.h"
 #include "motion/path/tool_spiral.h"
 #include "motion/path/tool_spline.h"
+#include "motion/robots/robot_library.h"
 #include "motion/space/rotation.h"
+#include "tests/support/degrees.h"
 
 using namespace rob::motion;
 using Eigen::Vector3d;
+using rob::test::kDegree;
 
 namespace {
 
@@ -150,4 +158,170 @@ TEST_CASE("a spiral runs inwards around a centre that lies its radius along the 
   const Eigen::Quaterniond upright =
       rotation_by(Vector3d(0, -std::numbers::pi / 2, 0));  // x along z
   CHECK_FALSE(ToolSpiral::inwards(down, upright, 0.004, 5).has_value());
+}
+
+namespace {
+
+JointVector in_degrees(std::initializer_list<double> values) {
+  JointVector q(static_cast<Eigen::Index>(values.size()));
+  Eigen::Index i = 0;
+  for (const double value : values) q[i++] = value * kDegree;
+  return q;
+}
+
+const rob::motion::RobotModel& splined() {
+  static const auto robot = rob::motion::embedded_robot("irb120");
+  return robot;
+}
+
+const std::vector<JointVector>& through_joints() {
+  static const std::vector<JointVector> through{
+      in_degrees({0, 0, 0, 0, 0, 0}), in_degrees({40, 10, -20, 0, 30, 0}),
+      in_degrees({-20, 30, 10, 60, -30, 90}), in_degrees({-60, 0, 0, 60, 45, -90})};
+  return through;
+}
+
+}  // namespace
+
+TEST_CASE("a joint spline passes through its points, and its first two derivatives do not jump") {
+  const auto spline = JointSpline::through(splined(), {}, through_joints());
+  REQUIRE(spline);
+  const JointPath& axes = *spline->axes();
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < axes.nodes().size(); ++i) {
+    const JointPath::Node& node = axes.nodes()[i];
+    if (met < through_joints().size() && (node.q - through_joints()[met]).norm() < 1e-12) ++met;
+    if (i == 0) continue;
+    // A piece turns no axis by more than 5 deg.
+    CHECK((node.q - axes.nodes()[i - 1].q).cwiseAbs().maxCoeff() < 5.001 * kDegree);
+    // Beside the node, on either side: cubic, so that the second derivative is linear in between.
+    constexpr double kBeside = 1e-7;
+    const PathPoint before = axes.at(node.time - kBeside);
+    CHECK((before.qd - node.qd).norm() < 1e-4 * (1 + node.qd.norm()));
+    CHECK((before.qdd - node.qdd).norm() < 1e-4 * (1 + node.qdd.norm()));
+  }
+  CHECK(met == through_joints().size());
+  CHECK(axes.nodes().front().qdd.norm() < 1e-12);
+  CHECK(axes.nodes().back().qdd.norm() < 1e-9);
+}
+
+TEST_CASE("with three points as far apart it is the natural cubic spline of the textbooks") {
+  // M1 = 3/2·(y0 − 2·y1 + y2)/h², so half way to the middle y = (y0 + y1)/2 − M1·h²/16.
+  const std::vector<JointVector> through{in_degrees({0, 0, 0, 0, 0, 0}),
+                                         in_degrees({30, 9, 0, 0, 0, 0}),
+                                         in_degrees({0, 3, 0, 0, 0, 0})};
+  const auto spline = JointSpline::through(splined(), {}, through);
+  REQUIRE(spline);
+  const JointVector second = through[0] - 2 * through[1] + through[2];
+  const JointVector wanted = (through[0] + through[1]) / 2 - second * (3.0 / 32);
+  CHECK((spline->axes()->at(0.25).q - wanted).norm() < 1e-12);
+  CHECK((spline->axes()->at(0.5).q - through[1]).norm() < 1e-12);
+  CHECK(spline->first_point() == doctest::Approx(0.5));
+  CHECK(spline->last_point() == doctest::Approx(0.5));
+}
+
+TEST_CASE("the parameter goes with the time of the slowest axis") {
+  // Axis 6 is faster than axis 1: 420 and 250 deg/s.
+  const auto spline =
+      JointSpline::through(splined(), {},
+                           {in_degrees({0, 0, 0, 0, 0, 0}), in_degrees({25, 0, 0, 0, 0, 0}),
+                            in_degrees({25, 0, 0, 0, 0, 84})});
+  REQUIRE(spline);
+  CHECK(spline->first_point() == doctest::Approx(1.0 / 3));
+}
+
+TEST_CASE("it measures the way of the tip of its tool, and what the axis turns that turns most") {
+  Pose tip;
+  tip.position = {0.03, 0, 0.1};
+  const auto spline = JointSpline::through(splined(), tip, through_joints());
+  REQUIRE(spline);
+  double way = 0;
+  double turn = 0;
+  constexpr int kParts = 200'000;
+  Eigen::Vector3d before = spline->at(0).position;
+  JointVector last = spline->axes()->at(0).q;
+  JointVector turns = JointVector::Zero(6);
+  for (int i = 1; i <= kParts; ++i) {
+    const double s = static_cast<double>(i) / kParts;
+    const JointVector q = spline->axes()->at(s).q;
+    const Eigen::Vector3d place = place_of(tip.position, splined().kinematics->forward(q));
+    way += (place - before).norm();
+    turns += (q - last).cwiseAbs();
+    before = place;
+    last = q;
+  }
+  turn = turns.maxCoeff();
+  CHECK(spline->way() == doctest::Approx(way).epsilon(1e-5));
+  CHECK(spline->turn() == doctest::Approx(turn).epsilon(1e-5));
+  CHECK(spline->share_at(spline->at_share(0.3)) == doctest::Approx(0.3));
+}
+
+TEST_CASE("there is none through one point twice") {
+  CHECK_FALSE(JointSpline::through(
+      splined(), {}, {through_joints()[0], through_joints()[1], through_joints()[1]}));
+}
+
+using EulerTrouble = rob::motion::EulerLine::Trouble;
+
+namespace {
+
+Pose turned_at(double x, double a, double b, double c) {
+  return {{x, 0, 0}, rob::motion::orientation_from({a * kDegree, b * kDegree, c * kDegree})};
+}
+
+std::optional<EulerLine> euler_between(const Pose& from, const Pose& to) {
+  const auto made = EulerLine::between(from, to);
+  if (!std::holds_alternative<EulerLine>(made)) return std::nullopt;
+  return std::get<EulerLine>(made);
+}
+
+std::optional<EulerTrouble> euler_trouble(const Pose& from, const Pose& to) {
+  const auto made = EulerLine::between(from, to);
+  if (std::holds_alternative<EulerLine>(made)) return std::nullopt;
+  return std::get<EulerTrouble>(made);
+}
+
+}  // namespace
+
+TEST_CASE("along an Euler line place and angles change evenly") {
+  const auto path = euler_between(turned_at(0, 170, -60, 10), turned_at(0.4, -150, 70, 130));
+  REQUIRE(path);
+  for (const double s : {0.0, 0.1, 0.35, 0.5, 0.9, 1.0}) {
+    CAPTURE(s);
+    const FixedAngles angles = fixed_angles(path->at(s).orientation);
+    // a goes the shorter way, over 180 deg.
+    CHECK(std::remainder(angles.a - (170 + s * 40) * kDegree, 2 * std::numbers::pi) ==
+          doctest::Approx(0).epsilon(1e-9));
+    CHECK(angles.b == doctest::Approx((-60 + s * 130) * kDegree));
+    CHECK(angles.c == doctest::Approx((10 + s * 120) * kDegree));
+    CHECK(path->at(s).position.x() == doctest::Approx(0.4 * s));
+  }
+  CHECK(path->way() == doctest::Approx(0.4));
+}
+
+TEST_CASE("the turning of an Euler line is what its orientations turn") {
+  const auto path = euler_between(turned_at(0, 20, -60, 10), turned_at(0.4, -30, 70, 130));
+  REQUIRE(path);
+  double turn = 0;
+  double greatest = 0;
+  constexpr int kParts = 20'000;
+  for (int i = 0; i < kParts; ++i) {
+    const double s = static_cast<double>(i) / kParts;
+    const double step = rob::motion::rotation_between(path->at(s).orientation,
+                                                      path->at(s + 1.0 / kParts).orientation)
+                            .norm();
+    turn += step;
+    greatest = std::max(greatest, step * kParts);
+  }
+  CHECK(path->turn() == doctest::Approx(turn).epsilon(1e-6));
+  CHECK(path->greatest_turning() == doctest::Approx(greatest).epsilon(1e-3));
+}
+
+TEST_CASE("an Euler line with b near 90 deg, or half a turn of an angle, is none") {
+  CHECK(euler_trouble(turned_at(0, 0, 89.5, 0), turned_at(1, 0, 0, 0)) ==
+        EulerTrouble::SteepBeginning);
+  CHECK(euler_trouble(turned_at(0, 0, 0, 0), turned_at(1, 0, -89.1, 0)) == EulerTrouble::SteepEnd);
+  CHECK_FALSE(euler_trouble(turned_at(0, 0, -88.9, 0), turned_at(1, 0, 88.9, 0)));
+  CHECK(euler_trouble(turned_at(0, 0, 0, 0), turned_at(1, 0, 0, 180)) == EulerTrouble::HalfTurn);
+  CHECK_FALSE(euler_trouble(turned_at(0, 0, 0, 0), turned_at(1, 0, 0, 179)));
 }

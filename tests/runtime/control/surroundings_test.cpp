@@ -138,7 +138,7 @@ TEST_CASE("the miss of a corner is that of the tip") {
   CHECK(result.lines[0].way == doctest::Approx(30 * (90 - 20 * 1.375) * kDegree).epsilon(1e-3));
   CHECK(result.deviation == doctest::Approx(chord));
   const RunResult flange = SteppedRun("MOVE JOINT 3 TO 90deg\nMOVE JOINT 3 TO 0deg\n").run();
-  CHECK(flange.lines.at(0).miss_planned.value() < 1e-9);
+  CHECK(flange.lines[0].miss_planned.value() < 1e-9);
 }
 
 TEST_CASE("AT bounds the speed of the tip") {

@@ -124,9 +124,39 @@ TEST_CASE("mistakes of a script are all told, with their place") {
         "1:22 E541 the end of the line expected, not 'twice'");
   CHECK(script_error("at 5s") == "1:6 E541 the name of a signal expected, not the end of the line");
   CHECK(script_error("at 5s ANSWER = 7") == "1:16 E541 a text such as \"7\" expected, not '7'");
+  CHECK(script_error("at 5s HOLD = 3") == "1:14 E543 HOLD is ON, not '3'");
+  CHECK(script_error("at 5s HOLD = OFF") == "1:14 E543 HOLD is ON, not 'OFF'");
+  CHECK(script_error("at 5s STOP = 7s") == "1:14 E543 STOP is ON, not '7s'");
+  CHECK(script_error("at 5s STOP") == "1:11 E541 '=' expected, not the end of the line");
+  CHECK(script_error("at 5s GO = 1") == "1:12 E543 GO is ON or OFF, not '1'");
+  constexpr const char* kShares = "1:18 E543 OVERRIDE is a share above 0% and at most 200%, not ";
+  for (const std::string share : {"'fast'", "'0.5'", "'50'", "'0%'", "'201%'", "'3mm'", "'ON'"}) {
+    CAPTURE(share);
+    CHECK(script_error("at 5s OVERRIDE = " + share.substr(1, share.size() - 2)) == kShares + share);
+  }
+  CHECK(script_error("when HOLD == ON : part_here = ON") ==
+        "1:6 E542 neither the program nor the robot has a signal HOLD");
   CHECK(script_error("at 2000000s part_here = ON") ==
         "1:4 E543 2000000s is beyond the 1000000s of a run");
   CHECK(script_for("at 1s x = ON\nat 2s y = ON", "STOP").diagnostics.error_count() == 2);
+}
+
+TEST_CASE("a wrong value for the operator tells the way out") {
+  const auto help = [](const std::string& text) {
+    return script_for(text, "STOP").diagnostics.all().front().help;
+  };
+  CHECK(help("at 5s HOLD = OFF") == "write HOLD = ON; GO = ON lets the robot go on");
+  CHECK(help("at 5s STOP = OFF") == "write STOP = ON; it ends the run");
+  CHECK(help("at 5s OVERRIDE = 0%") == "for example OVERRIDE = 30%");
+}
+
+TEST_CASE("the operator's names go before a signal of the same name") {
+  const SignalScript script =
+      script_for("at 1s hold = ON\nwhen hold == ON : DIN[2] = ON", "SIGNAL hold = DIN[3]");
+  REQUIRE(script.rules.size() == 2);
+  CHECK(script.rules[0].setting.place.kind == rob::runtime::WorldSignal::Kind::Hold);
+  CHECK(script.rules[1].watched.kind == rob::runtime::WorldSignal::Kind::Input);
+  CHECK(script.rules[1].watched.channel == 2);
 }
 
 TEST_CASE("a script has at most a thousand lines") {
