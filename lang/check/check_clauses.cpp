@@ -77,6 +77,8 @@ bool ClauseChecker::check(Clause clause, const Expr& value) {
     case Clause::ZoneAngle:
       return expressions_.accept(value, Type::real(kAngle), "behind its first value ZONE needs") &&
              check_positive(value, "the angle of ZONE");
+    case Clause::Fine:
+      return check_fine(value);
     case Clause::For:
       return expressions_.accept(value, Type::real(kTime), "FOR needs") &&
              check_positive(value, "FOR");
@@ -154,6 +156,19 @@ bool ClauseChecker::check_zone(const Expr& value) {
       code::kNegativeZone, value.place,
       fmt::format("ZONE needs zero or more; this is {}", text_of(value.constant, value.type)),
       "ZONE 0, or FINE, reaches the target exactly");
+  return false;
+}
+
+bool ClauseChecker::check_fine(const Expr& value) {
+  const auto number = constant_number(value);
+  if (!needs_unit(value)) {
+    return expressions_.accept(value, Type::real(kLength), "FINE needs") &&
+           check_positive(value, "FINE");
+  }
+  diagnostics_.error(
+      code::kFineWithoutUnit, value.place,
+      fmt::format("FINE needs a length; this is {}", described(value)),
+      number ? fmt::format("write FINE {}mm", number_text(*number, kNone)) : "as in FINE 0.1mm");
   return false;
 }
 

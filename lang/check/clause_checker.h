@@ -31,6 +31,7 @@ class ClauseChecker {
   bool check_bound(const Expr& value, std::string_view word, std::string_view needed,
                    std::string_view example, bool fits);
   bool check_zone(const Expr& zone);
+  bool check_fine(const Expr& distance);
   bool check_positive(const Expr& value, std::string_view word);
 
   ExpressionChecker& expressions_;

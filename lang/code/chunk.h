@@ -78,7 +78,7 @@ inline constexpr std::size_t kTextStack = 1024;
 
 /// What a `move` instruction finds in the registers from A on: the number of the axis where it is
 /// computed, the given components in order or radius and turns of a spiral, then the values of AT,
-/// OVER, ACCEL, JERK, ZONE and FOR. A `via` finds components alone.
+/// OVER, ACCEL, JERK, ZONE, FINE and FOR. A `via` finds components alone.
 struct MoveForm {
   MotionKind kind = MotionKind::Joint;
   MoveCommand::Target means = MoveCommand::Target::Coordinates;
@@ -97,6 +97,7 @@ struct MoveForm {
   bool lasts = false;  ///< FOR
   bool fine = false;
   bool euler = false;
+  bool fine_within = false;
   Profile profile = Profile::Unspecified;
 
   bool operator==(const MoveForm&) const = default;

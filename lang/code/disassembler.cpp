@@ -188,7 +188,7 @@ void Line::add_move(std::size_t index) {
   if (form.jerk != MoveCommand::Bound::Unspecified) remark("JERK");
   if (form.zone != MoveCommand::Zone::Unspecified) remark(form.zone_angle ? "ZONE, angle" : "ZONE");
   if (form.lasts) remark("FOR");
-  if (form.fine) remark("FINE");
+  if (form.fine) remark(form.fine_within ? "FINE, distance" : "FINE");
   if (form.euler) remark("EULER");
   if (form.profile != Profile::Unspecified) remark("PROFILE");
 }

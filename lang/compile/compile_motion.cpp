@@ -202,7 +202,9 @@ void StatementCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) 
   form.fine = clauses.fine || (path_ != nullptr && path_->clauses.fine && !zoned);
   const auto settled_by_own = [&](std::size_t i) {
     const auto clause = static_cast<Clause>(i);
-    return (clause == Clause::Zone || clause == Clause::ZoneAngle) && (clauses.fine || zoned);
+    const bool arrival =
+        clause == Clause::Zone || clause == Clause::ZoneAngle || clause == Clause::Fine;
+    return arrival && (clauses.fine || zoned);
   };
   form.profile = clauses.profile;
   form.euler = clauses.euler;
@@ -227,6 +229,7 @@ void StatementCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) 
   if (of(Clause::Jerk) != nullptr) form.jerk = *jerk_of(of(Clause::Jerk)->type);
   if (of(Clause::Zone) != nullptr) form.zone = *zone_of(of(Clause::Zone)->type);
   form.zone_angle = of(Clause::ZoneAngle) != nullptr;
+  form.fine_within = of(Clause::Fine) != nullptr;
   form.lasts = of(Clause::For) != nullptr;
 }
 

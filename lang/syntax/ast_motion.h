@@ -19,8 +19,8 @@ using ExprPtr = std::unique_ptr<Expr>;
 using Block = std::vector<Statement>;
 
 /// Clauses of a motion that have a value, in the order of its registers (MoveForm).
-enum class Clause : std::uint8_t { At, Over, Accel, Jerk, Zone, ZoneAngle, For };
-inline constexpr std::size_t kClauses = 7;
+enum class Clause : std::uint8_t { At, Over, Accel, Jerk, Zone, ZoneAngle, Fine, For };
+inline constexpr std::size_t kClauses = 8;
 
 /// WITH cup IN pallet: the tool that moves, and the frame of what has none of its own.
 struct Surroundings {

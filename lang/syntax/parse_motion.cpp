@@ -281,8 +281,8 @@ void Parser::fail_target(std::string_view motion) {
 }
 
 // clause = "AT" [ "LIVE" ] expr | "OVER" expr | "ACCEL" expr | "JERK" expr | "PROFILE" IDENT
-//        | "ZONE" expr [ NUMBER | QUANTITY | NAME ] | "FINE" | "EULER" | "IN" refframe
-//        | "WITH" IDENT | "FOR" expr .
+//        | "ZONE" expr [ NUMBER | QUANTITY | NAME ] | "FINE" [ NUMBER | QUANTITY | NAME ]
+//        | "EULER" | "IN" refframe | "WITH" IDENT | "FOR" expr .
 void Parser::clauses(Clauses& clauses) {
   while (!at_line_end() && !at(Keyword::Else) && !at(Keyword::Until) && !at(Keyword::Do)) {
     const auto* const valued =
@@ -293,6 +293,7 @@ void Parser::clauses(Clauses& clauses) {
       if (clauses.fine) report_twice("FINE");
       clauses.fine = true;
       advance();
+      if (at_further_value()) clauses[Clause::Fine] = primary();
     } else if (at_word("EULER")) {
       if (clauses.euler) report_twice("EULER");
       clauses.euler = true;
@@ -333,11 +334,12 @@ void Parser::clause(Clauses& clauses, Clause which, std::string_view word) {
   }
   ExprPtr value = expression();
   if (!slot) slot = std::move(value);
-  if (which == Clause::Zone && at_zone_angle()) clauses[Clause::ZoneAngle] = primary();
+  if (which == Clause::Zone && at_further_value()) clauses[Clause::ZoneAngle] = primary();
 }
 
-/// A word that is nearly one of a clause is taken for a slip.
-bool Parser::at_zone_angle() const {
+/// The angle of a ZONE, the distance of a FINE. A word that is nearly one of a clause is taken for
+/// a slip.
+bool Parser::at_further_value() const {
   const bool name = at(TokenKind::Word) && clause_word(current_).empty() &&
                     suggest(current_.text, kMotionClauseWords).empty();
   return name || at(TokenKind::Number);

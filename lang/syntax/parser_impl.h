@@ -186,7 +186,7 @@ class Parser {
   void profile(Clauses& clauses);
   void clause(Clauses& clauses, Clause which, std::string_view word);
   bool at_live() const;
-  bool at_zone_angle() const;
+  bool at_further_value() const;
   [[noreturn]] void fail_clause();
 
   // WITH, IN, PATH, PRESS, OVERRIDE (parse_surroundings.cpp)

@@ -141,6 +141,7 @@ std::string move_text(const RobotSignature& robot, const MoveCommand& command) {
   text += bound_text(" jerk ", command.jerk, command.jerk_value, kJerk, kAngularJerk);
   text += zone_text(command) + zone_angle_text(command);
   if (command.fine) text += " fine";
+  if (command.fine_within > 0) text += ' ' + number_text(command.fine_within, kLength);
   if (command.euler) text += " euler";
   return text + profile_text(command.profile);
 }

@@ -122,6 +122,10 @@ bool Vm::build_clauses(Code pc, const MoveForm& form, const Slot* next, MoveComm
     command.zone_angle = (next++)->real;
     if (!check_positive(pc, "the angle of ZONE", command.zone_angle, kAngle)) return false;
   }
+  if (form.fine_within) {
+    command.fine_within = (next++)->real;
+    if (!check_positive(pc, "FINE", command.fine_within, kLength)) return false;
+  }
   if (!form.lasts) return true;
   command.lasts = next->real;
   return check_positive(pc, "FOR", command.lasts, kTime);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "motion/generate/position_error.h"
 #include "motion/plan/segment_descriptor.h"
 
 namespace rob::motion {
@@ -33,6 +34,7 @@ struct MotionEvent {
     WentBack,        ///< tag: the axes stand where this motion had begun; 0: on the way there
     NoWayBack,       ///< what is recorded of their way begins where they stand
     PaceFailed,      ///< tag: what its LivePace computes has no result
+    Unsettled,       ///< tag: `off` tells how far the robot still is from its SettleWindow
     Overrun,         ///< the tick came too late to be made up; value: how late, s
     Fault            ///< axis: its reference was no number; it has not been handed out
   };
@@ -44,6 +46,7 @@ struct MotionEvent {
   double value = 0;
   Effect effect{};
   int axis = -1;
+  PositionError off{};
 };
 
 }  // namespace rob::motion

@@ -9,6 +9,7 @@ namespace rob::motion {
 using EventKind = MotionEvent::Kind;
 
 void SegmentGenerator::look(const CycleView& view) noexcept {
+  measured_before_ = view_.measured;
   view_ = view;
   if (faulted_) return;
   watches_.ask(
@@ -21,6 +22,7 @@ void SegmentGenerator::look(const CycleView& view) noexcept {
         return do_watched(action, answer);
       });
   if (!braking_) ask_guard();
+  if (settling() && !stopping()) look_at_position();
 }
 
 /// False where nothing more is to be asked in this cycle.

@@ -26,7 +26,8 @@ std::int64_t most_missed(double period) {
 
 SegmentGenerator::SegmentGenerator(const RobotModel& robot, LookAheadBuffer& buffer,
                                    const JointVector& start)
-    : period_(robot.reference_period),
+    : robot_(robot),
+      period_(robot.reference_period),
       most_missed_(most_missed(robot.reference_period)),
       buffer_(buffer),
       events_(kEvents),
@@ -36,7 +37,7 @@ SegmentGenerator::SegmentGenerator(const RobotModel& robot, LookAheadBuffer& buf
   segment_.target = start;
   const JointVector zero = JointVector::Zero(start.size());
   sample_.reference = {0, start, zero, zero};
-  view_.reference = view_.measured = start;
+  view_.reference = view_.measured = measured_before_ = start;
   rest_.q = rest_.trip_q = start;
 }
 
@@ -53,6 +54,7 @@ void SegmentGenerator::catch_up(std::int64_t period) noexcept {
   const double lateness = static_cast<double>(missed) * period_;
   skip(lateness);
   dwell_end_ += lateness;
+  settle_by_ += lateness;
   hold();
   last_period_ = period - 1;
   stamp_ = cycle_instant(last_period_, period_);
@@ -68,7 +70,10 @@ void SegmentGenerator::set_override(double share) noexcept {
 }
 
 void SegmentGenerator::step(double stamp) noexcept {
-  if (dwelling() && stopping()) dwell_end_ += stamp - stamp_;
+  if (dwelling() && stopping()) {
+    dwell_end_ += stamp - stamp_;
+    settle_by_ += stamp - stamp_;
+  }
   stamp_ = stamp;
   go_on_to_stamp();
   if (jogging()) {
@@ -93,11 +98,16 @@ void SegmentGenerator::step(double stamp) noexcept {
 void SegmentGenerator::run_segments() noexcept {
   pass_by();
   while (running_ && next_end() < stamp_ - kSameInstant) {
-    segment_.dwell ? follow_from_rest(dwell_end_) : decide(end());
+    leave(next_end());
     pass_by();
   }
   const bool at_rest = running_ && (segment_.dwell || ends_at_rest());
   if (at_rest && next_end() <= stamp_ + kSameInstant) arrive(next_end());
+}
+
+void SegmentGenerator::leave(double instant) noexcept {
+  if (segment_.settle.present()) return begin_settling(instant);
+  segment_.dwell ? follow_from_rest(instant) : decide(instant);
 }
 
 void SegmentGenerator::pass_by() noexcept {
@@ -116,6 +126,7 @@ void SegmentGenerator::pass(std::uint32_t number, double instant) noexcept {
 /// What follows at this very instant is not decided before the next reference; here it only matters
 /// whether anything can.
 void SegmentGenerator::arrive(double instant) noexcept {
+  if (segment_.settle.present()) return begin_settling(instant);
   latest_ = std::max(latest_, instant);
   close_guard(instant);
   const bool nothing_else = closed();  // before looking: all that came before is then seen
@@ -163,6 +174,12 @@ bool SegmentGenerator::take_up(const SegmentDescriptor& next, double instant) no
 void SegmentGenerator::begin_dwell(const SegmentDescriptor& segment, double instant) noexcept {
   segment_ = segment;
   dwell_end_ = instant + segment.duration;
+  if (segment_.settle.present()) begin_settling(instant);
+}
+
+double SegmentGenerator::dwell_done() const noexcept {
+  if (settling()) return segment_.settle.time - (settle_by_ - stamp_);
+  return segment_.duration - (dwell_end_ - stamp_);
 }
 
 void SegmentGenerator::fail(const SegmentDescriptor& segment, int axis, double instant) noexcept {
@@ -185,7 +202,7 @@ void SegmentGenerator::start_from_rest() noexcept {
   if (next->jog.present()) return begin_jog(*next, stamp_);
   if (!take_up(*next, stamp_)) return;
   pop_segment();
-  while (dwelling() && segment_.duration == 0) {
+  while (dwelling() && !settling() && segment_.duration == 0) {
     pass_by();
     follow_from_rest(dwell_end_);
   }
@@ -230,7 +247,8 @@ void SegmentGenerator::fire_effects(double time) noexcept {
   for (const Effect* effect = buffer_.next_effect(); effect != nullptr && !events_.full();
        effect = buffer_.next_effect()) {
     const bool dropped = effect->generation <= ended_ && effect->after > kept_;
-    if (!dropped && (effect->after > passed_ || failing())) return;
+    const bool waits = effect->after > passed_ || failing() || awaits_position(*effect);
+    if (!dropped && waits) return;
     arm_or_disarm(*effect, dropped);
     tell({.kind = dropped ? EventKind::EffectDropped : EventKind::EffectDue,
           .time = time,

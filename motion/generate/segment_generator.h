@@ -36,6 +36,11 @@ namespace rob::motion {
 /// handler holds the axes on the path until go_on(), as hold() does; guards are not asked
 /// meanwhile.
 ///
+/// What ends at rest and has a SettleWindow goes on as a dwell until the axes are measured within
+/// it, and do not just pass through: in look(), whose cycle is then its end. Effects behind it, and
+/// behind the motion that it makes exact, wait for that; a hold stops the time. Where the time is
+/// over first: Unsettled, and nothing more is begun.
+///
 /// A jog begins at rest, or joins the jog before it, whose state goes on (VelocityMode); its
 /// periods are the run's, and an override or a hold slows its rates and its time. Where none joins
 /// it comes to rest, and a Rest says where.
@@ -172,10 +177,11 @@ class SegmentGenerator : public TrajectoryGenerator {
   void interrupt_dwell() noexcept;
   void run_segments() noexcept;
   double next_end() const noexcept { return segment_.dwell ? dwell_end_ : end(); }
+  void leave(double instant) noexcept;
   void pass_by() noexcept;
   void arrive(double instant) noexcept;
   void begin_dwell(const SegmentDescriptor& segment, double instant) noexcept;
-  double dwell_done() const noexcept { return segment_.duration - (dwell_end_ - stamp_); }
+  double dwell_done() const noexcept;
   void start_from_rest() noexcept;
   void finish_if_done() noexcept;
   void report_held() noexcept;
@@ -194,6 +200,12 @@ class SegmentGenerator : public TrajectoryGenerator {
   bool holding() const noexcept { return stopped_ || handling(); }
   /// Braking for an error of the program.
   bool failing() const noexcept { return braking_ && rest_.by != nullptr; }
+
+  // In position (segment_settling.cpp)
+  bool settling() const noexcept { return dwelling() && segment_.settle.present(); }
+  void begin_settling(double instant) noexcept;
+  void look_at_position() noexcept;
+  bool awaits_position(const Effect& effect) const noexcept;
 
   // Early ends (segment_early_end.cpp)
   static Rest::Outcome outcome_of(WatchAnswer answer) noexcept;
@@ -229,6 +241,7 @@ class SegmentGenerator : public TrajectoryGenerator {
   void report_jog_stopped() noexcept;
   void follow_jog() noexcept;
 
+  const RobotModel& robot_;
   const double period_;
   const std::int64_t most_missed_;
   LookAheadBuffer& buffer_;
@@ -242,7 +255,8 @@ class SegmentGenerator : public TrajectoryGenerator {
 
   SegmentDescriptor segment_;
   bool running_ = false;
-  double dwell_end_ = 0;
+  double dwell_end_ = 0;      ///< infinite while settling()
+  double settle_by_ = 0;      ///< of settling(), s
   std::uint32_t passed_ = 0;  ///< effects up to this number are due
 
   VelocityMode jog_;       ///< stands but for a jog
@@ -251,7 +265,8 @@ class SegmentGenerator : public TrajectoryGenerator {
 
   // What ends early
   WatchList watches_;
-  CycleView view_;  ///< of the present cycle
+  CycleView view_;               ///< of the present cycle
+  JointVector measured_before_;  ///< in the cycle before
   bool braking_ = false;
   Rest rest_;                ///< in the making
   bool untold_ = false;      ///< an error has ended motions, and its Rest cannot be known yet

@@ -86,6 +86,7 @@ void SegmentGenerator::stand_at(const JointVector& q) noexcept {
   running_ = false;
   segment_.target = q;
   segment_.guard = {};
+  segment_.settle = {};
   stand();
 }
 

@@ -10,6 +10,7 @@
 #include "motion/plan/path_event.h"
 #include "motion/plan/profile.h"
 #include "motion/plan/watch.h"
+#include "motion/robots/settle_window.h"
 #include "motion/robots/time_scaling.h"
 #include "motion/space/joint_vector.h"
 
@@ -34,6 +35,8 @@ struct SegmentMotion {
   JogRates jog{};
   LivePace live{};  ///< slows it down, as long as it runs
   Watch guard{};    ///< ends it early: UNTIL. Also of the stop that makes it exact
+  /// Of one that ends at rest: it is done when the measured robot is within this window.
+  SettleWindow settle{};
 
   /// Along this the axes run, parameter 0 … 1; null: straight. Its planner keeps it as long as the
   /// motion, or the corner behind it, can run.

@@ -28,6 +28,9 @@ constexpr int kMostServoCycles = 100;  // a reference; above, samples pile up be
 constexpr Range kHalfTransition{1e-3, 60};
 constexpr Range kZone{1e-6, 1};
 constexpr Range kZoneAngle{1e-6, 1};
+constexpr Range kSettleDistance{1e-6, 1};
+constexpr Range kSettleAngle{1e-6, 1};
+constexpr double kLongestSettling = 60;  // s
 constexpr int kLookAheadMin = 2;
 constexpr int kLookAheadMax = 16384;
 constexpr int kChannels = 64;  // bits of ServoCommand::outputs, ServoState::inputs
@@ -154,6 +157,31 @@ void read_timing(const TableReader& file, RobotModel& robot) {
   if (file.has("zone_angle"))
     robot.zone_angle = file.quantity("zone_angle", Quantity::Angle, kZoneAngle);
   robot.look_ahead = file.integer("look_ahead", kLookAheadMin, kLookAheadMax);
+}
+
+void read_settling(const TableReader& file, RobotModel& robot) {
+  SettleWindow& window = robot.settle;
+  if (file.has("settle_distance"))
+    window.distance = file.quantity("settle_distance", Quantity::Length, kSettleDistance);
+  if (file.has("settle_angle"))
+    window.angle = file.quantity("settle_angle", Quantity::Angle, kSettleAngle);
+  if (file.has("settle_time"))
+    window.time =
+        file.quantity("settle_time", Quantity::Time, {robot.reference_period, kLongestSettling});
+}
+
+/// What is finer than an encoder counts is never seen.
+void check_settling(const TableReader& file, const RobotModel& robot) {
+  for (const Axis& axis : robot.axes) {
+    const bool linear = axis.kind == AxisKind::Linear;
+    const KindRules& rules = linear ? kLinear : kRotary;
+    const double window = linear ? robot.settle.distance : robot.settle.angle;
+    if (window >= axis.drive.encoder_resolution) continue;
+    file.fail(linear ? "settle_distance" : "settle_angle",
+              "is less than a count of axis " + axis.name + " (" +
+                  short_number(axis.drive.encoder_resolution) + " " +
+                  std::string(si_unit(rules.position)) + "); allow more");
+  }
 }
 
 /// Returns the readers, for the checks that need the whole robot.
@@ -311,12 +339,15 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
                                                 "force_sensor", "arm",           "dynamics",
                                                 "simulation",   "axis",          "signal",
                                                 "actuator",     "wire",          "force",
-                                                "cell",         "chain"});
+                                                "cell",         "chain",         "settle_distance",
+                                                "settle_angle", "settle_time"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
   read_timing(file, robot);
+  read_settling(file, robot);
   const std::vector<TableReader> axes = read_axes(file, robot);
+  check_settling(file, robot);
   read_signals(file, robot);
   robot.inputs = count_of_channels(file, "inputs", false, robot);
   robot.outputs = count_of_channels(file, "outputs", true, robot);

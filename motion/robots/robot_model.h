@@ -12,6 +12,7 @@
 #include "motion/cell/cell_data.h"
 #include "motion/dynamics/arm_mechanics.h"
 #include "motion/kinematics/kinematics.h"
+#include "motion/robots/settle_window.h"
 #include "motion/servo/drive_data.h"
 #include "motion/space/analog_channels.h"
 #include "motion/space/joint_vector.h"
@@ -95,6 +96,7 @@ struct RobotModel {
   double t_acc = 0;    ///< s, half a transition under Paul's law (S1); 0: it has not that law
   double zone = 1e-3;  ///< m by which look-ahead's corners may miss where no ZONE is written
   double zone_angle = std::numbers::pi / 180;  ///< rad: the same of orientation and rotary axes
+  SettleWindow settle;                         ///< of FINE, STOP and WAIT; its tip is the flange
   double reference_period = 0;                 ///< s
   double servo_period = 0;                     ///< s, at most reference_period
   int look_ahead = 0;                          ///< segments that the buffer holds

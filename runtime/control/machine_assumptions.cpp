@@ -14,6 +14,7 @@ void RobotMachine::assume(std::vector<std::string> inputs) {
   if (handlers_ != nullptr) handlers_->assume(inputs);
   assumed_ = std::move(inputs);
   foretelling_ = true;
+  settling_.leave_out();
 }
 
 void RobotMachine::note_assumed(int line, int signal) {

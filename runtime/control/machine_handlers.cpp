@@ -84,14 +84,14 @@ Reply RobotMachine::move_back(int line) {
     return Reply::Refused;
   }
   queue(std::get<motion::PlannedSegment>(outcome).segment, false);
-  return stop(line);
+  return make_exact(line);
 }
 
 Reply RobotMachine::leave_handler(int line) {
   using Leaving = Errand::Leaving;
   auto& [program, home, returns, leaving] = *errand_;
   if (leaving == Leaving::No) {
-    if (stop(line) != Reply::Done) return Reply::Later;
+    if (make_exact(line) != Reply::Done) return Reply::Later;
     leaving = Leaving::Stopping;
   }
   if (leaving == Leaving::Stopping) {
@@ -163,6 +163,7 @@ Reply RobotMachine::leave_path() {
 bool RobotMachine::plan_anew(Commanded& commanded) {
   motion::SegmentDescriptor& segment = commanded.segment;
   const motion::Watch guard = segment.guard;
+  const motion::SettleWindow settle = segment.settle;
   if (commanded.move) {
     work_in(static_cast<int>(segment.tag), commanded.setting);
     if (!plan(static_cast<int>(segment.tag), commanded)) {
@@ -177,6 +178,7 @@ bool RobotMachine::plan_anew(Commanded& commanded) {
     segment = stop ? *stop : planner_.dwell(segment.tag, segment.dwell ? segment.duration : 0);
   }
   segment.guard = guard;
+  segment.settle = settle;
   return true;
 }
 

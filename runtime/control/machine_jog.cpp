@@ -120,6 +120,7 @@ void RobotMachine::restart_from(const motion::JointVector& q) {
   planner_.retarget(q);
   exact_ = true;
   jogging_ = false;
+  settling_.lose();
 }
 
 }  // namespace rob::runtime

@@ -113,9 +113,17 @@ Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
   if (!plan(line, commanded)) return Reply::Refused;
   for (std::size_t i = 0; i < commanded.events.size(); ++i) log_.queued_effect();
   brakable_ = commanded.segment.number;
+  if (!asked.exact()) {
+    queue(std::move(commanded));
+    return Reply::Done;
+  }
+  const motion::SettleWindow window = settling_.window(asked.fine_within, planner_.tool_tip());
+  if (commanded.segment.ends_at_rest()) settling_.ask(commanded.segment, window);
   queue(std::move(commanded));
-  if (!asked.exact()) return Reply::Done;
-  if (const auto exact = planner_.stop(static_cast<motion::Tag>(line))) queue(*exact, true, true);
+  if (auto exact = planner_.stop(static_cast<motion::Tag>(line))) {
+    settling_.ask(*exact, window);
+    queue(*exact, true, true);
+  }
   return Reply::Done;
 }
 

@@ -260,6 +260,34 @@ Words words_for_overrun(double lateness) {
           "start the program again; see docs/realtime.md if it happens often"};
 }
 
+Words words_for_unsettled(const motion::PositionError& off, const motion::RobotModel& robot) {
+  using Kind = motion::PositionError::Kind;
+  if (off.kind == Kind::None) {
+    return {code::kUnsettled,
+            fmt::format("the robot still moves {} s after its reference has come to rest",
+                        shown(robot.settle.time, 3)),
+            "look for what swings or pulls at the robot, or move more slowly"};
+  }
+  const auto unit = off.kind == Kind::Place ? motion::AxisKind::Linear : motion::AxisKind::Rotary;
+  const std::string what = off.kind == Kind::Axis ? "axis " + axis_of(robot, off.axis).name + " is"
+                           : off.kind == Kind::Place ? "the tool is"
+                                                     : "the tool is turned by";
+  return {code::kUnsettled,
+          fmt::format("{} {}{} {} s after its reference has come to rest; {} are permitted", what,
+                      shown(off.value, unit), off.kind == Kind::Turn ? "" : " off",
+                      shown(robot.settle.time, 3), shown(off.limit, unit)),
+          "look for what pulls at the robot or blocks it, allow more, or move more slowly"};
+}
+
+lang::Diagnostic note_on_settling() {
+  return {lang::Severity::Note,
+          code::kSettlesLater,
+          {},
+          "times are those of the references: what the robot takes until it is measured in "
+          "position comes on top",
+          "`rob run --fast` shows it for the simulated robot"};
+}
+
 Words words_for_not_finite(int axis, const motion::RobotModel& robot) {
   return {code::kReferenceNotFinite,
           fmt::format("the reference of axis {} is not a finite number; it was not sent",

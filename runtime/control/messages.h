@@ -5,6 +5,7 @@
 #include "lang/machine/machine.h"
 #include "lang/values/arithmetic.h"
 #include "lang/values/pose_math.h"
+#include "motion/generate/position_error.h"
 #include "motion/plan/feasibility.h"
 #include "motion/robots/robot_model.h"
 #include "motion/servo/following_supervisor.h"
@@ -51,6 +52,11 @@ Words words_for_cut_lead(double late);
 Words words_for_overrun(double lateness);
 /// A reference that is no number was about to be sent.
 Words words_for_not_finite(int axis, const motion::RobotModel& robot);
+
+/// An exact motion after which the robot has not come into position in time.
+Words words_for_unsettled(const motion::PositionError& off, const motion::RobotModel& robot);
+/// Where `rob check` foretells the reference's time, and the robot may take longer.
+lang::Diagnostic note_on_settling();
 
 /// ROBOT names a robot that is not carried along; or another one than --robot.
 Words words_for_unknown_robot(const std::string& name);

@@ -321,6 +321,7 @@ void MotionTask::release(Track& track, MotionEvent event, double cycle_time) noe
     case MotionEvent::Kind::Overrun:
     case MotionEvent::Kind::Fault:
     case MotionEvent::Kind::PaceFailed:
+    case MotionEvent::Kind::Unsettled:
       if (&track != active_) return;
       faulted_ = true;
       hold();

@@ -63,15 +63,31 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
       channels_(channels),
       progress_(progress),
       log_(log),
+      settling_(robot, log),
       until_(signals_, robot),
       whens_(signals_, robot) {}
 
 Reply RobotMachine::stop(int line) {
   if (buffer_.full() || !rested()) return Reply::Later;
+  if (const auto segment = settled_stop(line)) queue(*segment, true);
+  brakable_ = 0;
+  return Reply::Done;
+}
+
+Reply RobotMachine::make_exact(int line) {
+  if (buffer_.full() || !rested()) return Reply::Later;
   const auto segment = planner_.stop(static_cast<motion::Tag>(line));
   if (segment) queue(*segment, true);
   brakable_ = 0;
   return Reply::Done;
+}
+
+std::optional<motion::SegmentDescriptor> RobotMachine::settled_stop(int line) {
+  const auto tag = static_cast<motion::Tag>(line);
+  auto segment = planner_.stop(tag);
+  if (!segment && !settling_.settled()) segment = planner_.dwell(tag, 0);
+  if (segment) settling_.ask(*segment, settling_.window(0, planner_.tool_tip()));
+  return segment;
 }
 
 /// What STOP, WAIT or UNTIL has brought to rest is not braked: that it be reached was promised.
@@ -112,7 +128,7 @@ Reply RobotMachine::dwell(int line, double seconds) {
   const auto tag = static_cast<motion::Tag>(line);
   if (buffer_.full() || !rested()) return Reply::Later;
   brakable_ = 0;
-  if (const auto segment = planner_.stop(tag)) {
+  if (const auto segment = settled_stop(line)) {
     queue(*segment, true);
     begun_ = true;
     if (buffer_.full()) return Reply::Later;
@@ -159,7 +175,7 @@ Reply RobotMachine::settle(int line) {
   on_the_way_.clear();
   via_.clear();
   live_.reset();
-  const Reply reply = stop(line);
+  const Reply reply = make_exact(line);
   if (reply != Reply::Done) return reply;
   if (!settled() || give_up_press() == Reply::Later) return Reply::Later;
   forget_rests();
@@ -285,7 +301,9 @@ void RobotMachine::queue(Commanded commanded) {
 void RobotMachine::follow(const motion::SegmentDescriptor& segment) {
   exact_ = segment.ends_at_rest();
   jogging_ = segment.jog.present();
-  if (!segment.dwell || segment.duration > 0) awaited_ = segment.number;
+  settling_.follow(segment);
+  const bool mark = segment.dwell && segment.duration == 0 && !segment.settle.present();
+  if (!mark) awaited_ = segment.number;
 }
 
 void RobotMachine::send(Commanded commanded) {

@@ -15,10 +15,12 @@
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
+#include "runtime/control/commanded.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/point_keeper.h"
 #include "runtime/control/program_log.h"
 #include "runtime/control/program_watch.h"
+#include "runtime/control/settling.h"
 #include "runtime/control/tool_paths.h"
 #include "runtime/control/when_pool.h"
 
@@ -189,27 +191,6 @@ class RobotMachine final : public lang::Machine {
   const lang::Refusal& refusal() const override { return refusal_; }
 
  private:
-  /// What a motion does on its way.
-  struct OnTheWay {
-    lang::PathPlace place;
-    motion::Effect effect;
-  };
-
-  /// A motion, a stop or a dwell as it was asked for, while the generator may not have begun it.
-  struct Commanded {
-    motion::SegmentDescriptor segment;
-    bool stop = false;
-    bool further = false;
-    std::optional<lang::MoveCommand> move{};  ///< of a motion
-    lang::Setting setting{};                  ///< in which it was commanded
-    std::vector<OnTheWay> events{};
-    std::vector<lang::MoveCommand> via{};  ///< of MOVEC, MOVES
-    std::optional<ProgramPace> live{};
-    std::shared_ptr<const motion::PlannedLeg> leg{};
-    double way = 0;                                   ///< of the tool, m
-    std::shared_ptr<const motion::ToolPath> along{};  ///< null: straight in the axes
-  };
-
   /// A PATH in the making.
   struct Path {
     motion::MotionPlanner::Mark before;
@@ -271,6 +252,10 @@ class RobotMachine final : public lang::Machine {
   /// The axes stand at q, where all that was commanded has ended early.
   void restart_from(const motion::JointVector& q);
 
+  /// The last target exactly, whether or not the robot has been measured there.
+  lang::Reply make_exact(int line);
+  /// What makes the last target exact and waits until the robot is in position; none where it is.
+  std::optional<motion::SegmentDescriptor> settled_stop(int line);
   /// The last target exactly, then a dwell, as one statement.
   lang::Reply dwell(int line, double seconds);
   lang::Reply queue(motion::Effect effect);
@@ -329,10 +314,11 @@ class RobotMachine final : public lang::Machine {
   std::int64_t simulations_ = 0;
   std::vector<std::string> assumed_;
   bool foretelling_ = false;
-  bool consulting_ = false;     ///< the operator has been shown the text of the present HALT or ASK
-  int assumed_read_ = -1;       ///< by the condition of the present WAIT
-  motion::JointVector hit_;     ///< where the last guarded motion was hit, or ended
-  bool exact_ = true;           ///< the last motion queued ends at standstill
+  bool consulting_ = false;  ///< the operator has been shown the text of the present HALT or ASK
+  int assumed_read_ = -1;    ///< by the condition of the present WAIT
+  motion::JointVector hit_;  ///< where the last guarded motion was hit, or ended
+  bool exact_ = true;        ///< the last motion queued ends at standstill
+  Settling settling_;
   bool jogging_ = false;        ///< the last motion queued is a jog, and has not told its Rest
   std::uint32_t brakable_ = 0;  ///< number of the last motion; 0 where a barrier stands behind it
   bool braking_ = false;        ///< the generator has been asked to brake

@@ -120,6 +120,10 @@ void RunRecorder::take(const MotionEvent& event) {
     case MotionEvent::Kind::PaceFailed:
       fail(event.time, "fault", words_for_no_pace(), static_cast<int>(event.tag));
       break;
+    case MotionEvent::Kind::Unsettled:
+      fail(event.time, "fault", words_for_unsettled(event.off, robot_),
+           static_cast<int>(event.tag));
+      break;
     case MotionEvent::Kind::Handling:
       begin_handler(event);
       break;

@@ -82,6 +82,8 @@ void LiveReports::take(const MotionEvent& event) {
       return fail(line, words_for_not_finite(event.axis, robot));
     case Kind::PaceFailed:
       return fail(line, words_for_no_pace());
+    case Kind::Unsettled:
+      return fail(line, words_for_unsettled(event.off, robot));
     default:
       return;
   }

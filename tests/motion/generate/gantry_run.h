@@ -46,8 +46,11 @@ class GantryRun {
   motion::SegmentDescriptor move(double x_mm, double y_mm, double theta_deg, motion::Tag tag = 0) {
     return move(move_to(gantry_q(x_mm, y_mm, theta_deg), tag));
   }
-  void stop(motion::Tag tag = 0) {
-    if (const auto segment = planner_.stop(tag)) push(*segment);
+  void stop(motion::Tag tag = 0, const motion::SettleWindow& settle = {}) {
+    auto segment = planner_.stop(tag);
+    if (!segment) return;
+    segment->settle = settle;
+    push(*segment);
   }
   void effect(std::uint32_t id) {
     motion::Effect effect;
@@ -64,6 +67,7 @@ class GantryRun {
   void close() { buffer_.close(); }
   motion::LookAheadBuffer& buffer() { return buffer_; }
   std::uint64_t inputs = 0;
+  double behind_mm = 0;  ///< by which x is measured short of its reference
 
   // The tick's side.
   const motion::GeneratorSample& step() { return advance(period_ + 1); }
@@ -83,6 +87,7 @@ class GantryRun {
     view.inputs = inputs;
     view.reference = samples_.empty() ? robot_.start : samples_.back().reference.q;
     view.measured = view.reference;
+    view.measured[0] -= behind_mm / 1000;
     view.time = samples_.empty() ? 0 : samples_.back().reference.time;
     generator_.look(view);
   }

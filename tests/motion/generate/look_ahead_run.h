@@ -38,8 +38,11 @@ class LookAheadRun {
     segment.guard = guard;
     push(segment);
   }
-  void stop() {
-    if (const auto segment = planner_.stop(0)) push(*segment);
+  void stop(const motion::SettleWindow& settle = {}) {
+    auto segment = planner_.stop(0);
+    if (!segment) return;
+    segment->settle = settle;
+    push(*segment);
   }
   void push(const motion::SegmentDescriptor& segment) {
     if (!buffer_.push(segment)) throw std::logic_error("no room for a segment");
@@ -54,6 +57,7 @@ class LookAheadRun {
   motion::MotionPlanner& planner() { return planner_; }
   motion::LookAheadBuffer& buffer() { return buffer_; }
   std::uint64_t inputs = 0;
+  double behind_mm = 0;  ///< by which x is measured short of its reference
 
   // One cycle: the path is planned, then the tick.
   const motion::GeneratorSample& step() { return advance(period_ + 1); }
@@ -73,6 +77,7 @@ class LookAheadRun {
     view.inputs = inputs;
     view.reference = samples_.empty() ? robot_.start : samples_.back().reference.q;
     view.measured = view.reference;
+    view.measured[0] -= behind_mm / 1000;
     view.time = samples_.empty() ? 0 : samples_.back().reference.time;
     generator_.look(view);
   }
