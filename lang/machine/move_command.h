@@ -51,7 +51,7 @@ struct MoveCommand {
   double zone_value = 0;  ///< 0: the target is reached exactly, as with FINE
   double zone_angle = 0;  ///< ZONE 5mm 2deg: rad by which the tool may turn off; 0: the robot's
   bool fine = false;
-  bool euler = false;  ///< of Line: the angles a, b, c change evenly
+  bool euler = false;      ///< of Line: the angles a, b, c change evenly
   double fine_within = 0;  ///< FINE 0.1mm: m that the measured tool may be away; 0: the robot's
   Bound accel = Bound::Unspecified;
   double accel_value = 0;

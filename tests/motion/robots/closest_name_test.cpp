@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+
 using rob::motion::closest_name;
 
 TEST_CASE("a slip of one or two letters is recognised") {

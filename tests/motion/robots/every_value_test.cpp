@@ -52,7 +52,7 @@ std::string error_with(std::string text, const Value& value, const std::string& 
   }
 }
 
-std::string in_quotes(const std::string& text) { return "\"" + text + "\""; }
+std::string value_text(const std::string& text) { return "\"" + text + "\""; }
 
 /// The message names the file, the line and the key.
 void check_refused(const std::string& text, const Value& value, const std::string& instead) {
@@ -106,10 +106,10 @@ TEST_CASE(
     for (const Value& value : values_of(text)) {
       ++looked_at;
       for (const char* number : {"nan", "inf", "-inf", "1e300", "-1e300", "1e400", ""})
-        check_refused(text, value, in_quotes(std::string(number) + " " + value.unit));
+        check_refused(text, value, value_text(std::string(number) + " " + value.unit));
       for (const char* other : {"1", "nan", "inf", "true", "[]", "\"\"", "\"1\"", "1979-05-27"})
         check_refused(text, value, other);
-      check_refused(text, value, in_quotes("1 furlong"));
+      check_refused(text, value, value_text("1 furlong"));
     }
   }
   CHECK(looked_at > 200);  // six robots of three to six axes with twelve values each
@@ -122,9 +122,9 @@ TEST_CASE("limits, periods and masses of nothing or less are refused, and the bo
     for (const Value& value : values_of(text)) {
       if (may_be_less(value.key)) continue;
       for (const char* number : {"0", "-1"}) {
-        check_refused(text, value, in_quotes(std::string(number) + " " + value.unit));
+        check_refused(text, value, value_text(std::string(number) + " " + value.unit));
         const std::string error =
-            error_with(text, value, in_quotes(std::string(number) + " " + value.unit));
+            error_with(text, value, value_text(std::string(number) + " " + value.unit));
         CHECK(error.find("it must lie from") != std::string::npos);
       }
     }
