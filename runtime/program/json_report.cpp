@@ -250,13 +250,15 @@ std::string text_of(const Json& json, std::size_t indent) {
 
 void put_lines(const RunResult& result, bool measured, std::size_t indent, const Put& put) {
   if (result.lines.empty()) return put("[]");
-  const std::string margin = "\n" + std::string(indent + 2, ' ');
+  const std::string margin = std::string(1, '\n').append(indent + 2, ' ');
   const char* comma = "[";
   for (const LineResult& line : result.lines) {
-    put(comma + margin + text_of(line_json(result, line, measured), indent + 2));
+    put(comma);
+    put(margin);
+    put(text_of(line_json(result, line, measured), indent + 2));
     comma = ",";
   }
-  put("\n" + std::string(indent, ' ') + "]");
+  put(std::string(1, '\n').append(indent, ' ').append("]"));
 }
 
 void put_document(const Json& json, const RunResult& result, bool measured, std::size_t indent,
