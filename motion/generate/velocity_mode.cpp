@@ -20,6 +20,10 @@ constexpr double kNoRate = 1e-12;    // m/s, rad/s: what rounding leaves of a re
 /// [choice] their rounding, 1e-15, makes 2e-8 rad/s² of it; what the axes' jerk changes, 1e-5.
 constexpr double kInstant = 0x1p-11;
 
+/// m, rad: how far away it is seen what rates make of the axes. [choice] the square root of what
+/// rounding leaves of a place
+constexpr double kNearby = 1e-7;
+
 /// rad. [choice] an arm of 1 m is 10 µm from its reach there
 constexpr double kStretched = 0.01;
 
@@ -51,17 +55,6 @@ constexpr double kLittle = 1.0 / 64;
 constexpr std::array kFromRest = {1.0, 1.0 / 8, kLittle};
 /// Where none is possible the next are sought about this part.
 constexpr double kLess = 0.8;
-
-/// Of the speed of the tool that is asked for, by how much it may be exceeded: beside rounding,
-/// what a rest in several periods leaves open. [choice] less than half of what a person could
-/// measure
-constexpr double kOverSpeed = 2e-3;
-/// s before the tool would be too fast in which a jog slows down. [choice] the time in which an arm
-/// brings its acceleration to a half
-constexpr double kSoon = 0.05;
-/// m/s, rad/s: the same of a tool that is not to move or turn. [choice] far below an encoder's
-/// count in a period
-constexpr double kStillSpeed = 1e-7;
 
 constexpr double square(double x) noexcept { return x * x; }
 
@@ -100,7 +93,6 @@ void VelocityMode::stand_at(const JointVector& q) noexcept {
   state_.place = space_.enter(asked_, q);
   state_.rate = state_.acceleration = none;
   rest_periods_ = 0;
-  rest_peak_ = {};
 }
 
 bool VelocityMode::takes(const JogRates& rates) const noexcept {
@@ -129,10 +121,9 @@ void VelocityMode::step(double share) noexcept {
   if (stands() && share > 0 && share == blocked_) return;  // nothing has changed
   blocked_ = 0;
   limit_ = {};
-  override_ = share;
   affordable_ = 0;
   if (stands() && !(share > 0)) return;
-  const auto asked = share > 0 ? space_.image(state_, asked_.rate) : std::nullopt;
+  const auto asked = share > 0 ? image(asked_.rate) : std::nullopt;
   if (share > 0 && !asked) {
     limit_ = {Limit::Reach, -1};
     affordable_ = 1;
@@ -145,8 +136,6 @@ void VelocityMode::step(double share) noexcept {
   }
   if (share > 0) granted_ = asked ? granted_ * kLess : 0;
   if (!go_on_to_rest()) brake_axes();
-  if (!bounds_tool() || state_.acceleration.dot(state_.rate) > 0) return;
-  rest_peak_ = space_.speed(state_, state_.rate);
 }
 
 /// The step towards as much of the rates as permits to come to rest behind it.
@@ -160,12 +149,10 @@ bool VelocityMode::find_step(double share, const JointVector& asked) noexcept {
     if (granted == tried) continue;
     tried = granted;
     State next;
-    JogSpeed peak;
     JogLimit limit = go(state_, share * granted, asked, period_, next);
-    if (limit.kind == Limit::None) limit = try_rest(next, steps, peak);
+    if (limit.kind == Limit::None) limit = try_rest(next, steps);
     if (limit.kind == Limit::None) {
       state_ = next;
-      rest_peak_ = peak;
       rest_periods_ = 0;
       granted_ = granted;
       return true;
@@ -207,6 +194,20 @@ JogPlace VelocityMode::moved(const State& from, const State& to, double time) co
   return space_.moved(from.place, from.rate * time + bend * (time * time / 6));
 }
 
+/// What a rate of the coordinates makes of the axes here, m/s or rad/s; none where the arm does not
+/// reach to either side.
+std::optional<JointVector> VelocityMode::image(const JointVector& rate) const noexcept {
+  if (space_.joint()) return rate;
+  const double time = kNearby / std::max(rate.cwiseAbs().maxCoeff(), kNearby);
+  const JointVector& here = state_.axes.q;
+  const auto ahead = space_.axes(space_.moved(state_.place, rate * time), here);
+  const auto behind = space_.axes(space_.moved(state_.place, rate * -time), here);
+  if (ahead && behind) return JointVector((*ahead - *behind) / (2 * time));
+  if (ahead) return JointVector((*ahead - here) / time);
+  if (behind) return JointVector((here - *behind) / time);
+  return std::nullopt;
+}
+
 /// Of the rates, so that no axis becomes too fast here, nor the tool.
 double VelocityMode::greatest_share(const JointVector& asked) noexcept {
   double share = 1;
@@ -221,17 +222,12 @@ double VelocityMode::greatest_share(const JointVector& asked) noexcept {
     if (turns) bound(asked[i], asked_.turning_speed, {Limit::Share, i});
   }
   if (asked_.tool_speed == JogRates::kAny && asked_.turning_speed == JogRates::kAny) return share;
-  const auto bound_tool = [&](const State& at) noexcept {
-    const JogSpeed speed = space_.speed(at, asked_.rate);
-    bound(speed.linear, asked_.tool_speed, {Limit::Share, -1});
-    if (!space_.joint()) bound(speed.angular, asked_.turning_speed, {Limit::Share, -1});
-  };
-  bound_tool(state_);
-  // What its own motion makes of it soon: it has to have slowed down by then.
-  State soon = state_;
-  soon.place = space_.moved(state_.place, state_.rate * kSoon);
-  soon.axes.q += state_.axes.qd * kSoon;
-  bound_tool(soon);
+  const Pose from = space_.tip(state_.axes.q);
+  const Pose to = space_.tip(state_.axes.q + asked * kInstant);
+  bound((to.position - from.position).norm() / kInstant, asked_.tool_speed, {Limit::Share, -1});
+  if (space_.joint()) return share;
+  bound(from.orientation.angularDistance(to.orientation) / kInstant, asked_.turning_speed,
+        {Limit::Share, -1});
   return share;
 }
 
@@ -268,8 +264,7 @@ JointVector VelocityMode::next_acceleration(const State& from, const JointVector
   const double bent = from.acceleration.norm() * time;
   const bool directed = way > std::max(kBeside * bent, kNoRate);
   if (!directed || beside.norm() * time <= kBeside * std::max(bent, way)) {
-    const JointVector felt = directed ? JointVector(of_axes * along) : from.axes.qdd;
-    const RateChange change = rate_change(of_axes, felt, a_max, j_max, time);
+    const RateChange change = rate_change(of_axes, from.axes.qdd, a_max, j_max, time);
     return missing * change.of_missing + from.acceleration * change.of_acceleration;
   }
   const JointVector felt = from.axes.qdd - of_axes * along;
@@ -299,27 +294,6 @@ bool VelocityMode::follow(const JointVector& near, State& state) const noexcept 
   state.axes.qd = (*ahead - *behind) / (2 * kInstant);
   state.axes.qdd = (*ahead - *q * 2 + *behind) / (kInstant * kInstant);
   return true;
-}
-
-bool VelocityMode::bounds_tool() const noexcept {
-  return !space_.joint() || asked_.tool_speed != JogRates::kAny;
-}
-
-/// Whether the tool is faster at the end of a step, or where it is fastest in between, than it is
-/// asked to be and than the rest that was found before would make it; `peak` rises to that.
-bool VelocityMode::too_fast(const State& from, const State& to, double time,
-                            JogSpeed& peak) const noexcept {
-  if (!bounds_tool()) return false;
-  const JogSpeed now = space_.fastest(from, to, time);
-  peak = {std::max(peak.linear, now.linear), std::max(peak.angular, now.angular)};
-  const auto beyond = [&](double speed, double wanted, double before) noexcept {
-    const double most = override_ * wanted * (1 + kOverSpeed);
-    return speed > std::max(most, before * (1 + kRounding)) + kStillSpeed;
-  };
-  if (space_.joint()) return beyond(now.linear, asked_.tool_speed, rest_peak_.linear);
-  const JogSpeed asked = space_.speed(to, asked_.rate);
-  return beyond(now.linear, std::min(asked.linear, asked_.tool_speed), rest_peak_.linear) ||
-         beyond(now.angular, std::min(asked.angular, asked_.turning_speed), rest_peak_.angular);
 }
 
 /// Whether an arm is about to be stretched or folded; back it may go.
@@ -357,17 +331,15 @@ JogLimit VelocityMode::judge(const JointReference& from, const JointReference& t
   return {};
 }
 
-/// From the state one period on comes to rest as go_on_to_rest() would.
-JogLimit VelocityMode::try_rest(State state, int& steps, JogSpeed& peak) const noexcept {
+/// Comes to rest from a state as go_on_to_rest() would.
+JogLimit VelocityMode::try_rest(State state, int& steps) const noexcept {
   const JointVector none = JointVector::Zero(state.axes.q.size());
   const double time = period_ * periods_a_rest_step_;
   State next;
-  if (too_fast(state_, state, period_, peak)) return {Limit::Share, -1};
   while (!at_rest(state)) {
     if (steps-- <= 0) return {Limit::Acceleration, -1};
     const JogLimit limit = go(state, 0, none, time, next);
     if (limit.kind != Limit::None) return limit;
-    if (too_fast(state, next, time, peak)) return {Limit::Share, -1};
     state = next;
   }
   return {};
