@@ -115,7 +115,7 @@ std::string error_of(std::string_view text) {
   }
 }
 
-std::string quoted(std::string_view name) { return std::string("\"").append(name).append("\""); }
+std::string in_quotes(std::string_view name) { return std::string("\"").append(name).append("\""); }
 
 /// The error begins with file:line: and says `part`.
 void check_error(const std::string& text, int line, std::string_view part) {
@@ -279,7 +279,7 @@ TEST_CASE("names are names, and stand once") {
   check_error(edit(68, "\"down\"", "\"lift\""), 68, "another signal or axis of this name");
   check_error(edit(68, "\"down\"", "\"theta\""), 68, "another signal or axis of this name");
   for (const char* name : {"", "X", "1x", "x y", "é", "abcdefghijklmnopqrstuvwxyz_0123456"})
-    check_error(edit(10, "\"x\"", quoted(name)), 10, "is no name");
+    check_error(edit(10, "\"x\"", in_quotes(name)), 10, "is no name");
 }
 
 TEST_CASE("channels lie within range and belong to one signal each way") {
