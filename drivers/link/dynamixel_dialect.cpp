@@ -15,8 +15,7 @@ constexpr std::uint16_t kBusWatchdog = 98;
 constexpr std::uint16_t kProfileAcceleration = 108;
 constexpr std::uint16_t kProfileVelocity = 112;
 constexpr std::uint16_t kGoalPosition = 116;
-constexpr std::uint16_t kVelocity = 128;  // and the position behind it
-constexpr std::uint16_t kReadingSize = 8;
+constexpr std::uint16_t kVelocity = 128;  // and the position after it
 constexpr std::uint16_t kHealthSize = kHardwareError - kTorque + 1;
 
 // 0.229 rev/min a unit, 4096 ticks a turn.
@@ -46,12 +45,12 @@ dynamixel::Wire DynamixelDialect::write(std::uint8_t id, const ServoSetting& set
                           setting.size);
 }
 
-dynamixel::Wire DynamixelDialect::ask_readings(std::span<const std::uint8_t> ids) {
-  return dynamixel::sync_read(kVelocity, kReadingSize, ids);
+dynamixel::Wire DynamixelDialect::ask_readings(std::span<const std::uint8_t> ids, int turn) {
+  return dynamixel::sync_read(kVelocity, static_cast<std::uint16_t>(reading_size(turn)), ids);
 }
 
-dynamixel::Wire DynamixelDialect::ask_reading(std::uint8_t id) {
-  return dynamixel::read(id, kVelocity, kReadingSize);
+dynamixel::Wire DynamixelDialect::ask_reading(std::uint8_t id, int turn) {
+  return read(id, kVelocity, reading_size(turn));
 }
 
 dynamixel::Wire DynamixelDialect::goals(std::span<const ServoGoal> goals) {
@@ -88,9 +87,9 @@ dynamixel::Wire DynamixelDialect::ask_health(std::uint8_t id) {
   return dynamixel::read(id, kTorque, kHealthSize);
 }
 
-bool DynamixelDialect::parse_reading(const Frame& frame, ServoReading& reading) {
+bool DynamixelDialect::parse_reading(const Frame& frame, int turn, ServoReading& reading) {
   const Bytes bytes = frame.parameters.view();
-  if (bytes.size() != kReadingSize) return false;
+  if (static_cast<int>(bytes.size()) != reading_size(turn)) return false;
   reading.velocity = static_cast<std::int32_t>(little32(bytes, 0)) * kTicksPerVelocity;
   reading.position = static_cast<std::int32_t>(little32(bytes, 4));
   return true;

@@ -14,7 +14,6 @@ constexpr std::uint8_t kTorque = 40;
 constexpr std::uint8_t kAcceleration = 41;
 constexpr std::uint8_t kGoalPosition = 42;  // position, time, speed
 constexpr std::uint8_t kPosition = 56;      // position, speed, load, voltage, temperature
-constexpr std::uint8_t kReadingSize = 8;
 constexpr int kMostSpeed = 4095;  // ticks/s: a turn a second, what an STS3215 does without load
 constexpr int kMostScsPosition = 1023;
 constexpr int kMostScsSpeed = 2047;  // ticks/s [choice] its way twice a second: none is faster
@@ -41,12 +40,12 @@ feetech::Wire FeetechDialect::write(std::uint8_t id, const ServoSetting& setting
   return feetech::write(id, static_cast<std::uint8_t>(setting.address), values.view());
 }
 
-feetech::Wire FeetechDialect::ask_readings(std::span<const std::uint8_t> ids) {
-  return feetech::sync_read(kPosition, kReadingSize, ids);
+feetech::Wire FeetechDialect::ask_readings(std::span<const std::uint8_t> ids, int turn) {
+  return feetech::sync_read(kPosition, static_cast<std::uint8_t>(reading_size(turn)), ids);
 }
 
-feetech::Wire FeetechDialect::ask_reading(std::uint8_t id) {
-  return feetech::read(id, kPosition, kReadingSize);
+feetech::Wire FeetechDialect::ask_reading(std::uint8_t id, int turn) {
+  return read(id, kPosition, reading_size(turn));
 }
 
 feetech::Wire FeetechDialect::goals(std::span<const ServoGoal> goals) {
@@ -80,9 +79,9 @@ feetech::Wire FeetechDialect::torque(std::span<const std::uint8_t> ids, bool on)
 
 feetech::Wire FeetechDialect::ask_health(std::uint8_t id) { return feetech::read(id, kTorque, 1); }
 
-bool FeetechDialect::parse_reading(const Frame& frame, ServoReading& reading) {
+bool FeetechDialect::parse_reading(const Frame& frame, int turn, ServoReading& reading) {
   const Bytes bytes = frame.parameters.view();
-  if (bytes.size() != kReadingSize) return false;
+  if (static_cast<int>(bytes.size()) != reading_size(turn)) return false;
   reading.position = feetech::from_sign_magnitude(little16(bytes, 0));
   reading.velocity = feetech::from_sign_magnitude(little16(bytes, 2));
   return true;
@@ -122,9 +121,9 @@ feetech::Wire FeetechScsDialect::goals(std::span<const ServoGoal> goals) {
   return sync_write(kGoalPosition, 6, rest.view());
 }
 
-bool FeetechScsDialect::parse_reading(const Frame& frame, ServoReading& reading) {
+bool FeetechScsDialect::parse_reading(const Frame& frame, int turn, ServoReading& reading) {
   const Bytes bytes = frame.parameters.view();
-  if (bytes.size() != kReadingSize) return false;
+  if (static_cast<int>(bytes.size()) != reading_size(turn)) return false;
   reading.position = bytes[0] << 8 | bytes[1];
   reading.velocity =
       feetech::from_sign_magnitude(static_cast<std::uint16_t>(bytes[2] << 8 | bytes[3]));

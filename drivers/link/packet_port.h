@@ -50,13 +50,11 @@ class PacketPort {
   /// The same, but first forgets all bytes received before, so that no late answer is mistaken for
   /// this one.
   Result ask(Bytes bytes, double deadline) noexcept {
-    stale_ = port_->discard_input();
+    port_->discard_input();
     reader_.clear();
     echo_.clear();
     return send(bytes, deadline);
   }
-  /// Bytes that the last ask() forgot: answers that came too late.
-  std::size_t stale() const noexcept { return stale_; }
   /// The next whole packet.
   Result receive(Frame& frame, double deadline) noexcept {
     std::array<std::uint8_t, 256> bytes;
@@ -99,7 +97,6 @@ class PacketPort {
   FrameReader<Format> reader_;
   ByteBuffer<3 * Format::kMost> echo_;  ///< sent, and not come back yet
   bool echoes_ = false;
-  std::size_t stale_ = 0;
 };
 
 }  // namespace rob::drivers

@@ -26,6 +26,9 @@ constexpr double kShare = 0.8;        // of a cycle, for all that is said in it 
 constexpr double kBitsPerByte = 10;
 constexpr double kMicro = 1e6;
 constexpr double kTripForgets = 1.01;  // a cycle: a clock that drifts is followed
+// [choice] Rob stops after three without an answer; an adapter may keep the bytes of some cycles
+// back and then give them out together.
+constexpr int kLateCycles = 10;
 
 std::uint32_t wrapped(double microseconds) noexcept {
   return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(microseconds)));
@@ -75,15 +78,15 @@ auto RobLink::ask(Type type, Bytes payload, wire::Frame& answer, double deadline
   while (result == Result::Ok) {
     result = packets_.receive(answer, deadline);
     if (result == Result::Ok && answer.sequence == sequence) return result;
-    late_ = late_ || result == Result::Ok;
+    if (result == Result::Ok) late_ = kLateCycles;
   }
   return result;
 }
 
 void RobLink::connect(WirePort& port) {
   packets_.attach(port);
-  enabled_ = late_ = false;
-  clocked_ = false;
+  enabled_ = clocked_ = false;
+  late_ = 0;
   wire::Frame answer;
   Result result = Result::TimedOut;
   for (int i = 0; i < kHellos && result == Result::TimedOut; ++i)
@@ -199,7 +202,7 @@ ByteBuffer<wire::kMostPayload> RobLink::reference_of(const WireCommand& command)
 DriverStatus RobLink::exchange(const WireCommand* command, double deadline,
                                WireAnswer& answer) noexcept {
   const std::uint32_t broken = packets_.broken();
-  late_ = false;
+  late_ = std::max(late_ - 1, 0);
   const double half = (wire_time() + deadline) / 2;
   const auto once = [&](double until) {
     if (command != nullptr) return ask_state(Type::Reference, reference_of(*command).view(), until);
@@ -218,7 +221,7 @@ DriverStatus RobLink::exchange(const WireCommand* command, double deadline,
 DriverStatus RobLink::judge(Result result) noexcept {
   if (result == Result::Gone) return lost(packets_.port());
   const std::string device = "the device on " + packets_.port().path();
-  if (result == Result::TimedOut && late_)
+  if (result == Result::TimedOut && late_ > 0)
     return fail(DriverStatus::Silent, device + " answers, but later than the cycle permits",
                 "raise period in [wire] of the robot file, or the baud rate");
   if (result == Result::TimedOut)

@@ -56,7 +56,7 @@ class RobLink final : public WireLink {
   wire::State state_;
   std::uint8_t sequence_ = 0;
   bool enabled_ = false;
-  bool late_ = false;  ///< an answer to a former question has come
+  int late_ = 0;  ///< cycles for which it is still remembered that an answer came late
   // The device's clock: device = wire_time()·1e6 + offset_, modulo 2^32.
   double offset_ = 0;
   double trip_ = 0;  ///< s of the quickest answer so far, forgotten slowly

@@ -29,6 +29,10 @@ struct ServoHealth {
   std::string trouble;  ///< empty: nothing
 };
 
+/// Questions for readings that can be told apart. No protocol here numbers its packets, so each
+/// turn asks for another number of bytes: the size of an answer tells which question it belongs to.
+inline constexpr int kTurns = 8;
+
 /// A register and the value it must hold.
 struct ServoSetting {
   int address = 0;
@@ -48,22 +52,25 @@ struct DynamixelDialect {
   static constexpr int kWatchdogAddress = 98;
   static constexpr std::uint32_t kTripped = 255;  ///< what it holds after it has stopped the servo
   static constexpr bool kHasSyncRead = true;
-  static constexpr int kReadingBytes = 19;   ///< of a status with velocity and position
+  static constexpr int kReadingBytes = 19;   ///< of a status with velocity and position, turn 0
   static constexpr int kGoalBytes = 5;       ///< of one goal in a sync write
   static constexpr int kQuestionBytes = 14;  ///< of a question to one servo
   static constexpr int kFrameBytes = 14;     ///< of a sync write or sync read without its servos
   static constexpr int kHealthBytes = 18;    ///< of a status with torque to hardware error
 
+  /// Bytes from register 128 on: velocity, position; after these the trajectory's (136 to 143).
+  static constexpr int reading_size(int turn) { return 8 + turn; }
   static Wire ping(std::uint8_t id) { return dynamixel::ping(id); }
   static Wire read(std::uint8_t id, int address, int size);
   static Wire write(std::uint8_t id, const ServoSetting& setting);
-  static Wire ask_readings(std::span<const std::uint8_t> ids);
-  static Wire ask_reading(std::uint8_t id);
+  static Wire ask_readings(std::span<const std::uint8_t> ids, int turn);
+  static Wire ask_reading(std::uint8_t id, int turn);
   static Wire goals(std::span<const ServoGoal> goals);
   static ServoSetting torque_setting(bool on);
   static Wire torque(std::span<const std::uint8_t> ids, bool on);
   static Wire ask_health(std::uint8_t id);
-  static bool parse_reading(const Frame& frame, ServoReading& reading);
+  /// False if it is no answer to a question of this turn.
+  static bool parse_reading(const Frame& frame, int turn, ServoReading& reading);
   static bool parse_health(const Frame& frame, ServoHealth& health);
   /// "" for none: what the status itself complains of.
   static std::string complaint(const Frame& frame);
@@ -102,16 +109,18 @@ struct FeetechDialect {
   static constexpr int kFrameBytes = 8;
   static constexpr int kHealthBytes = 7;
 
+  /// Bytes from register 56 on: position, speed (4 bytes); the table of both series goes to 66.
+  static constexpr int reading_size(int turn) { return 4 + (turn + 4) % kTurns; }
   static Wire ping(std::uint8_t id) { return feetech::ping(id); }
   static Wire read(std::uint8_t id, int address, int size);
   static Wire write(std::uint8_t id, const ServoSetting& setting);
-  static Wire ask_readings(std::span<const std::uint8_t> ids);
-  static Wire ask_reading(std::uint8_t id);
+  static Wire ask_readings(std::span<const std::uint8_t> ids, int turn);
+  static Wire ask_reading(std::uint8_t id, int turn);
   static Wire goals(std::span<const ServoGoal> goals);
   static ServoSetting torque_setting(bool on);
   static Wire torque(std::span<const std::uint8_t> ids, bool on);
   static Wire ask_health(std::uint8_t id);
-  static bool parse_reading(const Frame& frame, ServoReading& reading);
+  static bool parse_reading(const Frame& frame, int turn, ServoReading& reading);
   static bool parse_health(const Frame& frame, ServoHealth& health);
   static std::string complaint(const Frame& frame);
   static std::uint8_t id_of(const Frame& frame) { return frame.id; }
@@ -134,7 +143,7 @@ struct FeetechScsDialect : FeetechDialect {
   static constexpr bool kHasSyncRead = false;
 
   static Wire goals(std::span<const ServoGoal> goals);
-  static bool parse_reading(const Frame& frame, ServoReading& reading);
+  static bool parse_reading(const Frame& frame, int turn, ServoReading& reading);
   static std::uint32_t value_of(const Frame& frame);
   static std::vector<ServoSetting> settings() { return {}; }
 };

@@ -38,6 +38,18 @@ std::unique_ptr<WireBackend> make_servos(WireSettings settings, std::span<const 
 
 }  // namespace
 
+std::unique_ptr<WireLink> dynamixel_link(const std::vector<WireAxis>& axes, int baud) {
+  return std::make_unique<ServoLink<DynamixelDialect>>(axes, baud);
+}
+
+std::unique_ptr<WireLink> feetech_link(const std::vector<WireAxis>& axes, int baud) {
+  return std::make_unique<ServoLink<FeetechDialect>>(axes, baud);
+}
+
+std::unique_ptr<WireLink> feetech_scs_link(const std::vector<WireAxis>& axes, int baud) {
+  return std::make_unique<ServoLink<FeetechScsDialect>>(axes, baud);
+}
+
 std::unique_ptr<WireBackend> make_dynamixel(WireSettings settings,
                                             std::span<const WiredAxis> axes) {
   return make_servos(std::move(settings), axes, kTurn, dynamixel_link);

@@ -51,9 +51,15 @@ template <typename Dialect>
 double ServoLink<Dialect>::chain_time() const noexcept {
   const auto count = static_cast<double>(axes_.size());
   const double goals = Dialect::kFrameBytes + count * Dialect::kGoalBytes;
-  if (!Dialect::kHasSyncRead) return time_of(goals) + count * question_time(Dialect::kReadingBytes);
+  if (!Dialect::kHasSyncRead) return time_of(goals) + count * question_time(reading_bytes());
   const double question = Dialect::kFrameBytes + count;
-  return time_of(goals + question + count * Dialect::kReadingBytes) + kTurnaround;
+  return time_of(goals + question + count * reading_bytes()) + kTurnaround;
+}
+
+/// Of a status with a reading of this turn.
+template <typename Dialect>
+int ServoLink<Dialect>::reading_bytes() const noexcept {
+  return Dialect::kReadingBytes + Dialect::reading_size(turns_.turn()) - Dialect::reading_size(0);
 }
 
 /// s from a question to one servo to its answer of so many bytes.
@@ -67,19 +73,46 @@ double ServoLink<Dialect>::least_period() const {
   return (chain_time() + time_of(Dialect::kQuestionBytes + Dialect::kHealthBytes)) / kShare;
 }
 
-/// Waits for the answer of this servo and ignores late answers of others. The time limit counts
-/// from the question: a thread that did not run has not asked.
+/// Waits for the answer of this servo that is `wanted`, and ignores late answers to other
+/// questions. The time limit counts from the question: a thread that did not run has not asked.
 template <typename Dialect>
-auto ServoLink<Dialect>::ask(std::uint8_t id, const typename Dialect::Wire& question, Frame& answer,
-                             double deadline) noexcept -> Result {
+template <typename Wanted>
+auto ServoLink<Dialect>::ask(std::size_t i, const typename Dialect::Wire& question, Frame& answer,
+                             double deadline, const Wanted& wanted) noexcept -> Result {
   Result result = packets_.ask(question.view(), deadline);
-  deadline = std::max(deadline, wire_time() + question_time(Dialect::kReadingBytes));
+  deadline = std::max(deadline, wire_time() + question_time(reading_bytes()));
   while (result == Result::Ok) {
     result = packets_.receive(answer, deadline);
-    if (result == Result::Ok && Dialect::is_status(answer) && Dialect::id_of(answer) == id)
-      return result;
+    if (result != Result::Ok) return result;
+    if (sender_of(answer) == i && wanted(answer)) return result;
+    note_late(answer);
   }
   return result;
+}
+
+/// kNone if it is no answer, or of no servo of this robot.
+template <typename Dialect>
+std::size_t ServoLink<Dialect>::sender_of(const Frame& frame) const noexcept {
+  if (!Dialect::is_status(frame)) return kNone;
+  const auto found = std::ranges::find(ids_, Dialect::id_of(frame));
+  return found == ids_.end() ? kNone : static_cast<std::size_t>(found - ids_.begin());
+}
+
+/// A reading of another turn is the answer to a question of an earlier cycle.
+template <typename Dialect>
+void ServoLink<Dialect>::note_late(const Frame& frame) noexcept {
+  const std::size_t i = sender_of(frame);
+  ServoReading reading;
+  for (int turn = 0; i != kNone && turn < kTurns; ++turn)
+    if (turn != turns_.turn() && Dialect::parse_reading(frame, turn, reading)) turns_.hear_late(i);
+}
+
+/// Receives the answers to earlier questions, until nothing has come by `deadline`.
+template <typename Dialect>
+void ServoLink<Dialect>::hear_out(double deadline) noexcept {
+  Frame frame;
+  while (packets_.receive(frame, deadline) == Result::Ok)
+    if (const std::size_t i = sender_of(frame); i != kNone) turns_.hear_late(i);
 }
 
 template <typename Dialect>
@@ -87,8 +120,10 @@ auto ServoLink<Dialect>::must_ask(std::size_t i, const typename Dialect::Wire& q
   Frame answer;
   for (int tries = 0; tries < kTries; ++tries) {
     const Result result =
-        ask(ids_[i], question, answer,
-            wire_time() + kServoAnswerTime + question_time(Dialect::kReadingBytes));
+        ask(i, question, answer, wire_time() + kServoAnswerTime + question_time(reading_bytes()),
+            [](const Frame&) { return true; });
+    // This may answer the first try. What answers the others must not answer the next question.
+    if (result == Result::Ok && tries > 0) hear_out(wire_time() + tries * 2 * kServoAnswerTime);
     if (result == Result::Ok) return answer;
     if (result == Result::Gone) {
       lost(packets_.port());
@@ -104,7 +139,8 @@ auto ServoLink<Dialect>::must_ask(std::size_t i, const typename Dialect::Wire& q
 template <typename Dialect>
 void ServoLink<Dialect>::connect(WirePort& port) {
   packets_.attach(port);
-  enabled_ = late_ = false;
+  enabled_ = false;
+  turns_ = {};
   stalled_ = kNone;
   const typename Dialect::Wire question = Dialect::ping(kNobody);
   packets_.find_echo(question.view(), wire_time() + kEchoTime + time_of(Dialect::kQuestionBytes));
@@ -198,7 +234,7 @@ auto ServoLink<Dialect>::send_goals(const WireVector& position, double deadline)
 template <typename Dialect>
 bool ServoLink<Dialect>::take(std::size_t i, const Frame& frame, WireAnswer& answer) noexcept {
   ServoReading reading;
-  if (!Dialect::parse_reading(frame, reading)) return false;
+  if (!Dialect::parse_reading(frame, turns_.turn(), reading)) return false;
   answer.position[i] = last_[i] = reading.position;
   answer.velocity[i] = reading.velocity;
   answered_[i] = true;
@@ -210,16 +246,19 @@ bool ServoLink<Dialect>::take(std::size_t i, const Frame& frame, WireAnswer& ans
 template <typename Dialect>
 auto ServoLink<Dialect>::read_all(double deadline, WireAnswer& answer) noexcept -> Result {
   if (!Dialect::kHasSyncRead) return read_each(deadline, answer);
-  Result result = packets_.send(Dialect::ask_readings(ids_).view(), deadline);
+  Result result = packets_.send(Dialect::ask_readings(ids_, turns_.turn()).view(), deadline);
   Frame frame;
   std::size_t left = ids_.size();
   while (result == Result::Ok && left > 0) {
     result = packets_.receive(frame, deadline);
-    if (result != Result::Ok || !Dialect::is_status(frame)) continue;
-    const auto found = std::ranges::find(ids_, Dialect::id_of(frame));
-    if (found == ids_.end()) continue;
-    const auto i = static_cast<std::size_t>(found - ids_.begin());
-    if (!answered_[i] && take(i, frame, answer)) --left;
+    if (result != Result::Ok) continue;
+    const std::size_t i = sender_of(frame);
+    if (i == kNone || answered_[i]) continue;
+    if (take(i, frame, answer)) {
+      --left;
+    } else {
+      note_late(frame);
+    }
   }
   return result;
 }
@@ -232,10 +271,10 @@ auto ServoLink<Dialect>::read_each(double deadline, WireAnswer& answer) noexcept
     if (answered_[i]) continue;
     const double share = (deadline - wire_time()) / static_cast<double>(missing--);
     Frame frame;
-    const Result result =
-        ask(ids_[i], Dialect::ask_reading(ids_[i]), frame, wire_time() + std::max(share, 0.0));
+    const Result result = ask(i, Dialect::ask_reading(ids_[i], turns_.turn()), frame,
+                              wire_time() + std::max(share, 0.0),
+                              [&](const Frame& got) { return take(i, got, answer); });
     if (result == Result::Gone) return result;
-    if (result == Result::Ok) take(i, frame, answer);
   }
   return Result::Ok;
 }
@@ -245,19 +284,22 @@ DriverStatus ServoLink<Dialect>::exchange(const WireCommand* command, double dea
                                           WireAnswer& answer) noexcept {
   const double begun = wire_time();
   const WireAnswer before = answer;
-  const bool missing = std::ranges::find(answered_, false) != answered_.end();
+  hear_out(begun);
+  turns_.begin();
   answered_.assign(ids_.size(), false);
   complaint_.clear();
   Result result =
       command != nullptr ? send_goals(command->position, deadline) : packets_.ask({}, deadline);
-  late_ = missing && packets_.stale() > 0;
   // If the cycle is too short to ask again, the chain may take all of it.
   const double half = begun + kChainShare * (deadline - begun);
   const double needed = wire_time() + chain_time();
   const double chain = needed <= half ? half : std::max(needed, deadline);
   if (result == Result::Ok) result = read_all(chain, answer);
-  errors_ += std::ranges::find(answered_, false) != answered_.end() ? 1 : 0;
-  if (result != Result::Gone) result = read_each(deadline, answer);
+  const bool whole = std::ranges::find(answered_, false) == answered_.end();
+  turns_.end(whole);
+  errors_ += whole ? 0 : 1;
+  // After the time of the cycle, questions would only keep the bus busy in the next one.
+  if (result != Result::Gone && wire_time() < deadline) result = read_each(deadline, answer);
   if (result == Result::Ok && std::ranges::find(answered_, false) == answered_.end()) {
     answer.seen = wire_time();
     answer.spread = (answer.seen - begun) / 2;
@@ -303,7 +345,7 @@ DriverStatus ServoLink<Dialect>::no_answer() noexcept {
   const auto i = static_cast<std::size_t>(mute - answered_.begin());
   const auto count = std::ranges::count(answered_, false);
   const bool all = count > 1 && count == static_cast<std::ptrdiff_t>(ids_.size());
-  if (late_)
+  if (all ? turns_.any_late() : turns_.late(i))
     return fail(
         DriverStatus::Silent,
         (all ? "the servos on " + packets_.port().path() + " answer" : servo(i) + " answers") +
@@ -320,10 +362,11 @@ template <typename Dialect>
 DriverStatus ServoLink<Dialect>::check_health(std::size_t i, double deadline) noexcept {
   Frame frame;
   ServoHealth health;
-  const Result result = ask(ids_[i], Dialect::ask_health(ids_[i]), frame, deadline);
+  const Result result = ask(i, Dialect::ask_health(ids_[i]), frame, deadline,
+                            [&](const Frame& got) { return Dialect::parse_health(got, health); });
   if (result == Result::Gone) return lost(packets_.port());
   // Its position is known; its health is asked for again in its turn.
-  if (result != Result::Ok || !Dialect::parse_health(frame, health)) return DriverStatus::Ok;
+  if (result != Result::Ok) return DriverStatus::Ok;
   if (!health.trouble.empty())
     return fail(DriverStatus::Alarm, servo(i) + ": " + health.trouble,
                 "check what is loading it, then switch its power off and on");
@@ -338,8 +381,8 @@ template <typename Dialect>
 DriverStatus ServoLink<Dialect>::check_watchdog(std::size_t i, double deadline) noexcept {
   if (Dialect::kWatchdogAddress == 0) return DriverStatus::Ok;
   Frame frame;
-  const Result result =
-      ask(ids_[i], Dialect::read(ids_[i], Dialect::kWatchdogAddress, 1), frame, deadline);
+  const Result result = ask(i, Dialect::read(ids_[i], Dialect::kWatchdogAddress, 1), frame,
+                            deadline, [](const Frame& got) { return got.parameters.size() == 1; });
   if (result == Result::Gone) return lost(packets_.port());
   if (result != Result::Ok || Dialect::value_of(frame) != Dialect::kTripped)
     return DriverStatus::Ok;
@@ -351,17 +394,5 @@ DriverStatus ServoLink<Dialect>::check_watchdog(std::size_t i, double deadline) 
 template class ServoLink<DynamixelDialect>;
 template class ServoLink<FeetechDialect>;
 template class ServoLink<FeetechScsDialect>;
-
-std::unique_ptr<WireLink> dynamixel_link(const std::vector<WireAxis>& axes, int baud) {
-  return std::make_unique<ServoLink<DynamixelDialect>>(axes, baud);
-}
-
-std::unique_ptr<WireLink> feetech_link(const std::vector<WireAxis>& axes, int baud) {
-  return std::make_unique<ServoLink<FeetechDialect>>(axes, baud);
-}
-
-std::unique_ptr<WireLink> feetech_scs_link(const std::vector<WireAxis>& axes, int baud) {
-  return std::make_unique<ServoLink<FeetechScsDialect>>(axes, baud);
-}
 
 }  // namespace rob::drivers

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/link/answer_turns.h"
 #include "drivers/link/driver.h"
 #include "drivers/link/packet_port.h"
 #include "drivers/link/servo_dialect.h"
@@ -19,6 +20,9 @@ namespace rob::drivers {
 ///
 /// Every tenth cycle Rob also asks one servo for its health, and it asks a servo that stands while
 /// its goal moves away at once. An alert is an Alarm, and so is torque that is off after a restart.
+///
+/// An answer that comes after its cycle is never taken for an answer of a later one: the questions
+/// of the cycles after it differ, up to the seventh.
 ///
 /// connect() detects an adapter that echoes what Rob sends.
 template <typename Dialect>
@@ -40,8 +44,12 @@ class ServoLink final : public WireLink {
   using Result = typename Packets::Result;
 
   std::string servo(std::size_t i) const;
-  Result ask(std::uint8_t id, const typename Dialect::Wire& question, Frame& answer,
-             double deadline) noexcept;
+  template <typename Wanted>
+  Result ask(std::size_t i, const typename Dialect::Wire& question, Frame& answer, double deadline,
+             const Wanted& wanted) noexcept;
+  std::size_t sender_of(const Frame& frame) const noexcept;
+  void note_late(const Frame& frame) noexcept;
+  void hear_out(double deadline) noexcept;
   Frame must_ask(std::size_t i, const typename Dialect::Wire& question);
   void check_mode(std::size_t i);
   void configure(std::size_t i);
@@ -50,6 +58,7 @@ class ServoLink final : public WireLink {
   double time_of(double bytes) const noexcept;
   double chain_time() const noexcept;
   double question_time(int answer) const noexcept;
+  int reading_bytes() const noexcept;
   Result send_goals(const WireVector& position, double deadline) noexcept;
   Result read_all(double deadline, WireAnswer& answer) noexcept;
   Result read_each(double deadline, WireAnswer& answer) noexcept;
@@ -70,7 +79,7 @@ class ServoLink final : public WireLink {
   std::uint32_t cycle_ = 0;
   std::string complaint_;        ///< of a servo, in this cycle
   std::size_t stalled_ = kNone;  ///< the servo that stands while its goal goes away
-  bool late_ = false;            ///< answers have come, but after their cycle
+  AnswerTurns turns_;
   bool enabled_ = false;
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);

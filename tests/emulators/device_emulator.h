@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <mutex>
 #include <random>
 #include <string>
@@ -22,11 +23,12 @@ using Octets = std::vector<std::uint8_t>;
 /// derived class calls end() first thing in its destructor.
 class DeviceEmulator {
  public:
-  std::atomic<bool> silent{false};    ///< it answers nothing
-  std::atomic<int> corrupt{0};        ///< % of answers in which one bit is wrong
-  std::atomic<int> garbage{0};        ///< % of answers behind noise
-  std::atomic<int> halved{0};         ///< % of answers that break off
-  std::atomic<int> late_ms{0};        ///< each answer comes later by that
+  std::atomic<bool> silent{false};  ///< it answers nothing
+  std::atomic<int> corrupt{0};      ///< % of answers in which one bit is wrong
+  std::atomic<int> garbage{0};      ///< % of answers behind noise
+  std::atomic<int> halved{0};       ///< % of answers that break off
+  std::atomic<int> late_ms{0};      ///< each answer takes it that long
+  std::atomic<int> kept_ms{0};      ///< its adapter keeps each answer for a random time up to that
   std::atomic<bool> echo_old{false};  ///< before each answer comes the one before it again
   std::atomic<bool> echoes{false};    ///< its adapter gives back what is sent to it
   std::atomic<int> baud{0};           ///< bytes take the time that this gives them; 0: none
@@ -53,6 +55,8 @@ class DeviceEmulator {
   double now() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - on_).count();
   }
+  /// The instant of the steady clock at which it was switched on, s.
+  double on() const { return std::chrono::duration<double>(on_.time_since_epoch()).count(); }
   virtual void take(std::uint8_t byte) = 0;
   virtual void pass(double now) = 0;
   void answer(Octets bytes) {
@@ -69,12 +73,24 @@ class DeviceEmulator {
     if (happens(garbage)) bytes.insert(bytes.begin(), {0x3C, 0x81, 0x00, 0x42, 0x7E});
     if (echo_old) bytes.insert(bytes.begin(), old_.begin(), old_.end());
     old_ = clean;
-    wire_.send(bytes);
+    if (kept_ms == 0 && kept_.empty()) return wire_.send(bytes);
+    const double until = now() + 1e-3 * static_cast<double>(random_() % 1000) / 1000 * kept_ms;
+    kept_.push_back({kept_.empty() ? until : std::max(until, kept_.back().until), bytes});
   }
 
   mutable std::mutex mutex_;  ///< held while bytes are taken and time passes
 
  private:
+  /// An answer in the adapter; none overtakes another.
+  struct Kept {
+    double until;
+    Octets bytes;
+  };
+
+  void send_kept() {
+    for (; !kept_.empty() && kept_.front().until <= now(); kept_.pop_front())
+      wire_.send(kept_.front().bytes);
+  }
   /// Of so many bytes on the line, which are sent one after the other without a pause.
   void take_time(std::size_t bytes) {
     constexpr double kBits = 10;
@@ -94,6 +110,7 @@ class DeviceEmulator {
       const std::lock_guard lock(mutex_);
       pass(now());
       for (const std::uint8_t byte : bytes) take(byte);
+      send_kept();
     }
     if (leaving_) wire_.unplug();
     gone_ = true;
@@ -104,6 +121,7 @@ class DeviceEmulator {
   double line_free_ = 0;  ///< when the last byte has passed, s
   std::mt19937 random_{1};
   Octets old_;
+  std::deque<Kept> kept_;
   std::atomic<int> questions_{0};
   std::atomic<bool> stopping_{false};
   std::atomic<bool> leaving_{false};

@@ -74,6 +74,12 @@ double ServoEmulator::position(int id) const {
   return servos_.at(id).position;
 }
 
+double ServoEmulator::position_at(int id, double time) const {
+  const std::lock_guard lock(mutex_);
+  const Servo& servo = servos_.at(id);
+  return servo.position + servo.velocity * (time - on() - last_);
+}
+
 void ServoEmulator::stand_at(int id, double ticks) {
   const std::lock_guard lock(mutex_);
   servos_.at(id).position = ticks;

@@ -28,6 +28,8 @@ class ServoEmulator final : public DeviceEmulator {
   void set(int id, int address, int size, std::uint32_t value);
   std::uint32_t get(int id, int address, int size) const;
   double position(int id) const;
+  /// At an instant of the steady clock, s, near now; its motion is taken to be steady.
+  double position_at(int id, double time) const;
   void stand_at(int id, double ticks);
   bool torque(int id) const;
   /// s from the first to the last change of a position.

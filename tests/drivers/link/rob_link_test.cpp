@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <thread>
+#include <vector>
 
 #include "drivers/device/rob_device.h"
 #include "tests/drivers/link/wire_bench.h"
@@ -118,6 +119,35 @@ TEST_CASE("a device that refuses a reference by ERROR has stopped the run") {
   bench.close();
   ended = true;
   runs.join();
+}
+
+TEST_CASE("a device whose answers come cycles later, and together, is not said to be mute") {
+  const test::PtyWire wire;
+  RobDevice device({.axes = 1});
+  const auto answer = [&](std::vector<std::uint8_t> bytes) {
+    device.receive(bytes, static_cast<std::uint32_t>(wire_time() * 1e6));
+    const wire::Wire out = device.send();
+    wire.send({out.view().begin(), out.view().end()});
+  };
+  RobLink link(test::plain_axes(1, 0), 0.02);
+  const auto port = open_port(wire.path(), 115200);
+  std::atomic<bool> connected = false;
+  std::thread answers([&] {
+    while (!connected) answer(wire.receive(1));
+  });
+  link.connect(*port);
+  connected = true;
+  answers.join();
+  WireAnswer unused;
+  const auto trouble_of_a_cycle = [&] {
+    CHECK(link.exchange(nullptr, wire_time() + 0.01, unused) == DriverStatus::Silent);
+    return link.trouble();
+  };
+  for (int i = 0; i < 3; ++i) CHECK(mentions(trouble_of_a_cycle(), "does not answer"));
+  answer(wire.receive(1));
+  for (int i = 0; i < 5; ++i) CHECK(mentions(trouble_of_a_cycle(), "answers, but later than"));
+  for (int i = 0; i < 8; ++i) trouble_of_a_cycle();
+  CHECK(mentions(trouble_of_a_cycle(), "does not answer"));
 }
 
 TEST_CASE("a device with other axes than the robot is refused") {

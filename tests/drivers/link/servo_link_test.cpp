@@ -322,6 +322,38 @@ TEST_CASE_TEMPLATE("servos that answer, but too late, are not said to be mute", 
   CHECK(told);
 }
 
+TEST_CASE_TEMPLATE("fault 27: a position belongs to its instant, however late the answers come",
+                   Bus, Dynamixel, Feetech) {
+  ServoEmulator bus(Bus::kKind, 2);
+  bus.speed = 1000;
+  WireBench bench(machine_on<Bus>(bus, 2));
+  const double zero = wire_time() - bench.now();
+  int answered = 0;
+  for (int i = 0; bench.now() < 5 && bus.position(2) < 3800; ++i) {
+    bus.kept_ms = i % 8 < 4 ? 30 : 0;
+    const DriverStatus status = bench.cycle(all(2, 4000));
+    const motion::ServoState& state = bench.state();
+    if (status != DriverStatus::Ok || state.measured.q[1] < 2100) continue;
+    ++answered;
+    const double place = bus.position_at(2, zero + state.measured.time);
+    CHECK(std::abs(state.measured.q[1] - place) < bus.speed * state.spread + 2);
+  }
+  CHECK(answered > 5);
+}
+
+TEST_CASE_TEMPLATE("late answers while it connects are not taken for other registers", Bus,
+                   Dynamixel, Feetech) {
+  ServoEmulator bus(Bus::kKind, 1);
+  const bool dynamixel = Bus::kKind == ServoEmulator::Kind::Dynamixel;
+  bus.set(1, dynamixel ? 52 : 9, 2, 900);
+  bus.set(1, dynamixel ? 48 : 11, 2, 3000);
+  bus.late_ms = 60;
+  const auto machine = machine_on<Bus>(bus, 1);
+  REQUIRE(test::trouble_opening(*machine) == "");
+  CHECK(machine->least(0) == 900);
+  CHECK(machine->most(0) == 3000);
+}
+
 TEST_CASE("stamps are those of the servo's clock, though its thread waits between two looks") {
   ServoEmulator bus(ServoEmulator::Kind::Feetech, 2);
   WireBench bench(machine_on<Feetech>(bus, 2));
