@@ -9,8 +9,8 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
-/// The part of ExpressionChecker that knows arrays: their types, lists and lengths; and when the
-/// type of a record may be used.
+/// Member functions of ExpressionChecker for arrays: their types, lists and lengths. They also
+/// check where the type of a record may be used.
 namespace rob::lang {
 namespace {
 

@@ -12,7 +12,7 @@
 #include "lang/text/suggest.h"
 #include "lang/values/units.h"
 
-/// The part of ExpressionChecker that knows how built-in functions are called.
+/// Member functions of ExpressionChecker for calls of built-in functions.
 namespace rob::lang {
 namespace {
 

@@ -8,7 +8,7 @@
 #include "lang/text/suggest.h"
 #include "lang/values/number_text.h"
 
-/// The part of ExpressionChecker that knows values of several parts: how they are written, their
+/// Member functions of ExpressionChecker for values of several parts: how they are written, their
 /// fields and their elements.
 namespace rob::lang {
 namespace {

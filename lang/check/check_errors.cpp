@@ -1,7 +1,7 @@
 #include "lang/check/statement_checker.h"
 #include "lang/text/codes.h"
 
-/// The part of StatementChecker that knows TRY and RAISE.
+/// Member functions of StatementChecker for TRY and RAISE.
 namespace rob::lang {
 
 void StatementChecker::check(Try& statement) {

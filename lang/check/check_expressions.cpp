@@ -14,7 +14,8 @@
 #include "lang/values/number_text.h"
 #include "lang/values/units.h"
 
-/// The part of ExpressionChecker that knows literals and names, and what a place accepts.
+/// Member functions of ExpressionChecker for literals and names. They also check whether a place
+/// accepts a value.
 namespace rob::lang {
 
 std::string described(const Expr& expression) {

@@ -4,7 +4,7 @@
 #include "lang/check/statement_checker.h"
 #include "lang/text/codes.h"
 
-/// The part of StatementChecker that knows LOOP, EXIT, NEXT and SELECT.
+/// Member functions of StatementChecker for LOOP, EXIT, NEXT and SELECT.
 namespace rob::lang {
 
 void StatementChecker::check_body(Block& body) {

@@ -3,8 +3,8 @@
 
 #include "lang/check/statement_checker.h"
 
-/// The part of StatementChecker that knows the handlers of WHEN. A handler is checked where it
-/// stands, since it sees what is declared there, and becomes a routine.
+/// Member functions of StatementChecker for the handlers of WHEN. A handler is checked at its place
+/// in the text, because it sees what is declared there; it becomes a routine.
 namespace rob::lang {
 
 void StatementChecker::check_handler(When& when) {

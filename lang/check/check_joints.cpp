@@ -9,7 +9,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
-/// The part of ExpressionChecker that knows JOINTS: one value for each axis of the robot.
+/// Member functions of ExpressionChecker for JOINTS: one value for each axis of the robot.
 namespace rob::lang {
 namespace {
 

@@ -4,7 +4,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
-/// The part of StatementChecker that knows HALT and ASK, and the operator whom SIMULATE plays.
+/// Member functions of StatementChecker for HALT and ASK, and for the operator whom SIMULATE plays.
 namespace rob::lang {
 
 void StatementChecker::check(Halt& halt) {

@@ -7,8 +7,8 @@
 #include "lang/check/expression_checker.h"
 #include "lang/text/codes.h"
 
-/// The part of ExpressionChecker that knows the operators: which types they take and what comes
-/// out, in the order of their precedence.
+/// Member functions of ExpressionChecker for the operators, in the order of their precedence: which
+/// types they take and what type results.
 namespace rob::lang {
 namespace {
 

@@ -5,7 +5,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
-/// The part of StatementChecker that knows POINT and TEACH.
+/// Member functions of StatementChecker for POINT and TEACH.
 namespace rob::lang {
 
 /// What has been taught counts, before the value in the program.

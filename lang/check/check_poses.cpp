@@ -7,8 +7,8 @@
 #include "lang/values/pose_functions.h"
 #include "lang/values/pose_slots.h"
 
-/// The part of ExpressionChecker that knows poses: in which frame they are, what can be computed
-/// with them, and their angles.
+/// Member functions of ExpressionChecker for poses: their frames, what can be computed with them,
+/// and their angles.
 namespace rob::lang {
 namespace {
 

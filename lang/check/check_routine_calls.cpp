@@ -10,7 +10,7 @@
 #include "lang/text/codes.h"
 #include "lang/text/suggest.h"
 
-/// The part of ExpressionChecker that knows how the program's own routines are called.
+/// Member functions of ExpressionChecker for calls of the program's own routines.
 namespace rob::lang {
 
 void ExpressionChecker::check_statement(const ExprPtr& call) {

@@ -9,7 +9,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
-/// The part of StatementChecker that knows PROC, FUNC and RETURN.
+/// Member functions of StatementChecker for PROC, FUNC and RETURN.
 namespace rob::lang {
 
 void StatementChecker::check(Program& program, KnownNames known) {

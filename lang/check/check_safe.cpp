@@ -9,7 +9,7 @@
 #include "lang/text/codes.h"
 #include "lang/values/number_text.h"
 
-/// The part of StatementChecker that knows SAFE: what an output becomes when a run goes wrong.
+/// Member functions of StatementChecker for SAFE: the value of an output after a run has failed.
 namespace rob::lang {
 
 void StatementChecker::check_safe(SignalDeclaration& signal, const Symbol& symbol) {

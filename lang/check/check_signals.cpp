@@ -13,7 +13,8 @@
 #include "lang/text/codes.h"
 #include "lang/values/number_text.h"
 
-/// The part of StatementChecker that knows SIGNAL: names for channels, and what their volts mean.
+/// Member functions of StatementChecker for SIGNAL: names for channels, and the meaning of their
+/// volts.
 namespace rob::lang {
 namespace {
 

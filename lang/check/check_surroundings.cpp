@@ -9,7 +9,7 @@
 #include "lang/check/target.h"
 #include "lang/text/codes.h"
 
-/// The part of StatementChecker that knows WITH, PATH and PRESS.
+/// Member functions of StatementChecker for WITH, PATH and PRESS.
 namespace rob::lang {
 namespace {
 

@@ -6,7 +6,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
-/// The part of StatementChecker that knows TASK and START.
+/// Member functions of StatementChecker for TASK and START.
 namespace rob::lang {
 namespace {
 

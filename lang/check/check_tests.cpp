@@ -10,7 +10,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
-/// The part of StatementChecker that knows EXPECT and SIMULATE.
+/// Member functions of StatementChecker for EXPECT and SIMULATE.
 namespace rob::lang {
 
 /// What only a TEST may do: the program itself is run on machines that are there.

@@ -7,7 +7,8 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
-/// The part of RoutineUses that knows the handlers of WHEN: what they and all that they call do.
+/// Member functions of RoutineUses for the handlers of WHEN: what they do, and the routines that
+/// they call.
 namespace rob::lang {
 
 std::set<std::size_t> RoutineUses::reached_from(std::size_t routine) const {

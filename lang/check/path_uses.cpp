@@ -9,7 +9,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
-/// The part of RoutineUses that knows PATHs: what the routines do that they call.
+/// Member functions of RoutineUses for PATHs: what the routines do that they call.
 namespace rob::lang {
 
 void RoutineUses::met_robot(Place place) {

@@ -8,7 +8,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
-/// The part of RoutineUses that knows TASKs: what they and all that they call do.
+/// Member functions of RoutineUses for TASKs: what they do, and the routines that they call.
 namespace rob::lang {
 namespace {
 

@@ -3,8 +3,8 @@
 #include "lang/check/routine.h"
 #include "lang/compile/expression_compiler.h"
 
-/// The part of ExpressionCompiler that knows routines, and where variables live that are not in
-/// the present frame.
+/// Member functions of ExpressionCompiler for calls of routines, and for variables that are not in
+/// the current frame.
 namespace rob::lang {
 
 bool calls_routine(const Expr& expression) {

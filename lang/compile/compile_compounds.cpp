@@ -1,7 +1,7 @@
 #include "lang/check/routine.h"
 #include "lang/compile/expression_compiler.h"
 
-/// The part of ExpressionCompiler that computes with values of several slots, part by part.
+/// Member functions of ExpressionCompiler that compute with values of several slots, part by part.
 namespace rob::lang {
 namespace {
 

@@ -1,6 +1,6 @@
 #include "lang/compile/statement_compiler.h"
 
-/// The part of StatementCompiler that knows TRY and RAISE.
+/// Member functions of StatementCompiler for TRY and RAISE.
 namespace rob::lang {
 
 /// The register of the reason is taken before the body, which thus cannot use it.

@@ -3,7 +3,7 @@
 
 #include "lang/compile/statement_compiler.h"
 
-/// The part of StatementCompiler that knows loops, SELECT and ASSERT.
+/// Member functions of StatementCompiler for loops, SELECT and ASSERT.
 namespace rob::lang {
 
 void StatementCompiler::compile_body(const Block& body) {

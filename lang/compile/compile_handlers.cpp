@@ -1,6 +1,6 @@
 #include "lang/compile/statement_compiler.h"
 
-/// The part of StatementCompiler that gives a handler the variables around it.
+/// Member functions of StatementCompiler that give a handler the variables around it.
 namespace rob::lang {
 
 /// The places of the variables that a handler uses of those around it, number slots before text

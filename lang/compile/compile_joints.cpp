@@ -1,6 +1,6 @@
 #include "lang/compile/expression_compiler.h"
 
-/// The part of ExpressionCompiler that knows JOINTS, and what is read of the robot.
+/// Member functions of ExpressionCompiler for JOINTS, and for what is read of the robot.
 namespace rob::lang {
 namespace {
 

@@ -3,8 +3,8 @@
 #include "lang/check/routine.h"
 #include "lang/compile/expression_compiler.h"
 
-/// The part of ExpressionCompiler that knows values in the memory of a frame: arrays and records,
-/// how they are made and how they are copied.
+/// Member functions of ExpressionCompiler for values in the memory of a frame: how arrays and
+/// records are made and copied.
 namespace rob::lang {
 namespace {
 

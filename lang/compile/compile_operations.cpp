@@ -5,8 +5,8 @@
 #include "lang/check/fold.h"
 #include "lang/compile/expression_compiler.h"
 
-/// The part of ExpressionCompiler that knows operations on numbers, and which instruction does most
-/// of one at a time.
+/// Member functions of ExpressionCompiler for operations on numbers. They choose the instruction
+/// that does most of an operation at once.
 namespace rob::lang {
 namespace {
 

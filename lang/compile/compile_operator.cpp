@@ -1,6 +1,7 @@
 #include "lang/compile/statement_compiler.h"
 
-/// The part of StatementCompiler that knows HALT and ASK, and the operator whom SIMULATE plays.
+/// Member functions of StatementCompiler for HALT and ASK, and for the operator whom SIMULATE
+/// plays.
 namespace rob::lang {
 
 void StatementCompiler::compile(const Halt& halt) {

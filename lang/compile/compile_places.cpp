@@ -2,8 +2,8 @@
 #include "lang/check/routine.h"
 #include "lang/compile/expression_compiler.h"
 
-/// The part of ExpressionCompiler that knows where values lie: in registers, in the memory of a
-/// frame, or where a reference says; and how they get from one to the other.
+/// Member functions of ExpressionCompiler for the places of values: registers, the memory of a
+/// frame, or where a reference points. They also move values between these.
 namespace rob::lang {
 namespace {
 

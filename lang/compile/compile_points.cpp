@@ -2,7 +2,7 @@
 #include "lang/compile/statement_compiler.h"
 #include "lang/values/pose_slots.h"
 
-/// The part of StatementCompiler that knows POINT and TEACH.
+/// Member functions of StatementCompiler for POINT and TEACH.
 namespace rob::lang {
 
 void StatementCompiler::load_pose(const PoseValue& pose, Register first, Place place) {

@@ -2,7 +2,7 @@
 
 #include "lang/compile/expression_compiler.h"
 
-/// The part of ExpressionCompiler that computes with poses.
+/// Member functions of ExpressionCompiler that compute with poses.
 namespace rob::lang {
 namespace {
 

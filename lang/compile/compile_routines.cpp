@@ -3,7 +3,7 @@
 #include "lang/check/routine.h"
 #include "lang/compile/statement_compiler.h"
 
-/// The part of StatementCompiler that knows PROC, FUNC and RETURN.
+/// Member functions of StatementCompiler for PROC, FUNC and RETURN.
 namespace rob::lang {
 
 CallLayout layout_of(const Routine& routine) {

@@ -1,6 +1,6 @@
 #include "lang/compile/expression_compiler.h"
 
-/// The part of ExpressionCompiler that knows signals: the program's quantities, the channel's
+/// Member functions of ExpressionCompiler for signals. The program has quantities, the channel
 /// volts.
 namespace rob::lang {
 namespace {

@@ -3,7 +3,7 @@
 #include "lang/compile/statement_compiler.h"
 #include "lang/values/pose_slots.h"
 
-/// The part of StatementCompiler that knows WITH, IN, PATH, PRESS and OVERRIDE.
+/// Member functions of StatementCompiler for WITH, IN, PATH, PRESS and OVERRIDE.
 namespace rob::lang {
 
 void StatementCompiler::enter(const Surroundings& surroundings) {

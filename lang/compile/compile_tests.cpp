@@ -3,7 +3,7 @@
 #include "lang/compile/statement_compiler.h"
 #include "lang/values/number_text.h"
 
-/// The part of StatementCompiler that knows TEST, EXPECT and SIMULATE.
+/// Member functions of StatementCompiler for TEST, EXPECT and SIMULATE.
 namespace rob::lang {
 
 /// A TEST begins like the program, with its declarations and without its statements; they take the

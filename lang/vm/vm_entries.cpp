@@ -1,6 +1,6 @@
 #include "lang/vm/vm.h"
 
-/// The part of Vm that executes entries of the prompt, one after another.
+/// Member functions of Vm that execute entries of the prompt, one after another.
 namespace rob::lang {
 
 Vm::Vm(Machine& machine, std::uint64_t seed)

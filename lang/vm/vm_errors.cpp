@@ -6,7 +6,7 @@
 #include "lang/text/codes.h"
 #include "lang/vm/vm.h"
 
-/// The part of Vm that knows TRY: where an error goes.
+/// Member functions of Vm for TRY: where the program goes on after an error.
 namespace rob::lang {
 
 bool Vm::open_try(Code pc) {

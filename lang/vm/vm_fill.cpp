@@ -3,7 +3,7 @@
 
 #include "lang/vm/vm.h"
 
-/// The part of Vm that executes a FOR whose body only stores into one element of an array.
+/// Member functions of Vm that execute a FOR whose body only stores into one element of an array.
 namespace rob::lang {
 namespace {
 

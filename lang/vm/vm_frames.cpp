@@ -9,7 +9,7 @@
 #include "lang/vm/texts.h"
 #include "lang/vm/vm.h"
 
-/// The part of Vm that knows frames, and what it says when something goes wrong.
+/// Member functions of Vm for frames, and for the messages when something goes wrong.
 namespace rob::lang {
 namespace {
 

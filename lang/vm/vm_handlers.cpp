@@ -4,8 +4,8 @@
 
 #include "lang/vm/vm.h"
 
-/// The part of Vm that knows the handlers of WHEN. A handler is a routine that nobody calls: its
-/// frame lies behind all that the program uses where it was interrupted.
+/// Member functions of Vm for the handlers of WHEN. A handler is a routine that no statement calls.
+/// Its frame lies above everything that the interrupted program uses.
 namespace rob::lang {
 
 Reply Vm::when_handle(Code pc) {

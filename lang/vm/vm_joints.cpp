@@ -6,7 +6,7 @@
 #include "lang/values/pose_slots.h"
 #include "lang/vm/vm.h"
 
-/// The part of Vm that asks the Machine where axes bring the tool, and what it has felt.
+/// Member functions of Vm that ask the Machine where axes bring the tool, and what it has felt.
 namespace rob::lang {
 namespace {
 

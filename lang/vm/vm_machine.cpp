@@ -12,7 +12,7 @@
 #include "lang/vm/answer.h"
 #include "lang/vm/vm.h"
 
-/// The part of Vm that asks the Machine: what is commanded, observed and waited for.
+/// Member functions of Vm that call the Machine: to command, to observe and to wait.
 namespace rob::lang {
 
 Vm::State Vm::pause(Code pc, Code resume, Reply reply) {

@@ -7,7 +7,7 @@
 #include "lang/values/number_text.h"
 #include "lang/vm/vm.h"
 
-/// The part of Vm that puts motions together from registers.
+/// Member functions of Vm that put motions together from registers.
 namespace rob::lang {
 namespace {
 

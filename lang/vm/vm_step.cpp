@@ -12,7 +12,7 @@
 #include "lang/vm/texts.h"
 #include "lang/vm/vm.h"
 
-/// The part of Vm that executes what its dispatch loop hands over.
+/// Member functions of Vm that execute the instructions that its dispatch loop hands over.
 namespace rob::lang {
 namespace {
 

@@ -8,8 +8,8 @@
 #include "lang/values/pose_slots.h"
 #include "lang/vm/vm.h"
 
-/// The part of Vm that keeps what WITH, PRESS and OVERRIDE say. What is open is restored however a
-/// block is left: by its end, EXIT and RETURN (the compiler), or an error (Vm::rescue()).
+/// Member functions of Vm that keep what WITH, PRESS and OVERRIDE say. When a block is left, by its
+/// end, EXIT, RETURN (the compiler) or an error (Vm::rescue()), they restore what held before it.
 namespace rob::lang {
 
 Setting Vm::setting() const { return settings_.empty() ? Setting{} : settings_.back(); }

@@ -1,6 +1,6 @@
 #include "lang/vm/vm.h"
 
-/// The part of Vm that knows TASKs.
+/// Member functions of Vm for TASKs.
 namespace rob::lang {
 
 Vm::Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memory,

@@ -10,7 +10,7 @@
 #include "lang/values/number_text.h"
 #include "lang/vm/vm.h"
 
-/// The part of Vm that sets up what is looked at in every control cycle.
+/// Member functions of Vm that set up what is checked in every control cycle.
 namespace rob::lang {
 
 Watch Vm::watch_of(Code pc) const {

@@ -2,8 +2,8 @@
 
 #include "motion/generate/segment_generator.h"
 
-/// The part of SegmentGenerator that ends motions early: guards, braking, and what becomes of all
-/// that was commanded behind.
+/// Member functions of SegmentGenerator that end motions early: guards, braking, and what becomes
+/// of everything commanded after them.
 namespace rob::motion {
 
 using EventKind = MotionEvent::Kind;

@@ -2,7 +2,7 @@
 
 #include "motion/generate/segment_generator.h"
 
-/// The part of SegmentGenerator that lets a handler have the axes.
+/// Member functions of SegmentGenerator that give the axes to a handler.
 namespace rob::motion {
 
 /// One at a time, and none once the program has come to its end.

@@ -4,7 +4,7 @@
 #include "motion/generate/limit_numbers.h"
 #include "motion/generate/segment_generator.h"
 
-/// The part of SegmentGenerator that moves at given rates.
+/// Member functions of SegmentGenerator that move at given rates.
 namespace rob::motion {
 
 using EventKind = MotionEvent::Kind;

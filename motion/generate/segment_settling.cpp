@@ -4,7 +4,7 @@
 #include "motion/generate/segment_generator.h"
 #include "motion/space/cycle_instant.h"
 
-/// The part of SegmentGenerator that waits until the measured robot is in position.
+/// Member functions of SegmentGenerator that wait until the measured robot is in position.
 namespace rob::motion {
 
 namespace {

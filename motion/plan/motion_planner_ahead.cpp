@@ -6,8 +6,8 @@
 #include "motion/plan/ahead_leg.h"
 #include "motion/plan/motion_planner.h"
 
-/// The part of MotionPlanner that knows the look-ahead law: it says what a motion asks for; how
-/// long it takes is known when its neighbours are.
+/// Member functions of MotionPlanner for the look-ahead law. They say what a motion asks for; its
+/// time is known only after its neighbours are.
 namespace rob::motion {
 
 namespace {

@@ -4,7 +4,7 @@
 #include "motion/plan/paul_segment.h"
 #include "motion/plan/torque_share.h"
 
-/// The part of MotionPlanner that knows what gears and drives can give.
+/// Member functions of MotionPlanner for what gears and drives can give.
 namespace rob::motion {
 
 namespace {

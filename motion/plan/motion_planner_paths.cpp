@@ -7,7 +7,7 @@
 #include "motion/plan/reach.h"
 #include "motion/plan/wishes.h"
 
-/// The part of MotionPlanner that knows motions along paths of the tool, and corners.
+/// Member functions of MotionPlanner for motions along paths of the tool, and for corners.
 namespace rob::motion {
 
 namespace {

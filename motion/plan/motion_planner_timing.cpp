@@ -4,7 +4,7 @@
 
 #include "motion/plan/motion_planner.h"
 
-/// The part of MotionPlanner that knows how long a motion takes.
+/// Member functions of MotionPlanner that calculate the time of a motion.
 namespace rob::motion {
 
 namespace {

@@ -7,7 +7,7 @@
 #include "runtime/control/codes.h"
 #include "runtime/control/robot_machine.h"
 
-/// The part of RobotMachine that tells what is assumed while a program is foretold.
+/// Member functions of RobotMachine that report what is assumed while a program is foretold.
 namespace rob::runtime {
 
 void RobotMachine::assume(std::vector<std::string> inputs) {

@@ -8,8 +8,7 @@
 #include "runtime/control/pose_values.h"
 #include "runtime/control/robot_machine.h"
 
-/// The part of RobotMachine that has to do with forces: ZERO, PRESS, and what SIMULATE says of
-/// them.
+/// Member functions of RobotMachine for forces: ZERO, PRESS, and what SIMULATE says of them.
 namespace rob::runtime {
 
 using lang::Reply;

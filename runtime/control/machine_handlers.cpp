@@ -7,7 +7,7 @@
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
 
-/// The part of RobotMachine that knows the handlers of WHEN: how one gets the axes, and what
+/// Member functions of RobotMachine for the handlers of WHEN: how a handler gets the axes, and what
 /// becomes of the motion that it has interrupted. A handler commands a RobotMachine of its own.
 namespace rob::runtime {
 

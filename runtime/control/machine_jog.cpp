@@ -6,8 +6,8 @@
 #include "runtime/control/pose_values.h"
 #include "runtime/control/robot_machine.h"
 
-/// The part of RobotMachine that commands motions at given rates. Where they lead is known when
-/// they have come to rest; only another JOG follows before.
+/// Member functions of RobotMachine that command motions at given rates. Their end is known only
+/// after the axes have come to rest; before that only another JOG may follow.
 namespace rob::runtime {
 
 using lang::JogFrame;

@@ -13,7 +13,7 @@
 #include "runtime/control/tool_paths.h"
 #include "runtime/control/units.h"
 
-/// The part of RobotMachine that commands motions.
+/// Member functions of RobotMachine that command motions.
 namespace rob::runtime {
 
 using lang::MotionKind;

@@ -4,7 +4,7 @@
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
 
-/// The part of RobotMachine that knows HALT and ASK.
+/// Member functions of RobotMachine for HALT and ASK.
 namespace rob::runtime {
 
 using lang::Reply;

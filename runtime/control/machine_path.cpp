@@ -6,8 +6,9 @@
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
 
-/// The part of RobotMachine that knows PATH: its motions are planned as they come and kept until
-/// its end; then places are laid along all of it, and it is queued. Until then nothing of it moves.
+/// Member functions of RobotMachine for PATH. Its motions are planned one by one and kept until its
+/// end. Then places are laid along the whole path, and it is queued. Until then nothing of it
+/// moves.
 namespace rob::runtime {
 
 using lang::Reply;

@@ -1,7 +1,7 @@
 #include "runtime/control/codes.h"
 #include "runtime/control/robot_machine.h"
 
-/// The part of RobotMachine that knows what only a person at a prompt does.
+/// Member functions of RobotMachine that only a person at a prompt uses.
 namespace rob::runtime {
 
 using lang::Reply;

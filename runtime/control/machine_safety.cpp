@@ -3,7 +3,7 @@
 
 #include "runtime/control/robot_machine.h"
 
-/// The part of RobotMachine that knows SAFE: what outputs become when a run goes wrong.
+/// Member functions of RobotMachine for SAFE: the values of outputs after a run has failed.
 namespace rob::runtime {
 
 using lang::Reply;

@@ -7,7 +7,7 @@
 #include "runtime/control/codes.h"
 #include "runtime/control/units.h"
 
-/// The part of RobotMachine that knows what lies around motions: WITH and IN, OVERRIDE.
+/// Member functions of RobotMachine for what surrounds motions: WITH, IN and OVERRIDE.
 namespace rob::runtime {
 
 using lang::Reply;

@@ -5,8 +5,8 @@
 #include "runtime/control/background_tasks.h"
 #include "runtime/control/robot_machine.h"
 
-/// The part of RobotMachine that knows TASKs: what the program tells them in motion order, and what
-/// it learns from them.
+/// Member functions of RobotMachine for TASKs: what the program tells them in motion order, and
+/// what it learns from them.
 namespace rob::runtime {
 
 using lang::Reply;

@@ -4,7 +4,7 @@
 #include "runtime/control/robot_machine.h"
 #include "runtime/control/simulated_inputs.h"
 
-/// The part of RobotMachine that knows what only a TEST does: EXPECT and SIMULATE.
+/// Member functions of RobotMachine that only a TEST uses: EXPECT and SIMULATE.
 namespace rob::runtime {
 
 using lang::Reply;

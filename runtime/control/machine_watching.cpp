@@ -4,7 +4,7 @@
 #include "runtime/control/messages.h"
 #include "runtime/control/robot_machine.h"
 
-/// The part of RobotMachine that sets up what is looked at in every control cycle.
+/// Member functions of RobotMachine that set up what is checked in every control cycle.
 namespace rob::runtime {
 
 using lang::Reply;

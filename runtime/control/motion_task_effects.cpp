@@ -1,6 +1,6 @@
 #include "runtime/control/motion_task.h"
 
-/// The part of MotionTask that lets effects act: outputs, pulses, what is simulated.
+/// Member functions of MotionTask that carry out effects: outputs, pulses, what is simulated.
 namespace rob::runtime {
 
 using motion::Effect;

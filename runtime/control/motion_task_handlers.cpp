@@ -1,7 +1,7 @@
 #include "motion/plan/watched_action.h"
 #include "runtime/control/motion_task.h"
 
-/// The part of MotionTask that gives the axes to the handler of a WHEN, and takes them back.
+/// Member functions of MotionTask that give the axes to the handler of a WHEN, and take them back.
 namespace rob::runtime {
 
 using motion::MotionEvent;

@@ -1,7 +1,7 @@
 #include "runtime/control/motion_task.h"
 
-/// The part of MotionTask that has to do with forces: it keeps one beside the path of the program,
-/// and lets none become too great.
+/// Member functions of MotionTask for forces. They hold a force beside the path of the program, and
+/// stop the robot before a force becomes too great.
 namespace rob::runtime {
 
 using motion::FollowingFinding;

@@ -1,7 +1,7 @@
 #include "runtime/control/motion_task.h"
 
-/// The part of MotionTask that drives the axes back on the way that they have come, and forth to
-/// where they have left their path before that goes on.
+/// Member functions of MotionTask that drive the axes back along the way that they came, and
+/// forward to where they left their path, before the program goes on.
 namespace rob::runtime {
 
 using motion::MotionEvent;

@@ -10,7 +10,7 @@
 #include "runtime/control/pose_values.h"
 #include "runtime/control/robot_machine.h"
 
-/// The part of RobotMachine that tells where the robot is, and where it would be.
+/// Member functions of RobotMachine that tell where the robot is, and where it would be.
 namespace rob::runtime {
 
 using lang::Reading;

@@ -2,7 +2,7 @@
 
 #include "runtime/program/run_recorder.h"
 
-/// The part of RunRecorder that knows the handlers of WHEN.
+/// Member functions of RunRecorder for the handlers of WHEN.
 namespace rob::runtime {
 
 using motion::MotionEvent;

@@ -2,7 +2,7 @@
 
 #include "runtime/program/run_recorder.h"
 
-/// The part of RunRecorder that knows motions without a target.
+/// Member functions of RunRecorder for motions without a target.
 namespace rob::runtime {
 
 /// What is programmed from here on: a further point, or rates.

@@ -5,7 +5,8 @@
 #include "lang/values/percent_text.h"
 #include "runtime/program/run_recorder.h"
 
-/// The part of RunRecorder that knows the operator, and a signal script in that place.
+/// Member functions of RunRecorder for the operator, and for a signal script in the operator's
+/// place.
 namespace rob::runtime {
 
 using motion::MotionEvent;

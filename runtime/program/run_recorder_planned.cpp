@@ -5,9 +5,9 @@
 #include "runtime/control/units.h"
 #include "runtime/program/run_recorder.h"
 
-/// The part of RunRecorder that knows what was planned. Under Paul's law a motion is queued with
-/// its time. Under the look-ahead law times come with the whole path: what is planned is what the
-/// run was foretold as (run.cpp), a corner misses by what the references miss, and motion itself
+/// Member functions of RunRecorder for the planned motions. Under Paul's law a motion is queued
+/// with its time. Under the look-ahead law the times come with the whole path: the plan is what was
+/// foretold of the run (run.cpp), the miss at a corner is that of the references, and motion itself
 /// tells when its decision points come.
 namespace rob::runtime {
 

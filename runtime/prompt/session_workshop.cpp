@@ -9,7 +9,7 @@
 #include "runtime/program/output_file.h"
 #include "runtime/prompt/session.h"
 
-/// The part of Session that the commands need which build programs and points.
+/// Member functions of Session for the commands that build programs and points.
 namespace rob::runtime {
 
 bool Session::stands(const char* command) {
