@@ -149,7 +149,7 @@ bool ExpressionChecker::accept_list(const Expr& expression, const List& list, co
   });
 }
 
-/// LEN(a): known from the type, unless a routine has to be called for a.
+/// LEN(a): known from the type, unless a routine must be called for a.
 void ExpressionChecker::fold_length(const Call& call, Expr& expression) {
   const Expr& array = *call.arguments.front();
   if (!calls_routine(array)) expression.constant = array.type.detail->length;

@@ -40,7 +40,7 @@ void StatementChecker::check(Select& select) {
   check(select.otherwise);
 }
 
-/// The value has to be of the selector's kind, and may not stand in a CASE above it.
+/// The value must be of the selector's kind, and may not stand in a CASE above it.
 void StatementChecker::check_case(const Type& wanted, const Expr& value, CaseLines& lines) {
   const Type& type = value.type;
   if (wanted.kind == Type::Kind::Unknown || type.kind == Type::Kind::Unknown) return;

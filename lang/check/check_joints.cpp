@@ -76,7 +76,7 @@ Type ExpressionChecker::check_inverse(const Call& call) {
   return !near || accept(*call.arguments[1], joints(), "near needs") ? joints() : Type{};
 }
 
-/// What `j[i]` is: it has to be known which axis is meant, unless all take values of one dimension.
+/// What `j[i]` is: it must be known which axis is meant, unless all take values of one dimension.
 Type ExpressionChecker::axis_type(const Index& index, const Type& whole) {
   const std::vector<Dimension>& axes = whole.detail->axes;
   const auto* const number = std::get_if<std::int64_t>(&index.index->constant);

@@ -51,7 +51,7 @@ void MoveChecker::remember_features(const Move& move, Place place) {
   if (jerk) checked_.features.push_back({jerk->place, MotionFeature::Jerk});
 }
 
-/// MOVE JOINT: which axis has to be known, unless all take values of one dimension.
+/// MOVE JOINT: which axis must be known, unless all take values of one dimension.
 bool MoveChecker::check_joint(const Move& move) {
   const Type type = expressions_.check(move.axis);
   expressions_.check(move.target);

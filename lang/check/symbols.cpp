@@ -94,7 +94,7 @@ const Symbol* Scopes::find(std::string_view name) const {
   return nullptr;
 }
 
-/// Among the names of the files that the present one USEs; with a point, of the one before it.
+/// Among the names of the files that the current one USEs; with a point, of the one before it.
 const Symbol* Scopes::find_used(const std::string& key) const {
   const std::size_t point = key.find('.');
   for (const UsedFile& used : files_[file_].used) {

@@ -30,7 +30,7 @@ bool fits_in_task(const Statement& statement) {
       statement.node);
 }
 
-/// Whether it needs the axes at rest, or takes them: a handler with such a statement has to stop
+/// Whether it needs the axes at rest, or takes them: a handler with such a statement must stop
 /// them before.
 bool stops_axes(const Statement& statement) {
   return !fits_in_task(statement) || std::holds_alternative<Wait>(statement.node) ||

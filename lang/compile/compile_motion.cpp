@@ -14,7 +14,7 @@ void StatementCompiler::compile(const Move& move) {
   leave(move.clauses.surroundings, place);
 }
 
-/// Without its surroundings. Whether a point's joints are where MOVE has to go is decided when it
+/// Without its surroundings. Whether a point's joints are where MOVE must go is decided when it
 /// comes to it: with another tool, or in a frame that lies elsewhere now, it goes to the pose.
 void StatementCompiler::compile_motion(const Move& move) {
   const Symbol* const point = bare_point(move);

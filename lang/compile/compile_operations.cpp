@@ -50,7 +50,7 @@ bool on_whole_numbers(const Binary& binary, const Type& result) {
   return result.kind == Type::Kind::Int;
 }
 
-/// A product of two values that have to be computed, of INTs or of REALs.
+/// A product of two values that must be computed, of INTs or of REALs.
 const Binary* product_in(const Expr& expression, bool whole) {
   const auto* const product = std::get_if<Binary>(&expression.node);
   const bool found = product != nullptr && product->op == BinaryOp::Multiply &&
@@ -155,7 +155,7 @@ bool ExpressionCompiler::stays_in_register(const Expr& expression) const {
   return name != nullptr && is_variable(expression) && home(*name->symbol).numbers.in_register();
 }
 
-/// What is added to a product on its left is read behind it, so it has to be there already: what
+/// What is added to a product on its left is read behind it, so it must be there already: what
 /// could fail would have to wait for the product.
 bool ExpressionCompiler::compile_with_product(const Binary& binary, const Expr& expression,
                                               Register target) {

@@ -124,7 +124,7 @@ void Entries::add_frames(const Type& type, std::vector<std::string>& words) cons
   if (frame != frames_.end()) words.push_back(frame->second);
 }
 
-/// Routines that use what the entry declares anew have to fit to it; false if all are selected.
+/// Routines that use what the entry declares anew must fit to it; false if all are selected.
 bool Entries::select_users(const std::vector<KeptName>& names, Selection& selection) const {
   bool more = false;
   for (const KeptName& name : names) {

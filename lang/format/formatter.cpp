@@ -116,9 +116,9 @@ class Layout {
 
   DeclaredNames names_;
   StatementWords words_;
-  Token first_;  ///< of the present statement
+  Token first_;  ///< of the current statement
   std::size_t level_ = 0;
-  std::size_t own_level_ = 0;  ///< that of the present statement
+  std::size_t own_level_ = 0;  ///< that of the current statement
   bool continues_ = false;     ///< brackets were open at the end of the last line
   bool in_record_ = false;
   bool empty_line_due_ = false;

@@ -113,7 +113,7 @@ bool Parser::at_block_end() const {
   }
 }
 
-/// Whether one of the open blocks goes with the present word.
+/// Whether one of the open blocks goes with the current word.
 bool Parser::closes_outer() const {
   const std::string_view opener = opener_of(current_.keyword);
   return std::ranges::any_of(open_blocks_, [&](const OpenBlock& open) {

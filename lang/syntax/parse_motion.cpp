@@ -128,7 +128,7 @@ void Parser::target_of(Move& move) {
   move.target = target(word_of(move.kind));
 }
 
-/// A word that has to stand here.
+/// A word that must stand here.
 void Parser::expect_word(std::string_view word, std::string_view behind, std::string_view example) {
   if (at_word(word)) return advance();
   fail(code::kWordExpected, behind_previous(), fmt::format("{} expected after {}", word, behind),
@@ -183,7 +183,7 @@ void Parser::jog(Move& move) {
   move.target = tuple(place, elements("the rates"));
 }
 
-/// Whether the present word is a whole value, or the beginning of one that goes on: then it is a
+/// Whether the current word is a whole value, or the beginning of one that goes on: then it is a
 /// name, whatever it means elsewhere. A sign may belong to the value of a clause.
 bool Parser::at_name_of_value() const {
   const bool ends = next_.kind == TokenKind::EndOfLine || next_.kind == TokenKind::Comma ||

@@ -226,7 +226,7 @@ void Parser::unknown_word(Block& block) {
   if (!at_block_end()) any_statement(block);
 }
 
-/// The statement's word nearest to the present one; where it is as near, the end of the open block.
+/// The statement's word nearest to the current one; where it is as near, the end of the open block.
 std::string_view Parser::statement_meant() const {
   const std::string_view nearest = suggest(current_.text, statement_words());
   if (nearest.empty() || open_blocks_.empty()) return nearest;

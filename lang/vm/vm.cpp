@@ -9,10 +9,10 @@
 
 // The dispatch loop. It holds what programs compute with; whatever talks to the machine, makes
 // texts or is rare is in Vm::step(), out of the way: with few instructions here all that the loop
-// needs stays in processor registers, the place of the present instruction before all.
+// needs stays in processor registers, the place of the current instruction before all.
 //
 // Computed goto, an extension that g++ and clang share: a jump of its own behind each instruction
-// lets the processor predict the next one by the present one.
+// lets the processor predict the next one by the current one.
 namespace rob::lang {
 
 #pragma GCC diagnostic push

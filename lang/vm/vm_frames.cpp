@@ -103,7 +103,7 @@ Vm::State Vm::leave(Code pc, Code resume, State state) {
   next_ = resume;
   // An expression that starts anew draws the same random numbers.
   if (resume == latch_ && resume != pc) random_ = latched_random_;
-  // When the program goes on, time has passed; only a used-up budget stays in the present cycle.
+  // When the program goes on, time has passed; only a used-up budget stays in the current cycle.
   if (state != State::Running) {
     observed_ = false;
     ++cycle_;

@@ -101,7 +101,7 @@ Guide::Choice Guide::choose(const Piece& piece, double rest) const noexcept {
 
   const double end = ring_.square(index_);
   // Slow enough for half of what the axes have, they can brake evenly wherever they are on it; else
-  // one even σ'' has to lead to the end.
+  // one even σ'' must lead to the end.
   const double half = half_bent(piece, on.end);
   const bool slow = on.x <= half && end <= half;
   const double most = slow ? std::min(top, half) : top;
@@ -142,7 +142,7 @@ double Guide::half_bent(const Piece& piece, const PathPoint& end) const noexcept
   return square;
 }
 
-/// The same for all of the piece, so that the square from which it has to be braked is one line.
+/// The same for all of the piece, so that the square from which it must be braked is one line.
 double Guide::brakes_on(const Piece& piece, const PathPoint& end, double top) const noexcept {
   const PathPoint begin = piece.point(0);
   const double before = index_ == first_ ? 0 : ring_.square(index_ - 1);
@@ -174,7 +174,7 @@ Guide::Choice Guide::slow_down(const Piece& piece, const Stretch& on, const Cont
   return choice;
 }
 
-/// The rate at which speeding up has to end: after a pause what is left is just enough to brake,
+/// The rate at which speeding up must end: after a pause what is left is just enough to brake,
 ///     (v² − σ'²)/2u + v·pause + v²/2u = rest
 double Guide::peak_rate(double control, double rest) const noexcept {
   const double square = control * rest + rate_ * rate_ / 2;

@@ -111,7 +111,7 @@ double PathPlanner::window_of(const SegmentDescriptor& segment) const noexcept {
   return segment.ahead.window / (robot_.tool_coordinates ? 1 - kBendsShare : 1);
 }
 
-/// s of the mean of the present run: whole periods.
+/// s of the mean of the current run: whole periods.
 double PathPlanner::mean_time() const noexcept {
   return std::ceil(window_ / robot_.reference_period - 1e-9) * robot_.reference_period;
 }

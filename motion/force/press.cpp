@@ -80,7 +80,7 @@ void Press::shift(JointReference& reference) noexcept {
   reference.qdd = bends;
 }
 
-/// Whether an axis has to be faster than it can; or, where the arm is stretched or its wrist is
+/// Whether an axis must be faster than it can; or, where the arm is stretched or its wrist is
 /// singular and a way of next to nothing takes axes far, will soon have to be: their speeds change
 /// though the way's does not.
 bool Press::too_fast(const JointVector& rates, const JointVector& accelerations) const noexcept {

@@ -9,7 +9,7 @@ namespace rob::motion {
 
 namespace {
 
-/// What parts of a motion ask for: of the one that has to be slowed down most.
+/// What parts of a motion ask for: of the one that must be slowed down most.
 class Demanded {
  public:
   explicit Demanded(const RobotModel& robot) : robot_(robot) {}

@@ -23,7 +23,7 @@ constexpr double kBeside = 1e-4;
 /// m/s along it that a JOG in it may have. [choice] what the arm's bends leave
 constexpr double kStill = 1e-5;
 
-/// Times the noise of the sensor that a force has to be at least. [choice] one is not to be told
+/// Times the noise of the sensor that a force must be at least. [choice] one is not to be told
 /// from none
 constexpr double kResolved = 5;
 

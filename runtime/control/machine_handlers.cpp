@@ -140,7 +140,7 @@ Reply RobotMachine::leave_path() {
     path_.reset();
     planner_.stand_at(rest.q, rest.number);
     restart_from(rest.q);
-    handlers_->errand_->leaving = Errand::Leaving::Moving;  // all that is left has to be dropped
+    handlers_->errand_->leaving = Errand::Leaving::Moving;  // all that is left must be dropped
     return Reply::Refused;
   }
   handler_ = Handler::None;

@@ -13,7 +13,7 @@ namespace {
 /// gone until the axes stand, at S4's 5 mm/s against its stiffest cell, is a third
 constexpr double kForPrograms = 1.5;
 
-/// s in which a sensor has to tell something new (fault 21).
+/// s in which a sensor must tell something new (fault 21).
 constexpr double kInsensible = 0.1;
 
 // Backing off (fault 22). [choice] a force that no tool minds, at twice the speed of S4's program;

@@ -17,7 +17,7 @@ constexpr std::int64_t kSlice = 10'000;         // instructions between looks at
 constexpr auto kProgramPause = 1ms;             // [choice] a tenth of a reference period
 constexpr auto kReportPause = 10ms;             // [choice] what an eye does not notice
 
-/// The program's thread: sleeps while the program has to wait. It works far ahead of the motion,
+/// The program's thread: sleeps while the program must wait. It works far ahead of the motion,
 /// so that its pauses shape nothing. TASKs run on until the motion is over.
 class ProgramThread {
  public:

@@ -13,7 +13,7 @@ namespace rob::runtime::command {
 
 namespace {
 
-/// Under the robot's own law: what the program asks for has to be that.
+/// Under the robot's own law: what the program asks for must be that.
 bool suits(Session& session, const LoadedProgram& program) {
   const motion::RobotModel& robot = session.robot().robot();
   const auto declared = lang::declared_robot(program.source);

@@ -32,7 +32,7 @@ const char* name_of(Pendant::Style style) {
   return "a key is a step";
 }
 
-/// What holds the robot, in words; empty: nothing that a person has to know.
+/// What holds the robot, in words; empty: nothing that a person must know.
 std::string limit_text(int limit, const motion::RobotModel& robot) {
   using namespace motion::limit_number;
   const auto axis = [&](int first) {

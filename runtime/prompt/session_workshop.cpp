@@ -137,7 +137,7 @@ void Session::read_points() {
   if (!change.declares.empty()) declare(change.declares);
 }
 
-/// TEACH has to stand beside the POINT that it gives its first value.
+/// TEACH must stand beside the POINT that it gives its first value.
 void Session::teach(const std::string& point) {
   if (robot_->guided()) {  // where a hand has brought the axes is where the robot stands now
     robot_->reset();
