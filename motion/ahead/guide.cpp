@@ -112,7 +112,7 @@ Guide::Choice Guide::choose(const Piece& piece, double rest) const noexcept {
   const double apart = 2 * brakes * (kRounding * piece.length);
   const bool brakes_now = on.x >= line * (1 - kSame) || (on.x > 0 && on.x >= line - apart);
   if (brakes_now) {
-    // Above the square, as behind a lowered override, as hard as the axes can.
+    // Above the square, as after a lowered override, as hard as the axes can.
     choice.control = std::min(range.high, std::max(range.lowest, (end - on.x) / (2 * rest)));
     if (ring_.cut(index_)) choice.limit = {GuideLimit::Kind::EndOfPath, -1};
   } else if (on.x >= most * (1 - kSame)) {

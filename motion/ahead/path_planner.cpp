@@ -10,7 +10,7 @@ namespace rob::motion {
 
 namespace {
 
-/// The open leg's successor, and two behind it.
+/// The open leg's successor, and two after it.
 constexpr std::size_t kPending = 3;
 
 /// s: so long before it would have to brake a corner is made of what is known.
@@ -178,7 +178,7 @@ void PathPlanner::stand_alone(ShapedLeg& leg) {
   pauses_ = made.pauses;
 }
 
-/// Nothing comes behind what has been taken.
+/// Nothing comes after what has been taken.
 bool PathPlanner::all_here() const {
   const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
   return closed && buffer_.next_segment() == nullptr;
@@ -218,7 +218,7 @@ bool PathPlanner::give_up_corner() {
   return true;
 }
 
-/// Nothing is known behind the open leg.
+/// Nothing is known after the open leg.
 bool PathPlanner::decide_alone() {
   if (all_here()) {
     completing_ = true;
@@ -279,7 +279,7 @@ std::optional<Turn> PathPlanner::corner(const ShapedLeg& leg, const ShapedLeg& n
   return make_turn(robot_, leg, next, bounds);
 }
 
-/// Whether the leg behind the corner has another at its end, which is faster than a stop.
+/// Whether the leg after the corner has another at its end, which is faster than a stop.
 bool PathPlanner::goes_on_behind(const ShapedLeg& next) const {
   if (pending_.size() < 2 || !has_way(pending_[1]) || pending_[1].from_rest) return false;
   const ShapedLeg third = shaped_leg(robot_, pending_[1], next.end());
@@ -288,7 +288,7 @@ bool PathPlanner::goes_on_behind(const ShapedLeg& next) const {
       .has_value();
 }
 
-/// As far as it is known what stands behind it.
+/// As far as it is known what comes after it.
 bool PathPlanner::ends_at_rest(const SegmentDescriptor& next) const {
   if (next.guard.present()) return true;
   if (pending_.size() < 2) return buffer_.closed();

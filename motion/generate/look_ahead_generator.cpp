@@ -176,7 +176,7 @@ void LookAheadGenerator::begin_profile(const SegmentDescriptor& next) noexcept {
   profile_events_.begin(next, zero_, 0, true, zero_, clock_.override_share());
 }
 
-/// A mean of N samples is at rest N − 1 periods after the guide, but its last jerk lies behind
+/// A mean of N samples is at rest N − 1 periods after the guide, but its last jerk comes after
 /// that: it must not meet the next run's.
 bool LookAheadGenerator::settled() const noexcept {
   const double mean = average_.periods() * period();

@@ -138,7 +138,7 @@ void SegmentGenerator::arm_or_disarm(const Effect& effect, bool dropped) noexcep
   if (effect.kind == Effect::Kind::Arm && !dropped) watches_.arm(*effect.watched);
 }
 
-/// Motions of a generation that has ended are passed over; the axes stand behind them.
+/// Motions of a generation that has ended are skipped; after them the axes stand.
 void SegmentGenerator::drop_ended() noexcept {
   for (const SegmentDescriptor* next = next_segment();
        next != nullptr && next->generation <= ended_; next = next_segment()) {

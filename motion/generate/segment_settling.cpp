@@ -56,7 +56,7 @@ void SegmentGenerator::look_at_position() noexcept {
         .off = off});
 }
 
-/// Whether it stands behind what is not in position yet: what settles now, or will once the motion
+/// Whether it stands after what is not in position yet: what settles now, or will once the motion
 /// under way has been made exact.
 bool SegmentGenerator::awaits_position(const Effect& effect) const noexcept {
   if (segment_.settle.present()) return true;

@@ -138,7 +138,7 @@ void VelocityMode::step(double share) noexcept {
   if (!go_on_to_rest()) brake_axes();
 }
 
-/// The step towards as much of the rates as permits to come to rest behind it.
+/// The step towards as much of the rates as still lets it come to rest afterwards.
 bool VelocityMode::find_step(double share, const JointVector& asked) noexcept {
   affordable_ = greatest_share(asked);
   int steps = kMostSteps;
@@ -162,7 +162,7 @@ bool VelocityMode::find_step(double share, const JointVector& asked) noexcept {
   return false;
 }
 
-/// One period on along the rest that was found possible behind the last step.
+/// One period on along the rest that was found possible after the last step.
 bool VelocityMode::go_on_to_rest() noexcept {
   if (rest_periods_ == 0) {
     rest_begin_ = state_;

@@ -127,7 +127,7 @@ PlanOutcome MotionPlanner::jog(Tag tag, JogRates rates) noexcept {
   SegmentDescriptor segment = segment_to(commanded_, false, {duration, usual_t_acc_, 0, 0});
   segment.jog = rates;
   commit(tag, segment);
-  exact_ = true;  // nothing is to be made exact behind it
+  exact_ = true;  // nothing is to be made exact after it
   return PlannedSegment{segment, 0};
 }
 

@@ -136,7 +136,7 @@ double MotionPlanner::zone_time(double distance, double duration, double zone) c
   return std::sqrt(half * half + k * t_acc_before_ / v) - half;
 }
 
-/// t = K/2v with v the tip's speed at the target, the same before and behind it. Where the motion
+/// t = K/2v with v the tip's speed at the target, the same before and after it. Where the motion
 /// lasts as long as its corners, v = d/(t_B + t), so t = K·t_B/(2d − K). The corner is made when
 /// both speeds are known, and may be shorter then; never is it too short for the axes here.
 double MotionPlanner::arm_zone_time(double leaving, double duration, double zone) const noexcept {

@@ -124,7 +124,7 @@ EntryTask::State EntryTask::go_on(const Jog& jog, std::int64_t) {
   return State::Busy;
 }
 
-/// The entry, and all that have been typed behind it.
+/// The entry, and all that have been typed after it.
 EntryTask::State EntryTask::end_failed() {
   const int line = entry_ ? static_cast<int>(entry_->line) : 0;
   if (!given_up_) {

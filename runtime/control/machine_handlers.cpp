@@ -121,7 +121,7 @@ void RobotMachine::remember(Commanded commanded) {
   if (commanded_.size() > static_cast<std::size_t>(robot_.most_ahead()) + 2) commanded_.pop_front();
 }
 
-/// The interrupted motion has ended where the axes stand now: what was queued behind it starts from
+/// The interrupted motion has ended where the axes stand now: what was queued after it starts from
 /// there, with the numbers that it had, since what stands between the motions goes with them. All
 /// of it is planned before any is queued.
 Reply RobotMachine::leave_path() {

@@ -93,7 +93,7 @@ bool RobotMachine::plan_jog(int line, const MoveCommand& asked,
   return true;
 }
 
-/// Jogs that came to rest before the one behind them was known have told so, too.
+/// Jogs that came to rest before the one after them was known have told so, too.
 bool RobotMachine::take_jog_rest(motion::Rest& rest) {
   while (take_rest(rest)) {
     if (rest.early() || rest.number == planner_.last_number()) return true;

@@ -30,7 +30,7 @@ Reply RobotMachine::report(int line, Due due) {
 }
 
 /// A TASK that was started before may run still: that is seen at the decision point, and nothing
-/// behind its START is commanded before.
+/// after its START is commanded before.
 Reply RobotMachine::start(const lang::Place& place, std::uint32_t task) {
   if (tasks_->was_started(task)) {
     if (!observable()) return Reply::Later;

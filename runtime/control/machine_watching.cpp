@@ -81,7 +81,7 @@ Reply RobotMachine::arm() {
 }
 
 /// Whether every WHEN that is armed has been looked at, and what came of it is known here: one that
-/// is armed in a cycle is looked at in the next one, and stands in that or the one behind.
+/// is armed in a cycle is looked at in the next one, and stands in that or the one after.
 bool RobotMachine::watched() {
   if (armed_ == 0) return true;
   if (progress_.effects_done.load(std::memory_order_acquire) < last_arming_) return false;

@@ -297,7 +297,7 @@ void MotionTask::release(Track& track, MotionEvent event, double cycle_time) noe
       }
       break;
     case MotionEvent::Kind::EffectDue:
-      if (faulted_) return;  // a fault drops what is behind it
+      if (faulted_) return;  // a fault drops what comes after it
       if (locked(event.effect)) {
         effects_done.fetch_add(1, std::memory_order_release);
         return;

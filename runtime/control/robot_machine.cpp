@@ -260,7 +260,7 @@ Reply RobotMachine::pulse(int line, int signal, double seconds) {
 
 bool RobotMachine::observable() const {
   if (!decided()) return false;
-  // At standstill what was written before acts first; in a corner it acts behind the decision
+  // At standstill what was written before acts first; in a corner it acts after the decision
   // point.
   const bool stands = exact_ || progress_.standing.load(std::memory_order_relaxed);
   return !stands || progress_.effects_done.load(std::memory_order_acquire) >= effects_;

@@ -178,7 +178,7 @@ void RunRecorder::rest(const MotionEvent& event) {
   running_->cut = true;
 }
 
-/// The first snapshot behind the trip shows where it was, the first one at rest where it led.
+/// The first snapshot after the trip shows where it was, the first one at rest where it led.
 void RunRecorder::locate(const Snapshot& snapshot) {
   const motion::JointVector& q = snapshot.sample.reference.q;
   if (early_->from.size() == 0) early_->from = q;

@@ -211,7 +211,7 @@ void Session::take_failures() {
   }
 }
 
-/// The entry that failed, and those behind it that were not carried out for that.
+/// The entry that failed, and those after it that were not carried out for that.
 void Session::forget(const EntryTask::Failure& failure) {
   if (failure.dropped > 0)
     screen_->message(fmt::format("dropped, typed ahead: {} {}\n", failure.dropped,
@@ -358,7 +358,7 @@ std::optional<std::string> Session::line() {
 }
 
 void Session::answer(const std::string& text) {
-  asks_ = false;  // the line behind this one is none
+  asks_ = false;  // the line after this one is none
   const std::lock_guard lock(mutex_);
   answers_.push_back(text);
 }
