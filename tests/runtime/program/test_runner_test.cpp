@@ -70,9 +70,18 @@ TEST_CASE("what fails is told with its line, and what was printed with it") {
         "t.rob: 1 ok, 1 failed\n");
   const auto json = rob::runtime::test_json("t.rob", results);
   CHECK(json["status"] == "failed");
+  CHECK(json["file"] == "t.rob");
+  CHECK(json["ok"] == 1);
   CHECK(json["failed"] == 1);
+  CHECK(json["tests"][0]["name"] == "a");
+  CHECK(json["tests"][0]["line"] == 2);
+  CHECK(json["tests"][0]["status"] == "failed");
+  CHECK(json["tests"][0]["output"] == Texts{"here"});
   CHECK(json["tests"][0]["failures"][0]["line"] == 4);
+  CHECK(json["tests"][1]["line"] == 7);
   CHECK(json["tests"][1]["status"] == "ok");
+  const auto timed = tests_of("TEST \"c\"\nWAIT 1.5s\nENDTEST");
+  CHECK(rob::runtime::test_json("t.rob", timed)["tests"][0]["measured_s"] == doctest::Approx(1.5));
 }
 
 TEST_CASE("an error in a TEST tells the calls that led to it, which the TEST is not") {

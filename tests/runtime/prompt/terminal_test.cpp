@@ -178,6 +178,22 @@ TEST_CASE("HALT and ASK take the next line; a colon command is none") {
   CHECK(terminal.expect("49\r\n"));
 }
 
+TEST_CASE("an answer that looks like a block opens none; a command acts while one is open") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("VAR name = \"\"\rASK \"who?\" INTO name\r");
+  REQUIRE(terminal.expect("who?\r\n"));
+  REQUIRE(terminal.expect("? "));
+  terminal.send("LOOP\r");
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("FOR i = 1 TO 1 DO\r:law\r");
+  REQUIRE(terminal.expect("paul\r\n"));
+  terminal.send("PRINT name + \"ed\"\rENDFOR\r");
+  CHECK(terminal.expect("LOOPed\r\n"));
+}
+
 TEST_CASE("the history lasts from one session to the next") {
   const Desk desk;
   {
