@@ -76,10 +76,12 @@ bool MoveChecker::check_joint(const Move& move) {
                        fmt::format("it has axes 1 to {}", count));
     return false;
   }
-  const auto axis = number == nullptr ? 0 : static_cast<std::size_t>(*number - 1);
+  const auto& axis =
+      number == nullptr ? robot_.axes.front() : robot_.axes[static_cast<std::size_t>(*number - 1)];
   return move.target->type.kind != Type::Kind::Unknown &&
-         expressions_.accept(*move.target, Type::real(robot_.axes[axis].dimension),
-                             fmt::format("axis {} needs", robot_.axes[axis].name));
+         expressions_.accept(
+             *move.target, Type::real(axis.dimension),
+             number == nullptr ? "each axis needs" : fmt::format("axis {} needs", axis.name));
 }
 
 namespace {

@@ -63,6 +63,19 @@ TEST_CASE("elements and copies of numbers take no memory") {
   CHECK(state == State::Running);
 }
 
+TEST_CASE("variables that registers have no room for are declared together with one value") {
+  std::string source = "VAR n = 7\nVAR word = \"ab\"\n";
+  for (int i = 0; i < kVariableRegisters; ++i) {
+    source += "VAR n" + std::to_string(i) + " = 1\n";
+    source += "VAR text" + std::to_string(i) + " = \"t\"\n";
+  }
+  source +=
+      "VAR a, b, c = n * 3\nVAR d, e = word + \"c\"\nVAR u, v = [n, n + 0.5]\n"
+      "a = 1\nd = word\nu[1] = 0.0\n"
+      "PRINT a, \" \", b, \" \", c, \" \", d, \" \", e, \" \", u[1], \" \", v[1], \" \", v[2]\n";
+  CHECK(ProgramRun(source).printed() == "1 21 21 ab abc 0 7 7.5");
+}
+
 TEST_CASE("what a routine had is free again, however it was left") {
   ProgramRun program(
       "VAR sum = 0\nFOR i = 1 TO 1000 DO\n  TRY\n    sum = sum + fill(i)\n  RESCUE\n"
