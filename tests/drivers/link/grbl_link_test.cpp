@@ -17,9 +17,10 @@ using test::GrblEmulator;
 using test::mentions;
 using test::WireBench;
 
-std::unique_ptr<WireBackend> machine_on(GrblEmulator& grbl, bool home = false) {
+std::unique_ptr<WireBackend> machine_on(GrblEmulator& grbl, bool home = false,
+                                        double period = 0.02) {
   const auto axes = test::plain_axes(3, 0, 50);
-  WireSettings settings = test::settings_for(grbl.path(), axes, 0.02);
+  WireSettings settings = test::settings_for(grbl.path(), axes, period);
   settings.home = home;
   return std::make_unique<WireBackend>(settings, grbl_link(axes));
 }
@@ -53,8 +54,11 @@ TEST_CASE("grbl goes where it is told, in the time that it is told") {
 }
 
 TEST_CASE("what grbl reports is compared with the references of the same instant") {
+  double period = 0;
+  SUBCASE("close together") { period = 0.02; }
+  SUBCASE("so far apart that most reports lie between two") { period = 0.04; }
   GrblEmulator grbl;
-  WireBench bench(machine_on(grbl));
+  WireBench bench(machine_on(grbl, false, period));
   // At 20 mm/s: 80 ms are 1.6 mm; the wire and a busy computer leave a part of it.
   const double start = bench.now();
   double worst = 0;
