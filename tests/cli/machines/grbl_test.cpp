@@ -114,7 +114,7 @@ TEST_CASE("check takes the machine's limits, and moves nothing") {
   CHECK(result.exit_code == 0);
   CHECK(contains(result.err, "no more than 10 mm of speed (per s) of axis x"));
   // 100 mm at 10 mm/s, and half a corner at each end.
-  CHECK(json::parse(result.out)["planned_s"].get<double>() > 10);
+  CHECK(json::parse(result.out)["planned_s"].get<double>() == doctest::Approx(10 + 2 * 1.375));
   CHECK(grbl.moves() == 0);
 }
 
