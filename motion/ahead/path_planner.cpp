@@ -5,12 +5,13 @@
 #include <utility>
 
 #include "motion/ahead/mean_shift.h"
+#include "motion/ahead/on_path.h"
 
 namespace rob::motion {
 
 namespace {
 
-/// The open leg's successor, and two after it.
+/// The open leg's successor, and two behind it.
 constexpr std::size_t kPending = 3;
 
 /// s: so long before it would have to brake a corner is made of what is known.
@@ -18,15 +19,6 @@ constexpr double kSoon = 0.1;
 
 /// Pieces that a corner, or the way to the next node of a leg, may take.
 constexpr std::size_t kSpare = 512;
-
-bool moves(const SegmentDescriptor& segment) {
-  return !segment.no_length && !segment.dwell && !segment.jog.present() &&
-         !segment.profile.present();
-}
-
-bool has_way(const SegmentDescriptor& segment) {
-  return moves(segment) && segment.ahead.length > 0;
-}
 
 double greatest_rotary_slope(const RobotModel& robot, const PathPoint& place) {
   double most = 0;
@@ -42,16 +34,6 @@ void keep_within(const LegBounds& other, LegBounds& bounds) {
   bounds.turn = std::min(bounds.turn, other.turn);
   bounds.lead = std::min(bounds.lead, other.lead);
   bounds.share = std::min(bounds.share, other.share);
-}
-
-/// Where the polynomial of a leg ends that `way` lies on, m from its beginning.
-double next_border(const ShapedLeg& leg, double way) {
-  if (leg.motion.path == nullptr) return leg.length();
-  for (const JointPath::Node& node : leg.motion.path->nodes()) {
-    const double at = node.time * leg.length();
-    if (at > way * (1 + 1e-12) + 1e-12 * leg.length()) return at;
-  }
-  return leg.length();
 }
 
 }  // namespace
@@ -94,6 +76,7 @@ void PathPlanner::drop() {
   completing_ = false;
   before_ = kAny;
   end_ = ring_.end();  // drafts are not path
+  speeds_.begin();
   ring_.dropped(number, generation);
 }
 
@@ -108,13 +91,11 @@ void PathPlanner::fetch() {
 
 /// Where the mean is of σ, bends have a share of the jerk, too.
 double PathPlanner::window_of(const SegmentDescriptor& segment) const noexcept {
-  return segment.ahead.window / (robot_.tool_coordinates ? 1 - kBendsShare : 1);
+  return robot_.tool_coordinates ? Rehearsal::window_of(segment) : segment.ahead.window;
 }
 
-/// s of the mean of the current run: whole periods.
-double PathPlanner::mean_time() const noexcept {
-  return std::ceil(window_ / robot_.reference_period - 1e-9) * robot_.reference_period;
-}
+/// s of the mean of the present run: whole periods.
+double PathPlanner::mean_time() const noexcept { return rehearsal_.mean_time(window_); }
 
 std::size_t PathPlanner::room() const noexcept {
   return ring_.room() - static_cast<std::size_t>(end_ - ring_.end());
@@ -140,13 +121,17 @@ bool PathPlanner::begin_run() {
   }
   if (end_ != ring_.end()) publish(false);  // the run before has a mean of its own
   window_ = window_of(next);
-  outlook_ = 0;
+  speeds_.begin();
+  into_.reset();
+  entry_ = 0;
   calm_ = {};
   alone_ = pauses_ = false;
   ShapedLeg leg = shaped_leg(robot_, next, known_);
   leg.before = before_;
   leg.starts = true;
-  if (stands_behind(leg)) {
+  if (averages_sigma()) {
+    begin_on_arm(leg);
+  } else if (stands_after(leg)) {
     stand_alone(leg);
   } else {
     const double share = share_for_bends(leg);
@@ -178,14 +163,14 @@ void PathPlanner::stand_alone(ShapedLeg& leg) {
   pauses_ = made.pauses;
 }
 
-/// Nothing comes after what has been taken.
+/// Nothing comes behind what has been taken.
 bool PathPlanner::all_here() const {
   const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
   return closed && buffer_.next_segment() == nullptr;
 }
 
 /// Whether it is known already that a run begins and ends with this leg.
-bool PathPlanner::stands_behind(const ShapedLeg& leg) const {
+bool PathPlanner::stands_after(const ShapedLeg& leg) const {
   if (leg.segment.guard.present()) return true;
   if (pending_.empty()) return all_here();
   const SegmentDescriptor& next = pending_.front();
@@ -197,7 +182,6 @@ bool PathPlanner::stands_behind(const ShapedLeg& leg) const {
 /// The run has one mean: what asks for a longer one accelerates the less.
 void PathPlanner::open(const ShapedLeg& leg) {
   open_ = leg;
-  note_rate(leg);
   sent_ = false;
   held_ = averages_sigma() ? 0 : longest_calm_way(robot_, *open_, window_);
   const PathPoint end = open_->at(open_->length());
@@ -218,7 +202,7 @@ bool PathPlanner::give_up_corner() {
   return true;
 }
 
-/// Nothing is known after the open leg.
+/// Nothing is known behind the open leg.
 bool PathPlanner::decide_alone() {
   if (all_here()) {
     completing_ = true;
@@ -258,6 +242,7 @@ bool PathPlanner::join_next() {
   next_->ends = ends_at_rest(next);
   if (window_of(next) > window_) next_->acceleration *= window_ / window_of(next);
   turn_ = corner(*open_, *next_, false);
+  if (turn_ && averages_sigma() && !pays()) turn_.reset();
   if (!turn_) {
     next_.reset();
     completing_ = true;
@@ -270,7 +255,6 @@ bool PathPlanner::join_next() {
 /// None where a stop is as fast, or all that is possible.
 std::optional<Turn> PathPlanner::corner(const ShapedLeg& leg, const ShapedLeg& next,
                                         bool from_rest) const {
-  if (!from_rest && averages_sigma() && crawls_beside(leg, next)) return std::nullopt;
   TurnBounds bounds{std::min(leg.length() - leg.sent, share_of_next(next)), mean_time(),
                     robot_.tool_coordinates, from_rest};
   std::optional<Turn> made = make_turn(robot_, leg, next, bounds);
@@ -279,7 +263,7 @@ std::optional<Turn> PathPlanner::corner(const ShapedLeg& leg, const ShapedLeg& n
   return make_turn(robot_, leg, next, bounds);
 }
 
-/// Whether the leg after the corner has another at its end, which is faster than a stop.
+/// Whether the leg behind the corner has another at its end, which is faster than a stop.
 bool PathPlanner::goes_on_behind(const ShapedLeg& next) const {
   if (pending_.size() < 2 || !has_way(pending_[1]) || pending_[1].from_rest) return false;
   const ShapedLeg third = shaped_leg(robot_, pending_[1], next.end());
@@ -288,7 +272,7 @@ bool PathPlanner::goes_on_behind(const ShapedLeg& next) const {
       .has_value();
 }
 
-/// As far as it is known what comes after it.
+/// As far as it is known what stands behind it.
 bool PathPlanner::ends_at_rest(const SegmentDescriptor& next) const {
   if (next.guard.present()) return true;
   if (pending_.size() < 2) return buffer_.closed();
@@ -313,6 +297,7 @@ bool PathPlanner::go_on() {
   before_ = open_->segment.ahead.miss > 0 ? open_->segment.ahead.miss : kAny;
   if (!turn_) {
     if (end_ > 0) ring_.set_run_end(end_ - 1, true);
+    speeds_.end_at_rest();
     open_.reset();
     completing_ = false;
     return true;
@@ -324,6 +309,8 @@ bool PathPlanner::go_on() {
   }
   next_->sent = turn_->half;
   next_->before = before_;
+  into_ = turn_->half;
+  entry_ = rehearsal_.square_after();
   turn_.reset();
   open(*next_);
   next_.reset();
@@ -349,13 +336,11 @@ bool PathPlanner::send(double goal) {
   constexpr double kNothing = 1e-12;  // of the leg: rounding of what its corners take
   while (goal - open_->sent > kNothing * open_->length()) {
     if (room() < kSpare) return false;
-    const double longest = longest_piece();
-    const double most = open_->sent + longest * (kSpare / 4.0);
-    double to = std::min({goal, next_border(*open_, open_->sent), most});
+    double to = next_end(goal);
     const double calm = calm_.end - open_->begin;
     if (calm > open_->sent + kRounding) to = std::min(to, calm);
     scratch_.clear();
-    append_leg(robot_, *open_, open_->sent, to, longest, scratch_);
+    append_leg(robot_, *open_, open_->sent, to, kAny, scratch_);
     if (open_->motion.path != nullptr && window_ > 0 && !robot_.tool_coordinates)
       bound_by_mean(robot_, *open_, mean_time(), scratch_);
     write(scratch_);
@@ -364,13 +349,12 @@ bool PathPlanner::send(double goal) {
   return true;
 }
 
-/// Where places act together, that changes along a straight line, too.
-double PathPlanner::longest_piece() const {
-  if (!averages_sigma() || alone_) return kAny;
-  // [choice] of the way within the mean's time, which is a period at least: Guide::kMostParts
-  constexpr double kParts = 16;
-  const double speed = greatest_rate(robot_, *open_, open_->at(open_->sent));
-  return std::max(speed * mean_time() / kParts, 1e-6);
+/// Where the next piece of the open leg ends: on an arm what bounds it changes along a straight
+/// line, too.
+double PathPlanner::next_end(double goal) const {
+  if (!averages_sigma() || alone_) return std::min(goal, next_border(*open_, open_->sent));
+  const auto out = turn_ ? std::optional(turn_->half) : std::nullopt;
+  return next_cut(*open_, grading_of(robot_, *open_, into_, out, mean_time()), open_->sent, goal);
 }
 
 void PathPlanner::write(std::vector<Piece>& pieces) {
@@ -378,10 +362,7 @@ void PathPlanner::write(std::vector<Piece>& pieces) {
     known_ = piece.begin + piece.length;
     if (piece.begin < calm_.end - kRounding) piece.calm_down(calm_.share);
     if (averages_sigma()) {
-      const Extent extent = extent_of(piece);
-      const bool begins = end_ == 0 || ring_.run_end(end_ - 1);
-      extents_.write(end_, piece.begin, begins ? end_ : extents_.run(end_ - 1), extent);
-      outlook_ = std::max(outlook_, extent.asked * window_ / 2);
+      speeds_.add(piece, std::max(1.0, share_));
     } else if (extends_last(piece)) {
       Piece& last = ring_.draft(end_ - 1);
       last.length = known_ - last.begin;

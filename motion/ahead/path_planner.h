@@ -5,10 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "motion/ahead/extents.h"
 #include "motion/ahead/path_listener.h"
 #include "motion/ahead/path_ring.h"
 #include "motion/ahead/path_turn.h"
+#include "motion/ahead/rehearsal.h"
+#include "motion/ahead/speed_plan.h"
 #include "motion/plan/look_ahead_buffer.h"
 #include "motion/robots/robot_model.h"
 
@@ -25,18 +26,16 @@ namespace rob::motion {
 ///
 /// Where the mean that bounds the jerk is one of σ, its place and its speed come from all that the
 /// guide has passed in its time. There each piece bounds σ' and σ'' by the greatest slopes and
-/// bends of all within half that time around it, which holds for the mean, too; what is nearer than
-/// that to the end of what is known waits. Where no more fits into the ring before that is known,
-/// drafts are slowed until it is.
+/// bends of all within reach (SpeedPlan), which holds for the mean, too; what could reach beyond
+/// the end of what is known waits. Where no more fits into the ring before that is known, drafts
+/// are slowed until it is. There, too, a corner is made only where it is faster than a stop
+/// (Rehearsal).
 ///
 /// m, rad, s.
 class PathPlanner {
  public:
   PathPlanner(const RobotModel& robot, LookAheadBuffer& buffer, PathRing& ring)
-      : robot_(robot),
-        buffer_(buffer),
-        ring_(ring),
-        extents_(robot.tool_coordinates ? ring.capacity() : 0) {}
+      : robot_(robot), buffer_(buffer), ring_(ring), rehearsal_(robot) {}
 
   /// Does all that can be done now; whether there was anything.
   bool work();
@@ -55,7 +54,12 @@ class PathPlanner {
   void fetch();
   bool advance();
   bool begin_run();
-  bool stands_behind(const ShapedLeg& leg) const;
+  bool stands_after(const ShapedLeg& leg) const;
+  void begin_on_arm(ShapedLeg& leg);
+  Course course_from(const ShapedLeg& leg) const;
+  bool extend(Course& course, const SegmentDescriptor& next) const;
+  bool pays();
+  const SegmentDescriptor* coming(std::size_t at) const;
   bool all_here() const;
   void stand_alone(ShapedLeg& leg);
   double share_for_bends(const ShapedLeg& leg) const;
@@ -64,9 +68,6 @@ class PathPlanner {
   bool decide_alone();
   bool give_up_corner();
   bool go_on();
-  double axes_rate(const ShapedLeg& leg) const;
-  void note_rate(const ShapedLeg& leg);
-  bool crawls_beside(const ShapedLeg& leg, const ShapedLeg& next) const;
   std::optional<Turn> corner(const ShapedLeg& leg, const ShapedLeg& next, bool from_rest) const;
   bool goes_on_behind(const ShapedLeg& next) const;
   bool ends_at_rest(const SegmentDescriptor& next) const;
@@ -74,16 +75,16 @@ class PathPlanner {
   bool guide_within(double time, double deceleration) const;
   double longest_turn(const ShapedLeg& leg) const;
   bool send(double goal);
-  double longest_piece() const;
+  double next_end(double goal) const;
   void write(std::vector<Piece>& pieces);
   bool extends_last(const Piece& piece) const;
   void publish(bool anew);
-  PathRing::Index ready() const noexcept;
-  bool more_to_publish() const noexcept { return ready() != ring_.end(); }
-  bool narrow() noexcept;
+  PathRing::Index ready();
+  bool more_to_publish() { return ready() != ring_.end(); }
+  bool narrow();
   bool calm_corner();
   void split(PathRing::Index at, double sigma) noexcept;
-  void spread(PathRing::Index at) noexcept;
+  void bound_speeds(PathRing::Index until);
   void pass_back(PathRing::Index ready, bool anew);
   double top_square(const Piece& piece) const noexcept;
   double window_of(const SegmentDescriptor& segment) const noexcept;
@@ -95,7 +96,6 @@ class PathPlanner {
     double end = 0;
     double share = 1;
   };
-  Extent extent_of(const Piece& piece) const noexcept;
   bool averages_sigma() const noexcept { return robot_.tool_coordinates && window_ > 0; }
 
   const RobotModel& robot_;
@@ -111,19 +111,17 @@ class PathPlanner {
   bool sent_ = false;        ///< all of the open leg that can be known has been published
   double known_ = 0;         ///< σ at the end of the last piece
   double window_ = 0;        ///< s of the mean of the present run
-  double run_begin_ = 0;     ///< σ
-  double fastest_ = 0;       ///< σ' that any leg of the run may have
-  double slowest_ = kAny;    ///< the least σ' to which the axes bound a leg of the run
-  double slow_end_ = 0;      ///< σ, of that leg
   bool alone_ = false;       ///< the present run is one straight leg
   bool pauses_ = false;      ///< and its guide pauses
   PathRing::Index end_ = 0;  ///< of the pieces written; those from ring_.end() on are drafts
   double published_ = 0;     ///< σ at the end of those before
-  double outlook_ = 0;       ///< m: so far from a draft all has to be known
   double held_ = 0;          ///< m before the open leg's end that its corner may yet calm
   Calm calm_;
   double share_ = 1;  ///< the override that the squares are for
-  Extents extents_;   ///< where the mean is of σ
+  SpeedPlan speeds_;  ///< of the run, where the mean is of σ
+  Rehearsal rehearsal_;
+  std::optional<double> into_;  ///< m of the open leg that the corner into it has taken
+  double entry_ = 0;            ///< σ'² there, as was reckoned
   std::vector<Piece> scratch_;
 };
 

@@ -1,0 +1,84 @@
+// What the PathPlanner does on an arm alone: whether a corner pays, and with which mean.
+
+#include <algorithm>
+#include <utility>
+
+#include "motion/ahead/on_path.h"
+#include "motion/ahead/path_planner.h"
+
+namespace rob::motion {
+
+namespace {
+
+/// [choice] So many legs are looked at, and more of short ones: until they take so many times the
+/// mean's time.
+constexpr std::size_t kLegs = 3;
+constexpr std::size_t kMostLegs = 8;
+constexpr double kMeans = 3;
+
+double least_time(const RobotModel& robot, const ShapedLeg& leg) {
+  return leg.length() / greatest_rate(robot, leg, leg.at(leg.length() / 2));
+}
+
+}  // namespace
+
+/// The i-th motion that has not been taken up, as far as it is known.
+const SegmentDescriptor* PathPlanner::coming(std::size_t at) const {
+  return at < pending_.size() ? &pending_[at] : buffer_.segment(at - pending_.size());
+}
+
+/// What follows a leg without a stop, and the corners as far as they can be foretold.
+Course PathPlanner::course_from(const ShapedLeg& leg) const {
+  Course course;
+  course.legs.push_back(shaped_leg(robot_, leg.segment, leg.begin));
+  course.taken = into_;
+  course.square = entry_;
+  double time = least_time(robot_, leg);
+  while (!course.whole && course.legs.size() < kMostLegs) {
+    const std::size_t count = course.legs.size();
+    if (count >= kLegs && time > kMeans * mean_time()) return course;
+    const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
+    const SegmentDescriptor* const next = coming(count - 1);
+    if (course.legs.back().segment.guard.present() || (next == nullptr && closed)) {
+      course.whole = true;
+      return course;
+    }
+    if (next == nullptr || (moves(*next) && !has_way(*next)) || next->generation <= ring_.over())
+      return course;
+    if (!has_way(*next) || next->from_rest || !extend(course, *next)) course.whole = true;
+    time += least_time(robot_, course.legs.back());
+  }
+  return course;
+}
+
+/// By a leg, and the corner into it; false where only a stop leads to it.
+bool PathPlanner::extend(Course& course, const SegmentDescriptor& next) const {
+  const ShapedLeg& last = course.legs.back();
+  const ShapedLeg leg = shaped_leg(robot_, next, last.end());
+  const double taken = course.turns.empty() ? course.taken.value_or(0) : course.turns.back().half;
+  const bool ends = coming(course.legs.size()) == nullptr && buffer_.closed();
+  const double longest = std::min(last.length() - taken, ends ? leg.length() : leg.length() / 2);
+  std::optional<Turn> turn = make_turn(robot_, last, leg, {longest, 0, true, false});
+  if (!turn) return false;
+  course.turns.push_back(std::move(*turn));
+  course.legs.push_back(leg);
+  return true;
+}
+
+/// How the run is driven that begins with that leg.
+void PathPlanner::begin_on_arm(ShapedLeg& leg) {
+  const Rehearsal::Beginning how = rehearsal_.beginning(course_from(leg));
+  if (how.stands && leg.motion.path == nullptr) return stand_alone(leg);
+  leg.acceleration *= how.share;
+  window_ *= how.share;
+}
+
+/// Whether the corner out of the open leg is faster than a stop.
+bool PathPlanner::pays() {
+  Course course = course_from(*open_);
+  if (course.turns.empty()) return false;
+  course.turns[0] = *turn_;
+  return rehearsal_.pays(course, window_);
+}
+
+}  // namespace rob::motion

@@ -1,0 +1,332 @@
+#include "motion/ahead/speed_plan.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace rob::motion {
+
+namespace {
+
+/// [choice] Above the rate that is planned, so that what holds the guide is an axis and not this.
+constexpr double kAbove = 1.002;
+
+/// Calls take(node) for nodes that together have the leaves first … last below them, and no others.
+template <typename Take>
+void cover(std::size_t leaves, std::size_t first, std::size_t last, Take&& take) {
+  std::size_t from = leaves + first;
+  for (std::size_t to = leaves + last + 1; from < to; from /= 2, to /= 2) {
+    if (from % 2 == 1) take(from++);
+    if (to % 2 == 1) take(--to);
+  }
+}
+
+}  // namespace
+
+void Extent::take(const Extent& its) noexcept {
+  slopes = slopes.max(its.slopes);
+  bends = bends.max(its.bends);
+  swings = swings.max(its.swings);
+}
+
+void SpeedPlan::begin(double square) {
+  stretches_.clear();
+  fixed_ = ready_ = 0;
+  rests_ = false;
+  entry_ = square;
+  promise_ = {};
+  stale_ = true;
+}
+
+void SpeedPlan::add(const Piece& piece, double raised) {
+  const PathPoint begin = piece.point(0);
+  const PathPoint end = piece.point(piece.length);
+  const auto axes = piece.acceleration.size();
+  Stretch stretch;
+  stretch.begin = piece.begin;
+  stretch.length = piece.length;
+  stretch.top = std::min(piece.fastest, piece.pace * raised);
+  if (piece.begin < promise_.until) stretch.top = std::min(stretch.top, promise_.rate);
+  stretch.own.slopes.head(axes) = begin.qd.cwiseAbs().cwiseMax(end.qd.cwiseAbs());
+  stretch.own.bends.head(axes) = begin.qdd.cwiseAbs().cwiseMax(end.qdd.cwiseAbs());
+  stretch.acceleration.setOnes();
+  stretch.acceleration.head(axes) = piece.acceleration;
+  stretches_.push_back(stretch);
+  stale_ = true;
+}
+
+void SpeedPlan::limit(double rate) noexcept {
+  for (std::size_t i = fixed_; i < stretches_.size(); ++i)
+    stretches_[i].top = std::min(stretches_[i].top, rate);
+  stale_ = true;
+}
+
+void SpeedPlan::end_at_rest() noexcept { rests_ = stale_ = true; }
+
+void SpeedPlan::plan(double average) {
+  if (!std::exchange(stale_, false) && average == average_) return;
+  average_ = average;
+  const std::size_t count = stretches_.size();
+  ready_ = 0;
+  if (fixed_ == count) return;
+  bounds_.resize(count);
+  squares_.resize(count + 1);
+  // Of what each place alone would do the slow places are spread far, of what comes out of that
+  // not far enough, and so on; what is spread as far as the third and is no faster is right.
+  bound_by_own(average);
+  pass();
+  take_rates(1);
+  constexpr int kRounds = 2;
+  for (int round = 0; round < kRounds; ++round) {
+    spread(average);
+    pass();
+    take_rates(1);
+  }
+  for (std::size_t i = fixed_; i < count; ++i)
+    bounds_[i].square = stretches_[i].rate * stretches_[i].rate;
+  spread(average);
+  for (std::size_t i = fixed_; i < count; ++i)
+    bounds_[i].square = std::min(bounds_[i].square, stretches_[i].rate * stretches_[i].rate);
+  pass();
+  take_rates(kAbove);
+  spread(average);
+}
+
+/// q = q(σ) has the jerk q'''·σ'³ + 3·q''·σ'·σ'' + q'·σ'''. Piece::fastest leaves to the first what
+/// kBendsShare says. Of the mean, |σ'''| <= 2·u/T where |σ''| <= u: with σ'' so small that
+/// (|q'| + 1.5·T·|q''|·σ')·u <= A, the others take 2A/T, which is the rest. No faster is the mean
+/// than the bends here allow to all within reach, nor than any of that.
+static Extent with_swings(const SpeedPlan::Stretch& stretch, double rate, double average) noexcept {
+  Extent extent = stretch.own;
+  const double square =
+      std::min(rate * rate, (stretch.acceleration / stretch.own.bends).minCoeff());
+  extent.swings = extent.slopes + 1.5 * average * std::sqrt(square) * extent.bends;
+  return extent;
+}
+
+void SpeedPlan::bound_by_own(double average) {
+  for (std::size_t i = fixed_; i < stretches_.size(); ++i) {
+    const Stretch& stretch = stretches_[i];
+    bounds_[i].extent = with_swings(stretch, stretch.top, average);
+    bounds_[i].square =
+        std::min(stretch.top * stretch.top, (stretch.acceleration / stretch.own.bends).minCoeff());
+  }
+}
+
+/// σ'' that all axes allow in either direction.
+double SpeedPlan::control(std::size_t at, double square) const noexcept {
+  constexpr double kNoSlope = 1e-30;
+  const Extent& extent = bounds_[at].extent;
+  const Extent::Axes& most = stretches_[at].acceleration;
+  const double along = ((most - square * extent.bends) / (extent.slopes + kNoSlope)).minCoeff();
+  return std::max(0.0, std::min(along, (most / (extent.swings + kNoSlope)).minCoeff()));
+}
+
+/// σ'² where the stretches meet: forwards what can be reached, backwards from where the end can be.
+void SpeedPlan::pass() {
+  const std::size_t count = stretches_.size();
+  squares_[fixed_] = std::min(entry_, bounds_[fixed_].square);
+  for (std::size_t i = fixed_; i < count; ++i) {
+    const double cap =
+        std::min(bounds_[i].square, i + 1 < count ? bounds_[i + 1].square : bounds_[i].square);
+    const double x = squares_[i];
+    squares_[i + 1] = std::min(cap, x + 2 * stretches_[i].length * control(i, x));
+  }
+  if (rests_) squares_[count] = 0;
+  for (std::size_t i = count; i > fixed_; --i) {
+    const double x = squares_[i];
+    squares_[i - 1] =
+        std::min(squares_[i - 1], x + 2 * stretches_[i - 1].length * control(i - 1, x));
+  }
+}
+
+/// σ'² between the ends of a stretch at most.
+double SpeedPlan::peak(std::size_t at) const noexcept {
+  const double a = squares_[at];
+  const double b = squares_[at + 1];
+  const double gains = control(at, std::min(a, b)) * stretches_[at].length;
+  return std::min(bounds_[at].square, (a + b) / 2 + gains);
+}
+
+void SpeedPlan::take_rates(double more) noexcept {
+  for (std::size_t i = fixed_; i < stretches_.size(); ++i) {
+    Stretch& stretch = stretches_[i];
+    stretch.rate = std::min(stretch.top, more * std::sqrt(peak(i)));
+  }
+}
+
+double SpeedPlan::time() const {
+  double time = 0;
+  for (std::size_t i = fixed_; i < stretches_.size(); ++i) {
+    const double a = squares_[i];
+    const double b = squares_[i + 1];
+    const double length = stretches_[i].length;
+    const double top = std::sqrt(peak(i));
+    const double u = control(i, std::min(a, b));
+    const double changes = u > 0 ? (2 * top * top - a - b) / (2 * u) : 0;
+    if (changes > 0 && changes <= length * (1 + 1e-9)) {
+      time += (2 * top - std::sqrt(a) - std::sqrt(b)) / u + (length - changes) / top;
+    } else {
+      time += 2 * length / (std::sqrt(a) + std::sqrt(b));
+    }
+  }
+  return time;
+}
+
+/// What each stretch keeps, of all that is within reach at the rates there are now.
+void SpeedPlan::spread(double average) {
+  lay_out_times();
+  find_reach(average);
+  build_rates();
+  build_extents(average);
+  for (std::size_t i = fixed_; i < stretches_.size(); ++i) {
+    Stretch& stretch = stretches_[i];
+    stretch.most = greatest(stretch.first, stretch.last);
+    bounds_[i].extent = stretch.most;
+    const double bent = (stretch.acceleration / stretch.most.bends).minCoeff();
+    bounds_[i].square = std::min(stretch.top * stretch.top, bent);
+  }
+}
+
+/// Places count from the beginning of the first stretch.
+void SpeedPlan::lay_out_times() {
+  const std::size_t count = stretches_.size();
+  const double zero = stretches_[0].begin;
+  times_.resize(count + 1);
+  integrals_.resize(count + 1);
+  times_[0] = integrals_[0] = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Stretch& stretch = stretches_[i];
+    const double takes = stretch.length / stretch.rate;
+    times_[i + 1] = times_[i] + takes;
+    integrals_[i + 1] = integrals_[i] + (stretch.begin - zero + stretch.length / 2) * takes;
+  }
+}
+
+/// Of the place of what always has the rate c. Before the first stretch it stands; behind the last
+/// one it does, too, or goes on at the same rate.
+double SpeedPlan::place_integral(double time) const noexcept {
+  if (time <= 0) return 0;
+  const Stretch& last = stretches_.back();
+  if (time >= times_.back()) {
+    const double more = time - times_.back();
+    const double end = last.begin + last.length - stretches_[0].begin;
+    return integrals_.back() + more * (end + (rests_ ? 0 : last.rate * more / 2));
+  }
+  const auto above = std::upper_bound(times_.begin(), times_.end(), time);
+  const auto at = static_cast<std::size_t>(above - times_.begin()) - 1;
+  const Stretch& stretch = stretches_[at];
+  const double more = time - times_[at];
+  return integrals_[at] + more * (stretch.begin - stretches_[0].begin + stretch.rate * more / 2);
+}
+
+/// The one on which that place lies, m from the beginning of the first.
+std::size_t SpeedPlan::stretch_at(double place) const noexcept {
+  const double sigma = stretches_[0].begin + place;
+  const auto above =
+      std::upper_bound(stretches_.begin(), stretches_.end(), sigma,
+                       [](double value, const Stretch& stretch) { return value < stretch.begin; });
+  return above == stretches_.begin() ? 0 : static_cast<std::size_t>(above - stretches_.begin()) - 1;
+}
+
+/// With the guide on a stretch the mean lies no farther before and behind it than what has been
+/// gone at c in the mean of a time T. Ready are those of which that is known.
+void SpeedPlan::find_reach(double average) {
+  const std::size_t count = stretches_.size();
+  const double end = stretches_.back().begin + stretches_.back().length - stretches_[0].begin;
+  ready_ = 0;
+  for (std::size_t i = fixed_; i < count; ++i) {
+    Stretch& stretch = stretches_[i];
+    const double begins = times_[i];
+    const double ends = times_[i + 1];
+    double back = stretch.begin - stretches_[0].begin;
+    double ahead = back + stretch.length;
+    if (average > 0) {
+      back = (place_integral(begins) - place_integral(begins - average)) / average;
+      ahead = (place_integral(ends + average) - place_integral(ends)) / average;
+    }
+    stretch.first = std::min(i, stretch_at(back));
+    stretch.last = std::max(i, stretch_at(ahead));
+    if (ready_ == i - fixed_ && (rests_ || ahead <= end)) ++ready_;
+  }
+}
+
+void SpeedPlan::build_rates() {
+  const std::size_t count = stretches_.size();
+  leaves_ = std::bit_ceil(count);
+  rates_.assign(2 * leaves_, 0);
+  for (std::size_t i = 0; i < count; ++i) rates_[leaves_ + i] = stretches_[i].rate;
+  for (std::size_t i = leaves_ - 1; i > 0; --i)
+    rates_[i] = std::max(rates_[2 * i], rates_[2 * i + 1]);
+}
+
+void SpeedPlan::build_extents(double average) {
+  const std::size_t count = stretches_.size();
+  extents_.assign(2 * leaves_, Extent());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Stretch& stretch = stretches_[i];
+    extents_[leaves_ + i] =
+        with_swings(stretch, greatest_rate(stretch.first, stretch.last), average);
+  }
+  for (std::size_t i = leaves_ - 1; i > 0; --i) {
+    extents_[i] = extents_[2 * i];
+    extents_[i].take(extents_[2 * i + 1]);
+  }
+}
+
+double SpeedPlan::greatest_rate(std::size_t first, std::size_t last) const noexcept {
+  double most = 0;
+  cover(leaves_, first, last, [&](std::size_t node) { most = std::max(most, rates_[node]); });
+  return most;
+}
+
+Extent SpeedPlan::greatest(std::size_t first, std::size_t last) const noexcept {
+  Extent most;
+  cover(leaves_, first, last, [&](std::size_t node) { most.take(extents_[node]); });
+  return most;
+}
+
+/// Where what is ready has looked beyond the end, what follows must be no faster than was thought.
+void SpeedPlan::promise(std::size_t fixed) noexcept {
+  if (rests_) return;
+  const double beyond = times_[fixed] + average_ - times_.back();
+  if (beyond <= 0) return;
+  const Stretch& last = stretches_.back();
+  const double end = last.begin + last.length;
+  const double until = end + last.rate * beyond;
+  const bool holds = promise_.until > end;
+  promise_ = {holds ? std::min(promise_.rate, last.rate) : last.rate,
+              holds ? std::max(promise_.until, until) : until};
+}
+
+void SpeedPlan::fix(std::size_t count) {
+  if (count == 0) return;
+  const std::size_t end = fixed_ + count;
+  promise(end);
+  // [choice] what the mean can be on within T, and what that was reckoned with
+  const double looked_at = times_[end] + 2 * average_;
+  for (std::size_t i = end; i < stretches_.size() && times_[i] < looked_at; ++i)
+    stretches_[i].top = stretches_[i].rate;
+  entry_ = squares_[end];
+  fixed_ = end;
+  ready_ -= std::min(ready_, count);
+  stale_ = true;
+  trim();
+}
+
+/// Those that nothing to come can reach are forgotten.
+void SpeedPlan::trim() {
+  const double sure = times_[fixed_] - average_;
+  std::size_t past = 0;
+  while (past < fixed_ && times_[past + 1] < sure) ++past;
+  if (past < 64 || 2 * past < fixed_) return;  // [choice] seldom
+  stretches_.erase(stretches_.begin(), stretches_.begin() + static_cast<std::ptrdiff_t>(past));
+  for (Stretch& stretch : stretches_) {
+    stretch.first -= std::min(stretch.first, past);
+    stretch.last -= std::min(stretch.last, past);
+  }
+  fixed_ -= past;
+}
+
+}  // namespace rob::motion
