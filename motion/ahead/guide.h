@@ -42,9 +42,9 @@ class Guide {
     double rate = 0;
     double acceleration = 0;
   };
-  /// In one step; what is left of the period then is lost, and the path runs later. [choice] The
-  /// planner's pieces take a quarter of a period at least, and some have three parts.
-  static constexpr int kMostParts = 64;
+  /// In one step: a bound on the work of a tick, which no path reaches. [choice] three for each
+  /// piece of a ring; each takes some 0.1 µs.
+  static constexpr int kMostParts = 3 * 8192;
 
   /// The axes stand at `start`.
   Guide(PathRing& ring, const JointVector& start) noexcept

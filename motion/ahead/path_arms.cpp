@@ -28,7 +28,7 @@ const SegmentDescriptor* PathPlanner::coming(std::size_t at) const {
 }
 
 /// What follows a leg without a stop, and the corners as far as they can be foretold.
-Course PathPlanner::course_from(const ShapedLeg& leg) const {
+Course PathPlanner::course_from(const ShapedLeg& leg) {
   Course course;
   course.legs.push_back(shaped_leg(robot_, leg.segment, leg.begin));
   course.taken = into_;
@@ -52,13 +52,13 @@ Course PathPlanner::course_from(const ShapedLeg& leg) const {
 }
 
 /// By a leg, and the corner into it; false where only a stop leads to it.
-bool PathPlanner::extend(Course& course, const SegmentDescriptor& next) const {
+bool PathPlanner::extend(Course& course, const SegmentDescriptor& next) {
   const ShapedLeg& last = course.legs.back();
   const ShapedLeg leg = shaped_leg(robot_, next, last.end());
   const double taken = course.turns.empty() ? course.taken.value_or(0) : course.turns.back().half;
   const bool ends = coming(course.legs.size()) == nullptr && buffer_.closed();
   const double longest = std::min(last.length() - taken, ends ? leg.length() : leg.length() / 2);
-  std::optional<Turn> turn = make_turn(robot_, last, leg, {longest, 0, true, false});
+  std::optional<Turn> turn = rehearsal_.turn(last, leg, longest);
   if (!turn) return false;
   course.turns.push_back(std::move(*turn));
   course.legs.push_back(leg);

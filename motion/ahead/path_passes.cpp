@@ -27,6 +27,8 @@ double PathPlanner::top_square(const Piece& piece) const noexcept {
 PathRing::Index PathPlanner::ready() {
   if (end_ == 0 || ring_.run_end(end_ - 1)) return end_;
   if (averages_sigma()) {
+    if (!speeds_.grown() && !guide_within(kSoon, open_ ? brakes_at_end() : kAny))
+      return ring_.end();
     speeds_.plan(mean_time());
     return ring_.end() + speeds_.ready();
   }
@@ -130,8 +132,9 @@ void PathPlanner::bound_speeds(PathRing::Index until) {
     piece.slopes = most.slopes.head(axes);
     piece.bends = most.bends.head(axes);
     piece.swings = (alone_ ? most.slopes : most.swings).head(axes);
-    if (alone_ || stretch.rate >= piece.fastest) continue;
-    piece.fastest = stretch.rate;
+    const double fastest = std::min(stretch.rate, most.fastest);
+    if (alone_ || fastest >= piece.fastest) continue;
+    piece.fastest = fastest;
     piece.fastest_axis = -1;
   }
   speeds_.fix(static_cast<std::size_t>(until - ring_.end()));

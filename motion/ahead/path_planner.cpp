@@ -14,9 +14,6 @@ namespace {
 /// The open leg's successor, and two behind it.
 constexpr std::size_t kPending = 3;
 
-/// s: so long before it would have to brake a corner is made of what is known.
-constexpr double kSoon = 0.1;
-
 /// Pieces that a corner, or the way to the next node of a leg, may take.
 constexpr std::size_t kSpare = 512;
 
@@ -77,6 +74,7 @@ void PathPlanner::drop() {
   before_ = kAny;
   end_ = ring_.end();  // drafts are not path
   speeds_.begin();
+  rehearsal_.forget();
   ring_.dropped(number, generation);
 }
 
@@ -87,11 +85,6 @@ void PathPlanner::fetch() {
     pending_.push_back(*next);
     buffer_.pop_segment();
   }
-}
-
-/// Where the mean is of σ, bends have a share of the jerk, too.
-double PathPlanner::window_of(const SegmentDescriptor& segment) const noexcept {
-  return robot_.tool_coordinates ? Rehearsal::window_of(segment) : segment.ahead.window;
 }
 
 /// s of the mean of the present run: whole periods.
@@ -120,7 +113,7 @@ bool PathPlanner::begin_run() {
     return true;
   }
   if (end_ != ring_.end()) publish(false);  // the run before has a mean of its own
-  window_ = window_of(next);
+  window_ = next.ahead.window;
   speeds_.begin();
   into_.reset();
   entry_ = 0;
@@ -220,7 +213,7 @@ bool PathPlanner::decide_alone() {
 
 bool PathPlanner::join_next() {
   const SegmentDescriptor& next = pending_.front();
-  const bool longer_mean = window_of(next) > window_ && window_ == 0;
+  const bool longer_mean = next.ahead.window > window_ && window_ == 0;
   if (moves(next) && !has_way(next)) {
     ring_.push({next, open_->end(), open_->end(), open_->end(), 1});
     keep_within(next.ahead, open_->segment.ahead);
@@ -232,15 +225,14 @@ bool PathPlanner::join_next() {
     return true;
   }
   const bool known = pending_.size() > 1 || next.guard.present() || buffer_.closed();
-  const double control = greatest_control(*open_, open_->at(open_->length()));
-  if (!known && sent_ && !guide_within(kSoon, control)) return false;
+  if (!known && sent_ && !guide_within(kSoon, brakes_at_end())) return false;
   if (!known && !sent_) {
     sent_ = send(open_->length() - longest_turn(*open_));
     return true;
   }
   next_ = shaped_leg(robot_, next, open_->end());
   next_->ends = ends_at_rest(next);
-  if (window_of(next) > window_) next_->acceleration *= window_ / window_of(next);
+  if (next.ahead.window > window_) next_->acceleration *= window_ / next.ahead.window;
   turn_ = corner(*open_, *next_, false);
   if (turn_ && averages_sigma() && !pays()) turn_.reset();
   if (!turn_) {
@@ -362,7 +354,7 @@ void PathPlanner::write(std::vector<Piece>& pieces) {
     known_ = piece.begin + piece.length;
     if (piece.begin < calm_.end - kRounding) piece.calm_down(calm_.share);
     if (averages_sigma()) {
-      speeds_.add(piece, std::max(1.0, share_));
+      speeds_.add(piece);
     } else if (extends_last(piece)) {
       Piece& last = ring_.draft(end_ - 1);
       last.length = known_ - last.begin;

@@ -46,6 +46,8 @@ class PathPlanner {
   /// s: so long before the guide would stand short of a target it is led there (motion.md: decision
   /// point).
   static constexpr double kLastChance = 0.05;
+  /// s: so long before it would have to brake a corner is made of what is known.
+  static constexpr double kSoon = 0.1;
   /// m: places that are nearer to each other are one.
   static constexpr double kRounding = 1e-9;
   static constexpr double kAny = Piece::kAny;
@@ -56,8 +58,8 @@ class PathPlanner {
   bool begin_run();
   bool stands_after(const ShapedLeg& leg) const;
   void begin_on_arm(ShapedLeg& leg);
-  Course course_from(const ShapedLeg& leg) const;
-  bool extend(Course& course, const SegmentDescriptor& next) const;
+  Course course_from(const ShapedLeg& leg);
+  bool extend(Course& course, const SegmentDescriptor& next);
   bool pays();
   const SegmentDescriptor* coming(std::size_t at) const;
   bool all_here() const;
@@ -73,6 +75,8 @@ class PathPlanner {
   bool ends_at_rest(const SegmentDescriptor& next) const;
   double share_of_next(const ShapedLeg& next) const;
   bool guide_within(double time, double deceleration) const;
+  /// σ'' with which the guide can slow down at the end of the open leg, were it straight.
+  double brakes_at_end() const { return greatest_control(*open_, open_->at(open_->length())); }
   double longest_turn(const ShapedLeg& leg) const;
   bool send(double goal);
   double next_end(double goal) const;
@@ -87,7 +91,6 @@ class PathPlanner {
   void bound_speeds(PathRing::Index until);
   void pass_back(PathRing::Index ready, bool anew);
   double top_square(const Piece& piece) const noexcept;
-  double window_of(const SegmentDescriptor& segment) const noexcept;
   double mean_time() const noexcept;
   std::size_t room() const noexcept;
 

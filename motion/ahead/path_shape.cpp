@@ -78,8 +78,7 @@ void bound_jerk(const ShapedLeg& leg, Piece& piece) {
   if (piece.count < 6) return;
   double cube = Piece::kAny;  // of σ'
   for (const double at : {0.0, piece.length / 2, piece.length}) {
-    const JointVector third =
-        6 * piece.terms[3] + at * (24 * piece.terms[4] + at * 60 * piece.terms[5]);
+    const JointVector third = third_derivative(piece, at);
     for (int i = 0; i < third.size(); ++i)
       cube = std::min(cube, kBendsShare * leg.jerk[i] / std::abs(third[i]));
   }
@@ -146,6 +145,11 @@ void append_nodes(const RobotModel& robot, const ShapedLeg& leg, const JointPath
 }
 
 }  // namespace
+
+JointVector third_derivative(const Piece& piece, double at) {
+  if (piece.count < 6) return JointVector::Zero(piece.terms[0].size());
+  return 6 * piece.terms[3] + at * (24 * piece.terms[4] + at * 60 * piece.terms[5]);
+}
 
 void bound_speed(const RobotModel& robot, const JointVector& slopes, Piece& piece) {
   for (int i = 0; i < robot.axis_count(); ++i) {
@@ -271,7 +275,11 @@ void append_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& 
   if (!turn.axes.nodes().empty()) {
     const auto at = [&](double way) { return turn.axes.at(way); };
     // The axes' accelerations are held at the ends of pieces alone, and bends rise and fall here.
-    const double longest = half / kTurnPieces;
+    // On an arm nothing is seen of what is passed in a part of a period.
+    constexpr int kLeastPieces = 4;  // [choice] on each side
+    const double pace = std::min({in.segment.ahead.speed, out.segment.ahead.speed, turn.fastest});
+    const double unseen = robot.tool_coordinates ? pace * robot.reference_period / 4 : 0;
+    const double longest = std::clamp(unseen, half / kTurnPieces, half / kLeastPieces);
     append_nodes(robot, in, turn.axes, 1, in.end() - half, -half, 0, longest, at, pieces);
     append_nodes(robot, out, turn.axes, 1, out.begin, 0, half, longest, at, pieces);
   } else {

@@ -9,9 +9,12 @@
 
 namespace rob::motion {
 
-/// What the bends of an arm's path may ask for of the axes' jerk. [choice] so that corners are
-/// about as slow as their accelerations make them anyhow
-inline constexpr double kBendsShare = 1.0 / 3;
+/// What the bends of an arm's path may ask for of the axes' jerk; what they do ask for at the speed
+/// that is planned is not there for speeding up and slowing down near them (SpeedPlan). [choice]
+inline constexpr double kBendsShare = 0.85;
+
+/// d³q/dσ³ at `at`, σ from the beginning of a piece.
+JointVector third_derivative(const Piece& piece, double at);
 
 /// A motion as part of a path: from the middle of the corner before it, or from rest.
 struct ShapedLeg {

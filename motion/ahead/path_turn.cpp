@@ -21,7 +21,7 @@ constexpr double kPeak = 2;
 
 /// The greatest jerk of a smooth corner, in Δq'·σ'³/half²: of Paul's quartic between two lines of
 /// the tool, and (30·max |2t − 6t² + 4t³| = 5.77)/4 of a quintic between even motions.
-constexpr double kLinesJerk = 3;
+constexpr double kLinesJerk = 1.5;
 constexpr double kAxesJerk = 1.45;
 
 /// m: a corner that is shorter is no corner. [choice] a tenth of what any scale resolves

@@ -79,7 +79,7 @@ void Rehearsal::lay(const ShapedLeg& leg, std::optional<double> into, std::optio
 /// With less acceleration where it would ask for a longer mean.
 ShapedLeg Rehearsal::driven(const ShapedLeg& leg, double window) const {
   ShapedLeg calm = leg;
-  const double wants = window_of(leg.segment);
+  const double wants = leg.segment.ahead.window;
   if (wants > window) calm.acceleration *= window / wants;
   return calm;
 }
@@ -105,11 +105,12 @@ double Rehearsal::guided(const Course& course, std::size_t first, std::size_t la
   lay(leg, into, std::nullopt, average);
   if (pieces_.empty()) return 0;
   plan_.begin(square);
-  for (const Piece& piece : pieces_) plan_.add(piece, 1);
+  for (const Piece& piece : pieces_) plan_.add(piece);
   plan_.end_at_rest();
   plan_.plan(average);
-  square_after_ = plan_.square(std::min(behind, pieces_.size()));
-  return plan_.time();
+  const double time = plan_.time();
+  square_after_ = plan_.square(behind);
+  return time;
 }
 
 /// What begins at a reference begins a whole number of periods later; so does what follows it.
@@ -120,7 +121,7 @@ double Rehearsal::settled(double guided, double average) const noexcept {
 
 /// Shorter and shorter means, as long as they help.
 Rehearsal::Best Rehearsal::run(const Course& course, std::size_t first, std::size_t last) {
-  const double window = window_of(course.legs[first].segment);
+  const double window = course.legs[first].segment.ahead.window;
   Best best{1, Piece::kAny};
   for (double share = 1; share > kLeast; share *= kLess) {
     const double average = mean_time(share * window);
@@ -131,7 +132,28 @@ Rehearsal::Best Rehearsal::run(const Course& course, std::size_t first, std::siz
   return best;
 }
 
+Rehearsal::Seen& Rehearsal::seen(const ShapedLeg& leg) {
+  constexpr std::size_t kMost = 16;  // [choice] twice as many as are looked at
+  const std::uint32_t number = leg.segment.number;
+  const auto found = std::ranges::find(seen_, number, &Seen::number);
+  if (found != seen_.end()) return *found;
+  if (seen_.size() == kMost) seen_.erase(seen_.begin());
+  return seen_.emplace_back(Seen{number, {}, {}});
+}
+
+std::optional<Turn> Rehearsal::turn(const ShapedLeg& in, const ShapedLeg& out, double longest) {
+  std::optional<Turn>& known = seen(in).turn;
+  if (!known || known->half > longest) known = make_turn(robot_, in, out, {longest, 0, true});
+  return known;
+}
+
 Rehearsal::Best Rehearsal::alone(const ShapedLeg& leg) {
+  std::optional<Best>& known = seen(leg).alone;
+  if (!known) known = tried_alone(leg);
+  return *known;
+}
+
+Rehearsal::Best Rehearsal::tried_alone(const ShapedLeg& leg) {
   if (leg.motion.path == nullptr) {
     const LegAlone made = motion::alone(robot_, leg);
     return {made.share, settled(made.time - made.average, mean_time(made.average))};
@@ -177,7 +199,12 @@ bool Rehearsal::pays(const Course& course, double window) {
     const double guide = guided(course, 0, last, window);
     return course.taken ? guide + average : settled(guide, average);
   };
-  const double stops = takes(0) + any(course, 1);
+  // Of many short legs the mean of this run is as good for another.
+  const auto others = [&] {
+    if (count <= 3) return any(course, 1);
+    return std::min(each_alone(course, 1), settled(guided(course, 1, count - 1, window), average));
+  };
+  const double stops = takes(0) + others();
   double goes = Piece::kAny;
   if (count == 3) goes = takes(1) + alone(course.legs[2]).time;
   goes = std::min(goes, takes(count - 1));

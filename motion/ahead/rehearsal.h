@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "motion/ahead/path_shape.h"
+#include "motion/ahead/path_turn.h"
 #include "motion/ahead/speed_plan.h"
 
 namespace rob::motion {
@@ -46,12 +47,14 @@ class Rehearsal {
  public:
   explicit Rehearsal(const RobotModel& robot) : robot_(robot) {}
 
-  /// s of the mean that the bends and corners of a leg ask for.
-  static double window_of(const SegmentDescriptor& segment) noexcept {
-    return segment.ahead.window / (1 - kBendsShare);
-  }
   /// s of whole periods.
   double mean_time(double window) const noexcept;
+
+  /// The corner between two legs that takes so much of each at most; none where only a stop will
+  /// do.
+  std::optional<Turn> turn(const ShapedLeg& in, const ShapedLeg& out, double longest);
+  /// The motions that were looked at will not come.
+  void forget() { seen_.clear(); }
 
   /// How the first leg, which begins at rest, is best driven.
   struct Beginning {
@@ -71,6 +74,14 @@ class Rehearsal {
     double share = 1;
     double time = 0;  ///< s from rest to rest
   };
+  /// What is looked at again with the next motions: of a leg, and of the corner out of it.
+  struct Seen {
+    std::uint32_t number = 0;  ///< of its motion
+    std::optional<Best> alone;
+    std::optional<Turn> turn;
+  };
+  Seen& seen(const ShapedLeg& leg);
+  Best tried_alone(const ShapedLeg& leg);
   Best run(const Course& course, std::size_t first, std::size_t last);
   Best alone(const ShapedLeg& leg);
   double settled(double guided, double average) const noexcept;
@@ -85,6 +96,7 @@ class Rehearsal {
   SpeedPlan plan_;
   std::vector<Piece> pieces_;
   double square_after_ = 0;
+  std::vector<Seen> seen_;
 };
 
 }  // namespace rob::motion

@@ -5,9 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "motion/ahead/path_shape.h"
+
 namespace rob::motion {
 
 namespace {
+
+/// So far an override can raise the pace, of path that has been planned already.
+constexpr double kMostRaised = 2;
 
 /// [choice] Above the rate that is planned, so that what holds the guide is an axis and not this.
 constexpr double kAbove = 1.002;
@@ -28,6 +33,7 @@ void Extent::take(const Extent& its) noexcept {
   slopes = slopes.max(its.slopes);
   bends = bends.max(its.bends);
   swings = swings.max(its.swings);
+  fastest = std::min(fastest, its.fastest);
 }
 
 void SpeedPlan::begin(double square) {
@@ -37,19 +43,25 @@ void SpeedPlan::begin(double square) {
   entry_ = square;
   promise_ = {};
   stale_ = true;
+  planned_ = 0;
 }
 
-void SpeedPlan::add(const Piece& piece, double raised) {
+void SpeedPlan::add(const Piece& piece) {
   const PathPoint begin = piece.point(0);
   const PathPoint end = piece.point(piece.length);
   const auto axes = piece.acceleration.size();
   Stretch stretch;
   stretch.begin = piece.begin;
   stretch.length = piece.length;
-  stretch.top = std::min(piece.fastest, piece.pace * raised);
+  stretch.pace = piece.pace;
+  stretch.top = std::min(piece.fastest, piece.pace * kMostRaised);
   if (piece.begin < promise_.until) stretch.top = std::min(stretch.top, promise_.rate);
   stretch.own.slopes.head(axes) = begin.qd.cwiseAbs().cwiseMax(end.qd.cwiseAbs());
   stretch.own.bends.head(axes) = begin.qdd.cwiseAbs().cwiseMax(end.qdd.cwiseAbs());
+  for (const double at : {0.0, piece.length / 2, piece.length})
+    stretch.jolts.head(axes) =
+        stretch.jolts.head(axes).max(third_derivative(piece, at).array().abs());
+  stretch.own.fastest = piece.fastest;
   stretch.acceleration.setOnes();
   stretch.acceleration.head(axes) = piece.acceleration;
   stretches_.push_back(stretch);
@@ -67,6 +79,7 @@ void SpeedPlan::end_at_rest() noexcept { rests_ = stale_ = true; }
 void SpeedPlan::plan(double average) {
   if (!std::exchange(stale_, false) && average == average_) return;
   average_ = average;
+  planned_ = open();
   const std::size_t count = stretches_.size();
   ready_ = 0;
   if (fixed_ == count) return;
@@ -93,15 +106,20 @@ void SpeedPlan::plan(double average) {
   spread(average);
 }
 
-/// q = q(σ) has the jerk q'''·σ'³ + 3·q''·σ'·σ'' + q'·σ'''. Piece::fastest leaves to the first what
-/// kBendsShare says. Of the mean, |σ'''| <= 2·u/T where |σ''| <= u: with σ'' so small that
-/// (|q'| + 1.5·T·|q''|·σ')·u <= A, the others take 2A/T, which is the rest. No faster is the mean
-/// than the bends here allow to all within reach, nor than any of that.
+/// q = q(σ) has the jerk q'''·σ'³ + 3·q''·σ'·σ'' + q'·σ'''. Of the mean, |σ'''| <= 2·u/T where
+/// |σ''| <= u; with T = 2A/J that is at most
+///
+///     q'''·σ'³ + (|q'| + 1.5·T·|q''|·σ')·2u/T <= 2A/T
+///
+/// No faster is the mean than the bends here allow to all within reach, nor than any of that.
 static Extent with_swings(const SpeedPlan::Stretch& stretch, double rate, double average) noexcept {
+  constexpr double kLeast = 0.01;  // of the acceleration: more is left (kBendsShare)
   Extent extent = stretch.own;
-  const double square =
-      std::min(rate * rate, (stretch.acceleration / stretch.own.bends).minCoeff());
-  extent.swings = extent.slopes + 1.5 * average * std::sqrt(square) * extent.bends;
+  const double square = std::min({rate * rate, extent.fastest * extent.fastest,
+                                  (stretch.acceleration / extent.bends).minCoeff()});
+  const double root = std::sqrt(square);
+  const Extent::Axes left = 1 - average / 2 * square * root * stretch.jolts / stretch.acceleration;
+  extent.swings = (extent.slopes + 1.5 * average * root * extent.bends) / left.max(kLeast);
   return extent;
 }
 
@@ -156,7 +174,12 @@ void SpeedPlan::take_rates(double more) noexcept {
   }
 }
 
-double SpeedPlan::time() const {
+double SpeedPlan::time() {
+  for (std::size_t i = fixed_; i < stretches_.size(); ++i) {
+    const double top = std::min(stretches_[i].rate, stretches_[i].pace);
+    bounds_[i].square = std::min(bounds_[i].square, top * top);
+  }
+  pass();
   double time = 0;
   for (std::size_t i = fixed_; i < stretches_.size(); ++i) {
     const double a = squares_[i];
@@ -185,7 +208,8 @@ void SpeedPlan::spread(double average) {
     stretch.most = greatest(stretch.first, stretch.last);
     bounds_[i].extent = stretch.most;
     const double bent = (stretch.acceleration / stretch.most.bends).minCoeff();
-    bounds_[i].square = std::min(stretch.top * stretch.top, bent);
+    const double top = std::min(stretch.top, stretch.most.fastest);
+    bounds_[i].square = std::min(top * top, bent);
   }
 }
 
@@ -205,8 +229,8 @@ void SpeedPlan::lay_out_times() {
 }
 
 /// Of the place of what always has the rate c. Before the first stretch it stands; behind the last
-/// one it does, too, or goes on at the same rate.
-double SpeedPlan::place_integral(double time) const noexcept {
+/// one it does, too, or goes on at the same rate. `at`: a stretch that begins no later.
+double SpeedPlan::place_integral(double time, std::size_t& at) const noexcept {
   if (time <= 0) return 0;
   const Stretch& last = stretches_.back();
   if (time >= times_.back()) {
@@ -214,40 +238,40 @@ double SpeedPlan::place_integral(double time) const noexcept {
     const double end = last.begin + last.length - stretches_[0].begin;
     return integrals_.back() + more * (end + (rests_ ? 0 : last.rate * more / 2));
   }
-  const auto above = std::upper_bound(times_.begin(), times_.end(), time);
-  const auto at = static_cast<std::size_t>(above - times_.begin()) - 1;
+  while (times_[at + 1] <= time) ++at;
   const Stretch& stretch = stretches_[at];
   const double more = time - times_[at];
   return integrals_[at] + more * (stretch.begin - stretches_[0].begin + stretch.rate * more / 2);
 }
 
-/// The one on which that place lies, m from the beginning of the first.
-std::size_t SpeedPlan::stretch_at(double place) const noexcept {
+/// The one on which that place lies, m from the beginning of the first, from `at` on.
+void SpeedPlan::go_to(double place, std::size_t& at) const noexcept {
   const double sigma = stretches_[0].begin + place;
-  const auto above =
-      std::upper_bound(stretches_.begin(), stretches_.end(), sigma,
-                       [](double value, const Stretch& stretch) { return value < stretch.begin; });
-  return above == stretches_.begin() ? 0 : static_cast<std::size_t>(above - stretches_.begin()) - 1;
+  while (at + 1 < stretches_.size() && stretches_[at + 1].begin <= sigma) ++at;
 }
 
 /// With the guide on a stretch the mean lies no farther before and behind it than what has been
 /// gone at c in the mean of a time T. Ready are those of which that is known.
 void SpeedPlan::find_reach(double average) {
   const std::size_t count = stretches_.size();
-  const double end = stretches_.back().begin + stretches_.back().length - stretches_[0].begin;
+  const double zero = stretches_[0].begin;
+  const double end = stretches_.back().begin + stretches_.back().length - zero;
+  Cursors at;
   ready_ = 0;
   for (std::size_t i = fixed_; i < count; ++i) {
     Stretch& stretch = stretches_[i];
-    const double begins = times_[i];
-    const double ends = times_[i + 1];
-    double back = stretch.begin - stretches_[0].begin;
+    double back = stretch.begin - zero;
     double ahead = back + stretch.length;
     if (average > 0) {
-      back = (place_integral(begins) - place_integral(begins - average)) / average;
-      ahead = (place_integral(ends + average) - place_integral(ends)) / average;
+      const double before = place_integral(times_[i] - average, at.before);
+      const double after = place_integral(times_[i + 1] + average, at.after);
+      back = (integrals_[i] - before) / average;
+      ahead = (after - integrals_[i + 1]) / average;
     }
-    stretch.first = std::min(i, stretch_at(back));
-    stretch.last = std::max(i, stretch_at(ahead));
+    go_to(back, at.first);
+    go_to(ahead, at.last);
+    stretch.first = std::min(i, at.first);
+    stretch.last = std::max(i, at.last);
     if (ready_ == i - fixed_ && (rests_ || ahead <= end)) ++ready_;
   }
 }
@@ -312,6 +336,7 @@ void SpeedPlan::fix(std::size_t count) {
   fixed_ = end;
   ready_ -= std::min(ready_, count);
   stale_ = true;
+  planned_ = open();
   trim();
 }
 

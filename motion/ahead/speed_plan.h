@@ -13,11 +13,12 @@ namespace rob::motion {
 struct Extent {
   using Axes = Eigen::Array<double, kMaxJoints, 1>;
 
-  Axes slopes = Axes::Zero();  ///< |dq/dσ|
-  Axes bends = Axes::Zero();   ///< |d²q/dσ²|
-  Axes swings = Axes::Zero();  ///< what the jerk makes of both: Piece::swings
+  Axes slopes = Axes::Zero();    ///< |dq/dσ|
+  Axes bends = Axes::Zero();     ///< |d²q/dσ²|
+  Axes swings = Axes::Zero();    ///< what the jerk makes of both: Piece::swings
+  double fastest = Piece::kAny;  ///< σ' that it admits
 
-  /// The greatest of both.
+  /// What both ask for.
   void take(const Extent& its) noexcept;
 };
 
@@ -37,19 +38,20 @@ class SpeedPlan {
   struct Stretch {
     double begin = 0;   ///< σ
     double length = 0;  ///< above 0
-    double top = 0;     ///< σ' at most, whatever lies around it
+    double pace = 0;    ///< σ' that is asked for
+    double top = 0;     ///< σ' at most, whatever lies around it, and whatever the override
     Extent own;
-    Extent::Axes acceleration;  ///< 1 of axes that there are not
-    double rate = 0;            ///< c: σ' at most
-    Extent most;                ///< of all within reach
-    std::size_t first = 0;      ///< stretch within reach
+    Extent::Axes jolts = Extent::Axes::Zero();  ///< |d³q/dσ³|
+    Extent::Axes acceleration;                  ///< 1 of axes that there are not
+    double rate = 0;                            ///< c: σ' at most
+    Extent most;                                ///< of all within reach
+    std::size_t first = 0;                      ///< stretch within reach
     std::size_t last = 0;
   };
 
   /// A run begins, with that σ'²; it has not come to its end.
   void begin(double square = 0);
-  /// `raised`: the override up to which the pace can be raised later.
-  void add(const Piece& piece, double raised);
+  void add(const Piece& piece);
   /// No stretch that is not fixed is faster than that.
   void limit(double rate) noexcept;
   /// It comes to rest where it ends now.
@@ -58,15 +60,17 @@ class SpeedPlan {
   /// Plans what is not fixed for a mean over `average`. What follows an end that is no rest may be
   /// as fast as it likes.
   void plan(double average);
-  /// As planned, s for what is not fixed.
-  double time() const;
-  /// As planned, σ'² at the beginning of the stretch `at` of those that are not fixed.
+  /// As planned, s for what is not fixed, at override 1.
+  double time();
+  /// The same of σ'² at the beginning of the stretch `at` of those that are not fixed.
   double square(std::size_t at) const noexcept { return squares_[fixed_ + at]; }
 
   /// How many stretches are not fixed, and how many of them, from the first on, have all within
   /// reach known.
   std::size_t open() const noexcept { return stretches_.size() - fixed_; }
   std::size_t ready() const noexcept { return ready_; }
+  /// So much has come since it was planned that it pays to plan anew.
+  bool grown() const noexcept { return rests_ || 4 * open() > 5 * planned_; }
   /// Of those that are not fixed.
   const Stretch& stretch(std::size_t at) const noexcept { return stretches_[fixed_ + at]; }
   /// The first `count` are as planned for good. What lies within reach of them keeps its c, too.
@@ -91,8 +95,13 @@ class SpeedPlan {
   void spread(double average);
   void lay_out_times();
   void find_reach(double average);
-  double place_integral(double time) const noexcept;
-  std::size_t stretch_at(double place) const noexcept;
+  /// Stretches that are looked for again and again, each time farther on.
+  struct Cursors {
+    std::size_t before = 0, after = 0;  ///< at a time
+    std::size_t first = 0, last = 0;    ///< at a place
+  };
+  double place_integral(double time, std::size_t& at) const noexcept;
+  void go_to(double place, std::size_t& at) const noexcept;
   void build_rates();
   void build_extents(double average);
   double greatest_rate(std::size_t first, std::size_t last) const noexcept;
@@ -109,6 +118,7 @@ class SpeedPlan {
 
   // While planning.
   bool stale_ = true;
+  std::size_t planned_ = 0;  ///< how many were not fixed then
   double average_ = 0;
   std::vector<Bound> bounds_;
   std::vector<double> squares_;    ///< where each begins, and where the last ends

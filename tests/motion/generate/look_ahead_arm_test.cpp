@@ -112,7 +112,11 @@ TEST_CASE("a run of an arm is the same, whatever mean the run behind its stop ha
   while (same < alone.samples().size() &&
          alone.samples()[same].reference.q == followed.samples()[same].reference.q)
     ++same;
-  CHECK(same == alone.samples().size());
+  // Where it stands is the target, or where the last of its pieces ends: but for rounding the same.
+  const std::size_t last = alone.samples().size() - 1;
+  REQUIRE(same >= last);
+  const JointVector ends = alone.samples()[last].reference.q;
+  CHECK((ends - followed.samples()[last].reference.q).cwiseAbs().maxCoeff() <= 1e-15);
 }
 
 TEST_CASE("a joint motion alone has no bends: it takes d/v + v/a + a/j") {
