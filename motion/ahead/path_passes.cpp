@@ -132,9 +132,13 @@ void PathPlanner::bound_speeds(PathRing::Index until) {
     piece.slopes = most.slopes.head(axes);
     piece.bends = most.bends.head(axes);
     piece.swings = (alone_ ? most.slopes : most.swings).head(axes);
-    const double fastest = std::min(stretch.rate, most.fastest);
-    if (alone_ || fastest >= piece.fastest) continue;
-    piece.fastest = fastest;
+    if (alone_) continue;
+    if (most.fastest < piece.fastest) {
+      piece.fastest = most.fastest;
+      piece.fastest_axis = most.fastest_axis;
+    }
+    if (stretch.rate >= piece.fastest) continue;
+    piece.fastest = stretch.rate;
     piece.fastest_axis = -1;
   }
   speeds_.fix(static_cast<std::size_t>(until - ring_.end()));

@@ -33,7 +33,9 @@ void Extent::take(const Extent& its) noexcept {
   slopes = slopes.max(its.slopes);
   bends = bends.max(its.bends);
   swings = swings.max(its.swings);
-  fastest = std::min(fastest, its.fastest);
+  if (its.fastest >= fastest) return;
+  fastest = its.fastest;
+  fastest_axis = its.fastest_axis;
 }
 
 void SpeedPlan::begin(double square) {
@@ -62,6 +64,7 @@ void SpeedPlan::add(const Piece& piece) {
     stretch.jolts.head(axes) =
         stretch.jolts.head(axes).max(third_derivative(piece, at).array().abs());
   stretch.own.fastest = piece.fastest;
+  stretch.own.fastest_axis = piece.fastest_axis;
   stretch.acceleration.setOnes();
   stretch.acceleration.head(axes) = piece.acceleration;
   stretches_.push_back(stretch);

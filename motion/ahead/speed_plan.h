@@ -17,6 +17,7 @@ struct Extent {
   Axes bends = Axes::Zero();     ///< |d²q/dσ²|
   Axes swings = Axes::Zero();    ///< what the jerk makes of both: Piece::swings
   double fastest = Piece::kAny;  ///< σ' that it admits
+  int fastest_axis = -1;         ///< that sets it
 
   /// What both ask for.
   void take(const Extent& its) noexcept;

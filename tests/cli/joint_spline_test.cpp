@@ -108,14 +108,16 @@ TEST_CASE("AT, FINE, UNTIL, WITH and ZONE stand behind MOVES through joints as b
   const json until = measured(through_all("AT 20% UNTIL CLOCK > 1s") + "PRINT HIT\n");
   CHECK(until["output"][0] == "TRUE");
   CHECK(until["lines"][0]["ended"] == "hit");
-  const std::string next = "MOVE JOINTS(0deg, 0deg, 0deg, 0deg, 30deg, 0deg)\n";
+  // So slow that a corner is faster than a stop.
+  const std::string next = "MOVE JOINTS(0deg, 0deg, 0deg, 0deg, 30deg, 0deg) AT 20%\n";
   const auto miss = [&](const std::string& clause) {
     const json report = measured("LAW LOOKAHEAD\n" + through_all(clause) + next);
     return report["lines"][0]["corner_miss_mm"]["planned"].get<double>();
   };
-  CHECK(miss("FINE") < 1e-3);
-  CHECK(miss("ZONE 5mm") > 0.5);
-  CHECK(miss("ZONE 5mm") < 5.01);
+  // In the last period, of 4 ms, an axis goes 45,000 deg/s³·(4 ms)³/6 = 0.0005 deg: 3 µm at 0.4 m.
+  CHECK(miss("FINE") < 5e-3);
+  CHECK(miss("AT 20% ZONE 5mm") > 0.5);
+  CHECK(miss("AT 20% ZONE 5mm") < 5.01);
   CHECK(measured("ROBOT \"irb120\"\nTOOL cup = POSE(0mm, 0mm, 100mm, 0deg, 0deg, 0deg)\n" +
                  through_all("WITH cup AT 50mm/s").substr(15))["status"] == "done");
   CHECK(measured(through_all() + "MOVEL BY (0, 0, -10) AT 50mm/s\n")["status"] == "done");

@@ -141,8 +141,8 @@ TEST_CASE("an output between a motion and the STOP that makes it exact waits, to
     const Seen seen(settling("irb120", window, 10),
                     std::string("LAW ") + law +
                         "\nSIGNAL flag = DOUT[1]\nSIGNAL early = DOUT[2]\n"
-                        "MOVE(350, 100, 250, 180, 0, 180)\nearly = ON\n"
-                        "MOVE(350, 150, 250, 180, 0, 180)\nflag = ON\nSTOP\n"
+                        "MOVE(350, 100, 250, 180, 0, 180) AT 50mm/s\nearly = ON\n"
+                        "MOVE(350, 150, 250, 180, 0, 180) AT 50mm/s\nflag = ON\nSTOP\n"
                         "MOVE(350, 100, 250, 180, 0, 180)\n");
     REQUIRE(seen.result.status == "done");
     CHECK(seen.error_at(seen.set("flag")) <= window);
