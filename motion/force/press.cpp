@@ -55,11 +55,14 @@ void Press::step(const Wrench& felt, bool braking) noexcept {
 
 void Press::shift(JointReference& reference) noexcept {
   const JointReference path = reference;
+  constexpr double kAside = 1e-6;  // m
   JointVector before;
   JointVector after;
-  const bool possible = shifted(path, 0, path.q + offset_, reference.q) &&
-                        shifted(path, -kInstant, reference.q, before) &&
-                        shifted(path, kInstant, reference.q, after);
+  JointVector aside;
+  const bool possible = shifted(path, 0, 0, path.q + offset_, reference.q) &&
+                        shifted(path, -kInstant, 0, reference.q, before) &&
+                        shifted(path, kInstant, 0, reference.q, after) &&
+                        shifted(path, 0, kAside, reference.q, aside);
   if (!possible) {  // it stays beside the path as it was
     end_here();
     reference = path;
@@ -73,7 +76,7 @@ void Press::shift(JointReference& reference) noexcept {
   const JointVector added = rates - path.qd;
   const JointVector bends = (after - reference.q * 2 + before) / (kInstant * kInstant);
   const bool within = within_limits(path.q, reference.q + added * stops_in);
-  if (!within || too_fast(added, bends - path.qdd)) end_here();
+  if (!within || too_fast(added, bends - path.qdd, (aside - reference.q) / kAside)) end_here();
   offset_ = reference.q - path.q;
   if (stands() && path.qd.isZero(0)) return;
   reference.qd = rates;
@@ -82,12 +85,13 @@ void Press::shift(JointReference& reference) noexcept {
 
 /// Whether an axis must be faster than it can; or, where the arm is stretched or its wrist is
 /// singular and a way of next to nothing takes axes far, will soon have to be: their speeds change
-/// though the way's does not.
-bool Press::too_fast(const JointVector& rates, const JointVector& accelerations) const noexcept {
+/// though the way's does not. `per_way`: rad/m of the way that the force leads.
+bool Press::too_fast(const JointVector& rates, const JointVector& accelerations,
+                     const JointVector& per_way) const noexcept {
   constexpr double kMost = 1.0 / 4;  // of a_max. [choice] the rest is to brake with
-  constexpr double kCreeps = 1e-6;   // m/s: below, what is left of the quotient is rounding
+  constexpr double kCreeps = 1e-6;   // m/s: below, nothing is gone in time
   if (std::abs(force_.rate()) < kCreeps) return false;
-  const JointVector turns = accelerations - rates * (force_.acceleration() / force_.rate());
+  const JointVector turns = accelerations - per_way * force_.acceleration();
   for (int i = 0; i < rates.size(); ++i) {
     const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
     if (std::abs(rates[i]) > axis.v_max || std::abs(turns[i]) > kMost * axis.a_max) return true;
@@ -100,13 +104,13 @@ void Press::end_here() noexcept {
   lost_ = true;
 }
 
-/// The axes `time` later; false where the arm does not reach.
-bool Press::shifted(const JointReference& path, double time, const JointVector& near,
+/// The axes `time` later and so far aside; false where the arm does not reach.
+bool Press::shifted(const JointReference& path, double time, double aside, const JointVector& near,
                     JointVector& q) const noexcept {
   const double half = time * time / 2;
   Pose flange = robot_.kinematics->forward(path.q + path.qd * time + path.qdd * half);
-  flange.position +=
-      base_ + order_.axis * (force_.way() + force_.rate() * time + force_.acceleration() * half);
+  flange.position += base_ + order_.axis * (force_.way() + aside + force_.rate() * time +
+                                            force_.acceleration() * half);
   const auto found = robot_.kinematics->inverse(flange, near);
   if (found) q = *found;
   return found.has_value();

@@ -54,10 +54,11 @@ class Press {
   bool at_end() const noexcept { return at_end_; }
 
  private:
-  bool shifted(const JointReference& path, double time, const JointVector& near,
+  bool shifted(const JointReference& path, double time, double aside, const JointVector& near,
                JointVector& q) const noexcept;
   bool within_limits(const JointVector& path, const JointVector& q) const noexcept;
-  bool too_fast(const JointVector& rates, const JointVector& accelerations) const noexcept;
+  bool too_fast(const JointVector& rates, const JointVector& accelerations,
+                const JointVector& per_way) const noexcept;
   void end_here() noexcept;
 
   const RobotModel& robot_;
