@@ -56,20 +56,39 @@ double SimAxis::resistance() const noexcept {
   return drive_.coulomb_friction + (holding_ ? drive_.force_max : 0);
 }
 
+// Steps are mostly of one length, but for rounding: what friction makes of it is computed once.
+void SimAxis::note_step(double dt) noexcept {
+  constexpr double kSame = 1e-9;  // relative; it changes a step by less than q can hold
+  if (std::abs(dt - step_) <= kSame * dt) return;
+  step_ = dt;
+  const double x = drive_.viscous_friction / drive_.inertia * dt;
+  step_phi1_ = phi1(x);
+  step_phi2_ = phi2(x);
+}
+
 // At most two legs: until friction has stopped the axis, and from there on if the force suffices to
-// move it the other way.
+// move it the other way. Under a constant force the speed changes one way only, so it passes 0
+// within a step just where its sign differs at the end.
 void SimAxis::advance(double dt) noexcept {
   const double m = drive_.inertia;
   const double k = drive_.viscous_friction / m;
-  while (dt > 0) {
+  note_step(dt);
+  double left = dt;
+  while (left > 0) {
     const double s = v_ != 0 ? std::copysign(1.0, v_) : std::copysign(1.0, u_);
     if (v_ == 0 && std::abs(u_) <= resistance()) return;
     const double a = (u_ - s * resistance()) / m - k * v_;
+    const double end = left == dt ? v_ + a * dt * step_phi1_ : 0;
+    if (end * s > 0) {
+      q_ += (v_ + a * dt * step_phi2_) * dt;
+      v_ = end;
+      return;
+    }
     const double rest = time_to_rest(v_, a, k);
-    const double t = std::min(dt, rest);
+    const double t = std::min(left, rest);
     q_ += (v_ + a * t * phi2(k * t)) * t;
-    v_ = rest <= dt ? 0 : v_ + a * t * phi1(k * t);
-    dt -= t;
+    v_ = rest <= left ? 0 : v_ + a * t * phi1(k * t);
+    left -= t;
   }
 }
 

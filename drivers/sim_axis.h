@@ -36,6 +36,7 @@ class SimAxis {
 
  private:
   double resistance() const noexcept;
+  void note_step(double dt) noexcept;
 
   motion::DriveData drive_;
   Encoder encoder_;
@@ -43,6 +44,9 @@ class SimAxis {
   double v_ = 0;
   double u_ = 0;
   bool holding_ = false;
+  double step_ = 0;  ///< s, of the last advance(), and the φ of it
+  double step_phi1_ = 1;
+  double step_phi2_ = 0.5;
 };
 
 }  // namespace rob::drivers
