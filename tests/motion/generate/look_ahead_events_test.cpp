@@ -15,8 +15,8 @@ using Space = JogRates::Space;
 
 namespace {
 
-constexpr double kPeriod = 0.01;   // s, of the gantry
-constexpr double kLag = 0.045;     // s: half of its mean of 10 periods, from first to last
+constexpr double kEventPeriod = 0.01;  // s, of the gantry
+constexpr double kLag = 0.045;         // s: half of its mean of 10 periods, from first to last
 constexpr double kRunLag = 0.095;  // s: the same in a run of which more may follow, of 20 periods
 constexpr double kRounding = 1e-9;
 
@@ -78,13 +78,13 @@ TEST_CASE("under low jerk an output comes where the references are, not where th
   REQUIRE(due.size() == std::size(shares));
   for (std::size_t i = 0; i < due.size(); ++i) {
     const auto after = std::ranges::find_if(run.samples(), [&](const GeneratorSample& sample) {
-      return sample.reference.time + kPeriod > due[i].time;
+      return sample.reference.time + kEventPeriod > due[i].time;
     });
     const JointReference& r = after->reference;
     const double t = due[i].time - r.time;
     CAPTURE(shares[i]);
     CHECK(std::abs(r.q[0] + (r.qd[0] + r.qdd[0] * t / 2) * t - 0.3 * shares[i]) <
-          2 * 5 * kPeriod * kPeriod * kPeriod / 6);
+          2 * 5 * kEventPeriod * kEventPeriod * kEventPeriod / 6);
   }
 }
 
@@ -226,7 +226,7 @@ TEST_CASE("a motion with a profile takes its time between two motions that it le
   REQUIRE(started.size() == 3);
   const double lasted = started[2].time - started[1].time;
   CHECK(lasted >= segment.duration - kRounding);
-  CHECK(lasted <= segment.duration + kPeriod + kRounding);  // a path begins at a stamp
+  CHECK(lasted <= segment.duration + kEventPeriod + kRounding);  // a path begins at a stamp
   CHECK((run.last().q - gantry_q(0, 60, 0)).norm() < 1e-15);
   check_within_limits(run);
 }

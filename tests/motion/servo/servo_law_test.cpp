@@ -25,10 +25,12 @@ DriveData linear_drive() {
   return drive;
 }
 
-JointVector one(double x) { return JointVector::Constant(1, x); }
+JointVector one_axis_at(double x) { return JointVector::Constant(1, x); }
 
-JointReference reference(double q, double qd, double qdd) { return {0, one(q), one(qd), one(qdd)}; }
-JointMeasurement measured(double q, double qd) { return {0, one(q), one(qd)}; }
+JointReference reference(double q, double qd, double qdd) {
+  return {0, one_axis_at(q), one_axis_at(qd), one_axis_at(qdd)};
+}
+JointMeasurement measured_at(double q, double qd) { return {0, one_axis_at(q), one_axis_at(qd)}; }
 
 ServoLaw law_of(const DriveData& drive, double period = kLawPeriod) {
   ServoLaw law(std::array{drive}, period);
@@ -83,7 +85,8 @@ TEST_CASE("a longer servo period lowers the bandwidth") {
 TEST_CASE("the force is feed-forward, proportional, derivative and integral part") {
   ServoLaw law = law_of(linear_drive());
   // 12·0.1 + 4·0.02 = 1.28; 19200·0.1 mm = 1.92; 956·1 mm/s = 0.956; 76800·0.1 mm·5 ms = 0.0384
-  const JointVector u = law.update(kLawPeriod, reference(0.1001, 0.020, 0.1), measured(0.1, 0.019));
+  const JointVector u =
+      law.update(kLawPeriod, reference(0.1001, 0.020, 0.1), measured_at(0.1, 0.019));
   CHECK(u[0] == test::relative(1.28 + 1.92 + 0.956 + 0.0384));
 }
 
@@ -91,12 +94,12 @@ TEST_CASE("the integral grows with the time that has really passed") {
   ServoLaw steady = law_of(linear_drive());
   ServoLaw late = law_of(linear_drive());
   const auto target = reference(1e-4, 0, 0);
-  for (int k = 1; k <= 7; ++k) steady.update(k * kLawPeriod, target, measured(0, 0));
-  late.update(2 * kLawPeriod, target, measured(0, 0));
-  late.update(2 * kLawPeriod, target, measured(0, 0));
-  const double u = late.update(7 * kLawPeriod, target, measured(0, 0))[0];
+  for (int k = 1; k <= 7; ++k) steady.update(k * kLawPeriod, target, measured_at(0, 0));
+  late.update(2 * kLawPeriod, target, measured_at(0, 0));
+  late.update(2 * kLawPeriod, target, measured_at(0, 0));
+  const double u = late.update(7 * kLawPeriod, target, measured_at(0, 0))[0];
   CHECK(u == test::relative(1.92 + 76800 * 1e-4 * 7 * kLawPeriod));
-  CHECK(steady.update(7 * kLawPeriod, target, measured(0, 0))[0] == test::relative(u));
+  CHECK(steady.update(7 * kLawPeriod, target, measured_at(0, 0))[0] == test::relative(u));
 }
 
 TEST_CASE("the integral never takes more than half of the drive") {
@@ -105,7 +108,7 @@ TEST_CASE("the integral never takes more than half of the drive") {
     double u = 0;
     law.reset(0);
     for (int k = 1; k < 10000; ++k)
-      u = law.update(k * kLawPeriod, reference(sign * 1e-4, 0, 0), measured(0, 0))[0];
+      u = law.update(k * kLawPeriod, reference(sign * 1e-4, 0, 0), measured_at(0, 0))[0];
     CHECK(u == test::relative(sign * (1.92 + 30)));
   }
 }
@@ -113,17 +116,17 @@ TEST_CASE("the integral never takes more than half of the drive") {
 TEST_CASE("the force stays within the drive, and the integral stands still meanwhile") {
   ServoLaw law = law_of(linear_drive());
   for (int k = 1; k <= 1000; ++k)  // 10 mm: 192 N are asked for
-    CHECK(law.update(k * kLawPeriod, reference(-0.010, 0, 0), measured(0, 0))[0] == -60);
+    CHECK(law.update(k * kLawPeriod, reference(-0.010, 0, 0), measured_at(0, 0))[0] == -60);
   // Nothing has been wound up: without error there is no force.
-  CHECK(law.update(1001 * kLawPeriod, reference(0, 0, 0), measured(0, 0))[0] == 0);
+  CHECK(law.update(1001 * kLawPeriod, reference(0, 0, 0), measured_at(0, 0))[0] == 0);
 }
 
 TEST_CASE("saturation is the greatest share of the drive since it was last asked for") {
   ServoLaw law = law_of(linear_drive());
-  law.update(0, reference(0.010, 0, 0), measured(0, 0));
-  law.update(0, reference(0.001, 0, 0), measured(0, 0));
+  law.update(0, reference(0.010, 0, 0), measured_at(0, 0));
+  law.update(0, reference(0.001, 0, 0), measured_at(0, 0));
   CHECK(law.take_saturation() == test::relative(192.0 / 60));
-  law.update(0, reference(-0.001, 0, 0), measured(0, 0));
+  law.update(0, reference(-0.001, 0, 0), measured_at(0, 0));
   CHECK(law.take_saturation() == test::relative(19.2 / 60));
   CHECK(law.take_saturation() == 0);
 }
@@ -145,9 +148,9 @@ TEST_CASE("an axis whose values are no numbers gets no force, the others theirs"
 
 TEST_CASE("reset forgets the integral and the time before") {
   ServoLaw law = law_of(linear_drive());
-  law.update(1, reference(1e-4, 0, 0), measured(0, 0));
+  law.update(1, reference(1e-4, 0, 0), measured_at(0, 0));
   law.reset(100);
-  CHECK(law.update(100, reference(1e-4, 0, 0), measured(0, 0))[0] == test::relative(1.92));
+  CHECK(law.update(100, reference(1e-4, 0, 0), measured_at(0, 0))[0] == test::relative(1.92));
 }
 
 TEST_CASE("without its integral an error dies away as (1 + ωt)·exp(−ωt)") {
@@ -161,7 +164,7 @@ TEST_CASE("without its integral an error dies away as (1 + ωt)·exp(−ωt)") {
     const double t = k * T;
     CHECK(q == test::relative(1e-4 * (1 + 40 * t) * std::exp(-40 * t), 0.005));
     law.reset(t);
-    const double u = law.update(t, reference(0, 0, 0), measured(q, v))[0];
+    const double u = law.update(t, reference(0, 0, 0), measured_at(q, v))[0];
     q += plant.way_of_v * v + plant.way_of_u * u;
     v = plant.fade * v + plant.v_of_u * u;
   }
@@ -203,7 +206,7 @@ TEST_CASE("the law moves a sampled axis as its matrix foretells") {
   for (int k = 1; k <= 400; ++k) {
     const double estimate = (q - before) / kLawPeriod;
     before = q;
-    const double u = law.update(k * kLawPeriod, reference(0, 0, 0), measured(q, estimate))[0];
+    const double u = law.update(k * kLawPeriod, reference(0, 0, 0), measured_at(q, estimate))[0];
     q += plant.way_of_v * v + plant.way_of_u * u;
     v = plant.fade * v + plant.v_of_u * u;
     x = A * x;
@@ -215,7 +218,7 @@ TEST_CASE("the law moves a sampled axis as its matrix foretells") {
 TEST_CASE("the servo law takes no memory") {
   ServoLaw law = law_of(linear_drive());
   const JointReference target = reference(1e-4, 0, 0);
-  const JointMeasurement at = measured(0, 0);
+  const JointMeasurement at = measured_at(0, 0);
   test::NoAllocation guard;
   law.reset(0);
   const double u = law.update(kLawPeriod, target, at)[0] + law.take_saturation();
