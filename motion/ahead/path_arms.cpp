@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "motion/ahead/on_path.h"
 #include "motion/ahead/path_planner.h"
 
 namespace rob::motion {
@@ -13,7 +12,6 @@ namespace {
 /// [choice] So many legs are looked at, and more of short ones: until they take so many times the
 /// mean's time.
 constexpr std::size_t kLegs = 3;
-constexpr std::size_t kMostLegs = 8;
 constexpr double kMeans = 3;
 
 double least_time(const RobotModel& robot, const ShapedLeg& leg) {
@@ -22,41 +20,41 @@ double least_time(const RobotModel& robot, const ShapedLeg& leg) {
 
 }  // namespace
 
-/// The i-th motion that has not been taken up, as far as it is known.
-const SegmentDescriptor* PathPlanner::coming(std::size_t at) const {
-  return at < pending_.size() ? &pending_[at] : buffer_.segment(at - pending_.size());
+/// The i-th item that has not been taken up, as far as it is known.
+const PathItem* PathPlanner::coming(std::size_t at) const {
+  return at < pending_.size() ? &pending_[at] : nullptr;
 }
 
 /// What follows a leg without a stop, and the corners as far as they can be foretold.
 Course PathPlanner::course_from(const ShapedLeg& leg) {
   Course course;
-  course.legs.push_back(shaped_leg(robot_, leg.segment, leg.begin));
+  course.legs.push_back(shape({leg.segment, leg.stretch}, leg.begin));
   course.taken = into_;
   course.square = entry_;
   double time = least_time(robot_, leg);
   while (!course.whole && course.legs.size() < kMostLegs) {
     const std::size_t count = course.legs.size();
     if (count >= kLegs && time > kMeans * mean_time()) return course;
-    const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
-    const SegmentDescriptor* const next = coming(count - 1);
-    if (course.legs.back().segment.guard.present() || (next == nullptr && closed)) {
+    const PathItem* const item = coming(count - 1);
+    if (course.legs.back().segment.guard.present() || (item == nullptr && nothing_comes())) {
       course.whole = true;
       return course;
     }
-    if (next == nullptr || (moves(*next) && !has_way(*next)) || next->generation <= ring_.over())
-      return course;
-    if (!has_way(*next) || next->from_rest || !extend(course, *next)) course.whole = true;
+    if (item == nullptr) return course;
+    const SegmentDescriptor& next = item->segment;
+    if ((moves(next) && !has_way(next)) || next.generation <= ring_.over()) return course;
+    if (!has_way(next) || next.from_rest || !extend(course, *item)) course.whole = true;
     time += least_time(robot_, course.legs.back());
   }
   return course;
 }
 
 /// By a leg, and the corner into it; false where only a stop leads to it.
-bool PathPlanner::extend(Course& course, const SegmentDescriptor& next) {
+bool PathPlanner::extend(Course& course, const PathItem& next) {
   const ShapedLeg& last = course.legs.back();
-  const ShapedLeg leg = shaped_leg(robot_, next, last.end());
+  const ShapedLeg leg = shape(next, last.end());
   const double taken = course.turns.empty() ? course.taken.value_or(0) : course.turns.back().half;
-  const bool ends = coming(course.legs.size()) == nullptr && buffer_.closed();
+  const bool ends = coming(course.legs.size()) == nullptr && nothing_comes();
   const double longest = std::min(last.length() - taken, ends ? leg.length() : leg.length() / 2);
   std::optional<Turn> turn = rehearsal_.turn(last, leg, longest);
   if (!turn) return false;

@@ -5,13 +5,12 @@
 #include <utility>
 
 #include "motion/ahead/mean_shift.h"
-#include "motion/ahead/on_path.h"
 
 namespace rob::motion {
 
 namespace {
 
-/// The open leg's successor, and two behind it.
+/// The open leg's successor, and two after it.
 constexpr std::size_t kPending = 3;
 
 /// Pieces that a corner, or the way to the next node of a leg, may take.
@@ -35,13 +34,22 @@ void keep_within(const LegBounds& other, LegBounds& bounds) {
 
 }  // namespace
 
+PathPlanner::PathPlanner(const RobotModel& robot, LookAheadBuffer& buffer, PathRing& ring,
+                         std::size_t single)
+    : robot_(robot),
+      buffer_(buffer),
+      ring_(ring),
+      legs_(robot, ring, single),
+      merger_(robot, buffer, legs_.most_members()),
+      rehearsal_(robot) {}
+
 bool PathPlanner::work() {
   const bool dropped = ring_.drop_asked();
   const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
   if (dropped) drop();
   bool worked = dropped;
   for (fetch(); advance(); fetch()) worked = true;
-  const bool all_here = closed && !open_ && pending_.empty();
+  const bool all_here = closed && !open_ && pending_.empty() && !merger_.holds();
   const double share = ring_.share.load(std::memory_order_relaxed);
   const bool anew = share != std::exchange(share_, share);
   if (anew || end_ != ring_.end()) {
@@ -61,8 +69,9 @@ void PathPlanner::drop() {
     generation = segment.generation;
   };
   if (next_) give_up(next_->segment);
-  for (const SegmentDescriptor& segment : pending_) give_up(segment);
+  for (const PathItem& item : pending_) give_up(item.segment);
   pending_.clear();
+  merger_.drop(give_up);
   while (const SegmentDescriptor* next = buffer_.next_segment()) {
     give_up(*next);
     buffer_.pop_segment();
@@ -79,11 +88,11 @@ void PathPlanner::drop() {
 }
 
 void PathPlanner::fetch() {
-  while (pending_.size() < kPending) {
-    const SegmentDescriptor* const next = buffer_.next_segment();
-    if (next == nullptr) return;
-    pending_.push_back(*next);
-    buffer_.pop_segment();
+  const std::size_t most = robot_.tool_coordinates ? kMostLegs : kPending;
+  while (pending_.size() < most) {
+    auto next = merger_.next();
+    if (!next) return;
+    pending_.push_back(*std::move(next));
   }
 }
 
@@ -98,28 +107,38 @@ std::size_t PathPlanner::room() const noexcept {
 bool PathPlanner::advance() {
   if (room() < kSpare) return narrow();
   if (completing_) return go_on();
-  if (ring_.leg_room() == 0) return narrow() || give_up_corner();
+  if (!legs_.fits()) return narrow() || give_up_corner();
   if (!open_) return begin_run();
   if (turn_) return go_on();
   return pending_.empty() ? decide_alone() : join_next();
 }
 
+ShapedLeg PathPlanner::shape(const PathItem& item, double begin) const {
+  ShapedLeg leg = shaped_leg(robot_, item.segment, begin);
+  leg.stretch = item.stretch;
+  return leg;
+}
+
 bool PathPlanner::begin_run() {
-  if (pending_.empty()) return false;
-  const SegmentDescriptor next = pending_.front();
+  if (pending_.empty()) {
+    if (!merger_.holds() || merger_.grows()) return false;
+    merger_.flush();  // it stands: what is known has to do
+    return true;
+  }
+  const PathItem next = pending_.front();
   pending_.erase(pending_.begin());
-  if (!has_way(next) || next.generation <= ring_.over()) {
-    ring_.push({next, known_, known_, known_, 1});
+  if (!has_way(next.segment) || next.segment.generation <= ring_.over()) {
+    legs_.write_at(next, known_);
     return true;
   }
   if (end_ != ring_.end()) publish(false);  // the run before has a mean of its own
-  window_ = next.ahead.window;
+  window_ = next.segment.ahead.window;
   speeds_.begin();
   into_.reset();
   entry_ = 0;
   calm_ = {};
   alone_ = pauses_ = false;
-  ShapedLeg leg = shaped_leg(robot_, next, known_);
+  ShapedLeg leg = shape(next, known_);
   leg.before = before_;
   leg.starts = true;
   if (averages_sigma()) {
@@ -139,9 +158,10 @@ bool PathPlanner::begin_run() {
 /// mean's time, what lets it be gone the fastest. 1 where too little is known.
 double PathPlanner::share_for_bends(const ShapedLeg& leg) const {
   if (window_ == 0 || robot_.tool_coordinates || pending_.size() < 2) return 1;
-  if (!has_way(pending_[0]) || !has_way(pending_[1]) || pending_[0].from_rest) return 1;
-  const ShapedLeg second = shaped_leg(robot_, pending_[0], leg.end());
-  const ShapedLeg third = shaped_leg(robot_, pending_[1], second.end());
+  const SegmentDescriptor& behind = pending_[0].segment;
+  if (!has_way(behind) || !has_way(pending_[1].segment) || behind.from_rest) return 1;
+  const ShapedLeg second = shape(pending_[0], leg.end());
+  const ShapedLeg third = shape(pending_[1], second.end());
   return std::max(bend_share(robot_, leg, second, window_),
                   bend_share(robot_, second, third, window_));
 }
@@ -156,20 +176,20 @@ void PathPlanner::stand_alone(ShapedLeg& leg) {
   pauses_ = made.pauses;
 }
 
-/// Nothing comes behind what has been taken.
-bool PathPlanner::all_here() const {
+/// Nothing comes behind what waits here.
+bool PathPlanner::nothing_comes() const {
   const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
-  return closed && buffer_.next_segment() == nullptr;
+  return closed && buffer_.next_segment() == nullptr && !merger_.holds();
 }
 
 /// Whether it is known already that a run begins and ends with this leg.
 bool PathPlanner::stands_after(const ShapedLeg& leg) const {
   if (leg.segment.guard.present()) return true;
-  if (pending_.empty()) return all_here();
-  const SegmentDescriptor& next = pending_.front();
+  if (pending_.empty()) return nothing_comes();
+  const SegmentDescriptor& next = pending_.front().segment;
   if (!moves(next) || next.from_rest) return true;
-  if (!has_way(next) || leg.motion.path != nullptr) return false;
-  return !corner(leg, shaped_leg(robot_, next, leg.end()), true);
+  if (!has_way(next) || leg.motion.path != nullptr || leg.stretch) return false;
+  return !corner(leg, shape(pending_.front(), leg.end()), true);
 }
 
 /// The run has one mean: what asks for a longer one accelerates the less.
@@ -180,10 +200,9 @@ void PathPlanner::open(const ShapedLeg& leg) {
   const PathPoint end = open_->at(open_->length());
   const double speed = greatest_rate(robot_, *open_, end);
   const double brakes = speed * speed / (2 * greatest_control(*open_, end));
-  ring_.push({open_->segment, open_->begin, open_->end(),
-              std::max(open_->begin, open_->end() - longest_turn(*open_) - brakes),
+  legs_.write(*open_, std::max(open_->begin, open_->end() - longest_turn(*open_) - brakes),
               std::max(1, static_cast<int>(std::lround(mean_time() / robot_.reference_period))),
-              pauses_});
+              pauses_);
   completing_ = alone_ || open_->segment.guard.present();
 }
 
@@ -195,14 +214,20 @@ bool PathPlanner::give_up_corner() {
   return true;
 }
 
-/// Nothing is known behind the open leg.
+/// Nothing is known after the open leg.
 bool PathPlanner::decide_alone() {
-  if (all_here()) {
+  if (nothing_comes()) {
     completing_ = true;
     return true;
   }
   if (!sent_) {
     sent_ = send(open_->length() - longest_turn(*open_));
+    return true;
+  }
+  if (merger_.holds()) {
+    const double control = greatest_control(*open_, open_->at(open_->length()));
+    if (more_to_publish() || !guide_within(kSoon, control)) return false;
+    merger_.flush();
     return true;
   }
   if (more_to_publish() || !guide_within(kLastChance, kAny)) return false;
@@ -212,10 +237,10 @@ bool PathPlanner::decide_alone() {
 }
 
 bool PathPlanner::join_next() {
-  const SegmentDescriptor& next = pending_.front();
+  const SegmentDescriptor& next = pending_.front().segment;
   const bool longer_mean = next.ahead.window > window_ && window_ == 0;
   if (moves(next) && !has_way(next)) {
-    ring_.push({next, open_->end(), open_->end(), open_->end(), 1});
+    legs_.write_at(next, open_->end());
     keep_within(next.ahead, open_->segment.ahead);
     pending_.erase(pending_.begin());
     return true;
@@ -224,17 +249,18 @@ bool PathPlanner::join_next() {
     completing_ = true;
     return true;
   }
-  const bool known = pending_.size() > 1 || next.guard.present() || buffer_.closed();
+  const bool known =
+      open_->goes_on() || pending_.size() > 1 || next.guard.present() || nothing_comes();
   if (!known && sent_ && !guide_within(kSoon, brakes_at_end())) return false;
   if (!known && !sent_) {
     sent_ = send(open_->length() - longest_turn(*open_));
     return true;
   }
-  next_ = shaped_leg(robot_, next, open_->end());
+  next_ = shape(pending_.front(), open_->end());
   next_->ends = ends_at_rest(next);
   if (next.ahead.window > window_) next_->acceleration *= window_ / next.ahead.window;
   turn_ = corner(*open_, *next_, false);
-  if (turn_ && averages_sigma() && !pays()) turn_.reset();
+  if (turn_ && averages_sigma() && !open_->goes_on() && !pays()) turn_.reset();
   if (!turn_) {
     next_.reset();
     completing_ = true;
@@ -255,20 +281,23 @@ std::optional<Turn> PathPlanner::corner(const ShapedLeg& leg, const ShapedLeg& n
   return make_turn(robot_, leg, next, bounds);
 }
 
-/// Whether the leg behind the corner has another at its end, which is faster than a stop.
+/// Whether the leg after the corner has another at its end, which is faster than a stop.
 bool PathPlanner::goes_on_behind(const ShapedLeg& next) const {
-  if (pending_.size() < 2 || !has_way(pending_[1]) || pending_[1].from_rest) return false;
-  const ShapedLeg third = shaped_leg(robot_, pending_[1], next.end());
+  if (pending_.size() < 2) return false;
+  const SegmentDescriptor& behind = pending_[1].segment;
+  if (!has_way(behind) || behind.from_rest) return false;
+  const ShapedLeg third = shape(pending_[1], next.end());
   return make_turn(robot_, next, third,
                    {std::min(next.length(), third.length()) / 2, mean_time(), false, true})
       .has_value();
 }
 
-/// As far as it is known what stands behind it.
+/// As far as it is known what comes after it.
 bool PathPlanner::ends_at_rest(const SegmentDescriptor& next) const {
   if (next.guard.present()) return true;
-  if (pending_.size() < 2) return buffer_.closed();
-  return !moves(pending_[1]) || pending_[1].from_rest;
+  if (pending_.size() < 2) return nothing_comes();
+  const SegmentDescriptor& behind = pending_[1].segment;
+  return !moves(behind) || behind.from_rest;
 }
 
 /// What the corner into the next leg may take of it: what the corner out of it leaves, or half.
@@ -276,9 +305,8 @@ double PathPlanner::share_of_next(const ShapedLeg& next) const {
   const double length = next.length();
   if (ends_at_rest(next.segment)) return length;  // there is no corner
   if (pending_.size() < 2) return length / 2;
-  const SegmentDescriptor& third = pending_[1];
-  if (!has_way(third)) return length / 2;
-  const double other = wanted_half(robot_, next, shaped_leg(robot_, third, next.end()));
+  if (!has_way(pending_[1].segment)) return length / 2;
+  const double other = wanted_half(robot_, next, shape(pending_[1], next.end()));
   return std::max(length / 2, length - other);
 }
 
@@ -311,6 +339,7 @@ bool PathPlanner::go_on() {
 
 /// The longest leg that a corner at its end can use, whatever follows (motion.md).
 double PathPlanner::longest_turn(const ShapedLeg& leg) const {
+  if (leg.goes_on()) return 0;
   const LegBounds& zone = leg.segment.ahead;
   const PathPoint end = leg.at(leg.length());
   const double rotary = greatest_rotary_slope(robot_, end);

@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "motion/ahead/leg_writer.h"
 #include "motion/ahead/path_listener.h"
+#include "motion/ahead/path_merger.h"
 #include "motion/ahead/path_ring.h"
 #include "motion/ahead/path_turn.h"
 #include "motion/ahead/rehearsal.h"
@@ -34,8 +36,10 @@ namespace rob::motion {
 /// m, rad, s.
 class PathPlanner {
  public:
+  /// `single`: how many motions on the path may be ahead that are not merged with others.
+  PathPlanner(const RobotModel& robot, LookAheadBuffer& buffer, PathRing& ring, std::size_t single);
   PathPlanner(const RobotModel& robot, LookAheadBuffer& buffer, PathRing& ring)
-      : robot_(robot), buffer_(buffer), ring_(ring), rehearsal_(robot) {}
+      : PathPlanner(robot, buffer, ring, ring.leg_capacity()) {}
 
   /// Does all that can be done now; whether there was anything.
   bool work();
@@ -48,6 +52,8 @@ class PathPlanner {
   static constexpr double kLastChance = 0.05;
   /// s: so long before it would have to brake a corner is made of what is known.
   static constexpr double kSoon = 0.1;
+  /// On an arm so many items at most are looked at to choose between a corner and a stop.
+  static constexpr std::size_t kMostLegs = 8;
   /// m: places that are nearer to each other are one.
   static constexpr double kRounding = 1e-9;
   static constexpr double kAny = Piece::kAny;
@@ -56,13 +62,14 @@ class PathPlanner {
   void fetch();
   bool advance();
   bool begin_run();
+  ShapedLeg shape(const PathItem& item, double begin) const;
+  bool nothing_comes() const;
   bool stands_after(const ShapedLeg& leg) const;
   void begin_on_arm(ShapedLeg& leg);
   Course course_from(const ShapedLeg& leg);
-  bool extend(Course& course, const SegmentDescriptor& next);
+  bool extend(Course& course, const PathItem& next);
   bool pays();
-  const SegmentDescriptor* coming(std::size_t at) const;
-  bool all_here() const;
+  const PathItem* coming(std::size_t at) const;
   void stand_alone(ShapedLeg& leg);
   double share_for_bends(const ShapedLeg& leg) const;
   void open(const ShapedLeg& leg);
@@ -105,7 +112,9 @@ class PathPlanner {
   LookAheadBuffer& buffer_;
   PathRing& ring_;
   PathListener* listener_ = nullptr;
-  std::vector<SegmentDescriptor> pending_;
+  LegWriter legs_;
+  PathMerger merger_;
+  std::vector<PathItem> pending_;
   std::optional<ShapedLeg> open_;  ///< its corner is not made yet, or not yet written
   bool completing_ = false;        ///< it goes to its target, and comes to rest there
   std::optional<Turn> turn_;       ///< out of it, into

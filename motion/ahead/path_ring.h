@@ -21,6 +21,23 @@ struct PathLeg {
   double decides = 0;   ///< σ at which what follows has to be known (motion.md: decision point)
   int average = 1;      ///< periods of the mean that makes the references of its run
   bool pauses = false;  ///< it is its run, with the shorter mean that a guide with pauses allows
+  /// m at its beginning, and at its end, where σ is the motion's way. Between them, on a curve
+  /// along several motions, what a m of σ is of the way is not the same everywhere.
+  double before = 0;
+  double beyond = 0;
+
+  /// The way on the motion, m, that belongs to σ, m from its beginning; on a curve its mean course.
+  double way(double sigma) const noexcept {
+    return sigma <= before        ? sigma
+           : sigma >= curve_end() ? segment.ahead.length - (end - begin - sigma)
+                                  : before + (sigma - before) * slope(sigma);
+  }
+  /// Its derivative.
+  double slope(double sigma) const noexcept {
+    if (sigma < before || sigma >= curve_end()) return 1;
+    return (segment.ahead.length - before - beyond) / (curve_end() - before);
+  }
+  double curve_end() const noexcept { return end - begin - beyond; }
 };
 
 /// The path between its planner (one writer) and the tick (one reader): pieces, and beside them the
@@ -46,6 +63,7 @@ class PathRing {
   }
   std::size_t capacity() const noexcept { return slots_.size(); }
   std::size_t leg_room() const noexcept { return legs_.room(); }
+  std::size_t leg_capacity() const noexcept { return legs_.capacity(); }
   Index end() const noexcept { return tail_.load(std::memory_order_relaxed); }
   Index begin() const noexcept { return head_.load(std::memory_order_acquire); }
   /// A piece behind the published ones; there has to be room.

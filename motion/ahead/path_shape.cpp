@@ -144,6 +144,25 @@ void append_nodes(const RobotModel& robot, const ShapedLeg& leg, const JointPath
   }
 }
 
+/// The tool is as fast as the motions on a piece ask for, not σ: a curve cuts corners, and has
+/// knots that lie closer.
+void pace_merged(const ShapedLeg& leg, std::size_t first, std::vector<Piece>& pieces) {
+  constexpr double kLeastSlope = 0.25;  // [choice] where the curve nearly stands, σ does not race
+  const std::vector<PathStretch::Member>& members = leg.stretch->members;
+  std::size_t at = 0;
+  for (std::size_t i = first; i < pieces.size(); ++i) {
+    Piece& piece = pieces[i];
+    const double begin = piece.begin - leg.begin;
+    const double end = begin + piece.length;
+    while (at + 1 < members.size() && members[at].end <= begin) ++at;
+    double pace = Piece::kAny;
+    for (std::size_t k = at; k < members.size() && members[k].begin < end; ++k)
+      pace = std::min(pace, members[k].segment.ahead.speed);
+    const double slope = std::max(leg.stretch->greatest_slope(begin, end), kLeastSlope);
+    piece.pace = pace / slope;
+  }
+}
+
 }  // namespace
 
 JointVector third_derivative(const Piece& piece, double at) {
@@ -250,8 +269,10 @@ void append_leg(const RobotModel& robot, const ShapedLeg& leg, double from, doub
   if (!(to > from)) return;
   const auto at = [&](double way) { return leg.at(way); };
   if (leg.motion.path != nullptr) {
+    const std::size_t first = pieces.size();
     append_nodes(robot, leg, *leg.motion.path, leg.length(), leg.begin + from, from, to,
                  Piece::kAny, at, pieces);
+    if (leg.merged()) pace_merged(leg, first, pieces);
     return;
   }
   const double parts = std::max(1.0, std::ceil((to - from) / longest));

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "motion/ahead/path_item.h"
 #include "motion/ahead/piece.h"
 #include "motion/plan/leg_motion.h"
 #include "motion/plan/segment_descriptor.h"
@@ -19,8 +21,9 @@ JointVector third_derivative(const Piece& piece, double at);
 /// A motion as part of a path: from the middle of the corner before it, or from rest.
 struct ShapedLeg {
   SegmentDescriptor segment;
-  LegMotion motion;             ///< evenly along σ: its `duration` is its length, m
-  double begin = 0;             ///< σ at its beginning
+  LegMotion motion;                            ///< evenly along σ: its `duration` is its length, m
+  std::shared_ptr<const PathStretch> stretch;  ///< PathItem
+  double begin = 0;                            ///< σ at its beginning
   double sent = 0;              ///< m from there, up to which it has been made into pieces
   double before = Piece::kAny;  ///< m by which the tip may miss the point before it
   bool starts = false;          ///< at rest
@@ -30,6 +33,9 @@ struct ShapedLeg {
 
   double length() const noexcept { return motion.duration; }
   double end() const noexcept { return begin + length(); }
+  /// The next item continues it without a corner.
+  bool goes_on() const noexcept { return stretch && stretch->goes_on; }
+  bool merged() const noexcept { return stretch && !stretch->axes.nodes().empty(); }
   PathPoint at(double way) const noexcept { return motion.at(way); }
 };
 ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, double begin);

@@ -59,6 +59,22 @@ double half_for_speed(const RobotModel& robot, const ShapedLeg& in, const Shaped
   return std::max(half, std::sqrt(jerk_of(in, out, turn) * speed * speed * speed));
 }
 
+/// The path may go straight on where no axis' speed changes by more than [choice] a hundredth of
+/// what it can gain in a period, or the corner would be none: a turn as rounded digits make it.
+/// Where the mean is of σ nothing smooths that change: the jerk counts, too.
+bool goes_straight_on(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
+                      const JointVector& turn, const TurnBounds& bounds) {
+  constexpr double kShare = 0.01;
+  const double period = robot.reference_period;
+  const double speed =
+      std::max(greatest_rate(robot, in, in.at(in.length())), greatest_rate(robot, out, out.at(0)));
+  JointVector most = kShare * period * in.acceleration.cwiseMin(out.acceleration);
+  if (bounds.of_sigma)
+    most = most.cwiseMin(kBendsShare * period * period * in.jerk.cwiseMin(out.jerk));
+  if ((speed * turn.cwiseAbs() - most).maxCoeff() <= 0) return true;
+  return !bounds.of_sigma && half_for_speed(robot, in, out, turn) < kShortest;
+}
+
 double half_for_zone(const ShapedLeg& in, const ShapedLeg& out) {
   const LegBounds& bounds = in.segment.ahead;
   double half = std::min({bounds.lead, bounds.last, out.segment.ahead.first});
@@ -234,6 +250,7 @@ std::optional<Turn> make_turn(const RobotModel& robot, const ShapedLeg& in, cons
                               const TurnBounds& bounds) {
   const JointVector turn = turn_of(in, out);
   if (turn.cwiseAbs().maxCoeff() <= kSameSlope) return Turn{};
+  if (goes_straight_on(robot, in, out, turn, bounds)) return Turn{};
   TurnBounds within = bounds;
   within.longest =
       std::min({bounds.longest, half_for_zone(in, out), half_for_speed(robot, in, out, turn)});

@@ -135,10 +135,12 @@ Rehearsal::Best Rehearsal::run(const Course& course, std::size_t first, std::siz
 Rehearsal::Seen& Rehearsal::seen(const ShapedLeg& leg) {
   constexpr std::size_t kMost = 16;  // [choice] twice as many as are looked at
   const std::uint32_t number = leg.segment.number;
-  const auto found = std::ranges::find(seen_, number, &Seen::number);
+  const auto found = std::ranges::find_if(seen_, [&](const Seen& seen) {
+    return seen.number == number && seen.length == leg.length();  // of a motion there may be parts
+  });
   if (found != seen_.end()) return *found;
   if (seen_.size() == kMost) seen_.erase(seen_.begin());
-  return seen_.emplace_back(Seen{number, {}, {}});
+  return seen_.emplace_back(Seen{number, leg.length(), {}, {}});
 }
 
 std::optional<Turn> Rehearsal::turn(const ShapedLeg& in, const ShapedLeg& out, double longest) {

@@ -77,6 +77,7 @@ class Rehearsal {
   /// What is looked at again with the next motions: of a leg, and of the corner out of it.
   struct Seen {
     std::uint32_t number = 0;  ///< of its motion
+    double length = 0;         ///< m
     std::optional<Best> alone;
     std::optional<Turn> turn;
   };

@@ -131,12 +131,20 @@ void LookAheadGenerator::pass_targets() noexcept {
   }
   while (on_run() && beyond_end()) {
     const PathLeg* const next = ring_.next_leg();
-    const auto when = history_.when(end_, guide_time() - lag());
+    const auto when = passed_end();
     if (next == nullptr || !when) return;
-    if (!passed(segment().number)) pass(segment().number, told(*when));
-    if (!take_up(next->segment, told(*when))) return;
+    if (!passed(segment().number)) pass(segment().number, *when);
+    if (!take_up(next->segment, *when)) return;
     pop_segment();
   }
+}
+
+/// When the references passed the end of the motion. Without a mean they are the guide, whose
+/// instants are exact; else their σ is known at each stamp.
+std::optional<double> LookAheadGenerator::passed_end() const noexcept {
+  if (average_.periods() > 1) return events_.passing(end_) + skipped_;
+  const auto when = history_.when(end_, guide_time());
+  return when ? std::optional(*when + skipped_) : std::nullopt;
 }
 
 /// Of a run: when the references came to rest at its end.
@@ -160,7 +168,7 @@ void LookAheadGenerator::begin(const SegmentDescriptor& next, double instant) no
   const bool goes_on = on_run() && beyond_end();
   begin_ = leg.begin;
   end_ = leg.end;
-  decides_ = leg.decides;
+  leg_ = leg;
   arrival_ = instant;
   run_ = goes_on || has_way(next);
   if (run_ && !goes_on) begin_run(leg);
@@ -230,8 +238,9 @@ void LookAheadGenerator::finish_drop() noexcept {
 
 void LookAheadGenerator::sample_path(GeneratorSample& sample) const noexcept {
   PathPoint p = average_.mean();
-  sample.sigma = length() > 0 ? average_.sigma() - begin_ : 0;
-  sample.rate = average_.rate();
+  const double sigma = length() > 0 ? average_.sigma() - begin_ : 0;
+  sample.sigma = leg_.way(sigma);
+  sample.rate = average_.rate() * leg_.slope(sigma);
   const bool stopped_short = guide_.at_path_end() && !guide_.at_run_end();
   sample.limit = stopped_short ? limit_number::kEndOfBuffer : number_of(guide_.limit());
   if (profiled()) {
@@ -250,7 +259,8 @@ void LookAheadGenerator::sample_path(GeneratorSample& sample) const noexcept {
 
 double LookAheadGenerator::share_done() const noexcept {
   if (profiled()) return std::min((clock_.path_time() - zero_) / segment().duration, 1.0);
-  return length() > 0 ? std::clamp((cursor() - begin_) / length(), 0.0, 1.0) : 1;
+  const double way = leg_.way(length());
+  return way > 0 ? std::clamp(leg_.way(cursor() - begin_) / way, 0.0, 1.0) : 1;
 }
 
 std::optional<double> LookAheadGenerator::stands_since() const noexcept {
@@ -270,7 +280,7 @@ std::uint32_t LookAheadGenerator::decided() const noexcept {
     return due ? number : number - 1;
   }
   const double next = guide_.sigma() + guide_.rate() * period();
-  if (on_run() && next < decides_ - rounding(decides_)) return number - 1;
+  if (on_run() && next < leg_.decides - rounding(leg_.decides)) return number - 1;
   std::uint32_t decided = number;
   const PathLeg* leg = ring_.leg(0);
   for (std::size_t i = 0; leg != nullptr && !dropping_; leg = ring_.leg(++i)) {

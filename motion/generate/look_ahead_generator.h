@@ -20,9 +20,9 @@ namespace rob::motion {
 /// the path as fast as what is known of it allows (Guide). The path comes from a PathPlanner,
 /// through the ring; the LookAheadBuffer is here for its effects alone.
 ///
-/// A reference belongs to the guide half the mean's time ago; so does all that is told: a motion
-/// begins in the middle of the corner that leads to it, where the target before it is passed, and
-/// path events are due at their places, all at their exact instants. At a standstill the references
+/// A reference has the mean of the guide's σ, and events go by that σ, too: a motion begins in the
+/// middle of the corner that leads to it, where the target before it is passed, and path events are
+/// due at their places, all at their exact instants. At a standstill the references
 /// come to rest later than the guide by the mean's time. What then follows begins at the next
 /// stamp.
 ///
@@ -60,7 +60,7 @@ class LookAheadGenerator final : public SegmentGenerator {
   void end_path() noexcept override;
   void drop_path(std::uint32_t generation) noexcept override;
   void sample_path(GeneratorSample& sample) const noexcept override;
-  double sigma_at_rest() const noexcept override { return length(); }
+  double sigma_at_rest() const noexcept override { return leg_.way(length()); }
   double share_done() const noexcept override;
   bool settled() const noexcept override;
   std::optional<double> stands_since() const noexcept override;
@@ -80,8 +80,10 @@ class LookAheadGenerator final : public SegmentGenerator {
   double lag() const noexcept { return (average_.periods() - 1) * period() / 2; }
   /// When what the guide did at `time` shows in the references.
   double told(double time) const noexcept { return time + lag() + skipped_; }
-  double cursor() const noexcept { return history_.sigma(guide_time() - lag()); }
+  /// σ of the references.
+  double cursor() const noexcept { return average_.sigma(); }
   bool beyond_end() const noexcept;
+  std::optional<double> passed_end() const noexcept;
   double arrival() const noexcept;
   void step_guide() noexcept;
   double live_pace() noexcept;
@@ -100,7 +102,7 @@ class LookAheadGenerator final : public SegmentGenerator {
   double skipped_ = 0;  ///< s of the run that the guide's time has not
   double begin_ = 0;    ///< σ of the segment under way
   double end_ = 0;
-  double decides_ = 0;
+  PathLeg leg_;         ///< of the segment under way
   double arrival_ = 0;  ///< of a segment without a way
   PathRing::Index released_ = 0;
   std::uint32_t late_ = 0;  ///< PathRing::late, as told

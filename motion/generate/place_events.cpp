@@ -57,7 +57,6 @@ bool PlaceEvents::reached(double sigma) const noexcept {
   return now_.sigma >= sigma - 1e-12 * (1 + std::abs(sigma));
 }
 
-/// When the references passed, in the last period, a place that they have reached.
 double PlaceEvents::passing(double sigma) const noexcept {
   if (before_.sigma >= sigma) return before_.time;
   double low = 0;

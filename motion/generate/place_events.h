@@ -56,6 +56,9 @@ class PlaceEvents {
   };
   /// One at a time; those by less than `tolerance`, s, count as kept.
   std::optional<Missed> take_missed(double tolerance) noexcept;
+  /// When the references passed, in the last period, a place that they have reached; or the
+  /// beginning of that period, if they had passed it before.
+  double passing(double sigma) const noexcept;
   bool pending() const noexcept { return count_ > 0; }
   void drop() noexcept { count_ = led_count_ = 0; }
 
@@ -79,7 +82,6 @@ class PlaceEvents {
     double came = 0;
   };
   bool reached(double sigma) const noexcept;
-  double passing(double sigma) const noexcept;
   std::optional<double> when(Entry& entry, const Guide& guide, const GuideHistory& history,
                              double lag) const noexcept;
   void remember(const Entry& entry, double due) noexcept;

@@ -14,6 +14,23 @@ PathPoint JointPath::at(double parameter) const noexcept {
   return between(static_cast<std::size_t>(behind - nodes_.begin()) - 1, within);
 }
 
+JointPath JointPath::part(double from, double to) const {
+  const double scale = to - from;
+  std::vector<Node> part;
+  const auto add = [&](double parameter) {
+    const PathPoint point = at(parameter);
+    part.push_back(
+        {(parameter - from) / scale, point.q, scale * point.qd, scale * scale * point.qdd});
+  };
+  constexpr double kApart = 1e-9;  // of the part: nodes that are nearer are one
+  add(from);
+  for (const Node& node : nodes_)
+    if (node.time > from + kApart * scale && node.time < to - kApart * scale) add(node.time);
+  add(to);
+  part.back().time = 1;
+  return JointPath(std::move(part));
+}
+
 PathPoint JointPath::between(std::size_t i, double parameter) const noexcept {
   const JointReference point = quintic_between(nodes_[i], nodes_[i + 1], parameter);
   return {point.q, point.qd, point.qdd};

@@ -27,6 +27,9 @@ class JointPath {
   /// At a parameter; beyond an end, that end.
   PathPoint at(double parameter) const noexcept;
 
+  /// The part between two parameters, as a path of 0 … 1.
+  JointPath part(double from, double to) const;
+
   /// Calls visit(parameter, point) at `parts` places of each piece, in order, and at the end.
   template <typename Visit>
   void survey(int parts, Visit&& visit) const {

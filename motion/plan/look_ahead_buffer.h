@@ -41,8 +41,6 @@ class LookAheadBuffer {
 
   // The generator's side. The pointers are null when there is nothing.
   const SegmentDescriptor* next_segment() const noexcept { return segments_.front(); }
-  /// The i-th behind next_segment(), which is the 0th.
-  const SegmentDescriptor* segment(std::size_t i) const noexcept { return segments_.at(i); }
   void pop_segment() noexcept { segments_.pop(); }
   const Effect* next_effect() const noexcept { return effects_.front(); }
   void pop_effect() noexcept { effects_.pop(); }

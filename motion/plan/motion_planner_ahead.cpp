@@ -15,6 +15,14 @@ namespace {
 /// rad: of a corner that turns by less there is nothing to miss. [choice] 0.1 deg
 constexpr double kStraightOn = 0.1 * std::numbers::pi / 180;
 
+/// Only linear axes move.
+bool is_linear(const RobotModel& robot, const JointVector& way) {
+  for (int i = 0; i < robot.axis_count(); ++i)
+    if (robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary && way[i] != 0)
+      return false;
+  return true;
+}
+
 }  // namespace
 
 PlanOutcome MotionPlanner::take_ahead(const MotionRequest& request, Draft draft) {
@@ -53,6 +61,9 @@ void MotionPlanner::judge_zone(const Draft& draft, PlannedSegment& planned) cons
   const bool straight = !robot_.tool_coordinates && in.path == nullptr &&
                         draft.demand.path == nullptr && arms_.isZero();
   if (!straight || !std::isfinite(before_.zone)) return;
+  const bool merged = planned.segment.ahead.window == 0 && is_linear(robot_, in.to - in.from) &&
+                      is_linear(robot_, draft.target - in.to);
+  if (merged) return;  // where legs are too short for their corners they become a curve
   const Eigen::Vector3d first = tip(in.to) - tip(in.from);
   const Eigen::Vector3d second = tip(draft.target) - tip(in.to);
   if (first.isZero() || second.isZero()) return;

@@ -12,6 +12,7 @@ template <typename T>
 class SpscRing {
  public:
   explicit SpscRing(std::size_t capacity) : slots_(capacity + 1) {}
+  std::size_t capacity() const noexcept { return slots_.size() - 1; }
 
   /// The writer's. False: full, nothing has happened.
   bool push(const T& value) noexcept {

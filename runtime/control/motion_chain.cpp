@@ -15,11 +15,17 @@ std::size_t legs_ahead(const MotionChain::Room& room) {
   return std::max<std::size_t>(room.motions, 4) - 2;
 }
 
+/// The other half is in the planner's hands. Handlers that never move need none.
+std::size_t short_ahead(const motion::RobotModel& robot, const MotionChain::Room& room) {
+  return room.motions > 1 ? static_cast<std::size_t>(robot.short_ahead()) / 2 : 0;
+}
+
 }  // namespace
 
 MotionChain::Path::Path(const motion::RobotModel& robot, motion::LookAheadBuffer& buffer,
                         const Room& room)
-    : ring(room.pieces, legs_ahead(room)), planner(robot, buffer, ring) {}
+    : ring(room.pieces, legs_ahead(room) + short_ahead(robot, room)),
+      planner(robot, buffer, ring, legs_ahead(room)) {}
 
 MotionChain::MotionChain(const motion::RobotModel& robot, const Room& room)
     : buffer(room.motions), planner(robot, robot.start) {

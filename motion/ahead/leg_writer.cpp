@@ -1,0 +1,48 @@
+#include "motion/ahead/leg_writer.h"
+
+#include <algorithm>
+
+namespace rob::motion {
+
+/// A motion without a way may stand behind each of them.
+std::size_t LegWriter::most_members() const noexcept {
+  return std::clamp<std::size_t>(ring_.leg_capacity() / 4, 1, kMostMembers);
+}
+
+bool LegWriter::fits() noexcept {
+  const std::uint64_t read = written_ - (ring_.leg_capacity() - ring_.leg_room());
+  while (!singles_.empty() && singles_.front() < read) singles_.pop_front();
+  const std::size_t needed = most_members() > 1 ? 2 * most_members() : 1;
+  return singles_.size() < single_ && ring_.leg_room() >= needed;
+}
+
+void LegWriter::write(const ShapedLeg& leg, double decides, int average, bool pauses) {
+  if (!leg.stretch) {
+    if (leg.segment.duration >= few_periods(robot_)) singles_.push_back(written_);
+    ++written_;
+    ring_.push({leg.segment, leg.begin, leg.end(), decides, average, pauses, leg.length()});
+    return;
+  }
+  for (const PathStretch::Member& member : leg.stretch->members) {
+    if (!member.begins) continue;
+    const double begin = leg.begin + member.begin;
+    const bool last = &member == &leg.stretch->members.back();
+    ring_.push({member.segment, begin, leg.begin + member.end,
+                last ? std::max(begin, decides) : begin, average, pauses, member.before,
+                member.beyond});
+    ++written_;
+  }
+}
+
+void LegWriter::write_at(const SegmentDescriptor& segment, double sigma) {
+  ring_.push({segment, sigma, sigma, sigma, 1});
+  ++written_;
+}
+
+void LegWriter::write_at(const PathItem& item, double sigma) {
+  if (!item.stretch) return write_at(item.segment, sigma);
+  for (const PathStretch::Member& member : item.stretch->members)
+    if (member.begins) write_at(member.segment, sigma);
+}
+
+}  // namespace rob::motion

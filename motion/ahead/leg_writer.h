@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+
+#include "motion/ahead/path_ring.h"
+#include "motion/ahead/path_shape.h"
+
+namespace rob::motion {
+
+/// s: what is passed sooner is a short motion. [choice] of 8 reference periods
+inline double few_periods(const RobotModel& robot) { return 8 * robot.reference_period; }
+
+/// [choice] Motions that one item of the path may carry, those without a way not counted.
+inline constexpr std::size_t kMostMembers = 256;
+
+/// Writes the motions that lie on the path into the PathRing, and counts those that are neither
+/// merged with others nor short: a program may be only so many of them ahead. Belongs to the
+/// planner's thread.
+class LegWriter {
+ public:
+  /// `single`: how many motions in the ring may be ones that are counted.
+  LegWriter(const RobotModel& robot, PathRing& ring, std::size_t single)
+      : robot_(robot), ring_(ring), single_(single) {}
+
+  /// The most motions with a way that an item may carry.
+  std::size_t most_members() const noexcept;
+  /// There is room for all motions of one item.
+  bool fits() noexcept;
+  /// `decides`: σ at which what follows the last of its motions must be known; `average`: periods.
+  void write(const ShapedLeg& leg, double decides, int average, bool pauses);
+  /// Without a way, at σ.
+  void write_at(const SegmentDescriptor& segment, double sigma);
+  void write_at(const PathItem& item, double sigma);
+
+ private:
+  const RobotModel& robot_;
+  PathRing& ring_;
+  std::size_t single_;
+  std::uint64_t written_ = 0;
+  std::deque<std::uint64_t> singles_;  ///< those in the ring that are counted
+};
+
+}  // namespace rob::motion

@@ -1,0 +1,154 @@
+#include "motion/ahead/merge_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/ahead/path_turn.h"
+
+namespace rob::motion {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/// [choice] A knot is at most so many tolerances long: so it can bend within one.
+constexpr double kTolerances = 5;
+constexpr double kSameLength = 1e-9;  // m
+
+}  // namespace
+
+bool joins(const SegmentDescriptor& in, const SegmentDescriptor& out) {
+  const LegBounds& before = in.ahead;
+  const LegBounds& after = out.ahead;
+  const bool lines = (before.line != nullptr) == (after.line != nullptr);
+  return !out.from_rest && in.generation == out.generation && lines &&
+         (after.line != nullptr || before.acceleration == after.acceleration) &&
+         before.tip.position == after.tip.position &&
+         before.tip.orientation.coeffs() == after.tip.orientation.coeffs();
+}
+
+std::shared_ptr<PathStretch> part_of_line(const SegmentDescriptor& segment, double from,
+                                          double to) {
+  auto part = std::make_shared<PathStretch>();
+  part->axes = segment.path->part(from, to);
+  part->line = ToolLine::between(segment.ahead.line->at(from), segment.ahead.line->at(to));
+  return part;
+}
+
+void lie_on(const PathStretch& part, SegmentDescriptor& segment) {
+  segment.path = &part.axes;
+  segment.ahead.line = part.line ? &*part.line : nullptr;
+}
+
+MergeRules::MergeRules(const RobotModel& robot) : robot_(robot) {
+  for (int i = 0; i < robot.axis_count() && linear_.size() < 3; ++i)
+    if (robot.axes[static_cast<std::size_t>(i)].kind == AxisKind::Linear) linear_.push_back(i);
+}
+
+bool MergeRules::mergeable(const SegmentDescriptor& segment) const {
+  const LegBounds& bounds = segment.ahead;
+  if (!has_way(segment) || segment.guard.present() || segment.live.present()) return false;
+  if (!(bounds.miss > 0) || !std::isfinite(bounds.miss)) return false;
+  if (bounds.share < 1 || std::isfinite(bounds.lead)) return false;
+  return is_straight(segment);
+}
+
+/// Linear axes without a mean, or a tool that does not turn, where its axes can follow a curve that
+/// is not quite its line.
+bool MergeRules::is_straight(const SegmentDescriptor& segment) const {
+  constexpr double kSingular = 0.05;  // rad. [choice] more than what a zone moves any wrist
+  constexpr double kTurn = 1e-9;      // rad
+  const LegBounds& bounds = segment.ahead;
+  if (robot_.tool_coordinates) {
+    const auto regular = [&](const JointVector& q) {
+      return robot_.kinematics->nearest_singularity(q, kSingular) == SingularPlace::None;
+    };
+    return bounds.line != nullptr && segment.path != nullptr && bounds.line->turn() <= kTurn &&
+           std::abs(bounds.line->way() - bounds.length) <= kSameLength && regular(bounds.from) &&
+           regular(segment.target);
+  }
+  if (linear_.empty() || segment.path != nullptr || bounds.window > 0) return false;
+  const double way = (segment.target - bounds.from).norm();
+  const double linear = (place(segment.target) - place(bounds.from)).norm();
+  return std::abs(way - linear) <= kSameLength && std::abs(linear - bounds.length) <= kSameLength;
+}
+
+Vector3d MergeRules::begin_of(const SegmentDescriptor& segment) const {
+  const ToolLine* const line = segment.ahead.line;
+  return line != nullptr ? line->at(0).position : place(segment.ahead.from);
+}
+
+Vector3d MergeRules::end_of(const SegmentDescriptor& segment) const {
+  const ToolLine* const line = segment.ahead.line;
+  return line != nullptr ? line->at(1).position : place(segment.target);
+}
+
+Vector3d MergeRules::place(const JointVector& q) const {
+  Vector3d at = Vector3d::Zero();
+  for (std::size_t k = 0; k < linear_.size(); ++k) at[static_cast<Eigen::Index>(k)] = q[linear_[k]];
+  return at;
+}
+
+JointVector MergeRules::axes_at(const JointVector& like, const Vector3d& place) const {
+  JointVector q = like;
+  for (std::size_t k = 0; k < linear_.size(); ++k)
+    q[linear_[k]] = place[static_cast<Eigen::Index>(k)];
+  return q;
+}
+
+Vector3d MergeRules::direction(const SegmentDescriptor& segment) const {
+  return (end_of(segment) - begin_of(segment)).normalized();
+}
+
+double MergeRules::speed_on(const SegmentDescriptor& segment) const {
+  const ShapedLeg leg = shaped_leg(robot_, segment, 0);
+  return greatest_rate(robot_, leg, leg.at(0));
+}
+
+/// A knot is a quarter of the way in which the weakest axis leads off by the zone, at the leg's
+/// speed.
+MergeRules::Knots MergeRules::knots_for(const SegmentDescriptor& segment) const {
+  const double zone = segment.ahead.miss;
+  const double leads = speed_on(segment) * std::sqrt(zone / strength(segment)) / 4;
+  const double apart = std::min(leads, kTolerances * zone);
+  return {apart, leads / apart};
+}
+
+/// m/s²: of a tool along the line, of a table that of its weakest axis.
+double MergeRules::strength(const SegmentDescriptor& segment) const {
+  if (segment.ahead.line != nullptr) {
+    const ShapedLeg leg = shaped_leg(robot_, segment, 0);
+    return greatest_control(leg, leg.at(0));
+  }
+  double weakest = Piece::kAny;
+  for (const Eigen::Index i : linear_)
+    weakest = std::min(weakest, robot_.axes[static_cast<std::size_t>(i)].a_max);
+  return weakest * segment.ahead.acceleration;
+}
+
+double MergeRules::corner_half(const SegmentDescriptor& in, const SegmentDescriptor& out) const {
+  if (out.from_rest || in.guard.present()) return 0;
+  return wanted_half(robot_, shaped_leg(robot_, in, 0), shaped_leg(robot_, out, 0));
+}
+
+/// From knot to knot a cubic, which a quintic between its ends is, too.
+JointPath MergeRules::axes_of_table(const CurveFit& fit, const CurvePart& part,
+                                    const JointVector& like) const {
+  constexpr double kSliver = 1e-6;  // of a knot
+  std::vector<JointPath::Node> nodes;
+  const auto [begin, end] = part;
+  const double scale = end - begin;
+  const JointVector still = JointVector::Zero(like.size());
+  const auto add = [&](double u) {
+    const CurveFit::Place place = fit.at(u);
+    nodes.push_back({(u - begin) / scale, axes_at(like, place.place),
+                     axes_at(still, scale * place.first),
+                     axes_at(still, scale * scale * place.second)});
+  };
+  add(begin);
+  for (double u = std::floor(begin + kSliver) + 1; u < end - kSliver; ++u) add(u);
+  add(end);
+  return JointPath(std::move(nodes));
+}
+
+}  // namespace rob::motion

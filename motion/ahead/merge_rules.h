@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "motion/ahead/curve_axes.h"
+#include "motion/ahead/path_item.h"
+#include "motion/robots/robot_model.h"
+
+namespace rob::motion {
+
+/// Which motions of a robot may become part of a curve, where they lie, and what they ask of it.
+class MergeRules {
+ public:
+  explicit MergeRules(const RobotModel& robot);
+
+  /// Straight, with a zone that is a length and no pace of its own.
+  bool mergeable(const SegmentDescriptor& segment) const;
+
+  // Where a mergeable motion begins and ends, m, and its direction, of length 1.
+  Eigen::Vector3d begin_of(const SegmentDescriptor& segment) const;
+  Eigen::Vector3d end_of(const SegmentDescriptor& segment) const;
+  Eigen::Vector3d direction(const SegmentDescriptor& segment) const;
+
+  /// m/s of σ.
+  double speed_on(const SegmentDescriptor& segment) const;
+  /// m of each leg that a corner between them would like to have; 0 where there is none.
+  double corner_half(const SegmentDescriptor& in, const SegmentDescriptor& out) const;
+
+  /// How far knots lie apart, m, and the stiffness of CurveFit.
+  struct Knots {
+    double apart = 0;
+    double stiffness = 1;
+  };
+  Knots knots_for(const SegmentDescriptor& segment) const;
+
+  /// The linear axes along a part of a curve; all others stay as in `like`.
+  JointPath axes_of_table(const CurveFit& fit, const CurvePart& part,
+                          const JointVector& like) const;
+
+ private:
+  bool is_straight(const SegmentDescriptor& segment) const;
+  double strength(const SegmentDescriptor& segment) const;
+  Eigen::Vector3d place(const JointVector& q) const;
+  JointVector axes_at(const JointVector& like, const Eigen::Vector3d& place) const;
+
+  const RobotModel& robot_;
+  std::vector<Eigen::Index> linear_;  ///< the axes that are merged
+};
+
+/// Whether a curve may lead from one into the other.
+bool joins(const SegmentDescriptor& in, const SegmentDescriptor& out);
+
+/// The part of a tool's line between two shares of it.
+std::shared_ptr<PathStretch> part_of_line(const SegmentDescriptor& segment, double from, double to);
+/// The segment is that part, from here on.
+void lie_on(const PathStretch& part, SegmentDescriptor& segment);
+
+}  // namespace rob::motion
