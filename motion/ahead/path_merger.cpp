@@ -22,7 +22,7 @@ constexpr double kTail = 4;
 constexpr double kMostDense = 8;
 /// How many motions in the queue decide on the first: two legs after it, and those between.
 constexpr std::size_t kDecide = 5;
-constexpr double kSameLength = 1e-9;  // m
+constexpr double kNoLength = 1e-9;  // m
 constexpr auto kBeyond = static_cast<std::size_t>(-1);
 
 }  // namespace
@@ -253,7 +253,7 @@ void PathMerger::end_on_front() {
   const double way = run_->fit.end_straight(rules_.direction(front.segment));
   member.beyond = front.segment.ahead.length - way;
   run_->members.push_back(std::move(member));
-  if (member.beyond > kSameLength) return split_front(way);
+  if (member.beyond > kNoLength) return split_front(way);
   before_ = front.segment;
   before_wanted_ = 0;
   queue_.pop_front();

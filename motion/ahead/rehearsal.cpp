@@ -12,7 +12,7 @@ namespace {
 constexpr double kGrows = 0.2;
 
 /// [choice] m: no piece needs to be shorter.
-constexpr double kShortest = 1e-6;
+constexpr double kShortestPiece = 1e-6;
 
 /// [choice] Each mean that is tried is so much shorter than the one before.
 constexpr double kLess = 0.7;
@@ -45,12 +45,12 @@ Grading grading_of(const RobotModel& robot, const ShapedLeg& leg, std::optional<
   const double speed = greatest_rate(robot, leg, middle);
   const double control = greatest_control(leg, middle);
   const double half = average / kParts * 2;
-  const double at_rest = std::max(control * half * half / 2, kShortest);
+  const double at_rest = std::max(control * half * half / 2, kShortestPiece);
   const auto least = [&](std::optional<double> corner) {
-    return corner.value_or(0) > 0 ? std::max(*corner / kOfCorner, kShortest) : at_rest;
+    return corner.value_or(0) > 0 ? std::max(*corner / kOfCorner, kShortestPiece) : at_rest;
   };
   return {into.value_or(0), leg.length() - out.value_or(0), least(into), least(out),
-          std::max(speed * average / kParts, kShortest)};
+          std::max(speed * average / kParts, kShortestPiece)};
 }
 
 double next_cut(const ShapedLeg& leg, const Grading& grading, double way, double goal) {
