@@ -155,8 +155,14 @@ Rehearsal::Best Rehearsal::alone(const ShapedLeg& leg) {
   return *known;
 }
 
+/// A leg that takes so many times the mean's time is not tried out: what another mean could save is
+/// a fraction of that time. [choice] less than a hundredth of the leg's
+constexpr double kLongLeg = 40;
+
 Rehearsal::Best Rehearsal::tried_alone(const ShapedLeg& leg) {
-  if (leg.motion.path == nullptr) {
+  const double least = leg.length() / greatest_rate(robot_, leg, leg.at(leg.length() / 2));
+  const bool is_long = least > kLongLeg * mean_time(leg.segment.ahead.window);
+  if (leg.motion.path == nullptr || is_long) {
     const LegAlone made = motion::alone(robot_, leg);
     return {made.share, settled(made.time - made.average, mean_time(made.average))};
   }
