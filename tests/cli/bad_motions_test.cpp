@@ -111,12 +111,14 @@ TEST_CASE("a ZONE that the motions are too short for is cut to what the warning 
   const auto miss = [&](const std::string& jerk) {
     const RobCommand rob(program(jerk));
     const ProcessResult result = rob("run", {"--fast", "--json", "--robot", kXy});
-    CHECK(contains(result.err, "warning[W644]"));
-    CHECK(contains(result.err, "leave 10.606602 mm at most, and what a bound on jerk adds"));
+    const bool cut = !jerk.empty();
+    CHECK(contains(result.err, "warning[W644]") == cut);
+    CHECK(contains(result.err, "leave 10.606602 mm at most, and what a bound on jerk adds") == cut);
     return json::parse(result.out)["lines"][1]["corner_miss_mm"]["measured"].get<double>();
   };
-  CHECK(miss("") <= left);
-  CHECK(miss("") > 0.4 * left);
+  // Without a bound on jerk the legs become one curve, which can use more of the ZONE.
+  CHECK(miss("") > left);
+  CHECK(miss("") <= 100);
   // A mean of 2·1000/5000 s, by which an axis is up to 1000·0.4²/24 mm off.
   CHECK(miss(" JERK 5000mm/s^3") <= left + std::sqrt(2.0) * 1000 * 0.16 / 24);
 }
