@@ -197,8 +197,9 @@ void PathMerger::begin_run(double before) {
 /// The ring holds one half of the motions that may be ahead, and a few items wait for it. A curve
 /// ends where it would have more than the rest before its first window is full.
 std::size_t PathMerger::most_unsettled() const {
+  constexpr std::size_t kMost = 4096;  // [choice] 6 MB, where so many are needed
   const auto half = static_cast<std::size_t>(robot_.short_ahead()) / 2;
-  return half - std::min(half / 2, 8 * most_members_);
+  return std::min(kMost, half - std::min(half / 2, 8 * most_members_));
 }
 
 /// The curve goes on along the first in the queue, or ends; false: that is not known yet.
