@@ -65,8 +65,8 @@ TEST_CASE("a program of two hundred thousand motions is foretold and run in litt
   }
   const RobCommand rob(text);
   const std::string xy = std::string(ROB_SOURCE_DIR) + "/tests/bench/xy.toml";
-  // 45 MB are the robot's with its 4096 motions of look-ahead and the short ones that become curves,
-  // 64 bytes a line's totals.
+  // 45 MB are the robot's with its 4096 motions of look-ahead and the short ones that become
+  // curves, 64 bytes a line's totals.
   const int foretold = megabytes_of(rob.line("check", {"--robot", xy}), 0);
   CHECK(foretold > 20);
   CHECK(foretold <= 80);
