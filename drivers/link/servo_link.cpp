@@ -56,7 +56,7 @@ double ServoLink<Dialect>::chain_time() const noexcept {
   return time_of(goals + question + count * reading_bytes()) + kTurnaround;
 }
 
-/// Of a status with a reading of this turn.
+/// The size of a status with a reading of this turn.
 template <typename Dialect>
 int ServoLink<Dialect>::reading_bytes() const noexcept {
   return Dialect::kReadingBytes + Dialect::reading_size(turns_.turn()) - Dialect::reading_size(0);

@@ -13,7 +13,7 @@ namespace rob::motion {
 inline double few_periods(const RobotModel& robot) { return 8 * robot.reference_period; }
 
 /// [choice] Motions that one item of the path may carry, those without a way not counted.
-inline constexpr std::size_t kMostMembers = 256;
+inline constexpr std::size_t kMostMembers = 64;
 
 /// Writes the motions that lie on the path into the PathRing, and counts those that are neither
 /// merged with others nor short: a program may be only so many of them ahead. Belongs to the

@@ -52,7 +52,7 @@ class MergeRules {
 /// Whether a curve may lead from one into the other.
 bool joins(const SegmentDescriptor& in, const SegmentDescriptor& out);
 
-/// The part of a tool's line between two shares of it.
+/// A piece of a tool's line, between two shares of it.
 std::shared_ptr<PathStretch> part_of_line(const SegmentDescriptor& segment, double from, double to);
 /// The segment is that part, from here on.
 void lie_on(const PathStretch& part, SegmentDescriptor& segment);

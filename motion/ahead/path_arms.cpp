@@ -1,4 +1,4 @@
-// What the PathPlanner does on an arm alone: whether a corner pays, and with which mean.
+// The PathPlanner on an arm: it decides whether a corner pays, and with which mean.
 
 #include <algorithm>
 #include <utility>

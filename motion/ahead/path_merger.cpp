@@ -137,7 +137,7 @@ PathItem PathMerger::hand_out() {
     before_wanted_ = wanted(0, next_way(0));
     before_ = waiting.segment;
   }
-  queue_.pop_front();
+  queue_.erase(queue_.begin());
   return item;
 }
 
@@ -184,6 +184,7 @@ void PathMerger::begin_run(double before) {
       rules_.knots_for(rules_.mergeable(*second.segment) ? *second.segment : front);
   const double lead = kLead * knots.apart;
   run_.emplace(knots.apart, knots.stiffness);
+  run_->members.reserve(most_unsettled() + 1);  // memory that is not touched costs nothing
   if (front.ahead.length > before + lead) {
     run_->head = head_of_front(front.ahead.length - lead);
     run_->fit.begin_straight(rules_.begin_of(front), rules_.direction(front));
@@ -243,7 +244,7 @@ void PathMerger::append_front() {
     member.to = run_->vertices++;
   }
   run_->members.push_back(std::move(member));
-  queue_.pop_front();
+  queue_.erase(queue_.begin());
   grown_ = true;
 }
 
@@ -257,7 +258,7 @@ void PathMerger::end_on_front() {
   if (member.beyond > kNoLength) return split_front(way);
   before_ = front.segment;
   before_wanted_ = 0;
-  queue_.pop_front();
+  queue_.erase(queue_.begin());
 }
 
 /// u at the end of what a member has of the curve.
@@ -268,7 +269,7 @@ double PathMerger::end_of(const Member& member) const {
 /// Those that lie on what is settled, and may be handed out in one item.
 std::size_t PathMerger::settled_members() const {
   constexpr double kRounding = 1e-9;
-  const std::deque<Member>& members = run_->members;
+  const std::vector<Member>& members = run_->members;
   const double settled = run_->fit.settled() + kRounding;
   std::size_t count = 0;
   while (count < members.size()) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -76,7 +75,7 @@ class PathMerger {
   struct Run {
     Run(double knot, double stiffness) : fit(knot, stiffness) {}
     CurveFit fit;
-    std::deque<Member> members;    ///< not handed out yet
+    std::vector<Member> members;   ///< not handed out yet
     std::optional<PathItem> head;  ///< what the first of them has before the curve, likewise
     std::size_t vertices = 1;
     double last_wanted = 0;  ///< m of the last leg, by the corner at its end if there were one
@@ -119,7 +118,7 @@ class PathMerger {
   const MergeRules rules_;
   LookAheadBuffer& buffer_;
   std::size_t most_members_;
-  std::deque<Waiting> queue_;
+  std::vector<Waiting> queue_;
   /// The motion handed out last, if the path goes on after it, and what its corner wants, m.
   std::optional<SegmentDescriptor> before_;
   double before_wanted_ = 0;

@@ -25,7 +25,7 @@ std::size_t short_ahead(const motion::RobotModel& robot, const MotionChain::Room
 
 MotionChain::Path::Path(const motion::RobotModel& robot, motion::LookAheadBuffer& buffer,
                         const Room& room)
-    : ring(room.pieces, legs_ahead(room) + short_ahead(robot, room)),
+    : ring(room.pieces, std::max(legs_ahead(room), short_ahead(robot, room))),
       planner(robot, buffer, ring, legs_ahead(room)) {}
 
 MotionChain::MotionChain(const motion::RobotModel& robot, const Room& room)
