@@ -9,9 +9,6 @@
 
 namespace rob::motion {
 
-/// s: what is passed sooner is a short motion. [choice] of 8 reference periods
-inline double few_periods(const RobotModel& robot) { return 8 * robot.reference_period; }
-
 /// [choice] Motions that one item of the path may carry, those without a way not counted.
 inline constexpr std::size_t kMostMembers = 64;
 

@@ -181,7 +181,8 @@ void bound_by_mean(const RobotModel& robot, const ShapedLeg& leg, double average
                    std::vector<Piece>& pieces) {
   constexpr double kStep = 1e-6;  // s²: moves a point by less than any zone
   const double moved = average * average / 24;
-  const double zone = std::min({leg.before, leg.segment.ahead.miss, robot.zone});
+  const double own = std::min(leg.before, leg.segment.ahead.miss);
+  const double zone = leg.merged() ? own : std::min(own, robot.zone);
   for (Piece& piece : pieces) {
     for (const double at : {0.0, piece.length / 2, piece.length}) {
       const PathPoint point = piece.point(at);

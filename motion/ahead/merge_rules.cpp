@@ -13,9 +13,23 @@ using Eigen::Vector3d;
 
 /// [choice] A knot is at most so many tolerances long: so it can bend within one.
 constexpr double kTolerances = 5;
+/// [choice] Of the zone, what a curve may use where a mean needs the rest.
+constexpr double kBesideMean = 0.5;
 constexpr double kSameLength = 1e-9;  // m
 
 }  // namespace
+
+/// A mean over T of accelerations up to a lies up to a·T²/24 beside what it is of. With a = s·A and
+/// T = s·W that is s³·A·W²/24.
+double share_for_mean(const RobotModel& robot, const LegBounds& bounds) {
+  if (bounds.window == 0) return 1;
+  double squares = 0;
+  for (const Axis& axis : robot.axes)
+    if (axis.kind == AxisKind::Linear) squares += axis.a_max * axis.a_max;
+  const double moved =
+      std::sqrt(squares) * bounds.acceleration * bounds.window * bounds.window / 24;
+  return std::min(1.0, std::cbrt((1 - kBesideMean) * bounds.miss / moved));
+}
 
 bool joins(const SegmentDescriptor& in, const SegmentDescriptor& out) {
   const LegBounds& before = in.ahead;
@@ -53,7 +67,7 @@ bool MergeRules::mergeable(const SegmentDescriptor& segment) const {
   return is_straight(segment);
 }
 
-/// Linear axes without a mean, or a tool that does not turn, where its axes can follow a curve that
+/// Linear axes, or a tool that does not turn, where its axes can follow a curve that
 /// is not quite its line.
 bool MergeRules::is_straight(const SegmentDescriptor& segment) const {
   constexpr double kSingular = 0.05;  // rad. [choice] more than what a zone moves any wrist
@@ -67,7 +81,7 @@ bool MergeRules::is_straight(const SegmentDescriptor& segment) const {
            std::abs(bounds.line->way() - bounds.length) <= kSameLength && regular(bounds.from) &&
            regular(segment.target);
   }
-  if (linear_.empty() || segment.path != nullptr || bounds.window > 0) return false;
+  if (linear_.empty() || segment.path != nullptr) return false;
   const double way = (segment.target - bounds.from).norm();
   const double linear = (place(segment.target) - place(bounds.from)).norm();
   return std::abs(way - linear) <= kSameLength && std::abs(linear - bounds.length) <= kSameLength;
@@ -105,13 +119,22 @@ double MergeRules::speed_on(const SegmentDescriptor& segment) const {
   return greatest_rate(robot_, leg, leg.at(0));
 }
 
+double MergeRules::soon(const SegmentDescriptor& segment) const {
+  return few_periods(robot_) * speed_on(segment);
+}
+
 /// A knot is a quarter of the way in which the weakest axis leads off by the zone, at the leg's
 /// speed.
 MergeRules::Knots MergeRules::knots_for(const SegmentDescriptor& segment) const {
-  const double zone = segment.ahead.miss;
+  const double zone = tolerance(segment);
   const double leads = speed_on(segment) * std::sqrt(zone / strength(segment)) / 4;
   const double apart = std::min(leads, kTolerances * zone);
   return {apart, leads / apart};
+}
+
+double MergeRules::tolerance(const SegmentDescriptor& segment) const {
+  const bool mean = segment.ahead.window > 0 && !robot_.tool_coordinates;
+  return (mean ? kBesideMean : 1) * segment.ahead.miss;
 }
 
 /// m/s²: of a tool along the line, of a table that of its weakest axis.
@@ -123,7 +146,21 @@ double MergeRules::strength(const SegmentDescriptor& segment) const {
   double weakest = Piece::kAny;
   for (const Eigen::Index i : linear_)
     weakest = std::min(weakest, robot_.axes[static_cast<std::size_t>(i)].a_max);
-  return weakest * segment.ahead.acceleration;
+  return weakest * segment.ahead.acceleration * share_for_mean(robot_, segment.ahead);
+}
+
+/// A corner that misses by e and turns a direction by d has a radius of 8·e/d².
+bool MergeRules::sooner_on_curve(const SegmentDescriptor& segment,
+                                 const SegmentDescriptor& out) const {
+  const double turn = (direction(out) - direction(segment)).norm();
+  const double control = strength(segment);
+  const double full = speed_on(segment);
+  const double way = segment.ahead.length;
+  const double corner = std::min(full, std::sqrt(8 * control * tolerance(segment)) / turn);
+  const double top = std::min(full, std::sqrt(corner * corner + control * way));
+  const double ramps = (top * top - corner * corner) / control;
+  const double time = 2 * (top - corner) / control + (way - ramps) / top;
+  return time < alone(robot_, shaped_leg(robot_, segment, 0)).time;
 }
 
 double MergeRules::corner_half(const SegmentDescriptor& in, const SegmentDescriptor& out) const {

@@ -25,8 +25,15 @@ class MergeRules {
 
   /// m/s of σ.
   double speed_on(const SegmentDescriptor& segment) const;
+  /// m: a leg that is shorter is passed in a few periods.
+  double soon(const SegmentDescriptor& segment) const;
   /// m of each leg that a corner between them would like to have; 0 where there is none.
   double corner_half(const SegmentDescriptor& in, const SegmentDescriptor& out) const;
+  /// Where a mean bounds the jerk: a curve passes the leg sooner, with corners at both ends like
+  /// that into `out`, than it is gone from rest to rest.
+  bool sooner_on_curve(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
+  /// m by which a curve may leave a leg.
+  double tolerance(const SegmentDescriptor& segment) const;
 
   /// How far knots lie apart, m, and the stiffness of CurveFit.
   struct Knots {
@@ -48,6 +55,11 @@ class MergeRules {
   const RobotModel& robot_;
   std::vector<Eigen::Index> linear_;  ///< the axes that are merged
 };
+
+/// Where the mean of the axes bounds the jerk of a curve of theirs: of its accelerations, and of
+/// the mean's time, what keeps the mean within its part of the zone, whatever the axes accelerate.
+/// 1 where there is no mean.
+double share_for_mean(const RobotModel& robot, const LegBounds& bounds);
 
 /// Whether a curve may lead from one into the other.
 bool joins(const SegmentDescriptor& in, const SegmentDescriptor& out);

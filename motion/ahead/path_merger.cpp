@@ -15,74 +15,20 @@ using Eigen::Vector3d;
 /// Knots on a straight leg before the first vertex of a curve. [choice] the three controls on the
 /// line, and half a knot
 constexpr double kLead = 3.5;
-/// The longest way, in knots, that a curve takes of the straight leg after it:
-/// CurveFit::end_straight().
-constexpr double kTail = 4;
 /// [choice] Where a leg asks for shorter knots than the curve has: so much shorter at most.
 constexpr double kMostDense = 8;
-/// How many motions in the queue decide on the first: two legs after it, and those between.
-constexpr std::size_t kDecide = 5;
 constexpr double kNoLength = 1e-9;  // m
 constexpr auto kBeyond = static_cast<std::size_t>(-1);
 
 }  // namespace
 
 PathMerger::PathMerger(const RobotModel& robot, LookAheadBuffer& buffer, std::size_t most_members)
-    : robot_(robot), rules_(robot), buffer_(buffer), most_members_(most_members) {}
-
-void PathMerger::take() {
-  while (queue_.size() < kDecide) {
-    const SegmentDescriptor* const next = buffer_.next_segment();
-    if (next == nullptr) return;
-    queue_.push_back({*next, true, kUnknown, nullptr});
-    buffer_.pop_segment();
-  }
-}
-
-/// Nothing comes after the queue, or we do not wait for it.
-bool PathMerger::final() const {
-  return buffer_.next_segment() == nullptr && (closed_ || flushed_);
-}
-
-/// The next motion with a way, if only motions without one lie between.
-PathMerger::Next PathMerger::next_way(std::size_t i) const {
-  for (std::size_t k = i + 1; k < queue_.size(); ++k) {
-    const SegmentDescriptor& segment = queue_[k].segment;
-    if (has_way(segment)) return {true, &segment, k};
-    if (!moves(segment)) return {};
-  }
-  return {final(), nullptr, 0};
-}
-
-/// m that the corner at its end would like to have of it.
-double PathMerger::wanted(std::size_t i, const Next& next) {
-  if (next.segment == nullptr) return 0;
-  Waiting& waiting = queue_[i];
-  if (waiting.wanted == kUnknown) {
-    waiting.wanted = rules_.corner_half(waiting.segment, *next.segment);
-  }
-  return waiting.wanted;
-}
-
-/// Whether the corners at both ends of a leg, `before` m of it at its beginning, want more than it
-/// has, or it is passed too soon. An arm chooses between a corner and a stop by their times
-/// (PathPlanner): there only what is as short as a curve's end crowds.
-bool PathMerger::crowded(std::size_t i, const Next& next, double before) {
-  const SegmentDescriptor& segment = queue_[i].segment;
-  if (!rules_.mergeable(segment)) return false;
-  const double corners = before + wanted(i, next);
-  if (corners == 0) return false;
-  const double soon = few_periods(robot_) * rules_.speed_on(segment);
-  const double most = robot_.tool_coordinates
-                          ? std::min(soon, kTail * rules_.knots_for(segment).apart)
-                          : std::max(soon, corners);
-  return segment.ahead.length < most;
-}
+    : robot_(robot), rules_(robot), most_members_(most_members), queue_(robot, rules_, buffer) {}
 
 std::optional<PathItem> PathMerger::next() {
-  closed_ = buffer_.closed();  // before looking: all that was pushed is then seen
+  queue_.look();
   while (true) {
-    take();
+    queue_.take();
     if (run_) {
       if (auto item = settled()) return item;
       if (run_->fit.ended()) {
@@ -91,7 +37,7 @@ std::optional<PathItem> PathMerger::next() {
         return std::nullopt;
       }
     } else {
-      if (queue_.empty()) flushed_ = false;
+      if (queue_.empty()) queue_.wait();
       if (queue_.empty()) return std::nullopt;
       if (auto item = decide()) return item;
       if (!run_) return std::nullopt;
@@ -110,59 +56,46 @@ double PathMerger::joined_half(const SegmentDescriptor& front) const {
 std::optional<PathItem> PathMerger::decide() {
   const SegmentDescriptor& front = queue_.front().segment;
   if (!rules_.mergeable(front)) return hand_out();
-  const Next second = next_way(0);
+  const LegQueue::Next second = queue_.next_way(0);
   if (!second.known) return std::nullopt;
   if (second.segment == nullptr || !joins(front, *second.segment)) return hand_out();
   const double before = joined_half(front);
-  if (crowded(0, second, before)) {
+  const auto begins = queue_.crowd_begins(0, second, before);
+  if (!begins) return std::nullopt;
+  if (*begins) {
     begin_run(before);
     return std::nullopt;
   }
   if (!rules_.mergeable(*second.segment)) return hand_out();
-  const Next third = next_way(second.at);
+  const LegQueue::Next third = queue_.next_way(second.at);
   if (!third.known) return std::nullopt;
   if (third.segment == nullptr || !joins(*second.segment, *third.segment)) return hand_out();
-  if (!crowded(second.at, third, wanted(0, second))) return hand_out();
+  const auto follows = queue_.crowd_begins(second.at, third, queue_.wanted(0, second));
+  if (!follows) return std::nullopt;
+  if (!*follows) return hand_out();
   begin_run(before);
   return std::nullopt;
 }
 
 /// The first in the queue, as it is.
 PathItem PathMerger::hand_out() {
-  Waiting& waiting = queue_.front();
+  LegQueue::Waiting& waiting = queue_.front();
   PathItem item{waiting.segment, waiting.part};
   if (!waiting.begins && !item.stretch) item.stretch = std::make_shared<PathStretch>();
   before_.reset();
   if (has_way(waiting.segment) && !waiting.segment.guard.present()) {
-    before_wanted_ = wanted(0, next_way(0));
+    before_wanted_ = queue_.wanted(0, queue_.next_way(0));
     before_ = waiting.segment;
   }
-  queue_.erase(queue_.begin());
+  queue_.pop_front();
   return item;
-}
-
-/// Its first `length` m are elsewhere.
-void PathMerger::split_front(double length) {
-  Waiting& waiting = queue_.front();
-  SegmentDescriptor& rest = waiting.segment;
-  const double share = length / rest.ahead.length;
-  if (rest.path != nullptr) {
-    waiting.part = part_of_line(rest, share, 1);
-    lie_on(*waiting.part, rest);
-    rest.ahead.from = rest.path->nodes().front().q;
-  } else {
-    rest.ahead.from += share * (rest.target - rest.ahead.from);
-  }
-  rest.ahead.length -= length;
-  rest.from_rest = false;
-  waiting.begins = false;
-  before_.reset();
 }
 
 /// Its first `length` m, as an item.
 PathItem PathMerger::head_of_front(double length) {
-  const Waiting whole = queue_.front();
-  split_front(length);
+  const LegQueue::Waiting whole = queue_.front();
+  queue_.split_front(length);
+  before_.reset();
   PathItem item{whole.segment, nullptr};
   item.segment.ahead.length = length;
   item.segment.target = queue_.front().segment.ahead.from;
@@ -179,7 +112,7 @@ PathItem PathMerger::head_of_front(double length) {
 /// Begins a curve on the last part of the first in the queue, or on all of it where it is short.
 void PathMerger::begin_run(double before) {
   const SegmentDescriptor& front = queue_.front().segment;
-  const Next second = next_way(0);
+  const LegQueue::Next second = queue_.next_way(0);
   const MergeRules::Knots knots =
       rules_.knots_for(rules_.mergeable(*second.segment) ? *second.segment : front);
   const double lead = kLead * knots.apart;
@@ -206,8 +139,8 @@ std::size_t PathMerger::most_unsettled() const {
 /// The curve goes on along the first in the queue, or ends; false: that is not known yet.
 bool PathMerger::grow() {
   if (queue_.empty()) {
-    if (final()) run_->fit.end();
-    return final();
+    if (queue_.final()) run_->fit.end();
+    return queue_.final();
   }
   const SegmentDescriptor& front = queue_.front().segment;
   const SegmentDescriptor& last = run_->members.back().segment;
@@ -223,42 +156,46 @@ bool PathMerger::grow() {
     before_wanted_ = 0;
     return true;
   }
-  const Next next = next_way(0);
+  const LegQueue::Next next = queue_.next_way(0);
   if (!next.known) return false;
-  const double tail = kTail * run_->fit.knot();
-  const bool crowds =
-      crowded(0, next, run_->last_wanted) || front.ahead.length < tail + wanted(0, next);
+  const double tail = LegQueue::kTail * run_->fit.knot();
+  const bool crowds = queue_.crowded(0, next, run_->last_wanted) ||
+                      front.ahead.length < tail + queue_.wanted(0, next);
   crowds ? append_front() : end_on_front();
   return true;
 }
 
 void PathMerger::append_front() {
-  Waiting& front = queue_.front();
+  LegQueue::Waiting& front = queue_.front();
   const SegmentDescriptor& segment = front.segment;
   Member member{segment, run_->vertices - 1, run_->vertices - 1, 0, front.begins, front.part};
   if (has_way(segment)) {
     const double dense = run_->fit.knot() / rules_.knots_for(segment).apart;
-    run_->fit.append(rules_.end_of(segment), segment.ahead.miss,
+    run_->fit.append(rules_.end_of(segment), rules_.tolerance(segment),
                      std::clamp(dense, 1.0, kMostDense));
     run_->last_wanted = std::max(front.wanted, 0.0);
     member.to = run_->vertices++;
   }
   run_->members.push_back(std::move(member));
-  queue_.erase(queue_.begin());
+  queue_.pop_front();
   grown_ = true;
 }
 
 /// It is long: the curve ends on its first part.
 void PathMerger::end_on_front() {
-  const Waiting& front = queue_.front();
+  const LegQueue::Waiting& front = queue_.front();
   Member member{front.segment, run_->vertices - 1, kBeyond, 0, front.begins, front.part};
   const double way = run_->fit.end_straight(rules_.direction(front.segment));
   member.beyond = front.segment.ahead.length - way;
   run_->members.push_back(std::move(member));
-  if (member.beyond > kNoLength) return split_front(way);
+  if (member.beyond > kNoLength) {
+    queue_.split_front(way);
+    before_.reset();
+    return;
+  }
   before_ = front.segment;
   before_wanted_ = 0;
-  queue_.erase(queue_.begin());
+  queue_.pop_front();
 }
 
 /// u at the end of what a member has of the curve.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "motion/ahead/curve_axes.h"
+#include "motion/ahead/leg_queue.h"
 #include "motion/ahead/merge_rules.h"
 #include "motion/ahead/path_item.h"
 #include "motion/path/curve_fit.h"
@@ -22,9 +23,9 @@ namespace rob::motion {
 /// legs beside it, or where the path does. Its items join with continuous second derivatives, so
 /// there is no corner between them.
 ///
-/// Merged are straight motions of linear axes, without a mean of the axes, which would need the
-/// zone for itself; and straight lines of an arm's tool along which it does not turn, away from
-/// singular places.
+/// Merged are straight motions of linear axes, and straight lines of an arm's tool along which it
+/// does not turn, away from singular places. Where a mean of the axes bounds the jerk, it needs a
+/// part of the zone and slows all of the run: there only many legs that crowd make a curve.
 ///
 /// m, rad, s. Belongs to the planner's thread.
 class PathMerger {
@@ -39,29 +40,20 @@ class PathMerger {
   /// A curve has begun, and has grown since this was asked last: more may come.
   bool grows() { return run_.has_value() && std::exchange(grown_, false); }
   /// Makes do with what is known: next() waits for no more until it has handed out all of it.
-  void flush() { flushed_ = true; }
+  void flush() { queue_.flush(); }
   /// Forgets all that it holds; calls give_up(segment) for each motion.
   template <typename GiveUp>
   void drop(GiveUp&& give_up) {
     if (run_)
       for (const Member& member : run_->members) give_up(member.segment);
-    for (const Waiting& waiting : queue_) give_up(waiting.segment);
+    for (const LegQueue::Waiting& waiting : queue_) give_up(waiting.segment);
     run_.reset();
     queue_.clear();
     before_.reset();
-    flushed_ = false;
+    queue_.wait();
   }
 
  private:
-  static constexpr double kUnknown = -1;
-
-  /// A motion in the queue.
-  struct Waiting {
-    SegmentDescriptor segment;
-    bool begins = true;                       ///< not the rest of one
-    double wanted = kUnknown;                 ///< m, by the corner at its end
-    std::shared_ptr<const PathStretch> part;  ///< of a tool's line: what is left of it
-  };
   /// One on a curve: the vertices of the polyline between which it lies.
   struct Member {
     SegmentDescriptor segment;
@@ -82,18 +74,6 @@ class PathMerger {
     double handed = 0;       ///< u up to which the curve has been handed out
     PathPoint end;           ///< what the axes do there, per unit of u; of an arm
   };
-  /// What follows a motion in the queue.
-  struct Next {
-    bool known = true;
-    const SegmentDescriptor* segment = nullptr;  ///< null: nothing with a way
-    std::size_t at = 0;
-  };
-
-  void take();
-  bool final() const;
-  Next next_way(std::size_t i) const;
-  double wanted(std::size_t i, const Next& next);
-  bool crowded(std::size_t i, const Next& next, double before);
   double joined_half(const SegmentDescriptor& front) const;
 
   std::optional<PathItem> decide();
@@ -107,7 +87,6 @@ class PathMerger {
   bool grow();
   void append_front();
   void end_on_front();
-  void split_front(double length);
   std::size_t settled_members() const;
   std::optional<PathItem> settled();
   double end_of(const Member& member) const;
@@ -116,16 +95,13 @@ class PathMerger {
 
   const RobotModel& robot_;
   const MergeRules rules_;
-  LookAheadBuffer& buffer_;
   std::size_t most_members_;
-  std::vector<Waiting> queue_;
+  LegQueue queue_;
   /// The motion handed out last, if the path goes on after it, and what its corner wants, m.
   std::optional<SegmentDescriptor> before_;
   double before_wanted_ = 0;
   std::optional<Run> run_;
   bool grown_ = false;
-  bool flushed_ = false;
-  bool closed_ = false;  ///< nothing comes after what is in the buffer
 };
 
 }  // namespace rob::motion

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "motion/ahead/mean_shift.h"
+#include "motion/ahead/run_mean.h"
 
 namespace rob::motion {
 
@@ -87,9 +88,14 @@ void PathPlanner::drop() {
   ring_.dropped(number, generation);
 }
 
+std::size_t PathPlanner::most_pending() const {
+  if (robot_.tool_coordinates) return kMostLegs;
+  const bool awaits = !open_ && !pending_.empty() && awaits_curve(robot_, pending_);
+  return awaits ? kMostBeforeCurve : kPending;
+}
+
 void PathPlanner::fetch() {
-  const std::size_t most = robot_.tool_coordinates ? kMostLegs : kPending;
-  while (pending_.size() < most) {
+  while (pending_.size() < most_pending()) {
     auto next = merger_.next();
     if (!next) return;
     pending_.push_back(*std::move(next));
@@ -120,13 +126,14 @@ ShapedLeg PathPlanner::shape(const PathItem& item, double begin) const {
 }
 
 bool PathPlanner::begin_run() {
-  if (pending_.empty()) {
-    if (!merger_.holds() || merger_.grows()) return false;
+  if ((pending_.empty() || awaits_curve(robot_, pending_)) && merger_.holds()) {
+    if (merger_.grows()) return false;
     merger_.flush();  // it stands: what is known has to do
     return true;
   }
+  if (pending_.empty()) return false;
   const PathItem next = pending_.front();
-  pending_.erase(pending_.begin());
+  pending_.pop_front();
   if (!has_way(next.segment) || next.segment.generation <= ring_.over()) {
     legs_.write_at(next, known_);
     return true;
@@ -146,24 +153,12 @@ bool PathPlanner::begin_run() {
   } else if (stands_after(leg)) {
     stand_alone(leg);
   } else {
-    const double share = share_for_bends(leg);
+    const double share = share_for_bends(robot_, leg, pending_);
     leg.acceleration *= share;
     window_ *= share;
   }
   open(leg);
   return true;
-}
-
-/// Where a run begins with short legs that bend, as a curve does: of its accelerations, and of the
-/// mean's time, what lets it be gone the fastest. 1 where too little is known.
-double PathPlanner::share_for_bends(const ShapedLeg& leg) const {
-  if (window_ == 0 || robot_.tool_coordinates || pending_.size() < 2) return 1;
-  const SegmentDescriptor& behind = pending_[0].segment;
-  if (!has_way(behind) || !has_way(pending_[1].segment) || behind.from_rest) return 1;
-  const ShapedLeg second = shape(pending_[0], leg.end());
-  const ShapedLeg third = shape(pending_[1], second.end());
-  return std::max(bend_share(robot_, leg, second, window_),
-                  bend_share(robot_, second, third, window_));
 }
 
 /// It needs no longer mean for its corners; straight, it has no bends, which have a share of the
@@ -196,7 +191,7 @@ bool PathPlanner::stands_after(const ShapedLeg& leg) const {
 void PathPlanner::open(const ShapedLeg& leg) {
   open_ = leg;
   sent_ = false;
-  held_ = averages_sigma() ? 0 : longest_calm_way(robot_, *open_, window_);
+  held_ = averages_sigma() || open_->goes_on() ? 0 : longest_calm_way(robot_, *open_, window_);
   const PathPoint end = open_->at(open_->length());
   const double speed = greatest_rate(robot_, *open_, end);
   const double brakes = speed * speed / (2 * greatest_control(*open_, end));
@@ -242,10 +237,11 @@ bool PathPlanner::join_next() {
   if (moves(next) && !has_way(next)) {
     legs_.write_at(next, open_->end());
     keep_within(next.ahead, open_->segment.ahead);
-    pending_.erase(pending_.begin());
+    pending_.pop_front();
     return true;
   }
-  if (!moves(next) || next.from_rest || longer_mean) {
+  if (!moves(next) || next.from_rest || longer_mean ||
+      needs_shorter_mean(robot_, window_, pending_)) {
     completing_ = true;
     return true;
   }
@@ -265,7 +261,7 @@ bool PathPlanner::join_next() {
     next_.reset();
     completing_ = true;
   } else {
-    pending_.erase(pending_.begin());
+    pending_.pop_front();
   }
   return true;
 }

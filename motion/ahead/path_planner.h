@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -59,6 +60,7 @@ class PathPlanner {
   static constexpr double kAny = Piece::kAny;
 
   void drop();
+  std::size_t most_pending() const;
   void fetch();
   bool advance();
   bool begin_run();
@@ -71,7 +73,6 @@ class PathPlanner {
   bool pays();
   const PathItem* coming(std::size_t at) const;
   void stand_alone(ShapedLeg& leg);
-  double share_for_bends(const ShapedLeg& leg) const;
   void open(const ShapedLeg& leg);
   bool join_next();
   bool decide_alone();
@@ -114,7 +115,7 @@ class PathPlanner {
   PathListener* listener_ = nullptr;
   LegWriter legs_;
   PathMerger merger_;
-  std::vector<PathItem> pending_;
+  std::deque<PathItem> pending_;
   std::optional<ShapedLeg> open_;  ///< its corner is not made yet, or not yet written
   bool completing_ = false;        ///< it goes to its target, and comes to rest there
   std::optional<Turn> turn_;       ///< out of it, into

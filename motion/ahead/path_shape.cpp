@@ -73,7 +73,8 @@ void fill_quintic(Piece& piece, const PathPoint& a, const PathPoint& b) {
   piece.terms[5] = (6 * way - 3 * v0 - 3 * v1 - 0.5 * a0 + 0.5 * a1) / (l * l * l * l * l);
 }
 
-/// At even speed σ' a quintic asks for the jerk σ'³ times its third derivative.
+/// At even speed σ' a quintic asks for the jerk σ'³ times its third derivative. Where the mean is
+/// of the axes, it bounds their jerk whatever the path.
 void bound_jerk(const ShapedLeg& leg, Piece& piece) {
   if (piece.count < 6) return;
   double cube = Piece::kAny;  // of σ'
@@ -102,7 +103,7 @@ void append_curve(const RobotModel& robot, const ShapedLeg& leg, double begin, d
     bound_speed(robot, a.qd, piece);
     bound_speed(robot, piece.point(piece.length / 2).qd, piece);
     bound_speed(robot, b.qd, piece);
-    bound_jerk(leg, piece);
+    if (robot.tool_coordinates) bound_jerk(leg, piece);
     pieces.push_back(piece);
     a = b;
   }

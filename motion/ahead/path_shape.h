@@ -18,6 +18,9 @@ inline constexpr double kBendsShare = 0.85;
 /// d³q/dσ³ at `at`, σ from the beginning of a piece.
 JointVector third_derivative(const Piece& piece, double at);
 
+/// s: what is passed sooner is a short motion. [choice] of 8 reference periods
+inline double few_periods(const RobotModel& robot) { return 8 * robot.reference_period; }
+
 /// A motion as part of a path: from the middle of the corner before it, or from rest.
 struct ShapedLeg {
   SegmentDescriptor segment;
