@@ -159,6 +159,13 @@ TEST_CASE("statements that this version cannot run are laid out") {
         "UNITS in, deg\nMOVE JOINT 6 TO -2rad\nJOG TOOL (1mm/s, , ) FOR 2s\n");
 }
 
+TEST_CASE("BY and JOINT after MOVE are names where a value goes on") {
+  CHECK(laid_out("move by -step\nmove joint -2 to 1rad\n") ==
+        "MOVE BY -step\nMOVE JOINT -2 TO 1rad\n");
+  CHECK(laid_out("move by\nmove by + step\nmovel joint*2\n") ==
+        "MOVE by\nMOVE by + step\nMOVEL joint * 2\n");
+}
+
 TEST_CASE("what lies around motions is laid out like clauses and blocks") {
   CHECK(laid_out("press z -10N limit 5mm/s in tool do\nmovel by(1mm, ,0deg)in Pallet with cup\n"
                  "endpress\nwith cup in Pallet do\noverride 30%\nendwith\n") ==

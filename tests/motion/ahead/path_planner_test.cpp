@@ -115,6 +115,30 @@ TEST_CASE("where a long mean would leave the zone, what is around a corner calms
   }
 }
 
+TEST_CASE("what a corner may yet calm is not given away while the path becomes known bit by bit") {
+  // Legs of 60 mm in pieces of 3 mm, of which the program is ahead by 25 mm; the mean reaches 15.
+  constexpr double kZone = 1e-4;
+  constexpr double kPiece = 3;  // mm
+  for (const double window : {0.02, 0.03, 0.04, 0.05, 0.0667, 0.1}) {
+    CAPTURE(window);
+    PacedRun run(0.3, kZone, window);
+    int given = 0;
+    const auto give = [&](int pieces) {
+      for (; given < std::min(pieces, 40); ++given) {
+        const double way = kPiece * (given + 1);
+        way <= 60 ? run.line(way, 0) : run.line(60 - 0.6 * (way - 60), 0.8 * (way - 60));
+      }
+      if (given == 40) run.close();
+    };
+    while (!run.ended() || given < 40) {
+      give(static_cast<int>((run.guide().sigma() * 1000 + 25) / kPiece));
+      run.step();
+    }
+    check_limits(run);
+    CHECK(run.miss(60, 0) <= kNearest * kZone);
+  }
+}
+
 TEST_CASE("however many corners ask for calm, the axes keep the least share of them") {
   // Corners of 90 degrees every 0.02 mm, many within the same mean.
   PacedRun run(0.3, 1e-4, 0.05);

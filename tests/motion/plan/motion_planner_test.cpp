@@ -279,6 +279,18 @@ TEST_CASE("a jog of whole periods lasts as many, whatever rounding the quotient 
   }
 }
 
+TEST_CASE("an override above 1 makes a jog faster and shorter: its way stays") {
+  GantryPlanner p;
+  JogRates rates;
+  rates.space = JogRates::Space::World;
+  rates.rate = JointVector::Zero(6);
+  rates.rate[0] = 0.004;
+  rates.lasts = 3;
+  p.planner.set_override(1.5);
+  CHECK(p.jog(rates).rate[0] == doctest::Approx(0.006));
+  CHECK(p.jog(rates).lasts == doctest::Approx(2));
+}
+
 TEST_CASE("rates beyond any axis are reduced to 1000 m/s or rad/s, all in the same ratio") {
   GantryPlanner p;
   JogRates rates;

@@ -98,6 +98,17 @@ class SyncedNames : public FileCalls {
   std::vector<std::string> steps;
 };
 
+/// Counts how often an owner is given.
+class OwnCalls : public FileCalls {
+ public:
+  int own(int fd, unsigned user, unsigned group) override {
+    ++count;
+    return FileCalls::own(fd, user, group);
+  }
+
+  int count = 0;
+};
+
 /// Tries to save the file; whether the message advises to check the permissions.
 bool names_permissions(const std::string& file) {
   return message_of([&] { save_file(file, "new"); }).find("check the permissions") !=
@@ -118,6 +129,21 @@ TEST_CASE("a file is replaced; its permissions stay") {
   CHECK(scratch.tidy());
   save_file(scratch.file(), "");
   CHECK(scratch.content().empty());
+}
+
+TEST_CASE("another owner stays; one's own is not asked for, since not everybody may give any") {
+  const Scratch scratch;
+  OwnCalls calls;
+  save_file(scratch.file(), "new text", calls);
+  CHECK(calls.count == 0);
+  if (::geteuid() != 0) return;  // nobody else may give a file away
+  REQUIRE(::chown(scratch.file().c_str(), 1, 2) == 0);
+  save_file(scratch.file(), "newer text", calls);
+  CHECK(calls.count == 1);
+  struct stat status {};
+  REQUIRE(::stat(scratch.file().c_str(), &status) == 0);
+  CHECK(status.st_uid == 1);
+  CHECK(status.st_gid == 2);
 }
 
 TEST_CASE("a file that is not there is made") {
