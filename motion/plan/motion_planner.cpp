@@ -64,6 +64,10 @@ PlanOutcome MotionPlanner::take_timed(const MotionRequest& request, Draft draft)
     return Refusal{Refusal::Kind::TooLong, -1, timing.duration, kLongest};
   PlannedSegment planned;
   planned.warnings = timing.warnings;
+  planned.pace_cut = draft.pace_cut;
+  if (draft.pace_cut.axis >= 0) planned.warnings |= PlannedSegment::kPaceCut;
+  if (draft.pace_cut.asked > 0)
+    planned.pace_cut.longer = std::max(timing.duration - draft.pace_cut.asked, 0.0);
   planned.segment = joined(draft, timing, planned.warnings);
   if (robot_.mechanics && demanded_by_corner(planned.segment).speed < 1) {
     planned.segment.from_rest = true;

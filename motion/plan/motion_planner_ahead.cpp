@@ -27,6 +27,7 @@ bool is_linear(const RobotModel& robot, const JointVector& way) {
 
 PlanOutcome MotionPlanner::take_ahead(const MotionRequest& request, Draft draft) {
   PlannedSegment planned;
+  planned.pace_cut = draft.pace_cut;
   SegmentDescriptor& segment = planned.segment;
   segment = segment_to(draft.target, false, {});
   segment.duration = robot_.reference_period;  // of a target that is the last one: it is passed

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "motion/path/follow.h"
+#include "motion/plan/local_pace.h"
 #include "motion/plan/motion_planner.h"
 #include "motion/plan/reach.h"
 #include "motion/plan/wishes.h"
@@ -15,6 +16,14 @@ namespace {
 /// The least share of the speed asked for that a motion may be slowed down to by the axes, before
 /// it is refused as singular (2 %).
 constexpr double kLeastShare = 0.02;
+
+/// [choice] What a motion that is gone evenly takes, in parts of what it takes where each place has
+/// a pace of its own: with AT it keeps AT elsewhere; without it an ordinary line stays even.
+constexpr double kWorthWithPace = 1.05;
+constexpr double kWorthFree = 1.5;
+
+/// In each piece of the axes so many places are looked at for what AT cannot have. [choice]
+constexpr int kCutParts = 8;
 
 /// m, rad: two poses that differ by less are one.
 constexpr double kSamePose = 1e-9;
@@ -69,11 +78,44 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& pa
       path.axes() != nullptr ? led_by(*path.axes()) : follow(robot_, path, tool_, commanded_);
   if (const auto refusal = judge(request, path, followed)) return *refusal;
   draft.leg = std::make_shared<PlannedLeg>();
+  draft.leg->pace = pace(request, path, followed.axes);
+  draft.pace_cut = pace_cut(request, path, followed.axes);
+  draft.target = followed.axes.nodes().back().q;
+  if (draft.leg->pace) {
+    const PacedPath paced(path, *draft.leg->pace);
+    draft.leg->axes = paced.paced(followed.axes);
+    draft.demand = demand_of(paced, *draft.leg->axes);
+    draft.demand.uneven = nullptr;  // the look-ahead law's affair
+    return take(request, std::move(draft));
+  }
   draft.leg->axes = std::move(followed.axes);
-  draft.target = draft.leg->axes->nodes().back().q;
   draft.demand = demand_of(path, *draft.leg->axes);
   if (const auto* const line = dynamic_cast<const ToolLine*>(&path)) draft.leg->line = *line;
   return take(request, std::move(draft));
+}
+
+/// Under Paul's law a path is gone evenly. Where that would take much longer than its slowest
+/// places do, it is slowed down there alone.
+std::optional<PaceLaw> MotionPlanner::pace(const MotionRequest& request, const ToolPath& path,
+                                           const JointPath& axes) const {
+  const bool even = robot_.law != Law::Paul || request.profile != ProfileShape::None;
+  if (even || path.axes() != nullptr) return std::nullopt;
+  LegDemand demand = demand_of(path, axes);
+  const bool by_share = request.pace == MotionRequest::Pace::Share;
+  PaceWish wish;
+  wish.share = by_share ? std::min(1.0, request.pace_value * boost_) : 1;
+  const double paced = by_share ? 0 : pace_time(robot_, demand, request);
+  const double asked = std::max(paced, request.at_least) / boost_;
+  wish.rate = 1 / asked;
+  const double t_acc = std::max(least_t_acc_, corner_time(demand, asked, request));
+  wish.change = 0.75 / std::min(t_acc_before_, t_acc) + braking_;
+  int axis = 0;
+  const double axes_time = named_axes_time(robot_, demand, MotionRequest::Pace::Share);
+  const double evenly =
+      std::max({asked, axes_time / wish.share, least_time(robot_, axes, wish.change, axis)});
+  const double worth = asked > 0 ? kWorthWithPace : kWorthFree;
+  auto law = local_pace(robot_, axes, wish);
+  return law && evenly > worth * law->duration() ? law : std::nullopt;
 }
 
 /// The first thing on the way that cannot be: an axis beyond its limits or too fast, or the end of
@@ -124,6 +166,36 @@ std::optional<Refusal> MotionPlanner::too_slow(const MotionRequest& request, con
   refusal.at = slowest.at;
   refusal.q = axes.at(slowest.at).q;
   return placed(refusal, path);
+}
+
+/// Where what AT asks for is more than an axis can do.
+PlannedSegment::PaceCut MotionPlanner::pace_cut(const MotionRequest& request, const ToolPath& path,
+                                                const JointPath& axes) const {
+  constexpr double kRounding = 1e-5;  // the rates along a path are known to a millionth
+  PlannedSegment::PaceCut cut;
+  const double asked = pace_time(robot_, demand_of(path, axes), request) / boost_;
+  if (!(asked > 0)) return cut;
+  cut.asked = std::max(asked, request.at_least / boost_);
+  double most = asked * (1 + kRounding);
+  std::optional<double> from;
+  double to = 0;
+  axes.survey(kCutParts, [&](double s, const PathPoint& point) {
+    for (int i = 0; i < robot_.axis_count(); ++i) {
+      const double needed = std::abs(point.qd[i]) / robot_.axes[static_cast<std::size_t>(i)].v_max;
+      if (!(needed > asked * (1 + kRounding))) continue;
+      if (!from) from = s;
+      to = s;
+      if (needed <= most) continue;
+      most = needed;
+      cut.axis = i;
+    }
+  });
+  if (!from) return cut;
+  cut.turning = path.way() <= kSamePose;
+  cut.way = cut.turning ? path.turn() : path.way();
+  cut.from = path.share_at(*from) * cut.way;
+  cut.to = path.share_at(to) * cut.way;
+  return cut;
 }
 
 /// Refusal::at becomes a place on the way.

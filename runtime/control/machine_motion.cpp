@@ -170,6 +170,11 @@ bool RobotMachine::plan_along(int line, const motion::MotionRequest& request,
   commanded.along = path;
   const bool planned =
       lay_events(commanded) && take(line, planner_.plan(request, *path), commanded);
+  if (planned && commanded.leg && commanded.leg->pace) {
+    const motion::PaceLaw& pace = *commanded.leg->pace;
+    for (motion::PathEvent& event : commanded.segment.on_the_way)
+      event.share = pace.time_at(event.share) / pace.duration();
+  }
   if (!collecting()) commanded.along.reset();
   return planned;
 }
@@ -240,9 +245,8 @@ void RobotMachine::warn(int line, const Commanded& commanded,
                 "leave it out, or write LAW LOOKAHEAD"});
   }
   if ((planned.warnings & motion::PlannedSegment::kPaceCut) != 0) {
-    log_.found({lang::Severity::Warning, code::kAboveAxes, place,
-                "AT asks for more than the axes can do",
-                "the motion runs as fast as its axes permit"});
+    const Words words = words_for_pace_cut(planned.pace_cut, robot_);
+    log_.found({lang::Severity::Warning, words.code, place, words.message, words.help});
   }
   if ((planned.warnings & motion::PlannedSegment::kStretched) != 0) {
     log_.found({lang::Severity::Warning, code::kTooShort, place,

@@ -58,6 +58,23 @@ const char* words_for(motion::SingularPlace place) {
 
 }  // namespace
 
+Words words_for_pace_cut(const motion::PlannedSegment::PaceCut& cut,
+                         const motion::RobotModel& robot) {
+  std::string text = "AT asks for more than the axes can do";
+  if (cut.axis >= 0) {
+    const auto kind = cut.turning ? motion::AxisKind::Rotary : motion::AxisKind::Linear;
+    const auto place = [&](double at) { return shown(at * shown_per_si(kind), 1); };
+    text += fmt::format(": axis {} holds it from {} to {} {} of {} {}",
+                        axis_in(robot, cut.axis).name, place(cut.from), place(cut.to),
+                        unit_name(kind), place(cut.way), unit_name(kind));
+  }
+  constexpr double kTold = 0.005;  // s: 0.01 s of what is shown
+  if (cut.longer >= kTold)
+    text += fmt::format("{} the motion takes {} s longer", cut.axis >= 0 ? "," : ":",
+                        shown(cut.longer, 2));
+  return {code::kAboveAxes, text, "the motion runs as fast as its axes permit"};
+}
+
 std::string by_how_much(const motion::Shortfall& shortfall) {
   using Kind = motion::Shortfall::Kind;
   constexpr double kShown = 1e-6;  // m: finer than any arm repeats
