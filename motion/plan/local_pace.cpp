@@ -11,6 +11,8 @@ namespace {
 
 /// [choice] Of an axis' acceleration, what a steady rate may take: the rest changes the rate.
 constexpr double kSteady = 0.8;
+/// [choice] The same of its jerk, which changes of the rate where the path bends need as much of.
+constexpr double kSteadyJerk = 0.5;
 /// [choice] In each piece of the axes so many places are looked at.
 constexpr int kParts = 8;
 
@@ -34,6 +36,20 @@ double steady_rate(const RobotModel& robot, const PathPoint& point, const PaceWi
     rate = std::min(rate, 2 * steady / (linear + std::sqrt(linear * linear + 4 * bend * steady)));
   }
   return rate;
+}
+
+/// |q_sss|·c³ <= what is steady, from place to place.
+void keep_jerk(const RobotModel& robot, std::vector<PacedPlace>& places) {
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const JointVector bends = places[k].axes.qdd - places[k - 1].axes.qdd;
+    for (int i = 0; i < robot.axis_count(); ++i) {
+      const double third = std::abs(bends[i]) / (places[k].s - places[k - 1].s);
+      const double most = kSteadyJerk * robot.axes[static_cast<std::size_t>(i)].j_max;
+      const double rate = std::cbrt(most / third);
+      places[k].rate = std::min(places[k].rate, rate);
+      places[k - 1].rate = std::min(places[k - 1].rate, rate);
+    }
+  }
 }
 
 /// 1/s² by which a rate may change where the axes keep it.
@@ -94,6 +110,7 @@ std::optional<PaceLaw> local_pace(const RobotModel& robot, const JointPath& axes
   };
   if (!std::all_of(places.begin(), places.end(), moves)) return std::nullopt;
   const double average = mean_for(robot);
+  keep_jerk(robot, places);
   spread(places, average);
   follow_changes(robot, wish.change, places.begin(), places.end());
   follow_changes(robot, wish.change, places.rbegin(), places.rend());

@@ -114,8 +114,9 @@ std::optional<PaceLaw> MotionPlanner::pace(const MotionRequest& request, const T
   const double evenly =
       std::max({asked, axes_time / wish.share, least_time(robot_, axes, wish.change, axis)});
   const double worth = asked > 0 ? kWorthWithPace : kWorthFree;
+  const double corners = t_acc_before_ + t_acc;  // it takes no less
   auto law = local_pace(robot_, axes, wish);
-  return law && evenly > worth * law->duration() ? law : std::nullopt;
+  return law && evenly > worth * std::max(law->duration(), corners) ? law : std::nullopt;
 }
 
 /// The first thing on the way that cannot be: an axis beyond its limits or too fast, or the end of
