@@ -55,16 +55,23 @@ constexpr double kRounding = 1e-9;
 Finding judge(const RobotModel& robot, const Corner& corner, double braking) {
   Finding finding = Finding::Good;
   constexpr int kLooks = 16;
-  corner.axes.survey(kLooks, [&](double /*t*/, const PathPoint& point) {
+  constexpr double kJerk = 1.05;  // [choice] what a mean over a look leaves of rounding
+  double before = 0;
+  JointVector qdd;
+  corner.axes.survey(kLooks, [&](double t, const PathPoint& point) {
     for (int i = 0; i < robot.axis_count(); ++i) {
       const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
       const double speed = std::abs(point.qd[i]);
       const double acceleration = std::abs(point.qdd[i]) + speed * braking;
       const bool placed = point.q[i] >= axis.min - kRounding && point.q[i] <= axis.max + kRounding;
       if (acceleration > axis.a_max * (1 + kRounding)) finding = Finding::TooHard;
+      if (qdd.size() > 0 && std::abs(point.qdd[i] - qdd[i]) > kJerk * axis.j_max * (t - before))
+        finding = Finding::TooHard;
       if (finding != Finding::TooHard && (!placed || speed > axis.v_max * (1 + kRounding)))
         finding = Finding::Beyond;
     }
+    before = t;
+    qdd = point.qdd;
   });
   return finding;
 }

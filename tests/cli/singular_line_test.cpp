@@ -128,3 +128,32 @@ TEST_CASE("W601 tells where an axis holds the speed, and how much longer that ta
   CHECK(contains(told, " mm of 400 mm, the motion takes "));
   CHECK(contains(told, " s longer"));
 }
+
+TEST_CASE("corners beside singular places keep jerk, or are stops") {
+  // A small zone asks for a short corner, in which the wrist turns fast: third differences of the
+  // references were three times j_max.
+  const RobCommand rob(
+      "LAW PAUL\n"
+      "MOVE JOINTS(5.018deg, 0.091deg, 28.889deg, 15.155deg, 1deg, 2.24deg) FINE\n"
+      "MOVEL FORWARD(JOINTS(-1.487deg, 4.833deg, 27.212deg, 27.031deg, 40deg, 53.107deg))"
+      " OVER 3.1s ZONE 1mm\n"
+      "MOVEL FORWARD(JOINTS(1.474deg, 11.202deg, 34.74deg, 71.114deg, 5deg, 62.222deg))"
+      " AT 50% ZONE 1mm\n"
+      "MOVEL FORWARD(JOINTS(-2.174deg, 4.604deg, 30.512deg, 64.07deg, 1deg, 19.77deg))"
+      " AT 500mm/s FINE\n");
+  const std::string file = rob.file("trace.csv");
+  const auto result = rob("run", {"--robot", "lwa4p", "--fast", "--trace", file});
+  REQUIRE(result.exit_code == 0);
+  CHECK(contains(result.err + result.out, "W641"));
+  const auto rows = rob::test::parse_trace(rob::test::read_whole_file(file)).rows;
+  const double period = rows[1].t - rows[0].t;
+  double most[6] = {};
+  for (std::size_t k = 3; k < rows.size(); ++k) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      const auto q = [&](std::size_t at) { return rows[at].q[i]; };
+      const double third = q(k) - 3 * q(k - 1) + 3 * q(k - 2) - q(k - 3);
+      most[i] = std::max(most[i], std::abs(third) / (period * period * period));
+    }
+  }
+  for (std::size_t i = 0; i < 6; ++i) CHECK(most[i] <= 1.1 * (i < 3 ? 5000 : 8000));  // lwa4p.toml
+}
