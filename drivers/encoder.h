@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 namespace rob::drivers {
 
 /// An incremental encoder and the velocity estimate of the drive that counts it. m or rad, s.
@@ -18,17 +20,31 @@ class Encoder {
   /// [choice] ω, rad/s: 3.3 ms late, which costs a loop of 40 rad/s some 10° of phase.
   static constexpr double kBandwidth = 600;
 
+  /// The most samples that are taken at once.
+  static constexpr int kBlock = 32;
+  /// Positions at samples that follow each other.
+  using Block = Eigen::Array<double, Eigen::Dynamic, 1, 0, kBlock, 1>;
+
   /// Counts of `resolution`, > 0.
   explicit Encoder(double resolution);
 
   double position(double q) const noexcept;
   void sample(double q) noexcept;
+  /// As sample() of each of them in turn, but for rounding.
+  void sample(const Block& q) noexcept;
+  /// What further samples at q would not change.
+  bool rests_at(double q) const noexcept { return v_ == 0 && x_ == position(q); }
   /// As if it had followed q, v for a long time.
   void settle(double q, double v) noexcept;
   double velocity() const noexcept { return v_; }
 
  private:
+  /// What n samples make of the filter, which is linear in them.
+  struct Response;
+  static const Response& response() noexcept;
+
   double resolution_;
+  double per_metre_;  ///< counts, or per rad
   double alpha_;
   double beta_;
   double x_ = 0;

@@ -33,7 +33,19 @@ double time_to_rest(double v, double a, double k) noexcept {
 }  // namespace
 
 SimAxis::SimAxis(const motion::DriveData& drive)
-    : drive_(drive), encoder_(drive.encoder_resolution) {}
+    : drive_(drive),
+      encoder_(drive.encoder_resolution),
+      times_(Encoder::kBlock),
+      ways_(Encoder::kBlock),
+      gains_(Encoder::kBlock) {
+  const double k = drive.viscous_friction / drive.inertia;
+  for (int i = 0; i < Encoder::kBlock; ++i) {
+    const double t = (i + 1) * Encoder::kPeriod;
+    times_[i] = t;
+    ways_[i] = t * t * phi2(k * t);
+    gains_[i] = t * phi1(k * t);
+  }
+}
 
 void SimAxis::place(double q) noexcept {
   q_ = q;
@@ -75,8 +87,8 @@ void SimAxis::advance(double dt) noexcept {
   note_step(dt);
   double left = dt;
   while (left > 0) {
-    const double s = v_ != 0 ? std::copysign(1.0, v_) : std::copysign(1.0, u_);
-    if (v_ == 0 && std::abs(u_) <= resistance()) return;
+    const double s = direction();
+    if (stands()) return;
     const double a = (u_ - s * resistance()) / m - k * v_;
     const double end = left == dt ? v_ + a * dt * step_phi1_ : 0;
     if (end * s > 0) {
@@ -90,6 +102,35 @@ void SimAxis::advance(double dt) noexcept {
     v_ = rest <= left ? 0 : v_ + a * t * phi1(k * t);
     left -= t;
   }
+}
+
+void SimAxis::advance_sampled(std::int64_t count) noexcept {
+  while (count > 0) {
+    if (stands() && encoder_.rests_at(q_)) return;
+    const int block = static_cast<int>(std::min<std::int64_t>(count, Encoder::kBlock));
+    if (!pass_samples(block)) {
+      for (int i = 0; i < block; ++i) {
+        advance(Encoder::kPeriod);
+        sample();
+      }
+    }
+    count -= block;
+  }
+}
+
+/// False, and nothing done, if the axis stands or comes to rest meanwhile.
+bool SimAxis::pass_samples(int count) noexcept {
+  if (stands()) return false;
+  const double m = drive_.inertia;
+  const double s = direction();
+  const double a = (u_ - s * resistance() - drive_.viscous_friction * v_) / m;
+  const double end = v_ + a * gains_[count - 1];
+  if (end * s <= 0) return false;
+  const Encoder::Block q = q_ + v_ * times_.head(count) + a * ways_.head(count);
+  q_ = q[count - 1];
+  v_ = end;
+  encoder_.sample(q);
+  return true;
 }
 
 }  // namespace rob::drivers

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+
 #include "drivers/encoder.h"
 #include "motion/servo/drive_data.h"
 
@@ -24,6 +27,9 @@ class SimAxis {
   void release() noexcept { push(0); }
 
   void advance(double dt) noexcept;
+  /// `count` whole periods of the encoder, with a sample at the end of each. In one step where the
+  /// speed does not pass 0, else one by one; the same but for rounding.
+  void advance_sampled(std::int64_t count) noexcept;
   /// The encoder's sample, every Encoder::kPeriod.
   void sample() noexcept { encoder_.sample(q_); }
   /// After a time in which no samples were taken.
@@ -37,6 +43,9 @@ class SimAxis {
  private:
   double resistance() const noexcept;
   void note_step(double dt) noexcept;
+  bool stands() const noexcept { return v_ == 0 && std::abs(u_) <= resistance(); }
+  double direction() const noexcept { return std::copysign(1.0, v_ != 0 ? v_ : u_); }
+  bool pass_samples(int count) noexcept;
 
   motion::DriveData drive_;
   Encoder encoder_;
@@ -44,6 +53,10 @@ class SimAxis {
   double v_ = 0;
   double u_ = 0;
   bool holding_ = false;
+  /// After each of so many periods: q + v·times_ + a·ways_, v + a·gains_.
+  Encoder::Block times_;
+  Encoder::Block ways_;
+  Encoder::Block gains_;
   double step_ = 0;  ///< s, of the last advance(), and the φ of it
   double step_phi1_ = 1;
   double step_phi2_ = 0.5;

@@ -75,6 +75,11 @@ void SimGantry::sample() noexcept {
   for (SimAxis& axis : axes_) axis.sample();
 }
 
+void SimGantry::advance_sampled(std::int64_t count) noexcept {
+  if (follows_pulses_) return SimMachine::advance_sampled(count);
+  for (SimAxis& axis : axes_) axis.advance_sampled(count);
+}
+
 void SimGantry::settle() noexcept {
   for (SimAxis& axis : axes_) axis.settle();
 }

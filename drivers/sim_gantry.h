@@ -39,6 +39,7 @@ class SimGantry final : public SimMachine {
   void release() noexcept override;
   void advance(double dt) noexcept override;
   void sample() noexcept override;
+  void advance_sampled(std::int64_t count) noexcept override;
   void settle() noexcept override;
   void measure(motion::JointVector& q, motion::JointVector& qd) const noexcept override;
 

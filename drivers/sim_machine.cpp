@@ -15,6 +15,10 @@ namespace {
 // what was before. 50 ms are thirty of its time constants.
 constexpr double kSampledGap = 0.05;
 
+// Of a period: what rounding can make of the same instant. So little time is not gone through but
+// left to the next step.
+constexpr double kSameSample = 1e-9;
+
 void check_channel(int channel) {
   if (channel < 0 || channel > 63) throw std::invalid_argument("SimMachine: channel beyond 0…63");
 }
@@ -95,14 +99,28 @@ void SimMachine::advance_to(double now) noexcept {
 
 void SimMachine::sample_to(double now) noexcept {
   if (!started_ || now - time_ > kSampledGap) skip_to(started_ ? now - kSampledGap : now);
-  double next = origin_ + static_cast<double>(samples_ + 1) * Encoder::kPeriod;
-  while (next <= now) {
-    move_to(next);
+  const auto due = static_cast<std::int64_t>((now - origin_) / Encoder::kPeriod + kSameSample);
+  if (due > samples_ && time_ > sample_instant(samples_)) {  // the period that has begun
+    move_to(sample_instant(++samples_));
     sample();
-    ++samples_;
-    next = origin_ + static_cast<double>(samples_ + 1) * Encoder::kPeriod;
+  }
+  if (due > samples_) {
+    advance_sampled(due - samples_);
+    samples_ = due;
+    time_ = sample_instant(due);
   }
   move_to(now);
+}
+
+void SimMachine::advance_sampled(std::int64_t count) noexcept {
+  for (std::int64_t i = 0; i < count; ++i) {
+    advance(Encoder::kPeriod);
+    sample();
+  }
+}
+
+double SimMachine::sample_instant(std::int64_t number) const noexcept {
+  return origin_ + static_cast<double>(number) * Encoder::kPeriod;
 }
 
 // To `now` in one step; the encoders' samples count from there.
@@ -116,7 +134,7 @@ void SimMachine::skip_to(double now) noexcept {
 }
 
 void SimMachine::move_to(double now) noexcept {
-  if (now <= time_) return;
+  if (now - time_ <= kSameSample * Encoder::kPeriod) return;
   advance(now - time_);
   time_ = now;
 }

@@ -53,6 +53,8 @@ class SimMachine : public motion::ServoBackend {
   virtual void release() noexcept = 0;  ///< the drives have no force
   virtual void advance(double dt) noexcept = 0;
   virtual void sample() noexcept = 0;  ///< the encoders' sample, every Encoder::kPeriod
+  /// `count` whole periods of the encoders, with a sample at the end of each.
+  virtual void advance_sampled(std::int64_t count) noexcept;
   virtual void settle() noexcept = 0;  ///< the encoders', after a time without samples
   virtual void measure(motion::JointVector& q, motion::JointVector& qd) const noexcept = 0;
 
@@ -61,6 +63,7 @@ class SimMachine : public motion::ServoBackend {
   void sample_to(double now) noexcept;
   void skip_to(double now) noexcept;
   void move_to(double now) noexcept;
+  double sample_instant(std::int64_t number) const noexcept;
 
   motion::JointVector start_;
   std::vector<SimActuator> actuators_;
