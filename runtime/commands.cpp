@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -145,6 +146,7 @@ RunResult run_one(LoadedProgram& program, const Options& options, const SignalSc
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
   find_out_whether_points_can_be_kept(program);
+  put_source_away(program);
   std::optional<Foretold> foretold;
   if (isatty(STDERR_FILENO) != 0 || robot.law == motion::Law::LookAhead)
     foretold =
@@ -200,8 +202,12 @@ void refuse_overwriting_inputs(std::string_view option, const std::string& outpu
 std::string problems_text(const RunResult& result, const LoadedProgram& program,
                           const SignalScript& script) {
   const bool in_script = program.runnable() && script.diagnostics.has_errors();
-  return in_script ? problems_text(result, script.source)
-                   : problems_text(result, program.source, program.compilation.used);
+  if (in_script) return problems_text(result, script.source);
+  std::set<std::uint32_t> lines;
+  for (const lang::Diagnostic& finding : result.findings) lines.insert(finding.place.line);
+  if (result.error) lines.insert(result.error->place.line);
+  return problems_text(result, lines.empty() ? "" : source_lines(program, lines),
+                       program.compilation.used);
 }
 
 ExitCode run_files(const Options& options) {
@@ -250,6 +256,7 @@ RunResult check_one(LoadedProgram& program, const Options& options, const Signal
   const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
+  put_source_away(program);
   std::optional<PathFile> path = open_path(options, program);
   ForetellOptions how{options.seed, &script, 1, path ? &*path : nullptr, options.longest};
   Progress progress(options.longest);

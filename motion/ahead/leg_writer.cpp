@@ -19,24 +19,26 @@ bool LegWriter::fits() noexcept {
 void LegWriter::write(const ShapedLeg& leg, double decides, int average, bool pauses) {
   if (!leg.stretch) {
     if (leg.segment.duration >= few_periods(robot_)) singles_.push_back(written_);
-    ++written_;
-    ring_.push({leg.segment, leg.begin, leg.end(), decides, average, pauses, leg.length()});
+    push({leg.segment, leg.begin, leg.end(), decides, average, pauses, leg.length()});
     return;
   }
   for (const PathStretch::Member& member : leg.stretch->members) {
     if (!member.begins) continue;
     const double begin = leg.begin + member.begin;
     const bool last = &member == &leg.stretch->members.back();
-    ring_.push({member.segment, begin, leg.begin + member.end,
-                last ? std::max(begin, decides) : begin, average, pauses, member.before,
-                member.beyond});
-    ++written_;
+    push({member.segment, begin, leg.begin + member.end, last ? std::max(begin, decides) : begin,
+          average, pauses, member.before, member.beyond});
   }
 }
 
-void LegWriter::write_at(const SegmentDescriptor& segment, double sigma) {
-  ring_.push({segment, sigma, sigma, sigma, 1});
+void LegWriter::push(const PathLeg& leg) {
+  boxes_.keep(leg.segment);
+  ring_.push(leg);
   ++written_;
+}
+
+void LegWriter::write_at(const SegmentDescriptor& segment, double sigma) {
+  push({segment, sigma, sigma, sigma, 1});
 }
 
 void LegWriter::write_at(const PathItem& item, double sigma) {

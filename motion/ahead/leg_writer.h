@@ -6,6 +6,7 @@
 
 #include "motion/ahead/path_ring.h"
 #include "motion/ahead/path_shape.h"
+#include "motion/plan/sent_boxes.h"
 
 namespace rob::motion {
 
@@ -19,7 +20,7 @@ class LegWriter {
  public:
   /// `single`: how many motions in the ring may be ones that are counted.
   LegWriter(const RobotModel& robot, PathRing& ring, std::size_t single)
-      : robot_(robot), ring_(ring), single_(single) {}
+      : robot_(robot), ring_(ring), single_(single), boxes_(robot) {}
 
   /// The most motions with a way that an item may carry.
   std::size_t most_members() const noexcept;
@@ -32,11 +33,15 @@ class LegWriter {
   void write_at(const PathItem& item, double sigma);
 
  private:
+  /// Events that were laid anew on a curve are boxed here, not by who has sent the motion.
+  void push(const PathLeg& leg);
+
   const RobotModel& robot_;
   PathRing& ring_;
   std::size_t single_;
   std::uint64_t written_ = 0;
   std::deque<std::uint64_t> singles_;  ///< those in the ring that are counted
+  SentBoxes boxes_;
 };
 
 }  // namespace rob::motion

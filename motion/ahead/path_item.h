@@ -53,7 +53,7 @@ struct PathItem {
 
 /// It has a target and no law of its own.
 inline bool moves(const SegmentDescriptor& segment) {
-  return !segment.no_length && !segment.dwell && !segment.jog.present() &&
+  return !segment.no_length && !segment.dwell && !segment.jog->present() &&
          !segment.profile.present();
 }
 /// It has a way on the path.

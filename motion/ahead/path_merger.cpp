@@ -253,7 +253,7 @@ void PathMerger::place_events(double before, const CurvePart& part, double beyon
   const double length = segment.ahead.length;
   const double knot = run_->fit.knot();
   const double total = before + (part.end - part.begin) * knot + beyond;
-  for (PathEvent& event : segment.on_the_way) {
+  segment.on_the_way.change_each([&](PathEvent& event) {
     const double way = std::clamp(event.share, 0.0, 1.0) * length;
     double sigma = way;
     if (way >= length - beyond) {
@@ -263,7 +263,7 @@ void PathMerger::place_events(double before, const CurvePart& part, double beyon
       sigma = before + (run_->fit.at_place(part.begin, part.end, place) - part.begin) * knot;
     }
     event.share = sigma / total;
-  }
+  });
 }
 
 PathItem PathMerger::item_of(std::size_t members) {

@@ -17,7 +17,7 @@ constexpr double kAnyPace = std::numeric_limits<double>::infinity();
 
 bool has_way(const SegmentDescriptor& segment) noexcept {
   return segment.ahead.length > 0 && !segment.no_length && !segment.dwell &&
-         !segment.jog.present() && !segment.profile.present();
+         !segment.jog->present() && !segment.profile.present();
 }
 
 /// σ that differ by less are one place: rounding of the sum of a path's lengths.
@@ -69,7 +69,7 @@ const SegmentDescriptor* LookAheadGenerator::next_segment() const noexcept {
 void LookAheadGenerator::pop_segment() noexcept { ring_.pop_leg(); }
 
 bool LookAheadGenerator::begins_at_stamp(const SegmentDescriptor& next) const noexcept {
-  return has_way(next) || next.jog.present() || next.profile.present();
+  return has_way(next) || next.jog->present() || next.profile.present();
 }
 
 void LookAheadGenerator::skip(double gap) noexcept {

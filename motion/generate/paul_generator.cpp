@@ -82,7 +82,7 @@ void PaulGenerator::decide(double instant) noexcept {
   if (segment().ends_at_rest()) return follow_from_rest(instant);
   const bool nothing_else = closed();  // before looking: all that was pushed is then seen
   const SegmentDescriptor* const next = next_to_begin();
-  if (next != nullptr && (next->from_rest || next->jog.present())) return begin_stop();
+  if (next != nullptr && (next->from_rest || next->jog->present())) return begin_stop();
   if (next != nullptr && take_up(*next, instant)) return pop_segment();
   if (!nothing_else) tell_late_decision(instant);
   begin_stop();

@@ -198,8 +198,8 @@ void SegmentGenerator::start_from_rest() noexcept {
   finished_ = false;
   if (braking_) return;
   if (hit_at_start(*next, stamp_)) return pop_segment();
-  if ((next->jog.present() || next->profile.present()) && !settled()) return;
-  if (next->jog.present()) return begin_jog(*next, stamp_);
+  if ((next->jog->present() || next->profile.present()) && !settled()) return;
+  if (next->jog->present()) return begin_jog(*next, stamp_);
   if (!take_up(*next, stamp_)) return;
   pop_segment();
   while (dwelling() && !settling() && segment_.duration == 0) {

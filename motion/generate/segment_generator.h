@@ -89,7 +89,7 @@ class SegmentGenerator : public TrajectoryGenerator {
   virtual bool closed() const noexcept { return buffer_.closed(); }
   /// Not at the exact end of what comes before it.
   virtual bool begins_at_stamp(const SegmentDescriptor& next) const noexcept {
-    return next.jog.present();
+    return next.jog->present();
   }
 
   // The law. Of these only what is said to be is called while the axes are not on_path().
@@ -143,8 +143,8 @@ class SegmentGenerator : public TrajectoryGenerator {
   SegmentDescriptor& segment() noexcept { return segment_; }
   bool running() const noexcept { return running_; }
   bool dwelling() const noexcept { return running_ && segment_.dwell; }
-  bool jogging() const noexcept { return running_ && segment_.jog.present(); }
-  bool on_path() const noexcept { return running_ && !segment_.dwell && !segment_.jog.present(); }
+  bool jogging() const noexcept { return running_ && segment_.jog->present(); }
+  bool on_path() const noexcept { return running_ && !segment_.dwell && !segment_.jog->present(); }
   /// The axes shall come to rest on the path, and stand there.
   bool stopping() const noexcept { return holding() || braking_; }
   /// It ends there.

@@ -33,13 +33,13 @@ std::uint8_t number_of(const JogLimit& limit) noexcept {
 }  // namespace
 
 bool SegmentGenerator::jog_is_over() const noexcept {
-  return jog_done_ >= segment_.jog.lasts - kSameInstant;
+  return jog_done_ >= segment_.jog->lasts - kSameInstant;
 }
 
 /// The axes stand, or are those of a jog that it joins. Its first period follows `instant`.
 void SegmentGenerator::begin_jog(const SegmentDescriptor& segment, double instant) noexcept {
   if (!jogging()) jog_.stand_at(segment_.target);
-  jog_.aim(segment.jog);
+  jog_.aim(*segment.jog);
   const std::uint32_t before = segment_.number;
   const JointVector from = segment_.target;
   segment_ = segment;
@@ -63,7 +63,7 @@ void SegmentGenerator::run_jog() noexcept {
   jog_.step(share);
   jog_done_ += period_ * share;
   report_jog_stopped();
-  const bool ends_here = jog_.stopped() && jog_.stands() && segment_.jog.lasts == JogRates::kAny;
+  const bool ends_here = jog_.stopped() && jog_.stands() && segment_.jog->lasts == JogRates::kAny;
   if (ends_here) jog_done_ = JogRates::kAny;
   if (jog_is_over() && jog_.stands() && !braking_) end_jog();
 }
@@ -73,8 +73,8 @@ void SegmentGenerator::run_jog() noexcept {
 void SegmentGenerator::join_jog() noexcept {
   const SegmentDescriptor* const next = faulted_ ? nullptr : next_segment();
   const bool may = jog_share() > 0 && !segment_.guard.present();
-  if (!may || next == nullptr || !next->jog.present() || !jog_.takes(next->jog)) return;
-  if (!jog_is_over() && !next->jog.at_once) return;
+  if (!may || next == nullptr || !next->jog->present() || !jog_.takes(*next->jog)) return;
+  if (!jog_is_over() && !next->jog->at_once) return;
   const double instant = stamp_ - period_;
   begin_jog(*next, instant);
   fire_effects(instant);

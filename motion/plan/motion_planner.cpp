@@ -33,7 +33,8 @@ MotionPlanner::MotionPlanner(const RobotModel& robot, const JointVector& start) 
       tool_speed_(linear_speed_),
       arms_(JointVector::Zero(start.size())),
       commanded_(start),
-      kept_(static_cast<std::size_t>(robot.most_ahead()) + kMostRunning) {
+      kept_(static_cast<std::size_t>(robot.most_ahead()) + kMostRunning),
+      boxes_(robot) {
   set_tool({});
 }
 

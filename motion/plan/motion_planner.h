@@ -15,6 +15,7 @@
 #include "motion/plan/motion_request.h"
 #include "motion/plan/planned_segment.h"
 #include "motion/plan/segment_descriptor.h"
+#include "motion/plan/sent_boxes.h"
 #include "motion/plan/torque_share.h"
 #include "motion/robots/robot_model.h"
 #include "motion/space/pose.h"
@@ -58,8 +59,8 @@ namespace rob::motion {
 /// On an arm a ZONE's t_C counts with the tool's speed at the target, before and behind it alike;
 /// the corner itself is then made so short that it misses the target by no more.
 ///
-/// SI. Only plan() along a path, and with a zone on an arm, takes memory. One thread, the
-/// program's.
+/// SI. Only plan() along a path, and with a zone on an arm, jog() and sends() take memory. One
+/// thread, the program's.
 class MotionPlanner {
  public:
   /// A motion that takes longer is refused. [choice: 11 days; the generator's clock resolves
@@ -114,6 +115,9 @@ class MotionPlanner {
   class Mark;
   Mark mark() const;
   void go_back(const Mark& mark);
+
+  /// Before a segment goes to the generator: what it has boxed is kept as long as it can run.
+  void sends(const SegmentDescriptor& segment) { boxes_.keep(segment); }
 
   const JointVector& commanded() const noexcept { return commanded_; }
   /// Number of the last segment made; 0: none yet. What an effect behind it carries.
@@ -220,6 +224,7 @@ class MotionPlanner {
   /// Those that segments in the buffer, the running one and the one before it point into.
   std::vector<std::shared_ptr<const PlannedLeg>> kept_;
   std::size_t next_kept_ = 0;
+  SentBoxes boxes_;
 };
 
 class MotionPlanner::Mark {

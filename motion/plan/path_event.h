@@ -1,11 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <type_traits>
 
+#include "motion/plan/boxed.h"
 #include "motion/plan/motion_request.h"
 
 namespace rob::motion {
@@ -52,43 +53,42 @@ struct PathEvent {
   Effect effect{};   ///< `after`: the number of its motion
 };
 
-/// What happens on the way of one motion, as it is written. Motions are copied often and have
-/// mostly nothing of it: a copy costs what there is.
+/// What happens on the way of one motion, as it is written: mostly nothing.
 class EventsOnTheWay {
  public:
-  /// [choice] as many as are on a leg of a seam, and the buffer stays small
+  /// [choice] as many as are on a leg of a seam
   static constexpr std::size_t kMost = 8;
 
-  EventsOnTheWay() noexcept {}
-  EventsOnTheWay(const EventsOnTheWay& other) noexcept { *this = other; }
-  EventsOnTheWay& operator=(const EventsOnTheWay& other) noexcept {
-    if (this == &other) return *this;
-    count_ = 0;
-    for (const PathEvent& event : other) push_back(event);
-    return *this;
-  }
-
-  bool full() const noexcept { return count_ == kMost; }
-  std::size_t size() const noexcept { return count_; }
-  const PathEvent* begin() const noexcept { return events_; }
-  const PathEvent* end() const noexcept { return events_ + count_; }
-  PathEvent* begin() noexcept { return events_; }
-  PathEvent* end() noexcept { return events_ + count_; }
-  const PathEvent& operator[](std::size_t i) const noexcept { return events_[i]; }
-  void clear() noexcept { count_ = 0; }
+  bool full() const noexcept { return size() == kMost; }
+  std::size_t size() const noexcept { return list_->count; }
+  const PathEvent* begin() const noexcept { return list_->events.data(); }
+  const PathEvent* end() const noexcept { return begin() + size(); }
+  const PathEvent& operator[](std::size_t i) const noexcept { return list_->events[i]; }
+  void clear() noexcept { list_.clear(); }
   /// Not if it is full.
-  void push_back(const PathEvent& event) noexcept {
+  void push_back(const PathEvent& event) {
     assert(!full());
-    std::construct_at(events_ + count_++, event);
+    List list = *list_;
+    list.events[list.count++] = event;
+    list_ = list;
   }
+  /// `change` is called with every event; other copies stay as they are.
+  template <typename Change>
+  void change_each(Change change) {
+    if (size() == 0) return;
+    List list = *list_;
+    for (std::size_t i = 0; i < list.count; ++i) change(list.events[i]);
+    list_ = list;
+  }
+  std::shared_ptr<const void> box() const noexcept { return list_.box(); }
 
  private:
-  static_assert(std::is_trivially_destructible_v<PathEvent>);
-
-  std::size_t count_ = 0;
-  union {
-    PathEvent events_[kMost];  // the first `count_` of them exist
+  struct List {
+    std::size_t count = 0;
+    std::array<PathEvent, kMost> events;
   };
+
+  Boxed<List> list_;
 };
 
 }  // namespace rob::motion

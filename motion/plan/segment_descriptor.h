@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "motion/path/joint_path.h"
+#include "motion/plan/boxed.h"
 #include "motion/plan/corner.h"
 #include "motion/plan/jog_rates.h"
 #include "motion/plan/leg_bounds.h"
@@ -32,7 +33,7 @@ struct SegmentMotion {
   std::uint32_t generation = 1;
   /// No target, but rates; begins at rest, or joins a jog before. `duration` is what it lasts, 0
   /// where only something else ends it.
-  JogRates jog{};
+  Boxed<JogRates> jog{};
   LivePace live{};  ///< slows it down, as long as it runs
   Watch guard{};    ///< ends it early: UNTIL. Also of the stop that makes it exact
   /// Of one that ends at rest: it is done when the measured robot is within this window.

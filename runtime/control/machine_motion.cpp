@@ -195,7 +195,8 @@ bool RobotMachine::take(int line, const motion::PlanOutcome& outcome, Commanded&
     segment.live.self = commanded.live->pace.self;
   }
   commanded.leg = planned.leg;
-  for (motion::PathEvent& event : segment.on_the_way) event.effect.after = segment.number;
+  segment.on_the_way.change_each(
+      [&](motion::PathEvent& event) { event.effect.after = segment.number; });
   return true;
 }
 

@@ -300,7 +300,7 @@ void RobotMachine::queue(Commanded commanded) {
 
 void RobotMachine::follow(const motion::SegmentDescriptor& segment) {
   exact_ = segment.ends_at_rest();
-  jogging_ = segment.jog.present();
+  jogging_ = segment.jog->present();
   settling_.follow(segment);
   const bool mark = segment.dwell && segment.duration == 0 && !segment.settle.present();
   if (!mark) awaited_ = segment.number;
@@ -313,6 +313,7 @@ void RobotMachine::send(Commanded commanded) {
   if (errand_) logged.number += kHandlerNumbers;
   log_.planned(logged);  // before the generator can report it
   sent_ = segment.number;
+  planner_.sends(segment);
   buffer_.push(segment);  // there is room: only this thread fills the buffer
   remember(std::move(commanded));
 }

@@ -1,6 +1,8 @@
 #include "runtime/program/load.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,6 +30,27 @@ namespace {
 constexpr std::size_t kMostSource = std::size_t{32} << 20U;    // bytes, the language's own limit
 constexpr std::size_t kMostScript = std::size_t{1} << 20U;     // bytes [choice] for 1000 lines
 constexpr std::size_t kMostRobotFile = std::size_t{1} << 20U;  // bytes [choice] 100 × the longest
+
+/// [choice] What is shorter takes less than a tenth of the memory of a run.
+constexpr std::size_t kLongSource = std::size_t{1} << 20U;
+
+/// The FNV-1a hash of the lines before, and of a further one.
+constexpr std::uint64_t kNoText = 14695981039346656037U;
+std::uint64_t print_with(std::uint64_t before, std::string_view line) {
+  constexpr std::uint64_t kPrime = 1099511628211U;
+  for (const char c : line) before = (before ^ static_cast<unsigned char>(c)) * kPrime;
+  return (before ^ static_cast<unsigned char>('\n')) * kPrime;
+}
+
+std::uint64_t print_of(std::string_view text) {
+  std::uint64_t print = kNoText;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    print = print_with(print, text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return print;
+}
 
 constexpr const char* kDefaultRobot = "gantry";
 
@@ -103,6 +126,28 @@ void settle_law(LoadedProgram& program, std::optional<motion::Law> asked) {
 }
 
 }  // namespace
+
+void put_source_away(LoadedProgram& program) {
+  if (program.source.size() < kLongSource) return;
+  program.put_away = print_of(program.source);
+  program.source.clear();
+  program.source.shrink_to_fit();
+}
+
+std::string source_lines(const LoadedProgram& program, const std::set<std::uint32_t>& shown) {
+  if (!program.put_away) return program.source;
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(program.file, none)) return "";
+  std::ifstream file(program.file, std::ios::binary);
+  std::uint64_t print = kNoText;
+  std::string text;
+  std::string line;
+  for (std::uint32_t number = 1; std::getline(file, line); ++number) {
+    print = print_with(print, line);
+    text += shown.contains(number) ? line + "\n" : "\n";
+  }
+  return print == *program.put_away ? text : "";
+}
 
 std::vector<std::string> used_names(const LoadedProgram& program) {
   std::vector<std::string> names;

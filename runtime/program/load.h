@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,12 +19,19 @@ namespace rob::runtime {
 /// `robot` is under the law that the program runs under.
 struct LoadedProgram {
   std::string file;
-  std::string source;
+  std::string source;  ///< empty while it is put away
   motion::RobotModel robot;
   lang::Compilation compilation;
+  std::optional<std::uint64_t> put_away{};  ///< the hash of the text that is
 
   bool runnable() const { return compilation.chunk.has_value(); }
 };
+
+/// Gives the memory of a long text back once the program is compiled: only messages need it.
+void put_source_away(LoadedProgram& program);
+/// The text for messages that show these lines, counted from 1. Where it is put away it is read
+/// anew, the other lines empty; and nothing if its file is not what it was any more.
+std::string source_lines(const LoadedProgram& program, const std::set<std::uint32_t>& shown);
 
 /// What the files are called that it USEs, by lang::Place::file from 1.
 std::vector<std::string> used_names(const LoadedProgram& program);

@@ -36,15 +36,15 @@ RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share,
 void RunRecorder::drain() {
   Intervention intervention;
   while (channels_.interventions.take(intervention)) take(intervention);
-  Snapshot snapshot;
-  while (channels_.snapshots.take(snapshot)) {
+  while (const Snapshot* const snapshot = channels_.snapshots.front()) {
     const MotionEvent* event = nullptr;
     while ((event = channels_.events.front()) != nullptr &&
-           event->time <= snapshot.sample.reference.time) {
+           event->time <= snapshot->sample.reference.time) {
       take(*event);
       channels_.events.pop();
     }
-    take(snapshot);
+    take(*snapshot);
+    channels_.snapshots.pop();
   }
   MotionEvent event;
   while (channels_.events.take(event)) take(event);
@@ -214,7 +214,7 @@ void RunRecorder::end_segment(double time, const LoggedSegment* next) {
   if (!running_) return;
   LineTotal& line = line_of(*running_);
   line.measured += time - running_->started;
-  if (running_->jog.present()) plan_jog(time - running_->started);
+  if (running_->jog->present()) plan_jog(time - running_->started);
   if (running_->cut) return running_.reset();
   plan_corner(next);
   if (next != nullptr && next->stop) line.exact = true;

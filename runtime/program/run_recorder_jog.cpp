@@ -7,7 +7,7 @@ namespace rob::runtime {
 
 /// What is programmed from here on: a further point, or rates.
 void RunRecorder::programmed(const LoggedSegment& planned) {
-  if (planned.jog.present()) return path_.unprogrammed(planned.tip);
+  if (planned.jog->present()) return path_.unprogrammed(planned.tip);
   if (path_.is_unprogrammed() && last_) reached_ = last_->sample.reference.q;
   from_ = std::exchange(reached_, planned.target);
   meter_.watch(planned.number, planned.target, planned.tip);
@@ -18,7 +18,7 @@ void RunRecorder::programmed(const LoggedSegment& planned) {
 
 /// One that has come to rest where nothing follows.
 void RunRecorder::end_jog(double time) {
-  if (!running_ || !running_->jog.present()) return;
+  if (!running_ || !running_->jog->present()) return;
   running_->cut = true;
   end_segment(time, nullptr);
 }

@@ -24,7 +24,7 @@ void RunRecorder::plan(const LoggedSegment& planned, const MotionEvent& event, L
   }
   const double duration = planned.span() / (planned.dwell ? 1 : override_share_);
   running_->ends = event.time + duration;
-  const bool jog = planned.jog.present();
+  const bool jog = planned.jog->present();
   if (decides) line.decides = running_->ends - (jog ? robot_.reference_period : 0);
   if (jog) return;  // how long it takes to come to rest shows itself
   line.planned += duration;
@@ -56,7 +56,7 @@ void RunRecorder::count_stop() {
 void RunRecorder::change_override(double time, double share) {
   const double before = override_share_;
   override_share_ = std::min(share, 1.0);
-  if (!comes_timed() || !running_ || running_->dwell || running_->jog.present() || running_->cut ||
+  if (!comes_timed() || !running_ || running_->dwell || running_->jog->present() || running_->cut ||
       running_->ends <= time)
     return;
   const double more = (running_->ends - time) * (before / override_share_ - 1);

@@ -59,7 +59,7 @@ void LiveReports::take(const MotionEvent& event) {
   switch (event.kind) {
     case Kind::SegmentStarted:
       if (const auto planned = controller_.log().take_planned(event.number))
-        jogging_ = planned->jog.present();
+        jogging_ = planned->jog->present();
       line_ = line;
       return;
     case Kind::EffectDue:

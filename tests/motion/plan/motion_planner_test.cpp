@@ -49,7 +49,7 @@ struct GantryPlanner {
     return std::get<PlannedSegment>(planner.plan(wish));
   }
   JogRates jog(const JogRates& rates) {
-    return std::get<PlannedSegment>(planner.jog(1, rates)).segment.jog;
+    return *std::get<PlannedSegment>(planner.jog(1, rates)).segment.jog;
   }
   Refusal refusal(const MotionRequest& wish) { return std::get<Refusal>(planner.plan(wish)); }
 };
