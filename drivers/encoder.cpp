@@ -58,6 +58,7 @@ const Encoder::Response& Encoder::response() noexcept {
 }
 
 Encoder::Encoder(double resolution) : resolution_(resolution), per_metre_(1 / resolution) {
+  response();  // made here, not in the tick
   const double p = decay();
   alpha_ = 1 - p * p;
   beta_ = (1 - p) * (1 - p);

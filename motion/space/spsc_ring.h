@@ -23,6 +23,12 @@ class SpscRing {
     tail_.store(next, std::memory_order_release);
     return true;
   }
+  /// The same, written in place: the next slot, which holds what it held before, and then push();
+  /// null: full.
+  T* slot() noexcept { return full() ? nullptr : &slots_[tail_.load(std::memory_order_relaxed)]; }
+  void push() noexcept {
+    tail_.store(after(tail_.load(std::memory_order_relaxed)), std::memory_order_release);
+  }
   bool full() const noexcept {
     return after(tail_.load(std::memory_order_relaxed)) == head_.load(std::memory_order_acquire);
   }

@@ -41,6 +41,8 @@ Controller::Controller(const motion::RobotModel& robot,
   machine_.run_handlers_on(handlers_machine_);
   if (!handlers) machine_.expect_no_handlers();
   machine_.set_override(override_share);
+  channels_.analog_inputs.use(robot.analog_inputs);
+  channels_.analog_outputs.use(robot.analog_outputs);
   channels_.joints.store(robot.start);
   channels_.of_machine = [this](const motion::FollowingFinding& finding) {
     return finding.axis < 0 ? backend_->trouble() : backend_->remark();

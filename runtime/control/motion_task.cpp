@@ -106,9 +106,9 @@ void MotionTask::advance(std::int64_t number) noexcept {
 }
 
 void MotionTask::take_samples() noexcept {
-  ServoSample sample;
-  while (channels_.samples.take(sample)) {
-    history_[samples_++ % kHistory] = sample;
+  while (const ServoSample* const next = channels_.samples.front()) {
+    const ServoSample& sample = *next;
+    history_[samples_++ % kHistory] = {sample.measured, sample.drive, sample.settled};
     saturation_ = std::max(saturation_, sample.saturation);
     machine_inputs_ = sample.inputs;
     machine_analog_inputs_ = sample.analog_inputs;
@@ -116,6 +116,7 @@ void MotionTask::take_samples() noexcept {
     if (sample.finding.verdict != FollowingFinding::Verdict::None)
       take_finding(sample.time, sample.finding);
     last_stop_.take(sample);
+    channels_.samples.pop();
   }
 }
 
@@ -134,8 +135,7 @@ void MotionTask::prepare(double now) noexcept {
 
 void MotionTask::latch_inputs(double now) noexcept {
   WorldImage image{machine_inputs_, outputs_, machine_analog_inputs_, analog_outputs_, {}};
-  if (const ServoSample* newest = sample_at(now))
-    image.wrench = gauge_.in_world(newest->measured.q);
+  if (const Seen* newest = seen_at(now)) image.wrench = gauge_.in_world(newest->measured.q);
   simulated_.latch(now, image);
   wrench_ = image.wrench;
   if (gauge_.feels() || simulated_.feels()) channels_.wrench.store(six(wrench_));
@@ -212,15 +212,15 @@ motion::CycleView MotionTask::view(double now) const noexcept {
                          channels_.analog_inputs.load(),
                          analog_outputs_,
                          wrench_};
-  if (const ServoSample* servo = sample_at(now)) {
+  if (const Seen* servo = seen_at(now)) {
     view.measured = servo->measured.q + servo->measured.qd * (now - servo->measured.time);
   }
   return view;
 }
 
-const ServoSample* MotionTask::sample_at(double stamp) const noexcept {
+const MotionTask::Seen* MotionTask::seen_at(double stamp) const noexcept {
   const std::size_t kept = std::min(samples_, kHistory);
-  const ServoSample* best = nullptr;
+  const Seen* best = nullptr;
   for (std::size_t back = 1; back <= kept; ++back) {
     best = &history_[(samples_ - back) % kHistory];
     if (best->measured.time <= stamp + kInstantTolerance) break;
@@ -229,22 +229,31 @@ const ServoSample* MotionTask::sample_at(double stamp) const noexcept {
 }
 
 void MotionTask::publish(const motion::GeneratorSample& sample) noexcept {
-  Snapshot snapshot{sample,      sample.reference.q, sample.reference.q,
-                    saturation_, lateness_,          path_share(),
-                    wrench_,     press_.way()};
+  const double saturation = std::exchange(saturation_, 0);
+  if (channels_.snapshots.full()) {
+    channels_.lost.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  Snapshot& snapshot = *channels_.snapshots.slot();
+  snapshot.sample = sample;
+  snapshot.measured = snapshot.drive = sample.reference.q;
+  snapshot.saturation = saturation;
+  snapshot.lateness = lateness_;
+  snapshot.override_share = path_share();
+  snapshot.wrench = wrench_;
+  snapshot.pressed = press_.way();
   if (press_.active() && !handling() && !safe_ && !paused_)
     snapshot.sample.state = motion::MotionState::Pressing;
   if (handling()) snapshot.sample.piece += kHandlerNumbers;
-  saturation_ = 0;
   snapshot.drive.setZero();
-  if (const ServoSample* servo = sample_at(sample.reference.time)) {
+  if (const Seen* servo = seen_at(sample.reference.time)) {
     // On the virtual clock both instants are the same; in real time the servo's is the nearer past.
     const double since = sample.reference.time - servo->measured.time;
     snapshot.measured = servo->measured.q;
     if (since < kLongestLag) snapshot.measured += servo->measured.qd * since;
     snapshot.drive = servo->drive;
   }
-  if (!channels_.snapshots.push(snapshot)) channels_.lost.fetch_add(1, std::memory_order_relaxed);
+  channels_.snapshots.push();
 }
 
 void MotionTask::collect_events() noexcept {

@@ -105,8 +105,14 @@ class MotionTask {
   /// Switches off what was on for a PULSE that is over at `now`.
   void end_pulses(double now) noexcept;
   void tell(const motion::MotionEvent& event) noexcept;
+  /// What is kept of a ServoSample.
+  struct Seen {
+    motion::JointMeasurement measured;
+    motion::JointVector drive;
+    bool settled = true;
+  };
   /// What was measured at `stamp`; null before the first servo cycle.
-  const ServoSample* sample_at(double stamp) const noexcept;
+  const Seen* seen_at(double stamp) const noexcept;
 
   Channels& channels_;
   Track program_;
@@ -154,7 +160,7 @@ class MotionTask {
 
   /// The servo's last samples: what was measured at the stamp of a reference is looked up here.
   static constexpr std::size_t kHistory = 64;
-  std::array<ServoSample, kHistory> history_;
+  std::array<Seen, kHistory> history_;
   std::size_t samples_ = 0;  ///< taken so far; the newest is at (samples_ − 1) % kHistory
 
   std::atomic<bool> over_{false};

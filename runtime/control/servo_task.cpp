@@ -228,20 +228,23 @@ void ServoTask::follow(double now, DriverStatus read) noexcept {
 }
 
 void ServoTask::tell(const motion::FollowingFinding& finding) noexcept {
-  ServoSample sample;
-  sample.finding = finding;
-  sample.measured = state_.measured;
-  sample.time = now_;
-  sample.measured.time = backend_.follows_references() ? state_.measured.time : now_;
-  sample.drive = command_.drive;
-  sample.inputs = state_.inputs;
-  sample.analog_inputs = state_.analog_inputs;
-  sample.saturation = servo_->take_saturation();
-  sample.felt = {state_.wrench_time, state_.wrench};
-  sample.reference = command_.reference;
-  sample.braked = touch_ == Touch::Braked;
-  sample.settled = !backend_.follows_references() || !answers_ || still_.still();
-  channels_.samples.push(sample);
+  const double saturation = servo_->take_saturation();
+  ServoSample* const sample = channels_.samples.slot();
+  if (sample == nullptr) return;  // a motion that is so late ends the run
+  sample->finding = finding;
+  sample->measured = state_.measured;
+  sample->time = now_;
+  if (!backend_.follows_references()) sample->measured.time = now_;
+  sample->drive = command_.drive;
+  sample->inputs = state_.inputs;
+  sample->analog_inputs = state_.analog_inputs;
+  sample->saturation = saturation;
+  sample->felt.time = state_.wrench_time;
+  if (state_.wrench_time != 0) sample->felt.wrench = state_.wrench;
+  sample->reference = command_.reference;
+  sample->braked = touch_ == Touch::Braked;
+  sample->settled = !backend_.follows_references() || !answers_ || still_.still();
+  channels_.samples.push();
 }
 
 }  // namespace rob::runtime

@@ -134,14 +134,17 @@ void SimulatedInputs::apply(const SimulatedSetting& setting) noexcept {
   const std::uint64_t bit = std::uint64_t{1} << place.channel;
   switch (place.kind) {
     case SignalKind::Input:
+      drives_ = true;
       driven_ |= bit;
       inputs_ = setting.value != 0 ? inputs_ | bit : inputs_ & ~bit;
       return;
     case SignalKind::AnalogInput:
+      drives_ = true;
       analog_driven_[place.channel] = true;
       analog_inputs_[place.channel] = motion::within_analog_range(setting.value);
       return;
     case SignalKind::Force:
+      drives_ = true;
       force_driven_[place.channel] = true;
       force_[place.channel] = setting.value;
       return;
@@ -163,6 +166,7 @@ void SimulatedInputs::apply(const SimulatedSetting& setting) noexcept {
 }
 
 void SimulatedInputs::overlay(WorldImage& image) const noexcept {
+  if (!drives_) return;
   image.inputs = (image.inputs & ~driven_) | (inputs_ & driven_);
   for (std::size_t i = 0; i < analog_driven_.size(); ++i) {
     if (analog_driven_[i]) image.analog_inputs[i] = analog_inputs_[i];

@@ -114,6 +114,7 @@ class SimulatedInputs {
   std::size_t waiting_count_ = 0;
   std::int64_t done_ = 0;
 
+  bool drives_ = false;       ///< any input, or force
   std::uint64_t driven_ = 0;  ///< inputs that are simulated, bit i: channel i
   std::uint64_t inputs_ = 0;  ///< and their values
   std::array<bool, motion::kMostAnalog> analog_driven_{};

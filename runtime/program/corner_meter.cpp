@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "runtime/program/path_meter.h"
 
@@ -15,21 +16,30 @@ void CornerMeter::watch(std::uint32_t number, const motion::JointVector& target,
     free = std::min_element(vertices_.begin(), vertices_.end(),
                             [](const Vertex& a, const Vertex& b) { return a.number < b.number; });
   }
-  *free = {number, tip, place_of(tip, kinematics_.forward(target)),
+  *free = {number, tip, place_of(tip, kinematics_.forward(target)), Eigen::Vector3d::Zero(),
            std::numeric_limits<double>::infinity()};
+  if (last_) free->passed = place_of(tip, *last_);
 }
 
 void CornerMeter::measured(const motion::JointVector& q, const Eigen::Vector3d& pressed) {
   motion::Pose flange = kinematics_.forward(q);
   flange.position -= pressed;
-  const motion::Pose before = last_.value_or(flange);
   for (Vertex& vertex : vertices_) {
     if (vertex.number == 0) continue;
-    vertex.least =
-        std::min(vertex.least, distance_to_chord(vertex.position, place_of(vertex.tip, before),
-                                                 place_of(vertex.tip, flange)));
+    const Eigen::Vector3d place = place_of(vertex.tip, flange);
+    if (!last_) vertex.passed = place;
+    vertex.pass(place);
   }
   last_ = flange;
+}
+
+/// No chord of length c is nearer than d − c, where its end is at d.
+void CornerMeter::Vertex::pass(const Eigen::Vector3d& place) {
+  constexpr double kSquares = 2.001;  // (least + c)² is at most twice the squares; and rounding
+  const Eigen::Vector3d before = std::exchange(passed, place);
+  const double reach = kSquares * (least * least + (place - before).squaredNorm());
+  if ((position - place).squaredNorm() > reach) return;
+  least = std::min(least, distance_to_chord(position, before, place));
 }
 
 std::optional<double> CornerMeter::take(std::uint32_t number) {

@@ -30,7 +30,11 @@ class CornerMeter {
     std::uint32_t number = 0;  ///< 0: free
     Eigen::Vector3d tip = Eigen::Vector3d::Zero();
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    Eigen::Vector3d passed = Eigen::Vector3d::Zero();  ///< the last place of the tip
     double least = 0;
+
+    /// The tip has come here from where it was.
+    void pass(const Eigen::Vector3d& place);
   };
 
   const motion::Kinematics& kinematics_;

@@ -43,7 +43,7 @@ class PathMeter {
     Eigen::Vector3d tip = Eigen::Vector3d::Zero();
     std::vector<Eigen::Vector3d> points{};
 
-    double distance(const motion::Pose& flange) const;
+    double distance(const motion::Pose& flange, double enough) const;
   };
 
   double distance(const motion::Pose& flange) const;

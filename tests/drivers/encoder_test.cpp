@@ -6,6 +6,22 @@
 
 namespace rob::drivers {
 
+TEST_CASE("a block of samples makes of the estimate what they make of it in turn") {
+  for (int count = 1; count <= Encoder::kBlock; ++count) {
+    Encoder at_once(1e-6);
+    Encoder in_turn(1e-6);
+    at_once.settle(0.2, 0.7);
+    in_turn.settle(0.2, 0.7);
+    Encoder::Block places(count);
+    for (int i = 0; i < count; ++i) places[i] = 0.2 + 1e-4 * (i + 1) * (1 + 0.1 * (i % 3));
+    at_once.sample(places);
+    for (int i = 0; i < count; ++i) in_turn.sample(places[i]);
+    CHECK(at_once.velocity() == doctest::Approx(in_turn.velocity()).epsilon(1e-10));
+    for (Encoder* const encoder : {&at_once, &in_turn}) encoder->sample(0.21);  // x, too
+    CHECK(at_once.velocity() == doctest::Approx(in_turn.velocity()).epsilon(1e-10));
+  }
+}
+
 TEST_CASE("an encoder reports the nearest whole count") {
   const Encoder encoder(0.25);
   CHECK(encoder.position(0.12) == 0);

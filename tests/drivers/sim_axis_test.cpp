@@ -153,6 +153,33 @@ TEST_CASE("work done is kinetic energy and what friction took") {
   CHECK(taken > 0.1);
 }
 
+TEST_CASE("all samples of a servo period at once lead where they lead one by one") {
+  constexpr int kSamples = 20;
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> force(-8, 8);
+  for (const double viscous : {0.0, 4.0, 400.0}) {
+    motion::DriveData d = drive(0.3);
+    d.viscous_friction = viscous;
+    d.encoder_resolution = 1e-9;  // what rounding makes of a count changes the velocity by less
+    SimAxis at_once = at_rest(d);
+    SimAxis one_by_one = at_rest(d);
+    for (int period = 0; period < 2000; ++period) {
+      // Also such as do not move it; it stops and turns now and then.
+      const double u = period % 7 == 0 ? 0.2 : force(random);
+      at_once.push(u);
+      one_by_one.push(u);
+      at_once.advance_sampled(kSamples);
+      for (int i = 0; i < kSamples; ++i) {
+        one_by_one.advance(Encoder::kPeriod);
+        one_by_one.sample();
+      }
+      REQUIRE(std::abs(at_once.q() - one_by_one.q()) < 1e-11);
+      REQUIRE(std::abs(at_once.v() - one_by_one.v()) < 1e-12);
+      REQUIRE(std::abs(at_once.measured_v() - one_by_one.measured_v()) < 2e-7);
+    }
+  }
+}
+
 TEST_CASE("the motor gives no more than its greatest force, and none for what is no number") {
   SimAxis limited = at_rest(drive(0));
   SimAxis full = at_rest(drive(0));
