@@ -172,8 +172,9 @@ bool RobotMachine::plan_along(int line, const motion::MotionRequest& request,
       lay_events(commanded) && take(line, planner_.plan(request, *path), commanded);
   if (planned && commanded.leg && commanded.leg->pace) {
     const motion::PaceLaw& pace = *commanded.leg->pace;
-    for (motion::PathEvent& event : commanded.segment.on_the_way)
+    commanded.segment.on_the_way.change_each([&](motion::PathEvent& event) {
       event.share = pace.time_at(event.share) / pace.duration();
+    });
   }
   if (!collecting()) commanded.along.reset();
   return planned;
