@@ -45,6 +45,8 @@ JointVector friction_impulses(const ArmInertia& h, const JointVector& v, const J
 
 SimArm::SimArm(const SimArmParameters& parameters)
     : SimMachine(parameters.start, parameters.actuators),
+      bare_(parameters.mechanics),
+      carries_what_it_is_told_(parameters.carries_what_it_is_told),
       dynamics_(parameters.mechanics.dynamics),
       load_factor_(kAxes),
       rotor_(kAxes),
@@ -80,6 +82,12 @@ void SimArm::push(const JointVector& drive) noexcept {
     const double u = drive[i] / load_factor_[i];
     u_[i] = std::isfinite(u) ? std::clamp(u, -force_max_[i], force_max_[i]) : 0;
   }
+}
+
+void SimArm::carry(const motion::CarriedLoad* carried) noexcept {
+  if (!carries_what_it_is_told_ || carried == carried_) return;
+  carried_ = carried;
+  dynamics_ = bare_.carrying(carried == nullptr ? motion::ArmLoad{} : carried->all()).dynamics;
 }
 
 void SimArm::hold() noexcept {

@@ -12,12 +12,14 @@ namespace rob::drivers {
 
 /// The arm as it really is. The servo counts with mechanics of its own, those of the robot file: a
 /// payload or a wrong coefficient (motion::with_payload, motion::scaled) is put in here alone.
+/// Where nothing of the kind is wanted the arm may carry what the program says that it does.
 struct SimArmParameters {
   std::vector<motion::DriveData> drives;  ///< six
   motion::ArmMechanics mechanics;
   motion::JointVector start;  ///< rad
   std::vector<SimActuatorParameters> actuators;
-  double friction = 1;  ///< factor of all friction
+  double friction = 1;                   ///< factor of all friction
+  bool carries_what_it_is_told = false;  ///< beside what is in `mechanics`
 };
 
 /// An arm that is not there: S2's table with its complete mechanics, and motors behind gears.
@@ -40,6 +42,7 @@ class SimArm final : public SimMachine {
  private:
   void place(const motion::JointVector& q) noexcept override;
   void push(const motion::JointVector& drive) noexcept override;
+  void carry(const motion::CarriedLoad* carried) noexcept override;
   void hold() noexcept override;
   void release() noexcept override { hold(); }
   void advance(double dt) noexcept override;
@@ -54,7 +57,10 @@ class SimArm final : public SimMachine {
   void step_smoothly(double h) noexcept;
   void brake(const motion::JointVector& from, const motion::JointVector& v_from, double h) noexcept;
 
-  motion::Ums7Dynamics dynamics_;
+  motion::ArmMechanics bare_;
+  const motion::CarriedLoad* carried_ = nullptr;
+  bool carries_what_it_is_told_;
+  motion::Ums7Dynamics dynamics_;  ///< of both
   // Per axis, as the link feels it, all divided by Da.
   motion::JointVector load_factor_;
   motion::JointVector rotor_;

@@ -83,6 +83,7 @@ DriverStatus SimMachine::write(double now, const motion::ServoCommand& command) 
   if (!enabled_) return DriverStatus::Ok;
   assert(command.drive.size() == start_.size());
   written_ = now;
+  carry(command.carried);
   push(command.drive);
   return DriverStatus::Ok;
 }

@@ -6,6 +6,7 @@
 #include "lang/check/statement_checker.h"
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
+#include "lang/values/number_text.h"
 #include "lang/values/pose_slots.h"
 
 /// The parts of the checkers that know FRAME and TOOL, and poses that change their frame.
@@ -118,6 +119,22 @@ Constant StatementChecker::tool_number(const ExprPtr& value, const Type& wanted,
     diagnostics_.error(code::kFrameNotConstant, value->place, "a mass is 0kg or more", "");
   }
   return value->constant;
+}
+
+/// LOAD.
+void StatementChecker::check(Load& load) {
+  expressions_.check(load.mass);
+  const bool mass = expressions_.accept(*load.mass, Type::real(kMass), "LOAD needs");
+  if (load.cog != nullptr) {
+    expressions_.check(load.cog);
+    expressions_.accept(*load.cog, Type::vec(kLength), "COG needs");
+  }
+  const auto number = constant_number(*load.mass);
+  if (!mass || !number || (*number >= 0 && *number <= kMostLoad)) return;
+  diagnostics_.error(code::kLoadBeyond, load.mass->place,
+                     fmt::format("LOAD is 0kg or more and at most {}; this is {}",
+                                 number_text(kMostLoad, kMass), number_text(*number, kMass)),
+                     "LOAD 0kg lets go");
 }
 
 void StatementChecker::check_frame_uses(const Program& program) {

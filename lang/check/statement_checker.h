@@ -113,6 +113,7 @@ class StatementChecker {
   void check(WayPoint& event);
   void check(Press& press);
   void check(SetOverride& statement) { clauses_.check_override(statement.share); }
+  void check(Load& load);  // check_frames.cpp
   void check_watched(WatchedMotion& watched);
   void check_test_names(const Program& program);
   void check_in_path(const Statement& statement);

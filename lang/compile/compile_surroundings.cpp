@@ -3,7 +3,7 @@
 #include "lang/compile/statement_compiler.h"
 #include "lang/values/pose_slots.h"
 
-/// Member functions of StatementCompiler for WITH, IN, PATH, PRESS and OVERRIDE.
+/// Member functions of StatementCompiler for WITH, IN, PATH, PRESS, OVERRIDE and LOAD.
 namespace rob::lang {
 
 void StatementCompiler::enter(const Surroundings& surroundings) {
@@ -96,6 +96,17 @@ void StatementCompiler::compile(const Press& press) {
 void StatementCompiler::compile(const SetOverride& statement) {
   const auto mark = code_.mark();
   code_.emit(Opcode::set_override, place_, expressions_.value(*statement.share, true));
+  code_.release(mark);
+}
+
+void StatementCompiler::compile(const Load& load) {
+  constexpr int kMassAndCog = 4;
+  const Place place = place_;
+  const auto mark = code_.mark();
+  const Register first = code_.number_registers(kMassAndCog);
+  expressions_.value_into(*load.mass, first);
+  if (load.cog != nullptr) expressions_.value_into(*load.cog, static_cast<Register>(first + 1));
+  code_.emit(Opcode::carry, place, first, load.cog != nullptr ? 1U : 0U);
   code_.release(mark);
 }
 

@@ -67,6 +67,7 @@ class StatementCompiler {
   void compile(const PathBlock& path);
   void compile(const Press& press);
   void compile(const SetOverride& statement);
+  void compile(const Load& load);
   /// Code that leaves the WITHs and PRESSes of this frame beyond the first `kept`.
   void leave_scopes(std::size_t kept, Place place);
   void compile(const Stop&) { code_.emit(Opcode::stop, place_); }

@@ -11,9 +11,9 @@ namespace rob::lang {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> kFirstWords{"PRESS", "PATH",  "TOOL",     "FRAME",
-                                                       "LAW",   "ROBOT", "UNITS",    "START",
-                                                       "ZERO",  "AFTER", "OVERRIDE", "BEFORE"};
+constexpr std::array<std::string_view, 13> kFirstWords{
+    "PRESS", "PATH", "TOOL", "FRAME", "LAW",      "ROBOT", "UNITS",
+    "START", "ZERO", "LOAD", "AFTER", "OVERRIDE", "BEFORE"};
 
 /// Clauses without a value.
 constexpr std::array<std::string_view, 2> kWholeClauses{"FINE", "EULER"};

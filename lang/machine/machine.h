@@ -72,6 +72,8 @@ class Machine {
   virtual Reply end_press(int line) = 0;
   /// OVERRIDE: in motion order, a share of the programmed speed, above 0 up to kMostOverride.
   virtual Reply override_speed(int line, double share) = 0;
+  /// LOAD: what the robot carries beside its tool, from this point of motion order on.
+  virtual Reply carry(int line, const LoadCommand& load) = 0;
   /// UNTIL: the motion that is commanded next ends early, in the first control cycle in which the
   /// condition holds; else it is exact. ended() has to follow it.
   virtual Reply guard(int line, const Watch& condition) = 0;

@@ -228,7 +228,8 @@ struct Statement {
   std::variant<Move, PlainMotions, WatchedMotion, When, Stop, Brake, Declaration, SignalDeclaration,
                Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
                Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use,
-               PathBlock, WayPoint, Press, With, SetOverride, RecordDeclaration, Halt, Ask, Start>
+               PathBlock, WayPoint, Press, With, SetOverride, Load, RecordDeclaration, Halt, Ask,
+               Start>
       node;
 };
 

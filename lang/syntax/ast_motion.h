@@ -117,6 +117,11 @@ struct With {
   Surroundings surroundings;
   Block body;
 };
+/// LOAD 2kg COG (0mm, 0mm, 150mm)
+struct Load {
+  ExprPtr mass;
+  ExprPtr cog;  ///< null where left out
+};
 /// OVERRIDE 30%
 struct SetOverride {
   ExprPtr share;

@@ -13,8 +13,8 @@ namespace rob::lang {
 namespace {
 
 /// Not reserved, and known at the beginning of a line.
-constexpr std::array<std::string_view, 10> kPlacedWords{
-    "FRAME", "LAW", "OVERRIDE", "PATH", "PRESS", "ROBOT", "START", "TOOL", "UNITS", "ZERO"};
+constexpr std::array<std::string_view, 11> kPlacedWords{
+    "FRAME", "LAW", "LOAD", "OVERRIDE", "PATH", "PRESS", "ROBOT", "START", "TOOL", "UNITS", "ZERO"};
 
 }  // namespace
 
@@ -166,6 +166,7 @@ void Parser::word_statement(Block& block) {
   if (at_placed_word("PATH")) return path_statement(block);
   if (at_placed_word("PRESS")) return press_statement(block);
   if (at_placed_word("OVERRIDE")) return override_statement(block);
+  if (at_placed_word("LOAD")) return load_statement(block);
   if (in_path() && (at_placed_word("AFTER") || at_placed_word("BEFORE"))) {
     const Place place = current_.place;
     return add(block, place, path_event());

@@ -8,7 +8,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
-/// The parser's rules for WITH and IN, and for the statements PATH, PRESS and OVERRIDE.
+/// The parser's rules for WITH and IN, and for the statements PATH, PRESS, OVERRIDE and LOAD.
 namespace rob::lang {
 
 /// A word that begins a statement by its place alone, and is a name where something is made of it:
@@ -153,6 +153,19 @@ void Parser::override_statement(Block& block) {
   advance();
   SetOverride node;
   node.share = expression();
+  add(block, place, std::move(node));
+}
+
+// "LOAD" expr [ "COG" expr ]
+void Parser::load_statement(Block& block) {
+  const Place place = current_.place;
+  advance();
+  Load node;
+  node.mass = expression();
+  if (at_word("COG")) {
+    advance();
+    node.cog = expression();
+  }
   add(block, place, std::move(node));
 }
 

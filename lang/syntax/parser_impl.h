@@ -189,7 +189,7 @@ class Parser {
   bool at_further_value() const;
   [[noreturn]] void fail_clause();
 
-  // WITH, IN, PATH, PRESS, OVERRIDE (parse_surroundings.cpp)
+  // WITH, IN, PATH, PRESS, OVERRIDE, LOAD (parse_surroundings.cpp)
   bool at_placed_word(std::string_view word);
   bool in_path() const;
   void with_tool(Surroundings& surroundings);
@@ -200,6 +200,7 @@ class Parser {
   void press_statement(Block& block);
   void press_header(Press& press);
   void override_statement(Block& block);
+  void load_statement(Block& block);
   template <typename Header>
   void header_up_to_do(Header header);
 

@@ -28,6 +28,15 @@ struct PressCommand {
   double limit = 0;  ///< m/s along the axis; 0: the robot's own
 };
 
+/// LOAD: what the robot carries beside its tool.
+struct LoadCommand {
+  double mass = 0;  ///< kg
+  Vector3 cog;      ///< its centre of gravity, seen from the flange, m
+};
+
+/// The greatest LOAD, kg. [choice] that of `payload` in a robot file.
+inline constexpr double kMostLoad = 1000;
+
 /// The greatest OVERRIDE, 1 = 100 %. [choice] that of `--override`.
 inline constexpr double kMostOverride = 2;
 

@@ -167,6 +167,12 @@ std::string setting_text(const Setting& setting) {
   return text + (frame == place_text({}) ? std::string(" world") : frame);
 }
 
+std::string load_text(const LoadCommand& load) {
+  std::string text = "load " + number_text(load.mass, kMass);
+  if (const std::string cog = vector_text(load.cog); cog != vector_text({})) text += " cog" + cog;
+  return text;
+}
+
 std::string press_text(const PressCommand& command) {
   std::string text = "press ";
   text += "xyz"[command.axis];

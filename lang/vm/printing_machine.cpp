@@ -86,6 +86,10 @@ Reply PrintingMachine::override_speed(int line, double share) {
   return note(line, fmt::format("override {}%", number_text(share * 100, kNone)));
 }
 
+Reply PrintingMachine::carry(int line, const LoadCommand& load) {
+  return note(line, load_text(load));
+}
+
 Reply PrintingMachine::guard(int line, const Watch& condition) {
   guard_ = condition;
   return note(line, "guard");

@@ -29,6 +29,7 @@ namespace rob::lang {
 ///     with flange in world · with 0 0 120 0 0 0 0.8kg cog 0 0 60 in tool
 ///                                       WITH and IN, and what holds again behind them
 ///     path · end path · press z 10N limit 5mm/s · end press · override 30%
+///     load 2kg cog 0 0 150              the place in mm, seen from the flange
 ///     failed TEXT · simulate lift_up 1 after 2s · simulate force.z 5N after 0s
 ///     after 2mm · before 3mm lead 0.1s  a path event, before its action
 ///     when 1 · raise TEXT · disarm 1    WHEN, before its action; counted in the order of arming
@@ -78,6 +79,7 @@ class PrintingMachine : public Machine {
   Reply press(int line, const PressCommand& command) override;
   Reply end_press(int line) override { return note(line, "end press"); }
   Reply override_speed(int line, double share) override;
+  Reply carry(int line, const LoadCommand& load) override;
   Reply guard(int line, const Watch& condition) override;
   Reply ended(int line, bool& hit) override;
   Reply when(int line, const Watch& condition, int& id) override;
@@ -162,5 +164,6 @@ std::string move_text(const RobotSignature& robot, const MoveCommand& command);
 std::string via_text(const RobotSignature& robot, const MoveCommand& point);
 std::string setting_text(const Setting& setting);
 std::string press_text(const PressCommand& command);
+std::string load_text(const LoadCommand& load);
 
 }  // namespace rob::lang

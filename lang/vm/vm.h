@@ -215,6 +215,9 @@ class Vm {
   Reply end_presses(int line, std::size_t kept);
   /// False, with error_ set, if an OVERRIDE turned out to be none.
   bool check_override(Code pc, double share);
+  LoadCommand load_of(Code pc) const;
+  /// The same if a LOAD turned out to be none.
+  bool check_load(Code pc);
   /// The same if the force of a PRESS is no direction, or its LIMIT not above zero.
   bool check_press(Code pc);
 

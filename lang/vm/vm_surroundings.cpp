@@ -70,4 +70,21 @@ bool Vm::check_override(Code pc, double share) {
   return false;
 }
 
+/// Without COG it is where the tip of the tool is.
+LoadCommand Vm::load_of(Code pc) const {
+  const Slot* const slots = &numbers_[pc->a()];
+  return {slots[0].real, pc->b() != 0 ? load_vector(slots + 1) : setting().tool.tip.position};
+}
+
+bool Vm::check_load(Code pc) {
+  const double mass = load_of(pc).mass;
+  if (mass >= 0 && mass <= kMostLoad) return true;
+  error_ = {.code = std::string(code::kLoadBeyond),
+            .place = place(pc),
+            .message = fmt::format("LOAD turned out to be {}; it is 0kg or more and at most {}",
+                                   number_text(mass, kMass), number_text(kMostLoad, kMass)),
+            .help = "LOAD 0kg lets go"};
+  return false;
+}
+
 }  // namespace rob::lang

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "motion/dynamics/arm_load.h"
 #include "motion/dynamics/ums7_dynamics.h"
 
 namespace rob::motion {
@@ -19,6 +20,16 @@ struct GearedMotor {
 struct ArmMechanics {
   Ums7Dynamics dynamics;
   std::array<GearedMotor, Ums7Dynamics::kAxes> motors;
+  ArmLengths lengths{};
+
+  /// The same arm with something at its flange.
+  ArmMechanics carrying(const ArmLoad& load) const noexcept {
+    return {Ums7Dynamics(with_load(dynamics.parameters(), load, lengths)), motors, lengths};
+  }
+  /// Of what it carries alone, without the arm.
+  Ums7Dynamics load_alone(const ArmLoad& load) const noexcept {
+    return Ums7Dynamics(with_load({}, load, lengths));
+  }
 };
 
 }  // namespace rob::motion

@@ -11,7 +11,7 @@ constexpr double kTwiceTolerance = 1e-9;  // decimal numbers in a file
 
 /// Sine and cosine of the angles that S2's formulas have; S = q2 + q3.
 struct Trig {
-  double s2, c2, s3, c3, s4, c4, s5, c5, sS, cS;
+  double s2, c2, s3, c3, s4, c4, s5, c5, s6, c6, sS, cS;
   explicit Trig(const JointVector& q) noexcept
       : s2(std::sin(q[1])),
         c2(std::cos(q[1])),
@@ -21,8 +21,21 @@ struct Trig {
         c4(std::cos(q[3])),
         s5(std::sin(q[4])),
         c5(std::cos(q[4])),
+        s6(std::sin(q[5])),
+        c6(std::cos(q[5])),
         sS(std::sin(q[1] + q[2])),
         cS(std::cos(q[1] + q[2])) {}
+};
+
+/// What lies beside axis 6, along the x and y that the flange has at q6 = 0, and how far these
+/// point up.
+struct Sides {
+  double along_x, along_y, up_x, up_y;
+  Sides(const Trig& t, const Ums7Parameters& p) noexcept
+      : along_x(p.side_x * t.c6 - p.side_y * t.s6),
+        along_y(p.side_x * t.s6 + p.side_y * t.c6),
+        up_x(-(t.sS * t.c4 * t.c5 + t.cS * t.s5)),
+        up_y(t.sS * t.s4) {}
 };
 
 JointVector six(double a, double b, double c, double d, double e, double f) noexcept {
@@ -46,25 +59,38 @@ const char* fault_of(const Ums7Parameters& p) {
   return nullptr;
 }
 
-Ums7Parameters with_payload(const Ums7Parameters& parameters, double mass, double upper_arm,
-                            double forearm, double hand) {
+Ums7Parameters with_load(const Ums7Parameters& parameters, const ArmLoad& load,
+                         const ArmLengths& lengths) noexcept {
+  const auto [upper, fore, hand] = lengths;
+  // From the wrist: Σ m·z and Σ m·z².
+  const double first = load.moment.z() + load.mass * hand;
+  const double second = load.along + 2 * hand * load.moment.z() + load.mass * hand * hand;
   Ums7Parameters p = parameters;
-  p.c1 += mass * upper_arm * upper_arm;
-  p.c2 += 2 * mass * upper_arm * forearm;
-  p.c3 += mass * forearm * forearm;
-  p.c4 += mass * (upper_arm * upper_arm + forearm * forearm);
-  p.c5 += mass * upper_arm * forearm;
-  p.c6 += mass * kGravity * hand;
-  p.c7 += mass * hand * hand;
-  p.upper_pull += mass * kGravity * upper_arm;
-  p.fore_pull += mass * kGravity * forearm;
+  p.c1 += load.mass * upper * upper;
+  p.c2 += 2 * load.mass * upper * fore;
+  p.c3 += load.mass * fore * fore;
+  p.c4 += load.mass * (upper * upper + fore * fore);
+  p.c5 += load.mass * upper * fore;
+  p.c6 += kGravity * first;
+  p.c7 += second + load.across / 2;
+  p.c8 += load.across;
+  p.upper_pull += load.mass * kGravity * upper;
+  p.fore_pull += load.mass * kGravity * fore;
+  p.side_x += kGravity * load.moment.x();
+  p.side_y += kGravity * load.moment.y();
   return p;
+}
+
+Ums7Parameters with_payload(const Ums7Parameters& parameters, double mass, double upper_arm,
+                            double forearm, double hand) noexcept {
+  return with_load(parameters, ArmLoad::point(mass, Eigen::Vector3d::Zero()),
+                   {upper_arm, forearm, hand});
 }
 
 Ums7Parameters scaled(const Ums7Parameters& parameters, double masses) {
   Ums7Parameters p = parameters;
   for (double* c : {&p.c0, &p.c1, &p.c2, &p.c3, &p.c4, &p.c5, &p.c6, &p.c7, &p.c8, &p.upper_pull,
-                    &p.fore_pull}) {
+                    &p.fore_pull, &p.side_x, &p.side_y}) {
     *c *= masses;
   }
   return p;
@@ -133,13 +159,22 @@ JointVector Ums7Dynamics::coriolis(const JointVector& q, const JointVector& qd) 
 
 double Ums7Dynamics::potential(const JointVector& q) const noexcept {
   const Trig t(q);
-  return p_.c6 * (t.c5 * t.cS - t.c4 * t.s5 * t.sS) - p_.upper_pull * t.s2 + p_.fore_pull * t.cS;
+  const Sides sides(t, p_);
+  return p_.c6 * (t.c5 * t.cS - t.c4 * t.s5 * t.sS) - p_.upper_pull * t.s2 + p_.fore_pull * t.cS +
+         sides.up_x * sides.along_x + sides.up_y * sides.along_y;
 }
 
 JointVector Ums7Dynamics::gravity(const JointVector& q) const noexcept {
   const Trig t(q);
   JointVector g = published_gravity(q);
   g[2] = -p_.c6 * (t.c4 * t.s5 * t.cS + t.c5 * t.sS) - p_.fore_pull * t.sS;
+  if (p_.side_x != 0 || p_.side_y != 0) {
+    const Sides sides(t, p_);
+    g[2] += (t.s5 * t.sS - t.c4 * t.c5 * t.cS) * sides.along_x + t.cS * t.s4 * sides.along_y;
+    g[3] += t.sS * (t.s4 * t.c5 * sides.along_x + t.c4 * sides.along_y);
+    g[4] += (t.sS * t.c4 * t.s5 - t.cS * t.c5) * sides.along_x;
+    g[5] = sides.up_y * sides.along_x - sides.up_x * sides.along_y;
+  }
   g[1] = g[2] - p_.upper_pull * t.c2;
   return g;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "motion/dynamics/arm_load.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::motion {
@@ -12,6 +13,8 @@ namespace rob::motion {
 ///
 /// S2's arm is balanced but for its hand. What hangs on it beyond that pulls at axes 2 and 3 by
 /// `upper_pull` and `fore_pull`: mass times gravity times the length of upper arm and forearm, Nm.
+/// A load beside axis 6 has the weight moments `side_x` and `side_y` along the flange's x and y,
+/// Nm.
 struct Ums7Parameters {
   double c0 = 0;  ///< the column
   double c1 = 0;  ///< the upper arm and what it carries at the elbow, about axis 2
@@ -24,16 +27,22 @@ struct Ums7Parameters {
   double c8 = 0;  ///< the hand about its axis
   double upper_pull = 0;
   double fore_pull = 0;
+  double side_x = 0;
+  double side_y = 0;
 };
 
 /// What is wrong with the table; null if it can be an arm's. Beyond signs: c2 = 2·c5;
 /// c3·(c4 − c3) > c5² and c1·c3 >= c5², without which some motion had no kinetic energy.
 const char* fault_of(const Ums7Parameters& parameters);
 
-/// The same arm holding a mass (kg) as a point `hand` (m) from the wrist, with upper arm and
-/// forearm of these lengths (m). As S2's table has it, axes 1 to 3 feel the mass at the wrist.
+/// The same arm with a load at its flange. All of its weight counts, at every axis. For its inertia
+/// S2's table sets the form: axes 1 to 3 feel the mass at the wrist, and what lies beside axis 6 is
+/// as though it were spread evenly around it.
+Ums7Parameters with_load(const Ums7Parameters& parameters, const ArmLoad& load,
+                         const ArmLengths& lengths) noexcept;
+/// A mass (kg) as a point on axis 6, `hand` (m) from the wrist; upper arm and forearm in m.
 Ums7Parameters with_payload(const Ums7Parameters& parameters, double mass, double upper_arm,
-                            double forearm, double hand);
+                            double forearm, double hand) noexcept;
 
 /// The same arm with masses of another size: inertias and weights alike.
 Ums7Parameters scaled(const Ums7Parameters& parameters, double masses);

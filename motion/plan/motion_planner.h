@@ -84,6 +84,11 @@ class MotionPlanner {
   /// Its tip, seen from the flange, and the place of that, m.
   const Pose& tool() const noexcept { return tool_; }
   const Eigen::Vector3d& tool_tip() const noexcept { return tool_.position; }
+  /// From here on the arm carries that; on a robot whose mechanics are not known it makes no
+  /// difference.
+  void carry(const ArmLoad& load) noexcept {
+    if (mechanics_) mechanics_ = robot_.mechanics->carrying(load);
+  }
   /// Where the tip is at the last target, in the world.
   Pose tool_pose() const noexcept;
 
@@ -207,7 +212,8 @@ class MotionPlanner {
   void keep(std::shared_ptr<const PlannedLeg> leg);
 
   const RobotModel& robot_;
-  const double usual_t_acc_;  ///< s; 0 under the look-ahead law
+  std::optional<ArmMechanics> mechanics_;  ///< the robot's, with what it carries
+  const double usual_t_acc_;               ///< s; 0 under the look-ahead law
   const double least_t_acc_;
   const double braking_;       ///< 1/s: what a hold may change of the path's rate
   const double linear_speed_;  ///< the greatest that the linear axes make together

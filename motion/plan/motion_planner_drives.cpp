@@ -12,17 +12,19 @@ namespace {
 /// What parts of a motion ask for: of the one that must be slowed down most.
 class Demanded {
  public:
-  explicit Demanded(const RobotModel& robot) : robot_(robot) {}
+  Demanded(const RobotModel& robot, const ArmMechanics& mechanics)
+      : robot_(robot), mechanics_(mechanics) {}
 
   void look(const PaulSegment& part, double begin, double end) {
     const TorqueShare here = torque_share_along(
-        robot_, [&](double t) { return part.sample(t); }, begin, end);
+        robot_, &mechanics_, [&](double t) { return part.sample(t); }, begin, end);
     if (here.speed < most_.speed || (here.speed == 1 && here.share > most_.share)) most_ = here;
   }
   const TorqueShare& most() const { return most_; }
 
  private:
   const RobotModel& robot_;
+  const ArmMechanics& mechanics_;
   TorqueShare most_;
 };
 
@@ -63,7 +65,7 @@ void MotionPlanner::slow_down(Timing& timing, const TorqueShare& most,
 
 /// From rest to rest.
 TorqueShare MotionPlanner::demanded_alone(const SegmentDescriptor& segment) const {
-  Demanded all(robot_);
+  Demanded all(robot_, *mechanics_);
   PaulSegment part;
   part.begin(segment, commanded_, commanded_, t_acc_before_, true);
   if (segment.profile.present()) {
@@ -88,7 +90,7 @@ TorqueShare MotionPlanner::demanded_by_corner(const SegmentDescriptor& segment) 
   part.begin(before, before_.motion.from, before_.motion.from, t_acc_before_, true);
   const JointVector a = before_.motion.at(before.duration - t_acc_before_).q;
   part.begin(segment, a, commanded_, t_acc_before_, false);
-  Demanded corner(robot_);
+  Demanded corner(robot_, *mechanics_);
   corner.look(part, -t_acc_before_, t_acc_before_);
   return corner.most();
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "motion/dynamics/arm_load.h"
 #include "motion/plan/boxed.h"
 #include "motion/plan/motion_request.h"
 
@@ -27,6 +28,7 @@ struct Effect {
     Note,
     ZeroForce,  ///< what the force sensor tells now is nothing
     Override,   ///< from here on the path's time runs at `share`
+    Load,       ///< from here on the arm carries `carried`
     Report,     ///< `id`: the asker learns that its turn has come, or that it is dropped
     Arm,        ///< `watched` is asked from here on
     Disarm      ///< and no longer, whether it was armed or not
@@ -43,7 +45,8 @@ struct Effect {
   std::uint32_t id = 0;      ///< the asker's own
   std::uint32_t after = 0;   ///< number of the segment that carries it; 0: before any motion
   std::uint32_t generation = 1;
-  WatchedAction* watched = nullptr;  ///< of Arm and Disarm
+  WatchedAction* watched = nullptr;      ///< of Arm and Disarm
+  const CarriedLoad* carried = nullptr;  ///< of Load; as long as the run
 };
 
 /// Something that happens at a place on the way of a motion.

@@ -47,12 +47,18 @@ double sign(double x) noexcept { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 TorqueShare torque_share(const RobotModel& robot, const JointVector& q, const JointVector& qd,
                          const JointVector& qdd) noexcept {
+  return torque_share(robot, robot.mechanics ? &*robot.mechanics : nullptr, q, qd, qdd);
+}
+
+TorqueShare torque_share(const RobotModel& robot, const ArmMechanics* mechanics,
+                         const JointVector& q, const JointVector& qd,
+                         const JointVector& qdd) noexcept {
   TorqueShare found;
   JointVector inertia = qdd;
   JointVector coriolis = JointVector::Zero(q.size());
   JointVector weight = JointVector::Zero(q.size());
-  if (robot.mechanics) {
-    const Ums7Dynamics& arm = robot.mechanics->dynamics;
+  if (mechanics != nullptr) {
+    const Ums7Dynamics& arm = mechanics->dynamics;
     inertia = arm.inertia(q).times(qdd);
     coriolis = arm.coriolis(q, qd);
     weight = arm.gravity(q);
@@ -62,11 +68,11 @@ TorqueShare torque_share(const RobotModel& robot, const JointVector& q, const Jo
     const DriveData& drive = robot.axes[at].drive;
     const double friction = drive.coulomb_friction * sign(qd[i]);
     const double viscous = drive.viscous_friction * qd[i];
-    if (!robot.mechanics) {
+    if (mechanics == nullptr) {
       count({0, drive.inertia * qdd[i] + viscous, friction}, drive.force_max, i, found);
       continue;
     }
-    const auto& [Da, Db, torque_max] = robot.mechanics->motors[at];
+    const auto& [Da, Db, torque_max] = mechanics->motors[at];
     count({coriolis[i], inertia[i], weight[i]}, torque_max, i, found);
     count({Da * coriolis[i], Da * inertia[i] + Db * qdd[i] + viscous, Da * weight[i] + friction},
           drive.force_max, i, found);

@@ -23,8 +23,13 @@ struct TorqueShare {
 ///
 ///     P = H(q)·q'' + c(q, q') + ∂V/∂q        u = Da·P + Db·q'' + Dc·q' + C·sign(q')
 ///
-/// without them u = inertia·q'' + Dc·q' + C·sign(q'). The payload of [simulation] is not counted:
-/// the planner does not know it. May be used in the tick.
+/// without them (null) u = inertia·q'' + Dc·q' + C·sign(q'). What the arm carries counts as far as
+/// it is in `mechanics` (ArmMechanics::carrying); the payload of [simulation] is not known. May be
+/// used in the tick.
+TorqueShare torque_share(const RobotModel& robot, const ArmMechanics* mechanics,
+                         const JointVector& q, const JointVector& qd,
+                         const JointVector& qdd) noexcept;
+/// Of an arm that carries nothing.
 TorqueShare torque_share(const RobotModel& robot, const JointVector& q, const JointVector& qd,
                          const JointVector& qdd) noexcept;
 
@@ -32,12 +37,13 @@ TorqueShare torque_share(const RobotModel& robot, const JointVector& q, const Jo
 /// where it is least. `curve(t)` has members q, qd, qdd (PaulTransition::sample), begin <= t <=
 /// end; it is looked at in `places` instants. [choice] 65: of a corner of half a segment 32.
 template <typename Curve>
-TorqueShare torque_share_along(const RobotModel& robot, const Curve& curve, double begin,
-                               double end, int places = 65) noexcept {
+TorqueShare torque_share_along(const RobotModel& robot, const ArmMechanics* mechanics,
+                               const Curve& curve, double begin, double end,
+                               int places = 65) noexcept {
   TorqueShare greatest;
   for (int k = 0; k < places; ++k) {
     const auto state = curve(begin + (end - begin) * k / (places - 1));
-    const TorqueShare here = torque_share(robot, state.q, state.qd, state.qdd);
+    const TorqueShare here = torque_share(robot, mechanics, state.q, state.qd, state.qdd);
     const double speed = here.speed < greatest.speed ? here.speed : greatest.speed;
     if (here.share > greatest.share) greatest = here;
     greatest.speed = speed;

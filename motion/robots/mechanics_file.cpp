@@ -54,7 +54,8 @@ SimulatedDeviation read_deviation(const TableReader& file) {
   SimulatedDeviation deviation;
   if (!file.has("simulation")) return deviation;
   const TableReader table = file.table("simulation", {"payload", "masses", "friction"});
-  if (table.has("payload")) deviation.payload = table.quantity("payload", Quantity::Mass, kPayload);
+  deviation.fixed = table.has("payload");
+  if (deviation.fixed) deviation.payload = table.quantity("payload", Quantity::Mass, kPayload);
   if (table.has("masses")) deviation.masses = table.number("masses", kFactor);
   if (table.has("friction")) deviation.friction = table.number("friction", kFactor);
   return deviation;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "motion/kinematics/arm_kinematics.h"
 #include "motion/kinematics/gantry_kinematics.h"
 #include "motion/robots/arm_file.h"
 #include "motion/robots/cell_file.h"
@@ -288,6 +289,8 @@ void choose_mechanics(const TableReader& file, const std::vector<TableReader>& a
   if (file.has("dynamics")) {
     if (!robot.tool_coordinates) file.fail("dynamics", "is an arm's; a gantry has none");
     robot.mechanics = read_mechanics(file, axes);
+    const ArmParameters& arm = dynamic_cast<const ArmKinematics&>(*robot.kinematics).parameters();
+    robot.mechanics->lengths = {arm.c2, arm.c3, arm.c4};
     robot.deviation = read_deviation(file);
     return;
   }

@@ -76,6 +76,7 @@ struct TwoPositionActuator {
 /// How the simulated arm differs from the one that the servo counts with.
 struct SimulatedDeviation {
   double payload = 0;   ///< kg, a point at the flange
+  bool fixed = false;   ///< it carries that, whatever the program says; else what that says
   double masses = 1;    ///< factor of the mechanics' table
   double friction = 1;  ///< factor
 };

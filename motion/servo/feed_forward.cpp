@@ -7,7 +7,7 @@
 namespace rob::motion {
 
 FeedForward::FeedForward(std::span<const DriveData> drives, const std::optional<ArmMechanics>& arm)
-    : count_(static_cast<int>(drives.size())), arm_(arm) {
+    : count_(static_cast<int>(drives.size())), arm_(arm), carrying_(arm) {
   assert(drives.size() <= drives_.size());
   assert(!arm || count_ == Ums7Dynamics::kAxes);
   std::copy(drives.begin(), drives.end(), drives_.begin());
@@ -28,8 +28,9 @@ MotionForces FeedForward::of_axes(const JointReference& reference) const noexcep
 }
 
 MotionForces FeedForward::of_arm(const JointReference& reference) const noexcept {
-  const ArmInertia H = arm_->dynamics.inertia(reference.q);
-  const JointVector G = arm_->dynamics.published_gravity(reference.q);
+  const ArmInertia H = carrying_->dynamics.inertia(reference.q);
+  JointVector G = arm_->dynamics.published_gravity(reference.q);
+  if (load_) G += load_->gravity(reference.q);
   MotionForces forces{JointVector(count_), H.diagonal(), 0};
   JointVector P = H.times(reference.qdd) + G;
   for (int i = 0; i < count_; ++i) {
@@ -45,6 +46,21 @@ MotionForces FeedForward::of_arm(const JointReference& reference) const noexcept
     forces.inertia[i] = Da * forces.inertia[i] + Db;
   }
   return forces;
+}
+
+void FeedForward::carry(const ArmLoad& load) noexcept {
+  if (!arm_) return;
+  carrying_ = arm_->carrying(load);
+  load_.reset();
+  if (load.mass > 0) load_ = arm_->load_alone(load);
+}
+
+JointVector FeedForward::load_weight(const JointVector& q) const noexcept {
+  if (!load_) return JointVector::Zero(count_);
+  JointVector weight = load_->gravity(q);
+  for (int i = 0; i < count_; ++i)
+    weight[i] *= arm_->motors[static_cast<std::size_t>(i)].load_factor;
+  return weight;
 }
 
 }  // namespace rob::motion

@@ -19,11 +19,13 @@ struct MotionForces {
 
 /// S2's feed-forward, from the angles of the reference motion:
 ///
-///     P  = H(q0)·q0'' + G(q0)                   (published; no Coriolis terms, G2 = G3 = 0)
+///     P  = H(q0)·q0'' + G(q0)       (published; no Coriolis terms, G2 = G3 = 0 for the bare arm)
 ///     u0 = Da·P + Db·q0'' + Dc·q0'
 ///
 /// The torques P are checked against what the gears bear, limited to it, and turned into the
 /// accelerations that are admissible with them: H·q'' = P − G; these count in u0.
+///
+/// What the arm carries counts in H and, with all of its weight at every axis, in G.
 ///
 /// Without mechanics the axes are decoupled: u0 = inertia·q0'' + Dc·q0'. Coulomb friction is not in
 /// it. at() may be used in the tick.
@@ -34,13 +36,20 @@ class FeedForward {
 
   MotionForces at(const JointReference& reference) const noexcept;
 
+  /// From here on the arm carries that; without mechanics it makes no difference.
+  void carry(const ArmLoad& load) noexcept;
+  /// The part of u0 that is the weight of what is carried; 0 without mechanics.
+  JointVector load_weight(const JointVector& q) const noexcept;
+
  private:
   MotionForces of_axes(const JointReference& reference) const noexcept;
   MotionForces of_arm(const JointReference& reference) const noexcept;
 
   std::array<DriveData, kMaxJoints> drives_;
   int count_;
-  std::optional<ArmMechanics> arm_;
+  std::optional<ArmMechanics> arm_;       ///< as it is, with nothing to carry
+  std::optional<ArmMechanics> carrying_;  ///< the same with what it carries
+  std::optional<Ums7Dynamics> load_;      ///< that alone, if there is any
 };
 
 }  // namespace rob::motion

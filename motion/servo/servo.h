@@ -1,5 +1,6 @@
 #pragma once
 
+#include "motion/dynamics/arm_load.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::motion {
@@ -17,6 +18,9 @@ class Servo {
   /// or whole pulses for the coming cycle.
   virtual JointVector update(double now, const JointReference& reference,
                              const JointMeasurement& measured) noexcept = 0;
+
+  /// From the next update() on the arm carries that.
+  virtual void carry(const ArmLoad& /*load*/) noexcept {}
 
   /// κ = the greatest share of what the drives have that was demanded, over axes and cycles since
   /// it was last taken: above 1 the motion asks for too much.

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "motion/dynamics/arm_load.h"
 #include "motion/space/analog_channels.h"
 #include "motion/space/joint_vector.h"
 #include "motion/space/wrench.h"
@@ -32,6 +33,7 @@ struct ServoCommand {
   JointVector drive;          ///< N or Nm; of drives that take pulses: how many until the next
   std::uint64_t outputs = 0;  ///< bit i: digital output channel i
   AnalogValues analog_outputs{};
+  const CarriedLoad* carried = nullptr;  ///< what the program says the arm carries; null: nothing
 };
 
 /// What one servo cycle learns from it.

@@ -46,10 +46,36 @@ void ServoLaw::reset(double now) noexcept {
   saturation_ = 0;
 }
 
+void ServoLaw::carry(const ArmLoad& load) noexcept { told_ = load; }
+
+/// At standstill at q.
+void ServoLaw::preset_integrals(const JointVector& q) noexcept {
+  const JointVector still = JointVector::Zero(count_);
+  const JointReference here{time_, q, still, still};
+  const JointVector inertia = feed_forward_.at(here).inertia;
+  const JointVector weight = feed_forward_.load_weight(q);
+  feed_forward_.carry(*told_);
+  const JointVector inertia_now = feed_forward_.at(here).inertia;
+  const JointVector more = feed_forward_.load_weight(q) - weight;
+  for (int i = 0; i < count_; ++i) {
+    AxisLaw& axis = axes_[static_cast<std::size_t>(i)];
+    const double friction = axis.drive.viscous_friction;
+    const double force = axis.e * servo_gains(axis.omega, inertia[i], friction).ki;
+    const double learned = force * more[i] > 0
+                               ? std::copysign(std::min(std::abs(force), std::abs(more[i])), force)
+                               : 0;
+    axis.e = (force - learned) / servo_gains(axis.omega, inertia_now[i], friction).ki;
+  }
+}
+
 JointVector ServoLaw::update(double now, const JointReference& reference,
                              const JointMeasurement& measured) noexcept {
   const double elapsed = std::max(0.0, now - time_);
   time_ = now;
+  if (told_) {
+    preset_integrals(reference.q);
+    told_.reset();
+  }
   const MotionForces motion = feed_forward_.at(reference);
   saturation_ = std::max(saturation_, motion.load);
   JointVector u(count_);

@@ -32,6 +32,9 @@ ServoGains servo_gains(const DriveData& drive, double servo_period);
 ///     u  = u0 + kp·(q0 − q) + kv·(q0' − q') + kI·e,   |u| <= force_max
 ///     e  = e + (q0 − q)·(time really elapsed),        |kI·e| <= force_max/2
 ///
+/// Where the load changes, e is set so that the integral keeps its force, less what it has learned
+/// of the new weight before it was told: that is in u0 now.
+///
 /// u0 is FeedForward's; Coulomb friction is left to e. With an arm's mechanics the gains vary with
 /// its posture, as Da·H_ii + Db does; otherwise the axes are decoupled and the gains constant.
 /// e stands still while u is limited. An axis whose values are not finite gets no force.
@@ -46,6 +49,7 @@ class ServoLaw final : public Servo {
   void leave_out_feed_forward() noexcept { feeds_forward_ = false; }
 
   void reset(double now) noexcept override;
+  void carry(const ArmLoad& load) noexcept override;
   JointVector update(double now, const JointReference& reference,
                      const JointMeasurement& measured) noexcept override;
   /// κ = max |u before limiting|/force_max, or |P|/P_max of the gears.
@@ -57,6 +61,7 @@ class ServoLaw final : public Servo {
     double omega = 0;
     double e = 0;
   };
+  void preset_integrals(const JointVector& q) noexcept;
   double axis_force(AxisLaw& axis, const ServoGains& gains, double elapsed, double feed_forward,
                     double position_error, double velocity_error) noexcept;
 
@@ -66,6 +71,7 @@ class ServoLaw final : public Servo {
   int count_;
   double time_ = 0;
   double saturation_ = 0;
+  std::optional<ArmLoad> told_;  ///< what the next update() begins with
 };
 
 }  // namespace rob::motion

@@ -132,8 +132,10 @@ struct Channels {
                                           ///< the first one by ServoTask::enable()
   AnalogCells analog_outputs;             ///< V, as outputs
   AnalogCells analog_inputs;              ///< V, as inputs
-  std::atomic<std::int64_t> cycle{0};     ///< motion → program: number of the present one
-  LatestValues joints;  ///< motion → program: the references of the present cycle
+  /// motion → servo, program: what the arm carries in this cycle; null: nothing
+  std::atomic<const motion::CarriedLoad*> carried{nullptr};
+  std::atomic<std::int64_t> cycle{0};  ///< motion → program: number of the present one
+  LatestValues joints;                 ///< motion → program: the references of the present cycle
   LatestValues wrench;  ///< motion → program: N, then Nm, as CycleView; none without a sensor
   std::atomic<std::int64_t> simulations_done{0};  ///< motion → program: SIMULATEs that have acted
   OperatorPanel panel;  ///< motion → program: what a signal script does in the operator's place

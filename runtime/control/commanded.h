@@ -7,6 +7,7 @@
 #include "lang/machine/machine.h"
 #include "lang/machine/move_command.h"
 #include "lang/values/setting.h"
+#include "motion/dynamics/arm_load.h"
 #include "motion/path/tool_path.h"
 #include "motion/plan/planned_leg.h"
 #include "motion/plan/segment_descriptor.h"
@@ -28,6 +29,7 @@ struct Commanded {
   bool further = false;
   std::optional<lang::MoveCommand> move{};  ///< of a motion
   lang::Setting setting{};                  ///< in which it was commanded
+  const motion::CarriedLoad* carried{};     ///< then; null: nothing
   std::vector<OnTheWay> events{};
   std::vector<lang::MoveCommand> via{};  ///< of MOVEC, MOVES
   std::optional<ProgramPace> live{};

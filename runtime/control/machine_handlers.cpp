@@ -93,8 +93,10 @@ Reply RobotMachine::leave_handler(int line) {
   if (leaving == Leaving::No) {
     if (make_exact(line) != Reply::Done) return Reply::Later;
     leaving = Leaving::Stopping;
+    loads_.put_tool_back();
   }
   if (leaving == Leaving::Stopping) {
+    if (!loads_.doubted() && tell_load(line) != Reply::Done) return Reply::Later;
     if (returns) {
       if (const Reply reply = move_back(line); reply != Reply::Done) return reply;
     }
@@ -136,6 +138,7 @@ Reply RobotMachine::leave_path() {
       std::ranges::all_of(behind, [&](Commanded& one) { return plan_anew(one); }) &&
       plan_path_anew();
   work_in(0, setting);
+  planner_.carry(loads_.told().all());
   if (!planned) {
     path_.reset();
     planner_.stand_at(rest.q, rest.number);
@@ -166,6 +169,7 @@ bool RobotMachine::plan_anew(Commanded& commanded) {
   const motion::SettleWindow settle = segment.settle;
   if (commanded.move) {
     work_in(static_cast<int>(segment.tag), commanded.setting);
+    planner_.carry(commanded.carried == nullptr ? motion::ArmLoad{} : commanded.carried->all());
     if (!plan(static_cast<int>(segment.tag), commanded)) {
       refusal_.message =
           fmt::format("the motion of line {} starts from elsewhere behind BRAKE: {}",

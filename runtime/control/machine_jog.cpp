@@ -118,6 +118,7 @@ void RobotMachine::come_to_rest(const motion::JointVector& q) {
 void RobotMachine::restart_from(const motion::JointVector& q) {
   drop_path();
   planner_.retarget(q);
+  loads_.doubt_where_told(channels_.carried.load(std::memory_order_acquire));
   exact_ = true;
   jogging_ = false;
   settling_.lose();

@@ -100,13 +100,14 @@ motion::MotionRequest request_of(int line, const lang::MoveCommand& command) {
 /// What is to be exact takes two segments, which are queued together. In a PATH places wait for its
 /// end.
 Reply RobotMachine::move(int line, const lang::MoveCommand& asked) {
+  if (const Reply reply = tell_load(line); reply != Reply::Done) return reply;
   if (asked.kind == MotionKind::Jog) return jog(line, asked);
   if (!rested()) return Reply::Later;
   const std::size_t needed = (asked.exact() ? 2U : 1U) + (tip_jumps() ? 1U : 0U);
   if (!collecting() && buffer_.room() < needed) return Reply::Later;
   if (collecting() && !path_has_room()) return Reply::Refused;
   const bool stopped = stop_for_tool(line);
-  Commanded commanded{{}, false, stopped, asked, setting_};
+  Commanded commanded{{}, false, stopped, asked, setting_, loads_.last()};
   if (!collecting()) commanded.events = std::exchange(on_the_way_, {});
   commanded.via = std::exchange(via_, {});
   commanded.live = std::exchange(live_, std::nullopt);

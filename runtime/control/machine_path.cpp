@@ -20,12 +20,12 @@ constexpr std::size_t kMostInPath = 16384;
 
 }  // namespace
 
-Reply RobotMachine::begin_path(int /*line*/) {
+Reply RobotMachine::begin_path(int line) {
   if (const auto words = words_against(lang::MotionFeature::Path, robot_)) {
     refusal_ = *words;
     return Reply::Refused;
   }
-  if (!rested()) return Reply::Later;
+  if (!rested() || tell_load(line) == Reply::Later) return Reply::Later;
   path_.emplace(Path{planner_.mark(), exact_, brakable_, moved_tip_});
   return Reply::Done;
 }

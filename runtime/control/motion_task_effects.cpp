@@ -93,6 +93,8 @@ void MotionTask::act(const Effect& effect, double now) noexcept {
       return latch_inputs(now_);
     case Effect::Kind::Override:
       return set_override(effect.share);
+    case Effect::Kind::Load:
+      return channels_.carried.store(effect.carried, std::memory_order_release);
     case Effect::Kind::SimulateGo:
       return simulate({WorldSignal::Kind::Go, 0}, 1, now + effect.seconds);
     case Effect::Kind::SimulateAnswer:

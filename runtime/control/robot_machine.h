@@ -16,6 +16,7 @@
 #include "motion/robots/robot_model.h"
 #include "runtime/control/channels.h"
 #include "runtime/control/commanded.h"
+#include "runtime/control/load_book.h"
 #include "runtime/control/messages.h"
 #include "runtime/control/point_keeper.h"
 #include "runtime/control/program_log.h"
@@ -131,6 +132,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply press(int line, const lang::PressCommand& command) override;
   lang::Reply end_press(int line) override;
   lang::Reply override_speed(int line, double share) override;
+  lang::Reply carry(int line, const lang::LoadCommand& load) override;
   lang::Reply guard(int line, const lang::Watch& condition) override;
   lang::Reply ended(int line, bool& hit) override;
   lang::Reply when(int line, const lang::Watch& condition, int& id) override;
@@ -226,6 +228,9 @@ class RobotMachine final : public lang::Machine {
   void follow(const motion::SegmentDescriptor& segment);
   /// Into the buffer, in which there is room.
   void send(Commanded commanded);
+  /// Tells motion what the arm carries from here on, where that is new.
+  lang::Reply tell_load(int line);
+  bool load_is_known();
   // PATH (machine_path.cpp)
   bool collecting() const { return path_ && !path_->closed; }
   bool path_has_room();
@@ -306,7 +311,8 @@ class RobotMachine final : public lang::Machine {
   lang::Refusal refusal_;
   lang::Setting setting_;    ///< of the program's present place
   lang::Vector3 moved_tip_;  ///< of the tool that the last motion was for
-  int line_before_ = 0;      ///< of the last motion that was planned
+  LoadBook loads_;
+  int line_before_ = 0;  ///< of the last motion that was planned
   double operators_override_ = 1;
   PointKeeper* keeper_ = nullptr;
   BackgroundTasks* tasks_ = nullptr;

@@ -222,6 +222,11 @@ void ServoTask::follow(double now, DriverStatus read) noexcept {
   command_.outputs = channels_.outputs.load(std::memory_order_relaxed);
   command_.analog_outputs = channels_.analog_outputs.load();
   if (!enabled_ || (follows ? read == DriverStatus::Lost : read != DriverStatus::Ok)) return;
+  if (const auto* const carried = channels_.carried.load(std::memory_order_acquire);
+      carried != carried_) {
+    servo_->carry(carried->all());
+    command_.carried = carried_ = carried;
+  }
   if (!follows) command_.drive = servo_->update(now, command_.reference, state_.measured);
   written_ = backend_.write(now, command_);
   still_.send(command_.reference.q, now);

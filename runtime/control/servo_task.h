@@ -69,6 +69,7 @@ class ServoTask {
   Channels& channels_;
   motion::ReferenceInterpolator interpolator_;
   std::unique_ptr<motion::Servo> servo_;
+  const motion::CarriedLoad* carried_ = nullptr;  ///< that the servo knows of
   motion::FollowingSupervisor supervisor_;
   motion::ReferenceHistory history_;
   double reference_period_;

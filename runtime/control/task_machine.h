@@ -57,6 +57,7 @@ class TaskMachine final : public lang::Machine {
   lang::Reply press(int, const lang::PressCommand&) override { return impossible(); }
   lang::Reply end_press(int) override { return impossible(); }
   lang::Reply override_speed(int, double) override { return impossible(); }
+  lang::Reply carry(int, const lang::LoadCommand&) override { return impossible(); }
   lang::Reply live_pace(int, const lang::Watch&, lang::MoveCommand::Pace) override {
     return impossible();
   }

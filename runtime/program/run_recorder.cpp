@@ -240,6 +240,7 @@ void RunRecorder::take_effect(const MotionEvent& event) {
   --result_.dropped_effects;
   // Inputs are the machine's, simulated or not.
   if (kind == Kind::Override) return change_override(event.time, event.effect.share);
+  if (kind == Kind::Load) return;
   if (kind == Kind::Simulate || kind == Kind::SimulateAnalog) return;
   if (kind == Kind::SimulateGo || kind == Kind::SimulateAnswer) return;
   if (kind != Kind::Note) return take_output(event);

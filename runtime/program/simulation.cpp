@@ -44,8 +44,9 @@ std::unique_ptr<drivers::SimMachine> machine_of(const motion::RobotModel& robot)
     actuators.push_back({a.output, a.input_off, a.input_on, a.travel_time});
   }
   if (robot.mechanics) {
-    return std::make_unique<drivers::SimArm>(drivers::SimArmParameters{
-        drives, real_mechanics(robot), robot.start, actuators, robot.deviation.friction});
+    return std::make_unique<drivers::SimArm>(
+        drivers::SimArmParameters{drives, real_mechanics(robot), robot.start, actuators,
+                                  robot.deviation.friction, !robot.deviation.fixed});
   }
   return std::make_unique<drivers::SimGantry>(
       drivers::SimGantryParameters{drives, robot.start, actuators, pulse_drives_of(robot)});

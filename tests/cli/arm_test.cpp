@@ -164,6 +164,32 @@ TEST_CASE("a load that the UMS-7's servo does not know is in its drives") {
   CHECK(std::abs(last.drive[1] + (hand + 9.80665 * 0.8) / 0.9) < 5);
 }
 
+TEST_CASE("the UMS-7 stands with 3 kg that LOAD tells of, and is pulled off its place without") {
+  std::ifstream file(std::string(ROB_SOURCE_DIR) + "/motion/robots/ums7.toml");
+  std::string arm(std::istreambuf_iterator<char>(file), {});
+  arm.insert(arm.find("[dynamics]"), "[simulation]\npayload = \"3 kg\"\n\n");
+  const auto stand = [&](const std::string& told) {
+    const RobCommand rob(told + "WAIT 3s\nMOVE JOINT 1 BY 20deg FINE\n");
+    std::ofstream(rob.file("loaded.toml")) << arm;
+    return rob("run", {"--fast", "--robot", rob.file("loaded.toml")});
+  };
+  const ProcessResult untold = stand("");
+  CHECK(untold.exit_code == 70);
+  CHECK(contains(untold.err, "E502"));
+  const ProcessResult told = stand("LOAD 3kg\n");
+  CHECK(told.exit_code == 0);
+  CHECK(told.err == "");
+  // As a TOOL's MASS it counts from its first motion on, which is at once here.
+  const ProcessResult tool = stand(
+      "TOOL jaws = POSE(0mm, 0mm, 0mm) MASS 3kg\nMOVE JOINT 6 BY 5deg FINE WITH jaws\n"
+      "LOAD 0kg\n");
+  CHECK(tool.exit_code == 70);  // its last motion is without the jaws, and with their weight
+  const ProcessResult worn = stand(
+      "TOOL jaws = POSE(0mm, 0mm, 0mm) MASS 3kg\nMOVE JOINT 6 BY 5deg FINE WITH jaws\nWAIT 3s\n"
+      "LOAD 3kg\n");
+  CHECK(worn.exit_code == 0);
+}
+
 TEST_CASE("rule 13: MOVE takes the joints nearest to where it begins, and none of them wraps") {
   // -10 and 350 degrees of the last axis are one pose, and both lie within its limits.
   const json report =

@@ -167,10 +167,12 @@ TEST_CASE("BY and JOINT after MOVE are names where a value goes on") {
 }
 
 TEST_CASE("what lies around motions is laid out like clauses and blocks") {
-  CHECK(laid_out("press z -10N limit 5mm/s in tool do\nmovel by(1mm, ,0deg)in Pallet with cup\n"
-                 "endpress\nwith cup in Pallet do\noverride 30%\nendwith\n") ==
-        "PRESS Z -10N LIMIT 5mm/s IN TOOL DO\n  MOVEL BY (1mm, , 0deg) IN Pallet WITH cup\n"
-        "ENDPRESS\nWITH cup IN Pallet DO\n  OVERRIDE 30%\nENDWITH\n");
+  CHECK(
+      laid_out(
+          "press z -10N limit 5mm/s in tool do\nmovel by(1mm, ,0deg)in Pallet with cup\n"
+          "endpress\nwith cup in Pallet do\noverride 30%\nload 2kg cog (0mm,0mm,5mm)\nendwith\n") ==
+      "PRESS Z -10N LIMIT 5mm/s IN TOOL DO\n  MOVEL BY (1mm, , 0deg) IN Pallet WITH cup\n"
+      "ENDPRESS\nWITH cup IN Pallet DO\n  OVERRIDE 30%\n  LOAD 2kg COG (0mm, 0mm, 5mm)\nENDWITH\n");
   CHECK(laid_out("path at 8mm/s do\nmovec via(1,2,3)to q\nmoves via a,b+v to(1, ,2)\n"
                  "before 2mm:torch=on\nspiral from r turns n/2\nendpath\n") ==
         "PATH AT 8mm/s DO\n  MOVEC VIA (1, 2, 3) TO q\n  MOVES VIA a, b + v TO (1, , 2)\n"

@@ -103,7 +103,7 @@ TEST_CASE("T1 raised by what is found keeps a segment from rest within its torqu
   const auto along = [&](double t1) {
     const PaulTransition segment(from, from, to, t1, t_acc);
     return torque_share_along(
-        robot, [&](double t) { return segment.sample(t); }, -t_acc, t1 - t_acc);
+        robot, &*robot.mechanics, [&](double t) { return segment.sample(t); }, -t_acc, t1 - t_acc);
   };
   double t1 = 0.8;
   const TorqueShare first = along(t1);

@@ -66,6 +66,58 @@ TEST_CASE("acceleration of axis 2 takes torque of axis 3, and weight of axis 5")
   CHECK(forces.u0[3] == 0);
 }
 
+TEST_CASE("what is carried weighs at every axis, mass times gravity times its lever, by hand") {
+  // Level: upper arm and forearm of 0.4 m, the hand of 0.1 m along them; 2 kg 0.15 m before the
+  // flange and 0.05 m to its y, which lies level, too.
+  JointVector q = zero();
+  q[2] = std::numbers::pi / 2;
+  ArmMechanics arm = mechanics();
+  arm.lengths = {0.4, 0.4, 0.1};
+  FeedForward law(drives(), arm);
+  const MotionForces bare = law.at({0, q, zero(), zero()});
+  law.carry(ArmLoad::point(2, {0, 0.05, 0.15}));
+  const MotionForces loaded = law.at({0, q, zero(), zero()});
+  const double weight = 1.25 * 2 * 9.80665;
+  const JointVector more = loaded.u0 - bare.u0;
+  CHECK(std::abs(more[0]) < 1e-12);
+  CHECK(more[1] == relative(-weight * (0.4 + 0.4 + 0.1 + 0.15)));
+  CHECK(more[2] == relative(-weight * (0.4 + 0.1 + 0.15)));
+  CHECK(more[3] == relative(weight * 0.05));
+  CHECK(more[4] == relative(-weight * (0.1 + 0.15)));
+  CHECK(more[5] == relative(weight * 0.05));
+  CHECK((law.load_weight(q) - more).norm() < 1e-12);
+  // S2 counts its inertia about axis 1 at the wrist.
+  CHECK(loaded.inertia[0] == relative(bare.inertia[0] + 1.25 * 2 * 0.8 * 0.8));
+  law.carry({});
+  CHECK((law.at({0, q, zero(), zero()}).u0 - bare.u0).norm() == 0);
+}
+
+TEST_CASE("an integral gives up what it has learned of a weight that is told, and no more") {
+  JointVector q = zero();
+  q[2] = std::numbers::pi / 2;
+  ArmMechanics arm = mechanics();
+  arm.lengths = {0.4, 0.4, 0.1};
+  const double weight = 1.25 * 2 * 9.80665 * (0.1 + 0.15);  // pulls at axis 5 towards more
+  // The force of axis 5 before and after, where the integral has pushed by so much before.
+  const auto told = [&](double pushed) {
+    ServoLaw law(drives(), 0.02, arm);
+    law.reset(0);
+    const JointReference at{0, q, zero(), zero()};
+    const double bare = law.update(0, at, {0, q, zero()})[4];
+    law.update(1, at, {0, q - axis(4, 1e-6), zero()});
+    const double of_one = law.update(1, at, {0, q, zero()})[4] - bare;
+    law.reset(0);
+    law.update(1, at, {0, q - axis(4, 1e-6 * pushed / of_one), zero()});
+    const double before = law.update(1, at, {0, q, zero()})[4];
+    CHECK(before - bare == relative(pushed));
+    law.carry(ArmLoad::point(2, {0, 0, 0.15}));
+    return law.update(1, at, {0, q, zero()})[4] - before;
+  };
+  CHECK(std::abs(told(-2 * weight)) < 1e-9);              // all of it had been learned, and more
+  CHECK(told(-weight / 4) == relative(-weight * 3 / 4));  // a quarter of it
+  CHECK(told(weight / 4) == relative(-weight));           // something else
+}
+
 TEST_CASE("torques beyond the gears are limited, and accelerations to what is admissible") {
   const ArmMechanics arm = mechanics(4);
   const FeedForward law(drives(), arm);
@@ -133,6 +185,7 @@ TEST_CASE("feed-forward and law of an arm take no memory") {
   const JointVector q = JointVector::Constant(6, 0.4);
   test::NoAllocation guard;
   law.reset(0);
+  law.carry(ArmLoad::point(2, {0.01, 0.02, 0.03}));
   const double u = law.update(0.02, {0, q, q, 10 * q}, {0, q, q})[0];
   CHECK(guard.count() == 0);
   CHECK(u != 0);

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <algorithm>
+#include <deque>
+
+#include "motion/dynamics/arm_load.h"
+
+namespace rob::runtime {
+
+/// On the program's side: what the arm is said to carry, and what of it has been told to motion.
+/// What has been told stays where it is for the whole run: the ticks point to it.
+class LoadBook {
+ public:
+  /// WITH: what the tool weighs.
+  void mount(const motion::ArmLoad& tool) { wanted_.tool = tool; }
+  /// LOAD
+  void grasp(const motion::ArmLoad& grasped) { wanted_.grasped = grasped; }
+
+  bool news() const { return !(wanted_ == told()); }
+  /// What is to be told now. A program that grasps the same thing again and again takes no memory.
+  const motion::CarriedLoad* tell() {
+    const auto known = std::ranges::find(kept_, wanted_);
+    return told_ = known != kept_.end() ? &*known : &kept_.emplace_back(wanted_);
+  }
+
+  motion::CarriedLoad told() const { return told_ == nullptr ? motion::CarriedLoad{} : *told_; }
+  /// The same, null for nothing.
+  const motion::CarriedLoad* last() const { return told_; }
+
+  /// Somebody else has told something.
+  void doubt() { doubted_ = true; }
+  /// What was told may have been dropped, where anything was: that is what it carries, null for
+  /// nothing.
+  void doubt_where_told(const motion::CarriedLoad* carried) {
+    doubted_ = doubted_ || told_ != nullptr || carried != nullptr;
+  }
+  bool doubted() const { return doubted_; }
+  /// This is what it carries, null for nothing.
+  void take_up(const motion::CarriedLoad* carried) {
+    doubted_ = false;
+    told_ = carried;
+    wanted_.grasped = told().grasped;
+    found_ = told().tool;
+  }
+  /// The tool is again the one that was found; it counts where anything has been told since.
+  void put_tool_back() {
+    if (!doubted_) wanted_.tool = found_;
+  }
+
+ private:
+  motion::CarriedLoad wanted_;
+  motion::ArmLoad found_;  ///< of the tool, in the last take_up()
+  const motion::CarriedLoad* told_ = nullptr;
+  std::deque<motion::CarriedLoad> kept_;
+  bool doubted_ = false;
+};
+
+}  // namespace rob::runtime
