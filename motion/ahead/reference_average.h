@@ -32,6 +32,16 @@ class ReferenceAverage {
   /// The same of σ.
   double sigma() const noexcept { return sigma_; }
   double rate() const noexcept { return rate_; }
+  /// What the guide was `periods` ago, less than periods(): of what the mean is made.
+  struct GuideState {
+    double sigma = 0;
+    double rate = 0;
+  };
+  GuideState past(int periods) const noexcept {
+    const int at = newest_ - periods;
+    const Sample& sample = samples_[static_cast<std::size_t>(at < 0 ? at + periods_ : at)];
+    return {sample.sigma, sample.rate};
+  }
   /// The guide has stood for so long that the references do.
   bool stands() const noexcept { return still_ >= periods_; }
   /// Pieces before this one are not needed any more.

@@ -51,6 +51,7 @@ LookAheadGenerator::LookAheadGenerator(const RobotModel& robot, LookAheadBuffer&
       ring_(ring),
       guide_(ring, start),
       average_(robot.tool_coordinates, ring, start),
+      events_(guide_, average_, robot.reference_period),
       clock_(time_scale_limits(robot), robot.reference_period) {
   guide_.brake();
 }
@@ -299,7 +300,7 @@ const Effect* LookAheadGenerator::take_path_event(double until, std::uint32_t nu
     return effect;
   }
   const PlaceEvents::Until passed{until - skipped_, number};
-  const Effect* const effect = events_.take(guide_, history_, lag(), passed, due);
+  const Effect* const effect = events_.take(passed, due);
   if (effect == nullptr) return nullptr;
   due += skipped_;
   tell_cut_lead(*effect, due, events_.cut());

@@ -2,38 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "motion/generate/segment_generator.h"
+#include "motion/space/cycle_instant.h"
 
 namespace rob::motion {
 
-namespace {
-
-/// When a guide that goes on as it is passes `sigma`, not after `until`.
-std::optional<double> foreseen(Guide guide, double sigma, double until) noexcept {
-  std::optional<double> found;
-  Guide::Part before{guide.time(), guide.sigma(), guide.rate(), guide.acceleration()};
-  guide.step(until, [&](const Guide::Part& part) noexcept {
-    if (!found && part.sigma >= sigma) found = passing_time(before, sigma, part.time);
-    before = part;
-  });
-  if (!found && guide.sigma() >= sigma) found = passing_time(before, sigma, until);
-  return found;
-}
-
-/// σ on the cubic through both marks, at a share of their time.
-double between(const PlaceEvents::Mark& a, const PlaceEvents::Mark& b, double share) noexcept {
-  const double T = b.time - a.time;
-  const double left = 1 - share;
-  return a.sigma + share * share * (3 - 2 * share) * (b.sigma - a.sigma) +
-         share * left * T * (left * a.rate - share * b.rate);
-}
-
-}  // namespace
-
 void PlaceEvents::expect(const PathEvent& event, double sigma, double earliest) noexcept {
-  if (count_ < kMost) entries_[count_++] = {sigma, event.lead, earliest, false, 0, event.effect};
+  if (count_ < kMost)
+    entries_[count_++] = {sigma, event.lead, earliest, false, 0, {}, event.effect};
 }
 
 void PlaceEvents::begin_run(const Mark& mark) noexcept {
@@ -46,41 +22,21 @@ void PlaceEvents::go_on(const Mark& mark) noexcept {
   now_ = mark;
   for (std::size_t i = 0; i < count_; ++i) {
     Entry& entry = entries_[i];
-    if (entry.passed || !reached(entry.sigma)) continue;
+    if (entry.passed || !reaches(now_, entry.sigma)) continue;
     entry.passed = true;
     entry.when = passing(entry.sigma);
   }
 }
 
-/// But for the rounding of sums of lengths.
-bool PlaceEvents::reached(double sigma) const noexcept {
-  return now_.sigma >= sigma - 1e-12 * (1 + std::abs(sigma));
-}
-
-double PlaceEvents::passing(double sigma) const noexcept {
-  if (before_.sigma >= sigma) return before_.time;
-  double low = 0;
-  double high = 1;
-  for (int i = 0; i < 50; ++i) {  // 50 halvings: below 1e-15
-    const double middle = (low + high) / 2;
-    (between(before_, now_, middle) < sigma ? low : high) = middle;
-  }
-  return before_.time + high * (now_.time - before_.time);
-}
-
-std::optional<double> PlaceEvents::when(Entry& entry, const Guide& guide,
-                                        const GuideHistory& history, double lag) const noexcept {
-  if (!entry.passed && reached(entry.sigma)) {  // before it was expected
+/// When the references passed its place, or will within its lead from now on.
+std::optional<double> PlaceEvents::when(Entry& entry) noexcept {
+  if (!entry.passed && reaches(now_, entry.sigma)) {  // before it was expected
     entry.passed = true;
     entry.when = passing(entry.sigma);
   }
   if (entry.passed) return entry.when;
   if (entry.lead <= 0) return std::nullopt;
-  const double ahead = std::min(entry.lead - lag, kFurthest);
-  auto passes = history.when(entry.sigma, now_.time);
-  if (!passes && ahead > 0) passes = foreseen(guide, entry.sigma, now_.time + ahead);
-  // Half of the mean's time after the guide; but they have not been there by now.
-  return passes ? std::optional(std::max(*passes + lag, now_.time)) : std::nullopt;
+  return foresight_.when(now_, {entry.sigma, entry.lead}, entry.outlook);
 }
 
 /// What comes at the motion's beginning cannot keep its lead; what was foreseen too late comes now.
@@ -93,7 +49,7 @@ void PlaceEvents::remember(const Entry& entry, double due) noexcept {
 std::optional<PlaceEvents::Missed> PlaceEvents::take_missed(double tolerance) noexcept {
   for (std::size_t i = 0; i < led_count_;) {
     const Led led = led_[i];
-    if (!reached(led.sigma)) {
+    if (!reaches(now_, led.sigma)) {
       ++i;
       continue;
     }
@@ -105,14 +61,13 @@ std::optional<PlaceEvents::Missed> PlaceEvents::take_missed(double tolerance) no
   return std::nullopt;
 }
 
-const Effect* PlaceEvents::take(const Guide& guide, const GuideHistory& history, double lag,
-                                const Until& until, double& due) noexcept {
+const Effect* PlaceEvents::take(const Until& until, double& due) noexcept {
   std::size_t first = kMost;
   double wanted = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     Entry& entry = entries_[i];
     if (entry.effect.after > until.number) continue;
-    const auto passes = when(entry, guide, history, lag);
+    const auto passes = when(entry);
     if (!passes) continue;
     const double wish = *passes - entry.lead;
     double at = std::max(entry.earliest, wish);

@@ -4,28 +4,24 @@
 #include <cstddef>
 #include <optional>
 
-#include "motion/generate/guide_history.h"
+#include "motion/generate/foresight.h"
 #include "motion/plan/segment_descriptor.h"
 
 namespace rob::motion {
 
 /// The path events of look-ahead motion: each is due when the references pass its place, or `lead`
-/// before that. Where they pass it is known from their own σ, the mean of the guide's. What they
-/// will pass is found by stepping a second guide on, half the mean's time behind which they follow:
-/// exact while override and what is known stay as they are, and the speed is even.
+/// before that. Where they pass it is known from their own σ, the mean of the guide's; what they
+/// will pass, by foresight.
 ///
 /// Times are the guide's, s. Every call may be used in the tick.
 class PlaceEvents {
  public:
-  /// The furthest that a second guide looks, s.
-  static constexpr double kFurthest = 0.5;
+  using Mark = ReferenceMark;
 
-  /// σ of the references at an instant, and its rate.
-  struct Mark {
-    double time = 0;
-    double sigma = 0;
-    double rate = 0;
-  };
+  /// `period`: of the references, which are the mean of the guide, s. Takes memory; nothing else
+  /// here does.
+  PlaceEvents(const Guide& guide, const ReferenceAverage& average, double period)
+      : foresight_(guide, average, period) {}
 
   /// `sigma`: the place; `earliest`: not before.
   void expect(const PathEvent& event, double sigma, double earliest) noexcept;
@@ -41,10 +37,8 @@ class PlaceEvents {
     double time = 0;
     std::uint32_t number = 0;
   };
-  /// What is due of motions up to a number, the earliest first; null: nothing. References lag
-  /// behind the guide by `lag`.
-  const Effect* take(const Guide& guide, const GuideHistory& history, double lag,
-                     const Until& until, double& due) noexcept;
+  /// What is due of motions up to a number, the earliest first; null: nothing.
+  const Effect* take(const Until& until, double& due) noexcept;
   /// s by which what was taken last came later than its LEAD asked for, since its motion does not
   /// take so long to its place; 0: it did not.
   double cut() const noexcept { return cut_; }
@@ -58,7 +52,7 @@ class PlaceEvents {
   std::optional<Missed> take_missed(double tolerance) noexcept;
   /// When the references passed, in the last period, a place that they have reached; or the
   /// beginning of that period, if they had passed it before.
-  double passing(double sigma) const noexcept;
+  double passing(double sigma) const noexcept { return passing_time(before_, now_, sigma); }
   bool pending() const noexcept { return count_ > 0; }
   void drop() noexcept { count_ = led_count_ = 0; }
 
@@ -69,6 +63,7 @@ class PlaceEvents {
     double earliest = 0;
     bool passed = false;
     double when = 0;  ///< the references pass, or will, the place; once `passed`
+    Foresight::Outlook outlook;
     Effect effect;
   };
   /// [choice] the events of eight legs, whose lags may overlap
@@ -81,11 +76,10 @@ class PlaceEvents {
     double lead = 0;
     double came = 0;
   };
-  bool reached(double sigma) const noexcept;
-  std::optional<double> when(Entry& entry, const Guide& guide, const GuideHistory& history,
-                             double lag) const noexcept;
+  std::optional<double> when(Entry& entry) noexcept;
   void remember(const Entry& entry, double due) noexcept;
 
+  Foresight foresight_;
   Mark before_;  ///< at the last two periods
   Mark now_;
   std::array<Led, kMost> led_;

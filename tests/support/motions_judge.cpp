@@ -158,8 +158,7 @@ bool said(const TracedRun& run, int line) {
 
 /// Each change of DOUT[8] has to come where the sigma of its motion is what was asked for. Motions
 /// begin and end by the guide, which the references are up to a·T²/24 away from, T the mean's time:
-/// so near to its ends a place may be passed outside of them, and
-/// what a LEAD foresees is the guide.
+/// so near to its ends a place may be passed outside of them.
 void judge_marks(const TracedRun& run, const RandomMotions& motions, double acceleration,
                  double mean, std::vector<std::string>& findings) {
   constexpr double kMm = 1000;  // sigma of a trace is in m
@@ -176,8 +175,7 @@ void judge_marks(const TracedRun& run, const RandomMotions& motions, double acce
     const PathMark& mark = motions.marks[i];
     const double blurred = acceleration * mean * mean / 24;
     const bool at_end = std::min(mark.place, mark.length - mark.place) <= blurred;
-    const double most =
-        acceleration * period * period + (at_end || mark.lag < 0 ? blurred : 0) + 1e-3;
+    const double most = acceleration * period * period + (at_end ? blurred : 0) + 1e-3;
     const auto near = [&](const TraceRow& row) {
       const double since = times[i] - mark.lag - row.t;
       const double before = at_end && row.line > mark.line ? mark.length : 0;
