@@ -1,10 +1,15 @@
 #include "motion/generate/jog_space.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rob::motion {
 
 namespace {
+
+/// m, rad: how far away it is seen what rates make of the axes. [choice] the square root of what
+/// rounding leaves of a place
+constexpr double kNearby = 1e-7;
 
 Pose composed(const Pose& frame, const Pose& inner) noexcept {
   return {place_of(inner.position, frame), frame.orientation * inner.orientation};
@@ -76,6 +81,44 @@ std::optional<JointVector> JogSpace::axes(const JogPlace& place,
     tip = {x.head<3>(), orientation_from({x[3], x[4], x[5]})};
   }
   return kinematics_->inverse(composed(tip, inverted(flange_T_tip_)), near);
+}
+
+std::optional<JointVector> JogSpace::image(const JogState& at,
+                                           const JointVector& rate) const noexcept {
+  if (joint()) return rate;
+  const double time = kNearby / std::max(rate.cwiseAbs().maxCoeff(), kNearby);
+  const JointVector& here = at.axes.q;
+  const auto ahead = axes(moved(at.place, rate * time), here);
+  const auto behind = axes(moved(at.place, rate * -time), here);
+  if (ahead && behind) return JointVector((*ahead - *behind) / (2 * time));
+  if (ahead) return JointVector((*ahead - here) / time);
+  if (behind) return JointVector((here - *behind) / time);
+  return std::nullopt;
+}
+
+JogSpeed JogSpace::speed(const JogState& at, const JointVector& rate) const noexcept {
+  if (joint()) {
+    // s between the places of the tip. [choice] an axis turns by less than 1e-3 rad meanwhile
+    constexpr double kBetween = 1e-4;
+    const Pose behind = tip(at.axes.q - rate * (kBetween / 2));
+    const Pose ahead = tip(at.axes.q + rate * (kBetween / 2));
+    return {(ahead.position - behind.position).norm() / kBetween,
+            behind.orientation.angularDistance(ahead.orientation) / kBetween};
+  }
+  const double linear = rate.head<3>().norm();
+  if (space_ == JogRates::Space::Tool) return {linear, rate.tail<3>().norm()};
+  // R = Rz(c)·Ry(b)·Rx(a): the axes of a and c meet at an angle whose cosine is −sin b.
+  const double leaning = 2 * rate[3] * rate[5] * std::sin(at.place.coordinates[4]);
+  return {linear, std::sqrt(std::max(0.0, rate.tail<3>().squaredNorm() - leaning))};
+}
+
+JogSpeed JogSpace::fastest(const JogState& from, const JogState& to, double time) const noexcept {
+  const double gains = from.acceleration.dot(from.rate);
+  const double loses = -to.acceleration.dot(to.rate);
+  if (!(gains > 0 && loses > 0)) return speed(to, to.rate);
+  const double part = gains / (gains + loses);
+  const JointVector bend = from.acceleration * (2 - part) + to.acceleration * part;
+  return speed(to, from.rate + bend * (part * time / 2));
 }
 
 Pose JogSpace::tip(const JointVector& q) const noexcept {

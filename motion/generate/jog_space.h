@@ -14,6 +14,20 @@ struct JogPlace {
   Pose tip;                 ///< Tool
 };
 
+/// A jog at an instant.
+struct JogState {
+  JogPlace place;
+  JointVector rate;          ///< of the coordinates
+  JointVector acceleration;  ///< d rate / dt
+  JointReference axes;
+};
+
+/// How fast a tool is: its tip, m/s, and how fast it turns, rad/s.
+struct JogSpeed {
+  double linear = 0;
+  double angular = 0;
+};
+
 /// The space of a jog's rates, and the way from it to the axes. May be used in the tick.
 class JogSpace {
  public:
@@ -30,6 +44,13 @@ class JogSpace {
   JogPlace moved(const JogPlace& from, const JointVector& displacement) const noexcept;
   /// The axis values nearest to `near` that bring the tip there; none where there are none.
   std::optional<JointVector> axes(const JogPlace& place, const JointVector& near) const noexcept;
+  /// What a rate of the coordinates makes of the axes, m/s or rad/s; none where the arm does not
+  /// reach to either side.
+  std::optional<JointVector> image(const JogState& at, const JointVector& rate) const noexcept;
+  /// How fast rates would move the tool in a state.
+  JogSpeed speed(const JogState& at, const JointVector& rate) const noexcept;
+  /// How fast the tool is at the end of a step at constant jerk, or where its rates are greatest.
+  JogSpeed fastest(const JogState& from, const JogState& to, double time) const noexcept;
   /// See Kinematics.
   double stretch(const JointVector& q) const noexcept { return kinematics_->stretch(q); }
   /// The tip where the axes are at q.

@@ -20,10 +20,6 @@ constexpr double kNoRate = 1e-12;    // m/s, rad/s: what rounding leaves of a re
 /// [choice] their rounding, 1e-15, makes 2e-8 rad/s² of it; what the axes' jerk changes, 1e-5.
 constexpr double kInstant = 0x1p-11;
 
-/// m, rad: how far away it is seen what rates make of the axes. [choice] the square root of what
-/// rounding leaves of a place
-constexpr double kNearby = 1e-7;
-
 /// rad. [choice] an arm of 1 m is 10 µm from its reach there
 constexpr double kStretched = 0.01;
 
@@ -53,8 +49,32 @@ constexpr int kMostSteps = 120;
 constexpr std::array kAgain = {4.0, 1.5, 0.5};
 constexpr double kLittle = 1.0 / 64;
 constexpr std::array kFromRest = {1.0, 1.0 / 8, kLittle};
+/// Where they would make the tool too fast, parts of what speeds permit instead. [choice] The tool
+/// is too fast by some percent at most; of what falls back farther a hand that keeps a force with
+/// its jogs loses it (docs/performance.md).
+constexpr std::array kSlower = {1.0, 0.98, 0.9, 0.6};
 /// Where none is possible the next are sought about this part.
 constexpr double kLess = 0.8;
+
+/// Of the speed of the tool that is asked for, by how much it may be exceeded: beside rounding,
+/// what a rest in several periods leaves open. [choice] less than half of what a person could
+/// measure
+constexpr double kOverSpeed = 2e-3;
+/// s before the tool would be too fast in which a jog slows down. [choice] the time in which an arm
+/// brings its acceleration to a half
+constexpr double kSoon = 0.05;
+/// m/s, rad/s: the same of a tool that is not to move or turn. [choice] far below an encoder's
+/// count in a period
+constexpr double kStillSpeed = 1e-7;
+
+JogSpeed greater(const JogSpeed& a, const JogSpeed& b) noexcept {
+  return {std::max(a.linear, b.linear), std::max(a.angular, b.angular)};
+}
+
+bool within(const JogSpeed& speed, const JogSpeed& most) noexcept {
+  return speed.linear <= most.linear * (1 + kOverSpeed) + kStillSpeed &&
+         speed.angular <= most.angular * (1 + kOverSpeed) + kStillSpeed;
+}
 
 constexpr double square(double x) noexcept { return x * x; }
 
@@ -93,6 +113,7 @@ void VelocityMode::stand_at(const JointVector& q) noexcept {
   state_.place = space_.enter(asked_, q);
   state_.rate = state_.acceleration = none;
   rest_periods_ = 0;
+  former_ = {};
 }
 
 bool VelocityMode::takes(const JogRates& rates) const noexcept {
@@ -100,6 +121,7 @@ bool VelocityMode::takes(const JogRates& rates) const noexcept {
 }
 
 void VelocityMode::aim(const JogRates& rates) noexcept {
+  keep_former();
   if (asked_.rate.size() != rates.rate.size() || asked_.rate != rates.rate) granted_ = 1;
   asked_ = rates;
   blocked_ = 0;
@@ -122,8 +144,10 @@ void VelocityMode::step(double share) noexcept {
   blocked_ = 0;
   limit_ = {};
   affordable_ = 0;
+  if (share < override_) keep_former();
+  override_ = share;
   if (stands() && !(share > 0)) return;
-  const auto asked = share > 0 ? image(asked_.rate) : std::nullopt;
+  const auto asked = share > 0 ? space_.image(state_, asked_.rate) : std::nullopt;
   if (share > 0 && !asked) {
     limit_ = {Limit::Reach, -1};
     affordable_ = 1;
@@ -143,21 +167,28 @@ bool VelocityMode::find_step(double share, const JointVector& asked) noexcept {
   affordable_ = greatest_share(asked);
   int steps = kMostSteps;
   double tried = -1;
-  for (std::size_t i = 0; i < kAgain.size() && steps > 0; ++i) {
-    double granted = stands() ? affordable_ * kFromRest[i] : granted_ * kAgain[i];
+  bool fast = false;
+  for (std::size_t i = 0; i < (fast ? kSlower.size() : kAgain.size()) && steps > 0; ++i) {
+    double granted = fast       ? affordable_ * kSlower[i]
+                     : stands() ? affordable_ * kFromRest[i]
+                                : granted_ * kAgain[i];
     granted = std::clamp(granted, i == 0 ? affordable_ * kLittle : 0, affordable_);
     if (granted == tried) continue;
     tried = granted;
     State next;
+    JogSpeed peak;
     JogLimit limit = go(state_, share * granted, asked, period_, next);
-    if (limit.kind == Limit::None) limit = try_rest(next, steps);
+    if (limit.kind == Limit::None) limit = try_rest(next, steps, peak);
     if (limit.kind == Limit::None) {
       state_ = next;
+      if (bounds_tool() && within(peak, permitted(next))) former_ = {};
       rest_periods_ = 0;
       granted_ = granted;
       return true;
     }
-    if (i == 0) limit_ = limit;
+    if (i > 0) continue;
+    limit_ = limit;
+    fast = limit.kind == Limit::Share && !stands();
   }
   return false;
 }
@@ -194,20 +225,6 @@ JogPlace VelocityMode::moved(const State& from, const State& to, double time) co
   return space_.moved(from.place, from.rate * time + bend * (time * time / 6));
 }
 
-/// What a rate of the coordinates makes of the axes here, m/s or rad/s; none where the arm does not
-/// reach to either side.
-std::optional<JointVector> VelocityMode::image(const JointVector& rate) const noexcept {
-  if (space_.joint()) return rate;
-  const double time = kNearby / std::max(rate.cwiseAbs().maxCoeff(), kNearby);
-  const JointVector& here = state_.axes.q;
-  const auto ahead = space_.axes(space_.moved(state_.place, rate * time), here);
-  const auto behind = space_.axes(space_.moved(state_.place, rate * -time), here);
-  if (ahead && behind) return JointVector((*ahead - *behind) / (2 * time));
-  if (ahead) return JointVector((*ahead - here) / time);
-  if (behind) return JointVector((here - *behind) / time);
-  return std::nullopt;
-}
-
 /// Of the rates, so that no axis becomes too fast here, nor the tool.
 double VelocityMode::greatest_share(const JointVector& asked) noexcept {
   double share = 1;
@@ -222,12 +239,17 @@ double VelocityMode::greatest_share(const JointVector& asked) noexcept {
     if (turns) bound(asked[i], asked_.turning_speed, {Limit::Share, i});
   }
   if (asked_.tool_speed == JogRates::kAny && asked_.turning_speed == JogRates::kAny) return share;
-  const Pose from = space_.tip(state_.axes.q);
-  const Pose to = space_.tip(state_.axes.q + asked * kInstant);
-  bound((to.position - from.position).norm() / kInstant, asked_.tool_speed, {Limit::Share, -1});
-  if (space_.joint()) return share;
-  bound(from.orientation.angularDistance(to.orientation) / kInstant, asked_.turning_speed,
-        {Limit::Share, -1});
+  const auto bound_tool = [&](const State& at) noexcept {
+    const JogSpeed speed = space_.speed(at, asked_.rate);
+    bound(speed.linear, asked_.tool_speed, {Limit::Share, -1});
+    if (!space_.joint()) bound(speed.angular, asked_.turning_speed, {Limit::Share, -1});
+  };
+  bound_tool(state_);
+  // What its own motion makes of it soon: it has to have slowed down by then.
+  State soon = state_;
+  soon.place = space_.moved(state_.place, state_.rate * kSoon);
+  soon.axes.q += state_.axes.qd * kSoon;
+  bound_tool(soon);
   return share;
 }
 
@@ -264,7 +286,8 @@ JointVector VelocityMode::next_acceleration(const State& from, const JointVector
   const double bent = from.acceleration.norm() * time;
   const bool directed = way > std::max(kBeside * bent, kNoRate);
   if (!directed || beside.norm() * time <= kBeside * std::max(bent, way)) {
-    const RateChange change = rate_change(of_axes, from.axes.qdd, a_max, j_max, time);
+    const JointVector felt = directed ? JointVector(of_axes * along) : from.axes.qdd;
+    const RateChange change = rate_change(of_axes, felt, a_max, j_max, time);
     return missing * change.of_missing + from.acceleration * change.of_acceleration;
   }
   const JointVector felt = from.axes.qdd - of_axes * along;
@@ -294,6 +317,34 @@ bool VelocityMode::follow(const JointVector& near, State& state) const noexcept 
   state.axes.qd = (*ahead - *behind) / (2 * kInstant);
   state.axes.qdd = (*ahead - *q * 2 + *behind) / (kInstant * kInstant);
   return true;
+}
+
+bool VelocityMode::bounds_tool() const noexcept {
+  return !space_.joint() || asked_.tool_speed != JogRates::kAny;
+}
+
+/// How fast rates, AT and the override let the tool be in a state.
+JogSpeed VelocityMode::permitted(const State& at) const noexcept {
+  if (space_.joint()) return {override_ * asked_.tool_speed, JogRates::kAny};
+  const JogSpeed asked = space_.speed(at, asked_.rate);
+  return {override_ * std::min(asked.linear, asked_.tool_speed),
+          override_ * std::min(asked.angular, asked_.turning_speed)};
+}
+
+/// What is asked for is about to change: until the tool has become as slow as is asked for then, it
+/// may be as fast as it was permitted to be.
+void VelocityMode::keep_former() noexcept {
+  if (!stands() && bounds_tool()) former_ = greater(former_, permitted(state_));
+}
+
+/// Whether the tool is too fast at the end of a step, or where it is fastest in between; `peak`
+/// rises to that.
+bool VelocityMode::too_fast(const State& from, const State& to, double time,
+                            JogSpeed& peak) const noexcept {
+  if (!bounds_tool()) return false;
+  const JogSpeed now = space_.fastest(from, to, time);
+  peak = greater(peak, now);
+  return !within(now, greater(permitted(to), former_));
 }
 
 /// Whether an arm is about to be stretched or folded; back it may go.
@@ -331,15 +382,17 @@ JogLimit VelocityMode::judge(const JointReference& from, const JointReference& t
   return {};
 }
 
-/// Comes to rest from a state as go_on_to_rest() would.
-JogLimit VelocityMode::try_rest(State state, int& steps) const noexcept {
+/// From the state one period on comes to rest as go_on_to_rest() would.
+JogLimit VelocityMode::try_rest(State state, int& steps, JogSpeed& peak) const noexcept {
   const JointVector none = JointVector::Zero(state.axes.q.size());
   const double time = period_ * periods_a_rest_step_;
   State next;
+  if (too_fast(state_, state, period_, peak)) return {Limit::Share, -1};
   while (!at_rest(state)) {
     if (steps-- <= 0) return {Limit::Acceleration, -1};
     const JogLimit limit = go(state, 0, none, time, next);
     if (limit.kind != Limit::None) return limit;
+    if (too_fast(state, next, time, peak)) return {Limit::Share, -1};
     state = next;
   }
   return {};

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 
 #include "motion/generate/jog_space.h"
 #include "motion/robots/robot_model.h"
@@ -33,9 +32,10 @@ struct JogLimit {
 /// come to rest with every axis within its way, speed, acceleration and jerk: that rest is tried
 /// beforehand, and where it is not possible smaller rates in the same direction are. Where none of
 /// the few that are tried in a period is possible, the rest behind the step before is gone on
-/// with: so the work of a period is bounded. A jog slows down before the end of an axis, the border
-/// of its reach and singular places, stands still short of them, and goes wherever they are not:
-/// each axis alone always back.
+/// with: so the work of a period is bounded. Neither the step nor that rest moves the tool faster
+/// than the rates that were asked for and AT permit. A jog slows down before the end of an axis,
+/// the border of its reach and singular places, stands still short of them, and goes wherever they
+/// are not: each axis alone always back.
 ///
 ///     asked        ____              slower as long as an axis could not
 ///     made     ___/    ╲______       follow, or not be stopped in time
@@ -66,27 +66,25 @@ class VelocityMode {
   bool stopped() const noexcept { return broken_off_ || granted_ * 30 < affordable_; }
 
  private:
-  struct State {
-    JogPlace place;
-    JointVector rate;          ///< of the coordinates
-    JointVector acceleration;  ///< d rate / dt
-    JointReference axes;
-  };
+  using State = JogState;
 
   static bool at_rest(const State& state) noexcept;
   bool find_step(double share, const JointVector& asked) noexcept;
   bool go_on_to_rest() noexcept;
-  std::optional<JointVector> image(const JointVector& rate) const noexcept;
   double greatest_share(const JointVector& asked) noexcept;
   JogLimit go(const State& from, double share, const JointVector& asked, double time,
               State& to) const noexcept;
+  bool bounds_tool() const noexcept;
+  JogSpeed permitted(const State& at) const noexcept;
+  void keep_former() noexcept;
+  bool too_fast(const State& from, const State& to, double time, JogSpeed& peak) const noexcept;
   JointVector next_acceleration(const State& from, const JointVector& missing,
                                 const JointVector& of_axes, double time) const noexcept;
   JogPlace moved(const State& from, const State& to, double time) const noexcept;
   bool follow(const JointVector& near, State& state) const noexcept;
   JogLimit judge(const JointReference& from, const JointReference& to, double time) const noexcept;
   bool leaves_reach(const JointVector& from, const JointVector& to) const noexcept;
-  JogLimit try_rest(State state, int& steps) const noexcept;
+  JogLimit try_rest(State state, int& steps, JogSpeed& peak) const noexcept;
   void brake_axes() noexcept;
 
   const double period_;
@@ -103,7 +101,9 @@ class VelocityMode {
   double granted_ = 1;
   bool broken_off_ = false;  ///< the rates were given up, until others are asked for
   double blocked_ = 0;       ///< it stands, and this share of the rates does not let it go on
-  double affordable_ = 0;    ///< share of the rates that speeds alone permit here; 0: nothing asked
+  double override_ = 1;      ///< of the rates, and of what AT permits the tool
+  JogSpeed former_;        ///< permitted before what is asked for now; 0: it has come down to that
+  double affordable_ = 0;  ///< share of the rates that speeds alone permit here; 0: nothing asked
 };
 
 }  // namespace rob::motion

@@ -1,10 +1,12 @@
 // Programs for arms from outside.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 
+#include "tests/motion/kinematics/arms.h"
 #include "tests/support/rob_command.h"
 #include "tests/support/trace_file.h"
 
@@ -61,6 +63,29 @@ TEST_CASE("every arm goes where it is sent, and back to where it started") {
                             "ASSERT DIST(FORWARD(JOINTS(start, near: stood)), start) < 0.001mm\n");
     INFO(report.dump());
     CHECK(report["status"] == "done");
+  }
+}
+
+TEST_CASE("a program's jog moves the tool no faster than it says, by the published table") {
+  const auto& arms = rob::test::published_arms();
+  const auto lwa4p = std::ranges::find(arms, "lwa4p", &rob::test::PublishedArm::name);
+  const auto tip = [&](const rob::test::TraceRow& row) {
+    rob::motion::JointVector q(6);
+    for (int i = 0; i < 6; ++i) q[i] = row.q[static_cast<std::size_t>(i)] * rob::test::kDegree;
+    return Eigen::Vector3d(rob::test::dh_forward(*lwa4p, q).topRightCorner<3, 1>() * 1000);
+  };
+  for (const char* jog : {"JOG WORLD (z: 250mm/s) FOR 0.6s\n", "JOG TOOL (z: -250mm/s) FOR 0.6s\n",
+                          "JOG JOINT (0deg/s, -60deg/s, 0deg/s, 0deg/s, 0deg/s, 0deg/s) FOR 0.6s "
+                          "AT 250mm/s\n"}) {
+    CAPTURE(jog);
+    const auto rows = traced(std::string("ROBOT \"lwa4p\"\n") + jog).rows;
+    double fastest = 0;  // mm/s
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      const double way = (tip(rows[i]) - tip(rows[i - 1])).norm();
+      fastest = std::max(fastest, way / (rows[i].t - rows[i - 1].t));
+    }
+    CHECK(fastest <= 1.005 * 250);
+    CHECK(fastest >= 0.99 * 250);
   }
 }
 

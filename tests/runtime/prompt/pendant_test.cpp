@@ -203,6 +203,20 @@ TEST_CASE("an arm jogs in the world and in its tool") {
   CHECK(moved.head<2>().norm() < 1e-6);
 }
 
+TEST_CASE("an arm under the pendant is never faster than the speed that is shown") {
+  Held held(true, "lwa4p");
+  held.pendant.press(letter('w'));
+  for (int i = 0; i < 10; ++i) held.pendant.press(letter(']'));  // to 250 mm/s
+  held.pendant.press(Key{Key::Kind::PageUp});
+  double fastest = 0;  // m/s
+  for (int i = 0; i < 100; ++i) {
+    held.pass(0.004);
+    fastest = std::max(fastest, held.velocity().norm());
+  }
+  CHECK(fastest <= 1.005 * 0.25);
+  CHECK(fastest >= 0.99 * 0.25);
+}
+
 TEST_CASE("outputs are toggled, and Esc leaves") {
   Held held(false);
   held.pendant.press(letter('g'));
