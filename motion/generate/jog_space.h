@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "motion/kinematics/kinematics.h"
@@ -24,9 +25,26 @@ struct JogState {
 
 /// How fast a tool is: its tip, m/s, and how fast it turns, rad/s.
 struct JogSpeed {
+  /// By how much a bound may be exceeded: beside rounding, what a rest in several periods leaves
+  /// open. [choice] less than half of what a person could measure
+  static constexpr double kOver = 2e-3;
+  /// m/s, rad/s: the same where nothing is to move. [choice] far below an encoder's count in a
+  /// period
+  static constexpr double kStill = 1e-7;
+
   double linear = 0;
   double angular = 0;
+
+  bool within(const JogSpeed& most) const noexcept {
+    return linear <= most.linear * (1 + kOver) + kStill &&
+           angular <= most.angular * (1 + kOver) + kStill;
+  }
 };
+
+/// The greater of each.
+inline JogSpeed greater(const JogSpeed& a, const JogSpeed& b) noexcept {
+  return {std::max(a.linear, b.linear), std::max(a.angular, b.angular)};
+}
 
 /// The space of a jog's rates, and the way from it to the axes. May be used in the tick.
 class JogSpace {

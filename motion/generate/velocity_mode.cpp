@@ -56,25 +56,9 @@ constexpr std::array kSlower = {1.0, 0.98, 0.9, 0.6};
 /// Where none is possible the next are sought about this part.
 constexpr double kLess = 0.8;
 
-/// Of the speed of the tool that is asked for, by how much it may be exceeded: beside rounding,
-/// what a rest in several periods leaves open. [choice] less than half of what a person could
-/// measure
-constexpr double kOverSpeed = 2e-3;
 /// s before the tool would be too fast in which a jog slows down. [choice] the time in which an arm
 /// brings its acceleration to a half
 constexpr double kSoon = 0.05;
-/// m/s, rad/s: the same of a tool that is not to move or turn. [choice] far below an encoder's
-/// count in a period
-constexpr double kStillSpeed = 1e-7;
-
-JogSpeed greater(const JogSpeed& a, const JogSpeed& b) noexcept {
-  return {std::max(a.linear, b.linear), std::max(a.angular, b.angular)};
-}
-
-bool within(const JogSpeed& speed, const JogSpeed& most) noexcept {
-  return speed.linear <= most.linear * (1 + kOverSpeed) + kStillSpeed &&
-         speed.angular <= most.angular * (1 + kOverSpeed) + kStillSpeed;
-}
 
 constexpr double square(double x) noexcept { return x * x; }
 
@@ -181,7 +165,7 @@ bool VelocityMode::find_step(double share, const JointVector& asked) noexcept {
     if (limit.kind == Limit::None) limit = try_rest(next, steps, peak);
     if (limit.kind == Limit::None) {
       state_ = next;
-      if (bounds_tool() && within(peak, permitted(next))) former_ = {};
+      if (bounds_tool() && peak.within(permitted(next))) former_ = {};
       rest_periods_ = 0;
       granted_ = granted;
       return true;
@@ -344,7 +328,7 @@ bool VelocityMode::too_fast(const State& from, const State& to, double time,
   if (!bounds_tool()) return false;
   const JogSpeed now = space_.fastest(from, to, time);
   peak = greater(peak, now);
-  return !within(now, greater(permitted(to), former_));
+  return !now.within(greater(permitted(to), former_));
 }
 
 /// Whether an arm is about to be stretched or folded; back it may go.

@@ -27,10 +27,10 @@ RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share,
       references_(*robot.kinematics),
       path_(*robot.kinematics, robot.start),
       slow_(robot),
+      peaks_(robot),
       reached_(robot.start) {
   result_.robot = robot.name;
   result_.law = motion::law_name(robot.law);
-  for (const motion::Axis& axis : robot.axes) result_.peaks.push_back({axis.name});
 }
 
 void RunRecorder::drain() {
@@ -58,7 +58,8 @@ void RunRecorder::take(const Snapshot& snapshot) {
   const double way = path_.reference(snapshot.sample.reference.q);
   if (running_) line_of(*running_).way += way * kMillimetresPerMetre;
   if (!comes_timed()) slow_.take(snapshot.sample, way);
-  take_peaks(snapshot);
+  peaks_.take(snapshot.sample.reference);
+  result_.worst_saturation = std::max(result_.worst_saturation, snapshot.saturation);
   if (early_) locate(snapshot);
   last_ = snapshot;
   if (listener_.snapshot) listener_.snapshot(snapshot);
@@ -290,22 +291,6 @@ void RunRecorder::add_analog(const MotionEvent& event) {
               "keep the value within its SCALE, or give the signal a wider one"});
 }
 
-void RunRecorder::take_peaks(const Snapshot& snapshot) {
-  const motion::JointReference& now = snapshot.sample.reference;
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const double scale = shown_per_si(robot_.axes[at].kind);
-    AxisPeak& peak = result_.peaks[at];
-    peak.v = std::max(peak.v, scale * std::abs(now.qd[i]));
-    peak.a = std::max(peak.a, scale * std::abs(now.qdd[i]));
-    if (!last_) continue;
-    const motion::JointReference& before = last_->sample.reference;
-    const double dt = now.time - before.time;
-    if (dt > 0) peak.j = std::max(peak.j, scale * std::abs(now.qdd[i] - before.qdd[i]) / dt);
-  }
-  result_.worst_saturation = std::max(result_.worst_saturation, snapshot.saturation);
-}
-
 void RunRecorder::add_event(double time, const char* kind, int line, std::string text) {
   events_.push_back({time, kind, line, std::move(text),
                      shown_joints(last_ ? last_->sample.reference.q : robot_.start)});
@@ -364,6 +349,7 @@ RunResult RunRecorder::finish() {
       static_cast<std::int64_t>(std::ceil(result_.measured / robot_.reference_period - kRounding));
   result_.deviation = std::max(result_.deviation, path_.deviation() * kMillimetresPerMetre);
   result_.slow_places = slow_.finish();
+  result_.peaks = peaks_.peaks();
   take_stand();
   return std::move(result_);
 }

@@ -14,6 +14,7 @@
 #include "runtime/program/corner_meter.h"
 #include "runtime/program/kept_ends.h"
 #include "runtime/program/path_meter.h"
+#include "runtime/program/peak_meter.h"
 #include "runtime/program/run_result.h"
 #include "runtime/program/signal_names.h"
 #include "runtime/program/slow_places.h"
@@ -96,7 +97,6 @@ class RunRecorder {
   void take_output(const motion::MotionEvent& event);
   void add_output(const motion::MotionEvent& event, bool value);
   void add_analog(const motion::MotionEvent& event);
-  void take_peaks(const Snapshot& snapshot);
   /// mm or deg.
   std::vector<double> shown_joints(const motion::JointVector& q) const;
   void take_stand();
@@ -118,6 +118,7 @@ class RunRecorder {
   std::map<std::uint32_t, double> decisions_;  ///< s, by number, of motions that have not begun
   PathMeter path_;
   SlowPlaces slow_;
+  PeakMeter peaks_;
   RunResult result_;
   KeptEnds<std::string> output_;
   KeptEnds<SignalChange> signals_;
