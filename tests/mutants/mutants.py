@@ -6,8 +6,9 @@
 Each of N mutants is one small mutation (mutations.py) of one source file of lang, motion, drivers or
 runtime, drawn by the seed. It is built, and the tests of its layer run: first those of its folder in
 the layer's test binary, then the others, at last the tests from outside. A mutant is dead when a
-test fails, crashes, or takes several times as long as without it. A mutation
-that does not compile, or compiles to the same code, does not count: another one is drawn.
+test fails, crashes, or takes several times as long as without it. Which of the three found it is
+printed. A mutation that does not compile, or compiles to the same code, does not count: another one
+is drawn.
 
 It works on a copy, build-mutants/source, and never touches the sources. It prints each survivor with
 its position. The exit code is 0 if at least 90 % died.
@@ -31,7 +32,8 @@ sys.dont_write_bytecode = True  # no files beside the sources
 from mutations import mutations_of  # noqa: E402
 
 LAYERS = ("lang", "motion", "drivers", "runtime")
-SOURCES = (*LAYERS, "tests", "docs", "examples", "CMakeLists.txt", "README.md")
+SOURCES = (*LAYERS, "tests", "docs", "examples", "CMakeLists.txt", "README.md", "CHANGELOG.md", "LICENSE",
+           "packages.txt")
 GOAL = 0.9
 NOT_IN_REAL_TIME = "--source-file-exclude=*/link/*,*/machines/*,*/real_time_*"
 # Names of ctest: what tests a layer from outside, beside <layer>_test.
@@ -53,18 +55,50 @@ def limit_resources():
     resource.setrlimit(resource.RLIMIT_FSIZE, (256 << 20, 256 << 20))
 
 
+def processor_time(session):
+    """Seconds of processor time that the processes of a session have used, with the children that
+    they have waited for."""
+    ticks = 0
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = stat.read_text().rpartition(")")[2].split()
+        except OSError:
+            continue  # it has ended
+        if int(fields[3]) == session:
+            ticks += sum(int(field) for field in fields[11:15])
+    return ticks / os.sysconf("SC_CLK_TCK")
+
+
+class Limit:
+    """How long a run may take: in processor time, which other work on the machine does not change,
+    and in time that passes, for a run that only waits."""
+
+    def __init__(self, used, passed):
+        self.used = used
+        self.passed = passed
+
+    def wait_for(self, process):
+        """Whether the process ended within the limits with 0."""
+        begin = time.monotonic()
+        while True:
+            try:
+                return process.wait(1) == 0
+            except subprocess.TimeoutExpired:
+                passed = time.monotonic() - begin
+                if passed > self.passed or processor_time(process.pid) > self.used:
+                    return False
+
+
 def run(command, folder, limit=None, environment=None):
-    """Runs it in a process group of its own, which is killed as a whole when it takes more than
-    `limit` seconds or this program ends. Whether it returned 0, and all that it wrote."""
+    """Runs it in a session of its own, which is killed as a whole when it goes beyond the limit or
+    this program ends. Whether it returned 0, and all that it wrote."""
     with tempfile.TemporaryFile() as out:
         process = subprocess.Popen(
             command, cwd=folder, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
             env=environment, start_new_session=True, preexec_fn=limit_resources if limit else None,
         )  # fmt: skip
         try:
-            passed = process.wait(limit) == 0
-        except subprocess.TimeoutExpired:
-            passed = False
+            passed = limit.wait_for(process) if limit else process.wait() == 0
         finally:
             try:
                 os.killpg(process.pid, signal.SIGKILL)
@@ -133,8 +167,9 @@ class Copy:
 class Trial:
     """The tests that a mutant of one layer has to survive, and the time that each may take."""
 
-    LONGEST = 3600  # s without a mutant
-    PATIENCE = 5  # times as long as without a mutant, and some seconds
+    LONGEST = Limit(3600, 7200)  # s without a mutant
+    PATIENCE = 5  # times the processor time used without a mutant, and some seconds
+    DELAY = 10  # times the time that passed without a mutant, and a minute
 
     def __init__(self, copy, layer):
         self.copy = copy
@@ -144,10 +179,14 @@ class Trial:
         self.limits = dict.fromkeys(("folder", "binary", "outside"), self.LONGEST)
         for name in self.limits:
             begin = time.monotonic()
+            used = resource.getrusage(resource.RUSAGE_CHILDREN)
             passed, out = self.passes(name, "")
             if not passed:
                 raise Failed(f"{out}\nthe tests of {layer} fail without a mutant")
-            self.limits[name] = 20 + self.PATIENCE * (time.monotonic() - begin)
+            end = resource.getrusage(resource.RUSAGE_CHILDREN)
+            used = end.ru_utime + end.ru_stime - used.ru_utime - used.ru_stime
+            passed = time.monotonic() - begin
+            self.limits[name] = Limit(20 + self.PATIENCE * used, 60 + self.DELAY * passed)
 
     def passes(self, stage, folder):
         """Whether the tests of a stage pass, and what they wrote. They have a home of their own, for
@@ -164,8 +203,9 @@ class Trial:
             environment = {**os.environ, **dict.fromkeys(names, home)}
             return run(command, self.copy.build, self.limits[stage], environment)
 
-    def survives(self, file):
-        """Whether no test finds the mutant that is in the copy; None if it is no mutant."""
+    def fate(self, file):
+        """The stage whose tests find the mutant that is in the copy, "" if none does; None if it is
+        no mutant."""
         compiles, _ = self.copy.make(self.binary)
         if not compiles:
             return None
@@ -175,8 +215,8 @@ class Trial:
             if stage == "outside" and not self.copy.make("all")[0]:
                 return None
             if not self.passes(stage, file.parent)[0]:
-                return False
-        return True
+                return stage
+        return ""
 
 
 def all_mutations(source):
@@ -197,12 +237,12 @@ def shown(text, mutation):
 
 
 def try_mutant(copy, trial, file, mutation):
-    """As Trial.survives(); the copy is whole again afterwards."""
+    """As Trial.fate(); the copy is whole again afterwards."""
     path = copy.source / file
     text = path.read_text()
     try:
         path.write_text(mutation.apply(text))
-        return trial.survives(file)
+        return trial.fate(file)
     finally:
         path.write_text(text)
 
@@ -220,13 +260,13 @@ def hunt(copy, count, seed):
         if layer not in trials:
             trials[layer] = Trial(copy, layer)
         text = (copy.source / file).read_text()
-        survives = try_mutant(copy, trials[layer], file, mutation)
-        if survives is None:
+        stage = try_mutant(copy, trials[layer], file, mutation)
+        if stage is None:
             continue
         tried += 1
-        died += not survives
+        died += stage != ""
         before, after = shown(text, mutation)
-        state = "SURVIVED" if survives else "died"
+        state = f"died ({stage})" if stage else "SURVIVED"
         print(f"{tried}/{count} {state} {file}:{mutation.line(text)}\n    - {before}\n    + {after}")
         sys.stdout.flush()
     return tried, died

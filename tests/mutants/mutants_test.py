@@ -114,7 +114,7 @@ class Hunt(unittest.TestCase):
         self.write("tests/sign_test.cpp", GOOD)
         before = self.tree()
         code, out = self.hunt(2)
-        self.assertEqual((code, out.count(" died lang/sign.cpp:3")), (0, 2), out)
+        self.assertEqual((code, out.count(" died (folder) lang/sign.cpp:3")), (0, 2), out)
         self.assertIn("2 of 2 mutants died (100 %), seed 1", out)
         self.assertEqual(self.tree(), before)
 
