@@ -14,7 +14,7 @@ constexpr double kSteady = 0.8;
 /// [choice] The same of its jerk, which changes of the rate where the path bends need as much of.
 constexpr double kSteadyJerk = 0.5;
 /// [choice] In each piece of the axes so many places are looked at.
-constexpr int kParts = 8;
+constexpr int kPlacesAPiece = 8;
 
 /// What the axes do at a place, and its rate, 1/s.
 struct PacedPlace {
@@ -101,7 +101,7 @@ void follow_changes(const RobotModel& robot, double change, Places begin, Places
 std::optional<PaceLaw> local_pace(const RobotModel& robot, const JointPath& axes,
                                   const PaceWish& wish) {
   std::vector<PacedPlace> places;
-  axes.survey(kParts, [&](double s, const PathPoint& point) {
+  axes.survey(kPlacesAPiece, [&](double s, const PathPoint& point) {
     const double share = (s - axes.begin()) / (axes.end() - axes.begin());
     places.push_back({share, point, steady_rate(robot, point, wish)});
   });
