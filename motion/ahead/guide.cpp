@@ -139,6 +139,7 @@ double Guide::half_bent(const Piece& piece, const PathPoint& end) const noexcept
         piece.averaged() ? piece.bends[i] : std::max(std::abs(begin.qdd[i]), std::abs(end.qdd[i]));
     if (2 * bend * square > piece.acceleration[i]) square = piece.acceleration[i] / (2 * bend);
   }
+  if (2 * piece.torque.bend * square > 1) square = 1 / (2 * piece.torque.bend);
   return square;
 }
 

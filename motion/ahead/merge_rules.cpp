@@ -35,8 +35,8 @@ bool joins(const SegmentDescriptor& in, const SegmentDescriptor& out) {
   const LegBounds& before = in.ahead;
   const LegBounds& after = out.ahead;
   const bool lines = (before.line != nullptr) == (after.line != nullptr);
-  return !out.from_rest && in.generation == out.generation && lines &&
-         (after.line != nullptr || before.acceleration == after.acceleration) &&
+  return !out.from_rest && before.mechanics == after.mechanics && in.generation == out.generation &&
+         lines && (after.line != nullptr || before.acceleration == after.acceleration) &&
          before.tip.position == after.tip.position &&
          before.tip.orientation.coeffs() == after.tip.orientation.coeffs();
 }

@@ -13,8 +13,8 @@ bool PathPlanner::extends_last(const Piece& piece) const {
   if (end_ == ring_.end() || !piece.straight()) return false;
   const Piece& last = ring_.written(end_ - 1);
   constexpr double kSame = 1e-12;
-  return last.straight() && !ring_.run_end(end_ - 1) && last.pace == piece.pace &&
-         last.acceleration == piece.acceleration &&
+  return last.straight() && !last.torqued() && !piece.torqued() && !ring_.run_end(end_ - 1) &&
+         last.pace == piece.pace && last.acceleration == piece.acceleration &&
          (last.terms[1] - piece.terms[1]).cwiseAbs().maxCoeff() <= kSame;
 }
 
@@ -131,6 +131,10 @@ void PathPlanner::bound_speeds(PathRing::Index until) {
     const auto axes = piece.acceleration.size();
     piece.slopes = most.slopes.head(axes);
     piece.bends = most.bends.head(axes);
+    if (piece.torqued()) {
+      piece.torque.slope = most.slopes[Extent::kTorque];
+      piece.torque.bend = most.bends[Extent::kTorque];
+    }
     piece.swings = (alone_ ? most.slopes : most.swings).head(axes);
     if (alone_) continue;
     if (most.fastest < piece.fastest) {

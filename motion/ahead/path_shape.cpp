@@ -145,6 +145,40 @@ void append_nodes(const RobotModel& robot, const ShapedLeg& leg, const JointPath
   }
 }
 
+/// Whether gears and drives can be asked for more than there is at all, with what the axes have:
+/// where each place acts alone, with bends too, σ'' is at most twice what it were without them.
+bool torque_binds(const Piece& piece) {
+  const PathPoint begin = piece.point(0);
+  const PathPoint end = piece.point(piece.length);
+  double control = Piece::kAny;
+  for (int i = 0; i < piece.acceleration.size(); ++i) {
+    const double slope = std::max(std::abs(begin.qd[i]), std::abs(end.qd[i]));
+    if (slope * control > piece.acceleration[i]) control = piece.acceleration[i] / slope;
+  }
+  return !(piece.torque.slope * 2 * control + piece.torque.bend * piece.fastest * piece.fastest <=
+           1);
+}
+
+/// Of the ends of a curve's piece, which is short, and of places on a straight one.
+void bound_torque(const RobotModel& robot, const ShapedLeg& leg, Piece& piece) {
+  const ArmMechanics* const arm = leg.segment.ahead.mechanics;
+  if (arm == nullptr) return;
+  constexpr double kMostParts = 90;  // [choice] two degrees of half a turn
+  int parts = 1;
+  if (piece.straight()) {
+    const double turned = piece.terms[1].cwiseAbs().maxCoeff() * piece.length;
+    parts = static_cast<int>(std::clamp(std::ceil(turned / kMostTurn), 1.0, kMostParts));
+  }
+  for (int k = 0; k <= parts; ++k)
+    piece.torque.take(
+        torque_row(robot, *arm, piece.point(piece.length * k / parts), piece.fastest));
+  if (piece.torque.fastest < piece.fastest) {
+    piece.fastest = piece.torque.fastest;
+    piece.fastest_axis = -1;
+  }
+  if (leg.segment.ahead.window == 0 && !torque_binds(piece)) piece.torque = {};
+}
+
 /// The tool is as fast as the motions on a piece ask for, not σ: a curve cuts corners, and has
 /// knots that lie closer.
 void pace_merged(const ShapedLeg& leg, std::size_t first, std::vector<Piece>& pieces) {
@@ -269,11 +303,12 @@ void append_leg(const RobotModel& robot, const ShapedLeg& leg, double from, doub
                 double longest, std::vector<Piece>& pieces) {
   if (!(to > from)) return;
   const auto at = [&](double way) { return leg.at(way); };
+  const std::size_t first = pieces.size();
   if (leg.motion.path != nullptr) {
-    const std::size_t first = pieces.size();
     append_nodes(robot, leg, *leg.motion.path, leg.length(), leg.begin + from, from, to,
                  Piece::kAny, at, pieces);
     if (leg.merged()) pace_merged(leg, first, pieces);
+    for (std::size_t i = first; i < pieces.size(); ++i) bound_torque(robot, leg, pieces[i]);
     return;
   }
   const double parts = std::max(1.0, std::ceil((to - from) / longest));
@@ -286,6 +321,7 @@ void append_leg(const RobotModel& robot, const ShapedLeg& leg, double from, doub
     piece.terms[0] = place.q;
     piece.terms[1] = place.qd;
     bound_speed(robot, place.qd, piece);
+    bound_torque(robot, leg, piece);
     pieces.push_back(piece);
   }
 }
@@ -327,6 +363,8 @@ void append_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& 
   }
   const bool guarded = out.segment.guard.present();
   for (std::size_t i = first; i < pieces.size(); ++i) {
+    const bool before = pieces[i].begin + pieces[i].length / 2 < in.end();
+    bound_torque(robot, before ? in : out, pieces[i]);
     const double fastest = std::min(turn.fastest, guarded ? half_speed(pieces[i]) : Piece::kAny);
     if (fastest >= pieces[i].fastest) continue;
     pieces[i].fastest = fastest;

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "motion/plan/torque_row.h"
 #include "motion/space/joint_vector.h"
 #include "motion/space/path_point.h"
 
@@ -28,6 +29,10 @@ struct Piece {
   double fastest = kAny;  ///< σ' that the speeds of the axes allow all along, and what else does
   int fastest_axis = -1;  ///< that sets it; −1: another reason
 
+  /// Of all of the piece; where the mean of σ makes the references, of all around here. Without a
+  /// slope and a bend: nothing is known of an arm.
+  TorqueRow torque;
+
   // Where the mean of σ makes the references, places within half its time act together: the
   // greatest |dq/dσ| and |d²q/dσ²| of the axes around here, and the slope that in their place
   // bounds σ'' for the sake of the jerk. Empty: each place acts alone.
@@ -43,6 +48,7 @@ struct Piece {
   }
 
   bool straight() const noexcept { return count <= 2; }
+  bool torqued() const noexcept { return torque.slope > 0 || torque.bend > 0; }
   bool averaged() const noexcept { return slopes.size() != 0; }
 
   /// σ' under an override: it slows what would be reached without one, and raises the pace as far

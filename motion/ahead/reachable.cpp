@@ -38,6 +38,7 @@ class Stretch {
         if (!piece.straight()) add(i, end, rest);
       }
     }
+    if (piece.torqued()) add_torque(rest);
   }
 
   std::span<const Row> rows() const noexcept { return {rows_.data(), count_}; }
@@ -66,12 +67,20 @@ class Stretch {
       add(i, piece_.swings[i], 0);
     }
   }
+  /// As of an axis with the mean of σ.
+  void add_torque(double rest) noexcept {
+    const auto& [slope, bend, fastest, axis] = piece_.torque;
+    for (const double way : {0.0, rest})
+      for (const double sign : {1.0, -1.0}) add(axis, sign * slope + 2 * way * bend, bend, 1);
+  }
   /// `way` behind the beginning of the stretch, since x there is x + 2·u·way.
   void add(int axis, const PathPoint& place, double way) noexcept {
     add(axis, place.qd[axis] + 2 * way * place.qdd[axis], place.qdd[axis]);
   }
   void add(int axis, double slope, double bend) noexcept {
-    const double most = piece_.acceleration[axis];
+    add(axis, slope, bend, piece_.acceleration[axis]);
+  }
+  void add(int axis, double slope, double bend, double most) noexcept {
     if (slope != 0) {
       rows_[count_++] = {slope, bend, most, axis};
     } else if (bend != 0) {
@@ -80,7 +89,7 @@ class Stretch {
   }
 
   const Piece& piece_;
-  std::array<Row, kMaxJoints*(2 + kWithin.size())> rows_;
+  std::array<Row, kMaxJoints*(2 + kWithin.size()) + 4> rows_;
   std::size_t count_ = 0;
   double bent_square_ = Piece::kAny;
 };
@@ -166,6 +175,8 @@ double even_braking(const Piece& piece, const PathPoint& here, const PathPoint& 
     if (mean && piece.swings[i] * most > piece.acceleration[i])
       most = piece.acceleration[i] / piece.swings[i];
   }
+  if (piece.torque.slope > 0)
+    most = std::min(most, std::max(1 - piece.torque.bend * x, 0.0) / piece.torque.slope);
   return most;
 }
 
@@ -181,7 +192,7 @@ StraightControl straight_control(const Piece& piece) noexcept {
 
 double reachable_square(const Piece& piece, double end_square, double cap) noexcept {
   const double length = piece.length;
-  if (piece.straight() && !piece.averaged())
+  if (piece.straight() && !piece.averaged() && !piece.torqued())
     return std::min(cap, end_square + 2 * straight_control(piece).most * length);
   const PathPoint here = piece.point(0);
   const PathPoint end = piece.point(length);

@@ -60,6 +60,10 @@ void SpeedPlan::add(const Piece& piece) {
   if (piece.begin < promise_.until) stretch.top = std::min(stretch.top, promise_.rate);
   stretch.own.slopes.head(axes) = begin.qd.cwiseAbs().cwiseMax(end.qd.cwiseAbs());
   stretch.own.bends.head(axes) = begin.qdd.cwiseAbs().cwiseMax(end.qdd.cwiseAbs());
+  if (piece.torqued()) {
+    stretch.own.slopes[Extent::kTorque] = piece.torque.slope;
+    stretch.own.bends[Extent::kTorque] = piece.torque.bend;
+  }
   for (const double at : {0.0, piece.length / 2, piece.length})
     stretch.jolts.head(axes) =
         stretch.jolts.head(axes).max(third_derivative(piece, at).array().abs());
@@ -123,6 +127,7 @@ static Extent with_swings(const SpeedPlan::Stretch& stretch, double rate, double
   const double root = std::sqrt(square);
   const Extent::Axes left = 1 - average / 2 * square * root * stretch.jolts / stretch.acceleration;
   extent.swings = (extent.slopes + 1.5 * average * root * extent.bends) / left.max(kLeast);
+  if (extent.slopes[Extent::kTorque] > 0) extent.swings[Extent::kTorque] = 0;
   return extent;
 }
 

@@ -12,6 +12,8 @@ namespace rob::motion {
 /// What one piece, or the greatest of some, asks for. m, rad, s; of axes that there are not: 0.
 struct Extent {
   using Axes = Eigen::Array<double, kMaxJoints, 1>;
+  /// In the place of an axis that no arm has: Piece::torque, of which 1 is all that there is.
+  static constexpr int kTorque = kMaxJoints - 1;
 
   Axes slopes = Axes::Zero();    ///< |dq/dσ|
   Axes bends = Axes::Zero();     ///< |d²q/dσ²|

@@ -20,6 +20,7 @@ struct Refusal {
     BadZone,       ///< value = the zone, which must be a number above limit = 0
     BadBound,      ///< value = the acceleration or jerk, which must be a number above limit = 0
     TooLong,       ///< value = the duration needed, limit = the longest, s
+    TooHeavy,      ///< axis, value = weight at `at` of `way`, limit = what is borne, N or Nm
     // On the way of the tool, at `at` of `way`:
     PathOutOfReach,    ///< the tool cannot be there: `shortfall`
     PathBelowMinimum,  ///< axis, limit = the axis' minimum; `other` says whether the target itself

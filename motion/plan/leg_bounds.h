@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "motion/dynamics/arm_mechanics.h"
 #include "motion/path/tool_line.h"
 #include "motion/space/joint_vector.h"
 #include "motion/space/pose.h"
@@ -17,7 +18,9 @@ struct LegBounds {
   JointVector from;                ///< m, rad: where the axes begin
   Pose tip;                        ///< of the tool, seen from the flange
   const ToolLine* line = nullptr;  ///< along which the tip is led; kept as long as the path
-  double length = 0;               ///< m of σ from end to end; 0: no length
+  /// An arm with what it carries; kept as long as the run. Null: its mechanics are not known.
+  const ArmMechanics* mechanics = nullptr;
+  double length = 0;        ///< m of σ from end to end; 0: no length
   double speed = kAny;      ///< m/s of σ: what AT and OVER ask for, whatever the axes can do
   double acceleration = 1;  ///< share of each axis' a_max that ACCEL and jerk leave, above 0
   double full = 1;          ///< the same whatever the jerk

@@ -26,7 +26,8 @@ double greatest_tool_speed(const RobotModel& robot) {
 
 MotionPlanner::MotionPlanner(const RobotModel& robot, const JointVector& start) noexcept
     : robot_(robot),
-      mechanics_(robot.mechanics),
+      carrying_(robot.mechanics),
+      mechanics_(carrying_.with({})),
       usual_t_acc_(robot.law == Law::Paul ? robot.t_acc : 0),
       least_t_acc_(least_t_acc(robot)),
       braking_(time_scale_limits(robot).slope),

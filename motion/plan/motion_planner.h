@@ -10,6 +10,7 @@
 
 #include "motion/path/follow.h"
 #include "motion/path/tool_path.h"
+#include "motion/plan/carrying_arms.h"
 #include "motion/plan/feasibility.h"
 #include "motion/plan/leg_demand.h"
 #include "motion/plan/motion_request.h"
@@ -86,9 +87,7 @@ class MotionPlanner {
   const Eigen::Vector3d& tool_tip() const noexcept { return tool_.position; }
   /// From here on the arm carries that; on a robot whose mechanics are not known it makes no
   /// difference.
-  void carry(const ArmLoad& load) noexcept {
-    if (mechanics_) mechanics_ = robot_.mechanics->carrying(load);
-  }
+  void carry(const ArmLoad& load) { mechanics_ = carrying_.with(load); }
   /// Where the tip is at the last target, in the world.
   Pose tool_pose() const noexcept;
 
@@ -185,6 +184,7 @@ class MotionPlanner {
 
   // Under the look-ahead law (motion_planner_ahead.cpp)
   PlanOutcome take_ahead(const MotionRequest& request, Draft draft);
+  std::optional<Refusal> too_heavy(const Draft& draft) const;
   void judge_zone(const Draft& draft, PlannedSegment& planned) const;
   void measure_swing(const JointVector& target, LegDemand& demand) const;
 
@@ -212,8 +212,9 @@ class MotionPlanner {
   void keep(std::shared_ptr<const PlannedLeg> leg);
 
   const RobotModel& robot_;
-  std::optional<ArmMechanics> mechanics_;  ///< the robot's, with what it carries
-  const double usual_t_acc_;               ///< s; 0 under the look-ahead law
+  CarryingArms carrying_;
+  const ArmMechanics* mechanics_;  ///< the robot's, with what it carries; null: not known
+  const double usual_t_acc_;       ///< s; 0 under the look-ahead law
   const double least_t_acc_;
   const double braking_;       ///< 1/s: what a hold may change of the path's rate
   const double linear_speed_;  ///< the greatest that the linear axes make together

@@ -5,6 +5,7 @@
 
 #include "motion/plan/ahead_leg.h"
 #include "motion/plan/motion_planner.h"
+#include "motion/plan/torque_row.h"
 
 /// Member functions of MotionPlanner for the look-ahead law. They say what a motion asks for; its
 /// time is known only after its neighbours are.
@@ -36,7 +37,9 @@ PlanOutcome MotionPlanner::take_ahead(const MotionRequest& request, Draft draft)
   } else {
     const AheadLeg leg = ahead_leg(robot_, draft.demand, request);
     if (!(leg.alone <= kLongest)) return Refusal{Refusal::Kind::TooLong, -1, leg.alone, kLongest};
+    if (const auto refusal = too_heavy(draft)) return *refusal;
     segment.ahead = leg.bounds;
+    segment.ahead.mechanics = mechanics_;
     if (draft.leg && draft.leg->line) segment.ahead.line = &*draft.leg->line;
     segment.duration = leg.duration;
     segment.path = draft.demand.path;
@@ -53,6 +56,30 @@ PlanOutcome MotionPlanner::take_ahead(const MotionRequest& request, Draft draft)
   planned.leg = std::move(draft.leg);
   keep(planned.leg);
   return planned;
+}
+
+/// A place of the way where a gear or a drive does not bear what the arm weighs there.
+std::optional<Refusal> MotionPlanner::too_heavy(const Draft& draft) const {
+  if (mechanics_ == nullptr) return std::nullopt;
+  std::optional<Refusal> found;
+  const auto look = [&](double s, const JointVector& q) {
+    const auto heavy = found ? std::nullopt : overload(robot_, *mechanics_, q);
+    if (!heavy) return;
+    found = Refusal{Refusal::Kind::TooHeavy, heavy->axis, heavy->weight, heavy->limit};
+    found->turning = !(draft.demand.way > 0);
+    found->way = found->turning ? draft.demand.turn : draft.demand.way;
+    found->at = s * found->way;
+    found->q = q;
+  };
+  if (draft.demand.path != nullptr) {
+    draft.demand.path->survey(1, [&](double s, const PathPoint& place) { look(s, place.q); });
+    return found;
+  }
+  constexpr double kApart = 2 * std::numbers::pi / 180;  // [choice] weight hardly changes between
+  const JointVector way = draft.target - commanded_;
+  const int parts = 1 + static_cast<int>(way.cwiseAbs().maxCoeff() / kApart);
+  for (int k = 0; k <= parts; ++k) look(double(k) / parts, commanded_ + way * (double(k) / parts));
+  return found;
 }
 
 /// A parabola between two straight ways of the tip, along unit vectors u and v, which begins and

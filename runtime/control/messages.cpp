@@ -133,6 +133,8 @@ Words words_for(const Refusal& refusal, const motion::RobotModel& robot) {
     case Refusal::Kind::PathSingular:
     case Refusal::Kind::PathTooLong:
       return words_for_path(refusal, robot);
+    case Refusal::Kind::TooHeavy:
+      return words_for_path(refusal, robot);
     case Refusal::Kind::TooLong:
       return {code::kMotionTooLong,
               fmt::format("this motion would take {} s; at most {} s are accepted", refusal.value,

@@ -56,6 +56,14 @@ const char* words_for(motion::SingularPlace place) {
   return "";
 }
 
+Words words_for_weight(const Refusal& refusal, const motion::RobotModel& robot) {
+  return {code::kTooHeavy,
+          fmt::format("axis {} would bear {} Nm at {}, more than its {} Nm, by weight alone",
+                      axis_in(robot, refusal.axis).name, shown(refusal.value, 2), place_on(refusal),
+                      shown(refusal.limit, 2)),
+          "carry less, go past that place, or in another posture"};
+}
+
 }  // namespace
 
 Words words_for_pace_cut(const motion::PlannedSegment::PaceCut& cut,
@@ -142,6 +150,7 @@ Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
                         place_on(refusal), by_how_much(refusal.shortfall)),
             "choose a way that stays in reach, or write MOVE, which goes round"};
   }
+  if (refusal.kind == Refusal::Kind::TooHeavy) return words_for_weight(refusal, robot);
   if (refusal.kind == Refusal::Kind::PathTooLong) {
     return {code::kPathTooLong,
             refusal.at > 0 ? fmt::format("this way is too long to be planned as one: there is room"

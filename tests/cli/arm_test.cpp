@@ -215,6 +215,18 @@ TEST_CASE("the UMS-7 stands with 3 kg that LOAD tells of, and is pulled off its 
   CHECK(worn.exit_code == 0);
 }
 
+TEST_CASE("a load whose weight alone is too much is refused with its axis and place") {
+  // 20 kg at 180 mm from axis 5, and the hand's 2.35 Nm: 37.7 Nm where the hand lies level, and
+  // more than the 30 Nm that its gear bears from 52.8 deg on.
+  const RobCommand rob(
+      "ROBOT \"ums7\"\nLAW LOOKAHEAD\nLOAD 20kg COG (0mm, 0mm, 80mm)\nMOVE JOINT 5 BY -90deg "
+      "FINE\n");
+  const ProcessResult refused = rob("check");
+  CHECK(refused.exit_code == 65);
+  CHECK(contains(refused.err, "test.rob:4:1: error[E567]: axis q5 would bear "));
+  CHECK(contains(refused.err, "more than its 30 Nm, by weight alone"));
+}
+
 TEST_CASE("rule 13: MOVE takes the joints nearest to where it begins, and none of them wraps") {
   // -10 and 350 degrees of the last axis are one pose, and both lie within its limits.
   const json report =
