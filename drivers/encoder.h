@@ -32,14 +32,14 @@ class Encoder {
   void sample(double q) noexcept;
   /// As sample() of each of them in turn, but for rounding.
   void sample(const Block& q) noexcept;
-  /// What further samples at q would not change.
+  /// Whether further samples at q would change nothing.
   bool rests_at(double q) const noexcept { return v_ == 0 && x_ == position(q); }
   /// As if it had followed q, v for a long time.
   void settle(double q, double v) noexcept;
   double velocity() const noexcept { return v_; }
 
  private:
-  /// What n samples make of the filter, which is linear in them.
+  /// How n samples change the state of the filter. The filter is linear in them.
   struct Response;
   static const Response& response() noexcept;
 

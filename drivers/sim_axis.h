@@ -27,8 +27,8 @@ class SimAxis {
   void release() noexcept { push(0); }
 
   void advance(double dt) noexcept;
-  /// `count` whole periods of the encoder, with a sample at the end of each. In one step where the
-  /// speed does not pass 0, else one by one; the same but for rounding.
+  /// `count` whole periods of the encoder, with a sample at the end of each. In one step unless the
+  /// speed passes 0, otherwise one by one; the results differ by rounding only.
   void advance_sampled(std::int64_t count) noexcept;
   /// The encoder's sample, every Encoder::kPeriod.
   void sample() noexcept { encoder_.sample(q_); }

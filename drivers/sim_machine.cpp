@@ -15,8 +15,8 @@ namespace {
 // what was before. 50 ms are thirty of its time constants.
 constexpr double kSampledGap = 0.05;
 
-// Of a period: what rounding can make of the same instant. So little time is not gone through but
-// left to the next step.
+// A share of a period. Instants that differ by less are the same but for rounding: the next step
+// goes through so short a time.
 constexpr double kSameSample = 1e-9;
 
 void check_channel(int channel) {

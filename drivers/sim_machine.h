@@ -49,7 +49,7 @@ class SimMachine : public motion::ServoBackend {
   // The axes; all may be used in the tick.
   virtual void place(const motion::JointVector& q) noexcept = 0;  ///< standing, without force
   virtual void push(const motion::JointVector& drive) noexcept = 0;
-  /// What the program says that it carries, before each push().
+  /// Takes the load that the program has declared. It is called before each push().
   virtual void carry(const motion::CarriedLoad* /*carried*/) noexcept {}
   virtual void hold() noexcept = 0;     ///< brake with all force, then hold
   virtual void release() noexcept = 0;  ///< the drives have no force

@@ -25,7 +25,7 @@ void LegQueue::take() {
   }
 }
 
-/// So many motions decide on the first, whatever comes after them.
+/// The queue holds enough motions to decide on the first, whatever comes after them.
 bool LegQueue::full() const {
   if (waiting_.size() < kDecide) return false;
   return !averaged(waiting_.front().segment) || waiting_.size() >= kDecideOnMean;
@@ -98,7 +98,7 @@ std::optional<bool> LegQueue::crowd_begins(std::size_t i, const Next& next, doub
   return count == kCrowd;
 }
 
-/// Its first `length` m are elsewhere.
+/// Removes the first `length` m of it; the caller has them.
 void LegQueue::split_front(double length) {
   Waiting& waiting = waiting_.front();
   SegmentDescriptor& rest = waiting.segment;

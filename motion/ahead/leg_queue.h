@@ -27,7 +27,7 @@ class LegQueue {
     double wanted = kUnknown;                 ///< m, by the corner at its end
     std::shared_ptr<const PathStretch> part;  ///< of a tool's line: what is left of it
   };
-  /// What follows a motion in the queue.
+  /// The motion that follows another one in the queue.
   struct Next {
     bool known = true;
     const SegmentDescriptor* segment = nullptr;  ///< null: nothing with a way
@@ -40,7 +40,7 @@ class LegQueue {
   bool empty() const { return waiting_.empty(); }
   Waiting& front() { return waiting_.front(); }
   void pop_front() { waiting_.pop_front(); }
-  /// Its first `length` m are elsewhere.
+  /// Removes the first `length` m of it; the caller has them.
   void split_front(double length);
   void clear() { waiting_.clear(); }
   auto begin() const { return waiting_.begin(); }
@@ -48,13 +48,14 @@ class LegQueue {
 
   /// Before take(): whether more can come.
   void look() { closed_ = buffer_.closed(); }
-  /// As many motions as decide on the first.
+  /// Fills the queue with as many motions as it takes to decide on the first.
   void take();
   /// Makes do with what is known, until wait().
   void flush() { flushed_ = true; }
   void wait() { flushed_ = false; }
   bool final() const;
 
+  /// The next motion with a way after motion i.
   Next next_way(std::size_t i) const;
   double wanted(std::size_t i, const Next& next);
   bool crowded(std::size_t i, const Next& next, double before);

@@ -13,14 +13,14 @@ using Eigen::Vector3d;
 
 /// [choice] A knot is at most so many tolerances long: so it can bend within one.
 constexpr double kTolerances = 5;
-/// [choice] Of the zone, what a curve may use where a mean needs the rest.
+/// [choice] The share of the zone that a curve may use where a mean needs the rest.
 constexpr double kBesideMean = 0.5;
 constexpr double kSameLength = 1e-9;  // m
 
 }  // namespace
 
-/// A mean over T of accelerations up to a lies up to a·T²/24 beside what it is of. With a = s·A and
-/// T = s·W that is s³·A·W²/24.
+/// The mean over T of a motion with accelerations up to a leaves that motion by up to a·T²/24. With
+/// a = s·A and T = s·W that is s³·A·W²/24.
 double share_for_mean(const RobotModel& robot, const LegBounds& bounds) {
   if (bounds.window == 0) return 1;
   double squares = 0;

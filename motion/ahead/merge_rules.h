@@ -29,8 +29,8 @@ class MergeRules {
   double soon(const SegmentDescriptor& segment) const;
   /// m of each leg that a corner between them would like to have; 0 where there is none.
   double corner_half(const SegmentDescriptor& in, const SegmentDescriptor& out) const;
-  /// Where a mean bounds the jerk: a curve passes the leg sooner, with corners at both ends like
-  /// that into `out`, than it is gone from rest to rest.
+  /// Where a mean bounds the jerk: whether a curve takes less time for the leg, with corners at
+  /// both ends like the one into `out`, than a motion from rest to rest.
   bool sooner_on_curve(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
   /// m by which a curve may leave a leg.
   double tolerance(const SegmentDescriptor& segment) const;
@@ -56,9 +56,9 @@ class MergeRules {
   std::vector<Eigen::Index> linear_;  ///< the axes that are merged
 };
 
-/// Where the mean of the axes bounds the jerk of a curve of theirs: of its accelerations, and of
-/// the mean's time, what keeps the mean within its part of the zone, whatever the axes accelerate.
-/// 1 where there is no mean.
+/// Where a mean of the axes bounds the jerk of a curve: the share of its accelerations, and of the
+/// mean's time, that keeps the mean within its part of the zone at any acceleration of the axes. 1
+/// if there is no mean.
 double share_for_mean(const RobotModel& robot, const LegBounds& bounds);
 
 /// Whether a curve may lead from one into the other.

@@ -73,8 +73,8 @@ void fill_quintic(Piece& piece, const PathPoint& a, const PathPoint& b) {
   piece.terms[5] = (6 * way - 3 * v0 - 3 * v1 - 0.5 * a0 + 0.5 * a1) / (l * l * l * l * l);
 }
 
-/// At even speed σ' a quintic asks for the jerk σ'³ times its third derivative. Where the mean is
-/// of the axes, it bounds their jerk whatever the path.
+/// At even speed σ' a quintic needs the jerk σ'³ times its third derivative. Only a mean of σ needs
+/// this bound: a mean of the axes bounds their jerk on any path.
 void bound_jerk(const ShapedLeg& leg, Piece& piece) {
   if (piece.count < 6) return;
   double cube = Piece::kAny;  // of σ'
@@ -145,8 +145,8 @@ void append_nodes(const RobotModel& robot, const ShapedLeg& leg, const JointPath
   }
 }
 
-/// Whether gears and drives can be asked for more than there is at all, with what the axes have:
-/// where each place acts alone, with bends too, σ'' is at most twice what it were without them.
+/// Whether motion within the axes' limits can overload gears or drives at all. Where each place
+/// acts alone, bends can at most double σ''.
 bool torque_binds(const Piece& piece) {
   const PathPoint begin = piece.point(0);
   const PathPoint end = piece.point(piece.length);

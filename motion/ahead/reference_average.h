@@ -32,11 +32,12 @@ class ReferenceAverage {
   /// The same of σ.
   double sigma() const noexcept { return sigma_; }
   double rate() const noexcept { return rate_; }
-  /// What the guide was `periods` ago, less than periods(): of what the mean is made.
+  /// The guide's state some periods ago, as one sample of the mean.
   struct GuideState {
     double sigma = 0;
     double rate = 0;
   };
+  /// `periods`: less than periods().
   GuideState past(int periods) const noexcept {
     const int at = newest_ - periods;
     const Sample& sample = samples_[static_cast<std::size_t>(at < 0 ? at + periods_ : at)];

@@ -19,7 +19,7 @@ bool is_short(const RobotModel& robot, const PathItem& item) {
   return leg.length() < few_periods(robot) * greatest_rate(robot, leg, leg.at(0));
 }
 
-/// The first curve of a run that goes on with these; none, where something else comes first.
+/// The first curve of a run that goes on with these; null if something else comes first.
 const PathItem* first_curve(const RobotModel& robot, const std::deque<PathItem>& items) {
   for (const PathItem& item : items) {
     if (is_curve(item)) return &item;

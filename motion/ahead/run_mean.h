@@ -12,15 +12,15 @@ namespace rob::motion {
 // Which mean a run has where it is one of the axes, and bounds their jerk. A run keeps its mean
 // from rest to rest.
 
-/// [choice] So many items are looked at for the first curve of a run.
+/// [choice] How many items the planner looks at to find the first curve of a run.
 inline constexpr std::size_t kMostBeforeCurve = 256;
 
-/// Whether that decides on the mean of a run that begins with the first of these items, and is not
-/// known yet: all of them are short.
+/// Whether the mean of a run that begins with these items depends on a curve that is not known
+/// yet: all of them are short.
 bool awaits_curve(const RobotModel& robot, const std::deque<PathItem>& items);
 
-/// Where a run begins with `leg`: of its accelerations, and of the mean's time, what lets it be
-/// gone the fastest. `next` follow it; 1 where too little is known.
+/// The share of the accelerations, and of the mean's time, with which a run that begins with `leg`
+/// is fastest. `next` follow it; 1 if too little is known.
 double share_for_bends(const RobotModel& robot, const ShapedLeg& leg,
                        const std::deque<PathItem>& next);
 

@@ -12,7 +12,7 @@ namespace rob::motion {
 /// What one piece, or the greatest of some, asks for. m, rad, s; of axes that there are not: 0.
 struct Extent {
   using Axes = Eigen::Array<double, kMaxJoints, 1>;
-  /// In the place of an axis that no arm has: Piece::torque, of which 1 is all that there is.
+  /// The index of Piece::torque, whose limit is 1. No arm has so many axes.
   static constexpr int kTorque = kMaxJoints - 1;
 
   Axes slopes = Axes::Zero();    ///< |dq/dσ|

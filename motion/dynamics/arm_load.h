@@ -4,7 +4,7 @@
 
 namespace rob::motion {
 
-/// What an arm carries at its flange: the tool and what it has grasped. Loads add up.
+/// The load at an arm's flange: the tool, or an object that it has grasped. Loads add up.
 struct ArmLoad {
   double mass = 0;                                   ///< kg
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< Σ m·r, r seen from the flange, kg·m
@@ -22,7 +22,7 @@ struct ArmLoad {
   friend bool operator==(const ArmLoad&, const ArmLoad&) = default;
 };
 
-/// What of it is the tool's own, and what the tool has grasped.
+/// The two parts of an arm's load.
 struct CarriedLoad {
   ArmLoad tool;
   ArmLoad grasped;

@@ -27,8 +27,8 @@ struct Trig {
         cS(std::cos(q[1] + q[2])) {}
 };
 
-/// What lies beside axis 6, along the x and y that the flange has at q6 = 0, and how far these
-/// point up.
+/// The moment of the load beside axis 6 along the flange's x and y at q6 = 0, and how far these
+/// directions point up.
 struct Sides {
   double along_x, along_y, up_x, up_y;
   Sides(const Trig& t, const Ums7Parameters& p) noexcept

@@ -26,7 +26,7 @@ std::optional<double> guide_passes(Guide guide, double sigma, double until) noex
 Foresight::Foresight(const Guide& guide, const ReferenceAverage& average, double period)
     : guide_(guide), average_(average), period_(period), samples_(ReferenceAverage::kMost) {}
 
-/// The mean so many periods from now on, of samples some of which the first guide has left.
+/// The mean at a later period. The first guide has left some of its samples.
 ReferenceMark Foresight::begin_mean(const ReferenceMark& now, Guide& second, int period) noexcept {
   const int periods = average_.periods();
   ReferenceMark sum;
@@ -42,8 +42,8 @@ ReferenceMark Foresight::begin_mean(const ReferenceMark& now, Guide& second, int
   return {now.time + period * period_, now.sigma + sum.sigma / periods, sum.rate / periods};
 }
 
-/// A mean over N periods moves by an Nth of what the newest sample differs from the oldest, which
-/// leaves it.
+/// A mean over N periods moves by an Nth of the difference between the new sample and the oldest,
+/// which leaves it.
 ReferenceMark Foresight::next_mean(const ReferenceMark& last, Guide& second) noexcept {
   const int periods = average_.periods();
   const double time = last.time + period_;
@@ -56,8 +56,8 @@ ReferenceMark Foresight::next_mean(const ReferenceMark& last, Guide& second) noe
           last.rate + (sample.rate - leaves.rate) / periods};
 }
 
-/// Where the mean must still come to the place later than asked for, half of that time passes
-/// without another look, unless the guide is to come there sooner than it was.
+/// If the mean will pass the place later than `within`, it does not look again for half of the
+/// difference, unless the guide will pass sooner than before.
 std::optional<double> Foresight::when(const ReferenceMark& now, const Place& place,
                                       Outlook& outlook) noexcept {
   const double until = now.time + std::min(place.within, kFurthest);

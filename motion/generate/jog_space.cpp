@@ -7,8 +7,8 @@ namespace rob::motion {
 
 namespace {
 
-/// m, rad: how far away it is seen what rates make of the axes. [choice] the square root of what
-/// rounding leaves of a place
+/// m, rad: the step of the differences from which rates of the axes come. [choice] the square root
+/// of the rounding of a position
 constexpr double kNearby = 1e-7;
 
 Pose composed(const Pose& frame, const Pose& inner) noexcept {

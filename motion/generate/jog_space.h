@@ -25,8 +25,8 @@ struct JogState {
 
 /// How fast a tool is: its tip, m/s, and how fast it turns, rad/s.
 struct JogSpeed {
-  /// By how much a bound may be exceeded: beside rounding, what a rest in several periods leaves
-  /// open. [choice] less than half of what a person could measure
+  /// By how much a bound may be exceeded: rounding, and the speed between the steps of a rest.
+  /// [choice] less than half of what a person could measure
   static constexpr double kOver = 2e-3;
   /// m/s, rad/s: the same where nothing is to move. [choice] far below an encoder's count in a
   /// period
@@ -62,8 +62,8 @@ class JogSpace {
   JogPlace moved(const JogPlace& from, const JointVector& displacement) const noexcept;
   /// The axis values nearest to `near` that bring the tip there; none where there are none.
   std::optional<JointVector> axes(const JogPlace& place, const JointVector& near) const noexcept;
-  /// What a rate of the coordinates makes of the axes, m/s or rad/s; none where the arm does not
-  /// reach to either side.
+  /// The rates of the axes for a rate of the coordinates, m/s or rad/s; none if the arm reaches to
+  /// neither side.
   std::optional<JointVector> image(const JogState& at, const JointVector& rate) const noexcept;
   /// How fast rates would move the tool in a state.
   JogSpeed speed(const JogState& at, const JointVector& rate) const noexcept;

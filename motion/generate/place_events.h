@@ -37,7 +37,7 @@ class PlaceEvents {
     double time = 0;
     std::uint32_t number = 0;
   };
-  /// What is due of motions up to a number, the earliest first; null: nothing.
+  /// The earliest effect that is due, of motions up to a number; null: none.
   const Effect* take(const Until& until, double& due) noexcept;
   /// s by which what was taken last came later than its LEAD asked for, since its motion does not
   /// take so long to its place; 0: it did not.

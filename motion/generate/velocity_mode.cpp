@@ -229,7 +229,7 @@ double VelocityMode::greatest_share(const JointVector& asked) noexcept {
     if (!space_.joint()) bound(speed.angular, asked_.turning_speed, {Limit::Share, -1});
   };
   bound_tool(state_);
-  // What its own motion makes of it soon: it has to have slowed down by then.
+  // The same where its motion leads soon: it must have slowed down by then.
   State soon = state_;
   soon.place = space_.moved(state_.place, state_.rate * kSoon);
   soon.axes.q += state_.axes.qd * kSoon;
@@ -315,8 +315,8 @@ JogSpeed VelocityMode::permitted(const State& at) const noexcept {
           override_ * std::min(asked.angular, asked_.turning_speed)};
 }
 
-/// What is asked for is about to change: until the tool has become as slow as is asked for then, it
-/// may be as fast as it was permitted to be.
+/// Called before the rates change. Until the tool has slowed down to the new rates, the old ones
+/// bound its speed.
 void VelocityMode::keep_former() noexcept {
   if (!stands() && bounds_tool()) former_ = greater(former_, permitted(state_));
 }

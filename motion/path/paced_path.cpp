@@ -67,8 +67,8 @@ double PacedPath::outer(double s) const noexcept {
   return share <= 0 ? 0 : share >= 1 ? 1 : law_.time_at(share) / law_.duration();
 }
 
-/// Where the rate changes by more than a twentieth within the mean's time there are eight nodes in
-/// it, else one; and two from each node of the axes to the next. [choice]
+/// [choice] At least two nodes for each node of the axes, and one for each mean's time; eight where
+/// the rate changes by more than a twentieth within that time.
 JointPath PacedPath::paced(const JointPath& axes) const {
   constexpr double kEven = 0.05;
   std::vector<JointPath::Node> nodes;

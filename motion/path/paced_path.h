@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <utility>
 #include <vector>
 
 #include "motion/path/joint_path.h"
@@ -8,8 +8,8 @@
 
 namespace rob::motion {
 
-/// When a path's parameter s, 0 … 1, is where, if each place is passed at its own rate: s(t), with
-/// even accelerations between its points, and the mean of that over a time. 1, s.
+/// A law of time for a path's parameter s, 0 … 1, that passes each place at its own rate: s(t) has
+/// an even acceleration between the places, and is then averaged over a time. 1, s.
 class PaceLaw {
  public:
   /// Where a place is, and its rate there, 1/s, above 0.
@@ -23,8 +23,8 @@ class PaceLaw {
   double duration() const noexcept { return points_.back().time; }
   double average() const noexcept { return average_; }
 
-  /// Of the mean: s, s' and s'' at a time. At its ends s goes on as it came, mirrored, so that they
-  /// stay where they are.
+  /// The mean's s, s' and s'' at a time. For the mean, s goes on beyond its ends mirrored, so that
+  /// it begins at 0 and ends at 1.
   struct Point {
     double s = 0;
     double rate = 0;
@@ -49,8 +49,7 @@ class PaceLaw {
   double greatest_ = 0;
 };
 
-/// A path of the tool whose parameter, 0 … 1, is a share of the time in which it is gone at the
-/// rates of a PaceLaw.
+/// A path of the tool whose parameter, 0 … 1, is a share of the time that a PaceLaw gives it.
 class PacedPath final : public ToolPath {
  public:
   /// The path must outlive it.
@@ -69,7 +68,7 @@ class PacedPath final : public ToolPath {
   double at_share(double share) const noexcept override { return outer(path_.at_share(share)); }
   double share_at(double s) const noexcept override { return path_.share_at(inner(s)); }
 
-  /// The axes along the path, `axes` as they are along it without a pace, so that they follow this.
+  /// The axes along this path; `axes` are those along the path without a pace.
   JointPath paced(const JointPath& axes) const;
 
  private:

@@ -8,8 +8,8 @@
 
 namespace rob::motion {
 
-/// An arm with all that it has carried so far. What it hands out stays where it is, since motions
-/// that have been planned point to it.
+/// The mechanics of an arm with each load that it has carried so far. They keep their addresses:
+/// planned motions point to them.
 class CarryingArms {
  public:
   /// `bare` must outlive it; none: nothing is known of the arm, or it is none.

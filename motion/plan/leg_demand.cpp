@@ -81,6 +81,35 @@ Slowest slowest_place(const RobotModel& robot, const ToolPath& path, const Joint
   return slowest;
 }
 
+PaceCut pace_cut(const RobotModel& robot, const ToolPath& path, const JointPath& axes,
+                 double asked) {
+  constexpr double kStands = 1e-9;    // m, of the tip
+  constexpr double kSame = 1 + 1e-5;  // the rates along a path are known to a millionth
+  PaceCut cut;
+  cut.asked = asked;
+  double most = asked * kSame;
+  std::optional<double> from;
+  double to = 0;
+  if (!(asked > 0)) return cut;
+  axes.survey(kDemandParts, [&](double s, const PathPoint& point) {
+    for (int i = 0; i < robot.axis_count(); ++i) {
+      const double needed = std::abs(point.qd[i]) / robot.axes[static_cast<std::size_t>(i)].v_max;
+      if (!(needed > asked * kSame)) continue;
+      if (!from) from = s;
+      to = s;
+      if (needed <= most) continue;
+      most = needed;
+      cut.axis = i;
+    }
+  });
+  if (!from) return cut;
+  cut.turning = path.way() <= kStands;
+  cut.way = cut.turning ? path.turn() : path.way();
+  cut.from = path.share_at(*from) * cut.way;
+  cut.to = path.share_at(to) * cut.way;
+  return cut;
+}
+
 ProfileLimits profile_limits(const RobotModel& robot, const JointVector& straight, double change) {
   ProfileLimits limits{std::numeric_limits<double>::infinity(),
                        std::numeric_limits<double>::infinity()};

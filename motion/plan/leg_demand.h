@@ -43,6 +43,21 @@ struct Slowest {
 Slowest slowest_place(const RobotModel& robot, const ToolPath& path, const JointPath& axes,
                       double asked);
 
+/// Where on a way of the tool an axis does not permit what AT asks for. m, or rad where the tool
+/// only turns.
+struct PaceCut {
+  int axis = -1;  ///< the slowest; −1: there is no such place
+  double from = 0;
+  double to = 0;
+  double way = 0;
+  bool turning = false;
+  double asked = 0;   ///< s that the motion would take
+  double longer = 0;  ///< s that it takes beyond that; 0 where that is not known yet
+};
+/// `asked`: s for all of the path, 0 without AT.
+PaceCut pace_cut(const RobotModel& robot, const ToolPath& path, const JointPath& axes,
+                 double asked);
+
 /// The greatest speed and acceleration of a parameter, per s, which the axes can follow in a
 /// profile while its time is also changed by as much as `change`, 1/s. On a path half of their
 /// acceleration is left to its bends [choice: so that the other half speeds the motion up].

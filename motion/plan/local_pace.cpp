@@ -9,14 +9,15 @@ namespace rob::motion {
 
 namespace {
 
-/// [choice] Of an axis' acceleration, what a steady rate may take: the rest changes the rate.
+/// [choice] The share of an axis' acceleration that a steady rate may use; the rest changes the
+/// rate.
 constexpr double kSteady = 0.8;
-/// [choice] The same of its jerk, which changes of the rate where the path bends need as much of.
+/// [choice] The same of its jerk: changes of the rate on a bent path need as much.
 constexpr double kSteadyJerk = 0.5;
-/// [choice] In each piece of the axes so many places are looked at.
+/// [choice] How many places of each piece of the axes get a rate.
 constexpr int kPlacesAPiece = 8;
 
-/// What the axes do at a place, and its rate, 1/s.
+/// The axes' derivatives at a place of the path, and the path's rate there, 1/s.
 struct PacedPlace {
   double s = 0;
   PathPoint axes;
@@ -65,7 +66,8 @@ double greatest_change(const RobotModel& robot, const PacedPlace& place, double 
   return most;
 }
 
-/// s: with what an axis can accelerate and brake its jerk is kept over such a mean.
+/// s: a mean over this time keeps the jerk of an axis that goes from full acceleration to full
+/// braking.
 double mean_for(const RobotModel& robot) {
   double average = 8 * robot.reference_period;  // [choice] where jerk has no bound
   for (const Axis& axis : robot.axes)
@@ -73,7 +75,8 @@ double mean_for(const RobotModel& robot) {
   return average;
 }
 
-/// While the mean is at a place its rate must be that of all within its time.
+/// The mean at a place contains the rates of all places within its time: none of them may be
+/// faster than the slowest permits.
 void spread(std::vector<PacedPlace>& places, double average) {
   const std::vector<PacedPlace> own = places;
   for (std::size_t k = 0; k < own.size(); ++k) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include "motion/path/joint_path.h"
@@ -10,7 +9,7 @@
 
 namespace rob::motion {
 
-/// What a motion along a path of the tool asks of its pace.
+/// The pace that a motion along a path of the tool asks for.
 struct PaceWish {
   double rate = 0;   ///< 1/s: the greatest that the tool may have; infinite where none is asked for
   double share = 1;  ///< of the axes' speeds

@@ -70,7 +70,8 @@ PlanOutcome MotionPlanner::take_timed(const MotionRequest& request, Draft draft)
   planned.pace_cut = draft.pace_cut;
   if (draft.pace_cut.axis >= 0) planned.warnings |= PlannedSegment::kPaceCut;
   if (draft.pace_cut.asked > 0)
-    planned.pace_cut.longer = std::max(timing.duration - draft.pace_cut.asked, 0.0);
+    planned.pace_cut.longer =
+        std::max(0.0, timing.duration - std::max(draft.pace_cut.asked, request.at_least / boost_));
   planned.segment = joined(draft, timing, planned.warnings);
   if (robot_.mechanics && demanded_by_corner(planned.segment).speed < 1) {
     planned.segment.from_rest = true;

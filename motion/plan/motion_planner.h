@@ -148,7 +148,7 @@ class MotionPlanner {
     bool no_length = false;
     LegDemand demand{};
     std::shared_ptr<PlannedLeg> leg{};  ///< null: straight in the axes, and S1's corner
-    PlannedSegment::PaceCut pace_cut{};
+    PaceCut pace_cut{};
   };
   /// The motion before, where a corner can lead out of it.
   struct Before {
@@ -201,10 +201,7 @@ class MotionPlanner {
                       const JointPath& axes) const;
   std::optional<Refusal> too_slow(const MotionRequest& request, const ToolPath& path,
                                   const JointPath& axes) const;
-  std::optional<PaceLaw> pace(const MotionRequest& request, const ToolPath& path,
-                              const JointPath& axes) const;
-  PlannedSegment::PaceCut pace_cut(const MotionRequest& request, const ToolPath& path,
-                                   const JointPath& axes) const;
+  std::optional<PaceLaw> pace(const MotionRequest& request, const LegDemand& demand) const;
   Refusal placed(Refusal refusal, const ToolPath& path) const;
   bool reachable_otherwise(const ToolPath& path) const;
   SegmentDescriptor joined(Draft& draft, const Timing& timing, std::uint8_t& warnings) const;

@@ -17,13 +17,10 @@ namespace {
 /// it is refused as singular (2 %).
 constexpr double kLeastShare = 0.02;
 
-/// [choice] What a motion that is gone evenly takes, in parts of what it takes where each place has
-/// a pace of its own: with AT it keeps AT elsewhere; without it an ordinary line stays even.
+/// [choice] A path gets a pace for each place where an even rate takes so many times as long. With
+/// AT that is soon, since AT is kept elsewhere; without AT an ordinary line keeps an even rate.
 constexpr double kWorthWithPace = 1.05;
 constexpr double kWorthFree = 1.5;
-
-/// In each piece of the axes so many places are looked at for what AT cannot have. [choice]
-constexpr int kCutParts = 8;
 
 /// m, rad: two poses that differ by less are one.
 constexpr double kSamePose = 1e-9;
@@ -78,29 +75,29 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& pa
       path.axes() != nullptr ? led_by(*path.axes()) : follow(robot_, path, tool_, commanded_);
   if (const auto refusal = judge(request, path, followed)) return *refusal;
   draft.leg = std::make_shared<PlannedLeg>();
-  draft.leg->pace = pace(request, path, followed.axes);
-  draft.pace_cut = pace_cut(request, path, followed.axes);
   draft.target = followed.axes.nodes().back().q;
+  draft.demand = demand_of(path, followed.axes);
+  const double paced = pace_time(robot_, draft.demand, request) / boost_;
+  draft.pace_cut = pace_cut(robot_, path, followed.axes, paced);
+  if (path.axes() == nullptr) draft.leg->pace = pace(request, draft.demand);
   if (draft.leg->pace) {
-    const PacedPath paced(path, *draft.leg->pace);
-    draft.leg->axes = paced.paced(followed.axes);
-    draft.demand = demand_of(paced, *draft.leg->axes);
-    draft.demand.uneven = nullptr;  // the look-ahead law's affair
-    return take(request, std::move(draft));
+    const PacedPath slowed(path, *draft.leg->pace);
+    draft.leg->axes = slowed.paced(followed.axes);
+    draft.demand = demand_of(slowed, *draft.leg->axes);
+    draft.demand.uneven = nullptr;  // only the look-ahead law asks, and `slowed` ends here
+  } else {
+    draft.leg->axes = std::move(followed.axes);
+    draft.demand.path = &*draft.leg->axes;
+    if (const auto* const line = dynamic_cast<const ToolLine*>(&path)) draft.leg->line = *line;
   }
-  draft.leg->axes = std::move(followed.axes);
-  draft.demand = demand_of(path, *draft.leg->axes);
-  if (const auto* const line = dynamic_cast<const ToolLine*>(&path)) draft.leg->line = *line;
   return take(request, std::move(draft));
 }
 
-/// Under Paul's law a path is gone evenly. Where that would take much longer than its slowest
-/// places do, it is slowed down there alone.
-std::optional<PaceLaw> MotionPlanner::pace(const MotionRequest& request, const ToolPath& path,
-                                           const JointPath& axes) const {
-  const bool even = robot_.law != Law::Paul || request.profile != ProfileShape::None;
-  if (even || path.axes() != nullptr) return std::nullopt;
-  LegDemand demand = demand_of(path, axes);
+/// Under Paul's law the tool goes along a path at an even rate. Where that would take much longer
+/// than what its slowest places cost, it is slowed down at these alone.
+std::optional<PaceLaw> MotionPlanner::pace(const MotionRequest& request,
+                                           const LegDemand& demand) const {
+  if (robot_.law != Law::Paul || request.profile != ProfileShape::None) return std::nullopt;
   const bool by_share = request.pace == MotionRequest::Pace::Share;
   PaceWish wish;
   wish.share = by_share ? std::min(1.0, request.pace_value * boost_) : 1;
@@ -111,11 +108,11 @@ std::optional<PaceLaw> MotionPlanner::pace(const MotionRequest& request, const T
   wish.change = 0.75 / std::min(t_acc_before_, t_acc) + braking_;
   int axis = 0;
   const double axes_time = named_axes_time(robot_, demand, MotionRequest::Pace::Share);
-  const double evenly =
-      std::max({asked, axes_time / wish.share, least_time(robot_, axes, wish.change, axis)});
+  const double bends_time = least_time(robot_, *demand.path, wish.change, axis);
+  const double evenly = std::max({asked, axes_time / wish.share, bends_time});
   const double worth = asked > 0 ? kWorthWithPace : kWorthFree;
   const double corners = t_acc_before_ + t_acc;  // it takes no less
-  auto law = local_pace(robot_, axes, wish);
+  auto law = local_pace(robot_, *demand.path, wish);
   return law && evenly > worth * std::max(law->duration(), corners) ? law : std::nullopt;
 }
 
@@ -167,36 +164,6 @@ std::optional<Refusal> MotionPlanner::too_slow(const MotionRequest& request, con
   refusal.at = slowest.at;
   refusal.q = axes.at(slowest.at).q;
   return placed(refusal, path);
-}
-
-/// Where what AT asks for is more than an axis can do.
-PlannedSegment::PaceCut MotionPlanner::pace_cut(const MotionRequest& request, const ToolPath& path,
-                                                const JointPath& axes) const {
-  constexpr double kRounding = 1e-5;  // the rates along a path are known to a millionth
-  PlannedSegment::PaceCut cut;
-  const double asked = pace_time(robot_, demand_of(path, axes), request) / boost_;
-  if (!(asked > 0)) return cut;
-  cut.asked = std::max(asked, request.at_least / boost_);
-  double most = asked * (1 + kRounding);
-  std::optional<double> from;
-  double to = 0;
-  axes.survey(kCutParts, [&](double s, const PathPoint& point) {
-    for (int i = 0; i < robot_.axis_count(); ++i) {
-      const double needed = std::abs(point.qd[i]) / robot_.axes[static_cast<std::size_t>(i)].v_max;
-      if (!(needed > asked * (1 + kRounding))) continue;
-      if (!from) from = s;
-      to = s;
-      if (needed <= most) continue;
-      most = needed;
-      cut.axis = i;
-    }
-  });
-  if (!from) return cut;
-  cut.turning = path.way() <= kSamePose;
-  cut.way = cut.turning ? path.turn() : path.way();
-  cut.from = path.share_at(*from) * cut.way;
-  cut.to = path.share_at(to) * cut.way;
-  return cut;
 }
 
 /// Refusal::at becomes a place on the way.

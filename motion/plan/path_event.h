@@ -56,7 +56,7 @@ struct PathEvent {
   Effect effect{};   ///< `after`: the number of its motion
 };
 
-/// What happens on the way of one motion, as it is written: mostly nothing.
+/// The path events of one motion in the order of the program; most motions have none.
 class EventsOnTheWay {
  public:
   /// [choice] as many as are on a leg of a seam

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "motion/plan/feasibility.h"
+#include "motion/plan/leg_demand.h"
 #include "motion/plan/planned_leg.h"
 #include "motion/plan/segment_descriptor.h"
 
@@ -27,18 +28,6 @@ struct PlannedSegment {
   /// The ZONE of the motion `zone_tag`, which was before this one, cannot be used in full: one of
   /// the two is too short for it, and leaves `zone_left` at most.
   static constexpr std::uint8_t kZoneCut = 32;
-
-  /// Where an axis does not permit what AT asks for, on a way of the tool: m, rad where it only
-  /// turns.
-  struct PaceCut {
-    int axis = -1;  ///< the slowest; −1: nowhere, or not on such a way
-    double from = 0;
-    double to = 0;
-    double way = 0;
-    bool turning = false;
-    double asked = 0;   ///< s that the motion would take
-    double longer = 0;  ///< s that it takes beyond that; 0 where that is not known yet
-  };
 
   SegmentDescriptor segment;
   std::uint8_t warnings = 0;                ///< kPaceCut | kStretched | …

@@ -31,7 +31,7 @@ class SentBoxes {
 
   static constexpr std::uint32_t kRunning = 8;  ///< [choice] one runs, others have just been done
 
-  std::uint32_t most_;  ///< motions of which the generator can have copies
+  std::uint32_t most_;  ///< how many motions the generator can have copies of
   std::deque<Box> boxes_;
 };
 

@@ -9,7 +9,7 @@ namespace rob::motion {
 
 namespace {
 
-/// What motion may take of `most` where `standing` of it is taken already; above 0 in any case.
+/// The part of `most` that motion may use if standing still needs `standing`; always above 0.
 double left_of(double most, double standing) noexcept {
   constexpr double kLeast = 1e-3;  // [choice] where overload() has refused the motion
   const double left = most - standing;

@@ -9,9 +9,9 @@
 
 namespace rob::motion {
 
-/// What a place of an arm's path asks of gears and drives. Along q(σ) with σ' and σ'' no gear and
-/// no drive is asked for more than it may be (TorqueShare::kMost of what it has, and of what its
-/// weight leaves at least half), where
+/// The bound that gears and drives set at a place of an arm's path. Along q(σ) with σ' and σ'' no
+/// gear and no drive exceeds its limit (TorqueShare::kMost of its torque, or half of the torque
+/// that weight leaves, if that is more) where
 ///
 ///     slope·|σ''| + bend·σ'² <= 1        σ' <= fastest
 ///

@@ -8,7 +8,7 @@
 namespace rob::runtime {
 
 /// On the program's side: what the arm is said to carry, and what of it has been told to motion.
-/// What has been told stays where it is for the whole run: the ticks point to it.
+/// Loads that have been sent keep their addresses for the whole run: the ticks point to them.
 class LoadBook {
  public:
   /// WITH: what the tool weighs.
@@ -17,7 +17,7 @@ class LoadBook {
   void grasp(const motion::ArmLoad& grasped) { wanted_.grasped = grasped; }
 
   bool news() const { return !(wanted_ == told()); }
-  /// What is to be told now. A program that grasps the same thing again and again takes no memory.
+  /// The load to send now. A program that grasps the same object again and again takes no memory.
   const motion::CarriedLoad* tell() {
     const auto known = std::ranges::find(kept_, wanted_);
     return told_ = known != kept_.end() ? &*known : &kept_.emplace_back(wanted_);

@@ -66,8 +66,7 @@ Words words_for_weight(const Refusal& refusal, const motion::RobotModel& robot) 
 
 }  // namespace
 
-Words words_for_pace_cut(const motion::PlannedSegment::PaceCut& cut,
-                         const motion::RobotModel& robot) {
+Words words_for_pace_cut(const motion::PaceCut& cut, const motion::RobotModel& robot) {
   std::string text = "AT asks for more than the axes can do";
   if (cut.axis >= 0) {
     const auto kind = cut.turning ? motion::AxisKind::Rotary : motion::AxisKind::Linear;
@@ -78,7 +77,7 @@ Words words_for_pace_cut(const motion::PlannedSegment::PaceCut& cut,
   }
   constexpr double kTold = 0.005;  // s: 0.01 s of what is shown
   if (cut.longer >= kTold)
-    text += fmt::format("{} the motion takes {} s longer", cut.axis >= 0 ? "," : ":",
+    text += fmt::format("{} the motion takes {} s longer", cut.axis >= 0 ? ", and" : ":",
                         shown(cut.longer, 2));
   return {code::kAboveAxes, text, "the motion runs as fast as its axes permit"};
 }

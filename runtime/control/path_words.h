@@ -10,8 +10,7 @@ namespace rob::runtime {
 /// A way that the axes cannot follow: what, where on it, what to do.
 Words words_for_path(const motion::Refusal& refusal, const motion::RobotModel& robot);
 /// AT asks for more than the axes can do there.
-Words words_for_pace_cut(const motion::PlannedSegment::PaceCut& cut,
-                         const motion::RobotModel& robot);
+Words words_for_pace_cut(const motion::PaceCut& cut, const motion::RobotModel& robot);
 /// The tool would turn by 180°.
 Words words_for_half_turn();
 /// Points through which there is no arc, no spline; a plane in which the frame shows no x axis.

@@ -31,7 +31,7 @@ constexpr std::size_t kMostSource = std::size_t{32} << 20U;    // bytes, the lan
 constexpr std::size_t kMostScript = std::size_t{1} << 20U;     // bytes [choice] for 1000 lines
 constexpr std::size_t kMostRobotFile = std::size_t{1} << 20U;  // bytes [choice] 100 × the longest
 
-/// [choice] What is shorter takes less than a tenth of the memory of a run.
+/// [choice] A shorter text takes less than a tenth of the memory of a run.
 constexpr std::size_t kLongSource = std::size_t{1} << 20U;
 
 /// The FNV-1a hash of the lines before, and of a further one.

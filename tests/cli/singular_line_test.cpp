@@ -122,10 +122,10 @@ TEST_CASE("W601 tells where an axis holds the speed, and how much longer that ta
   const RobCommand rob(line_past_axis_1(10, 250));
   const std::string told =
       rob("check", {"--robot", "irb120"}).err + rob("check", {"--robot", "irb120"}).out;
-  // y = ±√(250·10/w − 100) = ±21.7 mm, of which a place is looked at every few tenths of a mm.
+  // y = ±√(250·10/w − 100) = ±21.7 mm; the planner looks at a place every few tenths of a mm.
   CHECK(contains(told, "W601]: AT asks for more than the axes can do: axis j1 holds it from 178."));
   CHECK(contains(told, " to 221."));
-  CHECK(contains(told, " mm of 400 mm, the motion takes "));
+  CHECK(contains(told, " mm of 400 mm, and the motion takes "));
   CHECK(contains(told, " s longer"));
 }
 

@@ -116,7 +116,7 @@ TEST_CASE("where a long mean would leave the zone, what is around a corner calms
 }
 
 TEST_CASE("what a corner may yet calm is not given away while the path becomes known bit by bit") {
-  // Legs of 60 mm in pieces of 3 mm, of which the program is ahead by 25 mm; the mean reaches 15.
+  // Legs of 60 mm in pieces of 3 mm. The program is ahead by 25 mm, the mean reaches 15 mm.
   constexpr double kZone = 1e-4;
   constexpr double kPiece = 3;  // mm
   for (const double window : {0.02, 0.03, 0.04, 0.05, 0.0667, 0.1}) {
