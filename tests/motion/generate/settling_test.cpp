@@ -177,6 +177,8 @@ TEST_CASE("a robot is in position if its tool's place and turn are, and its rota
   turn.angle = 1 * test::kDegree;
   CHECK(at(turn, 90, 90, 0.99).kind == PositionError::Kind::None);
   CHECK(at(turn, 0, 0, -1.01).kind == PositionError::Kind::Turn);
+  CHECK(at(turn, 0, 0, -1.01).axis == -1);  // of the tool, not of an axis
+  CHECK(at(within_mm(4.99), 3, 4, 0).axis == -1);
   CHECK(at(turn, 0, 0, -1.01).value == doctest::Approx(1.01 * test::kDegree));
   motion::SettleWindow swung = within_mm(1);  // a tip 100 mm off the axis: 1 deg is 1.745 mm
   swung.tip = {0.1, 0, 0};
