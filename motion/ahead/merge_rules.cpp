@@ -127,9 +127,13 @@ double MergeRules::soon(const SegmentDescriptor& segment) const {
 /// speed.
 MergeRules::Knots MergeRules::knots_for(const SegmentDescriptor& segment) const {
   const double zone = tolerance(segment);
-  const double leads = speed_on(segment) * std::sqrt(zone / strength(segment)) / 4;
+  const double acceleration = strength(segment);
+  const double window = robot_.tool_coordinates ? segment.ahead.window : 0;
+  double time = std::sqrt(zone / acceleration) / 4;
+  if (window > 0) time = std::max(time, std::cbrt(zone * window / (2 * acceleration)) / 2);
+  const double leads = speed_on(segment) * time;
   const double apart = std::min(leads, kTolerances * zone);
-  return {apart, leads / apart};
+  return {apart, leads / apart, window > 0 ? 3 : 2};
 }
 
 double MergeRules::tolerance(const SegmentDescriptor& segment) const {

@@ -39,6 +39,7 @@ class MergeRules {
   struct Knots {
     double apart = 0;
     double stiffness = 1;
+    int order = 2;  ///< of the differences that CurveFit keeps small
   };
   Knots knots_for(const SegmentDescriptor& segment) const;
 

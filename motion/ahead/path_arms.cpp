@@ -32,7 +32,8 @@ Course PathPlanner::course_from(const ShapedLeg& leg) {
   course.taken = into_;
   course.square = entry_;
   double time = least_time(robot_, leg);
-  while (!course.whole && course.legs.size() < kMostLegs) {
+  const std::size_t most = leg.goes_on() ? kMostParts : kMostLegs;
+  while (!course.whole && course.legs.size() < most) {
     const std::size_t count = course.legs.size();
     if (count >= kLegs && time > kMeans * mean_time()) return course;
     const PathItem* const item = coming(count - 1);

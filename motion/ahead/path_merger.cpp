@@ -116,7 +116,8 @@ void PathMerger::begin_run(double before) {
   const MergeRules::Knots knots =
       rules_.knots_for(rules_.mergeable(*second.segment) ? *second.segment : front);
   const double lead = kLead * knots.apart;
-  run_.emplace(knots.apart, knots.stiffness);
+  grown_ = 0;
+  run_.emplace(knots.apart, knots.stiffness, knots.order);
   run_->members.reserve(most_unsettled() + 1);  // memory that is not touched costs nothing
   if (front.ahead.length > before + lead) {
     run_->head = head_of_front(front.ahead.length - lead);
@@ -178,7 +179,7 @@ void PathMerger::append_front() {
   }
   run_->members.push_back(std::move(member));
   queue_.pop_front();
-  grown_ = true;
+  ++grown_;
 }
 
 /// It is long: the curve ends on its first part.

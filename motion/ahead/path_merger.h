@@ -37,8 +37,8 @@ class PathMerger {
   std::optional<PathItem> next();
   /// It has taken motions that it has not handed out yet.
   bool holds() const { return run_.has_value() || !queue_.empty(); }
-  /// A curve has begun, and has grown since this was asked last: more may come.
-  bool grows() { return run_.has_value() && std::exchange(grown_, false); }
+  /// Legs that a curve under way has taken since this was asked last.
+  std::size_t grown() { return run_ ? std::exchange(grown_, 0) : 0; }
   /// Makes do with what is known: next() waits for no more until it has handed out all of it.
   void flush() { queue_.flush(); }
   /// Forgets all that it holds; calls give_up(segment) for each motion.
@@ -65,7 +65,7 @@ class PathMerger {
   };
   /// A curve under way.
   struct Run {
-    Run(double knot, double stiffness) : fit(knot, stiffness) {}
+    Run(double knot, double stiffness, int order) : fit(knot, stiffness, order) {}
     CurveFit fit;
     std::vector<Member> members;   ///< not handed out yet
     std::optional<PathItem> head;  ///< what the first of them has before the curve, likewise
@@ -101,7 +101,7 @@ class PathMerger {
   std::optional<SegmentDescriptor> before_;
   double before_wanted_ = 0;
   std::optional<Run> run_;
-  bool grown_ = false;
+  std::size_t grown_ = 0;
 };
 
 }  // namespace rob::motion

@@ -48,8 +48,10 @@ bool PathPlanner::work() {
   const bool dropped = ring_.drop_asked();
   const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
   if (dropped) drop();
+  const std::size_t room_before = buffer_.room();
   bool worked = dropped;
   for (fetch(); advance(); fetch()) worked = true;
+  worked = worked || buffer_.room() != room_before;
   const bool all_here = closed && !open_ && pending_.empty() && !merger_.holds();
   const double share = ring_.share.load(std::memory_order_relaxed);
   const bool anew = share != std::exchange(share_, share);
@@ -89,7 +91,7 @@ void PathPlanner::drop() {
 }
 
 std::size_t PathPlanner::most_pending() const {
-  if (robot_.tool_coordinates) return kMostLegs;
+  if (robot_.tool_coordinates) return begins_with_curve() ? kMostParts : kMostLegs;
   const bool awaits = !open_ && !pending_.empty() && awaits_curve(robot_, pending_);
   return awaits ? kMostBeforeCurve : kPending;
 }
@@ -125,13 +127,21 @@ ShapedLeg PathPlanner::shape(const PathItem& item, double begin) const {
   return leg;
 }
 
+/// A run on an arm that begins with a curve: the more is known of it, the better is its mean.
+bool PathPlanner::begins_with_curve() const {
+  if (open_ || pending_.empty() || !robot_.tool_coordinates) return false;
+  const PathItem& first = pending_.front();
+  return first.segment.ahead.window > 0 && first.stretch && first.stretch->goes_on;
+}
+
 bool PathPlanner::begin_run() {
   if ((pending_.empty() || awaits_curve(robot_, pending_)) && merger_.holds()) {
-    if (merger_.grows()) return false;
+    if (curve_grows() || !guide_within(kSoon, kAny)) return false;
     merger_.flush();  // it stands: what is known has to do
     return true;
   }
   if (pending_.empty()) return false;
+  if (begins_with_curve() && pending_.size() < most_pending() && curve_grows()) return false;
   const PathItem next = pending_.front();
   pending_.pop_front();
   if (!has_way(next.segment) || next.segment.generation <= ring_.over()) {
@@ -175,6 +185,20 @@ void PathPlanner::stand_alone(ShapedLeg& leg) {
 bool PathPlanner::nothing_comes() const {
   const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
   return closed && buffer_.next_segment() == nullptr && !merger_.holds();
+}
+
+/// The program adds to a curve leg after leg, so it is worth waiting for more of it. [choice] four
+/// legs in two periods: a program that has to measure or wait between them is slower.
+bool PathPlanner::curve_grows() {
+  constexpr std::uint64_t kPeriods = 2;
+  constexpr std::size_t kSome = 4;
+  const std::uint64_t now = ring_.periods.load(std::memory_order_relaxed);
+  grown_ += merger_.grown();
+  if (grown_ >= kSome) {
+    grown_ = 0;
+    grows_ = now;
+  }
+  return now < grows_ + kPeriods;
 }
 
 /// Whether it is known already that a run begins and ends with this leg.
@@ -222,6 +246,7 @@ bool PathPlanner::decide_alone() {
   if (merger_.holds()) {
     const double control = greatest_control(*open_, open_->at(open_->length()));
     if (more_to_publish() || !guide_within(kSoon, control)) return false;
+    if (curve_grows()) return false;
     merger_.flush();
     return true;
   }

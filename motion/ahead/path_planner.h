@@ -55,6 +55,8 @@ class PathPlanner {
   static constexpr double kSoon = 0.1;
   /// On an arm so many items at most are looked at to choose between a corner and a stop.
   static constexpr std::size_t kMostLegs = 8;
+  /// The same of the parts of a curve. [choice] 40 mm of chords of 0.01 mm
+  static constexpr std::size_t kMostParts = 64;
   /// m: places that are nearer to each other are one.
   static constexpr double kRounding = 1e-9;
   static constexpr double kAny = Piece::kAny;
@@ -66,6 +68,8 @@ class PathPlanner {
   bool begin_run();
   ShapedLeg shape(const PathItem& item, double begin) const;
   bool nothing_comes() const;
+  bool begins_with_curve() const;
+  bool curve_grows();
   bool stands_after(const ShapedLeg& leg) const;
   void begin_on_arm(ShapedLeg& leg);
   Course course_from(const ShapedLeg& leg);
@@ -135,6 +139,8 @@ class PathPlanner {
   Rehearsal rehearsal_;
   std::optional<double> into_;  ///< m of the open leg that the corner into it has taken
   double entry_ = 0;            ///< σ'² there, as was reckoned
+  std::uint64_t grows_ = 0;     ///< PathRing::periods when a curve has last grown by some legs
+  std::size_t grown_ = 0;       ///< legs since then
   std::vector<Piece> scratch_;
 };
 

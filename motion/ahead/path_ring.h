@@ -132,6 +132,7 @@ class PathRing {
   std::atomic<double> share{1};        ///< the override
   std::atomic<double> sigma{0};        ///< where the guide is
   std::atomic<double> rate{0};         ///< its σ'
+  std::atomic<std::uint64_t> periods{0};  ///< reference periods since the start
 
  private:
   struct Slot {

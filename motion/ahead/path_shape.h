@@ -38,7 +38,8 @@ struct ShapedLeg {
   double end() const noexcept { return begin + length(); }
   /// The next item continues it without a corner.
   bool goes_on() const noexcept { return stretch && stretch->goes_on; }
-  bool merged() const noexcept { return stretch && !stretch->axes.nodes().empty(); }
+  /// It is a curve along several motions, not a part of one.
+  bool merged() const noexcept { return stretch && !stretch->slopes.empty(); }
   PathPoint at(double way) const noexcept { return motion.at(way); }
 };
 ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, double begin);

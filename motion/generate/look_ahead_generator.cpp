@@ -97,6 +97,7 @@ void LookAheadGenerator::step_guide() noexcept {
   guide_.step(guide_time(), [this](const Guide::Part& part) noexcept { history_.keep(part); });
   ring_.sigma.store(guide_.sigma(), std::memory_order_relaxed);
   ring_.rate.store(guide_.rate(), std::memory_order_relaxed);
+  ring_.periods.fetch_add(1, std::memory_order_relaxed);
   if (!runs) return events_.stand(guide_time());
   average_.take(guide_);
   events_.go_on({guide_time(), average_.sigma(), average_.rate()});

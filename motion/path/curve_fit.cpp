@@ -25,7 +25,7 @@ constexpr int kRounds = 6;                // in the last three of which weights 
 constexpr int kGrowing = 3;
 constexpr int kExtraRounds = 60;
 constexpr int kMostDoublings = 12;
-constexpr double kLeastWeight = 1e-7;
+constexpr double kLeastWeight = 1e-9;
 constexpr double kMostWeight = 1e6;
 constexpr double kExactWeight = 1e7;
 constexpr double kKnotsOfStraight = 3;
@@ -48,9 +48,10 @@ Basis basis_bend(double t) { return {1 - t, 3 * t - 2, 1 - 3 * t, t}; }
 
 }  // namespace
 
-CurveFit::CurveFit(double knot, double stiffness)
+CurveFit::CurveFit(double knot, double stiffness, int order)
     : knot_(knot),
-      first_weight_(0.3 * std::pow(std::max(stiffness, 1.0), -4)),
+      order_(order),
+      first_weight_(0.3 * std::pow(std::max(stiffness, 1.0), -2 * order)),
       window_(static_cast<std::size_t>(
           std::clamp(kLeastWindow * stiffness, kLeastWindow, kMostWindow))) {}
 
@@ -225,9 +226,11 @@ void CurveFit::solve(std::size_t until, std::size_t begin, std::size_t end) {
     }
   };
   constexpr std::array kSecond = {1.0, -2.0, 1.0};
+  constexpr std::array kThird = {-1.0, 3.0, -3.0, 1.0};
   const std::size_t all = until + fixed_end_ == count() ? count() : until;
-  for (std::size_t j = frozen_ - std::min<std::size_t>(frozen_ - dropped_, 2); j + 2 < all; ++j)
-    add_row(j, kSecond.data(), kSecond.size(), 1, Vector3d::Zero());
+  const auto order = static_cast<std::size_t>(order_);
+  for (std::size_t j = frozen_ - std::min(frozen_ - dropped_, order); j + order < all; ++j)
+    add_row(j, order_ == 2 ? kSecond.data() : kThird.data(), order + 1, 1, Vector3d::Zero());
   for (std::size_t i = begin; i < end; ++i) {
     const std::size_t span = span_of(data_[i].u);
     const Basis b = basis(data_[i].u - static_cast<double>(span));

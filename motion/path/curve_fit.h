@@ -23,7 +23,7 @@ class CurveFit {
  public:
   /// `knot`: m between knots; `stiffness`: hF/knot, where hF = F·√(ε/A)/4 is the way in which an
   /// acceleration A leads off by the tolerance ε at the speed F.
-  CurveFit(double knot, double stiffness);
+  CurveFit(double knot, double stiffness, int order = 2);
 
   /// Begins at rest: only the place counts.
   void begin(const Eigen::Vector3d& place);
@@ -108,6 +108,7 @@ class CurveFit {
   void meet(const Datum& datum);
 
   double knot_;
+  int order_;  ///< of the differences
   double first_weight_;
   std::size_t window_;  ///< controls
   std::vector<Datum> data_;

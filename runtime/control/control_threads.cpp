@@ -7,7 +7,6 @@ namespace rob::runtime {
 
 namespace {
 
-constexpr double kPathPeriod = 0.002;  // s [choice] of 50 ms that it may be late at most
 
 }  // namespace
 
@@ -32,7 +31,7 @@ ControlThreads::ControlThreads(Controller& controller)
           },
           &line_),
       path_(
-          clock_, kPathPeriod, kPathPriority,
+          clock_, kPlanningPeriod, kPathPriority,
           [this](std::int64_t, double, double) {
             controller_.plan_path();
             return !stopping_.load(std::memory_order_relaxed);

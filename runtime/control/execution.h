@@ -24,6 +24,9 @@ struct RunLimits {
   bool standstill = false;  ///< ends where a Standstill is for ever
 };
 
+/// s between two looks of the planner of the path. [choice] of 50 ms that it may be late at most
+inline constexpr double kPlanningPeriod = 0.002;
+
 /// Called between cycles by the thread that reports.
 using Attend = std::function<void()>;
 

@@ -36,6 +36,8 @@ class ProgramTask {
   /// Behind step(), once in every cycle: one of the program's TASKs. `state`: what step() has said
   /// last; what it is now, since an error of a TASK is one of the program.
   State run_tasks(State state);
+  /// The program waits, but not for the next cycle: it may go on as soon as there is room.
+  bool waits_for_room() const { return !failure_ && vm_.state() == lang::Vm::State::Waiting; }
   bool has_tasks() const { return tasks_.any(); }
 
   /// How the program failed; what it had commanded before is finished all the same. Valid once

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "runtime/control/execution.h"
 #include "runtime/control/standstill.h"
 #include "runtime/control/stepper.h"
@@ -9,6 +12,25 @@ namespace {
 /// So many instructions without a wait also take one cycle of virtual time (docs/language.md).
 constexpr std::int64_t kInstructionsPerCycle = 1'000'000;
 
+/// Turns of program and planner in one cycle: as many as the planner's thread would have in real
+/// time.
+int turns_in(double period) {
+  return std::max(1, static_cast<int>(std::lround(period / kPlanningPeriod)));
+}
+
+/// The program goes on where planning the path has made room for it; `budget`: instructions.
+ProgramTask::State work_ahead(Controller& controller, ProgramTask& program,
+                              ProgramTask::State state, std::int64_t budget) {
+  const std::int64_t end = program.executed() + budget;
+  for (int turns = turns_in(controller.robot().reference_period);
+       controller.plan_path() && program.waits_for_room() && --turns > 0;) {
+    const std::int64_t left = end - program.executed();
+    if (left <= 0) break;
+    state = program.step(left);
+  }
+  return state;
+}
+
 }  // namespace
 
 Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits& limits,
@@ -18,7 +40,7 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
   Standstill standstill(controller.robot());
 
   auto program_state = program.step(kInstructionsPerCycle);
-  controller.plan_path();
+  program_state = work_ahead(controller, program, program_state, kInstructionsPerCycle);
   for (;;) {
     stepper.cycle();
     attend();
@@ -34,7 +56,7 @@ Timing run_stepped(Controller& controller, ProgramTask& program, const RunLimits
       program_state = program.step(kInstructionsPerCycle);
     }
     program_state = program.run_tasks(program_state);
-    controller.plan_path();
+    program_state = work_ahead(controller, program, program_state, kInstructionsPerCycle);
     timing.waits_for_ever = limits.standstill && standstill.is_for_ever(controller, stepper.now());
     if (stepper.now() >= limits.virtual_time || program.executed() >= limits.instructions ||
         timing.waits_for_ever) {
