@@ -196,9 +196,9 @@ bool PathPlanner::curve_grows() {
   grown_ += merger_.grown();
   if (grown_ >= kSome) {
     grown_ = 0;
-    grows_ = now;
+    grows_until_ = now + kPeriods;
   }
-  return now < grows_ + kPeriods;
+  return now < grows_until_;
 }
 
 /// Whether it is known already that a run begins and ends with this leg.

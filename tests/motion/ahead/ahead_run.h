@@ -90,6 +90,7 @@ class AheadRun {
                 [](const motion::Guide::Part&) {});
     ring_.sigma.store(guide_.sigma());
     ring_.rate.store(guide_.rate());
+    ring_.periods.fetch_add(1);
     average_.take(guide_);
     ring_.release(std::min(average_.oldest(), guide_.index() > 0 ? guide_.index() - 1 : 0));
   }
