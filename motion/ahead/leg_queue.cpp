@@ -61,16 +61,17 @@ double LegQueue::wanted(std::size_t i, const Next& next) {
 
 /// Whether the corners at both ends of a leg, `before` m of it at its beginning, want more than it
 /// has, or it is passed too soon. An arm chooses between a corner and a stop by their times
-/// (PathPlanner): there only what is as short as a curve's end crowds.
+/// (PathPlanner): there a leg that bends sharply crowds only if it is as short as a curve's end.
 bool LegQueue::crowded(std::size_t i, const Next& next, double before) {
   const SegmentDescriptor& segment = waiting_[i].segment;
   if (!rules_.mergeable(segment)) return false;
   const double corners = before + wanted(i, next);
   if (corners == 0) return false;
   const double soon = rules_.soon(segment);
-  const double most = robot_.tool_coordinates
-                          ? std::min(soon, kTail * rules_.knots_for(segment).apart)
-                          : std::max(soon, corners);
+  const bool bends = robot_.tool_coordinates &&
+                     !(next.segment != nullptr && rules_.bends_gently(segment, *next.segment));
+  const double most =
+      bends ? std::min(soon, kTail * rules_.shortest_knot(segment)) : std::max(soon, corners);
   if (!(segment.ahead.length < most)) return false;
   if (!averaged(segment)) return true;
   return next.segment != nullptr && rules_.sooner_on_curve(segment, *next.segment);

@@ -123,15 +123,21 @@ double MergeRules::soon(const SegmentDescriptor& segment) const {
   return few_periods(robot_) * speed_on(segment);
 }
 
+double MergeRules::shortest_knot(const SegmentDescriptor& segment) const {
+  const double zone = tolerance(segment);
+  return std::min(speed_on(segment) * std::sqrt(zone / strength(segment)) / 4, kTolerances * zone);
+}
+
 /// A knot is a quarter of the way in which the weakest axis leads off by the zone, at the leg's
-/// speed.
+/// speed; half of it where a mean of σ bounds the jerk, which leads off by J·t³. [choice] of the
+/// latter: shorter ones cost arms up to a twentieth of the time of an arc, longer ones nothing.
 MergeRules::Knots MergeRules::knots_for(const SegmentDescriptor& segment) const {
   const double zone = tolerance(segment);
   const double acceleration = strength(segment);
   const double window = robot_.tool_coordinates ? segment.ahead.window : 0;
-  double time = std::sqrt(zone / acceleration) / 4;
-  if (window > 0) time = std::max(time, std::cbrt(zone * window / (2 * acceleration)) / 2);
-  const double leads = speed_on(segment) * time;
+  const double by_acceleration = std::sqrt(zone / acceleration) / 4;
+  const double by_jerk = std::cbrt(zone * window / (2 * acceleration)) / 2;
+  const double leads = speed_on(segment) * std::max(by_acceleration, by_jerk);
   const double apart = std::min(leads, kTolerances * zone);
   return {apart, leads / apart, window > 0 ? 3 : 2};
 }
@@ -165,6 +171,27 @@ bool MergeRules::sooner_on_curve(const SegmentDescriptor& segment,
   const double ramps = (top * top - corner * corner) / control;
   const double time = 2 * (top - corner) / control + (way - ramps) / top;
   return time < alone(robot_, shaped_leg(robot_, segment, 0)).time;
+}
+
+/// m/s that a motion from rest to rest reaches on the leg.
+double MergeRules::reachable_speed(const SegmentDescriptor& segment) const {
+  const ShapedLeg leg = shaped_leg(robot_, segment, 0);
+  return std::min(speed_on(segment), 2 * leg.length() / alone(robot_, leg).time);
+}
+
+/// To change the speed by Δv a jerk J takes √(Δv/J), and leads off by ε ~ √(Δv³/J) meanwhile.
+/// [choice] of the parts: 113 random programs on five arms with ZONE 0.2 to 10 mm were never slower
+/// with them than with stops.
+bool MergeRules::bends_gently(const SegmentDescriptor& segment,
+                              const SegmentDescriptor& out) const {
+  constexpr double kMostTurn = 0.5;  // of a direction
+  constexpr double kPart = 0.3;
+  if (!robot_.tool_coordinates || segment.ahead.window == 0 || !mergeable(out)) return false;
+  const double turn = (direction(out) - direction(segment)).norm();
+  if (turn > kMostTurn) return false;
+  const double change = std::min(reachable_speed(segment), reachable_speed(out)) * turn;
+  const double jerk = 2 * strength(segment) / segment.ahead.window;
+  return tolerance(segment) > kPart * std::sqrt(change * change * change / jerk);
 }
 
 double MergeRules::corner_half(const SegmentDescriptor& in, const SegmentDescriptor& out) const {

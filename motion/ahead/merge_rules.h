@@ -32,6 +32,9 @@ class MergeRules {
   /// Where a mean bounds the jerk: whether a curve takes less time for the leg, with corners at
   /// both ends like the one into `out`, than a motion from rest to rest.
   bool sooner_on_curve(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
+  /// On an arm whose jerk is bounded: the leg bends into the next one so little that a curve is
+  /// sooner than a corner and a stop, however long it is.
+  bool bends_gently(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
   /// m by which a curve may leave a leg.
   double tolerance(const SegmentDescriptor& segment) const;
 
@@ -42,6 +45,8 @@ class MergeRules {
     int order = 2;  ///< of the differences that CurveFit keeps small
   };
   Knots knots_for(const SegmentDescriptor& segment) const;
+  /// How far they would lie apart, m, if only the acceleration were bounded.
+  double shortest_knot(const SegmentDescriptor& segment) const;
 
   /// The linear axes along a part of a curve; all others stay as in `like`.
   JointPath axes_of_table(const CurveFit& fit, const CurvePart& part,
@@ -50,6 +55,7 @@ class MergeRules {
  private:
   bool is_straight(const SegmentDescriptor& segment) const;
   double strength(const SegmentDescriptor& segment) const;
+  double reachable_speed(const SegmentDescriptor& segment) const;
   Eigen::Vector3d place(const JointVector& q) const;
   JointVector axes_at(const JointVector& like, const Eigen::Vector3d& place) const;
 

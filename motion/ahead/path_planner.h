@@ -137,8 +137,8 @@ class PathPlanner {
   double share_ = 1;  ///< the override that the squares are for
   SpeedPlan speeds_;  ///< of the run, where the mean is of σ
   Rehearsal rehearsal_;
-  std::optional<double> into_;  ///< m of the open leg that the corner into it has taken
-  double entry_ = 0;            ///< σ'² there, as was reckoned
+  std::optional<double> into_;     ///< m of the open leg that the corner into it has taken
+  double entry_ = 0;               ///< σ'² there, as was reckoned
   std::uint64_t grows_until_ = 0;  ///< PathRing::periods up to which a curve counts as growing
   std::size_t grown_ = 0;          ///< legs that it has taken since then
   std::vector<Piece> scratch_;

@@ -127,11 +127,11 @@ class PathRing {
   std::uint32_t last_generation() const noexcept { return last_generation_; }
 
   // What each has to know of the other, and asks no more often than it works.
-  std::atomic<std::uint32_t> late{0};  ///< how often nothing was known of what follows in time
-  std::atomic<bool> closed{false};     ///< all that was commanded is here, and no more will come
-  std::atomic<double> share{1};        ///< the override
-  std::atomic<double> sigma{0};        ///< where the guide is
-  std::atomic<double> rate{0};         ///< its σ'
+  std::atomic<std::uint32_t> late{0};     ///< how often nothing was known of what follows in time
+  std::atomic<bool> closed{false};        ///< all that was commanded is here, and no more will come
+  std::atomic<double> share{1};           ///< the override
+  std::atomic<double> sigma{0};           ///< where the guide is
+  std::atomic<double> rate{0};            ///< its σ'
   std::atomic<std::uint64_t> periods{0};  ///< reference periods since the start
 
  private:

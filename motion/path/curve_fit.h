@@ -8,8 +8,9 @@ namespace rob::motion {
 
 /// A cubic B-spline along a polyline, within a tolerance of it, streamed: points come at one end,
 /// settled spans of the curve leave at the other. Of all curves within the tolerance it seeks the
-/// one with the least sum of squared second differences of its control points, which is what lets
-/// it be run the fastest. Controls are found in a window by least squares with weights, which grow
+/// one with the least sum of squared differences of its control points, which is what lets it be
+/// run the fastest: of the second ones where acceleration is bounded, of the third where jerk is.
+/// Controls are found in a window by least squares with weights, which grow
 /// where a point lies too far away (iteratively reweighted least squares). Where no weight helps,
 /// as in a corner that is sharper than the knots, these spans get twice as many knots.
 ///
@@ -22,7 +23,8 @@ namespace rob::motion {
 class CurveFit {
  public:
   /// `knot`: m between knots; `stiffness`: hF/knot, where hF = F·√(ε/A)/4 is the way in which an
-  /// acceleration A leads off by the tolerance ε at the speed F.
+  /// acceleration A leads off by the tolerance ε at the speed F, or hF = F·∛(ε/J)/2 with a jerk J.
+  /// `order`: of the differences, 2 or 3.
   CurveFit(double knot, double stiffness, int order = 2);
 
   /// Begins at rest: only the place counts.

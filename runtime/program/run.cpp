@@ -51,9 +51,10 @@ void close_trace(std::optional<TraceWriter>& trace, const RunOptions& options, R
   result.lost_rows += trace->lost();
   if (whole && result.lost_rows == 0) return;
   if (result.exit_code == ExitCode::Done) result.exit_code = ExitCode::InputOutput;
+  const char* const why = whole ? "the computer was too busy to write them" : "is the disk full?";
   if (listener.warn) {
-    listener.warn(fmt::format("the trace '{}' is incomplete: {} rows are lost; is the disk full?",
-                              options.trace, result.lost_rows));
+    listener.warn(fmt::format("the trace '{}' is incomplete: {} rows are lost; {}", options.trace,
+                              result.lost_rows, why));
   }
 }
 
