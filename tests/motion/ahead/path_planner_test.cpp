@@ -301,6 +301,17 @@ TEST_CASE("a turning axis is rounded within its own zone") {
   CHECK(run.peak_acceleration(2) <= 10.001);
 }
 
+TEST_CASE("before the first tick nothing is decided for want of time") {
+  PacedRun run(0.3, 1e-3);
+  for (int i = 1; i <= 3; ++i) {
+    run.line(100 * i, 0);
+    for (int k = 0; k < 3; ++k) run.planner().work();
+  }
+  run.close();
+  CHECK(run.run() == doctest::Approx(0.3 / 0.3 + 0.3).epsilon(0.002));
+  CHECK(run.ring().late == 0);
+}
+
 TEST_CASE("what nothing follows in time is led to its target, and counted") {
   PacedRun run(0.3, 1e-3);
   run.line(100, 0);
