@@ -33,17 +33,20 @@ PathRing::Index PathPlanner::ready() {
     return ring_.end() + speeds_.ready();
   }
   if (held_ == 0 || !open_ || completing_) return end_;
-  const double sure = open_->end() - held_ * (1 - 1e-12);
+  const double sure = open_->end() - held_;
   PathRing::Index first = ring_.end();
   for (PathRing::Index unsure = end_; first < unsure;) {
     const PathRing::Index middle = first + (unsure - first) / 2;
     const Piece& piece = ring_.written(middle);
-    if (piece.begin + piece.length <= sure) {
+    if (piece.begin + piece.length <= sure + kRounding) {
       first = middle + 1;
     } else {
       unsure = middle;
     }
   }
+  if (first == end_ || room() == 0) return first;
+  const Piece& across = ring_.written(first);  // straight on, each leg makes it longer
+  if (across.straight() && across.begin < sure - kRounding) split(first++, sure);
   return first;
 }
 

@@ -198,8 +198,9 @@ double reachable_square(const Piece& piece, double end_square, double cap) noexc
   const PathPoint end = piece.point(length);
   const Stretch stretch(piece, here, end, length);
   double x = std::min(cap, stretch.bent_square());
-  const Row to_end{2 * length, 1, end_square, -1};  // x + 2·u·length <= end_square
-  const Row to_rest{2 * length, 1, 0, -1};          // and not below 0
+  Row to_end = Bounds::kNone;  // 0 <= x + 2·u·length <= end_square
+  to_end.slope = 2 * length;
+  to_end.bend = 1;
   // The width of the range of u is concave in x and not below 0 at 0: from the right Newton's steps
   // lead to the greatest x at which there is a u, and cross one bound at each.
   constexpr int kMostSteps = 40;
@@ -212,7 +213,7 @@ double reachable_square(const Piece& piece, double end_square, double cap) noexc
     }
     if (const double low = -x / (2 * length); low > bounds.low) {
       bounds.low = low;
-      bounds.low_row = &to_rest;
+      bounds.low_row = &to_end;
     }
     const double width = bounds.high - bounds.low;
     if (width >= 0) return x;

@@ -45,7 +45,7 @@ class ReferenceAverage {
   }
   /// The guide has stood for so long that the references do.
   bool stands() const noexcept { return still_ >= periods_; }
-  /// Pieces before this one are not needed any more.
+  /// Pieces before this one are not needed any more, not by the guide either, which is ahead.
   PathRing::Index oldest() const noexcept { return piece_ == 0 ? 0 : piece_ - 1; }
 
  private:

@@ -103,8 +103,7 @@ void LookAheadGenerator::step_guide() noexcept {
   events_.go_on({guide_time(), average_.sigma(), average_.rate()});
   tell_missed_leads();
   history_.forget(guide_time() - lag() - period());  // what was passed in this period is kept
-  const PathRing::Index kept = guide_.index() > 0 ? guide_.index() - 1 : 0;
-  released_ = std::max(released_, std::min(average_.oldest(), kept));
+  released_ = std::max(released_, average_.oldest());
   ring_.release(released_);
 }
 

@@ -1,6 +1,5 @@
 #include "runtime/control/entry_task.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace rob::runtime {
@@ -138,7 +137,7 @@ EntryTask::State EntryTask::end_failed() {
   if (entry_) queue_.push_front(std::move(*entry_));
   if (!queue_.empty()) {
     failure.first = queue_.front().line;
-    failure.last = std::max(queue_.back().line, queue_.back().end);
+    failure.last = queue_.back().line;
   }
   failures_.push_back(std::move(failure));
   failing_.reset();

@@ -40,14 +40,13 @@ class EntryTask {
     motion::Watch held;
   };
   struct Entry {
-    std::uint32_t line = 0;  ///< where it stands in the text
+    std::uint32_t line = 0;  ///< where it begins in the text
     std::variant<Statements, Program, Jog> what;
-    std::uint32_t end = 0;  ///< its last line, where it has several
   };
   /// An entry that has ended by an error.
   struct Failure {
     std::uint32_t line = 0;  ///< 0: between two entries
-    // The lines of it and of those behind it that are dropped for it; 0: there are none.
+    // Where the first and the last begin of it and those after it that are dropped; 0: none are.
     std::uint32_t first = 0;
     std::uint32_t last = 0;
     std::size_t dropped = 0;

@@ -171,7 +171,7 @@ bool Session::submit(const std::string& entry, LoadedProgram compiled) {
     return false;
   }
   auto chunk = std::make_shared<const lang::Chunk>(std::move(*compiled.compilation.chunk));
-  robot_->submit({line, EntryTask::Statements{std::move(chunk)}, text_->line() - 1});
+  robot_->submit({line, EntryTask::Statements{std::move(chunk)}});
   return true;
 }
 

@@ -165,13 +165,17 @@ class Copy:
 
 
 class Trial:
-    """The tests that a mutant of one layer has to survive, and the time that each may take."""
+    """The tests that a mutant of one layer has to survive, and the time that each may take. It begins
+    with a copy that is whole."""
 
     LONGEST = Limit(3600, 7200)  # s without a mutant
     PATIENCE = 5  # times the processor time used without a mutant, and some seconds
     DELAY = 10  # times the time that passed without a mutant, and a minute
 
     def __init__(self, copy, layer):
+        built, out = copy.make("all")  # what is built may yet be the mutant before, of another layer
+        if not built:
+            raise Failed(out + "\nthe sources do not compile without a mutant")
         self.copy = copy
         self.layer = layer
         self.binary = f"{layer}_test"
@@ -283,9 +287,6 @@ def main():
     copy.lock()
     copy.synchronize()
     copy.configure()
-    built, out = copy.make("all")
-    if not built:
-        raise Failed(out + "\nthe sources do not compile without a mutant")
     tried, died = hunt(copy, options.count, options.seed)
     share = died / tried if tried else 0
     print(f"{died} of {tried} mutants died ({100 * share:.0f} %), seed {options.seed}")

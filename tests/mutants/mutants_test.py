@@ -22,6 +22,14 @@ add_executable(lang_test tests/sign_test.cpp)
 target_link_libraries(lang_test rob_lang)
 add_test(NAME cli_test COMMAND lang_test)
 """
+# From outside all layers are tested together.
+TWO_LAYERS = """
+add_library(rob_motion STATIC motion/sign.cpp)
+add_executable(motion_test tests/motion_sign_test.cpp)
+target_link_libraries(motion_test rob_motion)
+add_test(NAME runtime_test COMMAND sh -c "$<TARGET_FILE:lang_test> && $<TARGET_FILE:motion_test>")
+add_test(NAME programs/all COMMAND sh -c "$<TARGET_FILE:lang_test> && $<TARGET_FILE:motion_test>")
+"""
 SIGN = """// The sign: x < 0 is told by true.
 bool negative(int x) {
   return x < 0 && x != 0;
@@ -117,6 +125,19 @@ class Hunt(unittest.TestCase):
         self.assertEqual((code, out.count(" died (folder) lang/sign.cpp:3")), (0, 2), out)
         self.assertIn("2 of 2 mutants died (100 %), seed 1", out)
         self.assertEqual(self.tree(), before)
+
+    def test_a_layer_is_tried_without_the_mutants_of_another(self):
+        (self.root / "motion").mkdir()
+        self.write("CMakeLists.txt", PROJECT + TWO_LAYERS)
+        sign = SIGN.replace(" && x != 0", "")  # of one mutation
+        self.write("lang/sign.cpp", sign)
+        self.write("motion/sign.cpp", sign.replace("negative", "backwards"))
+        self.write("tests/sign_test.cpp", GOOD)
+        self.write("tests/motion_sign_test.cpp", GOOD.replace("negative", "backwards"))
+        code, out = self.hunt(2)
+        self.assertEqual(code, 0, out)
+        for layer in ("lang", "motion"):
+            self.assertIn(f" died (folder) {layer}/sign.cpp:3", out)
 
     def test_those_that_no_test_finds_are_shown(self):
         self.write("tests/sign_test.cpp", ASKS_NOTHING)

@@ -92,7 +92,7 @@ class AheadRun {
     ring_.rate.store(guide_.rate());
     ring_.periods.fetch_add(1);
     average_.take(guide_);
-    ring_.release(std::min(average_.oldest(), guide_.index() > 0 ? guide_.index() - 1 : 0));
+    ring_.release(average_.oldest());
   }
   /// Until the references stand at the end of what was closed; s, or −1 if they never do.
   double run(double at_most = 1000) {

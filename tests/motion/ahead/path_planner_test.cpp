@@ -139,6 +139,31 @@ TEST_CASE("what a corner may yet calm is not given away while the path becomes k
   }
 }
 
+TEST_CASE("a line whose pieces become known bit by bit is as fast as a known one") {
+  // The program is ahead by more than the guide needs to brake, v²/2a = 45 mm, and what a corner
+  // may calm, T/2·(v + a·T/4) <= 16.3 mm: from rest to rest it takes d/v + v/a + T.
+  constexpr double kAhead = 65;  // mm
+  for (const double window : {0.0, 0.02, 0.05, 0.1}) {
+    for (const double piece : {0.5, 3.0, 30.0}) {
+      CAPTURE(window);
+      CAPTURE(piece);
+      PacedRun run(0.3, 1e-4, window);
+      const int pieces = static_cast<int>(std::lround(300 / piece));
+      int given = 0;
+      int periods = 0;
+      for (; periods < 4000 && (given < pieces || !run.ended()); ++periods) {
+        const double known = run.guide().sigma() * 1000 + kAhead + 2 * piece;
+        while (given < pieces && piece * given < known) run.line(piece * ++given, 0);
+        if (given == pieces) run.close();
+        run.step();
+      }
+      CHECK(run.ring().late == 0);
+      CHECK(periods * 0.001 == doctest::Approx(0.3 / 0.3 + 0.3 + window).epsilon(0.003));
+      check_limits(run);
+    }
+  }
+}
+
 TEST_CASE("however many corners ask for calm, the axes keep the least share of them") {
   // Corners of 90 degrees every 0.02 mm, many within the same mean.
   PacedRun run(0.3, 1e-4, 0.05);
@@ -274,6 +299,17 @@ TEST_CASE("a turning axis is rounded within its own zone") {
   for (const auto& point : run.references()) most = std::max(most, point.q[2]);
   CHECK(most >= 0.48999);
   CHECK(run.peak_acceleration(2) <= 10.001);
+}
+
+TEST_CASE("before the first tick nothing is decided for want of time") {
+  PacedRun run(0.3, 1e-3);
+  for (int i = 1; i <= 3; ++i) {
+    run.line(100 * i, 0);
+    for (int k = 0; k < 3; ++k) run.planner().work();
+  }
+  run.close();
+  CHECK(run.run() == doctest::Approx(0.3 / 0.3 + 0.3).epsilon(0.002));
+  CHECK(run.ring().late == 0);
 }
 
 TEST_CASE("what nothing follows in time is led to its target, and counted") {

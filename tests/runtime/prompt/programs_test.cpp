@@ -109,6 +109,19 @@ TEST_CASE("an error while the program runs is told with its line in the program"
   CHECK(prompt.enter({"PRINT 3"}) == "3\n");
 }
 
+TEST_CASE("an error in a handler between two entries is told with its line at the prompt") {
+  // The program is on line 1 of the prompt; the handler's PRINT is the second line of entry 3.
+  const ScratchFolder folder;
+  PipedPrompt prompt(folder);
+  prompt.enter({":insert 1 PRINT 1", ":run", "VAR zero = 0",
+                "WHEN DOUT[1] DO\n  PRINT 1 DIV zero\nENDWHEN"});
+  prompt.said();
+  prompt.enter({"DOUT[1] = ON"});
+  for (int i = 0; i < 10; ++i) prompt.session.let_pass();
+  CHECK(prompt.said().starts_with("prompt:4:11: error[E302]"));
+  CHECK(prompt.session.robot().open() == 0);
+}
+
 TEST_CASE(":run from a line executes what is declared before, and no statement") {
   const ScratchFolder folder;
   PipedPrompt prompt(folder);

@@ -205,11 +205,16 @@ TEST_CASE("an entry that fails tells how many behind it are dropped, and their n
   prompt.session.enter("RAISE \"enough\"");
   prompt.session.enter("VAR n = 1");
   prompt.session.enter("PROC f()\n  PRINT 1\nENDPROC");
+  prompt.session.enter("DOUT[1] = ON\nVAR m = 1");
   prompt.session.finish();
-  CHECK(prompt.screen.messages.starts_with("dropped, typed ahead: 2 entries\n"));
-  prompt.session.enter("PRINT n");
-  CHECK(prompt.screen.messages.find("error[E201]") != std::string::npos);
-  CHECK(prompt.enter({"VAR n = 2", "PRINT n"}) == "2\n");
+  CHECK(prompt.screen.messages.starts_with("dropped, typed ahead: 3 entries\n"));
+  for (const char* const name : {"n", "m"}) {
+    CAPTURE(name);
+    prompt.screen.messages.clear();
+    prompt.session.enter(std::string("PRINT ") + name);
+    CHECK(prompt.screen.messages.find("error[E201]") != std::string::npos);
+  }
+  CHECK(prompt.enter({"VAR n = 2", "VAR f = 3", "PRINT n + f"}) == "5\n");
 }
 
 TEST_CASE("a type is not declared anew, nor a routine where there is a value") {
