@@ -25,7 +25,7 @@ class ToolCurve final : public ToolPath {
   double way() const noexcept override { return (end_ - begin_) * fit_.knot(); }
   double turn() const noexcept override { return 0; }
   /// [choice] four for each knot
-  double parts() const noexcept override { return std::max(8.0, std::ceil(4 * (end_ - begin_))); }
+  double parts() const noexcept override { return std::max(1.0, std::ceil(4 * (end_ - begin_))); }
 
  private:
   const CurveFit& fit_;

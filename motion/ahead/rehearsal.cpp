@@ -46,11 +46,12 @@ Grading grading_of(const RobotModel& robot, const ShapedLeg& leg, std::optional<
   const double control = greatest_control(leg, middle);
   const double half = average / kParts * 2;
   const double at_rest = std::max(control * half * half / 2, kShortestPiece);
+  const double longest = std::max(speed * average / kParts, kShortestPiece);
   const auto least = [&](std::optional<double> corner) {
-    return corner.value_or(0) > 0 ? std::max(*corner / kOfCorner, kShortestPiece) : at_rest;
+    if (!corner) return at_rest;
+    return *corner > 0 ? std::max(*corner / kOfCorner, kShortestPiece) : longest;
   };
-  return {into.value_or(0), leg.length() - out.value_or(0), least(into), least(out),
-          std::max(speed * average / kParts, kShortestPiece)};
+  return {into.value_or(0), leg.length() - out.value_or(0), least(into), least(out), longest};
 }
 
 double next_cut(const ShapedLeg& leg, const Grading& grading, double way, double goal) {

@@ -22,7 +22,8 @@ struct Grading {
   double length_at(double way) const noexcept;
 };
 
-/// `into`, `out`: m that the corners at its ends take of it; none: it comes to rest there.
+/// `into`, `out`: m that the corners at its ends take of it, 0 where the path goes straight on;
+/// none: it comes to rest there.
 Grading grading_of(const RobotModel& robot, const ShapedLeg& leg, std::optional<double> into,
                    std::optional<double> out, double average);
 
