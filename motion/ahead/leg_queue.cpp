@@ -59,20 +59,29 @@ double LegQueue::wanted(std::size_t i, const Next& next) {
   return waiting.wanted;
 }
 
+/// How long a leg of an arm may be that crowds. An arm chooses between a corner and a stop by their
+/// times (PathPlanner): so only what bends gently crowds as elsewhere, the rest as far as it is as
+/// short as a curve's end, or as a knot of it.
+double LegQueue::longest_on_arm(const SegmentDescriptor& segment, const Next& next,
+                                double longest) const {
+  using Bend = MergeRules::Bend;
+  const Bend bend =
+      next.segment != nullptr ? rules_.bend_into(segment, *next.segment) : Bend::Medium;
+  if (bend == Bend::Gentle) return longest;
+  const double knots = bend == Bend::Medium ? kTail : 1;
+  return std::min(rules_.soon(segment), knots * rules_.shortest_knot(segment));
+}
+
 /// Whether the corners at both ends of a leg, `before` m of it at its beginning, want more than it
-/// has, or it is passed too soon. An arm chooses between a corner and a stop by their times
-/// (PathPlanner): there a leg that bends sharply crowds only if it is as short as a curve's end.
+/// has, or it is passed too soon.
 bool LegQueue::crowded(std::size_t i, const Next& next, double before) {
   const SegmentDescriptor& segment = waiting_[i].segment;
   if (!rules_.mergeable(segment)) return false;
   const double corners = before + wanted(i, next);
   if (corners == 0) return false;
-  const double soon = rules_.soon(segment);
-  const bool bends = robot_.tool_coordinates &&
-                     !(next.segment != nullptr && rules_.bends_gently(segment, *next.segment));
-  const double most =
-      bends ? std::min(soon, kTail * rules_.shortest_knot(segment)) : std::max(soon, corners);
-  if (!(segment.ahead.length < most)) return false;
+  double longest = std::max(rules_.soon(segment), corners);
+  if (robot_.tool_coordinates) longest = longest_on_arm(segment, next, longest);
+  if (!(segment.ahead.length < longest)) return false;
   if (!averaged(segment)) return true;
   return next.segment != nullptr && rules_.sooner_on_curve(segment, *next.segment);
 }

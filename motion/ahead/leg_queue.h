@@ -64,6 +64,7 @@ class LegQueue {
  private:
   bool full() const;
   bool averaged(const SegmentDescriptor& segment) const;
+  double longest_on_arm(const SegmentDescriptor& segment, const Next& next, double longest) const;
 
   const RobotModel& robot_;
   const MergeRules& rules_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -32,9 +33,11 @@ class MergeRules {
   /// Where a mean bounds the jerk: whether a curve takes less time for the leg, with corners at
   /// both ends like the one into `out`, than a motion from rest to rest.
   bool sooner_on_curve(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
-  /// On an arm whose jerk is bounded: the leg bends into the next one so little that a curve is
-  /// sooner than a corner and a stop, however long it is.
-  bool bends_gently(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
+  /// How a leg of an arm whose jerk is bounded bends into the next one: so gently that a curve is
+  /// sooner than a corner and a stop, however long the leg is; or so sharply for its zone that a
+  /// stop is.
+  enum class Bend : std::uint8_t { Gentle, Medium, Sharp };
+  Bend bend_into(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
   /// m by which a curve may leave a leg.
   double tolerance(const SegmentDescriptor& segment) const;
 
