@@ -64,6 +64,27 @@ bool PathPlanner::extend(Course& course, const PathItem& next) {
   return true;
 }
 
+/// A run on an arm that begins with a curve: the more is known of it, the better is its mean.
+bool PathPlanner::begins_with_curve() const {
+  if (open_ || pending_.empty() || !robot_.tool_coordinates) return false;
+  const PathItem& first = pending_.front();
+  return first.segment.ahead.window > 0 && first.stretch && first.stretch->goes_on;
+}
+
+/// The program adds to a curve leg after leg, so it is worth waiting for more of it. [choice] four
+/// legs in two periods: a program that has to measure or wait between them is slower.
+bool PathPlanner::curve_grows() {
+  constexpr std::uint64_t kPeriods = 2;
+  constexpr std::size_t kSome = 4;
+  const std::uint64_t now = ring_.periods.load(std::memory_order_relaxed);
+  grown_ += merger_.grown();
+  if (grown_ >= kSome) {
+    grown_ = 0;
+    grows_until_ = now + kPeriods;
+  }
+  return now < grows_until_;
+}
+
 /// How the run is driven that begins with that leg.
 void PathPlanner::begin_on_arm(ShapedLeg& leg) {
   const Rehearsal::Beginning how = rehearsal_.beginning(course_from(leg));

@@ -127,13 +127,6 @@ ShapedLeg PathPlanner::shape(const PathItem& item, double begin) const {
   return leg;
 }
 
-/// A run on an arm that begins with a curve: the more is known of it, the better is its mean.
-bool PathPlanner::begins_with_curve() const {
-  if (open_ || pending_.empty() || !robot_.tool_coordinates) return false;
-  const PathItem& first = pending_.front();
-  return first.segment.ahead.window > 0 && first.stretch && first.stretch->goes_on;
-}
-
 bool PathPlanner::begin_run() {
   if ((pending_.empty() || awaits_curve(robot_, pending_)) && merger_.holds()) {
     if (curve_grows() || !guide_within(kSoon, kAny)) return false;
@@ -185,20 +178,6 @@ void PathPlanner::stand_alone(ShapedLeg& leg) {
 bool PathPlanner::nothing_comes() const {
   const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
   return closed && buffer_.next_segment() == nullptr && !merger_.holds();
-}
-
-/// The program adds to a curve leg after leg, so it is worth waiting for more of it. [choice] four
-/// legs in two periods: a program that has to measure or wait between them is slower.
-bool PathPlanner::curve_grows() {
-  constexpr std::uint64_t kPeriods = 2;
-  constexpr std::size_t kSome = 4;
-  const std::uint64_t now = ring_.periods.load(std::memory_order_relaxed);
-  grown_ += merger_.grown();
-  if (grown_ >= kSome) {
-    grown_ = 0;
-    grows_until_ = now + kPeriods;
-  }
-  return now < grows_until_;
 }
 
 /// Whether it is known already that a run begins and ends with this leg.

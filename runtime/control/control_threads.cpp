@@ -5,10 +5,7 @@
 
 namespace rob::runtime {
 
-namespace {
-
-
-}  // namespace
+namespace {}  // namespace
 
 ControlThreads::ControlThreads(Controller& controller)
     : controller_(controller),
