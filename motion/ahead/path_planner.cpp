@@ -274,7 +274,7 @@ bool PathPlanner::join_next() {
 std::optional<Turn> PathPlanner::corner(const ShapedLeg& leg, const ShapedLeg& next,
                                         bool from_rest) const {
   TurnBounds bounds{std::min(leg.length() - leg.sent, share_of_next(next)), mean_time(),
-                    robot_.tool_coordinates, from_rest};
+                    robot_.tool_coordinates, from_rest, from_rest && ends_at_rest(next.segment)};
   std::optional<Turn> made = make_turn(robot_, leg, next, bounds);
   if (made || robot_.tool_coordinates || !goes_on_behind(next)) return made;
   bounds.to_rest = false;

@@ -142,12 +142,17 @@ double lost_around(const RobotModel& robot, const ShapedLeg& leg, const PathPoin
 }
 
 /// s by which a stop is faster than so calm a corner on one of its sides. A leg that would stand
-/// alone then is looked at up to its middle. Else the stop costs what speeding up does, and half of
-/// the mean's time.
+/// alone then is looked at up to its middle; if it has no other corner either, its end has half of
+/// the run's mean with this one, and half of its own without. Else the stop costs what speeding up
+/// does, and half of the mean's time.
 double won_by_stop(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place,
-                   const Turn& made, bool stands_alone, double average) {
-  if (stands_alone && leg.motion.path == nullptr)
-    return half_time(robot, leg, place, made) - alone(robot, leg).time / 2;
+                   const Turn& made, bool stands_alone, const TurnBounds& bounds) {
+  const double average = bounds.average;
+  if (stands_alone && leg.motion.path == nullptr) {
+    const LegAlone stood = alone(robot, leg);
+    const double end = bounds.whole_run ? (average - stood.average) / 2 : 0;
+    return half_time(robot, leg, place, made) + end - stood.time / 2;
+  }
   const double ramp = greatest_rate(robot, leg, place) / (2 * greatest_control(leg, place));
   return lost_around(robot, leg, place, made) - ramp - average / 2;
 }
@@ -155,9 +160,8 @@ double won_by_stop(const RobotModel& robot, const ShapedLeg& leg, const PathPoin
 bool stops_as_fast(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                    const Turn& made, const TurnBounds& bounds) {
   if (made.calm == 1) return false;
-  const double average = bounds.average;
-  return won_by_stop(robot, in, in.at(in.length()), made, bounds.from_rest, average) +
-             won_by_stop(robot, out, out.at(0), made, bounds.to_rest, average) >=
+  return won_by_stop(robot, in, in.at(in.length()), made, bounds.from_rest, bounds) +
+             won_by_stop(robot, out, out.at(0), made, bounds.to_rest, bounds) >=
          0;
 }
 

@@ -12,6 +12,7 @@ struct TurnBounds {
   double average = 0;      ///< s of the mean that follows, which moves a curve of the axes inwards
   bool of_sigma = false;   ///< the mean is of σ: the path is kept, and has to bend smoothly
   bool from_rest = false;  ///< the leg into it begins at rest
+  bool whole_run = false;  ///< and the leg out of it ends at rest
   bool to_rest = true;     ///< the leg out of it could do with a stop at its end
 };
 
