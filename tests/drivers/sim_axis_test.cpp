@@ -48,7 +48,8 @@ TEST_CASE("a step is exact on both sides of where the series takes over from the
     axis.advance(3 * x);
     const long double fade = -std::expm1(-static_cast<long double>(x));
     const long double q = 0.5L * 3 * x - 3 * 0.5L * fade;
-    CHECK(axis.q() == test::relative(static_cast<double>(q), 1e-12));
+    // Below 0.01 the series; above, the closed form loses 1/x to cancellation.
+    CHECK(axis.q() == test::relative(static_cast<double>(q), x < 0.01 ? 1e-14 : 1e-12));
     CHECK(axis.v() == test::relative(static_cast<double>(0.5L * fade), 1e-14));
   }
 }

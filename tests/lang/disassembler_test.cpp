@@ -53,6 +53,17 @@ TEST_CASE("every jump of a listing arrives at an instruction of the listing") {
   for (const int aim : aims) CHECK(offsets.contains(aim));
 }
 
+TEST_CASE("the farthest jump is the farthest that its word holds, both ways") {
+  const auto held = [](std::int64_t distance) {
+    return Instruction::jump(Opcode::jump, static_cast<std::int32_t>(distance)).distance() ==
+           distance;
+  };
+  const auto farthest = static_cast<std::int64_t>(kFarthestJump);
+  CHECK(held(farthest));
+  CHECK(held(-farthest));
+  CHECK_FALSE(held(farthest + 1));
+}
+
 TEST_CASE("the two words of a long instruction are one line") {
   const ProgramRun program("PRINT \"hello\"\n");
   const std::string listing = disassemble(program.chunk());

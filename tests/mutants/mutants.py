@@ -93,11 +93,20 @@ def run(command, folder, limit=None, environment=None):
     """Runs it in a session of its own, which is killed as a whole when it goes beyond the limit or
     this program ends. Whether it returned 0, and all that it wrote."""
     with tempfile.TemporaryFile() as out:
+        # No abort between the start and what kills it.
+        mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
+
+        def prepare():
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+            if limit:
+                limit_resources()
+
         process = subprocess.Popen(
             command, cwd=folder, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
-            env=environment, start_new_session=True, preexec_fn=limit_resources if limit else None,
+            env=environment, start_new_session=True, preexec_fn=prepare,
         )  # fmt: skip
         try:
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
             passed = limit.wait_for(process) if limit else process.wait() == 0
         finally:
             try:

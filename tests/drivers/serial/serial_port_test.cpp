@@ -7,10 +7,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "drivers/serial/port_list.h"
 #include "motion/servo/servo_backend.h"
@@ -62,6 +64,22 @@ TEST_CASE("bytes go both ways as they are") {
     count += io.bytes;
   }
   CHECK(std::equal(came.begin(), came.end(), got.begin()));
+}
+
+TEST_CASE("a byte that comes alone ends the wait for it") {
+  PtyWire wire;
+  SerialPort port(wire.path(), 115200);
+  std::thread sender([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    wire.send({7});
+  });
+  std::array<std::uint8_t, 8> bytes{};
+  const double before = wire_time();
+  const WireIo io = port.read(bytes, before + 20);
+  sender.join();
+  CHECK(io.status == Status::Ok);
+  CHECK(io.bytes == 1);
+  CHECK(wire_time() - before < 10);
 }
 
 TEST_CASE("nothing waits longer than its deadline") {

@@ -301,6 +301,49 @@ TEST_CASE("a turning axis is rounded within its own zone") {
   CHECK(run.peak_acceleration(2) <= 10.001);
 }
 
+TEST_CASE("a corner may take more than half of a leg that has no other") {
+  // With 1 m/s² of each axis 0.3 m/s need a parabola of v²/2a on each side, which passes the point
+  // at √2/4 of that.
+  constexpr double kHalf = 0.045;
+  PacedRun run(0.3, 1);
+  run.bounds.lead = 1;
+  run.line(100, 0);
+  run.line(100, 60);
+  run.close();
+  CHECK(run.run() > 0);
+  check_limits(run);
+  CHECK(run.miss(100, 0) / kHalf == doctest::Approx(std::numbers::sqrt2 / 4).epsilon(0.001));
+}
+
+TEST_CASE("work() does all that can be done at once") {
+  // Targets without a way are more than the ring of legs has room for; nothing follows in time.
+  const auto is_all_done = [](AheadRun& run) {
+    run.planner().work();
+    const auto end = run.ring().end();
+    const std::size_t legs = run.ring().leg_room();
+    run.planner().work();
+    return run.ring().end() == end && run.ring().leg_room() == legs;
+  };
+  constexpr std::size_t kLegs = 8;
+  for (const int more : {0, 40}) {
+    CAPTURE(more);
+    AheadRun run(rob::test::fast_table(), kLegs);
+    run.bounds.speed = 0.3;
+    run.bounds.miss = 1e-3;
+    run.line(100, 0);
+    int given = 0;
+    int failed = 0;
+    for (int k = 0; k < 2000; ++k) {
+      if (given < more && run.buffer().room() > 1) run.line(100, 0), ++given;
+      if (!is_all_done(run)) ++failed;
+      run.tick();
+    }
+    CHECK(failed == 0);
+    CHECK(given == more);
+    CHECK(run.guide().sigma() == doctest::Approx(0.1));
+  }
+}
+
 TEST_CASE("before the first tick nothing is decided for want of time") {
   PacedRun run(0.3, 1e-3);
   for (int i = 1; i <= 3; ++i) {
@@ -310,6 +353,19 @@ TEST_CASE("before the first tick nothing is decided for want of time") {
   run.close();
   CHECK(run.run() == doctest::Approx(0.3 / 0.3 + 0.3).epsilon(0.002));
   CHECK(run.ring().late == 0);
+}
+
+TEST_CASE("what nothing follows in time is led to its target as soon as it is counted") {
+  PacedRun run(0.3, 1e-3);
+  run.line(100, 0);
+  while (run.ring().late == 0) {
+    run.planner().work();
+    if (run.ring().late == 0) run.tick();
+  }
+  REQUIRE(run.ring().end() > 0);
+  CHECK(run.ring().run_end(run.ring().end() - 1));
+  const rob::motion::Piece& last = run.ring().written(run.ring().end() - 1);
+  CHECK(last.begin + last.length == doctest::Approx(0.1).epsilon(1e-12));
 }
 
 TEST_CASE("what nothing follows in time is led to its target, and counted") {

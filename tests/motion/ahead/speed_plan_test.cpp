@@ -39,16 +39,38 @@ std::vector<Piece> uneven_road(std::uint64_t seed, int pieces) {
   return road;
 }
 
+/// A road on which other speeds are asked for here and there, some of them far below what the axis
+/// admits.
+std::vector<Piece> road_of_speeds(std::uint64_t seed, int pieces) {
+  rob::test::Choice choice(seed);
+  std::vector<Piece> road;
+  const double steep = 0.5 * choice.between(3, 20);
+  double slope = 1;
+  double fastest = 2;
+  double begin = 0;
+  for (int i = 0; i < pieces; ++i) {
+    if (choice.percent(15)) {
+      slope = choice.percent(50) ? 1 : steep;
+      fastest = choice.percent(40) ? 0.01 * choice.between(2, 20) : 2;
+    }
+    const double length = choice.between(1, 10) * (fastest < 1 ? 0.25e-3 : 1e-3);
+    road.push_back(sloping(begin, length, slope));
+    road.back().fastest = std::min(road.back().fastest, fastest);
+    begin += length;
+  }
+  return road;
+}
+
 std::size_t piece_at(const std::vector<Piece>& road, double sigma) {
   std::size_t at = 0;
   while (at + 1 < road.size() && road[at + 1].begin <= sigma) ++at;
   return at;
 }
 
-/// A guide that keeps to the rates of a plan and waits where it likes: where its mean over so many
-/// steps is, each piece on which it was has to reckon with the slope there.
+/// A guide that keeps to the rates of a plan and waits where it likes, or nowhere: where its mean
+/// over so many steps is, each piece on which it was has to reckon with the slope there.
 void check_reach(const std::vector<Piece>& road, const std::vector<SpeedPlan::Stretch>& planned,
-                 double average, std::uint64_t seed) {
+                 double average, std::uint64_t seed, bool waits = true) {
   constexpr std::size_t kSteps = 200;
   rob::test::Choice choice(seed);
   std::vector<double> places(kSteps, 0.0);
@@ -57,7 +79,7 @@ void check_reach(const std::vector<Piece>& road, const std::vector<SpeedPlan::St
   double eager = 1;
   double sum = 0;
   while (places.back() < end - 1e-9 && places.size() < 1000000) {
-    if (choice.percent(1)) eager = choice.percent(30) ? 0.0 : choice.below(1001) / 1000.0;
+    if (waits && choice.percent(1)) eager = choice.percent(30) ? 0.0 : choice.below(1001) / 1000.0;
     if (eager == 0 && choice.percent(5)) eager = 1;
     const std::size_t at = piece_at(road, places.back());
     const double border = road[at].begin + road[at].length;
@@ -69,6 +91,25 @@ void check_reach(const std::vector<Piece>& road, const std::vector<SpeedPlan::St
       REQUIRE(planned[guide].most.slopes[0] >= road[on].terms[1][0]);
   }
   REQUIRE(places.back() >= end - 1e-9);
+}
+
+/// Each time that so many pieces more are known all that can be is planned for good.
+std::vector<SpeedPlan::Stretch> planned_bit_by_bit(const std::vector<Piece>& road, double average,
+                                                   std::size_t at_a_time) {
+  SpeedPlan plan;
+  plan.begin();
+  std::vector<SpeedPlan::Stretch> fixed;
+  for (std::size_t i = 0; i < road.size(); ++i) {
+    plan.add(road[i]);
+    const bool last = i + 1 == road.size();
+    if (last) plan.end_at_rest();
+    if (i % at_a_time != 0 && !last) continue;
+    plan.plan(average);
+    const std::size_t ready = plan.ready();
+    for (std::size_t k = 0; k < ready; ++k) fixed.push_back(plan.stretch(k));
+    plan.fix(ready);
+  }
+  return fixed;
 }
 
 }  // namespace
@@ -119,21 +160,20 @@ TEST_CASE("so it is where the road becomes known little by little") {
   constexpr double kAverage = 0.1;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const std::vector<Piece> road = uneven_road(seed, 300);
-    SpeedPlan plan;
-    plan.begin();
-    std::vector<SpeedPlan::Stretch> fixed;
-    for (std::size_t i = 0; i < road.size(); ++i) {
-      plan.add(road[i]);
-      const bool last = i + 1 == road.size();
-      if (last) plan.end_at_rest();
-      if (i % 7 != 0 && !last) continue;
-      plan.plan(kAverage);
-      const std::size_t ready = plan.ready();
-      for (std::size_t k = 0; k < ready; ++k) fixed.push_back(plan.stretch(k));
-      plan.fix(ready);
-    }
+    const auto fixed = planned_bit_by_bit(road, kAverage, 7);
     CAPTURE(seed);
     REQUIRE(fixed.size() == road.size());
     check_reach(road, fixed, kAverage, seed);
+  }
+}
+
+TEST_CASE("so it is where what becomes known is to be driven faster than all before") {
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    const std::vector<Piece> road = road_of_speeds(seed, 120);
+    const double average = seed % 3 == 0 ? 0.1 : 0.3;
+    const auto fixed = planned_bit_by_bit(road, average, 1 + seed % 7);
+    CAPTURE(seed);
+    REQUIRE(fixed.size() == road.size());
+    check_reach(road, fixed, average, seed, false);
   }
 }

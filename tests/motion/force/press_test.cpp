@@ -98,4 +98,25 @@ TEST_CASE("a press with nearly all the speed and half of the acceleration of an 
   CHECK(reference.q[0] - robot.start[0] == test::relative(Press::kReach, 0.03));
 }
 
+TEST_CASE("what the path asks of the axes is not asked by the press") {
+  const RobotModel robot = embedded_robot("gantry");
+  const Axis& along = robot.axes[1];
+  Press press(robot);
+  press.begin({Eigen::Vector3d::UnitX(), -10, 0.5 * robot.axes[0].v_max});
+  const double rises = along.v_max / along.a_max;  // s
+  for (double t = robot.reference_period; t < rises; t += robot.reference_period) {
+    JointReference path = at_rest(robot.start);
+    path.q[1] += along.a_max * t * t / 2;
+    path.qd[1] = along.a_max * t;
+    path.qdd[1] = along.a_max;
+    JointReference reference = path;
+    press.step({}, false);
+    press.shift(reference);
+    REQUIRE_FALSE(press.lost());
+    CHECK(reference.q[1] == test::relative(path.q[1], 1e-9));
+    CHECK(reference.qd[1] == test::relative(path.qd[1], 1e-6));
+  }
+  CHECK(press.active());
+}
+
 }  // namespace rob::motion

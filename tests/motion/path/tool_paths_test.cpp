@@ -48,11 +48,36 @@ Vector3d bend(const ToolPath& path, double s, double side) {
          (kStep * kStep);
 }
 
+/// 3 m/s along x and 2 rad/s about z, for s from −1 to 1.
+class EvenPath : public ToolPath {
+ public:
+  Pose at(double s) const noexcept override { return pose(3 * s, 0, 0, Vector3d(0, 0, 2 * s)); }
+  double begin() const noexcept override { return -1; }
+  double end() const noexcept override { return 1; }
+  double way() const noexcept override { return 6; }
+  double turn() const noexcept override { return 4; }
+};
+
 double off(const Pose& a, const Pose& b) {
   return (a.position - b.position).norm() + rotation_between(a.orientation, b.orientation).norm();
 }
 
 }  // namespace
+
+TEST_CASE("speeds and shares of a path are those between its ends, wherever they are") {
+  const EvenPath path;
+  CHECK(path.greatest_speed() == doctest::Approx(3));
+  CHECK(path.greatest_turning() == doctest::Approx(2));
+  for (const double s : {-0.9, 0.0, 0.5}) {
+    CAPTURE(s);
+    const ToolSpeed speed = speed_at(path, s);
+    CHECK(speed.way == doctest::Approx(3).epsilon(1e-9));
+    CHECK(speed.turn == doctest::Approx(2).epsilon(1e-9));
+    CHECK(path.share_at(s) == doctest::Approx((s + 1) / 2));
+    CHECK(path.at_share((s + 1) / 2) == doctest::Approx(s));
+    CHECK(parameter_of(path, (s + 1) / 2) == doctest::Approx(s));
+  }
+}
 
 TEST_CASE("a rotation vector is the rotation that it came from") {
   for (const double angle : {0.0, 1e-12, 1e-5, 1.0, 3.0, std::numbers::pi - 1e-9}) {

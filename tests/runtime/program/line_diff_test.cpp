@@ -31,6 +31,22 @@ TEST_CASE("a difference tells what goes and what comes") {
   CHECK(shown({"a", "a"}, {"a", "a", "a"}) == " a  a +a ");
 }
 
+TEST_CASE("what long texts have in common at both ends is not compared") {
+  // More pairs of lines, 6000 · 6000, than are looked at.
+  Lines before;
+  for (int i = 0; i < 6000; ++i) before.push_back(std::to_string(i));
+  for (const std::size_t changed : {0UL, 2000UL, 5999UL}) {
+    CAPTURE(changed);
+    Lines after = before;
+    after[changed] = "x";
+    const auto diff = line_diff(before, after);
+    REQUIRE(diff.size() == 6001);
+    CHECK(std::ranges::count(diff, ' ', [](const auto& line) { return line.sign; }) == 5999);
+    CHECK(diff[changed].sign == '-');
+    CHECK(diff[changed + 1].text == "x");
+  }
+}
+
 TEST_CASE("signs lead from one text to the other, whatever they are, with the fewest changes") {
   std::mt19937 random(7);
   for (int round = 0; round < 300; ++round) {
