@@ -39,6 +39,19 @@ bool LegQueue::averaged(const SegmentDescriptor& segment) const {
 /// Nothing comes after the queue, or we do not wait for it.
 bool LegQueue::final() const { return buffer_.next_segment() == nullptr && (closed_ || flushed_); }
 
+/// A curve that begins with the first in the queue rounds its bends by jerk: one of the first two
+/// is gentle.
+bool LegQueue::rounds_by_jerk() const {
+  const SegmentDescriptor* leg = &waiting_.front().segment;
+  Next next = next_way(0);
+  for (int k = 0; k < 2 && next.segment != nullptr; ++k) {
+    if (rules_.bends_gently(*leg, *next.segment)) return true;
+    leg = next.segment;
+    next = next_way(next.at);
+  }
+  return false;
+}
+
 /// The next motion with a way, if only motions without one lie between.
 LegQueue::Next LegQueue::next_way(std::size_t i) const {
   for (std::size_t k = i + 1; k < waiting_.size(); ++k) {
@@ -60,16 +73,18 @@ double LegQueue::wanted(std::size_t i, const Next& next) {
 }
 
 /// How long a leg of an arm may be that crowds. An arm chooses between a corner and a stop by their
-/// times (PathPlanner): so only what bends gently crowds as elsewhere, the rest as far as it is as
-/// short as a curve's end, or as a knot of it.
-double LegQueue::longest_on_arm(const SegmentDescriptor& segment, const Next& next,
-                                double longest) const {
-  using Bend = MergeRules::Bend;
-  const Bend bend =
-      next.segment != nullptr ? rules_.bend_into(segment, *next.segment) : Bend::Medium;
-  if (bend == Bend::Gentle) return longest;
-  const double knots = bend == Bend::Medium ? kTail : 1;
-  return std::min(rules_.soon(segment), knots * rules_.shortest_knot(segment));
+/// times (PathPlanner): so only what bends gently at both ends crowds as elsewhere, the rest if it
+/// is as short as a curve's end.
+double LegQueue::longest_on_arm(std::size_t i, const Next& next, double before) {
+  constexpr double kAlike = 4;  // [choice] times as much as the other corner one may want
+  const SegmentDescriptor& segment = waiting_[i].segment;
+  const double after = wanted(i, next);
+  const double soon = rules_.soon(segment);
+  const bool gentle = next.segment != nullptr && before <= kAlike * after &&
+                      rules_.bends_gently(segment, *next.segment) &&
+                      !rules_.nearly_straight(segment, *next.segment);
+  return gentle ? std::max(soon, before + after)
+                : std::min(soon, kTail * rules_.knots_for(segment, false).apart);
 }
 
 /// Whether the corners at both ends of a leg, `before` m of it at its beginning, want more than it
@@ -79,8 +94,8 @@ bool LegQueue::crowded(std::size_t i, const Next& next, double before) {
   if (!rules_.mergeable(segment)) return false;
   const double corners = before + wanted(i, next);
   if (corners == 0) return false;
-  double longest = std::max(rules_.soon(segment), corners);
-  if (robot_.tool_coordinates) longest = longest_on_arm(segment, next, longest);
+  const double longest = robot_.tool_coordinates ? longest_on_arm(i, next, before)
+                                                 : std::max(rules_.soon(segment), corners);
   if (!(segment.ahead.length < longest)) return false;
   if (!averaged(segment)) return true;
   return next.segment != nullptr && rules_.sooner_on_curve(segment, *next.segment);

@@ -57,6 +57,7 @@ class LegQueue {
 
   /// The next motion with a way after motion i.
   Next next_way(std::size_t i) const;
+  bool rounds_by_jerk() const;
   double wanted(std::size_t i, const Next& next);
   bool crowded(std::size_t i, const Next& next, double before);
   std::optional<bool> crowd_begins(std::size_t i, const Next& next, double before);
@@ -64,7 +65,7 @@ class LegQueue {
  private:
   bool full() const;
   bool averaged(const SegmentDescriptor& segment) const;
-  double longest_on_arm(const SegmentDescriptor& segment, const Next& next, double longest) const;
+  double longest_on_arm(std::size_t i, const Next& next, double before);
 
   const RobotModel& robot_;
   const MergeRules& rules_;

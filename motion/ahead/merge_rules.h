@@ -33,23 +33,22 @@ class MergeRules {
   /// Where a mean bounds the jerk: whether a curve takes less time for the leg, with corners at
   /// both ends like the one into `out`, than a motion from rest to rest.
   bool sooner_on_curve(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
-  /// How a leg of an arm whose jerk is bounded bends into the next one: so gently that a curve is
-  /// sooner than a corner and a stop, however long the leg is; or so sharply for its zone that a
-  /// stop is.
-  enum class Bend : std::uint8_t { Gentle, Medium, Sharp };
-  Bend bend_into(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
+  /// On an arm whose jerk is bounded: the leg bends into the next one so little that a curve is
+  /// sooner than a corner and a stop, however long the leg is.
+  bool bends_gently(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
+  /// It goes on so straight that nothing is won by a curve.
+  bool nearly_straight(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
   /// m by which a curve may leave a leg.
   double tolerance(const SegmentDescriptor& segment) const;
 
-  /// How far knots lie apart, m, and the stiffness of CurveFit.
+  /// How far knots lie apart, m, and the stiffness of CurveFit; of a curve that rounds its bends
+  /// by jerk, or by acceleration.
   struct Knots {
     double apart = 0;
     double stiffness = 1;
     int order = 2;  ///< of the differences that CurveFit keeps small
   };
-  Knots knots_for(const SegmentDescriptor& segment) const;
-  /// How far they would lie apart, m, if only the acceleration were bounded.
-  double shortest_knot(const SegmentDescriptor& segment) const;
+  Knots knots_for(const SegmentDescriptor& segment, bool by_jerk) const;
 
   /// The linear axes along a part of a curve; all others stay as in `like`.
   JointPath axes_of_table(const CurveFit& fit, const CurvePart& part,
@@ -59,6 +58,8 @@ class MergeRules {
   bool is_straight(const SegmentDescriptor& segment) const;
   double strength(const SegmentDescriptor& segment) const;
   double reachable_speed(const SegmentDescriptor& segment) const;
+  double led_off_by_jerk(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
+  double beside_arc(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
   Eigen::Vector3d place(const JointVector& q) const;
   JointVector axes_at(const JointVector& like, const Eigen::Vector3d& place) const;
 

@@ -113,11 +113,12 @@ PathItem PathMerger::head_of_front(double length) {
 void PathMerger::begin_run(double before) {
   const SegmentDescriptor& front = queue_.front().segment;
   const LegQueue::Next second = queue_.next_way(0);
-  const MergeRules::Knots knots =
-      rules_.knots_for(rules_.mergeable(*second.segment) ? *second.segment : front);
+  const SegmentDescriptor& like = rules_.mergeable(*second.segment) ? *second.segment : front;
+  const bool by_jerk = queue_.rounds_by_jerk();
+  const MergeRules::Knots knots = rules_.knots_for(like, by_jerk);
   const double lead = kLead * knots.apart;
   grown_ = 0;
-  run_.emplace(knots.apart, knots.stiffness, knots.order);
+  run_.emplace(knots);
   run_->members.reserve(most_unsettled() + 1);  // memory that is not touched costs nothing
   if (front.ahead.length > before + lead) {
     run_->head = head_of_front(front.ahead.length - lead);
@@ -171,7 +172,7 @@ void PathMerger::append_front() {
   const SegmentDescriptor& segment = front.segment;
   Member member{segment, run_->vertices - 1, run_->vertices - 1, 0, front.begins, front.part};
   if (has_way(segment)) {
-    const double dense = run_->fit.knot() / rules_.knots_for(segment).apart;
+    const double dense = run_->fit.knot() / rules_.knots_for(segment, run_->by_jerk).apart;
     run_->fit.append(rules_.end_of(segment), rules_.tolerance(segment),
                      std::clamp(dense, 1.0, kMostDense));
     run_->last_wanted = std::max(front.wanted, 0.0);

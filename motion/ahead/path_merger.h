@@ -65,8 +65,10 @@ class PathMerger {
   };
   /// A curve under way.
   struct Run {
-    Run(double knot, double stiffness, int order) : fit(knot, stiffness, order) {}
+    explicit Run(const MergeRules::Knots& knots)
+        : fit(knots.apart, knots.stiffness, knots.order), by_jerk(knots.order == 3) {}
     CurveFit fit;
+    bool by_jerk;                  ///< LegQueue::rounds_by_jerk()
     std::vector<Member> members;   ///< not handed out yet
     std::optional<PathItem> head;  ///< what the first of them has before the curve, likewise
     std::size_t vertices = 1;
