@@ -71,6 +71,47 @@ bool PathPlanner::begins_with_curve() const {
   return first.segment.ahead.window > 0 && first.stretch && first.stretch->goes_on;
 }
 
+/// How many of the items that wait the curve has that begins with the first; 0 where none does, or
+/// its end is not known.
+std::size_t PathPlanner::parts_of_curve() const {
+  for (std::size_t i = 0; i < pending_.size() && pending_[i].stretch; ++i)
+    if (!pending_[i].stretch->goes_on) return i + 1;
+  return 0;
+}
+
+/// The motions that the first items carry, as they were commanded, each from rest; none where that
+/// would lose something.
+std::vector<PathItem> PathPlanner::legs_of(std::size_t items) const {
+  std::vector<PathItem> legs;
+  for (std::size_t i = 0; i < items; ++i) {
+    for (const PathStretch::Member& member : pending_[i].stretch->members) {
+      if (member.begins) legs.push_back({member.segment, nullptr});
+      if (legs.empty() || member.segment.on_the_way.size() > 0) return {};
+      if (legs.size() > 1) legs.back().segment.from_rest = true;
+    }
+  }
+  return legs;
+}
+
+/// Where stops at all points of the curve that waits are faster than the curve, its legs take its
+/// place; whether they did.
+bool PathPlanner::gives_up_curve() {
+  const std::size_t items = parts_of_curve();
+  const std::vector<PathItem> legs = legs_of(items);
+  if (legs.size() < 2) return false;
+  Course course;
+  for (std::size_t i = 0; i < items; ++i)
+    course.legs.push_back(shape(pending_[i], i == 0 ? known_ : course.legs.back().end()));
+  course.turns.resize(items - 1);
+  double left = rehearsal_.together(course);
+  for (const PathItem& leg : legs)
+    if (left > 0 && has_way(leg.segment)) left -= rehearsal_.apart(shape(leg, known_));
+  if (left <= 0) return false;
+  pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(items));
+  pending_.insert(pending_.begin(), legs.begin(), legs.end());
+  return true;
+}
+
 /// The program adds to a curve leg after leg, so it is worth waiting for more of it. [choice] four
 /// legs in two periods: a program that has to measure or wait between them is slower.
 bool PathPlanner::curve_grows() {

@@ -25,14 +25,6 @@ double greatest_rotary_slope(const RobotModel& robot, const PathPoint& place) {
   return most;
 }
 
-/// The target is one of two motions: it is passed within both of their zones.
-void keep_within(const LegBounds& other, LegBounds& bounds) {
-  bounds.miss = std::min(bounds.miss, other.miss);
-  bounds.turn = std::min(bounds.turn, other.turn);
-  bounds.lead = std::min(bounds.lead, other.lead);
-  bounds.share = std::min(bounds.share, other.share);
-}
-
 }  // namespace
 
 PathPlanner::PathPlanner(const RobotModel& robot, LookAheadBuffer& buffer, PathRing& ring,
@@ -135,6 +127,7 @@ bool PathPlanner::begin_run() {
   }
   if (pending_.empty()) return false;
   if (begins_with_curve() && pending_.size() < most_pending() && curve_grows()) return false;
+  if (robot_.tool_coordinates && gives_up_curve()) return true;
   const PathItem next = pending_.front();
   pending_.pop_front();
   if (!has_way(next.segment) || next.segment.generation <= ring_.over()) {
@@ -224,8 +217,7 @@ bool PathPlanner::decide_alone() {
   }
   if (merger_.holds()) {
     const double control = greatest_control(*open_, open_->at(open_->length()));
-    if (more_to_publish() || !guide_within(kSoon, control)) return false;
-    if (curve_grows()) return false;
+    if (more_to_publish() || !guide_within(kSoon, control) || curve_grows()) return false;
     merger_.flush();
     return true;
   }
@@ -256,6 +248,7 @@ bool PathPlanner::join_next() {
     sent_ = send(open_->length() - longest_turn(*open_));
     return true;
   }
+  if (robot_.tool_coordinates && !open_->goes_on() && gives_up_curve()) return true;
   next_ = shape(pending_.front(), open_->end());
   next_->ends = ends_at_rest(next);
   if (next.ahead.window > window_) next_->acceleration *= window_ / next.ahead.window;
@@ -273,8 +266,10 @@ bool PathPlanner::join_next() {
 /// None where a stop is as fast, or all that is possible.
 std::optional<Turn> PathPlanner::corner(const ShapedLeg& leg, const ShapedLeg& next,
                                         bool from_rest) const {
+  const bool whole_run =
+      from_rest && (pending_.size() > 1 ? !goes_on_behind(next) : ends_at_rest(next.segment));
   TurnBounds bounds{std::min(leg.length() - leg.sent, share_of_next(next)), mean_time(),
-                    robot_.tool_coordinates, from_rest, from_rest && ends_at_rest(next.segment)};
+                    robot_.tool_coordinates, from_rest, whole_run};
   std::optional<Turn> made = make_turn(robot_, leg, next, bounds);
   if (made || robot_.tool_coordinates || !goes_on_behind(next)) return made;
   bounds.to_rest = false;

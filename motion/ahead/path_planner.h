@@ -70,6 +70,9 @@ class PathPlanner {
   bool nothing_comes() const;
   bool begins_with_curve() const;
   bool curve_grows();
+  std::size_t parts_of_curve() const;
+  std::vector<PathItem> legs_of(std::size_t items) const;
+  bool gives_up_curve();
   bool stands_after(const ShapedLeg& leg) const;
   void begin_on_arm(ShapedLeg& leg);
   Course course_from(const ShapedLeg& leg);

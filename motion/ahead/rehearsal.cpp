@@ -71,7 +71,8 @@ void Rehearsal::lay(const ShapedLeg& leg, std::optional<double> into, std::optio
   const Grading grading = grading_of(robot_, leg, into, out, average);
   const double goal = leg.length() - out.value_or(0);
   for (double way = into.value_or(0); goal - way > kNothing * leg.length();) {
-    const double to = next_cut(leg, grading, way, goal);
+    const double to =
+        average > 0 ? next_cut(leg, grading, way, goal) : std::min(goal, next_border(leg, way));
     append_leg(robot_, leg, way, to, Piece::kAny, pieces_);
     way = to;
   }

@@ -64,6 +64,11 @@ class Rehearsal {
   };
   Beginning beginning(const Course& course);
 
+  /// s of the whole course from rest to rest, with the best mean.
+  double together(const Course& course) { return run(course, 0, course.legs.size() - 1).time; }
+  /// s of a leg from rest to rest.
+  double apart(const ShapedLeg& leg) { return alone(leg).time; }
+
   /// Whether the corner out of the first leg is faster than a stop there, with a mean that stays as
   /// it is.
   bool pays(const Course& course, double window);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -33,5 +34,13 @@ struct LegBounds {
   double last = kAny;       ///< m before its end that one may
   bool paced = false;       ///< AT or OVER set `speed`
 };
+
+/// The target is one of two motions: it is passed within both of their zones.
+inline void keep_within(const LegBounds& other, LegBounds& bounds) {
+  bounds.miss = std::min(bounds.miss, other.miss);
+  bounds.turn = std::min(bounds.turn, other.turn);
+  bounds.lead = std::min(bounds.lead, other.lead);
+  bounds.share = std::min(bounds.share, other.share);
+}
 
 }  // namespace rob::motion
