@@ -7,10 +7,9 @@
 namespace rob::lang {
 
 CallLayout layout_of(const Routine& routine) {
-  using Base = SlotsAt::Base;
   CallLayout layout;
   const auto places = [&layout](Slots slots) {
-    Location home{{Base::Place}, {Base::Place}};
+    Location home{{SlotsAt::Base::Place}, {SlotsAt::Base::Place}};
     if (slots.numbers > 0) home.numbers.place = static_cast<Register>(layout.registers++);
     if (slots.texts > 0) home.texts.place = static_cast<Register>(layout.registers++);
     return home;

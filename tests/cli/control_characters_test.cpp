@@ -23,11 +23,15 @@ constexpr const char* kShown = "\\u{1B}]0;forged\\u{7}\\u{9B}31m\\u{202E}\\u{7F}
 /// The same as a program writes it.
 constexpr const char* kWritten = "\\u{1b}]0;forged\\u{7}\\u{9b}31m\\u{202e}\\u{7f}";
 
-/// All that a terminal gets of a run to its end.
-std::string on_terminal(const std::vector<std::string>& arguments, const std::string& keys = "") {
+/// All that a terminal gets of a run to its end; `keys` are typed when `asked` has been shown.
+std::string on_terminal(const std::vector<std::string>& arguments, const std::string& asked = "",
+                        const std::string& keys = "") {
   PseudoTerminal terminal(arguments, {"", {{"TERM", "vt100"}, {"LC_ALL", "C.UTF-8"}}});
-  if (!keys.empty()) terminal.send(keys);
-  terminal.wait();
+  if (!keys.empty()) {
+    CHECK(terminal.expect(asked));
+    terminal.send(keys);
+  }
+  CHECK(terminal.wait() >= 0);
   return terminal.raw();
 }
 
@@ -53,9 +57,9 @@ TEST_CASE("what a program prints is shown on a terminal, and a pipe gets its byt
 
 TEST_CASE("texts of HALT and ASK are shown on a terminal") {
   const RobCommand halt(std::string("HALT \"") + kWritten + "\"\n");
-  check_shown(on_terminal(halt.line("run"), "\r"));
+  check_shown(on_terminal(halt.line("run"), kShown, "\r"));
   const RobCommand ask(std::string("VAR n = 1\nASK \"") + kWritten + "\" INTO n\n");
-  check_shown(on_terminal(ask.line("run", {"--fast"}), "7\r"));
+  check_shown(on_terminal(ask.line("run", {"--fast"}), kShown, "7\r"));
 }
 
 TEST_CASE("names of files are shown on a terminal, and a pipe gets their bytes") {

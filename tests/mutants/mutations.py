@@ -25,7 +25,9 @@ NO_CODE = re.compile(
     re.DOTALL | re.MULTILINE,
 )
 # Statements that check the program itself, and declarations of templates.
-NOT_MUTATED = re.compile(r"^[ ]*(?:assert|static_assert|template|requires|using)\b[^;{]*[;{]?", re.MULTILINE)
+NOT_MUTATED = re.compile(
+    r"^[ ]*(?:assert|static_assert|template|requires|using)\b[^;{]*[;{]?|\b(?:reserve|shrink_to_fit)\([^;\n]*", re.MULTILINE
+)
 
 SWAPS = {
     "==": "!=", "!=": "==", "<": ">=", ">=": "<", ">": "<=", "<=": ">",

@@ -76,10 +76,13 @@ fixed_addresses() {
   fi
 }
 
+# Compiles the sources of a folder as one, which takes less than half of the time.
+unity=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
+
 step_tests() {
   heading "tests"
   timed "tests, built" prepare "$root/build" all \
-    -DCMAKE_BUILD_TYPE=Release -DROB_TESTS=ON -DROB_BENCHMARKS=ON
+    -DCMAKE_BUILD_TYPE=Release -DROB_TESTS=ON -DROB_BENCHMARKS=ON "${unity[@]}"
   timed "tests, run" run_ctest "$root/build"
 }
 
@@ -98,8 +101,7 @@ check_format() {
 }
 
 # Warnings and asserts as in a debug build, but fast enough to run every test.
-sanitizer_options=(-DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1
-  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
+sanitizer_options=(-DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 "${unity[@]}")
 
 step_address() {
   heading "tests under the address and undefined-behaviour sanitizers"
@@ -118,7 +120,7 @@ step_thread() {
 step_fuzz() {
   heading "fuzzing the front end and the formatter"
   timed "fuzzers, built" prepare "$root/build-fuzz" fuzzers \
-    -DCMAKE_CXX_COMPILER=clang++-14 -DROB_FUZZ=ON
+    -DCMAKE_CXX_COMPILER=clang++-14 -DROB_FUZZ=ON "${unity[@]}"
   timed "fuzzers, run" run_fuzzers front_end_fuzz formatter_fuzz
 }
 
