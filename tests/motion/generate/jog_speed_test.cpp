@@ -11,6 +11,7 @@
 
 #include "tests/motion/generate/jog_bench.h"
 #include "tests/motion/kinematics/arms.h"
+#include "tests/support/some_of.h"
 
 namespace rob::test {
 
@@ -200,7 +201,7 @@ TEST_CASE("from its start every arm jogs as fast as it is asked to, and no faste
 }
 
 TEST_CASE("a jog that starts, turns back and stops keeps its tool's speed on every arm") {
-  for (const char* name : {"ums7", "pc104", "puma560", "lwa4p", "irb120"}) {
+  for (const char* name : some_of("ums7", "pc104", "puma560", "lwa4p", "irb120")) {
     for (const Space space : {Space::World, Space::Tool}) {
       for (const int coordinate : {0, 1, 2, 3, 5}) {
         for (const double speed : {-0.25, -0.1, -0.02, 0.02, 0.1, 0.25}) {
@@ -226,7 +227,7 @@ TEST_CASE("a jog that starts, turns back and stops keeps its tool's speed on eve
 }
 
 TEST_CASE("a jog of each axis that turns back keeps AT at the tool of every arm") {
-  for (const char* name : {"ums7", "pc104", "puma560", "lwa4p", "irb120"}) {
+  for (const char* name : some_of("ums7", "pc104", "puma560", "lwa4p", "irb120")) {
     for (int axis = 0; axis < 6; ++axis) {
       for (const double speed : {0.02, 0.1, 0.25}) {
         CAPTURE(name);
@@ -250,7 +251,7 @@ TEST_CASE("a jog of each axis that turns back keeps AT at the tool of every arm"
 TEST_CASE("wherever an arm begins, in whatever direction and period, its tool keeps the speed") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(-1, 1);
-  for (const char* name : {"ums7", "pc104", "puma560", "lwa4p", "irb120"}) {
+  for (const char* name : some_of("ums7", "pc104", "puma560", "lwa4p", "irb120")) {
     for (const double period : {0.0, 0.001, 0.002, 0.008, 0.02}) {
       const RobotModel robot = with_period(name, period);
       for (int trial = 0; trial < (robot.reference_period < 0.004 ? 4 : 12); ++trial) {

@@ -6,6 +6,7 @@
 #include "motion/path/tool_line.h"
 #include "tests/motion/generate/look_ahead_run.h"
 #include "tests/support/no_allocation.h"
+#include "tests/support/some_of.h"
 
 using namespace rob::motion;
 using namespace rob::test;
@@ -149,7 +150,7 @@ TEST_CASE("a LEAD is right within a period after a corner and before one, with a
 // A period is 8 ms or 4 ms: the line between two references is beside the tool's way by as much as
 // a·T²/8, at 1 m/s² and 50 mm/s 0.16 ms.
 TEST_CASE("a LEAD of an arm is right within a period beside its corners") {
-  for (const char* name : {"irb120", "lwa4p", "pc104", "ums7"})
+  for (const char* name : rob::test::some_of("irb120", "lwa4p", "pc104", "ums7"))
     for (const double place_mm : {6.0, 10.0, 15.0, 24.0})
       for (const double lead : {0.001, 0.02, 0.05, 0.1}) lead_of_arm(name, place_mm, lead);
 }

@@ -14,6 +14,7 @@
 #include "runtime/program/load.h"
 #include "runtime/program/points_file.h"
 #include "tests/runtime/prompt/piped_prompt.h"
+#include "tests/support/some_of.h"
 
 using namespace rob::runtime;
 using namespace std::chrono_literals;
@@ -136,7 +137,7 @@ TEST_CASE("kill -9 in the middle of saving leaves the old file or the new one, w
     own.save(file, texts[0], true);
   });
   int saves = 0;
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < 200; round += rob::test::kEach) {
     kill_after(step * round, [&] {
       ProgramFile own(folder.file("archive"));
       for (int i = 0;; ++i) own.save(file, texts[(i + round) % 2], true);
@@ -147,7 +148,7 @@ TEST_CASE("kill -9 in the middle of saving leaves the old file or the new one, w
     std::filesystem::remove_all(folder.file("archive"));
   }
   CHECK(saves > 0);  // it was not always too early
-  CHECK(saves < 200);
+  CHECK(saves < 200 / rob::test::kEach);
   ProgramFile own(folder.file("archive"));
   own.save(file, "STOP\n", true);  // what the kills have left behind is in nobody's way
   CHECK(content(file) == "STOP\n");
@@ -169,7 +170,7 @@ TEST_CASE("kill -9 in the middle of a change of a point leaves all points, befor
     points.rename("seven", "p7");
   });
   int renamed = 0;
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < 200; round += rob::test::kEach) {
     kill_after(step * round, [&] {
       for (PointsFile points(file, robot);;) {
         if (!points.rename("p7", "seven")) points.rename("seven", "p7");
@@ -184,5 +185,5 @@ TEST_CASE("kill -9 in the middle of a change of a point leaves all points, befor
     renamed += has("seven") == 1 ? 1 : 0;
   }
   CHECK(renamed > 0);
-  CHECK(renamed < 200);
+  CHECK(renamed < 200 / rob::test::kEach);
 }
