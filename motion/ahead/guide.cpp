@@ -65,7 +65,10 @@ Guide::Part Guide::next_part(double until) noexcept {
     time_ += lasts;
   }
   if (acceleration_ > 0) gained_ = time_;
-  if (acceleration_ < 0) lost_ = time_;
+  if (acceleration_ < 0) {
+    lost_ = time_;
+    lost_on_ = index_;
+  }
   if ((choice.way == rest && lasts <= left) || at_ >= piece->length) {
     ++index_;
     at_ = 0;
@@ -197,7 +200,8 @@ Guide::Choice Guide::choose_alone(const Piece& piece, double rest) const noexcep
     return {-rate_ * rate_ / (2 * rest), rest, 0, at_axis};
 
   const bool slows = braking_ || rate_ > top * (1 + kSame);
-  const double resumes = (slows ? gained_ : lost_) + pause_;
+  const double resumes =
+      slows ? gained_ + pause_ : lost_ + (lost_on_ == index_ ? pause_ : piece.wait);
   const double peak = slows ? 0 : std::min(top, peak_rate(straight.most, rest));
   const bool gains = peak > rate_ * (1 + kNear);
   if ((slows || gains) && resumes > time_ + kPaused) {

@@ -76,7 +76,8 @@ class Guide {
   /// It stands at the end of what is known of the path.
   bool at_path_end() const noexcept { return stands() && ring_.piece(index_) == nullptr; }
   /// `sigma`: where the run begins, which is elsewhere where path has been dropped before.
-  /// It stands until `start`. `pause`, s: where not 0 all of the run is one straight piece.
+  /// It stands until `start`. `pause`, s: where not 0 each piece of the run is straight, and it
+  /// comes to rest at the end of each.
   void begin_run(double sigma, double start, double pause) noexcept {
     begun_ = index_;
     sigma_ = sigma;
@@ -147,6 +148,7 @@ class Guide {
   double pause_ = 0;              ///< s between speeding up and braking
   double gained_ = -Piece::kAny;  ///< when it last sped up
   double lost_ = -Piece::kAny;    ///< when it last braked
+  PathRing::Index lost_on_ = 0;   ///< and on which piece
   GuideLimit limit_;
   PathPoint place_;
 };

@@ -16,18 +16,28 @@ bool LegWriter::fits() noexcept {
   return singles_.size() < single_ && ring_.leg_room() >= needed;
 }
 
-void LegWriter::write(const ShapedLeg& leg, double decides, int average, bool pauses) {
+void LegWriter::write(const ShapedLeg& leg, double decides, const PathLeg& like) {
+  PathLeg made = like;
   if (!leg.stretch) {
     if (leg.segment.duration >= few_periods(robot_)) singles_.push_back(written_);
-    push({leg.segment, leg.begin, leg.end(), decides, average, pauses, leg.length()});
+    made.segment = leg.segment;
+    made.begin = leg.begin;
+    made.end = leg.end();
+    made.decides = decides;
+    made.before = leg.length();
+    push(made);
     return;
   }
   for (const PathStretch::Member& member : leg.stretch->members) {
     if (!member.begins) continue;
-    const double begin = leg.begin + member.begin;
     const bool last = &member == &leg.stretch->members.back();
-    push({member.segment, begin, leg.begin + member.end, last ? std::max(begin, decides) : begin,
-          average, pauses, member.before, member.beyond});
+    made.segment = member.segment;
+    made.begin = leg.begin + member.begin;
+    made.end = leg.begin + member.end;
+    made.decides = last ? std::max(made.begin, decides) : made.begin;
+    made.before = member.before;
+    made.beyond = member.beyond;
+    push(made);
   }
 }
 

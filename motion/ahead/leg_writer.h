@@ -27,7 +27,8 @@ class LegWriter {
   /// There is room for all motions of one item.
   bool fits() noexcept;
   /// `decides`: σ at which what follows the last of its motions must be known; `average`: periods.
-  void write(const ShapedLeg& leg, double decides, int average, bool pauses);
+  /// `like`: what the ring tells of the run's mean.
+  void write(const ShapedLeg& leg, double decides, const PathLeg& like);
   /// Without a way, at σ.
   void write_at(const SegmentDescriptor& segment, double sigma);
   void write_at(const PathItem& item, double sigma);

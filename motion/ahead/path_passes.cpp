@@ -10,7 +10,7 @@ namespace rob::motion {
 
 /// Straight on from a draft, and bounded alike.
 bool PathPlanner::extends_last(const Piece& piece) const {
-  if (end_ == ring_.end() || !piece.straight()) return false;
+  if (end_ == ring_.end() || !piece.straight() || pauses_) return false;
   const Piece& last = ring_.written(end_ - 1);
   constexpr double kSame = 1e-12;
   return last.straight() && !last.torqued() && !piece.torqued() && !ring_.run_end(end_ - 1) &&

@@ -141,6 +141,7 @@ bool PathPlanner::begin_run() {
   entry_ = 0;
   calm_ = {};
   alone_ = pauses_ = false;
+  wait_ = 0;
   ShapedLeg leg = shape(next, known_);
   leg.before = before_;
   leg.starts = true;
@@ -157,30 +158,10 @@ bool PathPlanner::begin_run() {
   return true;
 }
 
-/// It needs no longer mean for its corners; straight, it has no bends, which have a share of the
-/// jerk else.
-void PathPlanner::stand_alone(ShapedLeg& leg) {
-  const LegAlone made = alone(robot_, leg);
-  leg.acceleration *= made.share;
-  window_ = made.pauses ? made.average : window_ * made.share;
-  alone_ = leg.motion.path == nullptr;
-  pauses_ = made.pauses;
-}
-
 /// Nothing comes behind what waits here.
 bool PathPlanner::nothing_comes() const {
   const bool closed = buffer_.closed();  // before looking: all that was pushed is then seen
   return closed && buffer_.next_segment() == nullptr && !merger_.holds();
-}
-
-/// Whether it is known already that a run begins and ends with this leg.
-bool PathPlanner::stands_after(const ShapedLeg& leg) const {
-  if (leg.segment.guard.present()) return true;
-  if (pending_.empty()) return nothing_comes();
-  const SegmentDescriptor& next = pending_.front().segment;
-  if (!moves(next) || next.from_rest) return true;
-  if (!has_way(next) || leg.motion.path != nullptr || leg.stretch) return false;
-  return !corner(leg, shape(pending_.front(), leg.end()), true);
 }
 
 /// The run has one mean: what asks for a longer one accelerates the less.
@@ -191,9 +172,11 @@ void PathPlanner::open(const ShapedLeg& leg) {
   const PathPoint end = open_->at(open_->length());
   const double speed = greatest_rate(robot_, *open_, end);
   const double brakes = speed * speed / (2 * greatest_control(*open_, end));
-  legs_.write(*open_, std::max(open_->begin, open_->end() - longest_turn(*open_) - brakes),
-              std::max(1, static_cast<int>(std::lround(mean_time() / robot_.reference_period))),
-              pauses_);
+  PathLeg like;
+  like.average = std::max(1, static_cast<int>(std::lround(mean_time() / robot_.reference_period)));
+  like.pauses = pauses_;
+  like.of_sigma = averages_sigma() && !pauses_;
+  legs_.write(*open_, std::max(open_->begin, open_->end() - longest_turn(*open_) - brakes), like);
   completing_ = alone_ || open_->segment.guard.present();
 }
 
@@ -311,6 +294,7 @@ bool PathPlanner::go_on() {
   if (!send(open_->length() - (turn_ ? turn_->half : 0))) return true;
   before_ = open_->segment.ahead.miss > 0 ? open_->segment.ahead.miss : kAny;
   if (!turn_) {
+    if (overlap_next()) return true;
     if (end_ > 0) ring_.set_run_end(end_ - 1, true);
     speeds_.end_at_rest();
     open_.reset();
@@ -357,6 +341,7 @@ bool PathPlanner::send(double goal) {
     if (calm > open_->sent + kRounding) to = std::min(to, calm);
     scratch_.clear();
     append_leg(robot_, *open_, open_->sent, to, kAny, scratch_);
+    if (open_->sent == 0) scratch_.front().wait = wait_;
     if (open_->motion.path != nullptr && window_ > 0 && !robot_.tool_coordinates)
       bound_by_mean(robot_, *open_, mean_time(), scratch_);
     write(scratch_);

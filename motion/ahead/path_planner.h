@@ -78,6 +78,9 @@ class PathPlanner {
   Course course_from(const ShapedLeg& leg);
   bool extend(Course& course, const PathItem& next);
   bool pays();
+  bool stands_alone(const ShapedLeg& leg);
+  std::optional<ShapedLeg> next_alone(const ShapedLeg& leg);
+  bool overlap_next();
   const PathItem* coming(std::size_t at) const;
   void stand_alone(ShapedLeg& leg);
   void open(const ShapedLeg& leg);
@@ -132,7 +135,8 @@ class PathPlanner {
   double known_ = 0;         ///< σ at the end of the last piece
   double window_ = 0;        ///< s of the mean of the present run
   bool alone_ = false;       ///< the present run is one straight leg
-  bool pauses_ = false;      ///< and its guide pauses
+  bool pauses_ = false;      ///< and its guide pauses; more such legs may follow it (Overlap)
+  double wait_ = 0;          ///< s before the open leg: Overlap
   PathRing::Index end_ = 0;  ///< of the pieces written; those from ring_.end() on are drafts
   double published_ = 0;     ///< σ at the end of those before
   double held_ = 0;          ///< m before the open leg's end that its corner may yet calm

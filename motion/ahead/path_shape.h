@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -17,6 +18,11 @@ inline constexpr double kBendsShare = 0.85;
 
 /// d³q/dσ³ at `at`, σ from the beginning of a piece.
 JointVector third_derivative(const Piece& piece, double at);
+
+/// s of a mean, which has whole periods.
+inline double whole_periods(const RobotModel& robot, double average) {
+  return std::ceil(average / robot.reference_period - 1e-9) * robot.reference_period;
+}
 
 /// s: what is passed sooner is a short motion. [choice] of 8 reference periods
 inline double few_periods(const RobotModel& robot) { return 8 * robot.reference_period; }

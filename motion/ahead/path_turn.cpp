@@ -6,6 +6,7 @@
 
 #include "motion/ahead/mean_shift.h"
 #include "motion/ahead/miss.h"
+#include "motion/ahead/overlap.h"
 #include "motion/plan/corner.h"
 
 namespace rob::motion {
@@ -160,8 +161,9 @@ double won_by_stop(const RobotModel& robot, const ShapedLeg& leg, const PathPoin
 bool stops_as_fast(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                    const Turn& made, const TurnBounds& bounds) {
   if (made.calm == 1) return false;
+  const double overlap = bounds.from_rest && bounds.to_rest ? won_by_overlap(robot, in, out) : 0;
   return won_by_stop(robot, in, in.at(in.length()), made, bounds.from_rest, bounds) +
-             won_by_stop(robot, out, out.at(0), made, bounds.to_rest, bounds) >=
+             won_by_stop(robot, out, out.at(0), made, bounds.to_rest, bounds) + overlap >=
          0;
 }
 

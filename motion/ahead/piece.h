@@ -24,6 +24,7 @@ struct Piece {
   int count = 2;      ///< of terms
   std::array<JointVector, kMostTerms> terms;
   JointVector acceleration;  ///< what each axis has here: m/s², rad/s²
+  double wait = 0;           ///< s: a guide with pauses stands so long before it (Overlap)
   double calm = 1;           ///< that share of what the leg asks for, at most
   double pace = kAny;        ///< σ' that is asked for, at override 1
   double fastest = kAny;  ///< σ' that the speeds of the axes allow all along, and what else does

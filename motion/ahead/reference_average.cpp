@@ -12,8 +12,8 @@ constexpr double kSumRounding = 1e-12;
 
 }  // namespace
 
-ReferenceAverage::ReferenceAverage(bool of_sigma, const PathRing& ring, const JointVector& start)
-    : of_sigma_(of_sigma), ring_(ring), samples_(static_cast<std::size_t>(kMost)) {
+ReferenceAverage::ReferenceAverage(const PathRing& ring, const JointVector& start)
+    : ring_(ring), samples_(static_cast<std::size_t>(kMost)) {
   const JointVector zero = JointVector::Zero(start.size());
   mean_ = {start, zero, zero};
   for (Sample& sample : samples_) sample.axes = mean_;
@@ -23,7 +23,8 @@ ReferenceAverage::Sample ReferenceAverage::sample_of(const Guide& guide) noexcep
   return {guide.sigma(), guide.rate(), guide.acceleration(), guide.place()};
 }
 
-void ReferenceAverage::begin_run(int periods, const Guide& guide) noexcept {
+void ReferenceAverage::begin_run(int periods, bool of_sigma, const Guide& guide) noexcept {
+  of_sigma_ = of_sigma;
   periods_ = std::clamp(periods, 1, kMost);
   const Sample sample = sample_of(guide);
   std::fill_n(samples_.begin(), periods_, sample);

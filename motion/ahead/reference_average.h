@@ -19,10 +19,11 @@ class ReferenceAverage {
   /// [choice] A robot of 1 kHz can have a mean of 4 s, more than any motion takes to speed up.
   static constexpr int kMost = 4096;
 
-  ReferenceAverage(bool of_sigma, const PathRing& ring, const JointVector& start);
+  ReferenceAverage(const PathRing& ring, const JointVector& start);
 
-  /// The guide stands and is to begin a run, whose mean has so many periods, 1 … kMost.
-  void begin_run(int periods, const Guide& guide) noexcept;
+  /// The guide stands and is to begin a run, whose mean has so many periods, 1 … kMost; it is one
+  /// of σ or of the axes.
+  void begin_run(int periods, bool of_sigma, const Guide& guide) noexcept;
   int periods() const noexcept { return periods_; }
   /// Once a period, after Guide::step().
   void take(const Guide& guide) noexcept;
@@ -59,7 +60,7 @@ class ReferenceAverage {
   void average_axes() noexcept;
   void average_sigma(const Guide& guide) noexcept;
 
-  const bool of_sigma_;
+  bool of_sigma_ = false;
   const PathRing& ring_;
   std::vector<Sample> samples_;
   int periods_ = 1;

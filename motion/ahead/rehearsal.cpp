@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "motion/ahead/overlap.h"
+
 namespace rob::motion {
 
 namespace {
@@ -61,9 +63,7 @@ double next_cut(const ShapedLeg& leg, const Grading& grading, double way, double
   return to - way <= kRest * length ? to : way + length;
 }
 
-double Rehearsal::mean_time(double window) const noexcept {
-  return std::ceil(window / robot_.reference_period - 1e-9) * robot_.reference_period;
-}
+double Rehearsal::mean_time(double window) const noexcept { return whole_periods(robot_, window); }
 
 void Rehearsal::lay(const ShapedLeg& leg, std::optional<double> into, std::optional<double> out,
                     double average) {
@@ -175,7 +175,10 @@ Rehearsal::Best Rehearsal::tried_alone(const ShapedLeg& leg) {
 
 double Rehearsal::each_alone(const Course& course, std::size_t first) {
   double time = 0;
-  for (std::size_t i = first; i < course.legs.size(); ++i) time += alone(course.legs[i]).time;
+  for (std::size_t i = first; i < course.legs.size(); ++i) {
+    time += alone(course.legs[i]).time;
+    if (i > first) time -= won_by_overlap(robot_, course.legs[i - 1], course.legs[i]);
+  }
   return time;
 }
 
@@ -191,7 +194,7 @@ Rehearsal::Beginning Rehearsal::beginning(const Course& course) {
   const std::size_t count = course.legs.size();
   const Best first = alone(course.legs[0]);
   if (count == 1) return {course.whole, course.whole ? first.share : 1};
-  const double stands = first.time + any(course, 1);
+  const double stands = std::min(each_alone(course, 0), first.time + any(course, 1));
   Best best = run(course, 0, count - 1);
   if (count == 3) {
     Best two = run(course, 0, 1);

@@ -50,7 +50,7 @@ LookAheadGenerator::LookAheadGenerator(const RobotModel& robot, LookAheadBuffer&
     : SegmentGenerator(robot, buffer, start),
       ring_(ring),
       guide_(ring, start),
-      average_(robot.tool_coordinates, ring, start),
+      average_(ring, start),
       events_(guide_, average_, robot.reference_period),
       clock_(time_scale_limits(robot), robot.reference_period) {
   guide_.brake();
@@ -198,7 +198,7 @@ void LookAheadGenerator::begin_run(const PathLeg& leg) noexcept {
   moved_ = false;
   guide_.begin_run(leg.begin, guide_time() + (settled() ? 0 : period()),
                    leg.pauses ? leg.average * period() : 0);
-  average_.begin_run(leg.average, guide_);
+  average_.begin_run(leg.average, leg.of_sigma, guide_);
   history_.begin(guide_time(), leg.begin);
   events_.begin_run({guide_time(), leg.begin, 0});
 }

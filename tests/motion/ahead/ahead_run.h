@@ -38,7 +38,7 @@ class AheadRun {
         ring_(8192, 2 * legs),
         planner_(robot_, buffer_, ring_),
         guide_(ring_, robot_.start),
-        average_(robot_.tool_coordinates, ring_, robot_.start),
+        average_(ring_, robot_.start),
         last_(robot_.start) {}
 
   /// What the next legs ask for.
@@ -157,7 +157,7 @@ class AheadRun {
     const bool first = guide_.sigma() == 0;  // else the last of the mean's jerk is yet to come
     guide_.begin_run(leg.begin, guide_.time() + (first ? 0 : period),
                      leg.pauses ? leg.average * period : 0);
-    average_.begin_run(leg.average, guide_);
+    average_.begin_run(leg.average, leg.of_sigma, guide_);
   }
 
   const motion::RobotModel robot_;

@@ -117,3 +117,85 @@ TEST_CASE("a leg alone that is held stands after a third-order change of speed, 
     check_limits(run);
   }
 }
+
+// The second leg begins δ before the first has come to rest. With a mean over T, and so J·T, a leg
+// takes T + 2·√(T²/4 + d/(J·T)), and the mean lies J·|e₂ − e₁|·δ³/48 beside the point.
+TEST_CASE("legs with a stop between them overlap as far as the zone lets them") {
+  constexpr double kJerk = 10;
+  constexpr double kWay = 0.005;
+  const double settles = std::cbrt(kWay / (2 * kJerk));  // of a leg alone
+  for (const bool back : {false, true}) {
+    for (const double zone_mm : {0.001, 0.02, 0.05, 0.1, 1.0}) {
+      CAPTURE(back);
+      CAPTURE(zone_mm);
+      AloneRun run(1, kJerk);
+      run.bounds.miss = zone_mm / 1000;
+      run.line(5, 0);
+      back ? run.line(0, 0) : run.line(5, 5);
+      run.close();
+      const double turn = back ? 2 : std::sqrt(2);
+      const double widest = std::cbrt(48 * zone_mm / 1000 / (kJerk * turn));
+      double best = 1;
+      for (double mean = settles; mean < 2 * settles; mean *= 1.001) {
+        const double leg = mean + 2 * std::sqrt(mean * mean / 4 + kWay / (kJerk * mean));
+        best = std::min(best, 2 * leg - std::min(mean, widest));
+      }
+      const double taken = run.run();
+      CHECK(taken >= best - 2 * kPeriod);
+      CHECK(taken <= best + 3 * kPeriod);
+      CHECK(run.miss(5, 0) * 1000 <= 1.001 * zone_mm);
+      if (widest < settles) CHECK(run.miss(5, 0) * 1000 == doctest::Approx(zone_mm).epsilon(0.05));
+      check_limits(run);
+    }
+  }
+}
+
+TEST_CASE("at a turn of any angle two legs take no longer than with a stop, and keep the jerk") {
+  for (const double way : {2., 20.}) {
+    for (double angle = 5; angle < 180; angle += 12.5) {
+      CAPTURE(way);
+      CAPTURE(angle);
+      const auto taken = [&](bool stop) {
+        AloneRun run(0.1, 10);
+        run.line(way, 0);
+        run.from_rest = stop;
+        const double turn = angle * std::acos(-1.0) / 180;
+        run.line(way + way * std::cos(turn), way * std::sin(turn));
+        run.close();
+        const double time = run.run();
+        CHECK(run.miss(way, 0) <= 1.01 * run.bounds.miss);
+        check_limits(run);
+        return time;
+      };
+      CHECK(taken(false) <= taken(true) + kPeriod / 2);
+    }
+  }
+}
+
+TEST_CASE("held, braked and with any override legs that overlap keep the jerk, and arrive") {
+  std::mt19937 random(12);
+  const auto between = [&](double least, double most) {
+    return std::uniform_real_distribution<double>(least, most)(random);
+  };
+  for (int attempt = 0; attempt < 40; ++attempt) {
+    CAPTURE(attempt);
+    AloneRun run(between(0.05, 1), std::exp(between(1, 5)));
+    run.bounds.miss = std::exp(between(-12, -6));
+    const double way = std::exp(between(0, 4));
+    for (int k = 0; k < 6; ++k) run.line(k % 2 == 0 ? way : 0, between(-way, way));
+    run.close();
+    for (int change = 0; change < 20 && !run.ended(); ++change) {
+      if (between(0, 1) < 0.4) {
+        run.guide().braking() ? run.guide().release() : run.guide().brake();
+      } else {
+        run.ring().share = between(0.05, 2);
+      }
+      for (int k = static_cast<int>(between(1, 100)); k > 0; --k) run.step();
+    }
+    run.guide().release();
+    run.ring().share = 1;
+    CHECK(run.run() > 0);
+    check_limits(run);
+    CHECK((run.references().back().q - run.end()).norm() < 1e-12);
+  }
+}

@@ -217,6 +217,7 @@ TEST_CASE("a leg between two stops has the accelerations that are the best for i
   constexpr double kWindow = 2;  // of 1 m/s²
   for (const double way : {0.001, 0.02}) {
     PacedRun run(1, 1e-4, kWindow);
+    run.from_rest = true;
     for (const double end : {way, 0.0, way}) run.line(1000 * end, 0);
     run.close();
     CHECK(run.run() == doctest::Approx(3 * std::cbrt(32 * way / kJerk)).epsilon(0.01));

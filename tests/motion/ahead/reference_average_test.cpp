@@ -32,8 +32,8 @@ TEST_CASE("the mean of a motion within one period takes all of its time") {
     write_short_run(ring);
     const JointVector start = JointVector::Zero(1);
     Guide guide(ring, start);
-    ReferenceAverage average(of_sigma, ring, start);
-    average.begin_run(kPeriods, guide);
+    ReferenceAverage average(ring, start);
+    average.begin_run(kPeriods, of_sigma, guide);
     for (int k = 1; k < kPeriods; ++k) {
       guide.step(k * kMeanPeriod, [](const Guide::Part&) {});
       average.take(guide);

@@ -331,12 +331,13 @@ TEST_CASE("a corner keeps its zone however long the mean of its references") {
       miss = std::min(miss, (sample.reference.q - gantry_q(50, 0, 0)).norm());
     CAPTURE(zone_mm);
     CHECK(miss <= 1.01 * zone_mm / 1000);
-    // Two third-order profiles of d = 50 mm take a/J + √((a/J)² + 4d/a) each, and that of a corner
-    // with ZONE 1mm is more: 1.119 s. With 3 mm it is less.
-    const double stops = 2 * (1.0 / 13 + std::sqrt(1.0 / 169 + 4 * 0.05));
-    CHECK((miss > 0.5 * zone_mm / 1000) == (zone_mm > 1));
+    // Two third-order profiles of d = 50 mm take a/J + √((a/J)² + 4d/a) each, and overlap by
+    // ∛(48·ZONE/(J·√2)), or a/J at most. With 3 mm a corner is faster.
+    const double settles = 1.0 / 13;
+    const double overlap = std::cbrt(48 * zone_mm / 1000 / (13 * std::sqrt(2.0)));
+    const double stops = 2 * (settles + std::sqrt(settles * settles + 4 * 0.05));
     REQUIRE(run.all(Kind::Finished).size() == 1);
-    CHECK(run.all(Kind::Finished)[0].time <= stops + 0.002);
+    CHECK(run.all(Kind::Finished)[0].time <= stops - std::min(settles, overlap) + 0.002);
     check_within_limits(run);
   }
 }
