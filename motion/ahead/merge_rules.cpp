@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/ahead/overlap.h"
 #include "motion/ahead/path_turn.h"
 
 namespace rob::motion {
@@ -165,7 +166,9 @@ bool MergeRules::sooner_on_curve(const SegmentDescriptor& segment,
   const double top = std::min(full, std::sqrt(corner * corner + control * way));
   const double ramps = (top * top - corner * corner) / control;
   const double time = 2 * (top - corner) / control + (way - ramps) / top;
-  return time < alone(robot_, shaped_leg(robot_, segment, 0)).time;
+  const ShapedLeg leg = shaped_leg(robot_, segment, 0);
+  const double overlap = won_by_overlap(robot_, leg, shaped_leg(robot_, out, leg.end()));
+  return time < alone(robot_, leg).time - overlap;
 }
 
 /// m/s that a motion from rest to rest reaches on the leg.

@@ -31,7 +31,7 @@ class MergeRules {
   /// m of each leg that a corner between them would like to have; 0 where there is none.
   double corner_half(const SegmentDescriptor& in, const SegmentDescriptor& out) const;
   /// Where a mean bounds the jerk: whether a curve takes less time for the leg, with corners at
-  /// both ends like the one into `out`, than a motion from rest to rest.
+  /// both ends like the one into `out`, than a motion from rest to rest that overlaps the next.
   bool sooner_on_curve(const SegmentDescriptor& segment, const SegmentDescriptor& out) const;
   /// On an arm whose jerk is bounded: the leg bends into the next one so little that a curve is
   /// sooner than a corner and a stop, however long the leg is.

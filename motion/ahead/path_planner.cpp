@@ -294,6 +294,7 @@ bool PathPlanner::go_on() {
   if (!send(open_->length() - (turn_ ? turn_->half : 0))) return true;
   before_ = open_->segment.ahead.miss > 0 ? open_->segment.ahead.miss : kAny;
   if (!turn_) {
+    if (awaits_room()) return false;
     if (overlap_next()) return true;
     if (end_ > 0) ring_.set_run_end(end_ - 1, true);
     speeds_.end_at_rest();

@@ -80,6 +80,7 @@ class PathPlanner {
   bool pays();
   bool stands_alone(const ShapedLeg& leg);
   std::optional<ShapedLeg> next_alone(const ShapedLeg& leg);
+  bool awaits_room();
   bool overlap_next();
   const PathItem* coming(std::size_t at) const;
   void stand_alone(ShapedLeg& leg);

@@ -51,9 +51,14 @@ std::optional<ShapedLeg> PathPlanner::next_alone(const ShapedLeg& leg) {
   return stands ? std::optional(shaped) : std::nullopt;
 }
 
+/// What follows a leg that stands alone has no room in the ring, and there is time yet.
+bool PathPlanner::awaits_room() {
+  return pauses_ && !pending_.empty() && !legs_.fits() && !guide_within(kSoon, kAny);
+}
+
 /// A leg that stands alone is followed by another such, which begins before the mean has settled.
 bool PathPlanner::overlap_next() {
-  if (!pauses_) return false;
+  if (!pauses_ || !legs_.fits()) return false;
   std::optional<ShapedLeg> leg = next_alone(*open_);
   if (!leg) return false;
   const auto overlap = overlap_of(robot_, *open_, *leg, mean_time());

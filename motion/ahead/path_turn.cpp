@@ -120,7 +120,7 @@ double half_time(const RobotModel& robot, const ShapedLeg& leg, const PathPoint&
   const double rate = std::min(made.fastest, full);
   const double half = leg.length() / 2;
   const double turns = std::min(made.half, half);
-  const double calm = std::min(made.calm_way, half) - turns;
+  const double calm = std::max(std::min(made.calm_way, half) - turns, 0.0);
   const double after = std::min(full, std::sqrt(rate * rate + 2 * made.calm * control * calm));
   const double rest = half - turns - calm;
   const double top = std::min(full, std::sqrt(after * after + 2 * control * rest));
@@ -160,8 +160,8 @@ double won_by_stop(const RobotModel& robot, const ShapedLeg& leg, const PathPoin
 
 bool stops_as_fast(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                    const Turn& made, const TurnBounds& bounds) {
-  if (made.calm == 1) return false;
   const double overlap = bounds.from_rest && bounds.to_rest ? won_by_overlap(robot, in, out) : 0;
+  if (made.calm == 1 && overlap == 0) return false;
   return won_by_stop(robot, in, in.at(in.length()), made, bounds.from_rest, bounds) +
              won_by_stop(robot, out, out.at(0), made, bounds.to_rest, bounds) + overlap >=
          0;

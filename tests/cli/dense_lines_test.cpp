@@ -217,6 +217,25 @@ TEST_CASE("a run of two legs under a bound on jerk is made only where it is fast
   }
 }
 
+// A curve of the first took 1.11 of the time with stops, of the second 0.96; both overlap.
+TEST_CASE("legs to and fro under a bound on jerk overlap where that is faster than a curve") {
+  for (const double turn : {std::acos(-1.0), std::acos(0.0)}) {
+    CAPTURE(turn);
+    std::ostringstream lines;
+    lines << std::fixed << std::setprecision(4) << "LAW LOOKAHEAD\n";
+    Arc place{0, 0};
+    for (int k = 0; k < 40; ++k) {
+      const double heading = k % 2 == 0 ? 0 : turn;
+      place = {place.x + 5 * std::cos(heading), place.y + 5 * std::sin(heading)};
+      lines << "MOVE(" << place.x << ", " << place.y
+            << ", 0) AT 1000mm/s ACCEL 1000mm/s^2 JERK 10000mm/s^3 ZONE 0.1mm\n";
+    }
+    const std::vector<std::string> xy = {"--robot", ROB_SOURCE_DIR "/tests/bench/xy.toml"};
+    const std::string stops = std::regex_replace(lines.str(), std::regex("ZONE 0.1mm"), "FINE");
+    CHECK(seconds(lines.str(), xy) <= 0.8 * seconds(stops, xy));
+  }
+}
+
 TEST_CASE("a straight line in pieces under a bound on jerk is reported as straight") {
   std::string program = "ROBOT \"gantry\"\nLAW LOOKAHEAD\n";
   for (int i = 1; i <= 200; ++i) program += "MOVE(" + std::to_string(0.25 * i) + ", 0, 0)\n";

@@ -7,6 +7,7 @@
 
 using namespace rob::motion;
 using rob::test::AheadRun;
+using rob::test::fast_table;
 
 // A leg that stands alone between two stops is run in the time of a third-order profile. Every axis
 // has 1 m/s², 1 m/s; its jerk is 2·A over the window that the leg is given.
@@ -24,7 +25,8 @@ double third_order(double d, double v, double a, double j) {
 }
 
 struct AloneRun : AheadRun {
-  AloneRun(double speed, double most_jerk) : jerk(most_jerk) {
+  AloneRun(double speed, double most_jerk, std::size_t ahead = 4096)
+      : AheadRun(fast_table(), ahead), jerk(most_jerk) {
     bounds.speed = speed;
     bounds.miss = 1e-4;
     bounds.window = 2 / jerk;
@@ -198,4 +200,23 @@ TEST_CASE("held, braked and with any override legs that overlap keep the jerk, a
     check_limits(run);
     CHECK((run.references().back().q - run.end()).norm() < 1e-12);
   }
+}
+
+TEST_CASE("legs overlap however few of them may be ahead") {
+  const auto taken = [](std::size_t ahead) {
+    AloneRun run(1, 10, ahead);
+    for (int k = 1; k <= 60; ++k) {
+      while (run.buffer().room() == 0) run.step();
+      run.line(k % 2 == 1 ? 5 : 0, 0);
+    }
+    run.close();
+    const double time = run.run();
+    CHECK((run.references().back().q - run.end()).norm() < 1e-12);
+    check_limits(run);
+    return time;
+  };
+  const double all = taken(4096);
+  const double stops = 60 * 4 * std::cbrt(0.005 / 20);
+  CHECK(all < 0.9 * stops);
+  CHECK(taken(16) <= 1.03 * all);  // where there is no room in time, one stops
 }
