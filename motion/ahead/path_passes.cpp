@@ -156,8 +156,9 @@ void PathPlanner::publish(bool anew) {
   if (averages_sigma() && until > ring_.end()) bound_speeds(until);
   for (PathRing::Index i = ring_.end(); listener_ != nullptr && i < until; ++i)
     listener_->planned(ring_.written(i));
+  const bool more = until > ring_.end();
   pass_back(until, anew);
-  if (until == 0) return;
+  if (!more) return;
   const Piece& last = ring_.written(until - 1);
   published_ = last.begin + last.length;
 }

@@ -77,6 +77,7 @@ void PathPlanner::drop() {
   completing_ = false;
   before_ = kAny;
   end_ = ring_.end();  // drafts are not path
+  published_ = -kAny;  // and nothing lies ahead of the guide
   speeds_.begin();
   rehearsal_.forget();
   ring_.dropped(number, generation);
