@@ -13,10 +13,11 @@ struct CurvePart {
 };
 
 /// The axes of an arm whose tool follows a part of a curve without turning, with `first`
-/// at its beginning, of a parameter 0 … 1; its derivatives may be empty. Where the axes cannot
-/// follow, they lead through the targets of the stretch's motions instead, which they can reach.
+/// at its beginning, of a parameter 0 … 1; its derivatives may be empty. `like`: of a motion on it
+/// that has a line. If the axes cannot follow, they lead through the targets of the stretch's
+/// motions instead, which they can reach.
 JointPath follow_curve(const RobotModel& robot, const CurveFit& fit, const CurvePart& part,
-                       const PathStretch& stretch, const PathPoint& first);
+                       const PathStretch& stretch, const LegBounds& like, const PathPoint& first);
 
 /// The same with its last place, but for rounding, there.
 JointPath ending_at(const JointPath& axes, const JointVector& q);

@@ -276,6 +276,9 @@ PathItem PathMerger::item_of(std::size_t members) {
   auto stretch = std::make_shared<PathStretch>();
   PathItem item{last.segment, nullptr};
   LegBounds& bounds = item.segment.ahead;
+  // A motion without a way has no line, and asks for nothing along the curve.
+  for (std::size_t i = 0; i < members; ++i)
+    if (has_way(run_->members[i].segment)) bounds = run_->members[i].segment.ahead;
   for (std::size_t i = 0; i < members; ++i) {
     const Member& member = run_->members[i];
     stretch->members.push_back({member.segment, (fit.at_vertex(member.from) - begin) * fit.knot(),
@@ -283,6 +286,7 @@ PathItem PathMerger::item_of(std::size_t members) {
                                 member.begins, 0, member.beyond});
     place_events(0, {fit.at_vertex(member.from), end_of(member)}, member.beyond,
                  stretch->members.back().segment);
+    if (!has_way(member.segment)) continue;
     bounds.speed = std::max(bounds.speed, member.segment.ahead.speed);
     bounds.miss = std::min(bounds.miss, member.segment.ahead.miss);
     bounds.acceleration = std::min(bounds.acceleration, member.segment.ahead.acceleration);
@@ -294,8 +298,8 @@ PathItem PathMerger::item_of(std::size_t members) {
   bounds.first = stretch->members.front().end;
   bounds.last = bounds.length - stretch->members.back().begin;
   bounds.from = run_->end.q;
-  stretch->axes = bounds.line != nullptr ? axes_of_arm({begin, end}, *stretch)
-                                         : rules_.axes_of_table(fit, {begin, end}, bounds.from);
+  stretch->axes = robot_.tool_coordinates ? axes_of_arm({begin, end}, *stretch, bounds)
+                                          : rules_.axes_of_table(fit, {begin, end}, bounds.from);
   bounds.line = nullptr;
   if (stretch->goes_on) item.segment.target = stretch->axes.nodes().back().q;
   run_->end.q = item.segment.target;
@@ -311,12 +315,13 @@ PathItem PathMerger::item_of(std::size_t members) {
 }
 
 /// The axes of an arm along a part of the curve; they go on from the end of the last part.
-JointPath PathMerger::axes_of_arm(const CurvePart& part, const PathStretch& stretch) {
+JointPath PathMerger::axes_of_arm(const CurvePart& part, const PathStretch& stretch,
+                                  const LegBounds& like) {
   const double scale = part.end - part.begin;
   const SegmentDescriptor& last = stretch.members.back().segment;
   PathPoint first = run_->end;
   if (first.qd.size() > 0) first = {first.q, first.qd * scale, first.qdd * (scale * scale)};
-  JointPath axes = follow_curve(robot_, run_->fit, part, stretch, first);
+  JointPath axes = follow_curve(robot_, run_->fit, part, stretch, like, first);
   if (!stretch.goes_on) axes = ending_at(axes, last.target);
   const JointPath::Node& end = axes.nodes().back();
   run_->end = {end.q, end.qd / scale, end.qdd / (scale * scale)};

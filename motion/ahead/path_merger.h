@@ -93,7 +93,7 @@ class PathMerger {
   std::optional<PathItem> settled();
   double end_of(const Member& member) const;
   PathItem item_of(std::size_t members);
-  JointPath axes_of_arm(const CurvePart& part, const PathStretch& stretch);
+  JointPath axes_of_arm(const CurvePart& part, const PathStretch& stretch, const LegBounds& like);
 
   const RobotModel& robot_;
   const MergeRules rules_;
