@@ -165,7 +165,7 @@ class HermiteCurve {
  private:
   int parts_;
   double t_ = 0;
-  Vector3d place_, velocity_;
+  Vector3d place_ = Vector3d::Zero(), velocity_ = Vector3d::Zero();
   std::vector<Vector3d> curve_;
 };
 
