@@ -58,8 +58,7 @@ JointPath through_targets(const PathPoint& first, const CurvePart& part, double 
 }  // namespace
 
 JointPath follow_curve(const RobotModel& robot, const CurveFit& fit, const CurvePart& part,
-                       const PathStretch& stretch, const LegBounds& like,
-                       const PathPoint& first) {
+                       const PathStretch& stretch, const LegBounds& like, const PathPoint& first) {
   const ToolCurve curve(fit, part.begin, part.end, like.line->at(1).orientation);
   Followed made = follow(robot, curve, like.tip, first.q, first.qd.size() > 0 ? &first : nullptr);
   if (made.trouble) return through_targets(first, part, fit.knot(), stretch);

@@ -26,8 +26,8 @@ class LegWriter {
   std::size_t most_members() const noexcept;
   /// There is room for all motions of one item.
   bool fits() noexcept;
-  /// `decides`: σ at which what follows the last of its motions must be known; `average`: periods.
-  /// `like`: what the ring tells of the run's mean.
+  /// `decides`: σ by which the motion after the last of these must be known. `like`: its `average`,
+  /// `pauses` and `of_sigma` describe the mean of the run.
   void write(const ShapedLeg& leg, double decides, const PathLeg& like);
   /// Without a way, at σ.
   void write_at(const SegmentDescriptor& segment, double sigma);

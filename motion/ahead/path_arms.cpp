@@ -71,16 +71,16 @@ bool PathPlanner::begins_with_curve() const {
   return first.segment.ahead.window > 0 && first.stretch && first.stretch->goes_on;
 }
 
-/// How many of the items that wait the curve has that begins with the first; 0 where none does, or
-/// its end is not known.
+/// The number of waiting items that belong to the curve at their front; 0 if there is no curve, or
+/// its end is not known yet.
 std::size_t PathPlanner::parts_of_curve() const {
   for (std::size_t i = 0; i < pending_.size() && pending_[i].stretch; ++i)
     if (!pending_[i].stretch->goes_on) return i + 1;
   return 0;
 }
 
-/// The motions that the first items carry, as they were commanded, each from rest; none where that
-/// would lose something.
+/// The motions on the first items as the program commanded them, each from rest. Empty if one has
+/// path events, or begins before these items.
 std::vector<PathItem> PathPlanner::legs_of(std::size_t items) const {
   std::vector<PathItem> legs;
   for (std::size_t i = 0; i < items; ++i) {
@@ -93,8 +93,8 @@ std::vector<PathItem> PathPlanner::legs_of(std::size_t items) const {
   return legs;
 }
 
-/// Where stops at all points of the curve that waits are faster than the curve, its legs take its
-/// place; whether they did.
+/// Replaces the waiting curve by its legs if stops at all of its points are faster. Returns whether
+/// it did.
 bool PathPlanner::gives_up_curve() {
   const std::size_t items = parts_of_curve();
   const std::vector<PathItem> legs = legs_of(items);

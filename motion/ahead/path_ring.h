@@ -18,10 +18,11 @@ struct PathLeg {
   SegmentDescriptor segment;
   double begin = 0;
   double end = 0;
-  double decides = 0;     ///< σ at which what follows has to be known (motion.md: decision point)
-  int average = 1;        ///< periods of the mean that makes the references of its run
-  bool pauses = false;    ///< it is its run, with the shorter mean that a guide with pauses allows
-  bool of_sigma = false;  ///< that mean is one of σ, not of the axes
+  double decides = 0;  ///< σ by which the next motion must be known (motion.md: decision point)
+  int average = 1;     ///< periods of the mean that makes the references of its run
+  bool pauses =
+      false;  ///< all legs of its run end at rest, so the run has the shorter mean (Guide)
+  bool of_sigma = false;  ///< the mean averages σ; otherwise it averages the axes
   /// m at its beginning, and at its end, where σ is the motion's way. Between them, on a curve
   /// along several motions, what a m of σ is of the way is not the same everywhere.
   double before = 0;

@@ -7,8 +7,8 @@
 
 namespace rob::motion {
 
-/// It needs no longer mean for its corners; straight, it has no bends, which have a share of the
-/// jerk else.
+/// The leg comes to rest at both ends: it gets the mean that is best for it, or for it and an
+/// overlap with the next leg.
 void PathPlanner::stand_alone(ShapedLeg& leg) {
   LegAlone made = alone(robot_, leg);
   if (const auto next = next_alone(leg)) made = with_overlap(robot_, leg, *next, made);
@@ -18,7 +18,7 @@ void PathPlanner::stand_alone(ShapedLeg& leg) {
   pauses_ = made.pauses;
 }
 
-/// Whether it is known already that a run begins and ends with this leg.
+/// Whether the planner knows already that a run begins and ends with this leg.
 bool PathPlanner::stands_after(const ShapedLeg& leg) const {
   if (leg.segment.guard.present()) return true;
   if (pending_.empty()) return nothing_comes();
@@ -28,13 +28,13 @@ bool PathPlanner::stands_after(const ShapedLeg& leg) const {
   return !corner(leg, shape(pending_.front(), leg.end()), true);
 }
 
-/// The same on an arm, where a stop may be faster than a corner.
+/// The same. On an arm a rehearsal compares the stop with a corner.
 bool PathPlanner::stands_alone(const ShapedLeg& leg) {
   if (!averages_sigma()) return stands_after(leg);
   return rehearsal_.beginning(course_from(leg)).stands;
 }
 
-/// What waits, if it is a straight leg that stands alone after this one.
+/// The next motion, if it is a straight leg that comes to rest at both of its ends.
 std::optional<ShapedLeg> PathPlanner::next_alone(const ShapedLeg& leg) {
   if (pending_.empty() || leg.segment.guard.present()) return std::nullopt;
   const PathItem item = pending_.front();
@@ -51,12 +51,12 @@ std::optional<ShapedLeg> PathPlanner::next_alone(const ShapedLeg& leg) {
   return stands ? std::optional(shaped) : std::nullopt;
 }
 
-/// What follows a leg that stands alone has no room in the ring, and there is time yet.
+/// Whether the next leg must wait for room in the ring, and the guide still leaves time to wait.
 bool PathPlanner::awaits_room() {
   return pauses_ && !pending_.empty() && !legs_.fits() && !guide_within(kSoon, kAny);
 }
 
-/// A leg that stands alone is followed by another such, which begins before the mean has settled.
+/// Continues the run with the next leg if the two can overlap; false if the run must end here.
 bool PathPlanner::overlap_next() {
   if (!pauses_ || !legs_.fits()) return false;
   std::optional<ShapedLeg> leg = next_alone(*open_);

@@ -21,8 +21,8 @@ class ReferenceAverage {
 
   ReferenceAverage(const PathRing& ring, const JointVector& start);
 
-  /// The guide stands and is to begin a run, whose mean has so many periods, 1 … kMost; it is one
-  /// of σ or of the axes.
+  /// Call it while the guide stands before a run. `periods`: of the run's mean, 1 … kMost.
+  /// `of_sigma`: the mean averages σ; otherwise it averages the axes.
   void begin_run(int periods, bool of_sigma, const Guide& guide) noexcept;
   int periods() const noexcept { return periods_; }
   /// Once a period, after Guide::step().

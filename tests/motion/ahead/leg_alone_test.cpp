@@ -41,6 +41,24 @@ void check_limits(const AloneRun& run) {
   }
 }
 
+/// Holds and overrides at random instants, `most` periods apart at most; then it must arrive.
+template <typename Between>
+void disturb(AloneRun& run, Between&& between, double most) {
+  for (int change = 0; change < 20 && !run.ended(); ++change) {
+    if (between(0, 1) < 0.4) {
+      run.guide().braking() ? run.guide().release() : run.guide().brake();
+    } else {
+      run.ring().share = between(0.05, 2);
+    }
+    for (int k = static_cast<int>(between(1, most)); k > 0; --k) run.step();
+  }
+  run.guide().release();
+  run.ring().share = 1;
+  CHECK(run.run() > 0);
+  check_limits(run);
+  CHECK((run.references().back().q - run.end()).norm() < 1e-12);
+}
+
 }  // namespace
 
 TEST_CASE("a leg alone takes the time of a third-order profile, whatever bounds it") {
@@ -85,19 +103,7 @@ TEST_CASE("held, braked and with any override a leg alone keeps the jerk, and ar
     AloneRun run(between(0.05, 1), std::exp(between(0, 5)));
     run.line(between(-300, 300), between(-300, 300));
     run.close();
-    for (int change = 0; change < 20 && !run.ended(); ++change) {
-      if (between(0, 1) < 0.4) {
-        run.guide().braking() ? run.guide().release() : run.guide().brake();
-      } else {
-        run.ring().share = between(0.05, 2);
-      }
-      for (int k = static_cast<int>(between(1, 200)); k > 0; --k) run.step();
-    }
-    run.guide().release();
-    run.ring().share = 1;
-    CHECK(run.run() > 0);
-    check_limits(run);
-    CHECK((run.references().back().q - run.end()).norm() < 1e-12);
+    disturb(run, between, 200);
   }
 }
 
@@ -186,19 +192,7 @@ TEST_CASE("held, braked and with any override legs that overlap keep the jerk, a
     const double way = std::exp(between(0, 4));
     for (int k = 0; k < 6; ++k) run.line(k % 2 == 0 ? way : 0, between(-way, way));
     run.close();
-    for (int change = 0; change < 20 && !run.ended(); ++change) {
-      if (between(0, 1) < 0.4) {
-        run.guide().braking() ? run.guide().release() : run.guide().brake();
-      } else {
-        run.ring().share = between(0.05, 2);
-      }
-      for (int k = static_cast<int>(between(1, 100)); k > 0; --k) run.step();
-    }
-    run.guide().release();
-    run.ring().share = 1;
-    CHECK(run.run() > 0);
-    check_limits(run);
-    CHECK((run.references().back().q - run.end()).norm() < 1e-12);
+    disturb(run, between, 100);
   }
 }
 
