@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "motion/servo/following_supervisor.h"
+
 namespace rob::drivers {
 
 using motion::DriverStatus;
@@ -207,18 +209,22 @@ void WireBackend::exchange() noexcept {
   ++exchanges_;
   const DriverStatus status = link_->exchange(fresh && !stopped ? &command : nullptr,
                                               wire_time() + kShare * period_, report_.answer);
-  publish(stopped && status != DriverStatus::Lost ? DriverStatus::Alarm : believed(status, before));
+  publish(stopped && status != DriverStatus::Lost ? DriverStatus::Alarm
+                                                  : believed(status, before, command));
 }
 
 /// A position that the axis cannot have reached is a bad frame, if the next one does not say the
-/// same.
-DriverStatus WireBackend::believed(DriverStatus status, const WireAnswer& before) noexcept {
+/// same. A drive makes up what it lags behind its goal as fast as it can.
+DriverStatus WireBackend::believed(DriverStatus status, const WireAnswer& before,
+                                   const WireCommand& newest) noexcept {
   if (status != DriverStatus::Ok || std::exchange(first_, false)) return status;
   const double elapsed =
       std::max(report_.answer.time - before.time, period_) + before.spread + report_.answer.spread;
   bool credible = true;
   for (std::size_t k = 0; k < settings_.axes.size(); ++k) {
-    const double step = std::abs(report_.answer.position[k] - before.position[k]);
+    const double from = before.position[k];
+    const double goal = enabled_ && newest_ > 0 ? newest.position[k] : from;
+    const double step = motion::off_way(from, goal, report_.answer.position[k]);
     const double most = settings_.axes[k].most_step;
     credible = credible && (most == 0 || step <= kCredible * most * elapsed + 1);
   }

@@ -92,7 +92,8 @@ class WireBackend final : public motion::ServoBackend {
   void wake() noexcept;
   void follow_wish(bool told) noexcept;
   void exchange() noexcept;
-  motion::DriverStatus believed(motion::DriverStatus status, const WireAnswer& before) noexcept;
+  motion::DriverStatus believed(motion::DriverStatus status, const WireAnswer& before,
+                                const WireCommand& newest) noexcept;
   void publish(motion::DriverStatus status) noexcept;
   motion::DriverStatus status_of(const Report& report) noexcept;
   double zero_seen(double now) noexcept;

@@ -59,6 +59,7 @@ void FollowingSupervisor::reset(const JointReference& reference,
 }
 
 FollowingFinding FollowingSupervisor::check(DriverStatus status, const JointReference& reference,
+                                            const JointVector& goal,
                                             const JointMeasurement& measured,
                                             double spread) noexcept {
   if (status != DriverStatus::Ok) return no_answer(status);
@@ -70,10 +71,9 @@ FollowingFinding FollowingSupervisor::check(DriverStatus status, const JointRefe
   for (int i = 0; i < count_; ++i) {
     // The velocities are looked at for being numbers alone.
     const double rates = measured.qd[i] + reference.qdd[i];
-    const FollowingFinding finding =
-        std::isfinite(rates)
-            ? check_axis(i, elapsed, measured.q[i], reference.q[i], reference.qd[i])
-            : stop(Cause::NotFinite, i, rates, 0);
+    const FollowingFinding finding = std::isfinite(rates)
+                                         ? check_axis(i, elapsed, measured.q[i], goal[i], reference)
+                                         : stop(Cause::NotFinite, i, rates, 0);
     if (finding.verdict > gravest.verdict) gravest = finding;
   }
   return gravest;
@@ -88,12 +88,14 @@ FollowingFinding FollowingSupervisor::no_answer(DriverStatus status) noexcept {
   return stop(Cause::Silent, -1, silent_, kSilentCycles);
 }
 
-FollowingFinding FollowingSupervisor::check_axis(int i, double elapsed, double q, double q0,
-                                                 double v0) noexcept {
+FollowingFinding FollowingSupervisor::check_axis(int i, double elapsed, double q, double goal,
+                                                 const JointReference& reference) noexcept {
   AxisWatch& axis = axes_[static_cast<std::size_t>(i)];
+  const double q0 = reference.q[i];
+  const double v0 = reference.qd[i];
   if (!std::isfinite(q + q0 + v0)) return stop(Cause::NotFinite, i, q, 0);
 
-  const double moved = std::abs(q - axis.q);
+  const double moved = off_way(axis.q, goal, q);
   const double error = std::abs(q0 - q);
   const bool frozen = is_frozen(axis, q, error);
   axis.q = q;

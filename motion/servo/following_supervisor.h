@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -10,6 +12,12 @@
 
 namespace rob::motion {
 
+/// |q − its nearest place between `from` and `to`|: how far a position is off a way. In the unit of
+/// all three.
+inline double off_way(double from, double to, double q) noexcept {
+  return std::abs(q - std::clamp(q, std::min(from, to), std::max(from, to)));
+}
+
 /// What the servo found out about the machine in one cycle. Fixed size; texts are made above.
 struct FollowingFinding {
   enum class Verdict : std::uint8_t { None, Warn, Stop };
@@ -17,7 +25,8 @@ struct FollowingFinding {
     None,
     FollowingError,  ///< value: |q0 − q|; limit: the stop limit, also for a warning
     Frozen,      ///< value: way of the reference from q without a count; limit: the most allowed
-    Jump,        ///< value: |Δq| since the last measurement; limit: what the axis can do
+    Jump,        ///< value: way since the last measurement that is not on the way to the goal;
+                 ///< limit: what the axis can do
     NotFinite,   ///< a reference or a measurement is NaN or infinite
     Silent,      ///< value: cycles without an answer; limit: so many are too many
     Alarm,       ///< the machine itself has stopped
@@ -53,8 +62,10 @@ struct FollowingFinding {
 /// time, no slow motion can raise it. [choice] 20 counts: real encoders miss a few; three cycles: a
 /// drive that answers late repeats itself once.
 ///
-/// *Jump*: |Δq| > 2·v_max·(time since the last measurement, at least T, and what is uncertain of
-/// both instants).
+/// *Jump*: since the last measurement the axis has gone further than 2·v_max·(time since then, at
+/// least T, and what is uncertain of both instants). What brings it nearer to its goal does not
+/// count: after a late command a drive with a position loop of its own makes up its lag as fast as
+/// it can, and that is no fault of the encoder. The limit of the following error bounds that lag.
 ///
 /// *Silent*: the third answer in a row that did not come. *Alarm*, *Lost*: at once. Pending and
 /// Late say nothing about the machine.
@@ -74,10 +85,12 @@ class FollowingSupervisor {
   /// At enable: what is measured now is believed.
   void reset(const JointReference& reference, const JointMeasurement& measured) noexcept;
 
-  /// Reference and measurement of the same instant; `spread`: s by which that of an axis may be
-  /// another. Unless `status` is Ok, `measured` is not looked at.
+  /// Reference and measurement of the same instant; `goal`: the newest reference; `spread`: s by
+  /// which the instant of an axis may be another. Unless `status` is Ok, `measured` is not looked
+  /// at.
   FollowingFinding check(DriverStatus status, const JointReference& reference,
-                         const JointMeasurement& measured, double spread = 0) noexcept;
+                         const JointVector& goal, const JointMeasurement& measured,
+                         double spread = 0) noexcept;
 
  private:
   struct AxisWatch {
@@ -91,7 +104,8 @@ class FollowingSupervisor {
   };
 
   FollowingFinding no_answer(DriverStatus status) noexcept;
-  FollowingFinding check_axis(int i, double elapsed, double q, double q0, double v0) noexcept;
+  FollowingFinding check_axis(int i, double elapsed, double q, double goal,
+                              const JointReference& reference) noexcept;
   static bool is_frozen(AxisWatch& axis, double q, double error) noexcept;
 
   std::array<AxisWatch, kMaxJoints> axes_;

@@ -53,6 +53,8 @@ class ReferenceInterpolator {
 
   /// True while the way back to the references is not finished.
   bool joining() const noexcept { return join_.active(); }
+  /// s by which at() was behind the references: of the slowest axis, at its v_max.
+  double behind() const noexcept { return join_.behind(); }
 
  private:
   // Eight: a servo that wakes up late finds at most the generator's last few. [choice]

@@ -54,10 +54,11 @@ JointVector ReferenceJoin::direction_of(const JointReference& left) const noexce
 }
 
 void ReferenceJoin::apply(JointReference& reference) noexcept {
-  if (!active_) return;
-  active_ = reference.time < way_.arrival();
+  active_ = active_ && reference.time < way_.arrival();
+  behind_ = 0;
   if (!active_) return;
   const JointReference left = way_.at(reference.time);
+  behind_ = kOfSpeed * (left.q.array() / v_max_.array()).abs().maxCoeff();
   reference.q += left.q;
   reference.qd += left.qd;
   reference.qdd += left.qdd;

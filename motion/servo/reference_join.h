@@ -28,11 +28,17 @@ class ReferenceJoin {
 
   /// `from` and `to` at the same instant: where the axes are sent, where they should be.
   void start(const JointReference& from, const JointReference& to) noexcept;
-  void clear() noexcept { active_ = false; }
+  void clear() noexcept {
+    active_ = false;
+    behind_ = 0;
+  }
   bool active() const noexcept { return active_; }
 
   /// Adds what is left at reference.time; ends by itself.
   void apply(JointReference& reference) noexcept;
+
+  /// s that the slowest axis needs at v_max for what was left at the last apply().
+  double behind() const noexcept { return behind_; }
 
  private:
   JointVector direction_of(const JointReference& left) const noexcept;
@@ -41,6 +47,7 @@ class ReferenceJoin {
   JointVector a_max_;
   JointVector j_max_;
   PointToPoint way_;
+  double behind_ = 0;
   bool active_ = false;
 };
 

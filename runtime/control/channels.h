@@ -43,6 +43,8 @@ struct ServoSample {
   /// the axes go on from here.
   motion::JointReference reference;
   bool braked = false;
+  /// The axes are on their way to the references, from which a late computer has kept them.
+  bool joining = false;
   /// A machine that follows references later has come to rest; one that does not answer is not
   /// waited for.
   bool settled = true;

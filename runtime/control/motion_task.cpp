@@ -108,7 +108,8 @@ void MotionTask::advance(std::int64_t number) noexcept {
 void MotionTask::take_samples() noexcept {
   while (const ServoSample* const next = channels_.samples.front()) {
     const ServoSample& sample = *next;
-    history_[samples_++ % kHistory] = {sample.measured, sample.drive, sample.settled};
+    history_[samples_++ % kHistory] = {sample.measured, sample.drive, sample.settled,
+                                       sample.joining};
     saturation_ = std::max(saturation_, sample.saturation);
     machine_inputs_ = sample.inputs;
     machine_analog_inputs_ = sample.analog_inputs;
@@ -120,11 +121,14 @@ void MotionTask::take_samples() noexcept {
   }
 }
 
-/// A machine that follows its references later, by what it reports.
+/// A machine that follows its references later, by what it reports. A way back to the references is
+/// waited for, since it always ends; there is none after a last stop.
 bool MotionTask::machine_settled() noexcept {
-  if (!finished_at_) finished_at_ = now_;
-  return samples_ == 0 || history_[(samples_ - 1) % kHistory].settled ||
-         now_ - *finished_at_ > kLongestSettling;
+  if (samples_ == 0) return true;
+  const Seen& newest = history_[(samples_ - 1) % kHistory];
+  const bool joining = newest.joining && !last_stop_.active();
+  if (!finished_at_ || joining) finished_at_ = now_;
+  return !joining && (newest.settled || now_ - *finished_at_ > kLongestSettling);
 }
 
 void MotionTask::prepare(double now) noexcept {

@@ -110,6 +110,7 @@ class MotionTask {
     motion::JointMeasurement measured;
     motion::JointVector drive;
     bool settled = true;
+    bool joining = false;
   };
   /// What was measured at `stamp`; null before the first servo cycle.
   const Seen* seen_at(double stamp) const noexcept;

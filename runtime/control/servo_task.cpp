@@ -54,6 +54,14 @@ double longest_gap(const motion::RobotModel& robot) {
   return std::max(20 * robot.reference_period, 0.2) + robot.reference_period;
 }
 
+/// s at full speed by which the axes may be behind the references: after the longest gap, and twice
+/// as much as they lose when they start again from rest with half of their acceleration (v²/a_max).
+double most_behind(const motion::RobotModel& robot) {
+  double start = 0;
+  for (const motion::Axis& axis : robot.axes) start = std::max(start, axis.v_max / axis.a_max);
+  return longest_gap(robot) + 2 * start;
+}
+
 }  // namespace
 
 ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& backend,
@@ -69,6 +77,7 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
       bridged_gap_((motion::ReferenceInterpolator::kLongestGap - 1) *
                    std::max(robot.reference_period, robot.servo_period)),
       longest_gap_(longest_gap(robot)),
+      most_behind_(most_behind(robot)),
       v_max_(limits_of(robot, &motion::Axis::v_max)),
       stop_(limits_of(robot, &motion::Axis::a_max)),
       still_(counts_of(robot)) {
@@ -131,7 +140,8 @@ bool ServoTask::references_are_coming(double now, double gap) noexcept {
 motion::FollowingFinding ServoTask::judge(DriverStatus status) noexcept {
   using motion::FollowingFinding;
   const FollowingFinding found =
-      supervisor_.check(status, history_.at(state_.measured.time), state_.measured, state_.spread);
+      supervisor_.check(status, history_.at(state_.measured.time), command_.reference.q,
+                        state_.measured, state_.spread);
   if (found.verdict != FollowingFinding::Verdict::None || state_.wire_errors <= kNoisyWire)
     return found;
   return {FollowingFinding::Verdict::Warn, FollowingFinding::Cause::Noisy, -1, state_.wire_errors,
@@ -210,6 +220,10 @@ void ServoTask::run(double now, double due) noexcept {
   if (touch_ == Touch::Kept && gap > bridged_gap_ && read == DriverStatus::Ok)
     interpolator_.join_from(found_at(instant));
   command_.reference = touch_ == Touch::Braked ? stop_.at(instant) : interpolator_.at(instant);
+  if (touch_ == Touch::Kept && interpolator_.behind() > most_behind_) {
+    lose_touch(now, interpolator_.behind());
+    return tell(overrun());
+  }
   history_.push(command_.reference);
   const motion::FollowingFinding finding = touch_ == Touch::Braked ? overrun() : judge(status);
   follow(now, read);
@@ -248,6 +262,7 @@ void ServoTask::tell(const motion::FollowingFinding& finding) noexcept {
   if (state_.wrench_time != 0) sample->felt.wrench = state_.wrench;
   sample->reference = command_.reference;
   sample->braked = touch_ == Touch::Braked;
+  sample->joining = touch_ == Touch::Kept && interpolator_.joining();
   sample->settled = !backend_.follows_references() || !answers_ || still_.still();
   channels_.samples.push();
 }

@@ -22,7 +22,8 @@ namespace rob::runtime {
 /// After a gap that cannot be made up nobody knows where the machine is: its drives may have
 /// braked, or gone on. So nothing is written until the machine has reported a position again. From
 /// there, with the velocity that it has there, the servo brakes it to rest by itself; references no
-/// longer count. The gap is a finding in each of these cycles.
+/// longer count. The gap is a finding in each of these cycles. It is the same where shorter gaps
+/// have come so often that the axes are as far behind the references.
 class ServoTask {
  public:
   ServoTask(const motion::RobotModel& robot, motion::ServoBackend& backend, Channels& channels);
@@ -75,6 +76,7 @@ class ServoTask {
   double reference_period_;
   double bridged_gap_;  ///< s that the interpolator bridges by itself
   double longest_gap_;
+  double most_behind_;  ///< s
   /// What the references of motion have to say about the axes.
   enum class Touch : std::uint8_t {
     Kept,   ///< they are followed

@@ -75,7 +75,8 @@ class GantryBench {
     const double t = now();
     ++cycle_;
     const motion::DriverStatus status = machine_.read(t, state_);
-    const motion::FollowingFinding found = supervisor_.check(status, reference, state_.measured);
+    const motion::FollowingFinding found =
+        supervisor_.check(status, reference, reference.q, state_.measured);
     if (status != motion::DriverStatus::Ok) return found;
     command_.reference = reference;
     command_.drive = law_.update(t, reference, state_.measured);

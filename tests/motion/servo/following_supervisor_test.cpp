@@ -50,7 +50,7 @@ FollowingSupervisor supervisor_at_rest() {
 
 FollowingFinding check(FollowingSupervisor& supervisor, double t, const JointVector& q0,
                        const JointVector& v0, const JointVector& q) {
-  return supervisor.check(DriverStatus::Ok, {t, q0, v0, both(0, 0)}, {t, q, both(0, 0)});
+  return supervisor.check(DriverStatus::Ok, {t, q0, v0, both(0, 0)}, q0, {t, q, both(0, 0)});
 }
 
 // One check of the second axis, which is `error` behind a reference of velocity v0.
@@ -118,9 +118,11 @@ TEST_CASE("a jump is measured against the longest time that may have passed") {
   for (const double step : {0.319e-3, 0.321e-3}) {
     FollowingSupervisor supervisor = supervisor_at_rest();
     const JointReference reference{0, both(0, 0), both(0, 0), both(0, 0)};
-    supervisor.check(DriverStatus::Ok, reference, {kServoPeriod, both(0, 0), both(0, 0)}, 0.002);
-    const FollowingFinding found = supervisor.check(
-        DriverStatus::Ok, reference, {2 * kServoPeriod, both(step, 0), both(0, 0)}, 0.001);
+    supervisor.check(DriverStatus::Ok, reference, reference.q,
+                     {kServoPeriod, both(0, 0), both(0, 0)}, 0.002);
+    const FollowingFinding found =
+        supervisor.check(DriverStatus::Ok, reference, reference.q,
+                         {2 * kServoPeriod, both(step, 0), both(0, 0)}, 0.001);
     CHECK((found.cause == Cause::Jump) == (step > 0.32e-3));
   }
 }
@@ -179,12 +181,24 @@ TEST_CASE("fault 19: no axis moves more than twice its greatest speed allows") {
   CHECK(check(supervisor, kServoPeriod, both(0, 0.0001), both(0, 0), both(0, 0.000199)).verdict ==
         Verdict::None);
   const FollowingFinding jump =
-      check(supervisor, 2 * kServoPeriod, both(0, 0.0001), both(0, 0), both(0, -0.000002));
+      check(supervisor, 2 * kServoPeriod, both(0, 0.0002), both(0, 0), both(0, -0.000002));
   CHECK(jump.verdict == Verdict::Stop);
   CHECK(jump.cause == Cause::Jump);
   CHECK(jump.axis == 1);
   CHECK(jump.value == test::relative(0.000201));
   CHECK(jump.limit == test::relative(0.0002));
+}
+
+TEST_CASE("fault 19: what an axis lags behind its goal it may make up at once, and no more") {
+  // The goal is 0.4 mm ahead after a late command; 2·20 mm/s·5 ms = 0.2 mm beyond it is credible.
+  for (const double place : {0.0004, 0.000599, 0.000601, -0.000199, -0.000201}) {
+    FollowingSupervisor supervisor = supervisor_at_rest();
+    const FollowingFinding found =
+        check(supervisor, kServoPeriod, both(0.0004, 0), both(0, 0), both(place, 0));
+    const bool jumps = place > 0.0006 || place < -0.0002;
+    CHECK((found.cause == Cause::Jump) == jumps);
+    if (jumps) CHECK(found.value == test::relative(0.000201));
+  }
 }
 
 TEST_CASE("after a late cycle an axis may have gone further") {
@@ -203,7 +217,7 @@ TEST_CASE("fault 7: what is not a number is found, whichever value it is") {
       v[where][1] = value;
       FollowingSupervisor supervisor = supervisor_at_rest();
       const FollowingFinding found = supervisor.check(
-          DriverStatus::Ok, {kServoPeriod, v[0], v[1], v[2]}, {kServoPeriod, v[3], v[4]});
+          DriverStatus::Ok, {kServoPeriod, v[0], v[1], v[2]}, v[0], {kServoPeriod, v[3], v[4]});
       CHECK(found.verdict == Verdict::Stop);
       CHECK(found.cause == Cause::NotFinite);
       CHECK(found.axis == 1);
@@ -226,11 +240,14 @@ TEST_CASE("a machine may miss two answers in a row, not three") {
   const JointVector zero = both(0, 0);
   const JointReference reference{0, zero, zero, zero};
   const JointMeasurement stale{0, zero, zero};
-  const auto silent = [&] { return supervisor.check(DriverStatus::Silent, reference, stale); };
+  const auto silent = [&] {
+    return supervisor.check(DriverStatus::Silent, reference, reference.q, stale);
+  };
   for (int round = 0; round < 3; ++round) {
     CHECK(silent().verdict == Verdict::None);
     CHECK(silent().verdict == Verdict::None);
-    CHECK(supervisor.check(DriverStatus::Ok, reference, stale).verdict == Verdict::None);
+    CHECK(supervisor.check(DriverStatus::Ok, reference, reference.q, stale).verdict ==
+          Verdict::None);
   }
   silent();
   silent();
@@ -247,7 +264,9 @@ TEST_CASE(
   const JointVector zero = both(0, 0);
   const JointReference reference{0, zero, zero, zero};
   const JointMeasurement stale{0, zero, zero};
-  const auto status = [&](DriverStatus value) { return supervisor.check(value, reference, stale); };
+  const auto status = [&](DriverStatus value) {
+    return supervisor.check(value, reference, reference.q, stale);
+  };
   for (int i = 0; i < 10; ++i) {
     CHECK(status(DriverStatus::Pending).verdict == Verdict::None);
     CHECK(status(DriverStatus::Late).verdict == Verdict::None);
@@ -262,7 +281,7 @@ TEST_CASE(
 
 TEST_CASE("a machine that is gone stops the run at once") {
   FollowingSupervisor supervisor = supervisor_at_rest();
-  const FollowingFinding found = supervisor.check(DriverStatus::Lost, {}, {});
+  const FollowingFinding found = supervisor.check(DriverStatus::Lost, {}, {}, {});
   CHECK(found.verdict == Verdict::Stop);
   CHECK(found.cause == Cause::Lost);
 }
@@ -280,7 +299,7 @@ TEST_CASE("supervision takes no memory") {
   const JointMeasurement at{0, both(0, 0), both(0, 0)};
   test::NoAllocation guard;
   supervisor.reset(reference, at);
-  const FollowingFinding found = supervisor.check(DriverStatus::Ok, reference, at);
+  const FollowingFinding found = supervisor.check(DriverStatus::Ok, reference, reference.q, at);
   CHECK(guard.count() == 0);
   CHECK(found.verdict == Verdict::None);
 }

@@ -118,7 +118,48 @@ struct LonelyRun {
   }
 };
 
+/// 100 mm along x on a machine that stays at its last reference, while both ticks do not come for
+/// 60 ms of each 150 ms, so often. Where the machine was told to be in the end, m.
+struct OftenLate {
+  std::vector<JointReference> told;
+  SteppedRun run;
+  RunResult result;
+
+  explicit OftenLate(int gaps)
+      : run("MOVE(100,0,0)\n", std::make_unique<Lonely>(Lonely::Ways{.rests = 0}, told)) {
+    run.task.step(1'000'000);
+    run.controller.servo().enable(0);
+    for (std::int64_t cycle = 0; !run.controller.motion().over() && cycle < 5000; ++cycle) {
+      const std::int64_t since = cycle - 200;  // at 2 s x goes at 20 mm/s
+      const bool gone = since >= 0 && since / 15 < gaps && since % 15 < 6;
+      if (gone) continue;
+      run.controller.servo().cycle(static_cast<double>(cycle) * kGapPeriod);
+      run.controller.motion().cycle(cycle, 0);
+      run.recorder.drain();
+    }
+    result = run.recorder.finish();
+  }
+};
+
 }  // namespace
+
+TEST_CASE("fault 15: a run ends when the machine is back on its references, not before") {
+  const OftenLate late(2);
+  CAPTURE(late.result.error.value_or(decltype(late.result.error)::value_type{}).message);
+  CHECK_FALSE(late.result.error.has_value());
+  CHECK(late.told.back().q[0] == doctest::Approx(0.100).epsilon(1e-9));
+  // 2·60 ms at 20 mm/s are caught up at a tenth of that: the program itself takes 7.75 s.
+  CHECK(late.run.rows.back().measured[0] == doctest::Approx(0.100).epsilon(1e-6));
+}
+
+TEST_CASE("fault 16: a computer that is late so often that the machine falls behind stops") {
+  const OftenLate late(20);
+  REQUIRE(late.result.error.has_value());
+  CHECK(late.result.error->code == "E501");
+  // 210 ms at 20 mm/s, twice v²/a, and at most another gap: 70 ms and its v²/a
+  for (const Snapshot& row : late.run.rows)
+    CHECK(row.sample.reference.q[0] - row.measured[0] < 0.280 * kV + 3 * kV * kV / kA);
+}
 
 TEST_CASE("fault 38: axes that their drives have braked stay there, and the references with them") {
   SteppedRun run(kPublishedProgram);
