@@ -38,10 +38,10 @@ GOAL = 0.9
 NOT_IN_REAL_TIME = "--source-file-exclude=*/link/*,*/machines/*,*/real_time_*"
 # Names of ctest: what tests a layer from outside, beside <layer>_test.
 OUTSIDE = {
-    "lang": "^(programs|samples|examples|docs)/|^README|^cli_test$",
-    "motion": "^(motions|examples|docs)/|^judge$|drawings$|^(drivers|cli|runtime)_test$",
-    "drivers": "^(cells|examples)/|^(cli|runtime)_test$|^real_time/",
-    "runtime": "^(programs|examples|docs)/|^cli_test$|^real_time/cli_test$",
+    "lang": "^(programs|samples|examples|docs)/|^README|^cli_test",
+    "motion": "^(motions|examples|docs)/|^judge$|drawings$|^(drivers|cli|runtime)_test$|^cli_test/",
+    "drivers": "^(cells|examples)/|^(cli|runtime)_test|^real_time/",
+    "runtime": "^(programs|examples|docs)/|^cli_test|^real_time/cli_test$",
 }
 
 

@@ -14,7 +14,7 @@ using rob::test::RobCommand;
 
 namespace {
 
-const std::string kXy = std::string(ROB_SOURCE_DIR) + "/tests/bench/xy.toml";
+const std::string kXyFile = std::string(ROB_SOURCE_DIR) + "/tests/bench/xy.toml";
 
 json slow_places(const std::string& program, std::vector<std::string> more = {}) {
   more.emplace_back("--json");
@@ -33,7 +33,7 @@ TEST_CASE("a sharp corner is told with the speed that its zone leaves") {
   const std::string program =
       "MOVE(200, 0, 0) AT 300mm/s ZONE 0.1mm\nMOVE(200, 200, 0) AT 300mm/s ZONE 5mm\n"
       "MOVE(0, 200, 0) AT 300mm/s\n";
-  const json places = slow_places(program, {"--robot", kXy});
+  const json places = slow_places(program, {"--robot", kXyFile});
   REQUIRE(places.size() == 1);  // the corner at 5 mm is gone at √(8·5/√2·1000) = 168 mm/s
   const json& place = places[0];
   CHECK(place["line"] == 1);
@@ -45,7 +45,7 @@ TEST_CASE("a sharp corner is told with the speed that its zone leaves") {
   const double half = 0.1 * 4 / std::sqrt(2.0);
   CHECK(place["speed_mm_s"] == doctest::Approx(std::sqrt(2 * half * 1000)).epsilon(0.03));
   CHECK(place["at_mm"] > 200 - half - 0.05);
-  const std::string table = RobCommand(program)("check", {"--robot", kXy}).out;
+  const std::string table = RobCommand(program)("check", {"--robot", kXyFile}).out;
   CHECK(contains(table, "slowest: line 1, in a corner 199.7 mm on: 23.8 of 300 mm/s; axis "));
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("of many slow places the three slowest are told, a line once") {
   for (const char* zone : {"0.4", "0.1", "0.3", "0.2"})
     program += std::string("MOVE BY (100, 0, 0) AT 300mm/s ZONE ") + zone +
                "mm\nMOVE BY (-100, 100, 0) AT 300mm/s FINE\n";
-  const json places = slow_places(program + "ENDFOR\n", {"--robot", kXy});
+  const json places = slow_places(program + "ENDFOR\n", {"--robot", kXyFile});
   REQUIRE(places.size() == 3);
   CHECK(places[0]["line"] == 5);
   CHECK(places[1]["line"] == 9);
