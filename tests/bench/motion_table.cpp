@@ -9,15 +9,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "tests/bench/bench_options.h"
+#include "tests/support/process.h"
 #include "tests/support/random_text.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/topp.h"
 #include "tests/support/trace_figures.h"
 #include "tests/support/traced_run.h"
 
@@ -218,6 +223,70 @@ void corners_on_arms(const Options& options, Table& table) {
   }
 }
 
+/// The IRB 120 without bounds on jerk, in `folder`.
+std::string without_jerk(const rob::test::ScratchFolder& folder, rob::test::ToppLimits& limits) {
+  std::istringstream text(
+      rob::test::read_whole_file(ROB_BENCH_ROBOTS "/../../motion/robots/irb120.toml"));
+  const std::string name = (folder.path() / "irb120.toml").string();
+  std::ofstream file(name);
+  for (std::string row; std::getline(text, row);) {
+    const auto value = [&] { return std::stod(row.substr(row.find('"') + 1)); };
+    if (row.starts_with("j_max")) continue;
+    if (row.starts_with("v_max")) limits.v.push_back(value());
+    if (row.starts_with("a_max")) limits.a.push_back(value());
+    file << row << '\n';
+  }
+  return name;
+}
+
+/// MOVES through three to nine random places of the joints.
+std::string joint_spline(Choice& choice) {
+  constexpr int kMost[6] = {150, 70, 60, 140, 100, 200};  // deg
+  constexpr int kStep[6] = {40, 25, 25, 60, 50, 90};
+  int place[6] = {0, 0, 0, 0, 30, 0};
+  const int count = choice.between(3, 9);
+  std::string program = "MOVES VIA ";
+  for (int k = 0; k < count; ++k) {
+    program += k == 0 ? "JOINTS(" : k + 1 < count ? ", JOINTS(" : " TO JOINTS(";
+    for (std::size_t i = 0; i < 6; ++i) {
+      const int next = place[i] + choice.between(-kStep[i], kStep[i]);
+      place[i] = std::clamp(next, -kMost[i], kMost[i]);
+      program += fmt::format("{}{}deg", i == 0 ? "" : ", ", place[i]);
+    }
+    program += ")";
+  }
+  return program + " FINE\n";
+}
+
+/// Beside the time-optimal motion along the path that was planned, both bounded by speed and
+/// acceleration.
+void splines_of_six_axes(const Options& options, Table& table) {
+  const rob::test::ScratchFolder folder;
+  rob::test::ToppLimits limits;
+  const std::string robot = without_jerk(folder, limits);
+  const std::string file = (folder.path() / "spline.rob").string();
+  const std::string path = (folder.path() / "path.csv").string();
+  double sum = 0;
+  double most = 0;
+  constexpr int kSplines = 24;
+  for (int seed = 1; seed <= kSplines; ++seed) {
+    Choice choice(static_cast<std::uint64_t>(seed));
+    const std::string program = joint_spline(choice);
+    std::ofstream(file) << program;
+    const auto check = rob::test::run_process(
+        {options.rob, "check", file, "--robot", robot, "--law", "lookahead", "--path", path});
+    if (check.exit_code != 0) throw std::runtime_error(check.err);
+    const auto nodes = rob::test::parse_topp_path(rob::test::read_whole_file(path));
+    const double best = rob::test::time_optimal(nodes, limits, 20'000).time;
+    const double ratio = seconds(options, program, robot) / best;
+    sum += ratio;
+    most = std::max(most, ratio);
+  }
+  table.row(fmt::format("mean of {} six-axis splines, no jerk, beside the time-optimal", kSplines),
+            1, sum / kSplines, 1.01);
+  table.row("the greatest of them", 1, most, 1.01);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -234,6 +303,7 @@ int main(int argc, char** argv) {
     corners_with_jerk(options, table);
     chords_on_arms(options, table);
     corners_on_arms(options, table);
+    splines_of_six_axes(options, table);
     return table.end();
   } catch (const std::exception& error) {
     fmt::print(stderr, "motion_table: {}\n", error.what());

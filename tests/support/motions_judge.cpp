@@ -104,12 +104,15 @@ std::string text_of(const Vector3d& place) {
   return text;
 }
 
+/// Under the look-ahead law short legs may become one curve within their ZONE, however short they
+/// are (docs/motion.md, Dense paths); under Paul's law a corner ends with its legs.
 void judge_way(const std::vector<Vector3d>& whole, const TraceFile& trace,
-               const RandomMotions& motions, double room, std::vector<std::string>& findings) {
+               const RandomMotions& motions, bool look_ahead, double room,
+               std::vector<std::string>& findings) {
   const Followed followed = from_the_beginning(whole, trace, motions);
   if (followed.curve.empty())
     return findings.push_back("the tool never stood where its way begins");
-  const bool cut = !motions.averaged;
+  const bool cut = !motions.averaged && !look_ahead;
   PathBounds allowed{cut ? cut_to_legs(motions.path, motions.misses) : motions.misses,
                      motions.besides};
   std::vector<double>& bounds = allowed.misses;
@@ -214,7 +217,7 @@ Judgement judge_motions(const std::string& rob, const MotionRobot& robot,
   const auto curve = curve_of(run, robot, motions.tool);
   const bool bends = robot.kind == MotionRobot::Kind::Arm || !motions.tool.isZero();
   const double room = bends ? kArmLine : 0;
-  if (motions.whole) judge_way(curve, run.trace, motions, room, findings);
+  if (motions.whole) judge_way(curve, run.trace, motions, robot.look_ahead, room, findings);
   if (motions.whole && !bends)
     judge_marks(run, motions, std::sqrt(3) * axes.front().a, longest_mean(robot, motions),
                 findings);
