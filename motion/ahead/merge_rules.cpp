@@ -124,6 +124,12 @@ double MergeRules::soon(const SegmentDescriptor& segment) const {
   return few_periods(robot_) * speed_on(segment);
 }
 
+/// The mean of a curve takes a share s of the accelerations, on straight legs of its run, too: it
+/// costs them the less the nearer s is to 1. [choice] of 1/(1 − s)
+double MergeRules::longest_between(const SegmentDescriptor& segment) const {
+  return soon(segment) / (1 - share_for_mean(robot_, segment.ahead));
+}
+
 /// A knot is a quarter of the way in which the weakest axis leads off by the zone, at the leg's
 /// speed; half of it where a mean of σ bounds the jerk, which leads off by J·t³. [choice] of the
 /// latter: shorter ones cost arms up to a twentieth of the time of an arc, longer ones nothing.

@@ -121,15 +121,17 @@ double Rehearsal::settled(double guided, double average) const noexcept {
   return std::ceil(guided / period - 1e-6) * period + average;
 }
 
-/// Shorter and shorter means, as long as they help.
+/// Shorter and shorter means, until two in a row have not helped: where the period is long one
+/// often takes as many periods as the one before.
 Rehearsal::Best Rehearsal::run(const Course& course, std::size_t first, std::size_t last) {
   const double window = course.legs[first].segment.ahead.window;
   Best best{1, Piece::kAny};
-  for (double share = 1; share > kLeast; share *= kLess) {
+  int idle = 0;
+  for (double share = 1; share > kLeast && idle < 2; share *= kLess) {
     const double average = mean_time(share * window);
     const double time = settled(guided(course, first, last, share * window), average);
-    if (time >= best.time) break;
-    best = {share, time};
+    idle = time < best.time ? 0 : idle + 1;
+    if (idle == 0) best = {share, time};
   }
   return best;
 }
