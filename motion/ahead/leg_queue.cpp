@@ -115,8 +115,8 @@ std::optional<bool> LegQueue::crowd_begins(std::size_t i, const Next& next, doub
     if (!after.known) return std::nullopt;
     if (after.segment == nullptr || !joins(*leg.segment, *after.segment)) return false;
     const bool crowds = crowded(leg.at, after, taken);
-    if (!crowds && !(leg.segment->ahead.length < rules_.longest_between(*leg.segment)))
-      return false;
+    const double longest = rules_.longest_between(waiting_[i].segment, *leg.segment);
+    if (!crowds && !(leg.segment->ahead.length < longest)) return false;
     count += crowds ? 1 : 0;
     taken = wanted(leg.at, after);
     leg = after;

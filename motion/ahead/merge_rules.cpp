@@ -125,9 +125,18 @@ double MergeRules::soon(const SegmentDescriptor& segment) const {
 }
 
 /// The mean of a curve takes a share s of the accelerations, on straight legs of its run, too: it
-/// costs them the less the nearer s is to 1. [choice] of 1/(1 − s)
-double MergeRules::longest_between(const SegmentDescriptor& segment) const {
-  return soon(segment) / (1 - share_for_mean(robot_, segment.ahead));
+/// costs them the less the nearer s is to 1. [choice] of 1/(1 − s), and of 24 knots, which CurveFit
+/// solves at once.
+double MergeRules::longest_between(const SegmentDescriptor& crowd,
+                                   const SegmentDescriptor& segment) const {
+  constexpr double kKnots = 24;
+  constexpr double kSame = 1e-9;
+  const double speed = speed_on(crowd);
+  const bool alike = crowd.ahead.miss == segment.ahead.miss &&
+                     std::abs(speed - speed_on(segment)) <= kSame * speed;
+  if (!alike) return soon(segment);
+  const double calm = soon(segment) / (1 - share_for_mean(robot_, segment.ahead));
+  return std::max(soon(segment), std::min(calm, kKnots * knots_for(segment, false).apart));
 }
 
 /// A knot is a quarter of the way in which the weakest axis leads off by the zone, at the leg's

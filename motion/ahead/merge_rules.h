@@ -29,8 +29,8 @@ class MergeRules {
   /// m: a leg that is shorter is passed in a few periods.
   double soon(const SegmentDescriptor& segment) const;
   /// m: a leg that does not crowd, and is shorter, does not keep legs around it from becoming a
-  /// curve with a mean that bounds the jerk.
-  double longest_between(const SegmentDescriptor& segment) const;
+  /// curve with a mean that bounds the jerk. `crowd`: the first of these, by which knots are made.
+  double longest_between(const SegmentDescriptor& crowd, const SegmentDescriptor& segment) const;
   /// m of each leg that a corner between them would like to have; 0 where there is none.
   double corner_half(const SegmentDescriptor& in, const SegmentDescriptor& out) const;
   /// Where a mean bounds the jerk: whether a curve takes less time for the leg, with corners at
