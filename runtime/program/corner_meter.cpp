@@ -1,6 +1,7 @@
 #include "runtime/program/corner_meter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -8,29 +9,43 @@
 
 namespace rob::runtime {
 
+void CornerMeter::forget_oldest() {
+  const auto open = [](const Vertex& vertex) { return vertex.left == kUnbounded; };
+  if (std::ranges::count_if(vertices_, open) < kNear) return;
+  vertices_.erase(std::ranges::find_if(vertices_, open));
+}
+
+/// The poses around count where the point lies within their way: an earlier place of a tip that has
+/// come from far is one that it will come back to.
 void CornerMeter::watch(std::uint32_t number, const motion::JointVector& target,
                         const Eigen::Vector3d& tip) {
-  auto free = std::find_if(vertices_.begin(), vertices_.end(),
-                           [](const Vertex& v) { return v.number == 0; });
-  if (free == vertices_.end()) {
-    free = std::min_element(vertices_.begin(), vertices_.end(),
-                            [](const Vertex& a, const Vertex& b) { return a.number < b.number; });
+  forget_oldest();
+  Vertex vertex{number, tip, place_of(tip, kinematics_.forward(target))};
+  vertex.least = std::numeric_limits<double>::infinity();
+  if (!poses_.empty()) {
+    const Eigen::Vector3d here = place_of(tip, poses_.back());
+    const double way = (here - place_of(tip, poses_.front())).norm();
+    vertex.passed = here;
+    if ((vertex.position - here).norm() < way) {
+      vertex.passed = place_of(tip, poses_.front());
+      for (const motion::Pose& pose : poses_) vertex.pass(place_of(tip, pose));
+    }
   }
-  *free = {number, tip, place_of(tip, kinematics_.forward(target)), Eigen::Vector3d::Zero(),
-           std::numeric_limits<double>::infinity()};
-  if (last_) free->passed = place_of(tip, *last_);
+  vertices_.push_back(vertex);
 }
 
 void CornerMeter::measured(const motion::JointVector& q, const Eigen::Vector3d& pressed) {
   motion::Pose flange = kinematics_.forward(q);
   flange.position -= pressed;
   for (Vertex& vertex : vertices_) {
-    if (vertex.number == 0) continue;
+    if (vertex.left == 0) continue;
     const Eigen::Vector3d place = place_of(vertex.tip, flange);
-    if (!last_) vertex.passed = place;
+    if (poses_.empty()) vertex.passed = place;
     vertex.pass(place);
+    if (vertex.left > 0) --vertex.left;
   }
-  last_ = flange;
+  poses_.push_back(flange);
+  if (poses_.size() > kAround + 1) poses_.pop_front();
 }
 
 /// No chord of length c is nearer than d − c, where its end is at d.
@@ -42,13 +57,23 @@ void CornerMeter::Vertex::pass(const Eigen::Vector3d& place) {
   least = std::min(least, distance_to_chord(position, before, place));
 }
 
-std::optional<double> CornerMeter::take(std::uint32_t number) {
+void CornerMeter::leave(std::uint32_t number, std::uint32_t tag) {
   for (Vertex& vertex : vertices_) {
-    if (vertex.number != number) continue;
-    vertex.number = 0;
-    if (vertex.least < std::numeric_limits<double>::infinity()) return vertex.least;
+    if (vertex.number != number || vertex.left != kUnbounded) continue;
+    vertex.tag = tag;
+    vertex.left = kAround;
   }
-  return std::nullopt;
+}
+
+std::optional<CornerMeter::Miss> CornerMeter::take(bool all) {
+  const auto known = [&](const Vertex& vertex) {
+    return vertex.left == 0 || (all && vertex.left > 0);
+  };
+  const auto found = std::ranges::find_if(vertices_, known);
+  if (found == vertices_.end()) return std::nullopt;
+  const Miss miss{found->tag, found->least};
+  vertices_.erase(found);
+  return std::isfinite(miss.least) ? std::optional(miss) : take(all);
 }
 
 }  // namespace rob::runtime

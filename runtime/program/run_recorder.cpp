@@ -55,6 +55,7 @@ void RunRecorder::drain() {
 void RunRecorder::take(const Snapshot& snapshot) {
   meter_.measured(snapshot.measured, snapshot.pressed);
   if (!comes_timed()) references_.measured(snapshot.sample.reference.q, snapshot.pressed);
+  take_misses(false);
   const double way = path_.reference(snapshot.sample.reference.q);
   if (running_) line_of(*running_).way += way * kMillimetresPerMetre;
   if (!comes_timed()) slow_.take(snapshot.sample, way);
@@ -226,12 +227,22 @@ void RunRecorder::end_segment(double time, const LoggedSegment* next) {
 
 void RunRecorder::end_corner() {
   if (!behind_) return;
-  measure_corner();
-  const std::optional<double> miss = meter_.take(behind_->number);
-  if (miss && !behind_->stop) {
-    line_of(*behind_).miss_measured.raise_to(*miss * kMillimetresPerMetre);
+  if (!behind_->stop) {
+    meter_.leave(behind_->number, behind_->tag);
+    references_.leave(behind_->number, behind_->tag);
   }
   behind_.reset();
+}
+
+/// Of corners that are known now; `all`: nothing comes any more.
+void RunRecorder::take_misses(bool all) {
+  const auto line = [&](const CornerMeter::Miss& miss) -> LineTotal& {
+    return result_.lines.of(static_cast<int>(miss.tag));
+  };
+  while (const auto miss = meter_.take(all))
+    line(*miss).miss_measured.raise_to(miss->least * kMillimetresPerMetre);
+  while (const auto miss = references_.take(all))
+    add_planned_miss(line(*miss), miss->least * kMillimetresPerMetre);
 }
 
 void RunRecorder::take_effect(const MotionEvent& event) {
@@ -333,6 +344,7 @@ void RunRecorder::take_stand() {
 }
 
 RunResult RunRecorder::finish() {
+  take_misses(true);
   result_.dropped_effects += log_.effects();
   result_.output_count = output_.count();
   result_.output = output_.take();

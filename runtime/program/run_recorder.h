@@ -81,7 +81,7 @@ class RunRecorder {
   void count_stop();
   void plan_jog(double duration);
   void plan_corner(const LoggedSegment* next);
-  void measure_corner();
+  void take_misses(bool all);
   void add_planned_miss(LineTotal& line, double miss);
   void programmed(const LoggedSegment& planned);
   void end_jog(double time);

@@ -85,12 +85,6 @@ void RunRecorder::plan_corner(const LoggedSegment* next) {
   add_planned_miss(line_of(*running_), miss);
 }
 
-void RunRecorder::measure_corner() {
-  const std::optional<double> reference = references_.take(behind_->number);
-  if (comes_timed() || !reference || behind_->stop) return;
-  add_planned_miss(line_of(*behind_), *reference * kMillimetresPerMetre);
-}
-
 void RunRecorder::add_planned_miss(LineTotal& line, double miss) {
   line.miss_planned.raise_to(miss);
   result_.deviation = std::max(result_.deviation, miss);
