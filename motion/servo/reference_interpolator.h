@@ -53,7 +53,8 @@ class ReferenceInterpolator {
 
   /// True while the way back to the references is not finished.
   bool joining() const noexcept { return join_.active(); }
-  /// s by which at() was behind the references: of the slowest axis, at its v_max.
+  /// How far the last at() was from the references, s: the longest time that an axis needs for
+  /// that way at its v_max.
   double behind() const noexcept { return join_.behind(); }
 
  private:

@@ -37,7 +37,7 @@ class ReferenceJoin {
   /// Adds what is left at reference.time; ends by itself.
   void apply(JointReference& reference) noexcept;
 
-  /// s that the slowest axis needs at v_max for what was left at the last apply().
+  /// What was left at the last apply(), s: the longest time that an axis needs for it at v_max.
   double behind() const noexcept { return behind_; }
 
  private:

@@ -54,8 +54,8 @@ double longest_gap(const motion::RobotModel& robot) {
   return std::max(20 * robot.reference_period, 0.2) + robot.reference_period;
 }
 
-/// s at full speed by which the axes may be behind the references: after the longest gap, and twice
-/// as much as they lose when they start again from rest with half of their acceleration (v²/a_max).
+/// How far the axes may be from the references, s at full speed: the longest gap, and twice the way
+/// v²/a_max that they lose when they start again from rest with half of their acceleration.
 double most_behind(const motion::RobotModel& robot) {
   double start = 0;
   for (const motion::Axis& axis : robot.axes) start = std::max(start, axis.v_max / axis.a_max);

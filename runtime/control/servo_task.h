@@ -22,8 +22,8 @@ namespace rob::runtime {
 /// After a gap that cannot be made up nobody knows where the machine is: its drives may have
 /// braked, or gone on. So nothing is written until the machine has reported a position again. From
 /// there, with the velocity that it has there, the servo brakes it to rest by itself; references no
-/// longer count. The gap is a finding in each of these cycles. It is the same where shorter gaps
-/// have come so often that the axes are as far behind the references.
+/// longer count. The gap is a finding in each of these cycles. Shorter gaps end in
+/// the same way if they come so often that the axes fall too far behind their references.
 class ServoTask {
  public:
   ServoTask(const motion::RobotModel& robot, motion::ServoBackend& backend, Channels& channels);

@@ -15,8 +15,8 @@ void CornerMeter::forget_oldest() {
   vertices_.erase(std::ranges::find_if(vertices_, open));
 }
 
-/// The poses around count where the point lies within their way: an earlier place of a tip that has
-/// come from far is one that it will come back to.
+/// The last poses count only if the point lies within their way. Otherwise the tip may have left
+/// this place long ago, and is to come back to it.
 void CornerMeter::watch(std::uint32_t number, const motion::JointVector& target,
                         const Eigen::Vector3d& tip) {
   forget_oldest();

@@ -19,10 +19,10 @@ namespace rob::runtime {
 /// periods counts for a point within it, and a point that is left is watched for as long.
 class CornerMeter {
  public:
-  /// [choice] periods: twice as many as a mean of the axes was seen to lead or lag on a curve
+  /// Periods. [choice] A mean of the axes was seen to lead on a curve by the way of one period.
   static constexpr int kAround = 4;
 
-  /// What a point was missed by.
+  /// A point's motion, and the least distance of the tip from the point.
   struct Miss {
     std::uint32_t tag = 0;  ///< of its motion
     double least = 0;       ///< m
@@ -39,7 +39,7 @@ class CornerMeter {
   /// The tip has passed the point of segment `number`, which belongs to `tag`, but for kAround
   /// periods.
   void leave(std::uint32_t number, std::uint32_t tag);
-  /// The next point whose miss is known; `all`: nothing comes any more.
+  /// The next point whose miss is known; `all`: the run is over.
   std::optional<Miss> take(bool all = false);
 
  private:

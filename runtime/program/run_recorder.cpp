@@ -234,7 +234,7 @@ void RunRecorder::end_corner() {
   behind_.reset();
 }
 
-/// Of corners that are known now; `all`: nothing comes any more.
+/// Adds the misses of the corners that the tool has passed; `all`: the run is over.
 void RunRecorder::take_misses(bool all) {
   const auto line = [&](const CornerMeter::Miss& miss) -> LineTotal& {
     return result_.lines.of(static_cast<int>(miss.tag));

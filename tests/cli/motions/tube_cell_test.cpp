@@ -48,7 +48,8 @@ std::vector<std::string> three_times(const std::string& why) {
           "0 of 3 tubes are capped and stored"};
 }
 
-// A run takes a minute under a sanitizer; there examples/22_tube_cell.rob is a test of its own.
+// A run takes a minute under a sanitizer. There examples/22_tube_cell.rob and cells/hole_search run
+// the same code as tests of their own. The plain build runs these.
 const bool kSkipped = !rob::test::kAll;
 
 }  // namespace
