@@ -24,7 +24,7 @@ constexpr std::size_t kMostInChord = 64;  // vertices: a bound on the time that 
 constexpr int kRounds = 6;                // in the last three of which weights only grow
 constexpr int kGrowing = 3;
 constexpr int kExtraRounds = 60;
-constexpr int kMostDoublings = 12;
+constexpr int kMostDoublings = 12;  // of one part, so that a curve has an end
 constexpr double kLeastWeight = 1e-9;
 constexpr double kMostWeight = 1e6;
 constexpr double kExactWeight = 1e7;
@@ -270,22 +270,21 @@ bool CurveFit::fit(std::size_t until, std::size_t begin, std::size_t end) {
   return !violated;
 }
 
-/// Around what is missed by too much; false where that cannot be.
+/// Around what is missed by too much; false where that cannot be, or was done often enough.
 bool CurveFit::double_knots(std::size_t begin, std::size_t end) {
   double from = std::numeric_limits<double>::infinity();
   double to = -1;
   for (std::size_t i = begin; i < end; ++i) {
-    if (data_[i].exact || missed(data_[i]) <= kMost) continue;
+    const bool spent = data_[i].doubled >= kMostDoublings;
+    if (data_[i].exact || spent || missed(data_[i]) <= kMost) continue;
     const auto span = static_cast<double>(span_of(data_[i].u));
     from = std::min(from, span - 1);
     to = std::max(to, span + 2);
   }
   from = std::max(from, static_cast<double>(frozen_));
   to = std::min(to, std::floor(data_[end - 1].u + 1e-9) - (fixed_end_ > 0 ? 1 : 0));
-  if (!(to > from)) return false;
-  stretch(from, to);
-  ++doubled_;
-  return true;
+  if (to > from) stretch(from, to);
+  return to > from;
 }
 
 /// Makes the part between the two twice as long in u.
@@ -293,11 +292,13 @@ void CurveFit::stretch(double from, double to) {
   const auto moved = [&](double u) {
     return u <= from ? u : u <= to ? from + 2 * (u - from) : u + (to - from);
   };
+  ++doubled_;
   std::vector<Datum> data;
   data.reserve(data_.size() * 2);
   for (const Datum& old : data_) {
     Datum datum = old;
     datum.u = moved(old.u);
+    if (old.u > from - kDegree && old.u <= to + kDegree) ++datum.doubled;
     if (!data.empty() && datum.u > from) {
       const Datum last = data.back();
       const double parts = std::max(1.0, std::ceil((datum.u - last.u) / kDatumsApart - 1e-9));
@@ -335,7 +336,7 @@ void CurveFit::meet(const Datum& datum) {
 }
 
 double CurveFit::settle() {
-  for (int tries = 0;; ++tries) {
+  for (;;) {
     const bool last = ended_ && frozen_ + window_ >= count() - fixed_end_;
     const std::size_t until = last ? count() - fixed_end_ : frozen_ + window_;
     controls_.resize(std::max(controls_.size(), until + fixed_end_ - dropped_), Vector3d::Zero());
@@ -346,7 +347,7 @@ double CurveFit::settle() {
     std::size_t end = begin;
     while (end < data_.size() && (last || data_[end].u < highest)) ++end;
     const bool fits = until <= frozen_ || fit(until, begin, end);
-    if (!fits && tries < kMostDoublings && double_knots(begin, end)) continue;
+    if (!fits && double_knots(begin, end)) continue;
     for (std::size_t i = begin; i < end; ++i) {
       if (data_[i].exact && fixed_end_ == 0) meet(data_[i]);
       worst_ = std::max(worst_, missed(data_[i]));

@@ -84,6 +84,7 @@ class CurveFit {
     double tolerance = 0;
     double weight = 0;
     bool exact = false;
+    int doubled = 0;  ///< how often the knots around it were doubled
   };
   struct Pending {
     Eigen::Vector3d place;

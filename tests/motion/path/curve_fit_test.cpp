@@ -128,6 +128,26 @@ TEST_CASE("a sharp corner among short legs is kept within the tolerance by close
   CHECK(greatest_miss(curve) <= 1e-5);
 }
 
+TEST_CASE("where no number of knots is enough, it ends and says by how much it misses") {
+  // A corner near each end whose tolerance no sum of doubles can keep.
+  for (const int corner : {3, 20, 37}) {
+    CAPTURE(corner);
+    CurveFit fit(2.5e-4, 1);
+    fit.begin(Vector3d::Zero());
+    for (int i = 1; i <= 40; ++i) {
+      const double along = 1e-4 * std::min(i, corner);
+      fit.append(Vector3d(along, 1e-4 * std::max(0, i - corner), 0), i == corner ? 1e-22 : 1e-5);
+    }
+    fit.end();
+    int windows = 0;
+    while (fit.ready() && ++windows < 1000) fit.settle();
+    CHECK(fit.ended());
+    CHECK(fit.worst() > 1);
+    CHECK((fit.at(fit.length()).place - Vector3d(1e-4 * corner, 1e-4 * (40 - corner), 0)).norm() <
+          1e-12);
+  }
+}
+
 TEST_CASE("it joins straight lines at both ends with continuous second derivatives") {
   CurveFit fit(2.5e-4, 1);
   const Vector3d before = Vector3d(1, 2, 0.5).normalized();
