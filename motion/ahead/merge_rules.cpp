@@ -237,7 +237,8 @@ JointPath MergeRules::axes_of_table(const CurveFit& fit, const CurvePart& part,
                                     const JointVector& like) const {
   constexpr double kSliver = 1e-6;  // of a knot
   std::vector<JointPath::Node> nodes;
-  const auto [begin, end] = part;
+  const double begin = part.begin;
+  const double end = part.end;
   const double scale = end - begin;
   const JointVector still = JointVector::Zero(like.size());
   const auto add = [&](double u) {

@@ -165,8 +165,8 @@ void MotionTask::take_requests() noexcept {
   if (channels_.stop.brake.load(std::memory_order_relaxed)) brake();
   take_way_back();
   pause(channels_.pause_requested.load(std::memory_order_relaxed));
-  if (const double share = channels_.override_asked.exchange(0, std::memory_order_relaxed))
-    set_override(share);
+  const double share = channels_.override_asked.exchange(0, std::memory_order_relaxed);
+  if (share != 0) set_override(share);
 }
 
 /// A fault, and a hold for good, go before.

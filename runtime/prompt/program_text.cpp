@@ -41,12 +41,12 @@ void ProgramText::replace(std::size_t number, std::string text) {
 
 void ProgramText::insert(std::size_t number, std::string text) {
   begin_edit();
-  lines_.insert(lines_.begin() + static_cast<std::ptrdiff_t>(number) - 1, {std::move(text)});
+  lines_.insert(lines_.begin() + static_cast<std::ptrdiff_t>(number - 1), {std::move(text)});
 }
 
 void ProgramText::erase(std::size_t first, std::size_t last) {
   begin_edit();
-  lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(first) - 1,
+  lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(first - 1),
                lines_.begin() + static_cast<std::ptrdiff_t>(last));
 }
 

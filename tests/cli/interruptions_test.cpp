@@ -175,7 +175,7 @@ TEST_CASE("standard streams that are closed never become files of the run") {
   CHECK_FALSE(contains(text, "done"));
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !defined(ROB_SANITIZED)
 // The sanitizers reserve more memory than these limits leave.
 TEST_CASE("where no thread can be made nothing moves, and the message says so") {
   const RobCommand rob("MOVE(10,0,0)\nPRINT \"moved\"\n");

@@ -8,7 +8,7 @@
 
 #include "tests/support/rob_command.h"
 
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(ROB_SANITIZED)
 
 using rob::test::RobCommand;
 using rob::test::run_process;

@@ -56,8 +56,10 @@ TEST_CASE("DIV and MOD of REALs round down, with every sign, computed and folded
     const std::string folded = fmt::format(", {0} DIV {1}, \" \", {0} MOD {1}", units(a), units(b));
     ProgramRun program(
         fmt::format("VAR a = {}\nVAR b = {}\n{}{}", units(a), units(b), computed, folded));
-    CAPTURE(units(a));
-    CAPTURE(units(b));
+    const std::string dividend = units(a);
+    const std::string divisor = units(b);
+    CAPTURE(dividend);
+    CAPTURE(divisor);
     REQUIRE(program.compiled());
     std::istringstream printed(program.printed());
     const Wide quotient = floored(a, b);

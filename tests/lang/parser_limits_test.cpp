@@ -73,10 +73,11 @@ TEST_CASE("a program that declares more names than it may is refused at the firs
     for (std::size_t i = 0; i < count; ++i) text += head + std::to_string(i) + tail;
     return text;
   };
-  for (const auto& [head, tail] : {std::pair{"VAR v", ": INT\n"},
-                                   {"CONST c", " = 1\n"},
-                                   {"POINT p", "\n"},
-                                   {"PROC p", "()\nENDPROC\n"}}) {
+  for (const auto& [begins, tail] : {std::pair{"VAR v", ": INT\n"},
+                                     {"CONST c", " = 1\n"},
+                                     {"POINT p", "\n"},
+                                     {"PROC p", "()\nENDPROC\n"}}) {
+    const char* const head = begins;
     CAPTURE(head);
     sound(names(head, tail, kMaxNames));
     const Diagnostic error = only_error(names(head, tail, 2 * kMaxNames));

@@ -36,7 +36,7 @@ class CarriedArm final : public SimMachine {
  public:
   explicit CarriedArm(const JointVector& start) : SimMachine(start, {{0, 1, 0, 0.2}}), q_(start) {}
   double true_position(int axis) const noexcept override { return q_[axis]; }
-  void carry(const JointVector& q) noexcept { q_ = q; }
+  void stand_at(const JointVector& q) noexcept { q_ = q; }
 
  private:
   void place(const JointVector& q) noexcept override { q_ = q; }
@@ -84,7 +84,7 @@ class Hand {
     const double span = (tip - from).norm() / speed;
     const int steps = std::max(1, static_cast<int>(std::lround(span / period_)));
     for (int i = 1; i <= steps; ++i) {
-      machine_->carry(posture(from + (tip - from) * i / steps));
+      machine_->stand_at(posture(from + (tip - from) * i / steps));
       tick();
     }
   }

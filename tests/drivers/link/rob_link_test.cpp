@@ -26,6 +26,11 @@ std::unique_ptr<WireBackend> machine_on(const std::string& path, int count = 2) 
   return std::make_unique<WireBackend>(test::settings_for(path, axes, 0.02), rob_link(axes, 0.02));
 }
 
+/// The clock of a device, µs: it wraps.
+std::uint32_t microseconds_now() {
+  return static_cast<std::uint32_t>(static_cast<std::uint64_t>(wire_time() * 1e6));
+}
+
 }  // namespace
 
 TEST_CASE("a device in its own process goes where it is told, over the wrap of its clock") {
@@ -64,7 +69,7 @@ TEST_CASE("fault 31: a device that has switched off its drives is not put under 
     RobDevice device({.axes = 2});
     while (!ended) {
       const std::vector<std::uint8_t> bytes = wire.receive(1);
-      const auto now = static_cast<std::uint32_t>(wire_time() * 1e6);
+      const std::uint32_t now = microseconds_now();
       device.receive(bytes, now);
       const wire::Wire out = device.send();
       wire.send({out.view().begin(), out.view().end()});
@@ -107,7 +112,7 @@ TEST_CASE("a device that refuses a reference by ERROR has stopped the run") {
         wire.send({error.view().begin(), error.view().end()});
         continue;
       }
-      device.receive(bytes, static_cast<std::uint32_t>(wire_time() * 1e6));
+      device.receive(bytes, microseconds_now());
       const wire::Wire out = device.send();
       wire.send({out.view().begin(), out.view().end()});
     }
@@ -125,7 +130,7 @@ TEST_CASE("a device whose answers come cycles later, and together, is not said t
   const test::PtyWire wire;
   RobDevice device({.axes = 1});
   const auto answer = [&](std::vector<std::uint8_t> bytes) {
-    device.receive(bytes, static_cast<std::uint32_t>(wire_time() * 1e6));
+    device.receive(bytes, microseconds_now());
     const wire::Wire out = device.send();
     wire.send({out.view().begin(), out.view().end()});
   };
@@ -172,7 +177,7 @@ TEST_CASE(
       while (reader.next(frame))
         if (frame.type == wire::Type::Reference && wire::parse(frame.payload.view(), 1, reference))
           longest = std::max<int>(longest, reference.period);
-      const auto now = static_cast<std::uint32_t>(wire_time() * 1e6);
+      const std::uint32_t now = microseconds_now();
       device.receive(bytes, now);
       const wire::Wire out = device.send();
       wire.send({out.view().begin(), out.view().end()});

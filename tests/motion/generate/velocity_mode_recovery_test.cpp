@@ -69,8 +69,9 @@ TEST_CASE("where no posture is found any more, each axis is braked by itself") {
 }
 
 TEST_CASE("from a singular wrist an arm goes every way that needs no leap of axis 4") {
-  for (const auto& [name, q] : {std::pair{"lwa4p", joints_deg({0, 30, 60, 0, 0, 5})},
-                                {"puma560", joints_deg({0, 60, -30, 0, 0, 5})}}) {
+  for (const auto& [arm, q] : {std::pair{"lwa4p", joints_deg({0, 30, 60, 0, 0, 5})},
+                               {"puma560", joints_deg({0, 60, -30, 0, 0, 5})}}) {
+    const char* const name = arm;
     CAPTURE(name);
     for (const double rate : {0.05, -0.05}) {
       // In the arm's plane the hand is kept upright by axis 5 alone, ...

@@ -38,7 +38,8 @@ double pulse(ProfileShape shape, double x) {
 }  // namespace
 
 TEST_CASE("a profile takes d/v + t_a with a cruise, and 2·√(k·d/A) without") {
-  for (const auto& [shape, k] : kShapes) {
+  for (const auto& [shape, factor] : kShapes) {
+    const double k = factor;
     CAPTURE(k);
     CHECK(ProfileLaw(shape, 0.5, 2, 0).duration() == doctest::Approx(1 / 0.5 + k * 0.5 / 2));
     CHECK(ProfileLaw(shape, 100, 2, 0).duration() == doctest::Approx(2 * std::sqrt(k / 2)));
@@ -60,9 +61,10 @@ TEST_CASE("a bound on jerk lowers a profile's acceleration just so far") {
     double k;
     double slope;
   };
-  for (const auto& [shape, k, slope] :
+  for (const auto& [shape, factor, slope] :
        {Steep{ProfileShape::Trapezoidal, 4.0 / 3, 4}, Steep{ProfileShape::Parabolic, 1.5, 4},
         Steep{ProfileShape::Cosine, 2, std::numbers::pi}}) {
+    const double k = factor;
     CAPTURE(k);
     // slope·A/t_a = slope·A²/(k·v) = 1 at v = 0.5.
     const double a = std::sqrt(k * 0.5 / slope);
@@ -86,7 +88,8 @@ TEST_CASE("a bound on jerk lowers a profile's acceleration just so far") {
 }
 
 TEST_CASE("a profile's acceleration is its pulse, cruise and the pulse mirrored") {
-  for (const auto& [shape, k] : kShapes) {
+  for (const auto& [shape, factor] : kShapes) {
+    const double k = factor;
     CAPTURE(k);
     const ProfileLaw law(shape, 0.5, 2, 0);
     const double t_a = k * 0.5 / 2;
@@ -100,7 +103,8 @@ TEST_CASE("a profile's acceleration is its pulse, cruise and the pulse mirrored"
 }
 
 TEST_CASE("a profile's share and rate are the integrals of its acceleration, from rest to rest") {
-  for (const auto& [shape, k] : kShapes) {
+  for (const auto& [shape, factor] : kShapes) {
+    const double k = factor;
     for (const double rate : {0.5, 100.0}) {
       CAPTURE(k);
       const ProfileLaw law(shape, rate, 2, 0);

@@ -136,7 +136,8 @@ TEST_CASE("with a window in the robot file FINE, STOP, WAIT and END wait for it"
 }
 
 TEST_CASE("an output between a motion and the STOP that makes it exact waits, too") {
-  for (const auto& [law, window] : {std::pair{"PAUL", 0.01e-3}, {"LOOKAHEAD", 0.05e-3}}) {
+  for (const auto& [name, window] : {std::pair{"PAUL", 0.01e-3}, {"LOOKAHEAD", 0.05e-3}}) {
+    const char* const law = name;
     CAPTURE(law);
     const Seen seen(settling("irb120", window, 10),
                     std::string("LAW ") + law +
