@@ -96,7 +96,7 @@ check_lists() {
   local names='s/^ROB_[A-Z]*(\([A-Z0-9]*\),.*/\1/p'
   case ${page#"$root/"} in
     docs/errors.md)
-      check_mentions code < <(sed -n "$names" "$root"/{lang/text,runtime/control}/codes.def)
+      check_mentions code < <(sed -n "$names" "$root"/{lang/text,runtime/words}/codes.def)
       check_mentions code < <(grep -rhoE '"[ENW][0-9]{3}"' "$root/runtime" | tr -d '"')
       ;;
     docs/language.md) check_mentions function < <(sed -n "$names" "$root/lang/values/builtins.def") ;;

@@ -8,8 +8,8 @@
 
 #include "lang/text/ascii.h"
 #include "lang/text/suggest.h"
-#include "runtime/explain.h"
 #include "runtime/prompt/session.h"
+#include "runtime/words/explanation.h"
 
 namespace rob::runtime {
 

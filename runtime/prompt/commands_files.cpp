@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <limits>
 
-#include "runtime/program/atomic_file.h"
-#include "runtime/program/files.h"
-#include "runtime/program/line_diff.h"
-#include "runtime/program/points_file.h"
+#include "runtime/files/atomic_file.h"
+#include "runtime/files/files.h"
+#include "runtime/files/points_file.h"
 #include "runtime/prompt/commands.h"
+#include "runtime/prompt/line_diff.h"
 #include "runtime/prompt/line_numbers.h"
 #include "runtime/prompt/session.h"
 

@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
-#include "runtime/control/signal_access.h"
-#include "runtime/control/units.h"
-#include "runtime/options.h"
+#include "runtime/command/signal_access.h"
 #include "runtime/prompt/commands.h"
 #include "runtime/prompt/session.h"
+#include "runtime/words/arguments.h"
+#include "runtime/words/signature.h"
+#include "runtime/words/units.h"
 
 /// The commands that ask where the robot is, and how it moves.
 namespace rob::runtime::command {

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "runtime/control/pose_values.h"
-#include "runtime/control/units.h"
-#include "runtime/program/files.h"
+#include "runtime/files/files.h"
 #include "runtime/prompt/commands.h"
 #include "runtime/prompt/session.h"
+#include "runtime/words/pose_values.h"
+#include "runtime/words/units.h"
 
 /// The commands that teach and keep points.
 namespace rob::runtime::command {

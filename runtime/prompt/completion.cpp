@@ -14,8 +14,8 @@
 #include "lang/text/ascii.h"
 #include "lang/values/builtins.h"
 #include "lang/values/units.h"
-#include "runtime/control/codes.h"
 #include "runtime/prompt/commands.h"
+#include "runtime/words/codes.h"
 
 namespace rob::runtime {
 

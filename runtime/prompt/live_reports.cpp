@@ -1,6 +1,6 @@
 #include "runtime/prompt/live_reports.h"
-#include "runtime/control/force_words.h"
-#include "runtime/control/units.h"
+#include "runtime/words/force_words.h"
+#include "runtime/words/units.h"
 
 #include <fmt/format.h>
 

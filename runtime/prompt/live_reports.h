@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "runtime/control/controller.h"
-#include "runtime/control/messages.h"
+#include "runtime/run/controller.h"
+#include "runtime/words/messages.h"
 
 namespace rob::runtime {
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <utility>
 
-#include "runtime/program/machine.h"
+#include "runtime/run/machine.h"
 
 namespace rob::runtime {
 

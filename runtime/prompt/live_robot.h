@@ -8,14 +8,14 @@
 #include <thread>
 
 #include "motion/robots/robot_model.h"
-#include "runtime/control/control_threads.h"
-#include "runtime/control/controller.h"
-#include "runtime/control/entry_task.h"
-#include "runtime/control/stepper.h"
-#include "runtime/program/machine.h"
-#include "runtime/program/points_file.h"
-#include "runtime/program/trace_writer.h"
+#include "runtime/command/entry_task.h"
+#include "runtime/files/points_file.h"
 #include "runtime/prompt/live_reports.h"
+#include "runtime/run/control_threads.h"
+#include "runtime/run/controller.h"
+#include "runtime/run/machine.h"
+#include "runtime/run/stepper.h"
+#include "runtime/run/trace_writer.h"
 
 namespace rob::runtime {
 

@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "motion/space/cycle_instant.h"
-#include "runtime/control/units.h"
+#include "runtime/words/signature.h"
+#include "runtime/words/units.h"
 
 namespace rob::runtime {
 

@@ -1,10 +1,10 @@
 #include "runtime/prompt/pendant_terminal.h"
 
-#include "runtime/program/files.h"
-#include "runtime/program/interruption.h"
+#include "runtime/files/files.h"
 #include "runtime/prompt/pendant.h"
 #include "runtime/prompt/pendant_view.h"
 #include "runtime/prompt/raw_terminal.h"
+#include "runtime/run/interruption.h"
 
 namespace rob::runtime {
 

@@ -6,8 +6,9 @@
 
 #include "lang/text/visible.h"
 #include "motion/generate/limit_numbers.h"
-#include "runtime/control/signal_access.h"
-#include "runtime/control/units.h"
+#include "runtime/command/signal_access.h"
+#include "runtime/words/signature.h"
+#include "runtime/words/units.h"
 
 namespace rob::runtime {
 

@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "lang/text/source_text.h"
-#include "runtime/program/atomic_file.h"
-#include "runtime/program/files.h"
+#include "runtime/files/atomic_file.h"
+#include "runtime/files/files.h"
 
 namespace rob::runtime {
 

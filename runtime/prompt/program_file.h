@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/program/archive.h"
+#include "runtime/files/archive.h"
 
 namespace rob::runtime {
 

@@ -11,14 +11,14 @@
 #include <string>
 #include <utility>
 
-#include "runtime/program/console.h"
-#include "runtime/program/files.h"
-#include "runtime/program/interruption.h"
-#include "runtime/program/output_file.h"
-#include "runtime/program/run_mark.h"
+#include "runtime/files/files.h"
+#include "runtime/files/run_mark.h"
 #include "runtime/prompt/entry_lines.h"
 #include "runtime/prompt/session.h"
 #include "runtime/prompt/terminal_prompt.h"
+#include "runtime/run/console.h"
+#include "runtime/run/interruption.h"
+#include "runtime/run/output_file.h"
 
 namespace rob::runtime {
 
@@ -129,7 +129,7 @@ ExitCode filter(SessionOptions options) {
 
 }  // namespace
 
-ExitCode run_prompt(const Options& options) {
+ExitCode run_prompt(SessionOptions options) {
   std::optional<RunMark> running;
   if (!options.fast) {
     for (const std::string& end : unclean_ends()) put_message(end);
@@ -139,23 +139,13 @@ ExitCode run_prompt(const Options& options) {
       put_error(fmt::format("warning: {}", error.what()));
     }
   }
-  SessionOptions session;
-  session.robot = options.robot;
-  session.law = options.law;
-  session.fast = options.fast;
-  session.override_share = options.override_share;
-  session.seed = options.seed;
-  session.cell = options.cell;
-  session.trace = options.trace;
-  session.backend = *backend_of(options.backend);
-  session.home = options.home;
-  if (!session.trace.empty()) {
-    std::vector<InputFile> inputs{{session.points_file, "where the prompt keeps points"}};
-    if (session.robot.ends_with(".toml")) inputs.push_back({session.robot, "the robot file"});
-    refuse_overwriting("--trace", session.trace, inputs);
+  if (!options.trace.empty()) {
+    std::vector<InputFile> inputs{{options.points_file, "where the prompt keeps points"}};
+    if (options.robot.ends_with(".toml")) inputs.push_back({options.robot, "the robot file"});
+    refuse_overwriting("--trace", options.trace, inputs);
   }
   const bool person = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
-  return person ? talk(std::move(session)) : filter(std::move(session));
+  return person ? talk(std::move(options)) : filter(std::move(options));
 }
 
 }  // namespace rob::runtime

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "runtime/options.h"
+#include "runtime/prompt/session.h"
+#include "runtime/run/run_result.h"
 
 namespace rob::runtime {
 
-/// `rob` without a command: statements as they are typed, or from a pipe.
-ExitCode run_prompt(const Options& options);
+/// `rob` without a command: statements as they are typed, or from a pipe. Throws as Session does.
+ExitCode run_prompt(SessionOptions options);
 
 }  // namespace rob::runtime

@@ -8,7 +8,7 @@
 #include <array>
 #include <cerrno>
 
-#include "runtime/program/files.h"
+#include "runtime/files/files.h"
 #include "runtime/prompt/terminal_guard.h"
 
 namespace rob::runtime {

@@ -11,12 +11,12 @@
 #include "lang/text/codes.h"
 #include "lang/text/visible.h"
 #include "motion/robots/robot_file.h"
-#include "runtime/control/codes.h"
-#include "runtime/control/units.h"
-#include "runtime/program/simulation.h"
-#include "runtime/program/text_report.h"
 #include "runtime/prompt/commands.h"
 #include "runtime/prompt/entry_lines.h"
+#include "runtime/run/simulation.h"
+#include "runtime/run/text_report.h"
+#include "runtime/words/codes.h"
+#include "runtime/words/units.h"
 
 namespace rob::runtime {
 

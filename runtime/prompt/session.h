@@ -26,7 +26,8 @@ struct SessionOptions {
   bool fast = false;
   double override_share = 1;
   std::uint64_t seed = lang::Random::kDefaultSeed;
-  std::optional<std::uint64_t> cell;  ///< as of Options
+  std::optional<std::uint64_t>
+      cell;  ///< which simulated cell the robot stands in; none: its file's
   std::string trace;
   BackendName backend;
   bool home = false;                          ///< the machine homes itself first

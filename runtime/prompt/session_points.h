@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "motion/robots/robot_model.h"
-#include "runtime/program/points_file.h"
+#include "runtime/files/points_file.h"
 
 namespace rob::runtime {
 

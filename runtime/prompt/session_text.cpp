@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "lang/text/ascii.h"
-#include "runtime/control/robot_machine.h"
+#include "runtime/words/signature.h"
 
 namespace rob::runtime {
 

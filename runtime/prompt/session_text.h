@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lang/compile/entries.h"
-#include "runtime/program/folder_sources.h"
-#include "runtime/program/load.h"
+#include "runtime/files/folder_sources.h"
+#include "runtime/run/load.h"
 
 namespace rob::runtime {
 

@@ -6,8 +6,8 @@
 
 #include "lang/text/ascii.h"
 #include "lang/text/visible.h"
-#include "runtime/program/output_file.h"
 #include "runtime/prompt/session.h"
+#include "runtime/run/output_file.h"
 
 /// Member functions of Session for the commands that build programs and points.
 namespace rob::runtime {

@@ -18,14 +18,15 @@
 #include "lang/text/ascii.h"
 #include "lang/text/visible.h"
 #include "motion/robots/robot_library.h"
-#include "runtime/control/units.h"
-#include "runtime/program/console.h"
-#include "runtime/program/interruption.h"
-#include "runtime/program/state_folder.h"
+#include "runtime/files/state_folder.h"
 #include "runtime/prompt/entry_lines.h"
 #include "runtime/prompt/line_editor.h"
 #include "runtime/prompt/pendant_terminal.h"
 #include "runtime/prompt/terminal_guard.h"
+#include "runtime/run/console.h"
+#include "runtime/run/interruption.h"
+#include "runtime/words/signature.h"
+#include "runtime/words/units.h"
 
 namespace rob::runtime {
 

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "runtime/program/load.h"
-#include "runtime/program/run.h"
-#include "runtime/program/simulation.h"
+#include "runtime/run/load.h"
+#include "runtime/run/run.h"
+#include "runtime/run/simulation.h"
 
 namespace rob::bench {
 

@@ -6,7 +6,7 @@
 
 #include "drivers/contact/sim_cell.h"
 #include "motion/robots/robot_model.h"
-#include "runtime/program/run_result.h"
+#include "runtime/run/run_result.h"
 #include "tests/bench/bench_options.h"
 
 namespace rob::bench {

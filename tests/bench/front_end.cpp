@@ -10,8 +10,8 @@
 #include <string>
 
 #include "lang/compile/compile.h"
-#include "runtime/control/robot_machine.h"
-#include "runtime/program/load.h"
+#include "runtime/command/robot_machine.h"
+#include "runtime/run/load.h"
 
 namespace {
 

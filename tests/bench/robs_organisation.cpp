@@ -9,7 +9,7 @@
 #include <optional>
 #include <thread>
 
-#include "runtime/program/run_result.h"
+#include "runtime/run/run_result.h"
 #include "runtime/time/clock.h"
 #include "runtime/time/periodic_task.h"
 #include "runtime/time/real_time.h"

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "motion/robots/robot_library.h"
-#include "runtime/program/foretell.h"
-#include "runtime/program/load.h"
+#include "runtime/run/foretell.h"
+#include "runtime/run/load.h"
 #include "tests/bench/bench_options.h"
 #include "tests/bench/busy.h"
 #include "tests/bench/first_organisation.h"

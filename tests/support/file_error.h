@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "runtime/program/files.h"
+#include "runtime/files/files.h"
 
 namespace rob::test {
 

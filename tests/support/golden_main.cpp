@@ -4,10 +4,10 @@
 
 #include "lang/text/codes.h"
 #include "lang/text/diagnostic.h"
-#include "runtime/control/robot_machine.h"
-#include "runtime/program/files.h"
-#include "runtime/program/foretell.h"
-#include "runtime/program/load.h"
+#include "runtime/files/files.h"
+#include "runtime/run/foretell.h"
+#include "runtime/run/load.h"
+#include "runtime/words/signature.h"
 #include "tests/support/golden.h"
 
 namespace {

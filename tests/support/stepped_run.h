@@ -10,10 +10,10 @@
 
 #include "drivers/sim_gantry.h"
 #include "motion/robots/robot_library.h"
-#include "runtime/control/controller.h"
-#include "runtime/control/execution.h"
-#include "runtime/program/load.h"
-#include "runtime/program/run_recorder.h"
+#include "runtime/run/controller.h"
+#include "runtime/run/execution.h"
+#include "runtime/run/load.h"
+#include "runtime/run/run_recorder.h"
 
 namespace rob::test {
 

@@ -10,9 +10,9 @@
 #include <fstream>
 #include <thread>
 
-#include "runtime/program/files.h"
-#include "runtime/program/load.h"
-#include "runtime/program/points_file.h"
+#include "runtime/files/files.h"
+#include "runtime/files/points_file.h"
+#include "runtime/run/load.h"
 #include "tests/runtime/prompt/piped_prompt.h"
 #include "tests/support/some_of.h"
 

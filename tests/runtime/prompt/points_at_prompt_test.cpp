@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "runtime/program/files.h"
+#include "runtime/files/files.h"
 #include "tests/runtime/prompt/piped_prompt.h"
 
 using namespace rob::runtime;

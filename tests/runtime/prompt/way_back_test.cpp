@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "runtime/program/files.h"
+#include "runtime/files/files.h"
 #include "tests/runtime/prompt/piped_prompt.h"
 #include "tests/runtime/prompt/virtual_prompt.h"
 #include "tests/support/scratch_folder.h"

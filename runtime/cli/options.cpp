@@ -1,0 +1,241 @@
+#include "runtime/cli/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "lang/text/visible.h"
+#include "runtime/run/machine.h"
+#include "runtime/words/arguments.h"
+
+namespace rob::runtime {
+
+namespace {
+
+constexpr const char* kVersion = "rob 0.1.0";
+
+std::string check_override(const std::string& text) {
+  if (override_of(text)) return "";
+  return fmt::format("takes a share from above 0% to {}%, not '{}'", kMostOverride, text);
+}
+
+std::string check_duration(const std::string& text) {
+  if (duration_of(text)) return "";
+  return fmt::format("takes a time above 0 with its unit, such as 90s, 20min or 8h, not '{}'",
+                     text);
+}
+
+/// A script whose variable is not set gives an empty name: it must not mean "none".
+std::string check_name(const std::string& name) {
+  return name.empty() ? "takes a name, which must not be empty" : "";
+}
+
+std::string check_law(const std::string& law) {
+  if (law == "paul" || law == "lookahead") return "";
+  return fmt::format("there is no law '{}'; there are paul and lookahead", law);
+}
+
+std::string check_backend(const std::string& backend) {
+  if (backend_of(backend)) return "";
+  return fmt::format(
+      "there is no backend '{}'; there are {}, such as grbl:/dev/ttyUSB0 or grbl:tcp://host:23"
+      " (rob ports lists the serial ports)",
+      backend, backend_names());
+}
+
+/// CLI11's objects and the texts that they write into.
+struct Parser {
+  CLI::App app{"Rob: programs that move robots, exactly where and exactly when they say.", "rob"};
+  Options options;
+  std::string override_text = "100%";
+  std::string duration_text = "1h";
+  std::string law;
+  std::optional<std::uint64_t> seed;
+  std::string topic;
+
+  Parser();
+  void add_files(CLI::App& command) {
+    command.add_option("FILE", options.files, "programs (.rob)")->required()->check(check_name);
+  }
+  void add_robot(CLI::App& command) {
+    command.add_option("--robot", options.robot, "a robot's name (rob robots), or its file.toml")
+        ->check(check_name);
+    command.add_option("--law", law, "transition law: paul or lookahead")->check(check_law);
+  }
+  void add_seed(CLI::App& command) {
+    command
+        .add_option("--seed", seed,
+                    "where RANDOM begins, and which simulated cell: a whole number from 0")
+        ->check(CLI::NonNegativeNumber);
+  }
+  void add_signals(CLI::App& command) {
+    command.add_option("--signals", options.signals, "a script that drives the simulated inputs")
+        ->check(check_name);
+  }
+  void add_backend(CLI::App& command) {
+    command
+        .add_option("--backend", options.backend,
+                    "what moves: sim, or a machine, such as grbl:/dev/ttyUSB0")
+        ->check(check_backend);
+  }
+  void add_motion(CLI::App& command) {
+    add_backend(command);
+    command.add_flag("--home", options.home, "the machine homes itself first");
+    command.add_flag("--fast", options.fast, "on the virtual clock, as fast as possible");
+    command
+        .add_option("--trace", options.trace, "write a row for each reference period to this file")
+        ->check(check_name);
+    command.add_option("--override", override_text, "share of the programmed speed, such as 50%")
+        ->check(check_override);
+  }
+  void add_json(CLI::App& command) {
+    command.add_flag("--json", options.json, "print one JSON document, and nothing else");
+  }
+  void add_prompt();
+  void add_run();
+  void add_check();
+  void add_test();
+  void add_others();
+};
+
+Parser::Parser() {
+  app.set_version_flag("--version", kVersion);
+  app.require_subcommand(0, 1);
+  app.footer("Start with: rob run examples/01_triangle.rob");
+  add_prompt();
+  add_run();
+  add_check();
+  add_test();
+  add_others();
+}
+
+/// Without a command: the prompt, or statements from a pipe.
+void Parser::add_prompt() {
+  add_robot(app);
+  add_seed(app);
+  add_motion(app);
+}
+
+void Parser::add_run() {
+  CLI::App& run = *app.add_subcommand("run", "run a program");
+  run.callback([this] { options.command = Options::Command::Run; });
+  add_files(run);
+  add_robot(run);
+  add_json(run);
+  add_seed(run);
+  add_signals(run);
+  add_motion(run);
+}
+
+void Parser::add_check() {
+  CLI::App& check = *app.add_subcommand("check", "compile, and foretell each line; nothing moves");
+  check.callback([this] { options.command = Options::Command::Check; });
+  add_files(check);
+  add_robot(check);
+  add_json(check);
+  add_seed(check);
+  add_signals(check);
+  add_backend(check);
+  check
+      .add_option("--path", options.path,
+                  "write the path that the look-ahead law plans to this file")
+      ->check(check_name);
+  check
+      .add_option("--for", duration_text,
+                  "how much of the program's time it is followed: 90s, 20min, 8h; else 1h")
+      ->check(check_duration);
+}
+
+void Parser::add_test() {
+  CLI::App& test = *app.add_subcommand("test", "run the TESTs of programs, in virtual time");
+  test.callback([this] { options.command = Options::Command::Test; });
+  add_files(test);
+  add_robot(test);
+  add_seed(test);
+  add_json(test);
+}
+
+void Parser::add_others() {
+  CLI::App& compile = *app.add_subcommand("compile", "compile a program");
+  compile.callback([this] { options.command = Options::Command::Compile; });
+  add_files(compile);
+  add_robot(compile);
+  compile.add_flag("--listing", options.listing, "print the bytecode");
+
+  CLI::App& format = *app.add_subcommand("fmt", "give programs their canonical layout");
+  format.callback([this] { options.command = Options::Command::Format; });
+  add_files(format);
+  add_robot(format);
+  format.add_flag("--check", options.check_only, "write nothing; name the files that differ");
+
+  app.add_subcommand("robots", "the robots known, and what each can do")->callback([this] {
+    options.command = Options::Command::Robots;
+  });
+  app.add_subcommand("ports", "the serial ports, and whether they are free")->callback([this] {
+    options.command = Options::Command::Ports;
+  });
+  CLI::App& help = *app.add_subcommand("help", "explain a command or a word of the language");
+  help.callback([this] { options.command = Options::Command::Help; });
+  help.add_option("WORD", topic, "a command, a statement, a clause, a unit, a function, or a code");
+}
+
+CommandLineEnd usage_error(const std::string& message) {
+  return {ExitCode::Usage, "",
+          fmt::format("rob: {}\nrob --help lists the commands\n", lang::on_one_line(message))};
+}
+
+std::variant<Options, CommandLineEnd> help_on(Parser& parser) {
+  if (parser.topic.empty()) {
+    parser.options.help_text = parser.app.help();
+    return parser.options;
+  }
+  for (const CLI::App* command : parser.app.get_subcommands([](CLI::App*) { return true; })) {
+    if (!command->check_name(parser.topic)) continue;
+    parser.options.help_text = command->help("rob");
+    return parser.options;
+  }
+  parser.options.command = Options::Command::Explain;
+  parser.options.word = parser.topic;
+  return parser.options;
+}
+
+}  // namespace
+
+std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* const* argv) {
+  Parser parser;
+  try {
+    parser.app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) return usage_error(error.what());
+    std::ostringstream out;  // --help and --version end the parsing with what they print
+    parser.app.exit(error, out, out);
+    return CommandLineEnd{ExitCode::Done, out.str(), ""};
+  }
+  parser.options.override_share = *override_of(parser.override_text);
+  parser.options.longest = *duration_of(parser.duration_text);
+  parser.options.seed = parser.seed.value_or(lang::Random::kDefaultSeed);
+  parser.options.cell = parser.seed;
+  if (!parser.law.empty())
+    parser.options.law = parser.law == "paul" ? motion::Law::Paul : motion::Law::LookAhead;
+  if (parser.options.command == Options::Command::Help) return help_on(parser);
+  const bool simulated = backend_of(parser.options.backend)->simulated();
+  if (parser.options.fast && !simulated)
+    return usage_error("--fast is for the simulation; a machine moves in real time");
+  if (parser.options.home && simulated)
+    return usage_error("--home is for a machine; the simulation knows where it stands");
+  if (!parser.options.trace.empty() && parser.options.files.size() > 1) {
+    return usage_error("--trace records one program; run the others without it");
+  }
+  if (!parser.options.path.empty() && parser.options.files.size() > 1) {
+    return usage_error("--path is of one program; check the others without it");
+  }
+  return parser.options;
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,132 @@
+#include "runtime/cli/run_files.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/cli/program_files.h"
+#include "runtime/files/atomic_file.h"
+#include "runtime/files/files.h"
+#include "runtime/files/points_file.h"
+#include "runtime/files/run_mark.h"
+#include "runtime/run/console.h"
+#include "runtime/run/foretell.h"
+#include "runtime/run/interruption.h"
+#include "runtime/run/progress.h"
+#include "runtime/run/run.h"
+#include "runtime/run/terminal.h"
+#include "runtime/run/text_report.h"
+
+namespace rob::runtime {
+
+namespace {
+
+RunListener listener_of(const Options& options, Progress& progress) {
+  RunListener listener;
+  listener.warn = [&](const std::string& message) {
+    progress.clear();
+    put_error(message);
+  };
+  listener.consult = [&](const Note& note, int line) { progress.consult(note, line); };
+  listener.abandoned = reader_has_gone;
+  if (options.json) return listener;
+  listener.print = [&](const std::string& text) {
+    progress.clear();
+    put_result(text + "\n");
+  };
+  listener.progress = [&](const Position& position) { progress.show(position); };
+  return listener;
+}
+
+/// Motion in real time leaves a mark as long as it lasts.
+void mark(std::optional<RunMark>& running, const LoadedProgram& program,
+          const RunListener& listener) {
+  try {
+    running.emplace(program.file, program.robot.name);
+  } catch (const FileError& error) {
+    listener.warn(error.what());
+  }
+}
+
+void tell_unclean_ends() {
+  for (const std::string& end : unclean_ends()) put_message(end);
+}
+
+/// TEACH keeps points beside the program; where that is not possible nothing moves. Throws
+/// FileError.
+void find_out_whether_points_can_be_kept(const LoadedProgram& program) {
+  const auto& teach = program.compilation.chunk->first_teach;
+  if (!teach) return;
+  try {
+    try_saving(points_file_of(program.file));
+  } catch (const FileError& error) {
+    const std::string file = teach->file == 0 ? program.file : used_names(program)[teach->file - 1];
+    throw FileError(
+        fmt::format("{}; TEACH in {}:{} keeps points there", error.what(), file, teach->line));
+  }
+}
+
+RunResult run_one(LoadedProgram& program, const Options& options, const SignalScript& script) {
+  const bool starts = program.runnable() && !script.diagnostics.has_errors();
+  OpenMachine machine = starts ? machine_for(program, options) : OpenMachine{};
+  const motion::RobotModel& robot = program.robot;
+  if (!program.runnable()) return refused(program, robot);
+  if (script.diagnostics.has_errors()) return refused(script, robot);
+  find_out_whether_points_can_be_kept(program);
+  put_source_away(program);
+  std::optional<Foretold> foretold;
+  if (isatty(STDERR_FILENO) != 0 || robot.law == motion::Law::LookAhead)
+    foretold =
+        foretold_by(foretell(program, robot, {options.seed, &script, options.override_share}));
+  Progress progress(foretold ? foretold->planned : 0, options.override_share, used_names(program));
+  Terminal terminal(options.fast);
+  const RunOptions run_options{
+      options.fast, options.override_share,         options.trace, options.seed, &script,
+      &terminal,    foretold ? &*foretold : nullptr};
+  const RunListener listener = listener_of(options, progress);
+  StopRequests before_motion;
+  const Interruption interruption(before_motion);  // from here on the mark must be taken back
+  std::optional<RunMark> running;
+  if (!options.fast) mark(running, program, listener);
+  RunResult result = run(program, std::move(machine), run_options, listener);
+  progress.clear();
+  return result;
+}
+
+}  // namespace
+
+ExitCode run_files(const Options& options) {
+  ExitCode worst = ExitCode::Done;
+  std::vector<RunResult> results;
+  if (!options.fast) tell_unclean_ends();
+  std::vector<LoadedProgram> programs = load_programs(options);
+  for (LoadedProgram& program : programs) {
+    refuse_missing_points(program);
+    refuse_what_an_arm_cannot(program);
+  }
+  const std::vector<SignalScript> scripts = load_scripts(options, programs);
+  refuse_overwriting_inputs("--trace", options.trace, options, programs);
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    LoadedProgram& program = programs[i];
+    RunResult result = run_one(program, options, scripts[i]);
+    const ExitCode exit_code = result.exit_code;
+    const bool starts = program.runnable() && !scripts[i].diagnostics.has_errors();
+    put_message(problems_text(result, program, scripts[i]));
+    if (options.json) {
+      results.push_back(std::move(result));
+    } else if (starts) {
+      put_run_table(result, Pieces().put());
+    }
+    worst = worse(worst, exit_code);
+    // Where the robot stands now is not where the next program was written to begin.
+    if (starts && exit_code != ExitCode::Done) break;
+  }
+  if (options.json) print_json(options, results, put_run_json);
+  return worst;
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lang/machine/machine.h"
+#include "lang/machine/move_command.h"
+#include "lang/values/setting.h"
+#include "motion/dynamics/arm_load.h"
+#include "motion/path/tool_path.h"
+#include "motion/plan/planned_leg.h"
+#include "motion/plan/segment_descriptor.h"
+#include "runtime/command/program_watch.h"
+
+namespace rob::runtime {
+
+/// What a motion does on its way.
+struct OnTheWay {
+  lang::PathPlace place;
+  motion::Effect effect;
+};
+
+/// A motion, a stop or a dwell as it was asked for. RobotMachine keeps it while the generator may
+/// not have begun it.
+struct Commanded {
+  motion::SegmentDescriptor segment;
+  bool stop = false;
+  bool further = false;
+  std::optional<lang::MoveCommand> move{};  ///< of a motion
+  lang::Setting setting{};                  ///< in which it was commanded
+  const motion::CarriedLoad* carried{};     ///< then; null: nothing
+  std::vector<OnTheWay> events{};
+  std::vector<lang::MoveCommand> via{};  ///< of MOVEC, MOVES
+  std::optional<ProgramPace> live{};
+  std::shared_ptr<const motion::PlannedLeg> leg{};
+  double way = 0;                                   ///< of the tool, m
+  std::shared_ptr<const motion::ToolPath> along{};  ///< null: straight in the axes
+};
+
+}  // namespace rob::runtime

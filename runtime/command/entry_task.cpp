@@ -1,0 +1,176 @@
+#include "runtime/command/entry_task.h"
+
+#include <utility>
+
+namespace rob::runtime {
+
+using lang::Reply;
+
+EntryTask::EntryTask(RobotMachine& machine, std::uint64_t seed)
+    : machine_(machine), beside_(machine), vm_(machine, seed) {
+  machine.stay();
+}
+
+void EntryTask::submit(Entry entry) {
+  const std::lock_guard lock(mutex_);
+  queue_.push_back(std::move(entry));
+  settled_.store(false, std::memory_order_release);
+  open_.fetch_add(1, std::memory_order_release);
+}
+
+std::optional<EntryTask::Failure> EntryTask::take_failure() {
+  const std::lock_guard lock(mutex_);
+  if (failures_.empty()) return std::nullopt;
+  Failure failure = std::move(failures_.front());
+  failures_.pop_front();
+  return failure;
+}
+
+void EntryTask::tell_settled() {
+  const bool stands = machine_.settled();
+  const std::lock_guard lock(mutex_);
+  settled_.store(stands && open() == 0, std::memory_order_release);
+}
+
+EntryTask::State EntryTask::carry_out(std::int64_t budget) {
+  if (!program_) take_interruption();
+  if (failing_) return end_failed();
+  begin_handler();
+  if (!entry_ && !vm_.handling() && !begin_next()) return State::Over;
+  if (!entry_) return run_vm(budget);
+  return std::visit([&](const auto& what) { return go_on(what, budget); }, entry_->what);
+}
+
+EntryTask::State EntryTask::run_tasks(State state) {
+  return program_ ? program_->run_tasks(state) : state;
+}
+
+bool EntryTask::begin_next() {
+  if (machine_.channels().way_back.under_way.load(std::memory_order_acquire)) return false;
+  machine_.take_place();
+  {
+    const std::lock_guard lock(mutex_);
+    if (queue_.empty()) return false;
+    entry_ = std::move(queue_.front());
+    queue_.pop_front();
+  }
+  std::visit([&](const auto& what) { begin(what); }, entry_->what);
+  return true;
+}
+
+/// What has watches is kept: the handlers of its WHENs may begin as long as they are armed.
+void EntryTask::begin(const Statements& statements) {
+  if (!statements.chunk->watches.empty()) watching_.push_back(statements.chunk);
+  present_ = statements.chunk;
+  machine_.declare_safe_behind(statements.chunk->safe_values);
+  vm_.go_on_with(*statements.chunk);
+}
+
+/// Their handlers are not the program's.
+void EntryTask::begin(const Program& program) {
+  machine_.disarm_all(static_cast<int>(entry_->line));  // at rest: there is room
+  vm_.forget_whens();
+  program_.emplace(*program.chunk, machine_, program.seed);
+  machine_.channels().hold_points.begin_behind(machine_.last_number());
+}
+
+EntryTask::State EntryTask::go_on(const Statements&, std::int64_t budget) { return run_vm(budget); }
+
+/// The entry, or a handler between two of them.
+EntryTask::State EntryTask::run_vm(std::int64_t budget) {
+  switch (vm_.run(budget)) {
+    case lang::Vm::State::Running:
+      return State::Busy;
+    case lang::Vm::State::Waiting:
+    case lang::Vm::State::NextCycle:
+      return State::Waiting;
+    case lang::Vm::State::Done:
+      return entry_ ? end() : State::Over;
+    case lang::Vm::State::Failed:
+      break;
+  }
+  failing_ = vm_.error();
+  return end_failed();
+}
+
+/// It has finished what it had commanded, whether it failed or not.
+EntryTask::State EntryTask::go_on(const Program& program, std::int64_t budget) {
+  const State state = program_->step(budget);
+  if (state != State::Over) return state;
+  failing_ = program_->failure();
+  program_.reset();
+  run_last_ = program.chunk;  // a guard may point into it
+  watching_.clear();          // the disarming is done
+  machine_.declare_safe(present_ ? present_->safe_values : std::vector<lang::SafeValue>{});
+  machine_.channels().hold_points.end_with(machine_.last_number());
+  given_up_ = true;
+  return failing_ ? end_failed() : end();
+}
+
+EntryTask::State EntryTask::go_on(const Jog& jog, std::int64_t) {
+  const int line = static_cast<int>(entry_->line);
+  bool hit = false;
+  Reply reply = jogs_ ? machine_.ended(line, hit) : machine_.jog_while(line, jog.command, jog.held);
+  if (reply == Reply::Later) return State::Waiting;
+  if (reply == Reply::Refused) {
+    failing_ = lang::RuntimeError{machine_.refusal().code,
+                                  {entry_->line, 1},
+                                  machine_.refusal().message,
+                                  machine_.refusal().help};
+    return end_failed();
+  }
+  if (std::exchange(jogs_, !jogs_)) return end();
+  return State::Busy;
+}
+
+/// The entry, and all that have been typed after it.
+EntryTask::State EntryTask::end_failed() {
+  const int line = entry_ ? static_cast<int>(entry_->line) : 0;
+  if (!given_up_) {
+    if (vm_.give_up_entry() != Reply::Done) return State::Waiting;
+    given_up_ = true;
+  }
+  if (machine_.settle(line) != Reply::Done) return State::Waiting;
+  if (machine_.take_safe_values() != Reply::Done) return State::Waiting;
+  const std::lock_guard lock(mutex_);
+  Failure failure{static_cast<std::uint32_t>(line), 0, 0, queue_.size(), std::move(*failing_)};
+  if (entry_) queue_.push_front(std::move(*entry_));
+  if (!queue_.empty()) {
+    failure.first = queue_.front().line;
+    failure.last = queue_.back().line;
+  }
+  failures_.push_back(std::move(failure));
+  failing_.reset();
+  open_.fetch_sub(queue_.size(), std::memory_order_release);
+  queue_.clear();
+  entry_.reset();
+  given_up_ = jogs_ = false;
+  return State::Waiting;
+}
+
+EntryTask::State EntryTask::end() {
+  entry_.reset();
+  given_up_ = false;
+  open_.fetch_sub(1, std::memory_order_release);
+  return State::Busy;
+}
+
+/// A WHEN has raised, or the operator has stopped the robot; the program may be done with its part.
+void EntryTask::take_interruption() {
+  auto error = machine_.take_interruption();
+  if (!error || failing_) return;
+  const bool statements = entry_ && std::holds_alternative<Statements>(entry_->what);
+  if (!statements) {
+    failing_ = std::move(error);
+  } else {
+    vm_.interrupt(std::move(*error));  // a TRY of the entry may catch it
+  }
+}
+
+void EntryTask::begin_handler() {
+  if (program_ || !vm_.takes_handlers()) return;
+  const auto handled = machine_.take_handled();
+  if (handled) vm_.handle(handled->id, handled->stops ? machine_.handlers() : beside_);
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+#include "lang/machine/robot_signature.h"
+#include "motion/plan/segment_descriptor.h"
+#include "runtime/tick/channels.h"
+
+namespace rob::runtime {
+
+/// An effect on an output, still to be told what it does.
+inline motion::Effect effect_on(const lang::RobotSignature::Signal& signal, int line) {
+  motion::Effect effect;
+  effect.tag = static_cast<motion::Tag>(line);
+  effect.channel = static_cast<std::uint8_t>(signal.channel - 1);
+  return effect;
+}
+
+/// What a digital signal is in the present cycle, or an analog one, V.
+inline bool digital_value(const Channels& channels, const lang::RobotSignature::Signal& signal) {
+  const std::uint64_t bits = signal.output ? channels.outputs.load(std::memory_order_relaxed)
+                                           : channels.inputs.load(std::memory_order_relaxed);
+  return (bits >> (signal.channel - 1) & 1U) != 0;
+}
+inline double analog_value(const Channels& channels, const lang::RobotSignature::Signal& signal) {
+  const AnalogCells& cells = signal.output ? channels.analog_outputs : channels.analog_inputs;
+  return cells.at(signal.channel - 1);
+}
+
+}  // namespace rob::runtime

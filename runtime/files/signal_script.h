@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/code/chunk.h"
+#include "lang/text/diagnostic.h"
+#include "motion/robots/robot_model.h"
+#include "runtime/tick/simulated_inputs.h"
+
+namespace rob::runtime {
+
+/// What a signal script (--signals FILE, docs/cli.md) says: what the simulated inputs do, and what
+/// the operator does. One rule a line:
+///
+///     at 2.5s part_here = ON
+///     when vacuum == ON after 0.3s : vac_ok = ON
+///     at 4s GO = ON
+///     at 5s ANSWER = "7"
+///     at 6s HOLD = ON
+///     at 7s OVERRIDE = 30%
+struct SignalScript {
+  std::string file;
+  std::string source;
+  std::vector<SimulationRule> rules;
+  std::vector<std::string> answers;  ///< texts of ANSWER, by SimulatedSetting::answer
+  lang::Diagnostics diagnostics;     ///< all errors of the script; with one it must not be used
+};
+
+/// Reads a script for a program on a robot: it may use the program's SIGNALs, the robot's names and
+/// the channels themselves.
+SignalScript parse_signal_script(std::string file, std::string source,
+                                 const motion::RobotModel& robot,
+                                 const std::vector<lang::NamedSignal>& named);
+
+}  // namespace rob::runtime

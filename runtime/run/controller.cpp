@@ -1,0 +1,57 @@
+#include "runtime/run/controller.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rob::runtime {
+
+namespace {
+
+// [choice] 40 mm of a path in pieces of 5 µm
+constexpr std::size_t kPieces = 8192;
+// [choice] what the motions of a handler may need
+constexpr std::size_t kHandlersPieces = 2048;
+constexpr std::size_t kHandlersMotions = 512;
+
+MotionChain::Room programs_room(const motion::RobotModel& robot) {
+  return {static_cast<std::size_t>(robot.look_ahead), kPieces};
+}
+
+MotionChain::Room handlers_room(const motion::RobotModel& robot, bool handlers) {
+  if (!handlers) return {1, 16};  // nothing ever moves there
+  return {std::min(static_cast<std::size_t>(robot.look_ahead), kHandlersMotions), kHandlersPieces};
+}
+
+}  // namespace
+
+Controller::Controller(const motion::RobotModel& robot,
+                       std::unique_ptr<motion::ServoBackend> backend, double override_share,
+                       const std::vector<SimulationRule>& script, std::size_t recorded,
+                       bool handlers)
+    : robot_(robot),
+      backend_(std::move(backend)),
+      chain_(robot, programs_room(robot)),
+      handlers_chain_(robot, handlers_room(robot, handlers)),
+      machine_(robot, chain_.planner, chain_.buffer, channels_, channels_.program, log_),
+      handlers_machine_(robot, handlers_chain_.planner, handlers_chain_.buffer, channels_,
+                        channels_.handler, log_),
+      motion_task_(robot, *chain_.generator, *handlers_chain_.generator, override_share, channels_,
+                   script, recorded),
+      servo_task_(robot, *backend_, channels_) {
+  machine_.run_handlers_on(handlers_machine_);
+  if (!handlers) machine_.expect_no_handlers();
+  machine_.set_override(override_share);
+  channels_.analog_inputs.use(robot.analog_inputs);
+  channels_.analog_outputs.use(robot.analog_outputs);
+  channels_.joints.store(robot.start);
+  channels_.of_machine = [this](const motion::FollowingFinding& finding) {
+    return finding.axis < 0 ? backend_->trouble() : backend_->remark();
+  };
+}
+
+Controller::~Controller() {
+  servo_task_.disable();
+  backend_->close();
+}
+
+}  // namespace rob::runtime

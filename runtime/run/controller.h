@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "motion/robots/robot_model.h"
+#include "motion/servo/servo_backend.h"
+#include "runtime/command/program_log.h"
+#include "runtime/command/robot_machine.h"
+#include "runtime/run/motion_chain.h"
+#include "runtime/tick/channels.h"
+#include "runtime/tick/motion_task.h"
+#include "runtime/tick/servo_task.h"
+
+namespace rob::runtime {
+
+/// One robot under control for one run: planner, buffer, generator, servo and backend, and the
+/// channels between them, each owned here and joined by reference. It has no thread and no clock:
+/// run_stepped() and run_threaded() drive the same object.
+class Controller {
+ public:
+  /// `backend` is open. `override_share`: 1 is the programmed speed.
+  /// `script`: what drives inputs in place of the machine. `recorded`: periods for WayBack.
+  /// `handlers`: the program may have some, for which there has to be room.
+  Controller(const motion::RobotModel& robot, std::unique_ptr<motion::ServoBackend> backend,
+             double override_share, const std::vector<SimulationRule>& script = {},
+             std::size_t recorded = 0, bool handlers = true);
+  /// Drives without force, backend closed.
+  ~Controller();
+  Controller(const Controller&) = delete;
+  Controller& operator=(const Controller&) = delete;
+
+  const motion::RobotModel& robot() const { return robot_; }
+  RobotMachine& machine() { return machine_; }
+  MotionTask& motion() { return motion_task_; }
+  ServoTask& servo() { return servo_task_; }
+  Channels& channels() { return channels_; }
+  ProgramLog& log() { return log_; }
+
+  /// Plans the path ahead, where the law does; beside the program and the tick. Whether there was
+  /// anything to do.
+  bool plan_path() {
+    const bool handlers = handlers_chain_.plan_path();
+    return chain_.plan_path() || handlers;
+  }
+
+  /// From here on it is told of the program's path as it is planned; under the look-ahead law.
+  void tell(motion::PathListener& listener) {
+    if (chain_.path) chain_.path->planner.tell(listener);
+  }
+
+  /// Slow down on the path to rest, within the limits. From any thread.
+  void request_hold() { channels_.stop.hold.store(true, std::memory_order_relaxed); }
+  /// As fast as the axes can, off the path; then the drives are without force.
+  void request_brake() { channels_.stop.brake.store(true, std::memory_order_relaxed); }
+  bool holding() const { return channels_.stop.hold.load(std::memory_order_relaxed); }
+
+ private:
+  const motion::RobotModel& robot_;
+  std::unique_ptr<motion::ServoBackend> backend_;
+  Channels channels_;
+  ProgramLog log_;
+  MotionChain chain_;
+  MotionChain handlers_chain_;
+  RobotMachine machine_;
+  RobotMachine handlers_machine_;
+  MotionTask motion_task_;
+  ServoTask servo_task_;
+};
+
+}  // namespace rob::runtime

@@ -1,0 +1,136 @@
+#include "runtime/run/foretell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/command/program_task.h"
+#include "runtime/run/controller.h"
+#include "runtime/run/execution.h"
+#include "runtime/run/run_parts.h"
+#include "runtime/run/run_recorder.h"
+#include "runtime/run/simulation.h"
+#include "runtime/words/codes.h"
+#include "runtime/words/signature.h"
+
+namespace rob::runtime {
+
+namespace {
+
+// docs/cli.md, rob check
+constexpr double kHour = 3600;  // s
+constexpr std::int64_t kInstructionsOfHour = 100'000'000;
+constexpr std::uint32_t kForetellTurns = 10'000;
+
+RunLimits limits_of(double longest) {
+  const double hours = std::max(1.0, longest / kHour);
+  return {longest, static_cast<std::int64_t>(kInstructionsOfHour * hours)};
+}
+
+/// It goes on beyond what was foretold.
+lang::Diagnostic cut_short(double after) {
+  return {lang::Severity::Note,
+          code::kForetoldSoFar,
+          {},
+          fmt::format("the program goes on beyond the {:.0f} s that were foretold", after),
+          "times and findings are those up to there, and not of the whole program; rob check --for "
+          "8h follows it longer"};
+}
+
+/// By signal number the names of the inputs that neither the simulated machine nor the script
+/// drives; empty for all others.
+std::vector<std::string> undriven_inputs(const LoadedProgram& program,
+                                         const motion::RobotModel& robot,
+                                         const SignalScript* script) {
+  const lang::RobotSignature signature = signature_of(robot);
+  std::vector<std::string> names;
+  for (const lang::RobotSignature::Signal& signal : signature.signals) {
+    const int channel = signal.channel - 1;
+    const bool moved = std::ranges::any_of(robot.actuators, [&](const auto& a) {
+      return a.input_off == channel || a.input_on == channel;
+    });
+    const bool felt = robot.cell && (robot.cell->gripper.closed_input == channel ||
+                                     robot.cell->gripper.held_input == channel);
+    const bool machine = !signal.analog && (moved || felt);
+    const auto kind = signal.analog ? WorldSignal::Kind::AnalogInput : WorldSignal::Kind::Input;
+    const bool scripted = std::ranges::any_of(rules_of(script), [&](const SimulationRule& rule) {
+      return rule.setting.place.kind == kind && rule.setting.place.channel == channel;
+    });
+    const bool driven = signal.output || machine || scripted;
+    names.push_back(driven ? "" : lang::shown_name(signal));
+  }
+  for (const lang::NamedSignal& named : program.compilation.chunk->named_signals) {
+    std::string& name = names.at(static_cast<std::size_t>(named.signal));
+    if (!name.empty()) name = named.name;
+  }
+  return names;
+}
+
+/// What stops the program is also a finding, as the errors of the compiler are.
+lang::Diagnostic finding_of(const Problem& problem) {
+  return {lang::Severity::Error, problem.code, problem.place, problem.message, problem.help};
+}
+
+}  // namespace
+
+RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
+                   const ForetellOptions& options) {
+  const SignalScript* const script = options.script;
+  Controller controller(robot, simulation_of(robot), options.override_share, rules_of(script), 0,
+                        has_handlers(program));
+  if (options.path != nullptr) controller.tell(*options.path);
+  prepare_panel(controller, script);
+  ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
+  controller.machine().assume(undriven_inputs(program, robot, script));
+  task.limit_turns(kForetellTurns);
+  RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
+                       names_in(program, robot), {});
+
+  RunLimits limits = limits_of(options.longest);
+  limits.standstill =
+      !program.compilation.chunk->timed && (script == nullptr || script->rules.empty());
+  const Timing timing = run_stepped(controller, task, limits, [&] {
+    recorder.drain();
+    if (options.progress) options.progress(recorder.time());
+  });
+  RunResult result = recorder.finish();
+  result.clock = "virtual";
+  // What the simulated run took is what is foretold, with all its waiting.
+  result.planned = result.measured;
+  result.lines.change([](LineTotal& line) { line.planned = line.measured; });
+  if (task.failure()) add_failure(result, *task.failure());
+  if (result.status == "interrupted") {
+    result.exit_code = ExitCode::Done;  // as the script wants it
+    result.findings.push_back(
+        {lang::Severity::Note,
+         code::kForetoldSoFar,
+         {},
+         fmt::format("the signal script stops the robot; the program is foretold for the {:.2f} s "
+                     "up to there",
+                     result.measured),
+         ""});
+  }
+  if (task.circling() != 0) {
+    result.findings.push_back(
+        {lang::Severity::Note, code::kCircling, lang::tagged_place(task.circling()),
+         fmt::format("the loop goes on; it was foretold for {} turns without a motion",
+                     kForetellTurns),
+         ""});
+  }
+  if (timing.waits_for_ever) {
+    result.findings.push_back(
+        {lang::Severity::Warning, code::kWaitsForEver, task.place(),
+         "the program waits here for ever: it stands, and nothing is left that"
+         " could change an input",
+         "set an output before that brings it about, or limit it: TIMEOUT 5s"});
+  } else if (timing.gave_up) {
+    result.findings.push_back(cut_short(result.measured));
+  }
+  if (result.error) result.findings.push_back(finding_of(*result.error));
+  return of_program(program, std::move(result));
+}
+
+}  // namespace rob::runtime

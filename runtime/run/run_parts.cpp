@@ -1,0 +1,59 @@
+#include "runtime/run/run_parts.h"
+
+#include <utility>
+
+namespace rob::runtime {
+
+namespace {
+
+/// How often a script acts as the operator.
+OperatorPanel::Promise promise_of(const SignalScript& script, WorldSignal::Kind kind) {
+  OperatorPanel::Promise promise;
+  for (const SimulationRule& rule : script.rules) {
+    if (rule.setting.place.kind != kind) continue;
+    if (kind == WorldSignal::Kind::Go && rule.setting.value == 0) continue;
+    promise.whenever = promise.whenever || !rule.timed;
+    promise.times += rule.timed ? 1 : 0;
+  }
+  return promise;
+}
+
+}  // namespace
+
+SignalNames names_in(const LoadedProgram& program, const motion::RobotModel& robot) {
+  return {robot, program.compilation.chunk->named_signals};
+}
+
+bool has_handlers(const LoadedProgram& program) {
+  return lang::has_handlers(*program.compilation.chunk);
+}
+
+std::vector<SimulationRule> rules_of(const SignalScript* script) {
+  return script == nullptr ? std::vector<SimulationRule>() : script->rules;
+}
+
+void prepare_panel(Controller& controller, const SignalScript* script) {
+  if (script == nullptr) return;
+  controller.channels().panel.prepare(script->answers, promise_of(*script, WorldSignal::Kind::Go),
+                                      promise_of(*script, WorldSignal::Kind::Answer));
+}
+
+void add_failure(RunResult& result, const lang::RuntimeError& failure) {
+  if (result.error) return;  // the robot's own trouble came first
+  result.status = "program-error";
+  result.exit_code = ExitCode::Fault;
+  result.error =
+      Problem{failure.code, "", failure.place, failure.message, failure.help, failure.calls};
+}
+
+RunResult of_program(const LoadedProgram& program, RunResult result) {
+  result.file = program.file;
+  result.used = used_names(program);
+  if (result.error) place_in(program, *result.error);
+  result.findings_left_out += program.compilation.diagnostics.left_out();
+  const auto& found = program.compilation.diagnostics.all();
+  result.findings.insert(result.findings.begin(), found.begin(), found.end());
+  return result;
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runtime/files/signal_script.h"
+#include "runtime/run/controller.h"
+#include "runtime/run/load.h"
+#include "runtime/run/run_result.h"
+#include "runtime/run/signal_names.h"
+
+namespace rob::runtime {
+
+/// What run() and foretell() do alike.
+
+SignalNames names_in(const LoadedProgram& program, const motion::RobotModel& robot);
+bool has_handlers(const LoadedProgram& program);
+/// None without a script.
+std::vector<SimulationRule> rules_of(const SignalScript* script);
+/// What the script says and does as the operator.
+void prepare_panel(Controller& controller, const SignalScript* script);
+
+/// The program has ended by this error.
+void add_failure(RunResult& result, const lang::RuntimeError& failure);
+/// The result as one of this program: its name, its files, what the compiler has found.
+RunResult of_program(const LoadedProgram& program, RunResult result);
+
+}  // namespace rob::runtime

@@ -1,0 +1,67 @@
+#include "runtime/words/units.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rob::runtime {
+
+std::string shown(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+std::string shown(double si, motion::AxisKind kind) {
+  constexpr int kDecimals = 6;  // nm or µdeg: finer than any machine, coarse enough for rounding
+  return shown(si * shown_per_si(kind), kDecimals) + " " + unit_name(kind);
+}
+
+std::string axes_text(const motion::RobotModel& robot, const motion::JointVector& q) {
+  std::string text;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const motion::Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", axis.name, shown(q[i], axis.kind));
+  }
+  return text;
+}
+
+bool stands_beside(const motion::Axis& axis, double measured, double reference) {
+  constexpr double kSeen = 0.05;  // mm or deg [choice]
+  const double beside = std::abs(measured - reference);
+  return beside > axis.drive.encoder_resolution && beside * shown_per_si(axis.kind) > kSeen;
+}
+
+std::string stand_text(const motion::RobotModel& robot, const motion::JointVector& measured,
+                       const motion::JointVector& reference) {
+  constexpr int kDecimals = 2;
+  std::string text;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const motion::Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    const char* const comma = i == 0 ? "" : ", ";
+    if (!stands_beside(axis, measured[i], reference[i])) {
+      text += fmt::format("{}{} {}", comma, axis.name, shown(reference[i], axis.kind));
+      continue;
+    }
+    text +=
+        fmt::format("{}{} {} {} (its reference is {} {})", comma, axis.name,
+                    shown(measured[i] * shown_per_si(axis.kind), kDecimals), unit_name(axis.kind),
+                    shown(reference[i] * shown_per_si(axis.kind), kDecimals), unit_name(axis.kind));
+  }
+  return text;
+}
+
+std::vector<double> shown_pose(const motion::Pose& pose) {
+  const Eigen::Vector3d mm = pose.position * kMillimetresPerMetre;
+  const motion::FixedAngles angles = motion::fixed_angles(pose.orientation);
+  std::vector<double> values = {mm.x(), mm.y(), mm.z()};
+  for (const double angle : {angles.a, angles.b, angles.c}) {
+    values.push_back(angle * kDegreesPerRadian + 0.0);  // adding 0 makes -0 a 0
+  }
+  return values;
+}
+
+}  // namespace rob::runtime

@@ -1,0 +1,304 @@
+#include "runtime/files/points_file.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include "motion/robots/robot_file.h"
+#include "motion/robots/robot_library.h"
+#include "runtime/files/files.h"
+#include "runtime/run/foretell.h"
+#include "runtime/run/load.h"
+#include "runtime/run/run.h"
+#include "tests/support/file_error.h"
+#include "tests/support/scratch_folder.h"
+
+using rob::runtime::load_points;
+using rob::runtime::parse_points;
+using rob::runtime::Points;
+using rob::runtime::PointsFile;
+using rob::runtime::read_file;
+using rob::test::message_of;
+using rob::test::ScratchFolder;
+
+namespace {
+
+const rob::motion::RobotModel& gantry() {
+  static const rob::motion::RobotModel robot = rob::motion::embedded_robot("gantry");
+  return robot;
+}
+
+const std::string kRobot = "ROBOT \"gantry\"\n";
+// As it is written: the gantry's axes are the place of its flange, the third one turns it about z.
+const std::string kWhichRobot =
+    "ROBOT \"gantry\" JOINTS(100mm, 200mm, 51deg) POSE(100mm, 200mm, 0mm, 0deg, 0deg, 51deg)";
+
+std::string point(const std::string& name) {
+  return name +
+         " = POSE(40mm, 20mm, 0mm, 0deg, 0deg, 90deg) JOINTS(40mm, 20mm, 90deg) IN world TOOL none "
+         "TAUGHT \"2026-11-21\"\n";
+}
+
+/// "line:column code" of the first error; empty where there is none.
+std::string first_error(const std::string& text) {
+  const Points points = parse_points(text, gantry());
+  if (!points.diagnostics.has_errors()) return "";
+  const rob::lang::Diagnostic& found = points.diagnostics.all().front();
+  return std::to_string(found.place.line) + ":" + std::to_string(found.place.column) + " " +
+         found.code;
+}
+
+}  // namespace
+
+TEST_CASE("a point is read in metres and radians, with its joints") {
+  const Points points = parse_points(kRobot + "\n// taught by hand\n" + point("pick"), gantry());
+  REQUIRE_FALSE(points.diagnostics.has_errors());
+  REQUIRE(points.points.size() == 1);
+  const Points::Point& pick = points.points[0];
+  CHECK(pick.value.name == "pick");
+  CHECK(pick.value.frame.empty());
+  CHECK(pick.tool.empty());
+  CHECK(pick.taught == "2026-11-21");
+  CHECK(pick.value.pose.position.x == 0.040);
+  CHECK(pick.value.pose.position.y == 0.020);
+  // A quarter turn about z is the quaternion (cos 45deg, 0, 0, sin 45deg).
+  CHECK(std::abs(pick.value.pose.rotation.w - std::numbers::sqrt2 / 2) < 1e-15);
+  CHECK(std::abs(pick.value.pose.rotation.k - std::numbers::sqrt2 / 2) < 1e-15);
+  REQUIRE(pick.joints.size() == 3);
+  CHECK(pick.joints[2] == doctest::Approx(std::numbers::pi / 2));
+}
+
+TEST_CASE("what is written is read back the same, sorted by name") {
+  const std::string sorted = kWhichRobot + "\n" + point("Above") + point("nest") + point("Pick");
+  const Points points =
+      parse_points(kRobot + point("Pick") + point("nest") + point("Above"), gantry());
+  CHECK(points_text(points, gantry()) == sorted);
+  CHECK(points_text(parse_points(sorted, gantry()), gantry()) == sorted);
+}
+
+TEST_CASE("comments and blank lines stay where their points go") {
+  const std::string above = "// cell 3\n\n";
+  const std::string pick = "// beside the \"left\" box\n// mind the hose\n" + point("pick");
+  const std::string at = point("at");
+  const std::string remarked = at.substr(0, at.size() - 1) + "  // measured, \"twice\"\n";
+  const std::string robot = kWhichRobot + "  // the old one\n";
+  const Points points =
+      parse_points(above + robot + pick + "\n" + remarked + "\n// the end\n", gantry());
+  REQUIRE_FALSE(points.diagnostics.has_errors());
+  const std::string written =
+      above + robot + "\n" + remarked + pick + "\n// the end\n";  // at comes before pick
+  CHECK(points_text(points, gantry()) == written);
+  CHECK(points_text(parse_points(written, gantry()), gantry()) == written);
+  CHECK(parse_points("\xEF\xBB\xBF// with CR LF\r\n" + kRobot, gantry()).robot.above ==
+        "// with CR LF\n");
+}
+
+TEST_CASE("a point that is taught anew keeps its comments") {
+  const ScratchFolder folder;
+  const std::string file = folder.file("cell.points");
+  std::ofstream(file) << "// first\n" + kRobot + "// here // and\n" + point("pick") +
+                             "// behind all\n";
+  PointsFile keeper(file, gantry());
+  const double joints[] = {0.05, 0.06, 0};
+  const rob::lang::PoseValue pose{{0.05, 0.06, 0}, {1, 0, 0, 0}};
+  REQUIRE_FALSE(keeper.keep({"PICK", "", "", pose}, joints).has_value());
+  REQUIRE_FALSE(keeper.keep({"place", "", "", pose}, joints).has_value());
+  const std::string text = read_file(file, 10'000);
+  CHECK(text.starts_with("// first\n" + kWhichRobot + "\n// here // and\nPICK = POSE(50mm, "));
+  CHECK(text.find("\nplace = ") != std::string::npos);
+  CHECK(text.ends_with("\"\n// behind all\n"));
+}
+
+TEST_CASE("a file that is not as TEACH writes it is refused with the place") {
+  CHECK(first_error("").empty());
+  CHECK(first_error(kRobot).empty());
+  CHECK(first_error(point("pick")) == "1:1 E546");
+  CHECK(first_error(kRobot + "pick = 3\n") == "2:8 E546");
+  CHECK(first_error(kRobot + "pick = POSE(40, 20mm, 0mm, 0deg, 0deg, 0deg)\n") == "2:13 E546");
+  CHECK(first_error(kRobot + "pick = POSE(40mm, 20mm\n") == "2:23 E546");
+  CHECK(first_error(kRobot + point("pick") + "MOVE(1,2,3)\n") == "3:1 E546");
+  CHECK(first_error(kRobot + point("pick") + point("PICK")) == "3:1 E548");
+  CHECK(first_error("ROBOT \"ums7\"\n" + point("pick")) == "1:7 E547");
+  CHECK(first_error(std::string("ROBOT \"gantry\"\n\0", 16)) == "2:1 E103");
+  CHECK(first_error(kRobot + "pick\xff = 1") == "2:5 E104");
+}
+
+TEST_CASE("points that were taught on a robot of the same name and another geometry are refused") {
+  const auto pick = [](const std::string& x, const std::string& c, const std::string& rest) {
+    return kRobot + "pick = POSE(" + x + ", 20mm, 0mm, 0deg, 0deg, " + c + ")" + rest +
+           " TAUGHT \"2026-11-21\"\n";
+  };
+  const std::string joints = " JOINTS(40mm, 20mm, 90deg) ";
+  CHECK(first_error(pick("40.01mm", "90.01deg", joints + "IN world TOOL none")).empty());
+  CHECK(first_error(pick("41mm", "90deg", joints + "IN world TOOL none")) == "2:1 E547");
+  CHECK(first_error(pick("40mm", "89deg", joints + "IN world TOOL none")) == "2:1 E547");
+  // -270deg is the same turn.
+  CHECK(first_error(pick("40mm", "-270deg", joints + "IN world TOOL none")).empty());
+  // What the frame and the tool are is not known here; without joints there is nothing to compare.
+  CHECK(first_error(pick("41mm", "90deg", joints + "IN pallet TOOL none")).empty());
+  CHECK(first_error(pick("41mm", "90deg", joints + "IN world TOOL cup")).empty());
+  CHECK(first_error(pick("41mm", "90deg", " IN world")).empty());
+}
+
+TEST_CASE("fault 55: points in a frame are refused where the file was taught on another geometry") {
+  const std::string in_a_frame =
+      "pick = POSE(1mm, 2mm, 0mm, 0deg, 0deg, 0deg) JOINTS(40mm, 20mm, 0deg) IN pallet TOOL cup "
+      "TAUGHT \"2026\"\n";
+  const auto refused = [&](const std::string& place) {
+    return first_error("ROBOT \"gantry\" JOINTS(100mm, 200mm, 51deg) " + place + "\n" + in_a_frame);
+  };
+  CHECK(refused("POSE(100mm, 200mm, 0mm, 0deg, 0deg, 51deg)").empty());
+  CHECK(refused("POSE(101mm, 200mm, 0mm, 0deg, 0deg, 51deg)") == "1:7 E547");
+  CHECK(refused("POSE(100mm, 200mm, 0mm, 0deg, 0deg, 50deg)") == "1:7 E547");
+  CHECK(refused("POSE(100mm, 200mm, 0mm, 0deg, 0deg)") == "1:78 E546");
+  CHECK(refused("") == "1:44 E546");
+}
+
+TEST_CASE("fault 55: what an arm's file tells of its geometry shows every length, angle and sign") {
+  const auto files = rob::motion::embedded_robots();
+  const auto file = std::ranges::find(files, "irb120", &rob::motion::EmbeddedRobot::name);
+  const std::string_view text = file->text;
+  const std::string header =
+      points_text(Points{}, rob::motion::parse_robot_file(std::string(text), "irb120.toml"));
+  const auto taught_on = [&](const std::string& was, const std::string& is) {
+    std::string other(text);
+    REQUIRE(other.find(was) != std::string::npos);
+    other.replace(other.find(was), was.size(), is);
+    const auto robot = rob::motion::parse_robot_file(other, "irb120.toml");
+    return !parse_points(header, robot).diagnostics.has_errors();
+  };
+  CHECK(taught_on("c2 = \"270 mm\"", "c2 = \"0.27 m\""));
+  for (const char* const length :
+       {"a1 = \"0 mm\"", "a2 = \"-70 mm\"", "b = \"0 mm\"", "c1 = \"290 mm\"", "c2 = \"270 mm\"",
+        "c3 = \"302 mm\"", "c4 = \"72 mm\""}) {
+    CAPTURE(length);
+    const std::string name(length, 2);
+    CHECK_FALSE(taught_on(length, name + (name == "b " ? "= \"1 mm\"" : " = \"281 mm\"")));
+  }
+  for (int axis = 0; axis < 6; ++axis) {
+    CAPTURE(axis);
+    std::string signs = "signs = [1, 1, 1, 1, 1, 1]";
+    signs.insert(signs.find('1') + 3 * static_cast<std::size_t>(axis), "-");
+    CHECK_FALSE(taught_on("signs = [1, 1, 1, 1, 1, 1]", signs));
+  }
+  CHECK_FALSE(taught_on("\"90 deg\", \"0 deg\"", "\"90 deg\", \"1 deg\""));
+}
+
+TEST_CASE("MOVE goes to a point's joints only where they still bring the tool to it") {
+  const ScratchFolder folder;
+  const std::string program = folder.file("cell.rob");
+  const std::string points = rob::runtime::points_file_of(program);
+  const auto run = [&](const std::string& text, std::size_t axis = 0) {
+    const auto loaded = rob::runtime::compile_program(program, text, gantry(), points);
+    REQUIRE(loaded.runnable());
+    rob::runtime::RunOptions options;
+    options.fast = true;
+    return rob::runtime::run(loaded, gantry(), options, {}).final_joints.at(axis);
+  };
+  // With the tool the axis stands 20 mm before its tip.
+  CHECK(run("POINT pick\nTOOL pen = POSE(20mm, 0mm, 0mm)\n"
+            "WITH pen DO\nMOVE(60, 0, 0)\nTEACH pick\nENDWITH\n") == doctest::Approx(40));
+  const Points::Point kept = load_points(points, gantry()).points.at(0);
+  CHECK(kept.tool == "pen");
+  CHECK(kept.joints.at(0) == doctest::Approx(0.040));
+  CHECK(kept.value.pose.position.x == doctest::Approx(0.060));
+  CHECK(run("POINT pick\nMOVE pick\n") == doctest::Approx(60));
+  CHECK(run("POINT pick\nTOOL pen = POSE(25mm, 0mm, 0mm)\nMOVE pick WITH pen\n") ==
+        doctest::Approx(35));
+  // Half a turn to either side is the same pose: from 90deg the joints are not the nearest ones.
+  std::ofstream(points) << kRobot + "pick = POSE(40mm, 0mm, 0mm, 0deg, 0deg, 180deg) " +
+                               "JOINTS(50mm, 0mm, -180deg) IN pallet TOOL none TAUGHT \"2026\"\n";
+  const std::string go = "POINT pick\nMOVE(0, 0, 90)\nMOVE pick\n";
+  const std::string as_then = "FRAME pallet = POSE(10mm, 0mm, 0mm)\n" + go;
+  const std::string moved = "FRAME pallet = POSE(15mm, 0mm, 0mm)\n" + go;
+  CHECK(run(as_then) == doctest::Approx(50));
+  CHECK(run(as_then, 2) < 0);
+  CHECK(run(moved) == doctest::Approx(55));
+  CHECK(run(moved, 2) > 0);
+}
+
+TEST_CASE("rule 17: a run uses the points as they were when it was loaded, the next the new ones") {
+  const ScratchFolder folder;
+  const std::string program = folder.file("cell.rob");
+  const std::string points = rob::runtime::points_file_of(program);
+  const auto edited = [&](const std::string& x) {
+    std::ofstream(points) << kRobot + "pick = POSE(" + x + ", 0mm, 0mm, 0deg, 0deg, 0deg) " +
+                                 "IN world TAUGHT \"2026\"\n";
+  };
+  const auto load = [&] {
+    return rob::runtime::compile_program(
+        program, "POINT pick, place\nTEACH place\nMOVE pick\nPRINT pick.x\n", gantry(), points);
+  };
+  const auto end_of = [](const rob::runtime::LoadedProgram& loaded) {
+    rob::runtime::RunOptions options;
+    options.fast = true;
+    return rob::runtime::run(loaded, gantry(), options, {}).final_joints.at(0);
+  };
+  edited("40mm");
+  const auto loaded = load();
+  edited("70mm");
+  // TEACH writes the file while the program runs, and leaves there what was edited.
+  CHECK(end_of(loaded) == doctest::Approx(40));
+  CHECK(end_of(load()) == doctest::Approx(70));
+}
+
+TEST_CASE("all errors of a file are found, not the first alone") {
+  const Points points = parse_points(kRobot + "a = 1\n" + point("b") + "c = 2\n", gantry());
+  CHECK(points.diagnostics.error_count() == 2);
+  CHECK(points.points.size() == 1);
+}
+
+TEST_CASE("a point is taught into a file, and what was edited meanwhile stays") {
+  const ScratchFolder folder;
+  const std::string file = folder.file("a.points");
+  PointsFile points(file, gantry());
+  const double joints[] = {0.040, 0.020, 0};
+  CHECK_FALSE(points.keep({"pick", "", "", {{0.040, 0.020, 0}, {1, 0, 0, 0}}}, joints));
+  std::ofstream(file, std::ios::app) << point("nest");
+  CHECK_FALSE(points.keep({"PICK", "pallet", "cup", {{0.050, 0.020, 0}, {1, 0, 0, 0}}}, joints));
+  const Points kept = load_points(file, gantry());
+  REQUIRE(kept.points.size() == 2);
+  CHECK(kept.points[0].value.name == "nest");
+  CHECK(kept.points[1].value.name == "PICK");
+  CHECK(kept.points[1].value.frame == "pallet");
+  CHECK(kept.points[1].tool == "cup");
+  CHECK(kept.points[1].value.pose.position.x == 0.050);
+}
+
+TEST_CASE("a file that cannot be used is not overwritten by TEACH") {
+  const ScratchFolder folder;
+  const std::string file = folder.file("a.points");
+  const std::string text = "ROBOT \"ums7\"\n" + point("pick");
+  std::ofstream(file) << text;
+  CHECK(message_of([&] { load_points(file, gantry()); }).find("E547") != std::string::npos);
+  PointsFile points(file, gantry());
+  const double joints[] = {0, 0, 0};
+  const auto refusal = points.keep({"pick", "", "", {{0, 0, 0}, {1, 0, 0, 0}}}, joints);
+  REQUIRE(refusal);
+  CHECK(refusal->code == "E549");
+  CHECK(read_file(file, 1000) == text);
+}
+
+TEST_CASE(
+    "a MOVE to a bare point goes to its joints, where another place of them has the same pose") {
+  const ScratchFolder folder;
+  const std::string file = (folder.path() / "cell.points").string();
+  // -180deg and 180deg of the axis are one pose.
+  std::ofstream(file) << kRobot
+                      << "park = POSE(40mm, 20mm, 0mm, 0deg, 0deg, 180deg) JOINTS(40mm, 20mm, "
+                         "-180deg) IN world TOOL none TAUGHT \"2026-11-21\"\n";
+  const auto final_theta = [&](const std::string& text) {
+    const auto program = rob::runtime::compile_program("cell.rob", text, gantry(), file);
+    return rob::runtime::foretell(program, gantry()).final_joints.at(2);
+  };
+  const std::string begin = "POINT park\nMOVE(0, 0, 170) FINE\n";
+  CHECK(final_theta(begin + "MOVE park") == doctest::Approx(-180));
+  CHECK(final_theta(begin + "MOVEL park") == doctest::Approx(180));
+  CHECK(final_theta(begin + "VAR p = park\nMOVE p") == doctest::Approx(180));
+  // A TEACH that has not been executed leaves the joints of the file.
+  CHECK(final_theta(begin + "IF DIN[1] THEN TEACH park\nMOVE park") == doctest::Approx(-180));
+}
