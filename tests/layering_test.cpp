@@ -51,6 +51,8 @@ const std::vector<LayerRule>& layer_rules() {
     for (const char* folder : {"lang/vm", "lang/format", "lang/help"}) {
       made.push_back({folder, up_to_syntax});
     }
+    // The facade, for programs that embed the language.
+    made.push_back({"lang", {"lang"}});
     // Inside motion: space → kinematics, dynamics, cell → robots → path → plan → ahead →
     // generate → force.
     const std::vector<LayerRule> of_motion = {
@@ -74,8 +76,7 @@ const std::vector<LayerRule>& layer_rules() {
     // Inside runtime: each room knows those before it; the tick knows no word of lang.
     std::vector<std::string_view> runtime = {"motion", "drivers"};
     for (const char* folder : {"runtime/time", "runtime/tick", "runtime/words", "runtime/files",
-                               "runtime/command", "runtime/run", "runtime/prompt",
-                               "runtime/cli"}) {
+                               "runtime/command", "runtime/run", "runtime/prompt", "runtime/cli"}) {
       made.push_back({folder, runtime});
       runtime.push_back(folder);
       if (made.back().folder == "runtime/tick") runtime.push_back("lang");

@@ -20,7 +20,7 @@ void PrintingMachine::script(int signal, std::vector<double> values) {
 
 void PrintingMachine::refuse_after(int calls, Refusal refusal) {
   refuse_after_ = calls;
-  refusal_ = std::move(refusal);
+  refuse(std::move(refusal));
 }
 
 std::vector<std::string> PrintingMachine::texts() const {
@@ -111,7 +111,7 @@ Reply PrintingMachine::ended(int line, bool& hit) {
     const WatchResult result = evaluate(guard_, World(*this));
     if (result.error != ArithmeticError::None) {
       const ArithmeticErrorText text = describe(result.error);
-      refusal_ = {std::string(text.code), std::string(text.message), std::string(text.help)};
+      refuse({std::string(text.code), std::string(text.message), std::string(text.help)});
       return Reply::Refused;
     }
     hit = result.value.integer != 0;
@@ -247,7 +247,7 @@ Reply PrintingMachine::forward(int, std::span<const double> joints, PoseValue& p
 Reply PrintingMachine::inverse(int, const PoseValue& pose, std::span<const double>,
                                std::span<double> joints) {
   if (coordinates_of(robot_.coordinates, flange_for(pose, setting_), joints)) return Reply::Done;
-  refusal_ = {.code = std::string(code::kUnreachable), .message = "out of reach", .help = ""};
+  refuse({.code = std::string(code::kUnreachable), .message = "out of reach", .help = ""});
   return Reply::Refused;
 }
 

@@ -105,7 +105,6 @@ class PrintingMachine : public Machine {
   Reply teach(int line, const TaughtPoint& point) override;
   Reply wait(int line, double seconds) override;
   Reply stand(int line, double& now) override;
-  bool taken_as_met(int /*line*/) override { return false; }
   Reply waited(int line) override;
   Reply leave_block(int) override { return ready(); }
   Reply settle(int line) override;
@@ -123,7 +122,6 @@ class PrintingMachine : public Machine {
   Reply forward(int line, std::span<const double> joints, PoseValue& pose) override;
   Reply inverse(int line, const PoseValue& pose, std::span<const double> near,
                 std::span<double> joints) override;
-  const Refusal& refusal() const override { return refusal_; }
 
  private:
   struct Script {
@@ -155,7 +153,6 @@ class PrintingMachine : public Machine {
   std::array<double, kMaxCoordinates> hit_{};  ///< where the last guarded motion ended
   int whens_ = 0;
   std::optional<int> refuse_after_;
-  Refusal refusal_;
 };
 
 /// "move 40 40 0 at 50%": a motion as PrintingMachine writes it.

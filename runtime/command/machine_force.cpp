@@ -33,11 +33,6 @@ constexpr double kAlongWorld = 1e-6;
 
 }  // namespace
 
-Reply RobotMachine::refuse(Words words) {
-  refusal_ = std::move(words);
-  return Reply::Refused;
-}
-
 /// The frame that IN has named, in the world; of the tool as it is commanded to stand.
 motion::Pose RobotMachine::force_frame() const {
   return to_motion(setting_.in_tool ? tool_at(planner_.commanded()) : setting_.frame);
@@ -153,7 +148,7 @@ bool RobotMachine::moves_against_press(const Commanded& commanded) {
   bool against = std::abs((to - from).dot(axis)) > kBeside;
   for (const lang::MoveCommand& via : commanded.via)
     against = against || std::abs((target_of(via).position - from).dot(axis)) > kBeside;
-  if (against) refusal_ = words_for_motion_against_press();
+  if (against) refuse(words_for_motion_against_press());
   return against;
 }
 
@@ -168,7 +163,7 @@ bool RobotMachine::jogs_against_press(const motion::JogRates& rates) {
   if (rates.space == Space::Joint)
     along = (to_motion(tool_at(q + rates.rate * kInstant)).position - tip.position) / kInstant;
   if (std::abs(along.dot(channels_.press.order.axis)) <= kStill) return false;
-  refusal_ = words_for_motion_against_press();
+  refuse(words_for_motion_against_press());
   return true;
 }
 

@@ -80,7 +80,7 @@ Reply RobotMachine::move_back(int line) {
   }
   const motion::PlanOutcome outcome = planner_.plan(request);
   if (const auto* const refusal = std::get_if<motion::Refusal>(&outcome)) {
-    refusal_ = words_for(*refusal, robot_);
+    refuse(words_for(*refusal, robot_));
     return Reply::Refused;
   }
   queue(std::get<motion::PlannedSegment>(outcome).segment, false);
@@ -109,7 +109,7 @@ Reply RobotMachine::leave_handler(int line) {
   }
   if (!returns) {
     const Reply reply = program->leave_path();
-    if (reply == Reply::Refused) refusal_ = program->refusal_;
+    if (reply == Reply::Refused) refuse(program->refusal());
     return reply;
   }
   program->handler_ = Handler::None;
@@ -171,9 +171,11 @@ bool RobotMachine::plan_anew(Commanded& commanded) {
     work_in(static_cast<int>(segment.tag), commanded.setting);
     planner_.carry(commanded.carried == nullptr ? motion::ArmLoad{} : commanded.carried->all());
     if (!plan(static_cast<int>(segment.tag), commanded)) {
-      refusal_.message =
+      Words words = refusal();
+      words.message =
           fmt::format("the motion of line {} starts from elsewhere behind BRAKE: {}",
-                      lang::tagged_place(static_cast<int>(segment.tag)).line, refusal_.message);
+                      lang::tagged_place(static_cast<int>(segment.tag)).line, words.message);
+      refuse(std::move(words));
       return false;
     }
   } else {

@@ -79,14 +79,14 @@ bool RobotMachine::plan_jog(int line, const MoveCommand& asked,
                             motion::SegmentDescriptor& segment) {
   const bool leads = asked.jog != JogFrame::Joint;  // of a program refused before, a pendant's here
   if (const auto words = words_against(lang::MotionFeature::Lead, robot_); leads && words) {
-    refusal_ = *words;
+    refuse(*words);
     return false;
   }
   const JogRates rates = rates_of(asked, setting_.tool, robot_);
   if (jogs_against_press(rates)) return false;
   const motion::PlanOutcome outcome = planner_.jog(static_cast<motion::Tag>(line), rates);
   if (const auto* const refusal = std::get_if<motion::Refusal>(&outcome)) {
-    refusal_ = words_for(*refusal, robot_);
+    refuse(words_for(*refusal, robot_));
     return false;
   }
   segment = std::get<motion::PlannedSegment>(outcome).segment;

@@ -162,7 +162,7 @@ bool RobotMachine::plan_along(int line, const motion::MotionRequest& request,
                               Commanded& commanded) {
   auto made = tool_path(commanded);
   if (const auto* const words = std::get_if<Words>(&made)) {
-    refusal_ = *words;
+    refuse(*words);
     return false;
   }
   const std::shared_ptr<const motion::ToolPath> path =
@@ -183,7 +183,7 @@ bool RobotMachine::plan_along(int line, const motion::MotionRequest& request,
 
 bool RobotMachine::take(int line, const motion::PlanOutcome& outcome, Commanded& commanded) {
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome)) {
-    refusal_ = words_for(*refusal, robot_);
+    refuse(words_for(*refusal, robot_));
     return false;
   }
   const auto& planned = std::get<motion::PlannedSegment>(outcome);

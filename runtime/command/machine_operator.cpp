@@ -28,7 +28,7 @@ Reply RobotMachine::answered(int line, std::string answer, bool typed) {
 
 Reply RobotMachine::refuse_unattended(const char* what) {
   consulting_ = begun_ = standing_ = false;
-  refusal_ = words_for_nobody(what);
+  refuse(words_for_nobody(what));
   return Reply::Refused;
 }
 

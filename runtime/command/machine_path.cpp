@@ -22,7 +22,7 @@ constexpr std::size_t kMostInPath = 16384;
 
 Reply RobotMachine::begin_path(int line) {
   if (const auto words = words_against(lang::MotionFeature::Path, robot_)) {
-    refusal_ = *words;
+    refuse(*words);
     return Reply::Refused;
   }
   if (!rested() || tell_load(line) == Reply::Later) return Reply::Later;
@@ -50,7 +50,7 @@ Reply RobotMachine::end_path(int /*line*/) {
 /// False, with a refusal, where there is no room for a further motion.
 bool RobotMachine::path_has_room() {
   if (path_->motions.size() < kMostInPath) return true;
-  refusal_ = words_for_long_path(kMostInPath);
+  refuse(words_for_long_path(kMostInPath));
   return false;
 }
 
@@ -65,8 +65,7 @@ bool RobotMachine::lay_places() {
     const bool on_it =
         whole > 0 && place >= -motion::kLimitTolerance && place <= whole + motion::kLimitTolerance;
     if (!on_it) {
-      refusal_ = words_for_place(asked, whole);
-      refusal_.place = event.place.written;
+      refuse(words_at(event.place.written, words_for_place(asked, whole)));
       return false;
     }
     Commanded* on = nullptr;  // the first one that reaches as far, else the last

@@ -36,7 +36,7 @@ Reply RobotMachine::start(const lang::Place& place, std::uint32_t task) {
     if (!observable()) return Reply::Later;
     tasks_->take_due();
     if (tasks_->busy(task)) {
-      refusal_ = tasks_->runs_already(task);
+      refuse(tasks_->runs_already(task));
       return Reply::Refused;
     }
   }

@@ -29,7 +29,7 @@ Reply RobotMachine::queue_simulation(int line, Effect effect) {
   const std::int64_t waiting =
       simulations_ - channels_.simulations_done.load(std::memory_order_acquire);
   if (waiting >= static_cast<std::int64_t>(SimulatedInputs::kMostWaiting)) {
-    refusal_ = words_for_many_simulations();
+    refuse(words_for_many_simulations());
     return Reply::Refused;
   }
   effect.tag = static_cast<motion::Tag>(line);

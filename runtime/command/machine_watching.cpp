@@ -50,7 +50,7 @@ Reply RobotMachine::ended(int line, bool& hit) {
   hit_ = rest.early() ? rest.trip_q : pressing_ != Pressing::No ? channels_.joints.load() : rest.q;
   hit = rest.outcome == motion::Rest::Outcome::Hit;
   if (rest.outcome != motion::Rest::Outcome::Failed) return Reply::Done;
-  refusal_ = words_for_condition(until_.error());
+  refuse(words_for_condition(until_.error()));
   return Reply::Refused;
 }
 
@@ -116,13 +116,11 @@ bool RobotMachine::lay_events(Commanded& commanded) {
     const double distance = one.place.distance;
     const double place = one.place.before ? way - distance : distance;
     if (!(way > 0) || place < -motion::kLimitTolerance || place > way + motion::kLimitTolerance) {
-      refusal_ = words_for_place(distance, way);
-      refusal_.place = one.place.written;
+      refuse(words_at(one.place.written, words_for_place(distance, way)));
       return false;
     }
     if (segment.on_the_way.full()) {
-      refusal_ = words_for_many_places(segment.on_the_way.kMost);
-      refusal_.place = one.place.written;
+      refuse(words_at(one.place.written, words_for_many_places(segment.on_the_way.kMost)));
       return false;
     }
     motion::PathEvent event{.share = place / way, .lead = one.place.lead, .effect = one.effect};

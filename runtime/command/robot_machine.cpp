@@ -77,7 +77,7 @@ Reply RobotMachine::brake(int /*line*/) {
 
 Reply RobotMachine::wait(int line, double seconds) {
   if (!(seconds <= motion::MotionPlanner::kLongest)) {
-    refusal_ = words_for_long_wait(seconds);
+    refuse(words_for_long_wait(seconds));
     return Reply::Refused;
   }
   if (seconds == 0) return stop(line);

@@ -187,7 +187,6 @@ class RobotMachine final : public lang::Machine {
   void end_call();
   /// No handler may begin while an error of the program is settled, and behind its end.
   void bar_handlers(bool barred);
-  const lang::Refusal& refusal() const override { return refusal_; }
 
  private:
   /// A PATH in the making.
@@ -207,7 +206,6 @@ class RobotMachine final : public lang::Machine {
   lang::Reply felt(lang::Reading what, lang::Slot* value);
   // Forces (machine_force.cpp)
   motion::Pose force_frame() const;
-  lang::Reply refuse(Words words);
   void ask_press_to_end();
   lang::Reply leave_press(bool met);
   lang::Reply give_up_press();
@@ -305,7 +303,6 @@ class RobotMachine final : public lang::Machine {
   Channels& channels_;
   MotionProgress& progress_;
   ProgramLog& log_;
-  lang::Refusal refusal_;
   lang::Setting setting_;    ///< of the program's present place
   lang::Vector3 moved_tip_;  ///< of the tool that the last motion was for
   LoadBook loads_;

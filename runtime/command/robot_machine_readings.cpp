@@ -101,7 +101,7 @@ Reply RobotMachine::teach(int /*line*/, const lang::TaughtPoint& point) {
   const motion::JointVector q = channels_.joints.load();
   const auto refusal = keeper_->keep(point, {q.data(), static_cast<std::size_t>(q.size())});
   if (!refusal) return Reply::Done;
-  refusal_ = *refusal;
+  refuse(*refusal);
   return Reply::Refused;
 }
 
@@ -115,7 +115,7 @@ Reply RobotMachine::inverse(int /*line*/, const lang::PoseValue& pose, std::span
   if (near.empty() && !rested()) return Reply::Later;
   const motion::JointVector from = near.empty() ? planner_.commanded() : joints_of(near);
   if (const auto words = axes_for(robot_, pose, setting_, from, joints)) {
-    refusal_ = *words;
+    refuse(*words);
     return Reply::Refused;
   }
   return Reply::Done;
@@ -132,7 +132,7 @@ Reply RobotMachine::settle_target(lang::MoveCommand& command) {
   lang::PoseValue pose = lang::target_pose(command, last, setting_, signature_.coordinates);
   if (pressing_ != Pressing::No) pose = to_lang(across_press(to_motion(pose), command));
   if (const auto words = settle_on_axes(robot_, pose, near(command), command, setting_)) {
-    refusal_ = *words;
+    refuse(*words);
     return Reply::Refused;
   }
   return Reply::Done;

@@ -1,6 +1,5 @@
 #include "runtime/command/task_machine.h"
 
-#include "lang/text/codes.h"
 #include "motion/space/cycle_instant.h"
 #include "runtime/command/background_tasks.h"
 #include "runtime/command/robot_machine.h"
@@ -85,31 +84,23 @@ Reply TaskMachine::read_analog(int line, int signal, double& volts) {
   return Reply::Done;
 }
 
+template <typename Ask>
+Reply TaskMachine::asked(const Ask& ask) {
+  const Reply reply = robot_.asked_plainly(ask);
+  return reply == Reply::Refused ? refuse(robot_.refusal()) : reply;
+}
+
 Reply TaskMachine::read(int /*line*/, lang::Reading what, lang::Slot* value) {
-  impossible_ = false;
-  return robot_.asked_plainly([&] { return robot_.present(what, value); });
+  return asked([&] { return robot_.present(what, value); });
 }
 
 Reply TaskMachine::forward(int line, std::span<const double> joints, lang::PoseValue& pose) {
-  impossible_ = false;
-  return robot_.asked_plainly([&] { return robot_.forward(line, joints, pose); });
+  return asked([&] { return robot_.forward(line, joints, pose); });
 }
 
 Reply TaskMachine::inverse(int line, const lang::PoseValue& pose, std::span<const double> near,
                            std::span<double> joints) {
-  impossible_ = false;
-  return robot_.asked_plainly([&] { return robot_.inverse(line, pose, near, joints); });
-}
-
-const lang::Refusal& TaskMachine::refusal() const {
-  return impossible_ ? refusal_ : robot_.refusal();
-}
-
-Reply TaskMachine::impossible() {
-  impossible_ = true;
-  refusal_ = {std::string(lang::code::kNotInTask),
-              "a TASK neither moves the robot nor waits until it stands", ""};
-  return Reply::Refused;
+  return asked([&] { return robot_.inverse(line, pose, near, joints); });
 }
 
 Reply TaskMachine::publish(int /*line*/, std::size_t first, std::span<const lang::Slot> values) {

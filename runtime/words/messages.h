@@ -16,6 +16,12 @@ namespace rob::runtime {
 /// Code, what is wrong, and the remedy. What a program's commands are refused with.
 using Words = lang::Refusal;
 
+/// The same words about this place of the program.
+inline Words words_at(lang::Place place, Words words) {
+  words.place = place;
+  return words;
+}
+
 /// "axis x: 9000 mm is beyond 400 mm".
 Words words_for(const motion::Refusal& refusal, const motion::RobotModel& robot);
 /// A WAIT for a time that motion control does not count to.
