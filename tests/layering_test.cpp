@@ -10,19 +10,21 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tests/support/source_files.h"
+
 namespace fs = std::filesystem;
 
-namespace {
+using rob::test::Include;
+using rob::test::includes_of;
+using rob::test::layers;
+using rob::test::SourceFile;
+using rob::test::sources_in;
 
-struct Include {
-  std::string path;     ///< "motion/space/pose.h", "fmt/format.h"
-  bool angled = false;  ///< <…>: not of this project
-};
+namespace {
 
 /// Folders whose names begin a path: "motion/space" covers "motion/space/pose.h".
 bool lies_in(std::string_view path, std::string_view folder) {
@@ -155,44 +157,6 @@ std::string breach(std::string_view file, const Include& include) {
   return include.angled ? breach_of_packages(file, include.path)
                         : breach_of_layers(file, include.path);
 }
-
-std::vector<Include> includes_of(std::string_view text) {
-  std::vector<Include> includes;
-  std::istringstream lines{std::string(text)};
-  for (std::string line; std::getline(lines, line);) {
-    std::erase_if(line, [](char c) { return c == ' ' || c == '\t'; });
-    constexpr std::string_view kDirective = "#include";
-    if (!line.starts_with(kDirective) || line.size() <= kDirective.size()) continue;
-    const char open = line[kDirective.size()];
-    const std::size_t end = line.find(open == '<' ? '>' : '"', kDirective.size() + 1);
-    if (end == std::string::npos) continue;
-    includes.push_back(
-        {line.substr(kDirective.size() + 1, end - kDirective.size() - 1), open == '<'});
-  }
-  return includes;
-}
-
-struct SourceFile {
-  std::string path;  ///< from the root of the project, with '/'
-  std::string text;
-};
-
-std::vector<SourceFile> sources_in(const std::vector<std::string>& folders) {
-  const fs::path root = ROB_SOURCE_DIR;
-  std::vector<SourceFile> files;
-  for (const std::string& folder : folders) {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
-      const fs::path extension = entry.path().extension();
-      if (extension != ".h" && extension != ".cpp" && extension != ".def") continue;
-      std::ostringstream text;
-      text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
-      files.push_back({entry.path().lexically_relative(root).generic_string(), text.str()});
-    }
-  }
-  return files;
-}
-
-std::vector<SourceFile> layers() { return sources_in({"lang", "motion", "drivers", "runtime"}); }
 
 }  // namespace
 
