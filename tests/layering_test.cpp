@@ -193,13 +193,6 @@ TEST_CASE("fault 17: no source asks for the time of day, so that setting it move
   }
 }
 
-TEST_CASE("no source file is longer than 400 lines") {
-  for (const SourceFile& file : sources_in({"lang", "motion", "drivers", "runtime", "tests"})) {
-    const auto lines = std::count(file.text.begin(), file.text.end(), '\n');
-    CHECK_MESSAGE(lines <= 400, file.path << " has " << lines << " lines");
-  }
-}
-
 TEST_CASE("the rules refuse what the architecture forbids") {
   const auto refused = [](std::string_view file, std::string_view directive) {
     const std::vector<Include> includes = includes_of(directive);
