@@ -7,11 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/support/class_sizes.h"
+#include "tests/support/cpp_classes.h"
 #include "tests/support/cpp_tokens.h"
 #include "tests/support/source_files.h"
-
-using rob::test::ClassSize;
 
 namespace {
 
@@ -20,6 +18,18 @@ constexpr int kMostMembers = 25;
 /// A class with so few functions is plain data: one can read it from top to bottom.
 constexpr int kMethodsOfData = 2;
 constexpr int kMostMembersOfData = 40;
+
+struct ClassSize {
+  std::string name;
+  int line = 0;  ///< where it begins; a list does not say it
+  int methods = 0;
+  int members = 0;
+};
+
+ClassSize size_of(const rob::test::CppClass& one) {
+  return {one.name, one.line, static_cast<int>(one.methods.size()),
+          static_cast<int>(one.members.size())};
+}
 
 bool is_too_large(const ClassSize& size) {
   const bool data = size.methods <= kMethodsOfData;
@@ -86,8 +96,8 @@ std::vector<LayerClass> classes_of_layers() {
     if (!file.path.ends_with(".h") && !file.path.ends_with(".cpp")) continue;
     const std::string layer = file.path.substr(0, file.path.find('/'));
     const auto tokens = rob::test::tokens_of(file.text, rob::test::text_of);
-    for (const ClassSize& size : rob::test::class_sizes(tokens)) {
-      all.push_back({layer, size, file.path});
+    for (const rob::test::CppClass& one : rob::test::classes_in(tokens)) {
+      all.push_back({layer, size_of(one), file.path});
     }
   }
   return all;

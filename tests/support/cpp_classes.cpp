@@ -1,4 +1,4 @@
-#include "tests/support/class_sizes.h"
+#include "tests/support/cpp_classes.h"
 
 #include <algorithm>
 #include <array>
@@ -14,31 +14,6 @@ namespace {
 
 constexpr std::string_view kUnnamed = "(unnamed)";
 
-/// For each opening bracket the closing one.
-std::vector<std::size_t> partners_of(const std::vector<CppToken>& tokens) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kBrackets{
-      {{"(", ")"}, {"[", "]"}, {"{", "}"}}};
-  std::vector<std::size_t> partners(tokens.size(), 0);
-  std::vector<std::size_t> open;
-  for (std::size_t i = 0; i < tokens.size(); ++i) {
-    for (const auto& [opening, closing] : kBrackets) {
-      if (tokens[i].is(opening)) open.push_back(i);
-      if (!tokens[i].is(closing)) continue;
-      if (open.empty() || !tokens[open.back()].is(opening)) {
-        throw std::runtime_error("line " + std::to_string(tokens[i].line) + ": no partner of " +
-                                 std::string(closing));
-      }
-      partners[open.back()] = i;
-      open.pop_back();
-    }
-  }
-  if (!open.empty()) {
-    throw std::runtime_error("line " + std::to_string(tokens[open.back()].line) +
-                             ": an open bracket");
-  }
-  return partners;
-}
-
 /// Reads the declarations of all class bodies. A position is the index of a token; a function that
 /// reads something returns the position after it.
 class ClassReader {
@@ -46,7 +21,7 @@ class ClassReader {
   explicit ClassReader(const std::vector<CppToken>& tokens)
       : tokens_(tokens), partners_(partners_of(tokens)) {}
 
-  std::vector<ClassSize> all() {
+  std::vector<CppClass> all() {
     walk(0, tokens_.size(), "");
     return std::move(found_);
   }
@@ -55,6 +30,14 @@ class ClassReader {
   struct Head {
     std::string name;
     std::size_t body = 0;  ///< its opening brace
+  };
+
+  /// What may declare values or a function.
+  struct Declaration {
+    std::size_t of = 0;     ///< the class, in found_
+    std::size_t begin = 0;  ///< its first token
+    std::size_t name = 0;   ///< the last word that may be the name
+    bool is_static = false;
   };
 
   bool at(std::size_t i, std::string_view text) const {
@@ -187,33 +170,37 @@ class ClassReader {
 
   /// A type, a value or a function. Looks for the token that says which.
   std::size_t read_member(std::size_t i, std::size_t of) {
-    bool is_static = false;
+    Declaration read{of, i, i};
     while (i < tokens_.size()) {
       if (at_any(i, {"alignas", "decltype", "explicit", "noexcept", "__attribute__"}) &&
           at(i + 1, "(")) {
         i = past(i + 1);
-      } else if (at(i, "enum")) {
-        i = past_enum(i);
-        if (at(i, ";")) return i + 1;
-      } else if (at_class(i)) {
-        i = read_inner_class(i, of);
+      } else if (at(i, "enum") || at_class(i)) {
+        i = at(i, "enum") ? past_enum(i) : read_inner_class(i, of);
         if (at(i, ";")) return i + 1;
       } else if (at(i, "operator")) {
-        return read_functions(parameters_of_operator(i), of);
+        read.name = i;
+        return read_functions(parameters_of_operator(i), read);
       } else if (at(i, "<")) {
         i = std::max(i + 1, past_angles(i));
-      } else if (at(i, "(") && !is_pointer_to_function(i)) {
-        return read_functions(i, of);
       } else if (at(i, "(")) {
-        i = past(past(i));
+        if (!is_pointer_to_function(i)) return read_functions(i, read);
+        read.name = word_from(past_name(i + 1));
+        i = past(i);
+        if (at(i, "(")) i = past(i);
       } else if (at_any(i, {";", ",", "=", "{", ":"})) {
-        return read_values(i, of, is_static);
+        return read_values(i, read);
       } else {
-        is_static = is_static || at(i, "static");
+        read.is_static = read.is_static || at(i, "static");
+        if (at_word(i)) read.name = i;
         i = at(i, "[") ? past(i) : i + 1;
       }
     }
     throw std::runtime_error("a declaration does not end");
+  }
+  std::size_t word_from(std::size_t i) const {
+    while (i < tokens_.size() && !at_word(i)) ++i;
+    return i;
   }
   std::size_t past_enum(std::size_t i) const {
     i = past_name(past_attributes(at_class(i + 1) ? i + 2 : i + 1));
@@ -221,12 +208,13 @@ class ClassReader {
     while (!at_any(i, {"{", ";"})) ++i;
     return at(i, "{") ? past(i) : i;
   }
+  /// Past the class itself: its body, or its name where it has none.
   std::size_t read_inner_class(std::size_t i, std::size_t of) {
     const std::optional<Head> inner = head(i);
     if (!inner) return past_name(past_attributes(i + 1));
     const std::size_t place = read_class(*inner, tokens_[i].line, found_[of].name);
     const std::size_t end = past(inner->body);
-    if (inner->name == kUnnamed && at(end, ";")) found_[of].members += found_[place].members;
+    if (inner->name == kUnnamed && at(end, ";")) add(std::vector(found_[place].members), of);
     return end;
   }
   std::size_t parameters_of_operator(std::size_t i) const {
@@ -245,32 +233,29 @@ class ClassReader {
   }
 
   /// From the brackets of the parameters on.
-  std::size_t read_functions(std::size_t i, std::size_t of) {
-    int count = 1;
-    for (i = past(i); i < tokens_.size();) {
+  std::size_t read_functions(std::size_t i, const Declaration& read) {
+    CppMethod method{tokens_[read.name].text, i, i};
+    bool counts = true;
+    for (i = past(i); !at_any(i, {";", "{", ","});) {
       if (at(i, "=") && at_any(i + 1, {"default", "delete"})) {
-        count = 0;
+        counts = false;
         ++i;
       } else if (at(i, "requires")) {
         i = past_constraint(i);
       } else if (at(i, "<")) {
         i = std::max(i + 1, past_angles(i));
       } else if (at(i, ":")) {
-        i = read_initialisers(i + 1, of);
-      } else if (at(i, "{")) {
-        walk(i, past(i), found_[of].name);
-        i = past(i);
-        break;
-      } else if (at(i, ";")) {
-        ++i;
-        break;
+        i = read_initialisers(i + 1, read.of);
       } else {
-        if (at(i, ",")) ++count;
         i = at_bracket(i) ? past(i) : i + 1;
       }
     }
-    found_[of].methods += count;
-    return i;
+    const std::size_t end = at(i, "{") ? past(i) : i + 1;
+    walk(i, end, found_[read.of].name);
+    method.end = end;
+    if (counts) found_[read.of].methods.push_back(method);
+    if (!at(i, ",")) return end;
+    return read_functions(word_from(i) + 1, {read.of, read.begin, word_from(i)});
   }
   /// Of a constructor, up to its body.
   std::size_t read_initialisers(std::size_t i, std::size_t of) {
@@ -285,20 +270,34 @@ class ClassReader {
   }
 
   /// From the end of the first name on.
-  std::size_t read_values(std::size_t i, std::size_t of, bool is_static) {
+  std::size_t read_values(std::size_t i, const Declaration& read) {
+    std::vector<CppMember> members{{tokens_[read.name].text, text(read.begin, read.name)}};
     const std::size_t begin = i;
-    int count = 1;
-    for (; i < tokens_.size() && !at(i, ";");) {
-      if (at(i, ",")) ++count;
+    while (!at(i, ";")) {
       if (at(i, "<") && at_word(i - 1)) {
         i = past_arguments_in_value(i);
+      } else if (at(i, ",")) {
+        i = word_from(i);
+        members.push_back({tokens_[i].text, members.front().type});
       } else {
         i = at_bracket(i) ? past(i) : i + 1;
       }
     }
-    walk(begin, i, found_[of].name);
-    if (!is_static) found_[of].members += count;
+    walk(begin, i, found_[read.of].name);
+    if (!read.is_static) add(members, read.of);
     return i + 1;
+  }
+  void add(const std::vector<CppMember>& members, std::size_t to) {
+    found_[to].members.insert(found_[to].members.end(), members.begin(), members.end());
+  }
+  /// The tokens with a space between words that would else be one.
+  std::string text(std::size_t begin, std::size_t end) const {
+    std::string joined;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i > begin && at_word(i - 1) && at_word(i)) joined += ' ';
+      joined += tokens_[i].text;
+    }
+    return joined;
   }
   /// In an expression `<` may compare. Behind arguments of a template stands no operand.
   std::size_t past_arguments_in_value(std::size_t i) const {
@@ -308,12 +307,37 @@ class ClassReader {
 
   const std::vector<CppToken>& tokens_;
   std::vector<std::size_t> partners_;
-  std::vector<ClassSize> found_;
+  std::vector<CppClass> found_;
 };
 
 }  // namespace
 
-std::vector<ClassSize> class_sizes(const std::vector<CppToken>& tokens) {
+std::vector<std::size_t> partners_of(const std::vector<CppToken>& tokens) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kBrackets{
+      {{"(", ")"}, {"[", "]"}, {"{", "}"}}};
+  std::vector<std::size_t> partners(tokens.size(), 0);
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    for (const auto& [opening, closing] : kBrackets) {
+      if (tokens[i].is(opening)) open.push_back(i);
+      if (!tokens[i].is(closing)) continue;
+      if (open.empty() || !tokens[open.back()].is(opening)) {
+        throw std::runtime_error("line " + std::to_string(tokens[i].line) + ": no partner of " +
+                                 std::string(closing));
+      }
+      partners[open.back()] = i;
+      partners[i] = open.back();
+      open.pop_back();
+    }
+  }
+  if (!open.empty()) {
+    throw std::runtime_error("line " + std::to_string(tokens[open.back()].line) +
+                             ": an open bracket");
+  }
+  return partners;
+}
+
+std::vector<CppClass> classes_in(const std::vector<CppToken>& tokens) {
   return ClassReader(tokens).all();
 }
 

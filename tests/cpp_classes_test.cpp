@@ -1,7 +1,6 @@
-// How the sizes of classes are counted (tests/support/class_sizes.h), on texts that are counted by
-// hand.
+// How classes are read (tests/support/cpp_classes.h), on texts that are counted by hand.
 
-#include "tests/support/class_sizes.h"
+#include "tests/support/cpp_classes.h"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +11,8 @@
 
 #include "tests/support/source_files.h"
 
-using rob::test::class_sizes;
-using rob::test::ClassSize;
+using rob::test::classes_in;
+using rob::test::CppClass;
 using rob::test::tokens_of;
 
 namespace {
@@ -23,9 +22,10 @@ std::string no_file(const std::string& name) { throw std::runtime_error("who rea
 /// "Name methods members" of each class, in their order.
 std::string counted(std::string_view text, const rob::test::ReadIncluded& read = no_file) {
   std::string all;
-  for (const ClassSize& one : class_sizes(tokens_of(text, read))) {
+  for (const CppClass& one : classes_in(tokens_of(text, read))) {
     if (!all.empty()) all += ", ";
-    all += one.name + " " + std::to_string(one.methods) + " " + std::to_string(one.members);
+    all += one.name + " " + std::to_string(one.methods.size()) + " " +
+           std::to_string(one.members.size());
   }
   return all;
 }
@@ -172,6 +172,39 @@ TEST_CASE("macros and included pieces bring their declarations") {
                 read) == "A 3 4, A::B 0 1");
   CHECK(counted("#if X\nstruct A { int x; };\n#else\nstruct A { int x, y; };\n#endif") ==
         "A 0 1, A 0 2");
+}
+
+TEST_CASE("methods and members are known by their names") {
+  const auto classes = classes_in(tokens_of(R"(class A {
+    static void f(int x = g(1));
+    A() : a(1), b{2} {}
+    bool operator<(A) const;
+    int a, *b = nullptr;
+    const std::map<int, std::string> c[2];
+    void (*d)(int), (*e)(int);
+    mutable struct { int f; } g : 3;
+    int h(), i() const;
+  };)",
+                                            no_file));
+  REQUIRE(!classes.empty());
+  std::string all;
+  for (const rob::test::CppMethod& one : classes[0].methods) all += one.name + " ";
+  CHECK(all == "f A operator h i ");
+  all.clear();
+  for (const rob::test::CppMember& one : classes[0].members) all += one.name + " ";
+  CHECK(all == "a b c d e g ");
+  CHECK(classes[0].members[2].type == "const std::map<int,std::string>");
+}
+
+TEST_CASE("the tokens of a method reach from its parameters to its end") {
+  const auto tokens =
+      tokens_of("struct A { int f(int x) const { return x; } void g(); };", no_file);
+  const auto methods = classes_in(tokens).at(0).methods;
+  REQUIRE(methods.size() == 2);
+  CHECK(tokens[methods[0].begin].is("("));
+  CHECK(tokens[methods[0].end - 1].is("}"));
+  CHECK(tokens[methods[0].end].is("void"));
+  CHECK(tokens[methods[1].end - 1].is(";"));
 }
 
 TEST_CASE("a text with an open bracket or quote is refused") {
