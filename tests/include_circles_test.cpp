@@ -33,9 +33,9 @@ const std::vector<Circle>& remaining_circles() {
       {"motion/robots/arm_file", "motion/robots/cell_file", "motion/robots/chain_file",
        "motion/robots/mechanics_file", "motion/robots/pulse_file", "motion/robots/robot_file",
        "motion/robots/signal_channel", "motion/robots/table_reader", "motion/robots/wire_file"},
-      {"runtime/control/background_tasks", "runtime/control/robot_machine",
-       "runtime/control/task_machine"},
-      {"runtime/control/force_words", "runtime/control/messages", "runtime/control/path_words"},
+      {"runtime/command/background_tasks", "runtime/command/robot_machine",
+       "runtime/command/task_machine"},
+      {"runtime/words/force_words", "runtime/words/messages", "runtime/words/path_words"},
       {"runtime/prompt/commands", "runtime/prompt/session"},
   };
   return circles;
