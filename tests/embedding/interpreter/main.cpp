@@ -50,7 +50,7 @@ int run(const lang::Chunk& program) {
   if (state == lang::Vm::State::Done) return 0;
   const lang::RuntimeError& error = vm.error();
   std::printf("line %u: %s\nhelp: %s\n", error.place.line, error.message.c_str(),
-               error.help.c_str());
+              error.help.c_str());
   return 1;
 }
 
