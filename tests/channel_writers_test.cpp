@@ -49,7 +49,6 @@ const std::map<std::string, std::string, std::less<>>& tasks_of_modules() {
 const std::map<std::string, Tasks>& still_shared() {
   static const std::map<std::string, Tasks> shared = {
       {"analog_inputs.cells_", {"motion", "servo"}}, {"inputs", {"motion", "servo"}},
-      {"pause_requested", {"main", "motion"}},       {"press.asked", {"motion", "program"}},
       {"press.over", {"motion", "program"}},         {"press.state", {"motion", "program"}},
       {"stop_requested", {"main", "program"}},       {"way_back.under_way", {"main", "motion"}},
   };

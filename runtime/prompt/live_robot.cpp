@@ -132,7 +132,7 @@ void LiveRobot::pause(bool on) {
   if (on && going_back()) way_back.hold_asked.store(true);
   if (!on && paused() && way_back.away.load(std::memory_order_relaxed))
     way_back.under_way.store(true, std::memory_order_release);
-  channels().pause_requested.store(on, std::memory_order_relaxed);
+  channels().pause.ask(on);
 }
 
 void LiveRobot::go_back() {

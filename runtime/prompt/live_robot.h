@@ -59,7 +59,7 @@ class LiveRobot {
   void let_pass();
 
   void pause(bool on);
-  bool paused() const { return channels().pause_requested.load(std::memory_order_relaxed); }
+  bool paused() const { return channels().pause.on(); }
   /// It stands on its path, and will until pause(false).
   bool held() const;
   /// Where TEACH keeps points; null: nowhere.

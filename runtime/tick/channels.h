@@ -16,6 +16,7 @@
 #include "runtime/tick/hold_points.h"
 #include "runtime/tick/latest_values.h"
 #include "runtime/tick/operator_panel.h"
+#include "runtime/tick/path_pause.h"
 #include "runtime/tick/press_desk.h"
 #include "runtime/tick/safe_values.h"
 #include "runtime/tick/scripted_operator.h"
@@ -144,9 +145,9 @@ struct Channels {
   SafeValues safe;
   StopRequests stop;                    ///< any thread → motion
   std::atomic<bool> drives_off{false};  ///< motion → servo: for good
+  PathPause pause;                      ///< of the path, until it is withdrawn
   // At a prompt, main → motion:
-  std::atomic<bool> pause_requested{false};  ///< stand on the path until it is withdrawn
-  HoldPoints hold_points;                    ///< where motion asks for that by itself
+  HoldPoints hold_points;  ///< where motion asks for a pause by itself
   WayBack way_back;
   PressDesk press;
   std::atomic<bool> stop_requested{false};  ///< brake, and drop all that was commanded

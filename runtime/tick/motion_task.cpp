@@ -164,7 +164,7 @@ void MotionTask::take_requests() noexcept {
   if (channels_.stop.hold.load(std::memory_order_relaxed)) hold();
   if (channels_.stop.brake.load(std::memory_order_relaxed)) brake();
   take_way_back();
-  pause(channels_.pause_requested.load(std::memory_order_relaxed));
+  pause(channels_.pause.update());
   const double share = channels_.override_asked.exchange(0, std::memory_order_relaxed);
   if (share != 0) set_override(share);
 }
@@ -305,7 +305,7 @@ void MotionTask::release(Track& track, MotionEvent event, double cycle_time) noe
     case MotionEvent::Kind::SegmentStarted:
       if (event.value != 0) retrace_.mark(event.tag, event.time < now_ - kInstantTolerance);
       if (&track == &program_ && channels_.hold_points.holds(event.tag, event.number)) {
-        channels_.pause_requested.store(true, std::memory_order_relaxed);
+        channels_.pause.set(true);
         if (event.value != 0) retrace_.hold_at_mark();
       }
       break;

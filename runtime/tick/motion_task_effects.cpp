@@ -20,7 +20,7 @@ void MotionTask::take_interventions() noexcept {
     tell_of(Kind::Override, asked.share);
   }
   if (asked.hold) {
-    channels_.pause_requested.store(*asked.hold, std::memory_order_relaxed);
+    channels_.pause.set(*asked.hold);
     tell_of(*asked.hold ? Kind::Hold : Kind::GoOn);
   }
   const bool forgotten = asked.hold && scripted.holds_for_ever();

@@ -27,10 +27,7 @@ constexpr double kBackTime = 2;      // s
 /// While the axes are held, or a handler has them, the press stands.
 void MotionTask::follow_press() noexcept {
   PressDesk& desk = channels_.press;
-  if (desk.asked.load(std::memory_order_acquire)) {
-    press_.begin(desk.order);
-    desk.asked.store(false, std::memory_order_relaxed);
-  }
+  if (desk.asked.exchange(false, std::memory_order_acquire)) press_.begin(desk.order);
   if (backing_off_ != BackOff::None) return back_off();
   unpressed_ = active_->current.reference.q;
   if (!press_.active()) return;

@@ -19,7 +19,7 @@ struct PressDesk {
   };
 
   motion::PressOrder order;              ///< the program's, before `asked`
-  std::atomic<bool> asked{false};        ///< program → motion, until it is taken
+  std::atomic<bool> asked{false};        ///< program → motion; once each
   std::atomic<bool> over{false};         ///< program → motion: it shall end, until it has
   std::atomic<State> state{State::Off};  ///< motion → program
 };

@@ -222,7 +222,7 @@ TEST_CASE("an override and a hold do not end the waiting too soon") {
       const Snapshot& row = run.rows.back();
       const bool rests = row.sample.tag == 3 && row.sample.reference.qd.norm() == 0 && time > 0.1;
       if (rests && since < 0) since = time;
-      run.controller.channels().pause_requested = rests && time < since + hold_for;
+      run.controller.channels().pause.ask(rests && time < since + hold_for);
     };
     const RunResult result = run.run();
     CHECK(result.status == "done");
