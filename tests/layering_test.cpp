@@ -94,13 +94,14 @@ const std::map<std::string, std::set<std::string>, std::less<>>& package_layers(
       {"fmt", {"lang", "runtime"}}, {"Eigen", {"motion", "drivers", "runtime"}},
       {"toml++", {"motion"}},       {"nlohmann", {"runtime"}},
       {"CLI", {"runtime"}},         {"readline", {"runtime"}},
+      {"dtl", {"runtime"}},
   };
   return layers;
 }
 
 /// Packages that only one file of the project may see: they compile slowly, or are to be
 /// replaceable in one place.
-constexpr std::array<std::string_view, 2> kOneFileEach = {"CLI", "readline"};
+constexpr std::array<std::string_view, 3> kOneFileEach = {"CLI", "readline", "dtl"};
 
 /// Time and threads belong to runtime; a driver may need a thread for its wire.
 constexpr std::array<std::string_view, 7> kThreading = {
