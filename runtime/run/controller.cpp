@@ -7,17 +7,11 @@ namespace rob::runtime {
 
 namespace {
 
-// [choice] 40 mm of a path in pieces of 5 µm
-constexpr std::size_t kPieces = 8192;
 // [choice] what the motions of a handler may need
 constexpr std::size_t kHandlersPieces = 2048;
 constexpr std::size_t kHandlersMotions = 512;
 
-MotionChain::Room programs_room(const motion::RobotModel& robot) {
-  return {static_cast<std::size_t>(robot.look_ahead), kPieces};
-}
-
-MotionChain::Room handlers_room(const motion::RobotModel& robot, bool handlers) {
+motion::MotionChain::Room handlers_room(const motion::RobotModel& robot, bool handlers) {
   if (!handlers) return {1, 16};  // nothing ever moves there
   return {std::min(static_cast<std::size_t>(robot.look_ahead), kHandlersMotions), kHandlersPieces};
 }
@@ -30,7 +24,7 @@ Controller::Controller(const motion::RobotModel& robot,
                        bool handlers)
     : robot_(robot),
       backend_(std::move(backend)),
-      chain_(robot, programs_room(robot)),
+      chain_(robot),
       handlers_chain_(robot, handlers_room(robot, handlers)),
       machine_(robot, chain_.planner, chain_.buffer, channels_, channels_.program, log_),
       handlers_machine_(robot, handlers_chain_.planner, handlers_chain_.buffer, channels_,

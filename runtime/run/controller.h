@@ -3,11 +3,12 @@
 #include <memory>
 #include <vector>
 
+#include "motion/generate/motion_chain.h"
 #include "motion/robots/robot_model.h"
 #include "motion/servo/servo_backend.h"
+#include "motion/generate/motion_chain.h"
 #include "runtime/command/program_log.h"
 #include "runtime/command/robot_machine.h"
-#include "runtime/run/motion_chain.h"
 #include "runtime/tick/channels.h"
 #include "runtime/tick/motion_task.h"
 #include "runtime/tick/servo_task.h"
@@ -60,8 +61,8 @@ class Controller {
   std::unique_ptr<motion::ServoBackend> backend_;
   Channels channels_;
   ProgramLog log_;
-  MotionChain chain_;
-  MotionChain handlers_chain_;
+  motion::MotionChain chain_;
+  motion::MotionChain handlers_chain_;
   RobotMachine machine_;
   RobotMachine handlers_machine_;
   MotionTask motion_task_;

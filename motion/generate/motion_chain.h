@@ -11,10 +11,10 @@
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_model.h"
 
-namespace rob::runtime {
+namespace rob::motion {
 
-/// What makes references of what one side commands, the program or the handlers of its WHENs, by
-/// the robot's law.
+/// What makes references of what one side commands, by the robot's law. Three threads may use it:
+/// one `planner` and the writer's side of `buffer`, one plan_path(), one `generator`.
 struct MotionChain {
   /// How much may be under way.
   struct Room {
@@ -24,22 +24,23 @@ struct MotionChain {
 
   /// Under the look-ahead law: what lies between the buffer and the generator.
   struct Path {
-    Path(const motion::RobotModel& robot, motion::LookAheadBuffer& buffer, const Room& room);
+    Path(const RobotModel& robot, LookAheadBuffer& buffer, const Room& room);
 
-    motion::PathRing ring;
-    motion::PathPlanner planner;
+    PathRing ring;
+    PathPlanner planner;
   };
 
-  /// The axes stand at the robot's start.
-  MotionChain(const motion::RobotModel& robot, const Room& room);
+  /// As much as the robot file says. The axes stand at the robot's start.
+  explicit MotionChain(const RobotModel& robot);
+  MotionChain(const RobotModel& robot, const Room& room);
 
   /// Plans the path ahead; neither in the tick nor in the program. Whether there was anything.
   bool plan_path() { return path && path->planner.work(); }
 
-  motion::LookAheadBuffer buffer;
-  motion::MotionPlanner planner;
+  LookAheadBuffer buffer;
+  MotionPlanner planner;
   std::optional<Path> path;
-  std::unique_ptr<motion::TrajectoryGenerator> generator;
+  std::unique_ptr<TrajectoryGenerator> generator;
 };
 
-}  // namespace rob::runtime
+}  // namespace rob::motion
