@@ -14,6 +14,12 @@ class RobotFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A robot file that cannot be read. what() says why, and the remedy.
+class RobotFileUnreadable : public RobotFileError {
+ public:
+  using RobotFileError::RobotFileError;
+};
+
 /// Reads a robot file (TOML, docs/adding-a-robot.md). `file_name` is for messages only.
 /// Throws RobotFileError for a missing, unknown, double, zero, negative or absurd entry, a unit
 /// that does not fit, or limits that contradict each other.

@@ -23,4 +23,8 @@ std::vector<std::string_view> robot_names();
 /// The robot of that name; throws RobotFileError, with a suggestion, if there is none.
 RobotModel embedded_robot(std::string_view name);
 
+/// A robot by its name, or by its file if that ends in ".toml". Throws RobotFileError for an
+/// unknown name or a faulty file, RobotFileUnreadable for one that cannot be read.
+RobotModel load_robot(std::string_view name_or_file);
+
 }  // namespace rob::motion

@@ -28,9 +28,8 @@ namespace rob::runtime {
 
 namespace {
 
-constexpr std::size_t kMostSource = std::size_t{32} << 20U;    // bytes, the language's own limit
-constexpr std::size_t kMostScript = std::size_t{1} << 20U;     // bytes [choice] for 1000 lines
-constexpr std::size_t kMostRobotFile = std::size_t{1} << 20U;  // bytes [choice] 100 × the longest
+constexpr std::size_t kMostSource = std::size_t{32} << 20U;  // bytes, the language's own limit
+constexpr std::size_t kMostScript = std::size_t{1} << 20U;   // bytes [choice] for 1000 lines
 
 /// [choice] A shorter text takes less than a tenth of the memory of a run.
 constexpr std::size_t kLongSource = std::size_t{1} << 20U;
@@ -163,9 +162,11 @@ void place_in(const LoadedProgram& program, Problem& problem) {
 }
 
 motion::RobotModel load_robot(const std::string& name_or_file) {
-  const bool is_file = std::string_view(name_or_file).ends_with(".toml");
-  return is_file ? motion::parse_robot_file(read_file(name_or_file, kMostRobotFile), name_or_file)
-                 : motion::embedded_robot(name_or_file);
+  try {
+    return motion::load_robot(name_or_file);
+  } catch (const motion::RobotFileUnreadable& error) {
+    throw FileError(error.what());
+  }
 }
 
 LoadedProgram load_program(const std::string& file, const std::string& asked,

@@ -2,8 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <numbers>
@@ -11,6 +15,7 @@
 #include <utility>
 
 #include "motion/robots/robot_file.h"
+#include "tests/support/scratch_folder.h"
 
 using namespace rob::motion;
 
@@ -85,6 +90,43 @@ TEST_CASE("an unknown robot is refused, with the name that was probably meant") 
     FAIL("hexapod is not known");
   } catch (const RobotFileError& error) {
     CHECK(std::string(error.what()).find("known are gantry") != std::string::npos);
+  }
+}
+
+TEST_CASE("a robot is loaded by its name, or by its file") {
+  CHECK(load_robot("puma560").name == "puma560");
+  CHECK(load_robot(std::string(ROB_SOURCE_DIR) + "/tests/bench/xy.toml").name == "xy");
+  CHECK_THROWS_WITH_AS(load_robot("pumma560"),
+                       "there is no robot 'pumma560'; did you mean 'puma560'?", RobotFileError);
+}
+
+TEST_CASE("a robot file that cannot be read is named, with the reason and the remedy") {
+  const rob::test::ScratchFolder scratch;
+  const auto refuses = [](const std::string& file, const std::string& why) {
+    CHECK_THROWS_WITH_AS(load_robot(file), ("cannot read '" + file + "': " + why).c_str(),
+                         RobotFileUnreadable);
+  };
+  refuses(scratch.file("none.toml"), "No such file or directory; check the name and the folder");
+  std::filesystem::create_directory(scratch.file("folder.toml"));
+  refuses(scratch.file("folder.toml"), "it is a folder; name a file");
+  REQUIRE(::mkfifo(scratch.file("pipe.toml").c_str(), S_IRWXU) == 0);
+  refuses(scratch.file("pipe.toml"), "it is a pipe; name a file");
+  std::filesystem::create_symlink("/dev/zero", scratch.file("zero.toml"));
+  refuses(scratch.file("zero.toml"), "it is a device; name a file");
+  std::ofstream(scratch.file("long.toml")) << "name = 1";
+  std::filesystem::resize_file(scratch.file("long.toml"), std::uintmax_t{3} << 20U);
+  refuses(scratch.file("long.toml"), "3 MiB; at most 1 MiB are read");
+}
+
+TEST_CASE("what is wrong in a robot file is told with its place") {
+  const rob::test::ScratchFolder scratch;
+  const std::string file = scratch.file("mine.toml");
+  std::ofstream(file) << "name = \"mine\"\nkinematics = \n";
+  try {
+    load_robot(file);
+    FAIL("a value is missing");
+  } catch (const RobotFileError& error) {
+    CHECK(std::string(error.what()).starts_with(file + ":2:"));
   }
 }
 

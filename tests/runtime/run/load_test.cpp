@@ -7,6 +7,8 @@
 #include <fstream>
 #include <string>
 
+#include "motion/robots/robot_file.h"
+#include "runtime/program/files.h"
 #include "tests/support/scratch_folder.h"
 
 namespace rob::runtime {
@@ -37,6 +39,17 @@ TEST_CASE("a long source text that is put away is read anew for messages, if it 
   CHECK(source_lines(program, {3}).empty());
   std::filesystem::remove(file);
   CHECK(source_lines(program, {3}).empty());
+}
+
+TEST_CASE("a robot file that cannot be read is a file's error, not a robot's") {
+  const test::ScratchFolder scratch;
+  const std::string file = scratch.file("none.toml");
+  CHECK_THROWS_WITH_AS(
+      load_robot(file),
+      ("cannot read '" + file + "': No such file or directory; check the name and the folder")
+          .c_str(),
+      FileError);
+  CHECK_THROWS_AS(load_robot("nobody"), motion::RobotFileError);
 }
 
 TEST_CASE("a short source text stays as it was compiled") {
