@@ -72,9 +72,15 @@ const std::vector<LayerRule>& layer_rules() {
       made.push_back({folder, below});
       below.push_back(folder);
     }
-    made.push_back(
-        {"drivers",
-         {"motion/space", "motion/cell", "motion/kinematics", "motion/dynamics", "motion/servo"}});
+    const std::vector<LayerRule> of_drivers = {
+        {"drivers/sim", {"motion/space", "motion/dynamics", "motion/servo"}},
+        {"drivers/contact", {"drivers/sim", "motion/space", "motion/cell", "motion/kinematics"}},
+        {"drivers/serial", {"motion/servo"}},
+        {"drivers/protocol", {}},
+        {"drivers/link", {"drivers/protocol", "drivers/serial", "motion/space", "motion/servo"}},
+        {"drivers/device", {"drivers/protocol"}},
+    };
+    made.insert(made.end(), of_drivers.begin(), of_drivers.end());
     // Inside runtime: each room knows those before it; the tick knows no word of lang.
     std::vector<std::string_view> runtime = {"motion", "drivers"};
     for (const char* folder : {"runtime/time", "runtime/tick", "runtime/words", "runtime/files",
@@ -210,9 +216,14 @@ TEST_CASE("the rules refuse what the architecture forbids") {
   CHECK(refused("motion/servo/servo_law.h", "#include \"motion/robots/robot_model.h\""));
   CHECK(refused("motion/robots/robot_model.h", "#include \"motion/servo/servo_law.h\""));
   CHECK(refused("motion/new_folder/thing.h", "#include \"motion/space/pose.h\""));
-  CHECK(refused("drivers/sim_gantry.cpp", "#include \"motion/robots/robot_model.h\""));
-  CHECK(refused("drivers/sim_gantry.cpp", "#include \"runtime/time/clock.h\""));
+  CHECK(refused("drivers/sim/sim_gantry.cpp", "#include \"motion/robots/robot_model.h\""));
+  CHECK(refused("drivers/sim/sim_gantry.cpp", "#include \"runtime/time/clock.h\""));
+  CHECK(refused("drivers/sim/sim_gantry.cpp", "#include \"drivers/contact/sim_cell.h\""));
+  CHECK(refused("drivers/device/rob_device.cpp", "#include \"motion/servo/servo_backend.h\""));
   CHECK(refused("runtime/cli/main.cpp", "#include \"tests/support/judge.h\""));
+  CHECK(refused("runtime/tick/motion_task.cpp", "#include \"lang/values/slot.h\""));
+  CHECK(refused("runtime/tick/motion_task.cpp", "#include \"runtime/words/codes.h\""));
+  CHECK(refused("runtime/run/run.cpp", "#include \"runtime/cli/options.h\""));
   CHECK(refused("motion/plan/feasibility.cpp", "#include <fmt/format.h>"));
   CHECK(refused("lang/values/types.cpp", "#include <Eigen/Core>"));
   CHECK(refused("runtime/run/json_report.cpp", "#include <toml++/toml.h>"));
@@ -235,11 +246,11 @@ TEST_CASE("the rules admit what the architecture allows") {
   CHECK(admitted("motion/generate/paul.cpp", "#include <atomic>  // one writer"));
   CHECK(admitted("motion/robots/robot_model.h", "#include \"motion/servo/drive_data.h\""));
   CHECK(admitted("motion/servo/servo_law.h", "#include <Eigen/Core>"));
-  CHECK(admitted("drivers/serial_port.cpp", "#include <termios.h>"));
-  CHECK(admitted("drivers/sim_gantry.cpp", "#include \"motion/servo/servo_backend.h\""));
+  CHECK(admitted("drivers/serial/serial_port.cpp", "#include <termios.h>"));
+  CHECK(admitted("drivers/sim/sim_gantry.cpp", "#include \"motion/servo/servo_backend.h\""));
   CHECK(admitted("drivers/contact/sim_cell.h", "#include \"motion/kinematics/kinematics.h\""));
   CHECK(admitted("drivers/contact/sim_cell.h", "#include \"motion/cell/cell_data.h\""));
-  CHECK(admitted("runtime/tick/motion_task.cpp", "#include \"drivers/sim_gantry.h\""));
+  CHECK(admitted("runtime/tick/motion_task.cpp", "#include \"drivers/sim/sim_gantry.h\""));
   CHECK(admitted("runtime/prompt/repl.cpp", "#include <readline/readline.h>"));
 }
 

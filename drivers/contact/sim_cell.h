@@ -6,7 +6,7 @@
 
 #include "drivers/contact/cell_scene.h"
 #include "drivers/contact/force_sensor.h"
-#include "drivers/sim_machine.h"
+#include "drivers/sim/sim_machine.h"
 #include "motion/cell/cell_data.h"
 #include "motion/kinematics/kinematics.h"
 

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "drivers/latest.h"
+#include "drivers/link/latest.h"
 #include "drivers/link/wire_link.h"
 #include "drivers/serial/wire_port.h"
 #include "motion/servo/servo_backend.h"

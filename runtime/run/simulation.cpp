@@ -4,8 +4,8 @@
 
 #include "drivers/contact/drawn_cell.h"
 #include "drivers/contact/sim_cell.h"
-#include "drivers/sim_arm.h"
-#include "drivers/sim_gantry.h"
+#include "drivers/sim/sim_arm.h"
+#include "drivers/sim/sim_gantry.h"
 #include "motion/kinematics/arm_kinematics.h"
 #include "motion/servo/pulse_servo.h"
 

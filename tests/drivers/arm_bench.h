@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "drivers/sim_arm.h"
+#include "drivers/sim/sim_arm.h"
 #include "motion/robots/robot_library.h"
 #include "motion/servo/reference_interpolator.h"
 #include "motion/servo/servo_law.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "drivers/sim_gantry.h"
+#include "drivers/sim/sim_gantry.h"
 #include "tests/drivers/gantry_bench.h"
 #include "tests/support/faulty_backend.h"
 #include "tests/support/relative.h"

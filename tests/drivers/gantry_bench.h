@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "drivers/sim_gantry.h"
+#include "drivers/sim/sim_gantry.h"
 #include "motion/servo/following_supervisor.h"
 #include "motion/servo/servo_law.h"
 

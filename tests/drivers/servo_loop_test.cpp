@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "drivers/sim_gantry.h"
+#include "drivers/sim/sim_gantry.h"
 #include "tests/drivers/gantry_bench.h"
 #include "tests/support/degrees.h"
 #include "tests/support/no_allocation.h"

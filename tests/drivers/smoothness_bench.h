@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "drivers/sim_gantry.h"
+#include "drivers/sim/sim_gantry.h"
 #include "motion/robots/robot_library.h"
 #include "motion/servo/pulse_servo.h"
 

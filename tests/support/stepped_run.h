@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "drivers/sim_gantry.h"
+#include "drivers/sim/sim_gantry.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/run/controller.h"
 #include "runtime/run/execution.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "drivers/sim_gantry.h"
+#include "drivers/sim/sim_gantry.h"
 #include "motion/kinematics/arm_kinematics.h"
 #include "tests/drivers/contact/cell_bench.h"
 #include "tests/support/no_allocation.h"

@@ -1,10 +1,10 @@
-#include "drivers/pulse_drive.h"
+#include "drivers/sim/pulse_drive.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "drivers/sim_axis.h"
+#include "drivers/sim/sim_axis.h"
 #include "tests/support/no_allocation.h"
 #include "tests/support/relative.h"
 

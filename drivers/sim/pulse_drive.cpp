@@ -1,4 +1,4 @@
-#include "drivers/pulse_drive.h"
+#include "drivers/sim/pulse_drive.h"
 
 #include <algorithm>
 #include <cmath>

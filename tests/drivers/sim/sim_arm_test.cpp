@@ -1,4 +1,4 @@
-#include "drivers/sim_arm.h"
+#include "drivers/sim/sim_arm.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "drivers/sim_axis.h"
+#include "drivers/sim/sim_axis.h"
 #include "tests/drivers/arm_bench.h"
 #include "tests/support/no_allocation.h"
 

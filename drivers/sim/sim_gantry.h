@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "drivers/pulse_drive.h"
-#include "drivers/sim_axis.h"
-#include "drivers/sim_machine.h"
+#include "drivers/sim/pulse_drive.h"
+#include "drivers/sim/sim_axis.h"
+#include "drivers/sim/sim_machine.h"
 #include "motion/servo/drive_data.h"
 
 namespace rob::drivers {

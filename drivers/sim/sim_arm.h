@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "drivers/encoder.h"
-#include "drivers/sim_machine.h"
+#include "drivers/sim/encoder.h"
+#include "drivers/sim/sim_machine.h"
 #include "motion/dynamics/arm_mechanics.h"
 #include "motion/servo/drive_data.h"
 

@@ -1,4 +1,4 @@
-#include "drivers/encoder.h"
+#include "drivers/sim/encoder.h"
 
 #include <array>
 #include <cmath>

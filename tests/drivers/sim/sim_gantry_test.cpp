@@ -1,4 +1,4 @@
-#include "drivers/sim_gantry.h"
+#include "drivers/sim/sim_gantry.h"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
-#include "drivers/sim_machine.h"
+#include "drivers/sim/sim_machine.h"
 
 #include <cassert>
 #include <stdexcept>
 
-#include "drivers/encoder.h"
+#include "drivers/sim/encoder.h"
 
 namespace rob::drivers {
 

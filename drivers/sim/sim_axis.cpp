@@ -1,4 +1,4 @@
-#include "drivers/sim_axis.h"
+#include "drivers/sim/sim_axis.h"
 
 #include <algorithm>
 #include <cmath>

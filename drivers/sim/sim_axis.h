@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "drivers/encoder.h"
+#include "drivers/sim/encoder.h"
 #include "motion/servo/drive_data.h"
 
 namespace rob::drivers {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "drivers/sim_actuator.h"
+#include "drivers/sim/sim_actuator.h"
 #include "motion/servo/servo_backend.h"
 #include "motion/space/joint_vector.h"
 

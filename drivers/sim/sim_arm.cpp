@@ -1,4 +1,4 @@
-#include "drivers/sim_arm.h"
+#include "drivers/sim/sim_arm.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "drivers/sim_actuator.h"
+#include "drivers/sim/sim_actuator.h"
 
 namespace rob::drivers {
 namespace {
