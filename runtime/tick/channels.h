@@ -156,7 +156,12 @@ struct Channels {
   /// it should be. Not for the ticks.
   std::function<std::string(const motion::FollowingFinding&)> of_machine =
       [](const motion::FollowingFinding&) { return std::string(); };
-  std::atomic<std::int64_t> lost{0};  ///< snapshots that found their ring full
+  std::atomic<std::int64_t> lost{0};  ///< snapshots and events that found their ring full
+
+  /// The motion task reports an event.
+  void tell(const motion::MotionEvent& event) noexcept {
+    if (!events.push(event)) lost.fetch_add(1, std::memory_order_relaxed);
+  }
 };
 
 }  // namespace rob::runtime
