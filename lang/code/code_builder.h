@@ -2,33 +2,22 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "lang/code/chunk.h"
+#include "lang/code/code_tables.h"
+#include "lang/code/frame_slots.h"
 
 namespace rob::lang {
 
-using Register = std::uint8_t;
-
-/// What the top level of a prompt holds from one entry to the next.
-struct Room {
-  int numbers = 0;  ///< registers
-  int texts = 0;
-  Slots memory;
-  std::size_t whens = 0;  ///< that are armed
-};
-
-/// Instructions, constants and registers of a Chunk in the making. Knows the encoding and its
-/// limits, and nothing of the language.
+/// The instructions of a Chunk in the making. Knows the encoding and its limits, and nothing of the
+/// language.
 ///
-/// Registers are given out like a stack: what a block or an expression takes is given back in one
-/// go. Beyond a limit the code is worthless but building goes on; failed() tells at the end.
+/// Beyond a limit the code is worthless but building goes on; limits() tells at the end.
 class CodeBuilder {
  public:
   /// Code that is still to be told where to go.
@@ -36,6 +25,11 @@ class CodeBuilder {
   using Jumps = std::vector<Jump>;
 
   explicit CodeBuilder(std::vector<std::string> signals) { chunk_.signals = std::move(signals); }
+  CodeBuilder(const CodeBuilder&) = delete;
+  CodeBuilder& operator=(const CodeBuilder&) = delete;
+
+  /// The registers and the memory of the present frame.
+  FrameSlots& frame() { return frame_; }
 
   void emit(Instruction instruction, Place place);
   void emit(Opcode op, Place place, unsigned a = 0, unsigned b = 0, unsigned c = 0) {
@@ -80,37 +74,8 @@ class CodeBuilder {
   /// is to store what never changes into the element of that number, many turns become one.
   void join_turns(std::size_t body, Register value);
 
-  /// The first of `count` new registers in a row.
-  Register number_registers(int count = 1) { return numbers_.take(count); }
-  Register text_register() { return texts_.take(1); }
-  Register text_registers(int count) { return texts_.take(count); }
-  struct Mark {
-    int numbers;
-    int texts;
-    std::size_t names;
-    Slots memory;
-  };
-  Mark mark() const { return {numbers_.used, texts_.used, live_names_.size(), memory_}; }
-  Room room() const { return {numbers_.used, texts_.used, memory_}; }
-  /// What is taken now lies behind this, which holds values of earlier code.
-  void begin_behind(const Room& room);
-  /// Whether so many registers are left for a variable.
-  bool has_room(Slots slots) const {
-    return numbers_.used + slots.numbers <= kVariableRegisters &&
-           texts_.used + slots.texts <= kVariableRegisters;
-  }
-
   /// The present frame has memory behind its registers; how much turns out at its end.
   void open_memory(Place place);
-  bool has_memory() const { return memory_register_.has_value(); }
-  /// Holds the place of that memory's numbers; the one behind it that of its texts.
-  Register memory_register() const { return *memory_register_; }
-  /// Takes slots of the memory; where they begin in it.
-  Slots take_memory(Slots slots, Place place);
-  /// Gives back all registers taken, and forgets all names given, since `mark`.
-  void release(const Mark& mark);
-  /// Tells listings that a variable lives in a register from here on.
-  void name_register(const std::string& name, Register index, bool text);
 
   /// Tells reports what the program calls a signal.
   void declare_safe(const SafeValue& value) { chunk_.safe_values.push_back(value); }
@@ -121,15 +86,11 @@ class CodeBuilder {
   void begin_tests() { chunk_.test_entry = static_cast<std::uint32_t>(chunk_.code.size()); }
   void add_test(TestCode test) { chunk_.tests.push_back(std::move(test)); }
   /// Calls the TEST that the Vm was told; its registers begin behind those in use.
-  void call_test(Place place) {
-    emit(Opcode::call_test, place, static_cast<unsigned>(numbers_.used),
-         static_cast<unsigned>(texts_.used));
-  }
+  void call_test(Place place);
 
   /// Where every TASK begins: it calls the routine that the Vm was told.
   void task_entry(Place place);
   void add_task(TaskCode task) { chunk_.tasks.push_back(std::move(task)); }
-  std::size_t tasks() const { return chunk_.tasks.size(); }
   /// START of a TASK, by its number.
   void start(std::size_t task, Place place);
   /// TASKs see the slots from the place in register `first` on as they are now.
@@ -159,51 +120,29 @@ class CodeBuilder {
   /// Its action: a handler, by its number as a routine, with `count` registers from the first on.
   void when_handle(Register first, int count, bool stops, std::size_t routine, Place place);
 
-  enum class Limit { None, Registers, Memory, Jump, Dimensions, Motions, Watch, WatchLength };
-  /// The limit that was exceeded, and where first.
-  Limit failed() const { return failed_; }
-  Place failed_at() const { return failed_at_; }
+  const CodeLimits& limits() const { return limits_; }
 
   Chunk finish();
 
  private:
-  struct Registers {
-    int used = 0;
-    int most = 0;
-    Register take(int count);
-  };
-
-  std::size_t text_index(const std::string& text);
-  std::uint16_t form_index(const MoveForm& form, Place place);
   void close_frame();
-  void fail(Limit limit, Place place);
-  std::uint32_t constant_index(Slot value, std::uint64_t bits, Type type);
   void load_constant(Register target, Slot value, std::uint64_t bits, Type type, Place place);
+  /// The number of a form, within what an instruction can hold.
+  unsigned form_number(const MoveForm& form, Place place);
   void set_distance(std::size_t at, std::size_t target);
 
-  /// What a watch puts aside while its code is built.
+  /// A watch whose code is made.
   struct OpenWatch {
-    Registers numbers;
-    Registers texts;
     Jump over = 0;
     std::size_t entry = 0;
   };
 
   Chunk chunk_;
-  OpenWatch watch_;
-  bool watching_ = false;  ///< watch_ is open
-  Registers numbers_;
-  Registers texts_;
-  Slots memory_;  ///< in use
-  Slots most_memory_;
-  std::optional<Register> memory_register_;
-  std::vector<std::size_t> reserves_;    ///< `reserve` instructions of the present frame
-  std::vector<std::size_t> live_names_;  ///< indices into chunk_.names
-  /// Constants are kept once: by bits, kind and dimension (which only listings look at).
-  std::map<std::tuple<std::uint64_t, Type::Kind, Dimension>, std::uint32_t> constant_indices_;
-  std::map<std::string, std::uint32_t> text_indices_;
-  Limit failed_ = Limit::None;
-  Place failed_at_;
+  CodeTables tables_;
+  CodeLimits limits_;
+  FrameSlots frame_{chunk_.code, limits_};
+  std::vector<std::size_t> reserves_;  ///< `reserve` instructions of the present frame
+  std::optional<OpenWatch> watch_;
 };
 
 }  // namespace rob::lang

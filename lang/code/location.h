@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "lang/code/code_builder.h"
+#include "lang/code/frame_slots.h"
 #include "lang/values/types.h"
 
 namespace rob::lang {

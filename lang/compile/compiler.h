@@ -7,15 +7,12 @@
 
 #include "lang/check/checker.h"
 #include "lang/code/chunk.h"
-#include "lang/code/code_builder.h"
+#include "lang/code/frame_slots.h"
 #include "lang/code/location.h"
 #include "lang/machine/robot_signature.h"
 #include "lang/text/diagnostic.h"
 
 namespace rob::lang {
-
-/// Whether it gives a name at its level a meaning.
-bool declares(const Statement& statement);
 
 /// Of an entry of the prompt: what earlier ones have taken.
 struct EntryRooms {

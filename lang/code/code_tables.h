@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "lang/code/chunk.h"
+
+namespace rob::lang {
+
+/// What instructions name by a number: constants, texts, and what says how values are written and
+/// motions are made. Everything is kept once; each function gives the number of its value.
+class CodeTables {
+ public:
+  /// `bits`: of the value. Constants differ by bits, kind and dimension (which only listings look
+  /// at).
+  std::uint32_t constant(Slot value, std::uint64_t bits, Type type);
+  std::uint32_t text(const std::string& text);
+  std::size_t dimension(Dimension dimension);
+  std::size_t type(const Type& type);
+  std::size_t form(const MoveForm& form);
+
+  /// All of them, when the code is complete.
+  void move_into(Chunk& chunk);
+
+ private:
+  std::vector<Slot> constants_;
+  std::vector<Type> constant_types_;
+  std::map<std::tuple<std::uint64_t, Type::Kind, Dimension>, std::uint32_t> constant_numbers_;
+  std::vector<std::string> texts_;
+  std::map<std::string, std::uint32_t> text_numbers_;
+  std::vector<Dimension> dimensions_;
+  std::vector<Type> types_;
+  std::vector<MoveForm> forms_;
+};
+
+}  // namespace rob::lang

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "lang/code/location.h"
+#include "lang/syntax/ast.h"
+
+namespace rob::lang {
+
+/// Where the parameters of a routine lie in its frame, and what its caller has to keep free for
+/// them and for the value, which is left where they begin.
+struct CallLayout {
+  /// Of each parameter. Arrays and records are given by their places, which the routine copies.
+  std::vector<Location> homes;
+  Location result;  ///< where the routine puts an array or record that it returns
+  int registers = 0;
+  int text_registers = 0;
+};
+CallLayout layout_of(const Routine& routine);
+
+}  // namespace rob::lang
