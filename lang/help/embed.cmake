@@ -1,4 +1,4 @@
-# Turns the manual, docs/language.md, into text inside the library, a string for each chapter
+# Turns the manual, docs/language.md, into text inside the library, one string for each chapter
 # (see manual.h).
 set(manual_file ${PROJECT_SOURCE_DIR}/docs/language.md)
 set(ROB_EMBEDDED_MANUAL ${PROJECT_BINARY_DIR}/embedded_manual.cpp)
