@@ -6,11 +6,11 @@ include(GNUInstallDirs)
 set(rob_package ${CMAKE_INSTALL_LIBDIR}/cmake/rob)
 
 install(TARGETS rob RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-foreach(layer lang motion drivers)
+foreach(layer lang motion drivers contact)
   set_target_properties(rob_${layer} PROPERTIES EXPORT_NAME ${layer})
   target_compile_features(rob_${layer} PUBLIC cxx_std_20)
 endforeach()
-install(TARGETS rob_lang rob_motion rob_drivers EXPORT robTargets
+install(TARGETS rob_lang rob_motion rob_drivers rob_contact EXPORT robTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT robTargets NAMESPACE Rob:: DESTINATION ${rob_package})
@@ -33,8 +33,8 @@ install(CODE "
 ")
 install(CODE [[
   foreach(layer lang motion drivers)
-    file(GLOB_RECURSE headers RELATIVE ${source}
-         ${source}/${layer}/*.h ${source}/${layer}/*.def ${source}/${layer}/*.inc)
+    file(GLOB headers RELATIVE ${source} ${source}/${layer}/*.h ${source}/${layer}/*/*.h
+         ${source}/${layer}/*/*.def ${source}/${layer}/*/*.inc)
     foreach(header IN LISTS headers)
       file(READ ${source}/${header} text)
       string(REGEX REPLACE "#include \"((lang|motion|drivers)/)" "#include \"rob/\\1" text "${text}")

@@ -141,3 +141,18 @@ TEST_CASE("folders are found in the first column of their table") {
       "|\n";
   CHECK(folders_of_table(page) == std::set<std::string>{"c", "d/e", "h"});
 }
+
+TEST_CASE("every source of the product is listed, so that it is compiled") {
+  std::string lists;
+  for (const std::string layer : {"lang", "motion", "drivers", "runtime"})
+    lists += rob::test::text_of(layer + "/sources.cmake");
+  int sources = 0;
+  for (const rob::test::SourceFile& file :
+       rob::test::sources_in({"lang", "motion", "drivers", "runtime"})) {
+    if (!file.path.ends_with(".cpp") || file.path == "runtime/cli/main.cpp") continue;
+    ++sources;
+    CHECK_MESSAGE(lists.find("  " + file.path + "\n") != std::string::npos,
+                  file.path << " is in no sources.cmake");
+  }
+  CHECK(sources > 200);
+}

@@ -1,0 +1,45 @@
+# The sources of `rob_drivers` and `rob_contact`, folder by folder. tests/architecture_test.cpp finds those that are missing here.
+set(rob_drivers_sources
+  drivers/device/rob_device.cpp
+  drivers/link/driver.cpp
+  drivers/link/dynamixel_dialect.cpp
+  drivers/link/feetech_dialect.cpp
+  drivers/link/grbl_driver.cpp
+  drivers/link/grbl_link.cpp
+  drivers/link/grbl_port.cpp
+  drivers/link/grbl_setup.cpp
+  drivers/link/grbl_stream.cpp
+  drivers/link/rob_link.cpp
+  drivers/link/servo_driver.cpp
+  drivers/link/servo_link.cpp
+  drivers/link/wire_backend.cpp
+  drivers/link/wire_link.cpp
+  drivers/protocol/dynamixel_packet.cpp
+  drivers/protocol/feetech_packet.cpp
+  drivers/protocol/grbl_line.cpp
+  drivers/protocol/rob_frame.cpp
+  drivers/serial/port_list.cpp
+  drivers/serial/serial_port.cpp
+  drivers/serial/tcp_port.cpp
+  drivers/serial/wire_port.cpp
+  drivers/sim/encoder.cpp
+  drivers/sim/pulse_drive.cpp
+  drivers/sim/sim_actuator.cpp
+  drivers/sim/sim_arm.cpp
+  drivers/sim/sim_axis.cpp
+  drivers/sim/sim_gantry.cpp
+  drivers/sim/sim_machine.cpp
+)
+
+# The simulated cell, which no machine needs.
+set(rob_contact_sources
+  drivers/contact/cap_thread.cpp
+  drivers/contact/cell_scene.cpp
+  drivers/contact/cell_scene_jaws.cpp
+  drivers/contact/drawn_cell.cpp
+  drivers/contact/force_sensor.cpp
+  drivers/contact/hole.cpp
+  drivers/contact/plane_contact.cpp
+  drivers/contact/rack_grid.cpp
+  drivers/contact/sim_cell.cpp
+)
