@@ -6,17 +6,11 @@
 #include <fmt/format.h>
 
 #include "lang/text/codes.h"
-#include "runtime/command/robot_machine.h"
 
 namespace rob::runtime {
 
-BackgroundTasks::BackgroundTasks(const lang::Chunk& chunk, RobotMachine& machine,
-                                 std::uint64_t seed)
-    : chunk_(chunk),
-      machine_(machine),
-      channels_(machine.channels()),
-      seed_(seed),
-      memory_(chunk) {}
+BackgroundTasks::BackgroundTasks(const lang::Chunk& chunk, const TaskSide& side, std::uint64_t seed)
+    : chunk_(chunk), side_(side), channels_(side.links.channels), seed_(seed), memory_(chunk) {}
 
 std::uint32_t BackgroundTasks::keep(Due due) {
   if (const auto* const start = std::get_if<Start>(&due)) started_.insert(start->task);
@@ -34,8 +28,8 @@ void BackgroundTasks::take_due() {
 }
 
 void BackgroundTasks::carry_out(const Start& start) {
-  Running running{start.task, lang::line_tag(start.place), std::make_unique<TaskMachine>(machine_),
-                  nullptr};
+  Running running{start.task, lang::line_tag(start.place),
+                  std::make_unique<TaskMachine>(side_, &memory_), nullptr};
   running.vm = std::make_unique<lang::Vm>(chunk_, *running.machine, start.task, memory_,
                                           seed_ + 1 + start.task);
   running_.push_back(std::move(running));

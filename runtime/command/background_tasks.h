@@ -29,7 +29,7 @@ class BackgroundTasks {
   static constexpr std::int64_t kInstructions = 10'000;
 
   /// `seed`: of RANDOM; each TASK draws numbers of its own.
-  BackgroundTasks(const lang::Chunk& chunk, RobotMachine& machine, std::uint64_t seed);
+  BackgroundTasks(const lang::Chunk& chunk, const TaskSide& side, std::uint64_t seed);
 
   /// START of a TASK, by its number.
   struct Start {
@@ -77,7 +77,7 @@ class BackgroundTasks {
   void fail(lang::RuntimeError error);
 
   const lang::Chunk& chunk_;
-  RobotMachine& machine_;
+  const TaskSide side_;
   Channels& channels_;
   std::uint64_t seed_;
   lang::TaskMemory memory_;

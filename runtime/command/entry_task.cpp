@@ -1,5 +1,6 @@
 #include "runtime/command/entry_task.h"
 
+#include <span>
 #include <utility>
 
 namespace rob::runtime {
@@ -7,8 +8,8 @@ namespace rob::runtime {
 using lang::Reply;
 
 EntryTask::EntryTask(RobotMachine& machine, std::uint64_t seed)
-    : machine_(machine), beside_(machine), vm_(machine, seed) {
-  machine.stay();
+    : machine_(machine), beside_(machine.parts().task_side, nullptr), vm_(machine, seed) {
+  machine.parts().operator_stop.stay();
 }
 
 void EntryTask::submit(Entry entry) {
@@ -27,7 +28,7 @@ std::optional<EntryTask::Failure> EntryTask::take_failure() {
 }
 
 void EntryTask::tell_settled() {
-  const bool stands = machine_.settled();
+  const bool stands = machine_.parts().progress.settled();
   const std::lock_guard lock(mutex_);
   settled_.store(stands && open() == 0, std::memory_order_release);
 }
@@ -46,8 +47,11 @@ EntryTask::State EntryTask::run_tasks(State state) {
 }
 
 bool EntryTask::begin_next() {
-  if (machine_.channels().way_back.under_way.load(std::memory_order_acquire)) return false;
-  machine_.take_place();
+  Channels& channels = machine_.links().channels;
+  if (channels.way_back.under_way.load(std::memory_order_acquire)) return false;
+  // What comes next begins where WayBack has brought the axes.
+  if (channels.way_back.moved.exchange(false))
+    machine_.parts().queue.restart_from(channels.joints.load());
   {
     const std::lock_guard lock(mutex_);
     if (queue_.empty()) return false;
@@ -62,16 +66,16 @@ bool EntryTask::begin_next() {
 void EntryTask::begin(const Statements& statements) {
   if (!statements.chunk->watches.empty()) watching_.push_back(statements.chunk);
   present_ = statements.chunk;
-  machine_.declare_safe_behind(statements.chunk->safe_values);
+  machine_.parts().safe.declare_behind(statements.chunk->safe_values);
   vm_.go_on_with(*statements.chunk);
 }
 
 /// Their handlers are not the program's.
 void EntryTask::begin(const Program& program) {
-  machine_.disarm_all(static_cast<int>(entry_->line));  // at rest: there is room
+  machine_.parts().whens.disarm_all(static_cast<int>(entry_->line));  // at rest: there is room
   vm_.forget_whens();
   program_.emplace(*program.chunk, machine_, program.seed);
-  machine_.channels().hold_points.begin_behind(machine_.last_number());
+  machine_.links().channels.hold_points.begin_behind(machine_.links().planner.last_number());
 }
 
 EntryTask::State EntryTask::go_on(const Statements&, std::int64_t budget) { return run_vm(budget); }
@@ -101,8 +105,9 @@ EntryTask::State EntryTask::go_on(const Program& program, std::int64_t budget) {
   program_.reset();
   run_last_ = program.chunk;  // a guard may point into it
   watching_.clear();          // the disarming is done
-  machine_.declare_safe(present_ ? present_->safe_values : std::vector<lang::SafeValue>{});
-  machine_.channels().hold_points.end_with(machine_.last_number());
+  machine_.parts().safe.declare(present_ ? std::span<const lang::SafeValue>(present_->safe_values)
+                                         : std::span<const lang::SafeValue>{});
+  machine_.links().channels.hold_points.end_with(machine_.links().planner.last_number());
   given_up_ = true;
   return failing_ ? end_failed() : end();
 }
@@ -110,7 +115,8 @@ EntryTask::State EntryTask::go_on(const Program& program, std::int64_t budget) {
 EntryTask::State EntryTask::go_on(const Jog& jog, std::int64_t) {
   const int line = static_cast<int>(entry_->line);
   bool hit = false;
-  Reply reply = jogs_ ? machine_.ended(line, hit) : machine_.jog_while(line, jog.command, jog.held);
+  Reply reply = jogs_ ? machine_.ended(line, hit)
+                      : machine_.parts().motions.jog_while(line, jog.command, jog.held);
   if (reply == Reply::Later) return State::Waiting;
   if (reply == Reply::Refused) {
     failing_ = lang::RuntimeError{machine_.refusal().code,
@@ -131,7 +137,7 @@ EntryTask::State EntryTask::end_failed() {
     given_up_ = true;
   }
   if (machine_.settle(line) != Reply::Done) return State::Waiting;
-  if (machine_.take_safe_values() != Reply::Done) return State::Waiting;
+  if (machine_.parts().safe.take(true) != Reply::Done) return State::Waiting;
   const std::lock_guard lock(mutex_);
   Failure failure{static_cast<std::uint32_t>(line), 0, 0, queue_.size(), std::move(*failing_)};
   if (entry_) queue_.push_front(std::move(*entry_));
@@ -170,7 +176,8 @@ void EntryTask::take_interruption() {
 void EntryTask::begin_handler() {
   if (program_ || !vm_.takes_handlers()) return;
   const auto handled = machine_.take_handled();
-  if (handled) vm_.handle(handled->id, handled->stops ? machine_.handlers() : beside_);
+  if (!handled) return;
+  vm_.handle(handled->id, handled->robot != nullptr ? *handled->robot : beside_);
 }
 
 }  // namespace rob::runtime

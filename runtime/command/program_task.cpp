@@ -6,9 +6,12 @@ namespace rob::runtime {
 
 ProgramTask::ProgramTask(const lang::Chunk& chunk, RobotMachine& machine, std::uint64_t seed,
                          std::optional<std::size_t> test)
-    : vm_(chunk, machine, seed), machine_(machine), beside_(machine), tasks_(chunk, machine, seed) {
+    : vm_(chunk, machine, seed),
+      machine_(machine),
+      tasks_(chunk, machine.parts().task_side, seed),
+      beside_(machine.parts().task_side, &tasks_.memory()) {
   machine.run_beside(tasks_);
-  machine.declare_safe(chunk.safe_values);
+  machine.parts().safe.declare(chunk.safe_values);
   if (test) vm_.choose_test(*test);
 }
 
@@ -36,7 +39,7 @@ ProgramTask::State ProgramTask::step(std::int64_t budget) {
 }
 
 ProgramTask::State ProgramTask::run_tasks(State state) {
-  const std::int64_t cycle = machine_.channels().cycle.load(std::memory_order_relaxed);
+  const std::int64_t cycle = machine_.links().channels.cycle.load(std::memory_order_relaxed);
   if (failure_ || !tasks_.any() || cycle == tasks_cycle_) return state;
   tasks_cycle_ = cycle;
   tasks_.take_due();
@@ -56,12 +59,12 @@ void ProgramTask::begin_handler() {
   if (!vm_.takes_handlers()) return;
   const auto handled = machine_.take_handled();
   if (!handled) return;
-  vm_.handle(handled->id, handled->stops ? machine_.handlers() : beside_);
+  vm_.handle(handled->id, handled->robot != nullptr ? *handled->robot : beside_);
 }
 
 /// An error takes effect in motion order: the last motion commanded before it is made exact.
 ProgramTask::State ProgramTask::finish(int line) {
-  machine_.bar_handlers(true);
+  machine_.parts().turns.bar(true);
   const lang::Reply reply = failure_ ? machine_.fail(line) : machine_.end(line);
   return reply == lang::Reply::Later ? State::Waiting : State::Over;
 }

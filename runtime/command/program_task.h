@@ -54,8 +54,8 @@ class ProgramTask {
 
   lang::Vm vm_;
   RobotMachine& machine_;
-  TaskMachine beside_;  ///< of handlers that do not stop the axes
   BackgroundTasks tasks_;
+  TaskMachine beside_;             ///< of handlers that do not stop the axes
   std::int64_t tasks_cycle_ = -1;  ///< in which they ran last
   std::optional<lang::RuntimeError> failure_;
 };

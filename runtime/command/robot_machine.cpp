@@ -1,13 +1,8 @@
 #include "runtime/command/robot_machine.h"
 
-#include <algorithm>
-#include <string>
+#include <utility>
 
-#include "motion/space/cycle_instant.h"
-#include "runtime/command/background_tasks.h"
 #include "runtime/command/signal_access.h"
-#include "runtime/words/codes.h"
-#include "runtime/words/messages.h"
 #include "runtime/words/signature.h"
 
 namespace rob::runtime {
@@ -16,291 +11,301 @@ using lang::Reply;
 
 RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanner& planner,
                            motion::LookAheadBuffer& buffer, Channels& channels,
-                           MotionProgress& progress, ProgramLog& log)
-    : robot_(robot),
-      signature_(signature_of(robot)),
-      signals_(signature_.signals),
-      planner_(planner),
-      buffer_(buffer),
-      channels_(channels),
-      progress_(progress),
-      log_(log),
-      settling_(robot, log),
-      until_(signals_, robot),
-      whens_(signals_, robot) {}
-
-Reply RobotMachine::stop(int line) {
-  if (buffer_.full() || !rested()) return Reply::Later;
-  if (const auto segment = settled_stop(line)) queue(*segment, true);
-  brakable_ = 0;
-  return Reply::Done;
+                           MotionProgress& progress, ProgramLog& log, RobotMachine* handlers,
+                           double override_share)
+    : signature_(signature_of(robot)),
+      links_{robot,    signature_, planner, buffer,
+             channels, progress,   log,     [this](Words why) { return refuse(std::move(why)); }},
+      parts_(links_, override_share),
+      handlers_(handlers) {
+  if (handlers == nullptr) parts_.queue.keep_nothing();
 }
 
-Reply RobotMachine::make_exact(int line) {
-  if (buffer_.full() || !rested()) return Reply::Later;
-  const auto segment = planner_.stop(static_cast<motion::Tag>(line));
-  if (segment) queue(*segment, true);
-  brakable_ = 0;
-  return Reply::Done;
+void RobotMachine::run_beside(BackgroundTasks& tasks) {
+  if (handlers_ != nullptr) handlers_->run_beside(tasks);
+  parts_.reports.go_to(tasks);
 }
 
-std::optional<motion::SegmentDescriptor> RobotMachine::settled_stop(int line) {
-  const auto tag = static_cast<motion::Tag>(line);
-  auto segment = planner_.stop(tag);
-  if (!segment && !settling_.settled()) segment = planner_.dwell(tag, 0);
-  if (segment) settling_.ask(*segment, settling_.window(0, planner_.tool_tip()));
-  return segment;
-}
+// What concerns all parts
 
-/// What STOP, WAIT or UNTIL has brought to rest is not braked: that it be reached was promised.
-/// Of a handler it is the interrupted motion that ends.
-Reply RobotMachine::brake(int /*line*/) {
-  if (errand_) {
-    errand_->returns = false;
-    return Reply::Done;
-  }
-  if (brakable_ == 0) return Reply::Done;
-  if (!braking_) {
-    if (stands()) return settled() ? Reply::Done : Reply::Later;
-    buffer_.brake(brakable_);
-    braking_ = true;
-  }
-  motion::Rest rest;
-  do {
-    if (!take_rest(rest)) return Reply::Later;
-  } while (!rest.early());  // a jog has told that it has come to rest before
-  restart_from(rest.q);
-  braking_ = false;
-  brakable_ = 0;
-  return Reply::Done;
+void RobotMachine::drop_statement() {
+  parts_.waits.drop();
+  parts_.desk.drop();
+  parts_.guard.switch_to(false);
+  parts_.whens.drop();
+  parts_.next.drop();
 }
-
-Reply RobotMachine::wait(int line, double seconds) {
-  if (!(seconds <= motion::MotionPlanner::kLongest)) {
-    refuse(words_for_long_wait(seconds));
-    return Reply::Refused;
-  }
-  if (seconds == 0) return stop(line);
-  const Reply reply = dwell(line, seconds);
-  if (reply == Reply::Done) begun_ = false;
-  return reply;
-}
-
-Reply RobotMachine::dwell(int line, double seconds) {
-  const auto tag = static_cast<motion::Tag>(line);
-  if (buffer_.full() || !rested()) return Reply::Later;
-  brakable_ = 0;
-  if (const auto segment = settled_stop(line)) {
-    queue(*segment, true);
-    begun_ = true;
-    if (buffer_.full()) return Reply::Later;
-  }
-  queue(planner_.dwell(tag, seconds), true, begun_);
-  begun_ = true;
-  return Reply::Done;
-}
-
-/// A dwell of no length marks in the buffer where the waiting begins, and another where it ends:
-/// so the time between belongs to the line that waits. No mark is waited for.
-Reply RobotMachine::stand(int line, double& now) {
-  if (!standing_) {
-    const Reply reply = dwell(line, 0);
-    if (reply != Reply::Done) return reply;
-    standing_ = true;
-  }
-  if (!has_acted()) return Reply::Later;
-  const std::int64_t cycle = channels_.cycle.load(std::memory_order_relaxed);
-  assumed_read_ = -1;
-  now = motion::cycle_instant(cycle, robot_.reference_period);
-  return Reply::Done;
-}
-
-Reply RobotMachine::waited(int line) {
-  taken_as_met(line);  // also where what is assumed has met it
-  const Reply reply = dwell(line, 0);
-  if (reply == Reply::Done) begun_ = standing_ = false;
-  return reply;
-}
-
-Reply RobotMachine::leave_block(int /*line*/) { return decided() ? Reply::Done : Reply::Later; }
 
 Reply RobotMachine::settle(int line) {
-  bar_handlers(true);
-  if (handler_ == Handler::HasAxes) {
+  parts_.turns.bar(true);
+  if (parts_.turns.has_axes()) {
     if (const Reply reply = drop_interrupted(line); reply != Reply::Done) return reply;
   }
-  if (path_ && path_->closed && end_path(line) != Reply::Done) return Reply::Later;
-  drop_path();
-  begun_ = standing_ = guarded_ = consulting_ = false;
-  recording_ = nullptr;
-  place_.reset();
-  on_the_way_.clear();
-  via_.clear();
-  live_.reset();
-  const Reply reply = make_exact(line);
+  if (parts_.queue.path_closed() && end_path(line) != Reply::Done) return Reply::Later;
+  parts_.queue.drop_path();
+  drop_statement();
+  const Reply reply = parts_.queue.make_exact(line);
   if (reply != Reply::Done) return reply;
-  if (!settled() || give_up_press() == Reply::Later) return Reply::Later;
-  forget_rests();
-  bar_handlers(false);
+  if (!parts_.progress.settled() || parts_.forces.give_up_press() == Reply::Later)
+    return Reply::Later;
+  parts_.queue.forget_rests();
+  parts_.turns.bar(false);
   return Reply::Done;
 }
 
-/// An error that came from a TASK may have found a motion that was guarded or braked.
-void RobotMachine::forget_rests() {
-  motion::Rest rest;
-  while (take_rest(rest)) {
-    if (!rest.early()) continue;
-    restart_from(rest.q);
+/// What has gone wrong in a handler ends it and all that it has interrupted.
+Reply RobotMachine::drop_interrupted(int line) {
+  Errand& errand = handlers_->parts_.errand;
+  if (!errand.asked()) {
+    if (const Reply reply = handlers_->settle(line); reply != Reply::Done) return reply;
+    errand.leave_all();
   }
-  braking_ = false;
+  return parts_.turns.leave_all() ? Reply::Done : Reply::Later;
 }
 
-std::uint32_t RobotMachine::awaited() const { return std::min(awaited_, planner_.last_number()); }
-
-bool RobotMachine::stands() const {
-  return progress_.settled.load(std::memory_order_acquire) >= awaited();
+std::optional<lang::RuntimeError> RobotMachine::take_interruption() {
+  const motion::Rest* const rest = links_.progress.rests.front();
+  if (rest == nullptr || !rest->failure()) return std::nullopt;
+  lang::RuntimeError error = parts_.operator_stop.caused(*rest) ? parts_.operator_stop.take_error()
+                                                                : parts_.whens.error_of(*rest);
+  parts_.queue.restart_from(rest->q);
+  parts_.queue.drop();
+  drop_statement();
+  links_.progress.rests.pop();
+  return error;
 }
 
-bool RobotMachine::has_acted() const {
-  return stands() && progress_.effects_done.load(std::memory_order_acquire) >= effects_;
+std::optional<RobotMachine::Handled> RobotMachine::take_handled() {
+  const auto begun = parts_.turns.begin();
+  if (!begun) return std::nullopt;
+  if (!begun->stops) return Handled{begun->id, nullptr};
+  handlers_->parts_.errand.begin(parts_.turns, begun->home);
+  return Handled{begun->id, handlers_};
 }
-
-bool RobotMachine::settled() const { return has_acted() && !interrupted(); }
 
 /// A PATH is open only where a loop in it has been given up.
 Reply RobotMachine::end(int line) {
-  if (path_ && end_path(line) == Reply::Later) return Reply::Later;
-  if (stays_) {
-    channels_.hold_points.end_with(planner_.last_number());  // what stops it there is no line's
-    return disarm_all(line) ? settle(line) : Reply::Later;
+  if (parts_.queue.path_open() && end_path(line) == Reply::Later) return Reply::Later;
+  if (parts_.operator_stop.stays()) {
+    // What stops it there is no line's.
+    links_.channels.hold_points.end_with(links_.planner.last_number());
+    return parts_.whens.disarm_all(line) ? settle(line) : Reply::Later;
   }
   const Reply reply = stop(line);
   if (reply != Reply::Done) return reply;
-  if (!watched()) return Reply::Later;  // a WHEN may still have something to say
-  buffer_.close();
-  bar_handlers(true);
+  if (!parts_.whens.watched()) return Reply::Later;  // a WHEN may still have something to say
+  links_.buffer.close();
+  parts_.turns.bar(true);
   return Reply::Done;
 }
 
-Reply RobotMachine::print(int line, std::string_view text) {
-  return note(line, {Note::Kind::Print, std::string(text)});
+Reply RobotMachine::fail(int line) {
+  parts_.turns.bar(true);
+  if (parts_.queue.collecting()) parts_.queue.drop_path();
+  if (parts_.safe.none() && !parts_.turns.has_axes()) return end(line);
+  take_interruption();  // the first error is the one to mend
+  const Reply reply = settle(line);
+  if (reply != Reply::Done) return reply;
+  parts_.turns.bar(true);
+  if (parts_.safe.take(parts_.operator_stop.stays()) != Reply::Done) return Reply::Later;
+  return end(line);
 }
 
-Reply RobotMachine::note(int line, Note note) {
-  if (buffer_.effects_full()) return Reply::Later;
-  motion::Effect effect;
-  effect.tag = static_cast<motion::Tag>(line);
-  effect.kind = motion::Effect::Kind::Note;
-  effect.id = log_.keep(std::move(note));
-  return queue(effect);
+// Motions
+
+Reply RobotMachine::move(int line, const lang::MoveCommand& command) {
+  return parts_.motions.move(line, command);
 }
 
-motion::Effect RobotMachine::effect_on(int line, int signal) const {
-  return runtime::effect_on(this->signal(signal), line);
-}
-
-Reply RobotMachine::write_signal(int line, int signal, bool value) {
-  motion::Effect effect = effect_on(line, signal);
-  effect.kind = motion::Effect::Kind::Output;
-  effect.value = value;
-  return queue(effect);
-}
-
-Reply RobotMachine::write_analog(int line, int signal, double volts) {
-  motion::Effect effect = effect_on(line, signal);
-  effect.kind = motion::Effect::Kind::Analog;
-  effect.volts = volts;
-  return queue(effect);
-}
-
-Reply RobotMachine::pulse(int line, int signal, double seconds) {
-  motion::Effect effect = effect_on(line, signal);
-  effect.kind = motion::Effect::Kind::Pulse;
-  effect.seconds = seconds;
-  return queue(effect);
-}
-
-bool RobotMachine::observable() const {
-  if (!decided()) return false;
-  // At standstill what was written before acts first; in a corner it acts after the decision
-  // point.
-  const bool stands = exact_ || progress_.standing.load(std::memory_order_relaxed);
-  return !stands || progress_.effects_done.load(std::memory_order_acquire) >= effects_;
-}
-
-Reply RobotMachine::read_signal(int line, int signal, bool& value) {
-  if (!observable()) return Reply::Later;
-  value = digital_value(channels_, this->signal(signal));
-  if (!assumed_.empty()) note_assumed(line, signal);
+Reply RobotMachine::via(int /*line*/, const lang::MoveCommand& point) {
+  parts_.next.via(point);
   return Reply::Done;
 }
 
-/// Program and motion share the numbers of segments: a decision point has come once the generator
-/// names it.
-bool RobotMachine::decided() const {
-  return progress_.decidable.load(std::memory_order_acquire) >= awaited() && !interrupted();
+void RobotMachine::work_in(int /*line*/, const lang::Setting& setting) {
+  parts_.motions.work_in(setting);
 }
 
-Reply RobotMachine::read_analog(int line, int signal, double& volts) {
-  if (!observable()) return Reply::Later;
-  volts = analog_value(channels_, this->signal(signal));
-  if (!assumed_.empty()) note_assumed(line, signal);
+Reply RobotMachine::begin_path(int line) { return parts_.motions.begin_path(line); }
+
+Reply RobotMachine::end_path(int line) { return parts_.motions.end_path(line); }
+
+Reply RobotMachine::on_the_way(int /*line*/, const lang::PathPlace& place) {
+  parts_.next.on_the_way(place);
   return Reply::Done;
 }
 
-void RobotMachine::queue(motion::SegmentDescriptor segment, bool stop, bool further) {
-  queue(Commanded{segment, stop, further});
+Reply RobotMachine::live_pace(int /*line*/, const lang::Watch& pace,
+                              lang::MoveCommand::Pace means) {
+  parts_.next.live_pace(pace, means);
+  return Reply::Done;
 }
 
-void RobotMachine::queue(Commanded commanded) {
-  motion::SegmentDescriptor& segment = commanded.segment;
-  if (guarded_) segment.guard = held_.present() ? held_ : until_.handle();
-  follow(segment);
-  if (!collecting()) return send(std::move(commanded));
-  path_->motions.push_back(std::move(commanded));
+Reply RobotMachine::override_speed(int line, double share) {
+  return parts_.outputs.override_speed(line, share);
 }
 
-void RobotMachine::follow(const motion::SegmentDescriptor& segment) {
-  exact_ = segment.ends_at_rest();
-  jogging_ = segment.jog->present();
-  settling_.follow(segment);
-  const bool mark = segment.dwell && segment.duration == 0 && !segment.settle.present();
-  if (!mark) awaited_ = segment.number;
-}
-
-void RobotMachine::send(Commanded commanded) {
-  const motion::SegmentDescriptor& segment = commanded.segment;
-  LoggedSegment logged{segment, commanded.stop, commanded.further, planner_.tool_tip(),
-                       commanded.leg};
-  if (errand_) logged.number += kHandlerNumbers;
-  log_.planned(logged);  // before the generator can report it
-  sent_ = segment.number;
-  planner_.sends(segment);
-  buffer_.push(segment);  // there is room: only this thread fills the buffer
-  remember(std::move(commanded));
-}
-
-Reply RobotMachine::queue(motion::Effect effect) {
-  if (place_) {
-    on_the_way_.push_back({*place_, effect});
-    place_.reset();
-    return Reply::Done;
-  }
-  if (recording_ != nullptr) {
-    recording_->effect = effect;
-    return arm();
-  }
-  const Reply reply = push(effect);
-  if (reply == Reply::Done) log_.queued_effect();
+Reply RobotMachine::carry(int line, const lang::LoadCommand& load) {
+  const Reply reply = parts_.motions.carry(line, load);
+  if (reply == Reply::Done && parts_.errand.begun()) parts_.errand.tell_load();
   return reply;
 }
 
-Reply RobotMachine::push(motion::Effect effect) {
-  effect.after = planner_.last_number();
-  effect.generation = planner_.generation();
-  if (!buffer_.push(effect)) return Reply::Later;
-  ++effects_;
+Reply RobotMachine::stop(int line) { return parts_.queue.stop(line); }
+
+Reply RobotMachine::brake(int /*line*/) {
+  if (!parts_.errand.begun()) return parts_.queue.brake();
+  parts_.errand.end_path();
   return Reply::Done;
+}
+
+Reply RobotMachine::wait(int line, double seconds) { return parts_.waits.wait(line, seconds); }
+
+Reply RobotMachine::forward(int /*line*/, std::span<const double> joints, lang::PoseValue& pose) {
+  pose = parts_.readings.forward(parts_.surroundings.setting(), joints);
+  return Reply::Done;
+}
+
+Reply RobotMachine::inverse(int /*line*/, const lang::PoseValue& pose, std::span<const double> near,
+                            std::span<double> joints) {
+  const lang::Setting& setting = parts_.surroundings.setting();
+  return parts_.readings.inverse(setting, pose, near, joints, links_.refuse);
+}
+
+// Signals
+
+Reply RobotMachine::write_signal(int line, int signal, bool value) {
+  return parts_.outputs.write_signal(line, signal, value);
+}
+
+Reply RobotMachine::write_analog(int line, int signal, double volts) {
+  return parts_.outputs.write_analog(line, signal, volts);
+}
+
+Reply RobotMachine::pulse(int line, int signal, double seconds) {
+  return parts_.outputs.pulse(line, signal, seconds);
+}
+
+Reply RobotMachine::read_signal(int line, int signal, bool& value) {
+  if (!parts_.progress.observable()) return Reply::Later;
+  value = digital_value(links_.channels, links_.signal(signal));
+  parts_.waits.note_read(line, signal);
+  return Reply::Done;
+}
+
+Reply RobotMachine::read_analog(int line, int signal, double& volts) {
+  if (!parts_.progress.observable()) return Reply::Later;
+  volts = analog_value(links_.channels, links_.signal(signal));
+  parts_.waits.note_read(line, signal);
+  return Reply::Done;
+}
+
+Reply RobotMachine::guard(int /*line*/, const lang::Watch& condition) {
+  parts_.guard.set(condition);
+  return Reply::Done;
+}
+
+Reply RobotMachine::ended(int line, bool& hit) { return parts_.motions.ended(line, hit); }
+
+Reply RobotMachine::when(int line, const lang::Watch& condition, int& id) {
+  return parts_.whens.begin(line, condition, id);
+}
+
+Reply RobotMachine::when_raise(const lang::Place& place, std::string_view text) {
+  return parts_.whens.raise(place, text);
+}
+
+Reply RobotMachine::when_handle(int /*line*/, bool stops) { return parts_.whens.handle(stops); }
+
+Reply RobotMachine::leave_handler(int line) { return parts_.errand.leave(line); }
+
+Reply RobotMachine::disarm(int line, int id) { return parts_.whens.disarm(line, id); }
+
+Reply RobotMachine::stand(int line, double& now) { return parts_.waits.stand(line, now); }
+
+bool RobotMachine::taken_as_met(int line) { return parts_.assumptions.taken_as_met(line); }
+
+Reply RobotMachine::waited(int line) { return parts_.waits.waited(line); }
+
+// Output, Operator, Force
+
+Reply RobotMachine::print(int line, std::string_view text) {
+  return parts_.outputs.note(line, {Note::Kind::Print, std::string(text)});
+}
+
+Reply RobotMachine::halt(int line, std::string_view text) { return parts_.desk.halt(line, text); }
+
+Reply RobotMachine::ask(int line, std::string_view text, std::optional<std::string>& answer) {
+  return parts_.desk.ask(line, text, answer);
+}
+
+Reply RobotMachine::teach(int /*line*/, const lang::TaughtPoint& point) {
+  return parts_.desk.teach(point);
+}
+
+Reply RobotMachine::press(int line, const lang::PressCommand& command) {
+  return parts_.forces.press(line, command);
+}
+
+Reply RobotMachine::end_press(int line) { return parts_.forces.end_press(line); }
+
+Reply RobotMachine::zero_force(int line) { return parts_.forces.zero_force(line); }
+
+// Testing
+
+Reply RobotMachine::expectation_failed(int line, std::string_view text) {
+  links_.log.expect_failed({line, std::string(text)});
+  return Reply::Done;
+}
+
+Reply RobotMachine::simulate(int line, int signal, double value, double after) {
+  return parts_.outputs.simulate(line, signal, value, after);
+}
+
+Reply RobotMachine::simulate_force(int line, int component, double value, double after) {
+  if (!parts_.queue.rested()) return Reply::Later;
+  const motion::Pose frame = parts_.surroundings.frame();
+  return parts_.outputs.simulate_force(line, component, frame, value, after);
+}
+
+Reply RobotMachine::simulate_go(int line, bool go, double after) {
+  return go ? parts_.outputs.simulate_go(line, after) : Reply::Done;
+}
+
+Reply RobotMachine::simulate_answer(int line, std::string_view text, double after) {
+  return parts_.outputs.simulate_answer(line, text, after);
+}
+
+// Shared
+
+Reply RobotMachine::start(const lang::Place& place, std::uint32_t task) {
+  return parts_.reports.start(place, task);
+}
+
+Reply RobotMachine::publish(int line, std::size_t first, std::span<const lang::Slot> values) {
+  return parts_.reports.publish(line, first, values);
+}
+
+Reply RobotMachine::publish(int line, std::size_t first, std::span<const std::string> texts) {
+  return parts_.reports.publish(line, first, texts);
+}
+
+Reply RobotMachine::refresh(int /*line*/, std::size_t first, std::span<lang::Slot> values) {
+  return parts_.reports.refresh(first, values);
+}
+
+Reply RobotMachine::refresh(int /*line*/, std::size_t first, std::span<std::string> texts) {
+  return parts_.reports.refresh(first, texts);
+}
+
+// Machine
+
+Reply RobotMachine::read(int /*line*/, lang::Reading what, lang::Slot* value) {
+  return parts_.readings.read(what, parts_.surroundings.setting(), value);
+}
+
+Reply RobotMachine::leave_block(int /*line*/) {
+  return parts_.progress.decided() ? Reply::Done : Reply::Later;
 }
 
 }  // namespace rob::runtime

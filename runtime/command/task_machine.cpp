@@ -1,8 +1,8 @@
 #include "runtime/command/task_machine.h"
 
+#include <utility>
+
 #include "motion/space/cycle_instant.h"
-#include "runtime/command/background_tasks.h"
-#include "runtime/command/robot_machine.h"
 #include "runtime/command/signal_access.h"
 
 namespace rob::runtime {
@@ -10,14 +10,15 @@ namespace rob::runtime {
 using lang::Reply;
 using motion::Effect;
 
-TaskMachine::TaskMachine(RobotMachine& robot)
-    : robot_(robot),
-      channels_(robot.channels()),
-      log_(robot.log()),
-      period_(robot.robot().reference_period) {}
+TaskMachine::TaskMachine(const TaskSide& side, lang::TaskMemory* memory)
+    : side_(side),
+      channels_(side.links.channels),
+      memory_(memory),
+      refuse_([this](Words why) { return refuse(std::move(why)); }) {}
 
 double TaskMachine::now() const {
-  return motion::cycle_instant(channels_.cycle.load(std::memory_order_relaxed), period_);
+  return motion::cycle_instant(channels_.cycle.load(std::memory_order_relaxed),
+                               side_.links.robot.reference_period);
 }
 
 Reply TaskMachine::wait(int /*line*/, double seconds) {
@@ -40,7 +41,7 @@ Reply TaskMachine::settle(int /*line*/) {
 /// The ring is emptied at the beginning of every cycle.
 Reply TaskMachine::send(const Effect& effect) {
   if (!channels_.immediate.push(effect)) return Reply::Later;
-  log_.queued_effect();
+  side_.links.log.queued_effect();
   return Reply::Done;
 }
 
@@ -48,83 +49,78 @@ Reply TaskMachine::print(int line, std::string_view text) {
   if (channels_.immediate.full()) return Reply::Later;
   return send({.tag = static_cast<motion::Tag>(line),
                .kind = Effect::Kind::Note,
-               .id = log_.keep({Note::Kind::Print, std::string(text)})});
+               .id = side_.links.log.keep({Note::Kind::Print, std::string(text)})});
 }
 
 Reply TaskMachine::write_signal(int line, int signal, bool value) {
-  Effect effect = effect_on(robot_.signal(signal), line);
+  Effect effect = effect_on(side_.links.signal(signal), line);
   effect.kind = Effect::Kind::Output;
   effect.value = value;
   return send(effect);
 }
 
 Reply TaskMachine::write_analog(int line, int signal, double volts) {
-  Effect effect = effect_on(robot_.signal(signal), line);
+  Effect effect = effect_on(side_.links.signal(signal), line);
   effect.kind = Effect::Kind::Analog;
   effect.volts = volts;
   return send(effect);
 }
 
 Reply TaskMachine::pulse(int line, int signal, double seconds) {
-  Effect effect = effect_on(robot_.signal(signal), line);
+  Effect effect = effect_on(side_.links.signal(signal), line);
   effect.kind = Effect::Kind::Pulse;
   effect.seconds = seconds;
   return send(effect);
 }
 
 Reply TaskMachine::read_signal(int line, int signal, bool& value) {
-  value = digital_value(channels_, robot_.signal(signal));
-  robot_.note_assumed_value(line, signal);
+  value = digital_value(channels_, side_.links.signal(signal));
+  side_.assumptions.note_read(line, signal);
   return Reply::Done;
 }
 
 Reply TaskMachine::read_analog(int line, int signal, double& volts) {
-  volts = analog_value(channels_, robot_.signal(signal));
-  robot_.note_assumed_value(line, signal);
+  volts = analog_value(channels_, side_.links.signal(signal));
+  side_.assumptions.note_read(line, signal);
   return Reply::Done;
 }
 
-template <typename Ask>
-Reply TaskMachine::asked(const Ask& ask) {
-  const Reply reply = robot_.asked_plainly(ask);
-  return reply == Reply::Refused ? refuse(robot_.refusal()) : reply;
-}
-
 Reply TaskMachine::read(int /*line*/, lang::Reading what, lang::Slot* value) {
-  return asked([&] { return robot_.present(what, value); });
+  return side_.readings.current(what, outside_, value, refuse_);
 }
 
-Reply TaskMachine::forward(int line, std::span<const double> joints, lang::PoseValue& pose) {
-  return asked([&] { return robot_.forward(line, joints, pose); });
+Reply TaskMachine::forward(int /*line*/, std::span<const double> joints, lang::PoseValue& pose) {
+  pose = side_.readings.forward(outside_, joints);
+  return Reply::Done;
 }
 
-Reply TaskMachine::inverse(int line, const lang::PoseValue& pose, std::span<const double> near,
+Reply TaskMachine::inverse(int /*line*/, const lang::PoseValue& pose, std::span<const double> near,
                            std::span<double> joints) {
-  return asked([&] { return robot_.inverse(line, pose, near, joints); });
+  return side_.readings.inverse(outside_, pose, near, joints, refuse_);
 }
 
 Reply TaskMachine::publish(int /*line*/, std::size_t first, std::span<const lang::Slot> values) {
-  robot_.tasks().memory().store(first, values);
+  memory_->store(first, values);
   return Reply::Done;
 }
 
 Reply TaskMachine::publish(int /*line*/, std::size_t first, std::span<const std::string> texts) {
-  robot_.tasks().memory().store(first, texts);
+  memory_->store(first, texts);
   return Reply::Done;
 }
 
 Reply TaskMachine::refresh(int /*line*/, std::size_t first, std::span<lang::Slot> values) {
-  robot_.tasks().memory().load(first, values);
+  memory_->load(first, values);
   return Reply::Done;
 }
 
 Reply TaskMachine::refresh(int /*line*/, std::size_t first, std::span<std::string> texts) {
-  robot_.tasks().memory().load(first, texts);
+  memory_->load(first, texts);
   return Reply::Done;
 }
 
 Reply TaskMachine::leave_handler(int /*line*/) {
-  robot_.end_call();
+  side_.turns.end_call();
   return Reply::Done;
 }
 

@@ -7,12 +7,21 @@
 #include <vector>
 
 #include "lang/machine/machine.h"
-#include "runtime/command/program_log.h"
-#include "runtime/tick/channels.h"
+#include "lang/vm/task_memory.h"
+#include "runtime/command/assumptions.h"
+#include "runtime/command/handler_turns.h"
+#include "runtime/command/readings.h"
+#include "runtime/command/robot_links.h"
 
 namespace rob::runtime {
 
-class RobotMachine;
+/// What a TASK needs of the program's side of the robot. All of it outlives the TASK.
+struct TaskSide {
+  const RobotLinks& links;
+  Readings& readings;
+  Assumptions& assumptions;
+  HandlerTurns& turns;
+};
 
 /// A TASK's side of the robot, and that of a handler that does not stop the axes: it reads the
 /// current cycle, the values that it sets and prints act at the beginning of the next one, and its
@@ -20,7 +29,9 @@ class RobotMachine;
 /// the kind into a TASK. All calls come from the program's thread.
 class TaskMachine final : public lang::Machine {
  public:
-  explicit TaskMachine(RobotMachine& robot);
+  /// `memory`: the globals that TASKs see; null where there are none.
+  TaskMachine(const TaskSide& side, lang::TaskMemory* memory);
+  TaskMachine(const TaskMachine&) = delete;
 
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
@@ -46,14 +57,12 @@ class TaskMachine final : public lang::Machine {
  private:
   double now() const;
   lang::Reply send(const motion::Effect& effect);
-  /// Asks the robot outside of all WITH and IN; its refusal is this machine's.
-  template <typename Ask>
-  lang::Reply asked(const Ask& ask);
 
-  RobotMachine& robot_;
+  const TaskSide side_;
   Channels& channels_;
-  ProgramLog& log_;
-  double period_;                        ///< s
+  lang::TaskMemory* const memory_;
+  const Refuse refuse_;
+  const lang::Setting outside_{};        ///< of all WITH and IN
   std::optional<double> waiting_since_;  ///< s
 };
 

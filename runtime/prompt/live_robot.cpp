@@ -49,7 +49,7 @@ void LiveRobot::begin(OpenMachine machine) {
       std::make_unique<Controller>(robot_, std::move(machine.backend), options_.override_share,
                                    std::vector<SimulationRule>{}, kRecorded);
   controller_->channels().panel.seat(person_);
-  controller_->machine().keep_points(points_ ? &*points_ : nullptr);
+  controller_->keep_points(points_ ? &*points_ : nullptr);
   entries_ = std::make_unique<EntryTask>(controller_->machine(), options_.seed);
   LiveReports::Listener listener = listener_;
   listener.snapshot = [this](const Snapshot& snapshot) {

@@ -26,21 +26,26 @@ Controller::Controller(const motion::RobotModel& robot,
       backend_(std::move(backend)),
       chain_(robot),
       handlers_chain_(robot, handlers_room(robot, handlers)),
-      machine_(robot, chain_.planner, chain_.buffer, channels_, channels_.program, log_),
       handlers_machine_(robot, handlers_chain_.planner, handlers_chain_.buffer, channels_,
                         channels_.handler, log_),
+      machine_(robot, chain_.planner, chain_.buffer, channels_, channels_.program, log_,
+               handlers ? &handlers_machine_ : nullptr, override_share),
       motion_task_(robot, *chain_.generator, *handlers_chain_.generator, override_share, channels_,
                    script, recorded),
       servo_task_(robot, *backend_, channels_) {
-  machine_.run_handlers_on(handlers_machine_);
-  if (!handlers) machine_.expect_no_handlers();
-  machine_.set_override(override_share);
   channels_.analog_inputs.use(robot.analog_inputs);
   channels_.analog_outputs.use(robot.analog_outputs);
   channels_.joints.store(robot.start);
   channels_.of_machine = [this](const motion::FollowingFinding& finding) {
     return finding.axis < 0 ? backend_->trouble() : backend_->remark();
   };
+}
+
+void Controller::foretell(const std::vector<std::string>& undriven_inputs) {
+  for (RobotMachine* const machine : {&machine_, &handlers_machine_}) {
+    machine->parts().assumptions.foretell(undriven_inputs);
+    machine->parts().queue.leave_out_settling();
+  }
 }
 
 Controller::~Controller() {

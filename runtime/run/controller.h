@@ -1,12 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "motion/generate/motion_chain.h"
 #include "motion/robots/robot_model.h"
 #include "motion/servo/servo_backend.h"
-#include "motion/generate/motion_chain.h"
 #include "runtime/command/program_log.h"
 #include "runtime/command/robot_machine.h"
 #include "runtime/tick/channels.h"
@@ -38,6 +38,14 @@ class Controller {
   Channels& channels() { return channels_; }
   ProgramLog& log() { return log_; }
 
+  /// Before the run: the program is only foretold; see Assumptions.
+  void foretell(const std::vector<std::string>& undriven_inputs);
+  /// Where TEACH keeps points; see OperatorDesk.
+  void keep_points(PointKeeper* keeper) {
+    machine_.parts().desk.keep_points(keeper);
+    handlers_machine_.parts().desk.keep_points(keeper);
+  }
+
   /// Plans the path ahead, where the law does; beside the program and the tick. Whether there was
   /// anything to do.
   bool plan_path() {
@@ -63,8 +71,8 @@ class Controller {
   ProgramLog log_;
   motion::MotionChain chain_;
   motion::MotionChain handlers_chain_;
-  RobotMachine machine_;
   RobotMachine handlers_machine_;
+  RobotMachine machine_;
   MotionTask motion_task_;
   ServoTask servo_task_;
 };

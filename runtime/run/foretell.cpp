@@ -84,7 +84,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   if (options.path != nullptr) controller.tell(*options.path);
   prepare_panel(controller, script);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
-  controller.machine().assume(undriven_inputs(program, robot, script));
+  controller.foretell(undriven_inputs(program, robot, script));
   task.limit_turns(kForetellTurns);
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
                        names_in(program, robot), {});

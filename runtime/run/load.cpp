@@ -15,7 +15,7 @@
 #include "motion/plan/reach.h"
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
-#include "runtime/command/robot_machine.h"
+#include "runtime/command/axis_targets.h"
 #include "runtime/files/files.h"
 #include "runtime/files/folder_sources.h"
 #include "runtime/files/points_file.h"

@@ -100,7 +100,7 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   prepare_panel(controller, options.script);
   controller.channels().panel.seat(options.person);
   PointsFile points(points_file_of(program.file), robot);
-  controller.machine().keep_points(&points);
+  controller.keep_points(&points);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
                        names_in(program, robot),

@@ -28,7 +28,7 @@ class Standstill {
     const std::uint64_t inputs = channels.inputs.load();
     const std::uint64_t outputs = channels.outputs.load();
     const bool same = inputs == inputs_ && outputs == outputs_;
-    if (!controller.machine().waits_at_rest()) {
+    if (!controller.machine().parts().waits.at_rest()) {
       since_ = kNever;
     } else if (!same || since_ == kNever) {
       since_ = now;

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/command/robot_links.h"
+
+namespace rob::runtime {
+
+/// The effects of a program on their way to motion, which carries them out in motion order: each
+/// acts behind the motion that was planned before it.
+class EffectQueue {
+ public:
+  explicit EffectQueue(const RobotLinks& links) : links_(links) {}
+
+  bool full() const { return links_.buffer.effects_full(); }
+  /// `Later` where there is no room.
+  lang::Reply push(motion::Effect effect) {
+    effect.after = links_.planner.last_number();
+    effect.generation = links_.planner.generation();
+    if (!links_.buffer.push(effect)) return lang::Reply::Later;
+    ++pushed_;
+    return lang::Reply::Done;
+  }
+  /// How many since the beginning; MotionProgress::effects_done counts those that have acted.
+  std::int64_t pushed() const { return pushed_; }
+
+ private:
+  const RobotLinks& links_;
+  std::int64_t pushed_ = 0;
+};
+
+}  // namespace rob::runtime

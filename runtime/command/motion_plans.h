@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+
+#include "runtime/command/commanded.h"
+#include "runtime/command/press_line.h"
+#include "runtime/command/robot_links.h"
+#include "runtime/command/surroundings.h"
+#include "runtime/command/tool_paths.h"
+
+namespace rob::runtime {
+
+/// Turns a motion as it was commanded into a segment: completes its target with WITH and IN, finds
+/// its path, and has it planned behind all that was planned before. What is planned is not queued.
+class MotionPlans {
+ public:
+  MotionPlans(const RobotLinks& links, const Surroundings& surroundings, const PressLine& press)
+      : links_(links), surroundings_(surroundings), press_(press) {}
+
+  /// Fills in the segment, with what is done on its way; or why it cannot be.
+  std::optional<Words> plan(int line, Commanded& commanded);
+  std::optional<Words> plan_jog(int line, const lang::MoveCommand& asked,
+                                motion::SegmentDescriptor& segment);
+  /// Of the last motion that was planned.
+  int last_line() const { return last_line_; }
+
+ private:
+  std::optional<Words> plan_straight(int line, Commanded& commanded);
+  std::optional<Words> plan_along(int line, const motion::MotionRequest& request,
+                                  Commanded& commanded);
+  std::optional<Words> take(int line, const motion::PlanOutcome& outcome, Commanded& commanded);
+  bool moves_against_press(const Commanded& commanded) const;
+  motion::Pose target_of(const lang::MoveCommand& command) const;
+  ToolPathOrWords tool_path(const Commanded& commanded) const;
+  std::optional<Words> settle_target(lang::MoveCommand& command) const;
+  motion::JointVector near(const lang::MoveCommand& command) const;
+
+  const RobotLinks& links_;
+  const Surroundings& surroundings_;
+  const PressLine& press_;
+  int last_line_ = 0;
+};
+
+}  // namespace rob::runtime
