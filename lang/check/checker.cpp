@@ -1,268 +1,169 @@
 #include "lang/check/checker.h"
 
 #include <algorithm>
-#include <string>
+#include <cstdint>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "lang/check/control_flow.h"
+#include "lang/check/expression_checker.h"
+#include "lang/check/names.h"
+#include "lang/check/routine_uses.h"
 #include "lang/check/statement_checker.h"
-#include "lang/code/chunk.h"
-#include "lang/syntax/keywords.h"
+#include "lang/check/symbols.h"
+#include "lang/check/value_checker.h"
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
 namespace rob::lang {
 namespace {
 
-bool is_constant(const ExprPtr& condition, bool value) {
-  if (condition == nullptr) return false;
-  const bool* const constant = std::get_if<bool>(&condition->constant);
-  return constant != nullptr && *constant == value;
+// [choice] TASKs look after things beside the program; one of many small programs is another
+// language.
+constexpr std::size_t kMostTasks = 16;
+
+/// Checks a whole program: the top level first, then the routines, which see all its names.
+class ProgramChecker {
+ public:
+  ProgramChecker(CheckedProgram& checked, const RobotSignature& robot, const PointTable& points,
+                 const TargetJudge& judge, Diagnostics& diagnostics)
+      : checked_(checked),
+        program_(checked.program),
+        diagnostics_(diagnostics),
+        scopes_(checked.symbols, robot),
+        uses_(program_.routines.size()),
+        declarations_(scopes_, uses_, program_.entry, diagnostics),
+        names_(scopes_, program_, uses_, diagnostics),
+        values_(scopes_, diagnostics),
+        expressions_(scopes_, program_, names_, values_, robot, uses_, missing_, diagnostics),
+        statements_(checked, scopes_, declarations_, names_, expressions_, values_, missing_, uses_,
+                    robot, points, judge, diagnostics) {}
+
+  void check(KnownNames known);
+
+ private:
+  void declare(KnownNames known);
+  void check_frame_uses();
+  void check_test_names();
+  void settle_tasks();
+  void settle_handlers();
+  void warn_of_missing_points();
+
+  CheckedProgram& checked_;
+  Program& program_;
+  Diagnostics& diagnostics_;
+  Scopes scopes_;
+  RoutineUses uses_;
+  MissingPoints missing_;
+  Declarations declarations_;
+  Names names_;
+  ValueChecker values_;
+  ExpressionChecker expressions_;
+  StatementChecker statements_;
+};
+
+void ProgramChecker::check(KnownNames known) {
+  scopes_.enter();
+  declare(known);
+  for (const Routine& routine : program_.routines) {
+    scopes_.enter_file(routine.place.file);
+    if (!routine.test && !routine.handler) declarations_.declare(routine);
+  }
+  scopes_.enter_file(0);
+  for (Statement& statement : program_.statements) {
+    uses_.next_statement();
+    statements_.check(statement);
+  }
+  program_.memory = statements_.take_memory_use();
+  statements_.warn_of_zones(program_.statements);
+  missing_.enter_routines();
+  statements_.enter_routines();
+  for (Routine& routine : program_.routines) {
+    if (!routine.handler) statements_.check(routine);
+  }
+  check_frame_uses();
+  check_test_names();
+  settle_tasks();
+  settle_handlers();
+  warn_of_missing_points();
+  scopes_.leave();
+  uses_.report(diagnostics_);
+  warn_of_corner_readings(program_, diagnostics_);
 }
 
-bool is_definition(Symbol::Kind kind) {
-  return kind == Symbol::Kind::Routine || kind == Symbol::Kind::Record;
+void ProgramChecker::declare(KnownNames known) {
+  for (const KeptName* const kept : known) {
+    statements_.know(*kept, declarations_.declare(*kept, checked_.known));
+  }
+}
+
+void ProgramChecker::check_frame_uses() {
+  for (const Program::FrameUse& use : program_.frame_uses) {
+    if (scopes_.frame_of(use.frame) != nullptr) continue;
+    scopes_.enter_file(use.place.file);
+    const Symbol* const symbol = scopes_.find_global(use.frame->name);
+    if (symbol != nullptr && !symbol->type.known()) continue;
+    diagnostics_.error(code::kNoFrame, use.place,
+                       fmt::format("{} is no FRAME of this program", shortened(use.frame->name)),
+                       fmt::format("FRAME {} = POSE(…) declares one", shortened(use.frame->name)));
+  }
+}
+
+/// A report of tests says which one has failed by its name.
+void ProgramChecker::check_test_names() {
+  std::map<std::pair<std::uint32_t, std::string_view>, const Routine*> named;
+  for (const Routine& routine : program_.routines) {
+    if (!routine.test || !routine.sound) continue;
+    const auto [earlier, is_new] = named.try_emplace({routine.place.file, routine.name}, &routine);
+    if (is_new) continue;
+    diagnostics_.error(code::kDeclaredTwice, routine.name_place,
+                       fmt::format("there is a TEST of this name already, in line {}",
+                                   earlier->second->place.line),
+                       "give one of them another name");
+  }
+}
+
+/// When all is checked it is known what TASKs use and change, what a WAIT may wait for,
+/// and what a PATH reads.
+void ProgramChecker::settle_tasks() {
+  const auto tasks = std::ranges::count_if(program_.routines, &Routine::task);
+  if (static_cast<std::size_t>(tasks) > kMostTasks) {
+    diagnostics_.error(
+        code::kTooManyTasks, program_.end,
+        fmt::format("the program has {} TASKs; at most {} can be", tasks, kMostTasks),
+        "one TASK can look after several things");
+  }
+  uses_.report_tasks(program_.routines, diagnostics_);
+  for (const RoutineUses::Shared& one : uses_.shared()) scopes_.share(*one.symbol, one.observed);
+  statements_.report_waits_and_paths();
+  uses_.report_paths(program_.routines, diagnostics_);
+}
+
+void ProgramChecker::settle_handlers() {
+  uses_.report_handlers(program_.routines, diagnostics_);
+  for (Routine& routine : program_.routines) {
+    if (!routine.handler) continue;
+    routine.stops = uses_.stops(routine);
+    routine.captured = uses_.captured(routine);
+  }
+}
+
+void ProgramChecker::warn_of_missing_points() {
+  for (MissingPoint& point : missing_.found()) {
+    diagnostics_.warning(
+        code::kPointMissing, point.place,
+        fmt::format("nobody has taught {}: the points file of the program does not have it",
+                    shortened(point.name)),
+        fmt::format("TEACH {0} before its first use, or give it a value: POINT {0} = POSE(…)",
+                    shortened(point.name)));
+    checked_.missing_points.push_back(std::move(point));
+  }
 }
 
 }  // namespace
-
-/// Variables of more slots than that may not all find registers beside what is computed.
-bool StatementChecker::take_memory_use() {
-  const auto [numbers, texts] = std::exchange(inside_.most_declared, Slots{});
-  inside_.declared = {};
-  const bool many = std::max(numbers, texts) > kVariableRegisters / 2;
-  return expressions_.take_memory_use() || many;
-}
-
-void StatementChecker::warn_of_name(Symbol::Kind kind, const std::string& name, Place place) {
-  if (const Symbol* const earlier = scopes_.find_innermost(name)) {
-    if (may_be_anew(kind, *earlier)) return;
-    diagnostics_.error(
-        code::kDeclaredTwice, place,
-        fmt::format("{} is already declared, in line {}", shortened(name), earlier->place.line),
-        is_definition(kind) || is_definition(earlier->kind)
-            ? "give one of them another name"
-            : "to give it another value, write it without VAR");
-  } else if (const auto files = scopes_.files_with(name);
-             scopes_.at_top_level() && !files.empty()) {
-    warn_of_hiding(name, place, files.front());
-  } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr) {
-    diagnostics_.warning(
-        code::kHidesBuiltIn, place,
-        fmt::format("{} hides what the language or the robot calls so", shortened(name)),
-        "give it another name");
-  }
-}
-
-const Symbol* StatementChecker::declare(Symbol::Kind kind, const std::string& name, Place place,
-                                        Type type, Constant value) {
-  warn_of_name(kind, name, place);
-  if (!is_definition(kind) && elements_of(type) && is_channel_word(name)) {
-    diagnostics_.error(
-        code::kReservedName, place,
-        fmt::format("{0}[1] is a channel of the robot; {0} cannot have elements", to_upper(name)),
-        "choose another name");
-  }
-  Symbol symbol;
-  symbol.kind = kind;
-  symbol.name = name;
-  symbol.type = type;
-  symbol.place = place;
-  symbol.global = scopes_.at_top_level() && !is_definition(kind);
-  // What is known lives in the code.
-  const bool takes_slots = !is_definition(kind) && !known(value);
-  if (takes_slots) inside_.declared = inside_.declared + slots_of(type);
-  inside_.most_declared = {std::max(inside_.most_declared.numbers, inside_.declared.numbers),
-                           std::max(inside_.most_declared.texts, inside_.declared.texts)};
-  symbol.value = std::move(value);
-  const Symbol* const declared = scopes_.declare(std::move(symbol));
-  if (declared->global) uses_.declared(*declared);
-  return declared;
-}
-
-/// The value is checked before the names are known: VAR x = x + 1 means an earlier x.
-void StatementChecker::check(Declaration& declaration) {
-  const bool fixed =
-      declaration.constant && declaration.type &&
-      (declaration.type->is(Type::Kind::Frame) || declaration.type->is(Type::Kind::Tool));
-  bool missed = false;
-  const std::size_t told = diagnostics_.error_count();
-  Type type = fixed ? expressions_.check_fixed(declaration.value, missed)
-                    : expressions_.check(declaration.value);
-  Constant value;
-  bool accepted = true;
-  if (declaration.type) {
-    if (!expressions_.complete(*declaration.type, declaration.names.front().place)) {
-      declaration.type = Type{};
-    }
-    type = *declaration.type;
-    if (declaration.value != nullptr) {
-      accepted =
-          expressions_.accept(*declaration.value, type,
-                              fmt::format("{} needs", shortened(declaration.names.front().name)));
-    } else if (!has_default(type)) {
-      diagnostics_.error(code::kValueNeeded, declaration.names.front().place,
-                         fmt::format("{} needs a value: it is {}",
-                                     shortened(declaration.names.front().name), in_words(type)));
-    }
-  }
-  type = settled(type);
-  // A constant text lives in a register: each use of it in the tree would be a copy.
-  if (declaration.constant && declaration.value != nullptr && accepted && type != Type::string()) {
-    value = converted(known_value(*declaration.value), type);
-  }
-  if (fixed && type.known() && declaration.value != nullptr) {
-    check_frame(declaration, value, missed || diagnostics_.error_count() > told);
-  }
-  const auto kind = declaration.constant ? Symbol::Kind::NamedConstant : Symbol::Kind::Variable;
-  for (Declaration::Declared& declared : declaration.names) {
-    declared.symbol = declare(kind, declared.name, declared.place, type, value);
-    if (declaration.frame != nullptr) scopes_.frame(*declared.symbol, declaration.frame);
-  }
-}
-
-void StatementChecker::check(Assign& assign) {
-  expressions_.check(assign.value);
-  expressions_.check(assign.target);
-  const Name* const root = root_of(*assign.target);
-  if (root == nullptr) {
-    diagnostics_.error(code::kNotAssignable, assign.target->place,
-                       "only a variable, or a part of one, can be assigned");
-    return;
-  }
-  if (const auto* const member = std::get_if<Member>(&assign.target->node);
-      member != nullptr && angle_of(member->object->type, member->field)) {
-    diagnostics_.error(code::kAngleAssigned, assign.target->place,
-                       "an angle of a pose cannot be changed alone",
-                       "build the pose anew: POSE(p.x, p.y, p.z, a, b, c)");
-    return;
-  }
-  if (root->symbol == nullptr || !assignable(*root->symbol, assign.target->place)) return;
-  uses_.written(*root->symbol);
-  if (assign.value == nullptr) return;
-  expressions_.accept(*assign.value, assign.target->type,
-                      fmt::format("{} needs", shortened(root->symbol->name)));
-}
-
-bool StatementChecker::assignable(const Symbol& symbol, Place place) {
-  const auto refuse = [&](std::string_view what, std::string help) {
-    diagnostics_.error(code::kNotAssignable, place,
-                       fmt::format("{} {}", shortened(symbol.name), what), std::move(help));
-    return false;
-  };
-  switch (symbol.kind) {
-    case Symbol::Kind::Variable:
-      return true;
-    case Symbol::Kind::NamedConstant:
-      return refuse("is a constant", fmt::format("declare it with VAR in {} to change it",
-                                                 diagnostics_.line_of(symbol.place, place)));
-    case Symbol::Kind::LoopVariable:
-      return refuse("is the variable of a FOR, which alone changes it",
-                    "use a variable of its own, or WHILE");
-    case Symbol::Kind::Signal:
-      return symbol.output || refuse("is an input of the robot and can only be read", "");
-    case Symbol::Kind::Point:
-      return refuse("is a point, which TEACH alone changes",
-                    "give the value to a variable, or TEACH it where the robot stands");
-    case Symbol::Kind::Routine:
-      return refuse("is a routine, not a variable", "");
-    case Symbol::Kind::Record:
-      return refuse("is a record, not a variable", "");
-    case Symbol::Kind::BuiltIn:
-    case Symbol::Kind::Reading:
-      return refuse("belongs to the language and cannot be changed", "");
-  }
-  return false;
-}
-
-void StatementChecker::check_guarded(Block& block, bool unreached) {
-  if (unreached) expressions_.enter_unreached();
-  check(block);
-  if (unreached) expressions_.leave_unreached();
-}
-
-void StatementChecker::check(If& conditional) {
-  bool settled = false;
-  for (If::Branch& branch : conditional.branches) {
-    if (settled) expressions_.enter_unreached();
-    expressions_.check_condition(branch.condition, "IF");
-    if (settled) expressions_.leave_unreached();
-    check_guarded(branch.body, settled || is_constant(branch.condition, false));
-    settled = settled || is_constant(branch.condition, true);
-  }
-  check_guarded(conditional.otherwise, settled);
-}
-
-void StatementChecker::check(While& loop) {
-  expressions_.check_condition(loop.condition, "WHILE");
-  ++inside_.loops;
-  check_guarded(loop.body, is_constant(loop.condition, false));
-  --inside_.loops;
-}
-
-void StatementChecker::check(For& loop) {
-  const Type type = check_range(loop);
-  const Slots declared = inside_.declared;
-  scopes_.enter();
-  loop.symbol = declare(Symbol::Kind::LoopVariable, loop.variable, loop.variable_place, type, {});
-  check_body(loop.body);
-  scopes_.leave();
-  inside_.declared = declared;
-}
-
-/// The type of the loop variable: what first value, last value and step have in common.
-Type StatementChecker::check_range(For& loop) {
-  Type type;
-  for (const ExprPtr* part : {&loop.from, &loop.to, &loop.step}) {
-    const Type next = expressions_.check(*part);
-    if (*part == nullptr || next.kind == Type::Kind::Unknown) continue;
-    if (!next.numeric()) {
-      diagnostics_.error(code::kTypeMismatch, (*part)->place,
-                         "FOR counts with numbers; this is " + described(**part));
-      return {};
-    }
-    const Type common = common_type(type, next);
-    if (!common.numeric()) {
-      diagnostics_.error(
-          code::kDimensionMismatch, (*part)->place,
-          fmt::format("this is {}; the FOR began with {}", described(**part), in_words(type)),
-          "first value, last value and STEP need the same unit");
-      return {};
-    }
-    type = common;
-  }
-  if (loop.step == nullptr && !type.dimension.none()) {
-    diagnostics_.error(code::kStepMissing, loop.variable_place,
-                       fmt::format("a FOR over {} needs a STEP", in_words(type)),
-                       "for example STEP " + example_of(type.dimension));
-    return type;
-  }
-  check_constant_range(loop, type);
-  return type;
-}
-
-void StatementChecker::check_constant_range(For& loop, const Type& type) {
-  if (loop.from == nullptr || loop.to == nullptr || !expressions_.reached()) return;
-  const Constant step = loop.step == nullptr ? Constant(std::int64_t{1}) : loop.step->constant;
-  if (!known(step) || type.kind == Type::Kind::Unknown) return;
-  // The step alone can be wrong even where the range is not known.
-  const bool range_known = known(loop.from->constant) && known(loop.to->constant);
-  const Constant zero(std::int64_t{0});
-  const Slot first = to_slot(converted(range_known ? loop.from->constant : zero, type));
-  const Slot last = to_slot(converted(range_known ? loop.to->constant : zero, type));
-  const Slot stride = to_slot(converted(step, type));
-  std::int64_t turns = 0;
-  const ArithmeticError error =
-      type.kind == Type::Kind::Int
-          ? arithmetic::turns(first.integer, last.integer, stride.integer, turns)
-          : arithmetic::turns(first.real, last.real, stride.real, turns);
-  loop.turns = range_known && error == ArithmeticError::None && turns > 0;
-  if (error == ArithmeticError::None) return;
-  const ArithmeticErrorText text = describe(error);
-  diagnostics_.error(text.code, loop.step == nullptr ? loop.variable_place : loop.step->place,
-                     std::string(text.message), std::string(text.help));
-}
 
 CheckedProgram check(Program program, const RobotSignature& robot, const PointTable& points,
                      const TargetJudge& judge, Diagnostics& diagnostics, KnownNames known) {
@@ -273,7 +174,7 @@ CheckedProgram check(Program program, const RobotSignature& robot, const PointTa
     for (const RobotSignature::Coordinate& axis : robot.axes) joints.axes.push_back(axis.dimension);
     joints.slots.numbers = static_cast<int>(joints.axes.size());
   }
-  StatementChecker(checked, robot, points, judge, diagnostics).check(checked.program, known);
+  ProgramChecker(checked, robot, points, judge, diagnostics).check(known);
   return checked;
 }
 

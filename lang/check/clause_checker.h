@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "lang/check/expression_checker.h"
+#include "lang/check/value_checker.h"
 #include "lang/syntax/ast.h"
 #include "lang/text/diagnostic.h"
 
@@ -16,8 +17,8 @@ namespace rob::lang {
 /// holds for ZONE, but for `ZONE 0`.
 class ClauseChecker {
  public:
-  ClauseChecker(ExpressionChecker& expressions, Diagnostics& diagnostics)
-      : expressions_(expressions), diagnostics_(diagnostics) {}
+  ClauseChecker(ExpressionChecker& expressions, ValueChecker& values, Diagnostics& diagnostics)
+      : expressions_(expressions), values_(values), diagnostics_(diagnostics) {}
 
   /// `place`: of the motion.
   bool check(const Clauses& clauses, Place place);
@@ -35,6 +36,7 @@ class ClauseChecker {
   bool check_positive(const Expr& value, std::string_view word);
 
   ExpressionChecker& expressions_;
+  ValueChecker& values_;
   Diagnostics& diagnostics_;
 };
 

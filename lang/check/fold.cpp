@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "lang/check/symbols.h"
 #include "lang/values/number_text.h"
+#include "lang/values/pose_slots.h"
 #include "lang/values/value_text.h"
 
 namespace rob::lang {
@@ -112,6 +114,27 @@ Slot to_slot(const Constant& constant) {
 Constant constant_of(const PoseValue& pose) {
   const auto& [p, q] = pose;
   return std::vector<double>{p.x, p.y, p.z, q.w, q.i, q.j, q.k};
+}
+
+namespace {
+
+PoseValue pose_of(const Constant& constant) { return load_pose(to_slots(constant).data()); }
+
+}  // namespace
+
+Constant known_value(const Expr& expression) {
+  if (!known(expression.constant)) return {};
+  Constant value = expression.constant;
+  if (expression.moved_from != nullptr) {
+    const PoseValue frame = pose_of(expression.moved_from->value);
+    value = constant_of(pose_math::compose(frame, pose_of(expression.constant)));
+  }
+  // A pose as a TOOL weighs nothing.
+  auto* const slots = std::get_if<std::vector<double>>(&value);
+  if (slots != nullptr && expression.place_slots != 0) {
+    slots->resize(static_cast<std::size_t>(expression.place_slots));
+  }
+  return value;
 }
 
 std::vector<Slot> to_slots(const Constant& constant) {

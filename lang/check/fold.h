@@ -28,6 +28,8 @@ Slot to_slot(const Constant& constant);
 /// All number slots of a constant that is no text.
 std::vector<Slot> to_slots(const Constant& constant);
 Constant constant_of(const PoseValue& pose);
+/// The value of a constant as its place wants it: of a pose that was moved, in the world.
+Constant known_value(const Expr& expression);
 /// A value as PRINT writes it. `type` gives the dimension.
 std::string text_of(const Constant& constant, const Type& type);
 

@@ -72,40 +72,41 @@ class RoutineUses {
     Place place;
     std::size_t statement;
   };
+  struct Reference {
+    const Symbol* symbol;
+    Place place;
+  };
+  struct PathCall {
+    const Routine* routine;
+    Place place;
+  };
+  std::vector<std::vector<std::size_t>> callees() const;
+  std::set<std::size_t> reached_from(std::size_t routine) const;
   std::vector<const Symbol*> latest_needs() const;
+  void gather_tasks(const std::vector<Routine>& routines);
+  void report_references(Diagnostics& diagnostics) const;
+  bool any_in_task(const std::set<std::size_t>& routines) const;
 
   const Routine* inside_ = nullptr;
   std::size_t statement_ = 0;
   std::map<const Symbol*, std::size_t> declared_in_;
   std::map<const Symbol*, std::set<std::size_t>> users_;  ///< routines by index
-  std::vector<std::set<std::size_t>> callers_;            ///< of each routine
+  std::map<const Symbol*, std::set<std::size_t>> writers_;
+  std::vector<Reference> references_;
+  std::vector<std::set<std::size_t>> callers_;  ///< of each routine
   std::vector<TopLevelCall> calls_;
 
-  std::vector<std::vector<std::size_t>> callees() const;
-  std::set<std::size_t> reached_from(std::size_t routine) const;
   std::size_t handler_begins_ = 0;
   std::map<std::size_t, std::map<std::size_t, const Symbol*>> captured_;  ///< by handler and id
   std::set<std::size_t> stopping_;         ///< routines that the axes have to stand for
   std::map<std::size_t, Place> watching_;  ///< routines that have a WHEN
 
-  void gather_tasks(const std::vector<Routine>& routines);
-  void report_references(Diagnostics& diagnostics) const;
-  bool any_in_task(const std::set<std::size_t>& routines) const;
-  struct Reference {
-    const Symbol* symbol;
-    Place place;
-  };
   std::map<std::size_t, Place> barred_;  ///< by routine: the first statement that no TASK can have
-  std::map<const Symbol*, std::set<std::size_t>> writers_;
-  std::vector<Reference> references_;
+  std::vector<const Routine*> task_of_;  ///< of each routine: a TASK that it is or that calls it
+
   std::map<std::size_t, Place> robots_;  ///< by routine: what no PATH can have in a routine
-  struct PathCall {
-    const Routine* routine;
-    Place place;
-  };
   std::vector<PathCall> path_calls_;
   bool in_path_ = false;
-  std::vector<const Routine*> task_of_;  ///< of each routine: a TASK that it is or that calls it
 };
 
 }  // namespace rob::lang

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "lang/check/expression_checker.h"
+#include "lang/check/routine_uses.h"
+#include "lang/check/value_checker.h"
 #include "lang/syntax/ast.h"
 #include "lang/text/diagnostic.h"
 
@@ -13,8 +16,8 @@ namespace rob::lang {
 /// made.
 class WatchChecker {
  public:
-  WatchChecker(ExpressionChecker& expressions, Diagnostics& diagnostics)
-      : expressions_(expressions), diagnostics_(diagnostics) {}
+  WatchChecker(ExpressionChecker& expressions, ValueChecker& values, Diagnostics& diagnostics)
+      : expressions_(expressions), values_(values), diagnostics_(diagnostics) {}
 
   /// The condition of an UNTIL; null where it could not be read.
   void check_until(const ExprPtr& condition);
@@ -36,7 +39,33 @@ class WatchChecker {
               const char* help);
 
   ExpressionChecker& expressions_;
+  ValueChecker& values_;
   Diagnostics& diagnostics_;
+};
+
+/// Settles what a WAIT waits for: a time, or a condition that reads signals. What stands behind its
+/// ELSE is not looked at.
+class WaitChecker {
+ public:
+  WaitChecker(ExpressionChecker& expressions, ValueChecker& values, Diagnostics& diagnostics)
+      : expressions_(expressions), values_(values), diagnostics_(diagnostics) {}
+
+  /// `routine`: that it belongs to; null at the top level.
+  void check(Wait& wait, const Routine* routine);
+  /// Where all is checked, and it is known what TASKs change: a WAIT for what nothing can change.
+  void report_hopeless(const RoutineUses& uses);
+
+ private:
+  void check_time(const Wait& wait);
+  struct Condition {
+    const Expr* expression;
+    const Routine* routine;
+  };
+
+  ExpressionChecker& expressions_;
+  ValueChecker& values_;
+  Diagnostics& diagnostics_;
+  std::vector<Condition> hopeless_;  ///< read nothing from the world
 };
 
 }  // namespace rob::lang

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lang/check/routine.h"
+#include "lang/check/meaning.h"
 
 namespace rob::lang {
 

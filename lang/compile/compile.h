@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/check/checker.h"
-#include "lang/check/missing_points.h"
+#include "lang/check/checked_program.h"
 #include "lang/code/chunk.h"
 #include "lang/compile/compiler.h"
 #include "lang/machine/machine.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "lang/check/checker.h"
+#include "lang/check/checked_program.h"
 #include "lang/code/chunk.h"
 #include "lang/code/frame_slots.h"
 #include "lang/code/location.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lang/check/kept_name.h"
+#include "lang/check/checked_program.h"
 #include "lang/check/symbols.h"
 #include "lang/code/code_builder.h"
 #include "lang/compile/expression_compiler.h"

@@ -4,10 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lang/check/called_builtins.h"
 #include "lang/check/fold.h"
-#include "lang/check/observations.h"
-#include "lang/check/routine.h"
+#include "lang/check/meaning.h"
 #include "lang/compile/call_layout.h"
 #include "lang/compile/operations.h"
 #include "lang/values/pose_slots.h"

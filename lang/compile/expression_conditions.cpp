@@ -2,8 +2,7 @@
 #include <vector>
 
 #include "lang/check/fold.h"
-#include "lang/check/observations.h"
-#include "lang/check/routine.h"
+#include "lang/check/meaning.h"
 #include "lang/compile/expression_compiler.h"
 #include "lang/compile/fixed_parts.h"
 #include "lang/compile/operations.h"

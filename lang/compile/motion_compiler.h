@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "lang/check/meaning.h"
 #include "lang/check/symbols.h"
-#include "lang/check/target.h"
 #include "lang/code/code_builder.h"
 #include "lang/compile/expression_compiler.h"
 #include "lang/compile/open_blocks.h"

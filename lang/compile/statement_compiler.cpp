@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lang/check/fold.h"
-#include "lang/check/routine.h"
+#include "lang/check/meaning.h"
 #include "lang/compile/call_layout.h"
 #include "lang/compile/operations.h"
 

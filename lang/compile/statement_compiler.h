@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <map>
 
-#include "lang/check/kept_name.h"
+#include "lang/check/checked_program.h"
 #include "lang/code/code_builder.h"
 #include "lang/compile/declaration_compiler.h"
 #include "lang/compile/expression_compiler.h"

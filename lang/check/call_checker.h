@@ -1,0 +1,74 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lang/check/routine_uses.h"
+#include "lang/check/value_checker.h"
+#include "lang/machine/robot_signature.h"
+#include "lang/syntax/ast.h"
+#include "lang/text/diagnostic.h"
+#include "lang/values/builtins.h"
+
+namespace rob::lang {
+
+/// Settles calls of built-in functions whose arguments have been checked.
+class BuiltinChecker {
+ public:
+  /// `joints`: the type JOINTS of the robot.
+  BuiltinChecker(ValueChecker& values, const RobotSignature& robot, Type joints,
+                 Diagnostics& diagnostics)
+      : values_(values), robot_(robot), joints_(joints), diagnostics_(diagnostics) {}
+
+  /// `sound`: all arguments have a type.
+  Type check(const Builtin& builtin, const Call& call, bool sound, Expr& expression);
+  /// What `j[i]` is: it must be known which axis is meant, unless all take values of one dimension.
+  Type axis_type(const Index& index);
+  /// False, and a message, if it needs a force sensor that the robot does not have.
+  bool has_sensor(Reading reading, Place place);
+  Type joints() const { return joints_; }
+
+ private:
+  Type type_of(const Builtin& builtin, const Call& call, Place place);
+  Type common_dimension(const Call& call);
+  Type check_root(const Call& call);
+  Type check_vectors(const Builtin& builtin, const Call& call);
+  Type check_poses(const Builtin& builtin, const Call& call);
+  bool accept_pose(const Builtin& builtin, const Expr& argument, const Expr*& first, Type& frame);
+  Type check_to_frame(const Call& call);
+  Type check_joints(const Call& call, Expr& expression);
+  Type check_inverse(const Call& call);
+  Type check_texts(const Builtin& builtin, const Call& call);
+  bool check_unit(const Expr& value, const Expr& unit_text);
+  void fold_known(const Builtin& builtin, const Call& call, Expr& expression);
+
+  ValueChecker& values_;
+  const RobotSignature& robot_;
+  Type joints_;
+  Diagnostics& diagnostics_;
+};
+
+/// Settles calls of the program's own routines, and of records, whose arguments have been checked.
+class CallChecker {
+ public:
+  CallChecker(ValueChecker& values, RoutineUses& uses, Diagnostics& diagnostics)
+      : values_(values), uses_(uses), diagnostics_(diagnostics) {}
+
+  /// `statement`: the call is a statement of its own.
+  Type check_routine(Call& call, Place place, const Routine& routine, bool statement);
+  /// `part(width: 20mm)`: what is left out takes its default.
+  Type check_record(Call& call, Place place, const Type& record, bool statement);
+
+ private:
+  bool bind(Call& call, Place place, const Routine& routine);
+  bool check_argument(const Expr& argument, const Routine& routine,
+                      const Routine::Parameters& group, std::string_view name);
+  bool bind_field(Call& call, const Expr& value, const std::string& name);
+  bool refuse(std::string_view code, Place place, std::string message, std::string help = "");
+
+  ValueChecker& values_;
+  RoutineUses& uses_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace rob::lang

@@ -1,0 +1,266 @@
+#include "lang/check/declaration_checker.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "lang/check/fold.h"
+#include "lang/syntax/parser.h"
+#include "lang/text/ascii.h"
+#include "lang/text/codes.h"
+#include "lang/values/pose_slots.h"
+
+namespace rob::lang {
+namespace {
+
+bool mentions(const Type& type, const TypeDetail* record) {
+  if (type.is(Type::Kind::Array)) return mentions(type.detail->element, record);
+  return type.is(Type::Kind::Record) && type.detail == record;
+}
+
+void report_field_twice(const TypeDetail& record, const Declaration::Declared& field,
+                        Diagnostics& diagnostics) {
+  diagnostics.error(
+      code::kDeclaredTwice, field.place,
+      fmt::format("{} has a field {} already", shortened(record.name), shortened(field.name)),
+      "give one of them another name");
+}
+
+}  // namespace
+
+/// The value is checked before the names are known: VAR x = x + 1 means an earlier x.
+void DeclarationChecker::check(Declaration& declaration) {
+  const bool fixed =
+      declaration.constant && declaration.type &&
+      (declaration.type->is(Type::Kind::Frame) || declaration.type->is(Type::Kind::Tool));
+  bool missed = false;
+  const std::size_t told = diagnostics_.error_count();
+  Type type = fixed ? expressions_.check_fixed(declaration.value, missed)
+                    : expressions_.check(declaration.value);
+  Constant value;
+  bool accepted = true;
+  type = settle_type(declaration, type, accepted);
+  // A constant text lives in a register: each use of it in the tree would be a copy.
+  if (declaration.constant && declaration.value != nullptr && accepted && type != Type::string()) {
+    value = converted(known_value(*declaration.value), type);
+  }
+  if (fixed && type.known() && declaration.value != nullptr) {
+    check_frame(declaration, value, missed || diagnostics_.error_count() > told);
+  }
+  const auto kind = declaration.constant ? Symbol::Kind::NamedConstant : Symbol::Kind::Variable;
+  for (Declaration::Declared& declared : declaration.names) {
+    declared.symbol = declarations_.declare(kind, declared.name, declared.place, type, value);
+    if (declaration.frame != nullptr) scopes_.frame(*declared.symbol, declaration.frame);
+  }
+}
+
+/// The type that was written, or that of the value. `accepted`: the value fits it.
+Type DeclarationChecker::settle_type(Declaration& declaration, Type given, bool& accepted) {
+  if (!declaration.type) return settled(given);
+  const Declaration::Declared& first = declaration.names.front();
+  Type& type = *declaration.type;
+  if (!expressions_.complete(type, first.place)) type = Type{};
+  if (declaration.value != nullptr) {
+    accepted =
+        values_.accept(*declaration.value, type, fmt::format("{} needs", shortened(first.name)));
+  } else if (!has_default(type)) {
+    diagnostics_.error(
+        code::kValueNeeded, first.place,
+        fmt::format("{} needs a value: it is {}", shortened(first.name), in_words(type)));
+  }
+  return settled(type);
+}
+
+/// FRAME and TOOL are constants of the program. With a point that nobody has taught they are
+/// taken as the world and the flange, and so where the value is wrong: nothing runs then.
+void DeclarationChecker::check_frame(const Declaration& declaration, Constant& value, bool missed) {
+  const Declaration::Declared& declared = declaration.names.front();
+  const std::string_view word = declaration.type->is(Type::Kind::Tool) ? "TOOL" : "FRAME";
+  if (declaration.value->type.known() && !known(value) && missed) {
+    std::vector<double> slots(static_cast<std::size_t>(slots_of(*declaration.type).numbers), 0.0);
+    slots[3] = 1;  // w of the quaternion
+    value = std::move(slots);
+  }
+  if (declaration.value->type.known() && !known(value)) {
+    diagnostics_.error(
+        code::kFrameNotConstant, declaration.value->place,
+        fmt::format("{} {} is fixed before the program runs, so it needs a constant value", word,
+                    shortened(declared.name)),
+        "no variables and nothing that is read from the robot");
+  }
+  const Constant mass = tool_number(declaration.mass, Type::real(kMass), "MASS needs");
+  const Constant cog = tool_number(declaration.cog, Type::vec(kLength), "COG needs");
+  auto* const slots = std::get_if<std::vector<double>>(&value);
+  if (slots == nullptr) return;
+  if (const double* const number = std::get_if<double>(&mass)) slots->at(kPoseSlots) = *number;
+  if (const auto* const place = std::get_if<std::vector<double>>(&cog)) {
+    std::ranges::copy(*place, slots->begin() + kPoseSlots + 1);
+  }
+}
+
+/// The value of MASS or COG, which becomes part of a TOOL's; unknown where there is none.
+Constant DeclarationChecker::tool_number(const ExprPtr& value, const Type& wanted,
+                                         std::string_view needed) {
+  if (value == nullptr) return {};
+  expressions_.check(value);
+  if (!values_.accept(*value, wanted, needed) || !value->type.known()) return {};
+  if (!known(value->constant)) {
+    diagnostics_.error(code::kFrameNotConstant, value->place,
+                       fmt::format("{} a constant value here", needed), "");
+  } else if (const double* const mass = std::get_if<double>(&value->constant);
+             mass != nullptr && *mass < 0) {
+    diagnostics_.error(code::kFrameNotConstant, value->place, "a mass is 0kg or more", "");
+  }
+  return value->constant;
+}
+
+void DeclarationChecker::check(RecordDeclaration& record) {
+  TypeDetail& detail = *record.detail;
+  const Declaration::Declared& declared = record.declared;
+  declarations_.declare(Symbol::Kind::Record, declared.name, declared.place,
+                        {Type::Kind::Record, {}, &detail}, {});
+  if (detail.complete) return;  // declared twice
+  std::set<std::string> names;  // in capitals
+  for (RecordDeclaration::Fields& group : record.groups) {
+    const Place place = group.names.front().place;
+    if (mentions(group.type, &detail)) {
+      diagnostics_.error(code::kRecordInItself, place,
+                         fmt::format("a {} cannot hold another {}: it would have no end",
+                                     detail.name, detail.name),
+                         "keep an index into an ARRAY of them instead");
+      group.type = Type{};
+    } else if (!expressions_.complete(group.type, place)) {
+      group.type = Type{};
+    }
+    for (const Declaration::Declared& field : group.names) {
+      if (!names.insert(to_upper(field.name)).second) {
+        report_field_twice(detail, field, diagnostics_);
+      } else {
+        add_field(detail, field, group.type);
+      }
+    }
+  }
+  if (detail.fields.empty() && record.sound && !detail.faulty) {
+    diagnostics_.error(code::kRecordEmpty, declared.place,
+                       fmt::format("the record {} has no fields", shortened(detail.name)),
+                       "a line for each, as in width: LENGTH");
+  }
+  detail.complete = true;
+  detail.faulty = detail.faulty || !record.sound;
+}
+
+void DeclarationChecker::add_field(TypeDetail& detail, const Declaration::Declared& field,
+                                   const Type& type) {
+  detail.height = std::max(detail.height, height_of(type) + 1);
+  if (detail.height > kMaxDepth) {
+    diagnostics_.error(
+        code::kTooDeep, field.place,
+        fmt::format("records and arrays are nested too deep: at most {} levels", kMaxDepth));
+    detail.height = 1;
+    detail.faulty = true;
+    return;
+  }
+  const Slots slots = detail.slots + slots_of(type);
+  if (slots.numbers > kMemory.numbers || slots.texts > kMemory.texts) {
+    diagnostics_.error(
+        code::kArrayTooLarge, field.place,
+        fmt::format("with {} the record {} is too large: a program has room for {} "
+                    "numbers and {} texts in arrays and records",
+                    shortened(field.name), shortened(detail.name), kMemory.numbers, kMemory.texts));
+    return;
+  }
+  detail.slots = slots;
+  detail.fields.push_back({field.name, type});
+}
+
+void DeclarationChecker::check(PointDeclaration& declaration) {
+  const Type given = settled(expressions_.check(declaration.value));
+  if (declaration.value != nullptr && given.known() && !given.is(Type::Kind::Pose)) {
+    values_.accept(*declaration.value, Type::pose(),
+                   fmt::format("{} needs", shortened(declaration.points.front().declared.name)));
+  }
+  for (PointDeclaration::Point& point : declaration.points) {
+    if (!is_of_other_file(point.declared)) declare(point, declaration, given);
+  }
+}
+
+/// What has been taught counts, before the value in the program.
+void DeclarationChecker::declare(PointDeclaration::Point& point,
+                                 const PointDeclaration& declaration, const Type& given) {
+  const bool has_value = declaration.value != nullptr;
+  Declaration::Declared& declared = point.declared;
+  Type type = given.is(Type::Kind::Pose) ? given : Type::pose();
+  Constant value;
+  const PointTable::Point* const kept = points_.find(declared.name);
+  if (kept != nullptr) {
+    type = type_of(*kept, declared.place);
+    point.kept = kept->pose;
+    value = constant_of(kept->pose);
+  } else if (has_value && given == type) {
+    value = known_value(*declaration.value);
+  }
+  if (!declaration.sound) type = Type{};
+  // What comes behind an entry of the prompt may teach any of them.
+  const bool taught = program_.entry != 0 || program_.taught.contains(to_upper(declared.name));
+  declared.symbol = declarations_.declare(Symbol::Kind::Point, declared.name, declared.place, type,
+                                          taught ? Constant{} : value);
+  scopes_.keep(*declared.symbol, std::move(value));
+  if (kept != nullptr) scopes_.keep_joints(*declared.symbol, *kept);
+  if (taught) {
+    scopes_.teach(*declared.symbol, *scopes_.hide(expressions_.joints()),
+                  *scopes_.hide(Type::boolean()), program_.entry != 0);
+  }
+  if (kept == nullptr && !has_value && declaration.sound) {
+    missing_.declare(*declared.symbol);
+  }
+}
+
+/// All points of a program are kept in one points file, by their names.
+bool DeclarationChecker::is_of_other_file(const Declaration::Declared& point) {
+  const auto [earlier, is_new] = points_declared_.try_emplace(to_upper(point.name), point.place);
+  if (is_new || earlier->second.file == point.place.file) return false;
+  diagnostics_.error(
+      code::kPointOfTwoFiles, point.place,
+      fmt::format("{} is a POINT of another file already, in {}", shortened(point.name),
+                  diagnostics_.line_of(earlier->second, point.place)),
+      "all points of a program are kept together: give one another name, or"
+      " declare it in one file that both USE");
+  return true;
+}
+
+/// A pose in the frame that its entry names.
+Type DeclarationChecker::type_of(const PointTable::Point& kept, Place place) {
+  if (kept.frame.empty()) return Type::pose();
+  const Symbol* const frame = scopes_.find_global(kept.frame);
+  if (frame != nullptr && frame->frame != nullptr) return Type::pose(frame->frame);
+  diagnostics_.error(
+      code::kPointFrame, place,
+      fmt::format("{} is kept in the frame {}, which is no FRAME declared above", kept.name,
+                  shortened(kept.frame)),
+      fmt::format("FRAME {} = POSE(…) before the POINT declares one", shortened(kept.frame)));
+  return {};
+}
+
+void DeclarationChecker::check(Teach& teach, bool surely) {
+  const Symbol* const symbol = names_.resolve(teach.target.text, teach.target_place);
+  teach.target.symbol = symbol;
+  if (symbol == nullptr || !symbol->type.known()) return;
+  if (symbol->kind != Symbol::Kind::Point) {
+    diagnostics_.error(code::kNotAPoint, teach.target_place,
+                       fmt::format("{} is no POINT; TEACH stores the place of the robot in one",
+                                   shortened(symbol->name)),
+                       fmt::format("POINT pick declares one; here = HERE keeps a place in a "
+                                   "variable, for this run only"));
+    return;
+  }
+  teach.frame = values_.frame_of(symbol->type);
+  missing_.teach(*symbol, surely);
+}
+
+void DeclarationChecker::know(const Symbol& symbol) {
+  if (symbol.kind != Symbol::Kind::Point) return;
+  points_declared_.try_emplace(to_upper(symbol.name), symbol.place);
+}
+
+}  // namespace rob::lang
