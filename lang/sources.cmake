@@ -1,53 +1,23 @@
 # The sources of `rob_lang`, folder by folder. tests/architecture_test.cpp finds those that are missing here.
 set(rob_lang_sources
   lang/lang.cpp
-  lang/check/called_builtins.cpp
-  lang/check/check_arrays.cpp
-  lang/check/check_calls.cpp
-  lang/check/check_clauses.cpp
-  lang/check/check_compounds.cpp
-  lang/check/check_computed_targets.cpp
-  lang/check/check_curves.cpp
-  lang/check/check_errors.cpp
-  lang/check/check_expressions.cpp
-  lang/check/check_flow.cpp
-  lang/check/check_frames.cpp
-  lang/check/check_handlers.cpp
-  lang/check/check_joints.cpp
-  lang/check/check_move.cpp
-  lang/check/check_operator.cpp
-  lang/check/check_operators.cpp
-  lang/check/check_plain_motions.cpp
-  lang/check/check_points.cpp
-  lang/check/check_poses.cpp
-  lang/check/check_records.cpp
-  lang/check/check_routine_calls.cpp
-  lang/check/check_routines.cpp
-  lang/check/check_safe.cpp
-  lang/check/check_signals.cpp
-  lang/check/check_surroundings.cpp
-  lang/check/check_target.cpp
-  lang/check/check_tasks.cpp
-  lang/check/check_tests.cpp
-  lang/check/check_use.cpp
-  lang/check/check_wait.cpp
-  lang/check/check_watching.cpp
+  lang/check/call_checker.cpp
   lang/check/checker.cpp
-  lang/check/corner_readings.cpp
-  lang/check/declared_elsewhere.cpp
+  lang/check/clause_checker.cpp
+  lang/check/control_flow.cpp
+  lang/check/declaration_checker.cpp
+  lang/check/expression_checker.cpp
   lang/check/fold.cpp
-  lang/check/handler_uses.cpp
-  lang/check/kept_names.cpp
-  lang/check/missing_points.cpp
-  lang/check/observations.cpp
-  lang/check/path_uses.cpp
-  lang/check/plain_targets.cpp
-  lang/check/return_paths.cpp
-  lang/check/routine.cpp
+  lang/check/meaning.cpp
+  lang/check/move_checker.cpp
+  lang/check/names.cpp
+  lang/check/operator_checker.cpp
   lang/check/routine_uses.cpp
+  lang/check/signal_checker.cpp
+  lang/check/statement_checker.cpp
   lang/check/symbols.cpp
-  lang/check/target.cpp
-  lang/check/task_uses.cpp
+  lang/check/value_checker.cpp
+  lang/check/watch_checker.cpp
   lang/code/chunk.cpp
   lang/code/code_builder.cpp
   lang/code/code_tables.cpp

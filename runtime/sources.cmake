@@ -10,29 +10,39 @@ set(rob_runtime_sources
   runtime/cli/program_files.cpp
   runtime/cli/run_files.cpp
   runtime/cli/test_files.cpp
+  runtime/command/assumptions.cpp
+  runtime/command/axis_targets.cpp
   runtime/command/background_tasks.cpp
+  runtime/command/commanded_progress.cpp
   runtime/command/entry_task.cpp
-  runtime/command/machine_assumptions.cpp
-  runtime/command/machine_force.cpp
-  runtime/command/machine_handlers.cpp
-  runtime/command/machine_jog.cpp
-  runtime/command/machine_motion.cpp
-  runtime/command/machine_operator.cpp
-  runtime/command/machine_path.cpp
-  runtime/command/machine_prompt.cpp
-  runtime/command/machine_safety.cpp
-  runtime/command/machine_surroundings.cpp
-  runtime/command/machine_tasks.cpp
-  runtime/command/machine_tests.cpp
-  runtime/command/machine_watching.cpp
+  runtime/command/errand.cpp
+  runtime/command/force_commands.cpp
+  runtime/command/handler_turns.cpp
+  runtime/command/loads.cpp
+  runtime/command/motion_commands.cpp
+  runtime/command/motion_plans.cpp
+  runtime/command/motion_queue.cpp
+  runtime/command/motion_requests.cpp
+  runtime/command/next_motion.cpp
+  runtime/command/operator_desk.cpp
+  runtime/command/operator_stop.cpp
+  runtime/command/path_events.cpp
+  runtime/command/plan_warnings.cpp
+  runtime/command/press_line.cpp
+  runtime/command/program_effects.cpp
   runtime/command/program_log.cpp
   runtime/command/program_task.cpp
   runtime/command/program_watch.cpp
+  runtime/command/readings.cpp
   runtime/command/robot_machine.cpp
-  runtime/command/robot_machine_readings.cpp
+  runtime/command/robot_parts.cpp
+  runtime/command/safe_outputs.cpp
   runtime/command/task_machine.cpp
+  runtime/command/task_reports.cpp
   runtime/command/tool_paths.cpp
+  runtime/command/waits.cpp
   runtime/command/when_pool.cpp
+  runtime/command/whens.cpp
   runtime/files/archive.cpp
   runtime/files/atomic_file.cpp
   runtime/files/files.cpp

@@ -25,22 +25,18 @@ namespace {
 
 using Tasks = std::set<std::string>;
 
-/// The task of each module that writes a channel: the thread in which it does that. What is set up
-/// before the tasks begin may be written by others later.
+/// The task in whose thread a module writes channels, by the longest part of its path that is
+/// listed. What is set up before the tasks begin may be written by others later.
 const std::map<std::string, std::string, std::less<>>& tasks_of_modules() {
   static const std::map<std::string, std::string, std::less<>> tasks = {
-      {"controller", "set-up"},          {"run", "set-up"},
-      {"run_parts", "set-up"},           {"motion_task", "motion"},
-      {"motion_task_effects", "motion"}, {"motion_task_handlers", "motion"},
-      {"motion_task_press", "motion"},   {"motion_task_retrace", "motion"},
-      {"scripted_operator", "motion"},   {"servo_task", "servo"},
-      {"entry_task", "program"},         {"machine_force", "program"},
-      {"machine_handlers", "program"},   {"machine_operator", "program"},
-      {"machine_prompt", "program"},     {"machine_safety", "program"},
-      {"machine_tests", "program"},      {"robot_machine", "program"},
-      {"run_stepped", "program"},  // one thread for all, which lets the program write
-      {"task_machine", "program"},       {"commands_motion", "main"},
-      {"commands_run", "main"},          {"live_robot", "main"},
+      {"runtime/tick/", "motion"},
+      {"runtime/tick/servo_task", "servo"},
+      {"runtime/command/", "program"},
+      {"runtime/run/controller", "set-up"},
+      {"runtime/run/run", "set-up"},
+      {"runtime/run/run_parts", "set-up"},
+      {"runtime/run/run_stepped", "program"},  // one thread for all, which lets the program write
+      {"runtime/prompt/", "main"},
   };
   return tasks;
 }
@@ -64,13 +60,25 @@ const ChannelWriters& writers() {
   return found;
 }
 
+/// Empty if it is not known.
+std::string task_of(const std::string& module) {
+  std::string task;
+  std::size_t longest = 0;
+  for (const auto& [part, its_task] : tasks_of_modules()) {
+    if (part.size() > longest && module.starts_with(part)) {
+      task = its_task;
+      longest = part.size();
+    }
+  }
+  return task;
+}
+
 Tasks tasks_of(const std::set<std::string>& modules) {
   Tasks tasks;
   for (const std::string& module : modules) {
-    const auto found = tasks_of_modules().find(module.substr(module.rfind('/') + 1));
-    const bool known = found != tasks_of_modules().end();
-    CHECK_MESSAGE(known, "which task is it in which " << module << " writes a channel?");
-    if (known && found->second != "set-up") tasks.insert(found->second);
+    const std::string task = task_of(module);
+    CHECK_MESSAGE(!task.empty(), "which task is it in which " << module << " writes a channel?");
+    if (!task.empty() && task != "set-up") tasks.insert(task);
   }
   return tasks;
 }

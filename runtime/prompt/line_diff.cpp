@@ -12,15 +12,22 @@ std::vector<DiffLine> line_diff(const std::vector<std::string>& before,
   std::vector<DiffLine> diff;
   std::size_t from_before = 0;
   std::size_t from_after = 0;
+  std::size_t coming = 0;  // lines that are added here, and follow those that go
+  const auto add_coming = [&] {
+    for (; coming > 0; --coming) diff.push_back({'+', after[from_after++]});
+  };
   for (const auto& [line, element] : found.getSes().getSequence()) {
     if (element.type == dtl::SES_ADD) {
-      diff.push_back({'+', after[from_after++]});
-      continue;
+      ++coming;
+    } else if (element.type == dtl::SES_DELETE) {
+      diff.push_back({'-', before[from_before++]});
+    } else {
+      add_coming();
+      diff.push_back({' ', before[from_before++]});
+      ++from_after;
     }
-    const bool common = element.type == dtl::SES_COMMON;
-    diff.push_back({common ? ' ' : '-', before[from_before++]});
-    if (common) ++from_after;
   }
+  add_coming();
   return diff;
 }
 

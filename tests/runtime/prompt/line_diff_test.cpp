@@ -28,6 +28,8 @@ TEST_CASE("a difference tells what goes and what comes") {
   CHECK(shown({"a", "b", "c"}, {"a", "x", "c"}) == " a -b +x  c ");
   CHECK(shown({}, {"a"}) == "+a ");
   CHECK(shown({"a", "b", "c", "d"}, {"b", "d"}) == "-a  b -c  d ");
+  CHECK(shown({"a", "b"}, {"x", "b", "y"}) == "-a +x  b +y ");
+  CHECK(shown({"a", "b", "c"}, {"x", "y"}) == "-a -b -c +x +y ");
   CHECK(shown({"a", "a"}, {"a", "a", "a"}) == " a  a +a ");
 }
 

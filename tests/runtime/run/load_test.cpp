@@ -8,7 +8,7 @@
 #include <string>
 
 #include "motion/robots/robot_file.h"
-#include "runtime/program/files.h"
+#include "runtime/files/files.h"
 #include "tests/support/scratch_folder.h"
 
 namespace rob::runtime {
