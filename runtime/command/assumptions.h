@@ -8,8 +8,9 @@
 
 namespace rob::runtime {
 
-/// What is assumed while a program is foretold: inputs that nobody drives stay OFF or at 0 V, a
-/// WAIT that reads one is met, HALT and ASK are answered. Each place that rests on it is a finding.
+/// The assumptions while a program is foretold: inputs that nobody drives stay OFF or at 0 V, a
+/// WAIT that reads one is met, HALT and ASK are answered. Each place that rests on one is a
+/// finding.
 class Assumptions {
  public:
   explicit Assumptions(const RobotLinks& links) : links_(links) {}
@@ -35,7 +36,7 @@ class Assumptions {
   const RobotLinks& links_;
   std::vector<std::string> inputs_;
   bool foretelling_ = false;
-  int read_ = -1;  ///< by the condition of the present WAIT
+  int read_ = -1;  ///< by the condition of the current WAIT
 };
 
 }  // namespace rob::runtime

@@ -31,8 +31,6 @@ bool CommandedProgress::decided() const {
 }
 
 /// At standstill what was written before acts first; in a corner it acts after the decision point.
-/// Behind an exact motion no blend is lost by waiting until the axes stand, and only then are they
-/// where the program sent them.
 bool CommandedProgress::observable() const {
   if (!decided()) return false;
   const bool standing = exact_ || links_.progress.standing.load(std::memory_order_relaxed);

@@ -7,7 +7,7 @@
 namespace rob::runtime {
 
 /// The effects of a program on their way to motion, which carries them out in motion order: each
-/// acts behind the motion that was planned before it.
+/// acts after the motion that was planned before it.
 class EffectQueue {
  public:
   explicit EffectQueue(const RobotLinks& links) : links_(links) {}

@@ -49,7 +49,7 @@ EntryTask::State EntryTask::run_tasks(State state) {
 bool EntryTask::begin_next() {
   Channels& channels = machine_.links().channels;
   if (channels.way_back.under_way.load(std::memory_order_acquire)) return false;
-  // What comes next begins where WayBack has brought the axes.
+  // The next entry begins where WayBack has brought the axes.
   if (channels.way_back.moved.exchange(false))
     machine_.parts().queue.restart_from(channels.joints.load());
   {
@@ -66,7 +66,7 @@ bool EntryTask::begin_next() {
 void EntryTask::begin(const Statements& statements) {
   if (!statements.chunk->watches.empty()) watching_.push_back(statements.chunk);
   present_ = statements.chunk;
-  machine_.parts().safe.declare_behind(statements.chunk->safe_values);
+  machine_.parts().safe.declare_further(statements.chunk->safe_values);
   vm_.go_on_with(*statements.chunk);
 }
 

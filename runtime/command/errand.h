@@ -20,12 +20,12 @@ class Errand {
   bool begun() const { return program_ != nullptr; }
   /// BRAKE: it is the interrupted motion that ends.
   void end_path() { returns_ = false; }
-  /// It has said what the arm carries, which is the program's, too.
+  /// It has said what the arm carries: the program carries that, too.
   void tell_load() { program_->doubt_load(); }
   /// It is over; Done when the program may go on.
   lang::Reply leave(int line);
 
-  // What has gone wrong in it ends it and all that it has interrupted.
+  // An error in it ends it and all that it has interrupted.
   bool asked() const { return leaving_ == Leaving::Asked; }
   void leave_all() { ask(AfterHandler::LeaveAll); }
 

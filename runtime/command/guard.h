@@ -9,8 +9,8 @@
 
 namespace rob::runtime {
 
-/// What ends a motion early: UNTIL, or at a prompt the key that is held for a jog. It is on from
-/// the command before the motion until its end is known.
+/// A condition that ends a motion early: UNTIL, or at a prompt the key that is held for a jog. It
+/// is on from the command before the motion until its end is known.
 class Guard {
  public:
   explicit Guard(const RobotLinks& links) : until_(links.signature.signals, links.robot) {}
@@ -19,7 +19,7 @@ class Guard {
     until_.set(condition);
     on_ = true;
   }
-  /// What is queued until release() is guarded by this, and not by an UNTIL.
+  /// This guards all that is queued until release(), in place of an UNTIL.
   void hold(const motion::Watch& held) {
     held_ = held;
     on_ = true;

@@ -28,7 +28,7 @@ void HandlerTurns::end_call() {
   links_.channels.after_handler.store(AfterHandler::GoOn);
 }
 
-/// One that has been told and not taken comes back when handlers may begin again.
+/// A Rest that has been reported and not taken comes back when handlers may begin again.
 void HandlerTurns::bar(bool barred) {
   links_.channels.handlers_barred.store(barred);
   if (barred) end_call();
@@ -42,16 +42,16 @@ void HandlerTurns::decline() {
   links_.channels.after_handler.store(AfterHandler::Decline);
 }
 
-/// What stands between the motions goes with their numbers. All of it is planned before any is
+/// Effects between the motions go with the motions' numbers. All of it is planned before any is
 /// queued.
 Reply HandlerTurns::leave_path(const Refuse& refuse) {
   Rest rest;
   if (!progress_.take_rest(rest)) return Reply::Later;
-  std::deque<Commanded> behind = queue_.take_behind(rest.number);
+  std::deque<Commanded> after = queue_.take_after(rest.number);
   links_.planner.stand_at(rest.q, rest.number);
   progress_.stand();
   const lang::Setting setting = surroundings_.setting();
-  auto words = commands_.plan_anew(behind);
+  auto words = commands_.plan_anew(after);
   commands_.work_in(setting);
   loads_.plan_with_last();
   if (words) {
@@ -61,8 +61,8 @@ Reply HandlerTurns::leave_path(const Refuse& refuse) {
     return refuse(std::move(*words));
   }
   turn_ = Turn::None;
-  if (behind.empty() && guard_.on()) guard_.leave(rest);
-  queue_.add_again(std::move(behind));
+  if (after.empty() && guard_.on()) guard_.leave(rest);
+  queue_.add_again(std::move(after));
   return Reply::Done;
 }
 

@@ -24,7 +24,7 @@ class HandlerTurns {
         queue_(queue),
         commands_(commands) {}
 
-  /// A WHEN whose handler has to begin now.
+  /// A WHEN whose handler must begin now.
   struct Begun {
     int id;                    ///< as Whens::begin() has said
     bool stops;                ///< the axes stand, and it has them; else they go on
@@ -35,13 +35,13 @@ class HandlerTurns {
   bool has_axes() const { return turn_ == Turn::HasAxes; }
   /// A handler that did not stop the axes is over.
   void end_call();
-  /// No handler may begin while an error of the program is settled, and behind its end.
+  /// No handler may begin while an error of the program is settled, and after its end.
   void bar(bool barred);
 
   // A handler that has the axes is over
   /// The axes are back on the path.
   void go_on() { turn_ = Turn::None; }
-  /// The interrupted motion has ended where the axes stand now: what was queued behind it starts
+  /// The interrupted motion has ended where the axes stand now: what was queued after it starts
   /// from there. `Later` until motion says where that is.
   lang::Reply leave_path(const Refuse& refuse);
   /// All that was commanded is dropped; false until motion says where the axes stand.

@@ -7,7 +7,7 @@
 
 namespace rob::runtime {
 
-/// What the arm carries: the tool of WITH, and LOAD. Motion and planner learn of it before the next
+/// The load of the arm: the tool of WITH, and LOAD. Motion and planner learn of it before the next
 /// motion.
 class Loads {
  public:
@@ -16,16 +16,17 @@ class Loads {
 
   /// Its mass counts from the next motion on.
   void mount(const lang::ToolValue& tool);
-  /// Beside the tool. What is carried has to be known before.
+  /// An object beside the tool. known() must be true.
   void grasp(const lang::LoadCommand& load);
   /// Tells motion what is new from here on. `Later` while that is not known, or there is no room.
   lang::Reply tell(int line);
-  /// Where what was said may not have become true it shows when all that was commanded has acted.
+  /// Whether motion and this side agree on the load. After a doubt they do again once all that was
+  /// commanded has acted.
   bool known();
 
-  /// Somebody else has said something.
+  /// Another side has changed the load.
   void doubt() { book_.doubt(); }
-  /// What was said may have been dropped.
+  /// The last change may have been dropped.
   void doubt_where_told() {
     book_.doubt_where_told(links_.channels.carried.load(std::memory_order_acquire));
   }
@@ -33,7 +34,7 @@ class Loads {
   /// The tool is again the one that a handler has found.
   void put_tool_back() { book_.put_tool_back(); }
 
-  /// What was told last; null for nothing. It keeps its address.
+  /// The load that motion was given last; null for nothing. It keeps its address.
   const motion::CarriedLoad* last() const { return book_.last(); }
   /// The planner reckons with that again.
   void plan_with_last() { links_.planner.carry(book_.told().all()); }

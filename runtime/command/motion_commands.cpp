@@ -29,7 +29,7 @@ void MotionCommands::work_in(const lang::Setting& setting) {
   loads_.mount(setting.tool);
 }
 
-/// What is to be exact takes two segments, which are queued together. In a PATH places wait for its
+/// An exact target takes two segments, which are queued together. In a PATH places wait for its
 /// end.
 Reply MotionCommands::move(int line, const lang::MoveCommand& asked) {
   if (const Reply reply = tell_load(line); reply != Reply::Done) return reply;
@@ -147,7 +147,7 @@ std::optional<Words> MotionCommands::lay_places() {
   return std::nullopt;
 }
 
-/// The motion is made exact; its Rest tells how it ended.
+/// The motion is made exact; its Rest says how it ended.
 Reply MotionCommands::ended(int line, bool& hit) {
   if (!progress_.exact() && !progress_.jogging()) {
     if (queue_.full()) return Reply::Later;

@@ -23,7 +23,7 @@ class MotionCommands {
 
   void work_in(const lang::Setting& setting);
   lang::Reply move(int line, const lang::MoveCommand& asked);
-  /// A jog for as long as `held` says No, in the tick; ended() tells when it has come to rest.
+  /// A jog for as long as `held` says No, in the tick; ended() says when it has come to rest.
   lang::Reply jog_while(int line, const lang::MoveCommand& command, const motion::Watch& held);
   lang::Reply begin_path(int line);
   lang::Reply end_path(int line);
@@ -31,8 +31,8 @@ class MotionCommands {
   lang::Reply carry(int line, const lang::LoadCommand& load);
   lang::Reply ended(int line, bool& hit);
 
-  /// What of the last commands has not been carried out starts from elsewhere, with the numbers
-  /// that it had; all of it, and the PATH that is open, or why it cannot be.
+  /// Plans these commands and the open PATH again, from where the planner stands now, with the
+  /// numbers that they had; or why that is not possible.
   std::optional<Words> plan_anew(std::deque<Commanded>& commanded);
 
  private:

@@ -209,8 +209,8 @@ std::optional<Words> MotionPlans::settle_target(MoveCommand& command) const {
   return settle_on_axes(links_.robot, pose, near(command), command, setting);
 }
 
-/// Of all axis values that bring the tip to a target, a tuple means those that turn as far as it
-/// says: MOVE BY (0, 0, 270) does not become 90 degrees the other way.
+/// A tuple means, among all axis values that bring the tip to a target, those that turn as far as
+/// it says: MOVE BY (0, 0, 270) does not become 90 degrees the other way.
 motion::JointVector MotionPlans::near(const MoveCommand& command) const {
   const motion::RobotModel& robot = links_.robot;
   const lang::Setting& setting = surroundings_.setting();

@@ -11,7 +11,7 @@
 namespace rob::runtime {
 
 /// Turns a motion as it was commanded into a segment: completes its target with WITH and IN, finds
-/// its path, and has it planned behind all that was planned before. What is planned is not queued.
+/// its path, and has it planned after all that was planned before. It queues nothing.
 class MotionPlans {
  public:
   MotionPlans(const RobotLinks& links, const Surroundings& surroundings, const PressLine& press)
@@ -21,7 +21,7 @@ class MotionPlans {
   std::optional<Words> plan(int line, Commanded& commanded);
   std::optional<Words> plan_jog(int line, const lang::MoveCommand& asked,
                                 motion::SegmentDescriptor& segment);
-  /// Of the last motion that was planned.
+  /// Line of the last motion that was planned.
   int last_line() const { return last_line_; }
 
  private:

@@ -6,7 +6,7 @@ namespace rob::runtime {
 
 using lang::Reply;
 
-/// What is to be exact takes two segments, which are queued together.
+/// An exact target takes two segments, which are queued together.
 void MotionQueue::add_motion(int line, Commanded commanded) {
   if (!commanded.move->exact()) return add_brakable(std::move(commanded));
   const motion::SettleWindow window =
@@ -107,14 +107,14 @@ Reply MotionQueue::brake() {
   motion::Rest rest;
   do {
     if (!progress_.take_rest(rest)) return Reply::Later;
-  } while (!rest.early());  // a jog has told that it has come to rest before
+  } while (!rest.early());  // a jog has reported that it has come to rest before
   restart_from(rest.q);
   braking_ = false;
   brakable_ = 0;
   return Reply::Done;
 }
 
-/// Jogs that came to rest before the one after them was known have told so, too.
+/// Jogs that came to rest before the one after them was known have reported so, too.
 bool MotionQueue::take_jog_rest(motion::Rest& rest) {
   while (progress_.take_rest(rest)) {
     if (rest.early() || rest.number == links_.planner.last_number()) return true;
@@ -190,10 +190,10 @@ void MotionQueue::drop_path() {
   path_.reset();
 }
 
-std::deque<Commanded> MotionQueue::take_behind(std::uint32_t number) {
-  std::deque<Commanded> behind = std::exchange(commanded_, {});
-  std::erase_if(behind, [&](const Commanded& one) { return one.segment.number <= number; });
-  return behind;
+std::deque<Commanded> MotionQueue::take_after(std::uint32_t number) {
+  std::deque<Commanded> after = std::exchange(commanded_, {});
+  std::erase_if(after, [&](const Commanded& one) { return one.segment.number <= number; });
+  return after;
 }
 
 void MotionQueue::add_again(std::deque<Commanded> commanded) {

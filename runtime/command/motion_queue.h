@@ -17,7 +17,7 @@ namespace rob::runtime {
 
 /// The motions, stops and dwells of a program on their way into the buffer, and how the last one
 /// comes to rest. Those of a PATH are kept back until its end. Where a call answers `Later` there
-/// is no room, or a jog has not told where it has led.
+/// is no room, or a jog has not reported where it has led.
 class MotionQueue {
  public:
   MotionQueue(const RobotLinks& links, CommandedProgress& progress, const Guard& guard,
@@ -29,7 +29,7 @@ class MotionQueue {
         loads_(loads),
         settling_(links.robot, links.log) {}
 
-  /// Before the run: no handler will ask for behind().
+  /// Before the run: no handler will ask for take_after().
   void keep_nothing() { keeps_commanded_ = false; }
   /// While a program is foretold nothing waits for the measured robot.
   void leave_out_settling() { settling_.leave_out(); }
@@ -37,7 +37,7 @@ class MotionQueue {
   bool full() const { return links_.buffer.full(); }
   std::size_t room() const { return links_.buffer.room(); }
 
-  // Behind all else
+  // After all else
   /// A motion, and what makes its target exact where it is to be; there is room for both.
   void add_motion(int line, Commanded commanded);
   void add_brakable(Commanded commanded);
@@ -56,12 +56,12 @@ class MotionQueue {
   /// dwell() as a whole statement.
   lang::Reply dwell_alone(int line, double seconds);
   void end_wait() { begun_ = false; }
-  /// BRAKE. What STOP, WAIT or UNTIL has brought to rest is not braked.
+  /// BRAKE. A motion that STOP, WAIT or UNTIL has brought to rest is not braked.
   lang::Reply brake();
-  /// What was commanded so far is not to be braked any more.
+  /// From here on brake() leaves alone all that was commanded so far.
   void bar_brake() { brakable_ = 0; }
 
-  /// Whether it is known where the last motion leads: a jog has to come to rest before.
+  /// Whether it is known where the last motion leads: a jog must come to rest before.
   bool rested();
   /// How the last motion has ended, which was guarded or a jog, once it has.
   bool take_end(motion::Rest& rest);
@@ -69,12 +69,12 @@ class MotionQueue {
   void come_to_rest(const motion::JointVector& q);
   /// The axes stand at q, where all that was commanded has ended early.
   void restart_from(const motion::JointVector& q);
-  /// Takes all that guarded or braked motions have told.
+  /// Takes all that guarded or braked motions have reported.
   void forget_rests();
   /// A WHEN has ended all that was commanded.
   void drop();
 
-  /// Of the tool that the last motion was for, seen from the flange, m.
+  /// Tip of the tool that the last motion was for, seen from the flange, m.
   const lang::Vector3& moved_tip() const { return moved_tip_; }
   void move_tip(const lang::Vector3& tip) { moved_tip_ = tip; }
 
@@ -88,17 +88,17 @@ class MotionQueue {
   /// From here on send_path() sends them; true when all have been sent.
   void close_path() { path_->closed = true; }
   bool send_path();
-  /// What of the PATH has not been queued is as though it had never been commanded.
+  /// The part of the PATH that has not been queued is as though it had never been commanded.
   void drop_path();
 
   // After a handler that leaves the path
-  /// What was commanded behind this number and may not have begun; it is not kept any more.
-  std::deque<Commanded> take_behind(std::uint32_t number);
+  /// The commands after this number that may not have begun; they are not kept any more.
+  std::deque<Commanded> take_after(std::uint32_t number);
   /// The motions of the PATH are about to be planned anew.
   void reopen_path() { path_->before = links_.planner.mark(); }
   /// They cannot be.
   void forget_path() { path_.reset(); }
-  /// What has been planned anew: these, then those of the PATH.
+  /// Commands that have been planned anew: these, then those of the PATH.
   void add_again(std::deque<Commanded> commanded);
 
  private:
@@ -113,12 +113,13 @@ class MotionQueue {
   };
 
   bool take_jog_rest(motion::Rest& rest);
-  /// What comes next comes behind this one.
+  /// The next command comes after this one.
   void follow(const motion::SegmentDescriptor& segment);
   /// Into the buffer, in which there is room.
   void send(Commanded commanded);
   void remember(Commanded commanded);
-  /// What makes the last target exact and waits until the robot is in position; none where it is.
+  /// A segment that makes the last target exact and waits until the robot is in position; none
+  /// where it is.
   std::optional<motion::SegmentDescriptor> settled_stop(int line);
 
   const RobotLinks& links_;
@@ -129,9 +130,9 @@ class MotionQueue {
   Settling settling_;
   lang::Vector3 moved_tip_;
   std::uint32_t sent_ = 0;      ///< number of the last segment in the buffer
-  std::uint32_t brakable_ = 0;  ///< number of the last motion; 0 where a barrier stands behind it
+  std::uint32_t brakable_ = 0;  ///< number of the last motion; 0 where a barrier stands after it
   bool braking_ = false;        ///< the generator has been asked to brake
-  bool begun_ = false;          ///< the present statement has queued its first segment
+  bool begun_ = false;          ///< the current statement has queued its first segment
   std::optional<Path> path_;
   std::deque<Commanded> commanded_;  ///< the last ones, at least all that are in the buffer
   bool keeps_commanded_ = true;

@@ -3,7 +3,7 @@
 #include "lang/machine/move_command.h"
 #include "motion/plan/motion_request.h"
 
-/// What the language asks of a motion, in motion's own terms. SI.
+/// From the language's words for a motion to motion's own. SI.
 namespace rob::runtime {
 
 motion::MotionRequest::Pace pace_of(lang::MoveCommand::Pace pace);

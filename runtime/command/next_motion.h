@@ -13,14 +13,14 @@
 
 namespace rob::runtime {
 
-/// What a program says before a motion about the one that it commands next: what is done on its
-/// way, points that it goes through, AT LIVE. In a PATH what is done on the way counts along all of
+/// All that a program says about a motion before it commands it: what is done on its way, points
+/// that it goes through, AT LIVE. In a PATH what is done on the way counts along all of
 /// it.
 class NextMotion {
  public:
   explicit NextMotion(const RobotLinks& links) : links_(links) {}
 
-  /// What is set or pulsed next is done at this place.
+  /// The next SET or PULSE is done at this place.
   void on_the_way(const lang::PathPlace& place) { place_ = place; }
   /// Takes an effect that belongs to such a place; whether there is one.
   bool takes(const motion::Effect& effect);

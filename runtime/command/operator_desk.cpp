@@ -63,7 +63,7 @@ Reply OperatorDesk::ask(int line, std::string_view text, std::optional<std::stri
   return answer ? answered(line, *answer, given == nullptr) : unattended(line, "ASK");
 }
 
-/// HERE was read just before, at rest: the axes are still told to stand where it was.
+/// HERE was read just before, at rest: the axes are still commanded to stand where it was.
 Reply OperatorDesk::teach(const lang::TaughtPoint& point) {
   if (keeper_ == nullptr) return Reply::Done;
   const motion::JointVector q = links_.channels.joints.load();

@@ -10,7 +10,7 @@
 
 namespace rob::runtime {
 
-/// What a program asks of the person beside the machine: HALT, ASK and TEACH.
+/// The program's requests to the person beside the machine: HALT, ASK and TEACH.
 class OperatorDesk {
  public:
   OperatorDesk(const RobotLinks& links, Assumptions& assumptions, const CommandedProgress& progress,
@@ -27,7 +27,7 @@ class OperatorDesk {
   lang::Reply halt(int line, std::string_view text);
   lang::Reply ask(int line, std::string_view text, std::optional<std::string>& answer);
   lang::Reply teach(const lang::TaughtPoint& point);
-  /// The present HALT or ASK is given up.
+  /// The current HALT or ASK is given up.
   void drop() { consulting_ = false; }
 
  private:
@@ -43,7 +43,7 @@ class OperatorDesk {
   ProgramEffects& effects_;
   Waits& waits_;
   PointKeeper* keeper_ = nullptr;
-  bool consulting_ = false;  ///< the text of the present HALT or ASK has been shown
+  bool consulting_ = false;  ///< the text of the current HALT or ASK has been shown
 };
 
 }  // namespace rob::runtime

@@ -7,7 +7,7 @@
 namespace rob::runtime {
 
 /// At a prompt: the operator's request to stop (Channels::stop_requested) acts as a WHEN that
-/// raises, and the robot stays under control behind the end of a program.
+/// raises, and the robot stays under control after the end of a program.
 class OperatorStop {
  public:
   OperatorStop(const RobotLinks& links, EffectQueue& effects) : links_(links), effects_(effects) {}

@@ -7,8 +7,7 @@
 #include "runtime/command/commanded.h"
 #include "runtime/words/messages.h"
 
-/// What is set or pulsed on the way of a motion: where it lies on it. Places in m of the tool's
-/// way.
+/// Where effects lie on the way of a motion. Places in m of the tool's way.
 namespace rob::runtime {
 
 /// Lays what a motion does on its way onto its segment, once its way is known; or why it cannot be:

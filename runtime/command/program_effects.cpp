@@ -14,7 +14,7 @@ using motion::Effect;
 
 namespace {
 
-/// Of a frame that SIMULATE speaks in: 1 − the cosine by which its axes may be beside the world's.
+/// How far the axes of SIMULATE's frame may be beside the world's: 1 − the cosine.
 /// [choice] 0.08°
 constexpr double kAlongWorld = 1e-6;
 

@@ -10,8 +10,8 @@
 
 namespace rob::runtime {
 
-/// What a program sets, pulses, prints, and simulates in a TEST: each becomes an effect in motion
-/// order, or part of the motion or the WHEN that it was written for.
+/// All that a program sets, pulses, prints, and simulates in a TEST: each becomes an effect in
+/// motion order, or part of the motion or the WHEN that it was written for.
 class ProgramEffects {
  public:
   /// `override_share`: the speed that the program's OVERRIDE is a share of, 1 = as programmed.

@@ -17,9 +17,9 @@ class Readings {
            MotionQueue& queue)
       : links_(links), progress_(progress), guard_(guard), queue_(queue) {}
 
-  /// Of the instant that the program's motions have come to.
+  /// At the instant that the program's motions have come to.
   lang::Reply read(lang::Reading what, const lang::Setting& setting, lang::Slot* value);
-  /// Of the current cycle.
+  /// In the current cycle.
   lang::Reply current(lang::Reading what, const lang::Setting& setting, lang::Slot* value,
                       const Refuse& refuse) const;
   lang::PoseValue forward(const lang::Setting& setting, std::span<const double> joints) const;

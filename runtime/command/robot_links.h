@@ -14,10 +14,10 @@
 
 namespace rob::runtime {
 
-/// Refuses the present command for this reason; Refused.
+/// Refuses the current command for this reason; Refused.
 using Refuse = std::function<lang::Reply(Words)>;
 
-/// What the program's side of a robot stands on. Others own it, and it outlives that side.
+/// The collaborators of the program's side of a robot. Others own them, and they outlive that side.
 struct RobotLinks {
   const motion::RobotModel& robot;
   const lang::RobotSignature& signature;

@@ -26,7 +26,7 @@ void RobotMachine::run_beside(BackgroundTasks& tasks) {
   parts_.reports.go_to(tasks);
 }
 
-// What concerns all parts
+// Commands that concern all parts
 
 void RobotMachine::drop_statement() {
   parts_.waits.drop();
@@ -53,7 +53,7 @@ Reply RobotMachine::settle(int line) {
   return Reply::Done;
 }
 
-/// What has gone wrong in a handler ends it and all that it has interrupted.
+/// An error in a handler ends it and all that it has interrupted.
 Reply RobotMachine::drop_interrupted(int line) {
   Errand& errand = handlers_->parts_.errand;
   if (!errand.asked()) {
@@ -87,7 +87,7 @@ std::optional<RobotMachine::Handled> RobotMachine::take_handled() {
 Reply RobotMachine::end(int line) {
   if (parts_.queue.path_open() && end_path(line) == Reply::Later) return Reply::Later;
   if (parts_.operator_stop.stays()) {
-    // What stops it there is no line's.
+    // A stop there belongs to no line.
     links_.channels.hold_points.end_with(links_.planner.last_number());
     return parts_.whens.disarm_all(line) ? settle(line) : Reply::Later;
   }

@@ -16,9 +16,9 @@ namespace rob::runtime {
 /// work; what concerns all of them is done here. All calls come from the program's thread.
 class RobotMachine final : public lang::Machine {
  public:
-  /// `progress`: what it is told of the motions in `buffer`; one of those of `channels`.
+  /// `progress`: the reports of the motions in `buffer`; one of those of `channels`.
   /// `handlers`: commands what handlers do, into a buffer of its own; null: there are none. It must
-  /// outlive the run, and is told what this one is told of the run. `override_share`: the speed
+  /// outlive the run. `override_share`: the speed
   /// that the program's OVERRIDE is a share of, 1 = as programmed.
   RobotMachine(const motion::RobotModel& robot, motion::MotionPlanner& planner,
                motion::LookAheadBuffer& buffer, Channels& channels, MotionProgress& progress,
@@ -35,7 +35,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply fail(int line);
   /// The error that a WHEN has raised, once the axes stand; what had been commanded is dropped.
   std::optional<lang::RuntimeError> take_interruption();
-  /// A WHEN whose handler has to begin now.
+  /// A WHEN whose handler must begin now.
   struct Handled {
     int id;                ///< as when() has said
     lang::Machine* robot;  ///< what it commands: the axes stand; null: they go on
@@ -102,7 +102,7 @@ class RobotMachine final : public lang::Machine {
 
  private:
   lang::Reply drop_interrupted(int line);
-  /// What the present statement has begun, and what has been said of the next motion.
+  /// Forgets what the current statement has begun, and what has been said of the next motion.
   void drop_statement();
 
   const lang::RobotSignature signature_;

@@ -26,19 +26,19 @@
 
 namespace rob::runtime {
 
-/// What a RobotMachine consists of. Each part knows only parts above it in this list.
+/// The parts of a RobotMachine. Each part knows only parts above it in this list.
 struct RobotParts {
   RobotParts(const RobotLinks& links, double override_share);
   RobotParts(const RobotParts&) = delete;
 
-  // What is commanded, and how far it has come
+  // Commands, and how far they have come
   EffectQueue effects;
   CommandedProgress progress;
   NextMotion next;
   Guard guard;
   Whens whens;
   ProgramEffects outputs;
-  // What surrounds motions
+  // The surroundings of motions
   Assumptions assumptions;
   Surroundings surroundings;
   Loads loads;
@@ -47,7 +47,7 @@ struct RobotParts {
   MotionPlans plans;
   MotionQueue queue;
   MotionCommands motions;
-  // What stands between motions
+  // Between motions
   Waits waits;
   OperatorDesk desk;
   ForceCommands forces;

@@ -11,10 +11,10 @@ using motion::Effect;
 
 void SafeOutputs::declare(std::span<const lang::SafeValue> values) {
   links_.channels.safe.clear();
-  declare_behind(values);
+  declare_further(values);
 }
 
-void SafeOutputs::declare_behind(std::span<const lang::SafeValue> values) {
+void SafeOutputs::declare_further(std::span<const lang::SafeValue> values) {
   SafeValues& safe = links_.channels.safe;
   for (const lang::SafeValue& declared : values.subspan(std::min(values.size(), safe.size()))) {
     const lang::RobotSignature::Signal& signal = links_.signal(declared.signal);

@@ -17,8 +17,8 @@ class SafeOutputs {
   bool none() const { return links_.channels.safe.empty(); }
   /// These, and no others, before the run.
   void declare(std::span<const lang::SafeValue> values);
-  /// Further ones, behind those that have been declared.
-  void declare_behind(std::span<const lang::SafeValue> values);
+  /// All of them, the first of which have been declared before.
+  void declare_further(std::span<const lang::SafeValue> values);
   /// Outputs take them: for good, or at a prompt (`stays`) until the next entry.
   lang::Reply take(bool stays);
 

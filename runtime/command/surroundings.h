@@ -7,7 +7,7 @@
 
 namespace rob::runtime {
 
-/// WITH and IN at the program's present place: the tool and the frame that poses mean.
+/// WITH and IN at the program's current place: the tool and the frame that poses mean.
 class Surroundings {
  public:
   explicit Surroundings(const RobotLinks& links) : links_(links) {}

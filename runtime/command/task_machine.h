@@ -15,7 +15,7 @@
 
 namespace rob::runtime {
 
-/// What a TASK needs of the program's side of the robot. All of it outlives the TASK.
+/// The part of the program's side of the robot that a TASK needs. All of it outlives the TASK.
 struct TaskSide {
   const RobotLinks& links;
   Readings& readings;
@@ -47,7 +47,7 @@ class TaskMachine final : public lang::Machine {
   lang::Reply inverse(int line, const lang::PoseValue& pose, std::span<const double> near,
                       std::span<double> joints) override;
 
-  // A TASK works on its globals directly; a handler of the program has to be told.
+  // A TASK works on its globals directly; a handler of the program must publish them.
   lang::Reply publish(int line, std::size_t first, std::span<const lang::Slot> values) override;
   lang::Reply publish(int line, std::size_t first, std::span<const std::string> texts) override;
   lang::Reply refresh(int line, std::size_t first, std::span<lang::Slot> values) override;

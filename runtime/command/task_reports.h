@@ -10,7 +10,8 @@
 
 namespace rob::runtime {
 
-/// What a program tells its TASKs in motion order, and what it learns from them.
+/// The traffic between a program and its TASKs: START and new values of globals in motion order,
+/// and the values that TASKs have set.
 class TaskReports {
  public:
   TaskReports(const RobotLinks& links, EffectQueue& effects, const CommandedProgress& progress)
@@ -25,7 +26,7 @@ class TaskReports {
   lang::Reply publish(int line, std::size_t first, std::span<const Value> values) {
     return report(line, BackgroundTasks::Store<Value>{first, {values.begin(), values.end()}});
   }
-  /// What they are.
+  /// Their current values.
   template <typename Value>
   lang::Reply refresh(std::size_t first, std::span<Value> values) {
     if (!progress_.observable()) return lang::Reply::Later;

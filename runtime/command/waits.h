@@ -19,9 +19,9 @@ class Waits {
   lang::Reply waited(int line);
   /// The program has read this signal, in the condition of a WAIT or elsewhere.
   void note_read(int line, int signal);
-  /// The present statement waits for a condition, and all that was commanded has acted.
+  /// The current statement waits for a condition, and all that was commanded has acted.
   bool at_rest() const { return standing_ && progress_.has_acted(); }
-  /// The present statement is given up.
+  /// The current statement is given up.
   void drop() {
     queue_.end_wait();
     standing_ = false;

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "runtime/command/program_task.h"
-#include "runtime/command/robot_machine.h"
 #include "runtime/files/points_file.h"
 #include "runtime/run/controller.h"
 #include "runtime/run/execution.h"
