@@ -50,35 +50,30 @@ set(rob_lang_sources
   lang/machine/move_pose.cpp
   lang/machine/robot_signature.cpp
   lang/machine/seen_from.cpp
+  lang/syntax/action_parser.cpp
+  lang/syntax/block_parser.cpp
+  lang/syntax/clause_parser.cpp
+  lang/syntax/declaration_parser.cpp
+  lang/syntax/expression_parser.cpp
+  lang/syntax/header_parser.cpp
   lang/syntax/keywords.cpp
   lang/syntax/lexer.cpp
   lang/syntax/lexer_literals.cpp
+  lang/syntax/motion_parser.cpp
+  lang/syntax/named_types.cpp
+  lang/syntax/open_blocks.cpp
   lang/syntax/outline.cpp
-  lang/syntax/parse_blocks.cpp
-  lang/syntax/parse_compounds.cpp
-  lang/syntax/parse_declarations.cpp
-  lang/syntax/parse_errors.cpp
-  lang/syntax/parse_expressions.cpp
-  lang/syntax/parse_flow.cpp
-  lang/syntax/parse_force.cpp
-  lang/syntax/parse_frames.cpp
-  lang/syntax/parse_header.cpp
-  lang/syntax/parse_later.cpp
-  lang/syntax/parse_motion.cpp
-  lang/syntax/parse_operator.cpp
-  lang/syntax/parse_points.cpp
-  lang/syntax/parse_routines.cpp
-  lang/syntax/parse_signals.cpp
-  lang/syntax/parse_statements.cpp
-  lang/syntax/parse_surroundings.cpp
-  lang/syntax/parse_tasks.cpp
-  lang/syntax/parse_tests.cpp
-  lang/syntax/parse_use.cpp
-  lang/syntax/parse_watching.cpp
   lang/syntax/parser.cpp
   lang/syntax/plain_motion.cpp
   lang/syntax/robot_name.cpp
+  lang/syntax/routine_parser.cpp
+  lang/syntax/statement_parser.cpp
+  lang/syntax/text_names.cpp
+  lang/syntax/token_reader.cpp
+  lang/syntax/tree_builder.cpp
+  lang/syntax/type_parser.cpp
   lang/syntax/used_files.cpp
+  lang/syntax/watch_parser.cpp
   lang/text/codes.cpp
   lang/text/diagnostic.cpp
   lang/text/source_text.cpp

@@ -25,7 +25,6 @@ const std::vector<Circle>& remaining_circles() {
       {"drivers/link/driver", "drivers/link/grbl_link", "drivers/link/grbl_setup",
        "drivers/link/rob_link", "drivers/link/servo_link"},
       {"drivers/serial/serial_port", "drivers/serial/tcp_port", "drivers/serial/wire_port"},
-      {"lang/syntax/parser", "lang/syntax/parser_impl"},
       {"lang/values/types", "lang/values/units"},
       {"motion/robots/arm_file", "motion/robots/cell_file", "motion/robots/chain_file",
        "motion/robots/mechanics_file", "motion/robots/pulse_file", "motion/robots/robot_file",

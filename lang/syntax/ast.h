@@ -298,7 +298,8 @@ struct Program {
   bool surroundings = false;       ///< WITH or IN stand somewhere: routines may run in them
   /// Where END stands, or the end of the file if there is none.
   Place end;
-  std::size_t nodes = 0;  ///< statements and expressions read so far
+  std::size_t nodes = 0;  ///< statements and expressions read so far, in the files before, too
+  std::size_t names = 0;  ///< declared so far, in the same
   bool whole = true;      ///< all that it USEs could be read
   /// From this line on it is an entry of the prompt: what stands before has been executed, and its
   /// names may be declared anew. 0: it is a program.

@@ -127,7 +127,8 @@ struct Expr {
   /// Slots that it is to have; 0: those of its type.
   mutable int place_slots = 0;
   Constant constant;  ///< set by the checker where the value is known before the program runs
-  int height = 1;     ///< levels of this tree; the parser keeps it at kMaxDepth (parser.h) at most
+  int height =
+      1;  ///< levels of this tree; the parser keeps it at kMaxDepth (syntax_limits.h) at most
 };
 
 /// The variable that an assignable place is part of: `a` of `a[i].x`; null where it is none.

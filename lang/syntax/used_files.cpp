@@ -9,8 +9,9 @@
 
 #include "lang/syntax/declarations.h"
 #include "lang/syntax/outline.h"
-#include "lang/syntax/parser_impl.h"
+#include "lang/syntax/parser.h"
 #include "lang/syntax/robot_name.h"
+#include "lang/syntax/source_context.h"
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 #include "lang/text/source_text.h"
@@ -48,19 +49,17 @@ class UseReader {
     File& file = files_.emplace_back();
     if (check_source(text, diagnostics_, number, parts)) {
       file.outline = outline_of(text, number, parts);
-      std::vector<Import> imports = imports_of(file.outline, number);
-      Parser parser(text, diagnostics_,
-                    {.file = number,
-                     .parts = parts,
-                     .outline = &file.outline,
-                     .imports = std::move(imports),
-                     .nodes = nodes_,
-                     .names = names_,
-                     .array_lengths = array_lengths_.size(),
-                     .types = types_});
-      file.program = parser.program();
+      file.program = parse(text, diagnostics_,
+                           {.file = number,
+                            .parts = parts,
+                            .outline = &file.outline,
+                            .imports = imports_of(file.outline, number),
+                            .nodes = nodes_,
+                            .names = names_,
+                            .array_lengths = array_lengths_.size(),
+                            .types = types_});
       nodes_ = file.program.nodes;
-      names_ = parser.names();
+      names_ = file.program.names;
       whole_ = whole_ && file.program.whole;
       std::ranges::move(file.program.array_lengths, std::back_inserter(array_lengths_));
     }

@@ -1,0 +1,275 @@
+#include "lang/syntax/declaration_parser.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lang/syntax/keywords.h"
+#include "lang/syntax/named_types.h"
+#include "lang/text/ascii.h"
+#include "lang/text/codes.h"
+
+namespace rob::lang {
+
+// decl = "CONST" IDENT [ ":" type ] "=" expr eol
+//      | "VAR" names ( ":" type [ "=" expr ] | "=" expr ) eol .
+void DeclarationParser::variables(Block& block) {
+  const Place place = tokens_.place();
+  Declaration declaration;
+  declaration.constant = tokens_.at(Keyword::Const);
+  tokens_.advance();
+  try {
+    declared_names(declaration);
+    declared_type_and_value(declaration);
+  } catch (const SyntaxError&) {
+    declaration.type = Type{};
+    declaration.value = nullptr;
+    if (!declaration.names.empty()) tree_.add(block, place, std::move(declaration));
+    throw;
+  }
+  tree_.add(block, place, std::move(declaration));
+}
+
+// names = IDENT { "," IDENT } .
+void DeclarationParser::declared_names(Declaration& declaration) {
+  const std::string_view kind = declaration.constant ? "CONST" : "VAR";
+  declaration.names.push_back(names_.declared(kind));
+  while (!declaration.constant && tokens_.accept(TokenKind::Comma)) {
+    declaration.names.push_back(names_.declared(kind));
+  }
+}
+
+void DeclarationParser::declared_type_and_value(Declaration& declaration) {
+  if (tokens_.accept(TokenKind::Colon)) declaration.type = types_.type();
+  if (tokens_.at(TokenKind::Equal)) {
+    tokens_.report(code::kAssignExpected, tokens_.place(),
+                   "'==' compares, it does not give a value", "write =");
+    tokens_.take_for(TokenKind::Assign);
+  }
+  if (tokens_.accept(TokenKind::Assign)) {
+    declaration.value = expressions_.expression();
+    return;
+  }
+  if (!tokens_.at_line_end()) {
+    tokens_.fail_here(code::kAssignExpected,
+                      fmt::format("'=' expected, not {}", described(tokens_.current())));
+  }
+  const std::string& name = declaration.names.front().name;
+  if (declaration.constant) {
+    tokens_.fail_behind(code::kIncompleteDeclaration, "a constant needs a value",
+                        fmt::format("CONST {} = 10mm", shortened(name)));
+  }
+  if (!declaration.type) {
+    tokens_.fail_behind(code::kIncompleteDeclaration, "a variable needs a type or a value",
+                        fmt::format("VAR {0} = 10mm, or VAR {0}: LENGTH", shortened(name)));
+  }
+}
+
+/// The names that a skipped statement declares, so that their uses are no further mistakes.
+void DeclarationParser::unknown(Block& block) {
+  Declaration declaration;
+  declaration.type = Type{};
+  while (tokens_.at(TokenKind::Word)) {
+    declaration.names.push_back({std::string(tokens_.text()), tokens_.place()});
+    tokens_.advance();
+    if (!tokens_.accept(TokenKind::Comma)) break;
+  }
+  if (!declaration.names.empty()) tree_.add(block, tokens_.place(), std::move(declaration));
+}
+
+// "SIGNAL" IDENT [ ":" type ] "=" channel [ "SCALE" expr "TO" expr ] [ "SAFE" expr ]
+void DeclarationParser::signal(Block& block) {
+  const Place place = tokens_.place();
+  blocks_.check_declaration("SIGNAL");
+  tokens_.advance();
+  Declaration::Declared name = names_.declared("SIGNAL");
+  SignalDeclaration signal;
+  signal.name = name.name;
+  signal.name_place = name.place;
+  try {
+    if (tokens_.accept(TokenKind::Colon)) {
+      signal.type_place = tokens_.place();
+      signal.type = types_.type();
+    }
+    if (!tokens_.accept(TokenKind::Assign)) {
+      tokens_.fail_here(code::kAssignExpected,
+                        fmt::format("'=' expected after {}", shortened(signal.name)),
+                        "SIGNAL part_here = DIN[1]");
+    }
+    signal.channel_place = tokens_.place();
+    signal.channel = expressions_.channel("'='");
+    if (tokens_.at_word("SCALE")) scale(signal);
+    if (tokens_.at_word("SAFE")) {
+      tokens_.advance();
+      signal.safe = expressions_.expression();
+    }
+  } catch (const SyntaxError&) {
+    Declaration unknown;
+    unknown.type = Type{};
+    unknown.names.push_back(std::move(name));
+    tree_.add(block, place, std::move(unknown));
+    throw;
+  }
+  tree_.add(block, place, std::move(signal));
+}
+
+void DeclarationParser::scale(SignalDeclaration& signal) {
+  tokens_.advance();
+  signal.low = expressions_.expression();
+  if (!tokens_.at_word("TO")) {
+    tokens_.fail_here(code::kWordExpected,
+                      fmt::format("TO expected after SCALE, not {}", described(tokens_.current())),
+                      "SIGNAL wire: SPEED = AOUT[1] SCALE 0mm/s TO 300mm/s");
+  }
+  tokens_.advance();
+  signal.high = expressions_.expression();
+}
+
+// decl = "POINT" names [ "=" expr ] eol .
+void DeclarationParser::point(Block& block) {
+  const Place place = tokens_.place();
+  blocks_.check_declaration("POINT");
+  tokens_.advance();
+  PointDeclaration points;
+  try {
+    do {
+      points.points.push_back({.declared = names_.declared("POINT")});
+    } while (tokens_.accept(TokenKind::Comma));
+    if (tokens_.accept(TokenKind::Assign)) {
+      points.value = expressions_.expression();
+    } else if (!tokens_.at_line_end()) {
+      tokens_.fail_here(code::kAssignExpected,
+                        fmt::format("'=' expected, not {}", described(tokens_.current())),
+                        fmt::format("POINT {} = POSE(10mm, 20mm, 0mm), or the name alone",
+                                    shortened(points.points.front().declared.name)));
+    }
+  } catch (const SyntaxError&) {
+    points.sound = false;
+    points.value = nullptr;
+    tree_.add(block, place, std::move(points));
+    throw;
+  }
+  tree_.add(block, place, std::move(points));
+}
+
+// decl = "TOOL" IDENT "=" expr [ "MASS" expr [ "COG" expr ] ] eol
+//      | "FRAME" IDENT "=" expr eol .
+void DeclarationParser::frame_or_tool(Block& block) {
+  const Place place = tokens_.place();
+  const bool tool = tokens_.at_word("TOOL");
+  const std::string_view word = tool ? "TOOL" : "FRAME";
+  blocks_.check_declaration(word);
+  tokens_.advance();
+  Declaration declaration;
+  declaration.constant = true;
+  declaration.names.push_back(names_.declared(word));
+  const std::string name = declaration.names.front().name;
+  try {
+    if (!tokens_.accept(TokenKind::Assign)) {
+      tokens_.fail_here(code::kAssignExpected,
+                        fmt::format("'=' expected after {}", shortened(name)),
+                        fmt::format("{} {} = POSE(0mm, 0mm, 120mm)", word, shortened(name)));
+    }
+    declaration.value = expressions_.expression();
+    declaration.type = Type{tool ? Type::Kind::Tool : Type::Kind::Frame};
+    if (tool && tokens_.at_word("MASS")) {
+      tokens_.advance();
+      declaration.mass = expressions_.expression();
+      if (tokens_.at_word("COG")) {
+        tokens_.advance();
+        declaration.cog = expressions_.expression();
+      }
+    }
+    declaration.frame = tool ? nullptr : &names_.own_frame(name);
+  } catch (const SyntaxError&) {
+    declaration.type = Type{};
+    declaration.value = nullptr;
+    tree_.add(block, place, std::move(declaration));
+    throw;
+  }
+  tree_.add(block, place, std::move(declaration));
+}
+
+// decl = "RECORD" NAME eol { NAME { "," NAME } ":" type eol } "ENDRECORD" eol .
+void DeclarationParser::record(Block& block) {
+  const OpenBlock open{Keyword::Endrecord, tokens_.place()};
+  blocks_.check_declaration("RECORD");
+  RecordDeclaration record;
+  tokens_.advance();
+  try {
+    record.declared = names_.declared("RECORD");
+    if (named_type(record.declared.name) != nullptr) {
+      tokens_.fail(code::kReservedName, record.declared.place,
+                   fmt::format("{} is a type of the language", shortened(record.declared.name)),
+                   "choose another name");
+    }
+    record.detail = &names_.own_record(record.declared.name);
+    blocks_.header_end("RECORD");
+  } catch (const SyntaxError&) {
+    record.sound = false;
+    tokens_.skip_line();
+  }
+  record_fields(record);
+  // A statement that stands where a field should is left for what follows.
+  const bool statement = tokens_.at(TokenKind::Reserved) && !tokens_.at(Keyword::End) &&
+                         role(tokens_.current().keyword) != KeywordRole::Closer;
+  statement ? blocks_.report_unclosed(open) : blocks_.close(open);
+  if (record.detail != nullptr) tree_.add(block, open.place, std::move(record));
+}
+
+void DeclarationParser::record_fields(RecordDeclaration& record) {
+  const auto at_end = [&] {
+    return tokens_.at(TokenKind::EndOfFile) ||
+           (tokens_.at(TokenKind::Reserved) &&
+            role(tokens_.current().keyword) != KeywordRole::Value);
+  };
+  for (;;) {
+    tokens_.skip_line_ends();
+    if (at_end()) return;
+    try {
+      record.groups.push_back(record_group());
+      tokens_.end_of_line();
+    } catch (const SyntaxError&) {
+      record.sound = false;
+      tokens_.recover();
+    }
+  }
+}
+
+RecordDeclaration::Fields DeclarationParser::record_group() {
+  RecordDeclaration::Fields group;
+  do {
+    tree_.count(tokens_.place());
+    group.names.push_back(names_.declared("RECORD"));
+  } while (tokens_.accept(TokenKind::Comma));
+  if (!tokens_.accept(TokenKind::Colon)) {
+    tokens_.fail_behind(code::kWordExpected, "':' and a type expected after the field",
+                        fmt::format("for example {}: LENGTH", shortened(group.names.back().name)));
+  }
+  group.type = types_.type();
+  return group;
+}
+
+// decl = "USE" IDENT eol .
+void DeclarationParser::use(Block& block) {
+  const Place place = tokens_.place();
+  blocks_.check_declaration("USE");
+  tokens_.advance();
+  if (!tokens_.at(TokenKind::Word)) {
+    tokens_.fail_here(
+        code::kNameExpected,
+        fmt::format("the name of a file expected after USE, not {}", described(tokens_.current())),
+        "USE tools brings in what tools.rob declares");
+  }
+  Use use;
+  use.name = tokens_.text();
+  tokens_.advance();
+  if (tokens_.at(TokenKind::Dot)) {
+    tokens_.fail_here(code::kLineEndExpected, "USE takes the name of a file without its ending",
+                      fmt::format("USE {}", shortened(use.name)));
+  }
+  names_.resolve(use);
+  tree_.add(block, place, std::move(use));
+}
+
+}  // namespace rob::lang
