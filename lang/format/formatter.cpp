@@ -10,7 +10,9 @@
 #include "lang/format/declared_names.h"
 #include "lang/format/source_lines.h"
 #include "lang/format/statement_words.h"
+#include "lang/syntax/named_types.h"
 #include "lang/syntax/parser.h"
+#include "lang/syntax/token_reader.h"
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 #include "lang/text/source_text.h"
@@ -36,25 +38,17 @@ constexpr auto kProvided = std::to_array<std::string_view>(
      "POSE",   "QUAT",  "RANDOM",  "TARGET", "torque", "TO_FRAME", "TRIM",    "TURN",
      "UNIT",   "UPPER", "VEC",     "world",  "WRENCH", "ZYZ"});
 
-constexpr auto kTypeNames = std::to_array<std::string_view>(
-    {"BOOL",  "INT",    "REAL",   "STRING", "LENGTH", "ANGLE",         "TIME",
-     "SPEED", "FORCE",  "TORQUE", "MASS",   "VEC",    "FREQUENCY",     "VOLTAGE",
-     "POSE",  "JOINTS", "FRAME",  "TOOL",   "WRENCH", "ANGULAR_SPEED", "ACCELERATION"});
-
-std::string_view among(std::span<const std::string_view> words, std::string_view word) {
-  const auto found =
-      std::ranges::find_if(words, [&](std::string_view each) { return same_word(each, word); });
-  return found == words.end() ? std::string_view() : *found;
-}
-
 std::string_view provided(std::string_view word) {
   const Builtin* const builtin = find_builtin(word, 0);
-  return builtin != nullptr ? builtin->name : among(kProvided, word);
+  if (builtin != nullptr) return builtin->name;
+  const auto found =
+      std::ranges::find_if(kProvided, [&](std::string_view each) { return same_word(each, word); });
+  return found == kProvided.end() ? std::string_view() : *found;
 }
 
-/// Words that cannot stand within brackets: the parser, too, takes them for the next statement.
-bool begins_statement(const Token& token) {
-  return token.kind == TokenKind::Reserved && role(token.keyword) != KeywordRole::Value;
+std::string_view type_name(std::string_view word) {
+  const NamedType* const found = named_type(word);
+  return found == nullptr ? std::string_view() : found->name;
 }
 
 /// What a line does to the indentation.
@@ -234,7 +228,7 @@ std::string Layout::spelled(const Token& token, WordUse use) const {
   const std::string_view declared = names_.name(token.text);
   if (!declared.empty()) return std::string(declared);
   const std::string_view type =
-      use == WordUse::TypeName ? among(kTypeNames, token.text) : std::string_view();
+      use == WordUse::TypeName ? type_name(token.text) : std::string_view();
   return or_as_written(type.empty() ? provided(token.text) : type);
 }
 

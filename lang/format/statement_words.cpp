@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "lang/syntax/clause_words.h"
 #include "lang/text/ascii.h"
 #include "lang/values/units.h"
 
@@ -11,9 +12,8 @@ namespace rob::lang {
 
 namespace {
 
-constexpr std::array<std::string_view, 13> kFirstWords{
-    "PRESS", "PATH", "TOOL", "FRAME", "LAW",      "ROBOT", "UNITS",
-    "START", "ZERO", "LOAD", "AFTER", "OVERRIDE", "BEFORE"};
+/// Words of path events, which are statements in a PATH.
+constexpr std::array<std::string_view, 2> kEventWords{"AFTER", "BEFORE"};
 
 /// Clauses without a value.
 constexpr std::array<std::string_view, 2> kWholeClauses{"FINE", "EULER"};
@@ -106,7 +106,8 @@ WordUse StatementWords::use_of_word(const Token& word, TokenKind behind) {
 
 /// A statement that is known by its place only, at the beginning of a line.
 bool StatementWords::begins_as_keyword(const Token& word, TokenKind behind) const {
-  if (!at_begin_ || !is_among(kFirstWords, word.text)) return false;
+  if (!at_begin_) return false;
+  if (!is_among(kPlacedWords, word.text) && !is_among(kEventWords, word.text)) return false;
   return behind != TokenKind::Assign && !goes_on(behind) && behind != TokenKind::LeftBracket &&
          behind != TokenKind::LeftParen;
 }
@@ -158,7 +159,7 @@ void StatementWords::go_on(const Token& token, WordUse use) {
   if (closes(token.kind) && depth_ > 0) --depth_;
   const bool clause = use == WordUse::Clause;
   if (clause && at_begin_) {
-    trigger_ = same_word(token.text, "AFTER") || same_word(token.text, "BEFORE");
+    trigger_ = is_among(kEventWords, token.text);
     all_units_ = same_word(token.text, "UNITS");
   }
   if (at_begin_ && token.kind == TokenKind::Reserved && token.keyword == Keyword::When) {
