@@ -83,8 +83,12 @@ void TextParser::items(Program& program) {
 
 Block TextParser::line_at(std::size_t offset, const Place& place) {
   Block block;
-  tokens_.begin_at(offset, place);
-  statements_.statement(block);
+  try {
+    tokens_.begin_at(offset, place);
+    statements_.statement(block);
+  } catch (const GiveUp&) {
+    // So many errors are reported that no more is read.
+  }
   return block;
 }
 

@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include "lang/syntax/syntax_limits.h"
 #include "tests/lang/program_run.h"
 
 using namespace rob::lang;
@@ -94,6 +95,13 @@ TEST_CASE("what is wrong with one of many motions is told where it stands") {
   CHECK(found[0].place == Place{.line = 2, .column = 10, .length = 2});
   CHECK(found[1].place.line == 4);
   CHECK(found[2].code == "E120");
+}
+
+TEST_CASE("of more wrong motions than there may be errors the rest is not read") {
+  std::string source;
+  for (std::size_t i = 0; i <= kMaxSyntaxErrors; ++i) source += "MOVE(1,2,3,4)\n";
+  const ProgramRun program(source);
+  CHECK(program.compilation().diagnostics.error_count() == kMaxSyntaxErrors);
 }
 
 TEST_CASE("many motions in numbers take a few bytes each") {
