@@ -58,7 +58,6 @@ set(rob_lang_sources
   lang/syntax/header_parser.cpp
   lang/syntax/keywords.cpp
   lang/syntax/lexer.cpp
-  lang/syntax/lexer_literals.cpp
   lang/syntax/motion_parser.cpp
   lang/syntax/named_types.cpp
   lang/syntax/open_blocks.cpp
