@@ -91,8 +91,10 @@ set(rob_lang_sources
   lang/values/units.cpp
   lang/values/value_text.cpp
   lang/vm/answer.cpp
+  lang/vm/call_log.cpp
   lang/vm/move_text.cpp
   lang/vm/printing_machine.cpp
+  lang/vm/scripted_robot.cpp
   lang/vm/texts.cpp
   lang/vm/vm.cpp
   lang/vm/vm_entries.cpp

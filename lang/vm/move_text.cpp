@@ -1,9 +1,8 @@
-#include <string>
+#include "lang/vm/move_text.h"
 
 #include "lang/values/number_text.h"
 #include "lang/values/pose_math.h"
 #include "lang/values/units.h"
-#include "lang/vm/printing_machine.h"
 
 namespace rob::lang {
 namespace {

@@ -1,15 +1,19 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <map>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lang/code/watch.h"
 #include "lang/machine/machine.h"
 #include "lang/machine/robot_signature.h"
+#include "lang/vm/call_log.h"
+#include "lang/vm/scripted_robot.h"
 
 namespace rob::lang {
 
@@ -45,39 +49,34 @@ namespace rob::lang {
 /// Everything is taken at once, unless a test asks for something else.
 class PrintingMachine : public Machine {
  public:
-  struct Call {
-    int line = 0;  ///< of the source
-    std::string text;
-  };
-
   /// `robot` must outlive it.
   explicit PrintingMachine(const RobotSignature& robot);
 
   /// What the following reads of a signal answer, one after another (1 is ON, V); the last stays.
   /// Without a script an output answers what was written last, an input FALSE.
-  void script(int signal, std::vector<double> values);
-  /// What script() calls a part of the force sensor's: force x y z, torque x y z.
-  static int force_part(int component) { return -1 - component; }
+  void script(int signal, std::vector<double> values) {
+    scripted_.script(signal, std::move(values));
+  }
   /// What an operator answers, one after another; then an ASK leaves its variable as it is.
   void answer(std::vector<std::string> answers) { answers_ = std::move(answers); }
   /// The next `times` calls are answered Later.
-  void answer_later(int times) { later_ = times; }
+  void answer_later(int times) { log_.answer_later(times); }
   /// The call that comes after `calls` further ones is refused.
   void refuse_after(int calls, Refusal refusal);
 
-  const std::vector<Call>& calls() const { return calls_; }
+  const std::vector<CallLog::Call>& calls() const { return log_.calls(); }
   /// The texts of all calls.
-  std::vector<std::string> texts() const;
+  std::vector<std::string> texts() const { return log_.texts(); }
   /// Reads that were answered.
   int reads() const { return reads_; }
 
   Reply move(int line, const MoveCommand& command) override;
   Reply via(int line, const MoveCommand& point) override;
   void work_in(int line, const Setting& setting) override;
-  Reply begin_path(int line) override { return note(line, "path"); }
-  Reply end_path(int line) override { return note(line, "end path"); }
+  Reply begin_path(int line) override { return log_.note(line, "path"); }
+  Reply end_path(int line) override { return log_.note(line, "end path"); }
   Reply press(int line, const PressCommand& command) override;
-  Reply end_press(int line) override { return note(line, "end press"); }
+  Reply end_press(int line) override { return log_.note(line, "end press"); }
   Reply override_speed(int line, double share) override;
   Reply carry(int line, const LoadCommand& load) override;
   Reply guard(int line, const Watch& condition) override;
@@ -89,26 +88,26 @@ class PrintingMachine : public Machine {
   Reply disarm(int line, int id) override;
   Reply on_the_way(int line, const PathPlace& place) override;
   Reply live_pace(int line, const Watch& pace, MoveCommand::Pace means) override;
-  Reply zero_force(int line) override { return note(line, "zero force"); }
-  Reply stop(int line) override { return note(line, "stop"); }
-  Reply brake(int line) override { return note(line, "brake"); }
+  Reply zero_force(int line) override { return log_.note(line, "zero force"); }
+  Reply stop(int line) override { return log_.note(line, "stop"); }
+  Reply brake(int line) override { return log_.note(line, "brake"); }
   Reply halt(int line, std::string_view text) override;
   Reply ask(int line, std::string_view text, std::optional<std::string>& answer) override;
   Reply simulate_go(int line, bool go, double after) override;
   Reply simulate_answer(int line, std::string_view text, double after) override;
   /// TASKs do not run here: the program alone changes its globals.
   Reply start(const Place& place, std::uint32_t task) override;
-  Reply publish(int, std::size_t, std::span<const Slot>) override { return ready(); }
-  Reply publish(int, std::size_t, std::span<const std::string>) override { return ready(); }
-  Reply refresh(int, std::size_t, std::span<Slot>) override { return ready(); }
-  Reply refresh(int, std::size_t, std::span<std::string>) override { return ready(); }
+  Reply publish(int, std::size_t, std::span<const Slot>) override { return log_.answer(); }
+  Reply publish(int, std::size_t, std::span<const std::string>) override { return log_.answer(); }
+  Reply refresh(int, std::size_t, std::span<Slot>) override { return log_.answer(); }
+  Reply refresh(int, std::size_t, std::span<std::string>) override { return log_.answer(); }
   Reply teach(int line, const TaughtPoint& point) override;
   Reply wait(int line, double seconds) override;
   Reply stand(int line, double& now) override;
   Reply waited(int line) override;
-  Reply leave_block(int) override { return ready(); }
+  Reply leave_block(int) override { return log_.answer(); }
   Reply settle(int line) override;
-  Reply end(int line) override { return note(line, "end"); }
+  Reply end(int line) override { return log_.note(line, "end"); }
   Reply print(int line, std::string_view text) override;
   Reply write_signal(int line, int signal, bool value) override;
   Reply write_analog(int line, int signal, double volts) override;
@@ -124,43 +123,14 @@ class PrintingMachine : public Machine {
                 std::span<double> joints) override;
 
  private:
-  struct Script {
-    std::vector<double> values;
-    std::size_t next = 0;
-  };
-
-  double value_of(int signal);
-  void answer(Reading what, const Setting& setting, Slot* value);
-  /// Where a motion leads, from where the last one did.
-  Reply reach(int line, const MoveCommand& command, std::array<double, kMaxCoordinates>& reached);
-  /// Done where the call may be carried out.
-  Reply ready();
-  Reply note(int line, std::string text);
-
   const RobotSignature& robot_;
-  std::vector<Call> calls_;
-  std::map<int, Script> scripts_;
-  std::map<int, double> written_;
+  CallLog log_;
+  ScriptedRobot scripted_;
   std::vector<std::string> answers_;
   std::size_t next_answer_ = 0;
-  std::array<double, kMaxCoordinates> commanded_{};
-  Setting setting_;
-  int later_ = 0;
   int reads_ = 0;
-  int cycle_ = 0;
-  bool standing_ = false;
   Watch guard_;
-  std::array<double, kMaxCoordinates> hit_{};  ///< where the last guarded motion ended
   int whens_ = 0;
-  std::optional<int> refuse_after_;
 };
-
-/// "move 40 40 0 at 50%": a motion as PrintingMachine writes it.
-std::string move_text(const RobotSignature& robot, const MoveCommand& command);
-/// "via 40 40 0", "with flange in world", "press z 10N": the same of what lies around motions.
-std::string via_text(const RobotSignature& robot, const MoveCommand& point);
-std::string setting_text(const Setting& setting);
-std::string press_text(const PressCommand& command);
-std::string load_text(const LoadCommand& load);
 
 }  // namespace rob::lang

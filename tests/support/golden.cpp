@@ -133,7 +133,7 @@ void prepare(lang::PrintingMachine& machine, const lang::RobotSignature& robot,
     const auto* const part = std::ranges::find(kForceParts, name);
     if (part != kForceParts.end()) {
       const auto component = static_cast<int>(part - kForceParts.begin());
-      machine.script(lang::PrintingMachine::force_part(component), values);
+      machine.script(lang::force_part(component), values);
     } else if (signal == robot.signals.end()) {
       comparison.difference("there is no signal " + name);
     } else {
