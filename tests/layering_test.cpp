@@ -26,8 +26,9 @@ using rob::test::sources_in;
 
 namespace {
 
-/// Folders whose names begin a path: "motion/space" covers "motion/space/pose.h".
+/// Folders whose names begin a path, and files: "motion/space" covers "motion/space/pose.h".
 bool lies_in(std::string_view path, std::string_view folder) {
+  if (path == folder) return true;
   return path.size() > folder.size() && path.starts_with(folder) && path[folder.size()] == '/';
 }
 
@@ -72,6 +73,9 @@ const std::vector<LayerRule>& layer_rules() {
       made.push_back({folder, below});
       below.push_back(folder);
     }
+    // The facade, for programs that embed the motion; nothing in motion knows it.
+    below.push_back("motion/motion.h");
+    for (const char* file : {"motion/motion.h", "motion/motion.cpp"}) made.push_back({file, below});
     const std::vector<LayerRule> of_drivers = {
         {"drivers/sim", {"motion/space", "motion/dynamics", "motion/servo"}},
         {"drivers/contact", {"drivers/sim", "motion/space", "motion/cell", "motion/kinematics"}},
@@ -224,6 +228,9 @@ TEST_CASE("the rules refuse what the architecture forbids") {
   CHECK(refused("runtime/tick/motion_task.cpp", "#include \"lang/values/slot.h\""));
   CHECK(refused("runtime/tick/motion_task.cpp", "#include \"runtime/words/codes.h\""));
   CHECK(refused("runtime/run/run.cpp", "#include \"runtime/cli/options.h\""));
+  CHECK(refused("motion/force/press.cpp", "#include \"motion/motion.h\""));
+  CHECK(refused("motion/motion.h", "#include \"motion/servo/servo_law.h\""));
+  CHECK(refused("drivers/sim/sim_gantry.cpp", "#include \"motion/motion.h\""));
   CHECK(refused("motion/plan/feasibility.cpp", "#include <fmt/format.h>"));
   CHECK(refused("lang/values/types.cpp", "#include <Eigen/Core>"));
   CHECK(refused("runtime/run/json_report.cpp", "#include <toml++/toml.h>"));
@@ -246,6 +253,7 @@ TEST_CASE("the rules admit what the architecture allows") {
   CHECK(admitted("motion/generate/paul.cpp", "#include <atomic>  // one writer"));
   CHECK(admitted("motion/robots/robot_model.h", "#include \"motion/servo/drive_data.h\""));
   CHECK(admitted("motion/servo/servo_law.h", "#include <Eigen/Core>"));
+  CHECK(admitted("motion/motion.cpp", "#include \"motion/generate/motion_chain.h\""));
   CHECK(admitted("drivers/serial/serial_port.cpp", "#include <termios.h>"));
   CHECK(admitted("drivers/sim/sim_gantry.cpp", "#include \"motion/servo/servo_backend.h\""));
   CHECK(admitted("drivers/contact/sim_cell.h", "#include \"motion/kinematics/kinematics.h\""));
@@ -277,4 +285,15 @@ TEST_CASE("the tables of tests/programs name tests that are there") {
     }
   }
   CHECK(named > 150);
+}
+
+TEST_CASE("the programs that docs/embedding.md shows are those that are built") {
+  const std::string page = rob::test::text_of("docs/embedding.md");
+  int programs = 0;
+  for (const SourceFile& file : rob::test::sources_in({"tests/embedding"})) {
+    const bool shown = page.find("```cpp\n" + file.text + "```\n") != std::string::npos;
+    CHECK_MESSAGE(shown, file.path << " is not what the page shows");
+    ++programs;
+  }
+  CHECK(programs == 2);
 }
