@@ -19,7 +19,7 @@
 namespace rob::lang {
 namespace {
 
-/// Of all forms of the function: FLOOR(x) and FLOOR(x, step) make "1 to 2 arguments".
+/// All forms of the function together: FLOOR(x) and FLOOR(x, step) make "1 to 2 arguments".
 std::string count_of_arguments(const Builtin& builtin) {
   std::size_t least = builtin.least;
   std::size_t most = builtin.most;
@@ -213,7 +213,7 @@ Type BuiltinChecker::check_vectors(const Builtin& builtin, const Call& call) {
   }
 }
 
-/// What a function of poses takes and gives, by its signature (builtins.def).
+/// A function of poses takes and gives what its signature says (builtins.def).
 Type BuiltinChecker::check_poses(const Builtin& builtin, const Call& call) {
   const std::string needs = fmt::format("{} needs", builtin.name);
   const Expr* first_pose = nullptr;

@@ -22,7 +22,8 @@ class BuiltinChecker {
 
   /// `sound`: all arguments have a type.
   Type check(const Builtin& builtin, const Call& call, bool sound, Expr& expression);
-  /// What `j[i]` is: it must be known which axis is meant, unless all take values of one dimension.
+  /// The type of `j[i]`: it must be known which axis is meant, unless all take values of one
+  /// dimension.
   Type axis_type(const Index& index);
   /// False, and a message, if it needs a force sensor that the robot does not have.
   bool has_sensor(Reading reading, Place place);

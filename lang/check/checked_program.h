@@ -14,7 +14,7 @@
 #include "lang/syntax/ast.h"
 #include "lang/text/diagnostic.h"
 
-/// What the checker is given beside the program, and what it makes of it.
+/// The input of the checker beside the program, and its result.
 namespace rob::lang {
 
 /// Asked for every motion whose written coordinates are known before the program runs, while
@@ -50,7 +50,7 @@ struct CheckedProgram {
   std::deque<Symbol> symbols;  ///< all that Name::symbol and the like point to
   std::vector<FeatureUse> features;
   std::vector<MissingPoint> missing_points;
-  /// What entries of the prompt have declared before.
+  /// A name that an earlier entry of the prompt has declared.
   struct Known {
     const Symbol* symbol = nullptr;
     const KeptName* kept = nullptr;

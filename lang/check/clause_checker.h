@@ -9,7 +9,7 @@
 
 namespace rob::lang {
 
-/// Checks what stands behind a motion.
+/// Checks the clauses after a motion.
 ///
 /// A dimensionless AT is a share of all maxima, and the program has to show that it is meant as
 /// one: `AT 50%`, or a REAL variable as in `AT slow`. An INT, or an expression of nothing but bare

@@ -65,7 +65,7 @@ bool is_faulty(const ExprPtr& condition) {
 
 Ways ways_of(const Block& block, std::uint32_t line);
 
-/// Of a statement that begins in `line`.
+/// The ways on from a statement that begins in `line`.
 struct WaysOf {
   std::uint32_t line;
 
@@ -153,7 +153,7 @@ Ways ways_of(const Block& block, std::uint32_t line) {
   for (const Statement& statement : block) {
     ways.end.reset();
     ways.join(std::visit(WaysOf{statement.place.line}, statement.node));
-    if (!ways.end) break;  // what stands behind is never reached
+    if (!ways.end) break;  // the statements after it are never reached
   }
   return ways;
 }
@@ -169,7 +169,7 @@ std::optional<std::string> way_without_return(const Block& body) {
 
 namespace {
 
-/// Whether it tells how far a motion has come.
+/// Whether it shows how far a motion has come.
 bool tells_progress(Reading reading) {
   return reading == Reading::Here || reading == Reading::Clock || reading == Reading::Joints;
 }
@@ -285,7 +285,7 @@ class Walk {
   }
   void visit(const auto& /*moves nothing and reads nothing*/) {}
 
-  /// Blocks that are perhaps executed: behind them, the motion before them is the last one only if
+  /// Blocks that are perhaps executed: after them, the motion before them is the last one only if
   /// there is none in them.
   template <typename Visit>
   void perhaps(Visit visit_blocks) {

@@ -14,9 +14,9 @@ namespace rob::lang {
 /// checked; conditions that are constant count as what they are.
 std::optional<std::string> way_without_return(const Block& body);
 
-/// Warns where a checked program reads HERE or CLOCK behind a motion that is not exact: it reads
+/// Warns where a checked program reads HERE or CLOCK after a motion that is not exact: it reads
 /// them at the decision point of the corner, before the target. Only what certainly comes directly
-/// behind such a motion is told; what a branch, a loop or a routine leaves behind is not followed.
+/// after such a motion is reported; what a branch, a loop or a routine leaves is not followed.
 void warn_of_corner_readings(const Program& program, Diagnostics& diagnostics);
 
 }  // namespace rob::lang

@@ -185,7 +185,7 @@ void DeclarationChecker::check(PointDeclaration& declaration) {
   }
 }
 
-/// What has been taught counts, before the value in the program.
+/// The points file counts, before the value in the program.
 void DeclarationChecker::declare(PointDeclaration::Point& point,
                                  const PointDeclaration& declaration, const Type& given) {
   const bool has_value = declaration.value != nullptr;
@@ -201,7 +201,7 @@ void DeclarationChecker::declare(PointDeclaration::Point& point,
     value = known_value(*declaration.value);
   }
   if (!declaration.sound) type = Type{};
-  // What comes behind an entry of the prompt may teach any of them.
+  // A later entry of the prompt may teach any of them.
   const bool taught = program_.entry != 0 || program_.taught.contains(to_upper(declared.name));
   declared.symbol = declarations_.declare(Symbol::Kind::Point, declared.name, declared.place, type,
                                           taught ? Constant{} : value);

@@ -36,9 +36,9 @@ class DeclarationChecker {
   void check(Declaration& declaration);
   void check(RecordDeclaration& record);
   void check(PointDeclaration& declaration);
-  /// `surely`: the statement is executed before those behind it.
+  /// `surely`: the statement is executed before those after it.
   void check(Teach& teach, bool surely);
-  /// What an earlier entry of the prompt has declared.
+  /// Takes over a name that an earlier entry of the prompt has declared.
   void know(const Symbol& symbol);
 
  private:

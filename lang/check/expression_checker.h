@@ -17,7 +17,7 @@
 namespace rob::lang {
 
 /// Settles the type, the dimension and, where there is one, the constant value of expressions, and
-/// reports what does not fit together. What is wrong becomes Unknown, which fits everywhere.
+/// reports what does not fit together. A faulty one becomes Unknown, which fits everywhere.
 class ExpressionChecker {
  public:
   /// Types are completed in `program`.

@@ -16,7 +16,7 @@ namespace rob::lang {
 
 struct Folded {
   ArithmeticError error = ArithmeticError::None;
-  Constant value;  ///< empty if there was an error, or if the value has to be computed at run time
+  Constant value;  ///< empty if there was an error, or if the value must be computed at run time
 };
 
 inline bool known(const Constant& constant) { return constant.index() != 0; }

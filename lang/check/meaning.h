@@ -14,7 +14,7 @@
 #include "lang/syntax/ast.h"
 #include "lang/values/builtins.h"
 
-/// What the parts of a checked program mean: what checker and compiler both have to know.
+/// The meaning of the parts of a checked program, which both the checker and the compiler need.
 namespace rob::lang {
 
 // Expressions
@@ -53,7 +53,7 @@ void each_part(const Expr& expression, const Visit& visit) {
       expression.node);
 }
 
-/// What a call of a function of the language reads of the robot: JOINTS(), WRENCH().
+/// The reading of the robot that a call of a built-in function makes: JOINTS(), WRENCH().
 std::optional<Reading> reading_of(const Call& call);
 
 /// How many observations of the world a checked expression can make; what is constant makes none.
@@ -106,7 +106,7 @@ std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple,
 /// The index of a coordinate by its name in any case, or nothing.
 std::optional<std::size_t> coordinate_named(const Coordinates& coordinates, std::string_view name);
 
-/// What the rates of a JOG are of.
+/// The coordinates or axes that the rates of a JOG belong to.
 inline const Coordinates& jogged(JogFrame frame, const RobotSignature& robot) {
   return frame == JogFrame::Joint ? robot.axes : robot.coordinates;
 }
@@ -128,10 +128,10 @@ BareUnit bare_unit(Dimension dimension, const RobotSignature& robot, const Place
 std::optional<double> constant_component(const Expr& component, Dimension dimension,
                                          const RobotSignature& robot);
 
-/// What an AT of this type bounds; nothing if AT takes no such type.
+/// The pace that an AT of this type bounds; nothing if AT takes no such type.
 std::optional<MoveCommand::Pace> pace_of(const Type& type);
 
-/// What an ACCEL, a JERK or a ZONE of this type bounds; nothing if it takes no such type.
+/// The bound that an ACCEL, a JERK or a ZONE of this type gives; nothing if it takes no such type.
 std::optional<MoveCommand::Bound> accel_of(const Type& type);
 std::optional<MoveCommand::Bound> jerk_of(const Type& type);
 std::optional<MoveCommand::Zone> zone_of(const Type& type);

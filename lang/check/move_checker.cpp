@@ -104,7 +104,7 @@ void MoveChecker::check(const Move& move, Place place, bool guarded) {
   if (sound) judge_constants(move);
 }
 
-/// What is wrong with one is told by reading it once more as a tree.
+/// A faulty one is read once more, as a tree, which reports its mistakes.
 void MoveChecker::check(PlainMotions& motions) {
   motions.values.reserve(motions.motions.size() * robot_.coordinates.size());
   bool leads = false;  // there may be a million: the first is named
@@ -124,7 +124,7 @@ void MoveChecker::check(PlainMotions& motions) {
 
 // The way to the target
 
-/// What lies between where the motion begins and where it ends.
+/// The way from where the motion begins to where it ends.
 bool MoveChecker::check_way(const Move& move, Place place, bool guarded) {
   switch (move.kind) {
     case MotionKind::Arc:
@@ -337,7 +337,8 @@ bool MoveChecker::check_frame(const Move& move, const Expr& target) {
     const auto& name = std::get<Name>(around.frame->node);
     const Symbol* const symbol = names_.find(name.text);
     const bool world = symbol != nullptr && symbol->kind == Symbol::Kind::BuiltIn;
-    if (symbol == nullptr || !symbol->type.is(Type::Kind::Frame)) return true;  // told elsewhere
+    if (symbol == nullptr || !symbol->type.is(Type::Kind::Frame))
+      return true;  // reported elsewhere
     if (world ? pose == Type::pose() : symbol->frame != nullptr && symbol->frame == pose.detail) {
       return true;
     }
@@ -395,7 +396,7 @@ bool MoveChecker::settle(PlainMotions& motions, PlainMotions::Written& motion) {
   return true;
 }
 
-// What not every motion takes, or not every robot can do
+// Clauses that not every motion takes, features that not every robot has
 
 bool MoveChecker::check_clauses_of(const Move& move) {
   const Clauses& clauses = move.clauses;
@@ -561,8 +562,8 @@ void PathChecker::check_clauses(const Clauses& clauses, Place place) {
                      "AT, OVER, ACCEL, JERK, ZONE and FINE do: for each motion in it");
 }
 
-/// What is not a motion, a place, an assignment, IF or FOR would have to wait for the path that it
-/// belongs to.
+/// Motions, AFTER and BEFORE, assignments, IF and FOR may stand there: all else would have to wait
+/// for the path that it belongs to.
 void PathChecker::check(const Statement& statement) {
   if (!inside_) return;
   if (const auto* const move = std::get_if<Move>(&statement.node)) {

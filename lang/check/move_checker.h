@@ -20,7 +20,7 @@
 
 namespace rob::lang {
 
-/// What a robot's coordinates make of motions in numbers alone.
+/// The targets of motions in numbers alone, in a robot's coordinates.
 class PlainTargets {
  public:
   struct Target {
@@ -29,8 +29,8 @@ class PlainTargets {
   };
 
   explicit PlainTargets(const RobotSignature& robot) : robot_(robot) {}
-  /// Nothing where components do not fit the robot: then the checker tells. `file`: the number of
-  /// the file that it stands in.
+  /// Nothing where components do not fit the robot: then the checker reports why. `file`: the
+  /// number of the file that it stands in.
   std::optional<Target> of(const PlainMotion& motion, std::uint32_t file);
 
  private:
@@ -59,7 +59,7 @@ class MoveChecker {
   /// `place`: of the statement; `guarded`: UNTIL stands behind it.
   void check(const Move& move, Place place, bool guarded);
   void check(PlainMotions& motions);
-  /// What follows stands in a routine, or no more.
+  /// Says whether the next statements stand in a routine.
   void in_routine(bool inside) { in_routine_ = inside; }
   /// The same for a block of WITH.
   void enter_surroundings() { ++surroundings_; }
@@ -87,7 +87,7 @@ class MoveChecker {
   void report_no_target(const Move& move, const Expr& target);
   bool settle(PlainMotions& motions, PlainMotions::Written& motion);
 
-  // What not every motion takes, or not every robot can do
+  // Clauses that not every motion takes, features that not every robot has
   bool check_clauses_of(const Move& move);
   bool check_clauses_of_jog(const Move& move);
   bool refuse_clause(std::string_view clause, Place place, std::string message, std::string help);

@@ -170,7 +170,7 @@ const Builtin* Names::resolve_function(const Call& call, Place place) {
 }
 
 void Names::report_unknown(std::string_view name, Place place) {
-  // What is only counted need not be searched for.
+  // An error that is only counted needs no search.
   if (diagnostics_.error_count() >= Diagnostics::kMost) {
     diagnostics_.error(code::kUnknownName, place, "unknown name");
     return;
@@ -277,7 +277,7 @@ const Symbol* Declarations::declare(Symbol::Kind kind, const std::string& name, 
   symbol.type = type;
   symbol.place = place;
   symbol.global = scopes_.at_top_level() && !is_definition(kind);
-  // What is known lives in the code.
+  // A known value lives in the code.
   if (!is_definition(kind) && !known(value)) count(slots_of(type));
   symbol.value = std::move(value);
   const Symbol* const declared = scopes_.declare(std::move(symbol));

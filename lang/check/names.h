@@ -23,7 +23,7 @@ class Names {
   Names(const Scopes& scopes, const Program& program, RoutineUses& uses, Diagnostics& diagnostics)
       : scopes_(scopes), program_(program), uses_(uses), diagnostics_(diagnostics) {}
 
-  /// What a name means here; null if nothing. No message.
+  /// The symbol that a name means here; null if none. No message.
   const Symbol* find(std::string_view name) const { return scopes_.find(name); }
   /// A symbol that may be used here; null, and a message, if there is none.
   const Symbol* resolve(std::string_view name, Place place);
@@ -113,7 +113,7 @@ class Declarations {
 };
 
 /// Finds the points that are used although neither the points file nor the program gives them a
-/// value. A TEACH at the top level, outside of all blocks, does so for the lines behind it; what
+/// value. A TEACH at the top level, outside of all blocks, does so for the lines after it; what
 /// routines do may come earlier.
 class MissingPoints {
  public:

@@ -221,7 +221,7 @@ Type OperatorChecker::check_product(const Binary& binary, const Expr& expression
   return values_.bounded(left.dimension * right.dimension, expression);
 }
 
-/// What stands on the right is seen from the left, so it has no frame of its own but the world,
+/// The right operand is seen from the left one, so it has no frame of its own but the world,
 /// which stands for none.
 Type OperatorChecker::check_pose_product(const Binary& binary, const Expr& expression) {
   const Type& left = binary.left->type;

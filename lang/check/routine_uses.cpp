@@ -45,7 +45,7 @@ bool stops_axes(const Statement& statement) {
          std::holds_alternative<Raise>(statement.node);
 }
 
-/// What computes, and nothing else.
+/// Whether it computes, and does nothing else.
 bool fits_in_path(const Statement& statement) {
   return fits_in_task(statement) && !std::holds_alternative<Pulse>(statement.node) &&
          !std::holds_alternative<Print>(statement.node) &&
@@ -54,7 +54,7 @@ bool fits_in_path(const Statement& statement) {
 
 }  // namespace
 
-/// What is constant lives in the code and is there from the beginning.
+/// A constant lives in the code and is there from the beginning.
 void RoutineUses::used(const Symbol& symbol) {
   if (inside_ == nullptr || known(symbol.value)) return;
   if (symbol.global) {

@@ -16,7 +16,7 @@ namespace rob::lang {
 /// file, but a call that stands above the declaration of one that it needs, itself or through what
 /// it calls, would find it without a value: that is an error.
 ///
-/// The checker tells what it meets; statements of the top level count from 1.
+/// The checker reports what it meets; statements of the top level count from 1.
 class RoutineUses {
  public:
   explicit RoutineUses(std::size_t routines) : callers_(routines) {}

@@ -27,7 +27,7 @@ class SignalChecker {
   void check(SignalDeclaration& signal);
   void check(Pulse& pulse);
   void check(Simulate& simulation);
-  /// What an earlier entry of the prompt has declared.
+  /// Takes over a signal that an earlier entry of the prompt has declared.
   void know(const KeptName& kept, const Symbol& symbol);
 
  private:

@@ -162,7 +162,7 @@ void StatementChecker::check(PathBlock& path) {
   clauses_.check(path.clauses, place);
   if (path.clauses.live) watches_.check_live(*path.clauses[Clause::At]);
   paths_.check_clauses(path.clauses, place);
-  const bool outer = paths_.enter(true);  // told by the PATH around it
+  const bool outer = paths_.enter(true);  // the PATH around it reports that
   const int loops = std::exchange(inside_.loops, 0);
   moves_.enter_surroundings();
   const bool in_path = uses_.in_path(true);
@@ -292,7 +292,7 @@ void StatementChecker::check(Simulate& simulation) {
   signals_.check(simulation);
 }
 
-/// What only a TEST may do: the program itself is run on machines that are there.
+/// Reports what only a TEST may do: the program itself is run on machines that are there.
 void StatementChecker::require_test(std::string_view word) {
   const Routine* const routine = inside_.around != nullptr ? inside_.around : inside_.routine;
   if (routine != nullptr && routine->test) return;
@@ -544,7 +544,7 @@ void StatementChecker::check(When& when) {
   if (when.handled) return check_handler(when);
   const bool raises =
       !when.action.empty() && std::holds_alternative<Raise>(when.action.front().node);
-  inside_.rescues += raises ? 1 : 0;  // check_when() tells what RAISE needs here
+  inside_.rescues += raises ? 1 : 0;  // check_when() reports what RAISE needs here
   check(when.action);
   inside_.rescues -= raises ? 1 : 0;
   watches_.check_when(when);

@@ -31,7 +31,7 @@ class StatementChecker {
 
   void check(Statement& statement);
   void check(Routine& routine);
-  /// What an earlier entry of the prompt has declared.
+  /// Takes over a name that an earlier entry of the prompt has declared.
   void know(const KeptName& kept, const Symbol& symbol);
   /// Whether the routine, or the top level, that has been checked needs memory behind its
   /// registers.
@@ -45,7 +45,7 @@ class StatementChecker {
   void report_waits_and_paths();
 
  private:
-  /// What the current statement stands in, up to the routine or handler that it belongs to.
+  /// The surroundings of the current statement, up to the routine or handler that it belongs to.
   struct Inside {
     const Routine* routine = nullptr;  ///< null at the top level
     const Routine* around = nullptr;   ///< around the handler, if it is one

@@ -16,7 +16,7 @@
 
 namespace rob::lang {
 
-/// What a name stands for.
+/// The meaning of a name.
 struct Symbol {
   enum class Kind : std::uint8_t {
     Variable,       ///< VAR: may be assigned
@@ -73,14 +73,14 @@ class Scopes {
 
   /// At the top level: from here on the names of another file are known; returns which were.
   std::uint32_t enter_file(std::uint32_t file);
-  /// From here on the present file knows the names of another one, plainly and behind `name`.
+  /// From here on the current file knows the names of another one, plainly and after `name`.
   void use(const std::string& name, std::uint32_t file);
   bool is_file(std::string_view name) const;
-  /// The USEd files, as the present one calls them, in which a plain name is found.
+  /// The USEd files, as the current one calls them, in which a plain name is found.
   std::vector<std::string> files_with(std::string_view name) const;
-  /// The present file's own names that another file has, too.
+  /// The current file's own names that another file has, too.
   std::vector<const Symbol*> shared_with(std::uint32_t file) const;
-  /// All names of a USEd file, by what the present one calls it.
+  /// All names of a USEd file, by what the current one calls it.
   std::vector<std::string_view> names_in(std::string_view name) const;
 
   /// Null if the name is unknown here. `tools.grip` is the name of a USEd file.
@@ -99,7 +99,7 @@ class Scopes {
   const Symbol* declare(Symbol symbol);
   /// A global variable that no program can name.
   const Symbol* hide(const Type& type);
-  /// What is found out about a symbol behind its declaration.
+  /// The rest of a symbol, which becomes known after its declaration.
   void define(const Symbol& symbol, const Routine& routine) {
     symbols_[symbol.id].routine = &routine;
   }
@@ -141,7 +141,7 @@ class Scopes {
     std::string name;
     std::uint32_t file;
   };
-  /// A file of the program: its names while it is not the present one, and what it USEs.
+  /// A file of the program: its names while it is not the current one, and what it USEs.
   struct File {
     Scope parked;
     std::vector<UsedFile> used;

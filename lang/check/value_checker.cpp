@@ -128,7 +128,7 @@ bool ValueChecker::fits_place(const Expr& expression, const Type& wanted) const 
   return expression.moved_from != nullptr;
 }
 
-/// Of any file, where it is declared already.
+/// A FRAME of any file, where it is declared already.
 const Symbol* ValueChecker::frame_of(const Type& pose) const {
   if (!pose.is(Type::Kind::Pose) || pose.detail == nullptr || is_free(pose)) return nullptr;
   return scopes_.frame_of(pose.detail);

@@ -41,7 +41,7 @@ class ValueChecker {
   /// The FRAME that a pose is in; null for the world, and where none was found.
   const Symbol* frame_of(const Type& pose) const;
 
-  /// What is known of a value; an error where it cannot be computed.
+  /// Keeps what is known of a value; an error where it cannot be computed.
   void keep(const Folded& folded, Expr& expression);
   /// While constants say that a part of the program is never executed, a computation in it that
   /// must fail is no mistake: `IF n <> 0 THEN x = 10 / n` with CONST n = 0.

@@ -56,7 +56,7 @@ void WatchChecker::check_event(const WayPoint& event) {
   }
 }
 
-/// What may be done in the control cycle itself, with a value that is fixed beforehand.
+/// The action is done in the control cycle itself, with a value that is fixed beforehand.
 void WatchChecker::check_action(const Statement& action, std::string_view word) {
   const Expr* value = nullptr;
   bool sound = false;
@@ -124,7 +124,7 @@ bool WatchChecker::check_call(const Call& call, Place place, std::string_view wo
                   "give the answer a variable before, and watch that");
   }
   const Builtin* const builtin = find_builtin(call);
-  if (builtin == nullptr) return false;  // has been told
+  if (builtin == nullptr) return false;  // has been reported
   const BuiltinRule rule = builtin->rule;
   const bool axes =
       rule == BuiltinRule::Forward || (rule == BuiltinRule::Joints && !call.arguments.empty() &&

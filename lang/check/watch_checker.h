@@ -43,7 +43,7 @@ class WatchChecker {
   Diagnostics& diagnostics_;
 };
 
-/// Settles what a WAIT waits for: a time, or a condition that reads signals. What stands behind its
+/// Settles what a WAIT waits for: a time, or a condition that reads signals. Its
 /// ELSE is not looked at.
 class WaitChecker {
  public:

@@ -67,7 +67,7 @@ constexpr double real_at(const Instruction* words) {
 inline constexpr std::size_t kFarthestJump = (std::size_t{1} << 23) - 1;
 /// Number registers, and text registers, that one frame can have: what fits 8 bits.
 inline constexpr int kMostRegisters = 256;
-/// Of these the ones that variables may take; further ones lie in memory. [choice] what is left is
+/// The number of them that variables may take; further ones lie in memory. [choice] what is left is
 /// enough for FOR, and for all that one statement computes.
 inline constexpr int kVariableRegisters = 160;
 
@@ -76,9 +76,9 @@ inline constexpr int kVariableRegisters = 160;
 inline constexpr std::size_t kNumberStack = 65536;
 inline constexpr std::size_t kTextStack = 1024;
 
-/// What a `move` instruction finds in the registers from A on: the number of the axis where it is
-/// computed, the given components in order or radius and turns of a spiral, then the values of AT,
-/// OVER, ACCEL, JERK, ZONE, FINE and FOR. A `via` finds components alone.
+/// The contents of the registers from A on of a `move` instruction: the number of the axis where it
+/// is computed, the given components in order or radius and turns of a spiral, then the values of
+/// AT, OVER, ACCEL, JERK, ZONE, FINE and FOR. A `via` finds components alone.
 struct MoveForm {
   MotionKind kind = MotionKind::Joint;
   MoveCommand::Target means = MoveCommand::Target::Coordinates;
@@ -103,8 +103,8 @@ struct MoveForm {
   bool operator==(const MoveForm&) const = default;
 };
 
-/// What is evaluated in every control cycle takes at most so many instructions. [choice: about a
-/// microsecond each sixteenth of it]
+/// A watch, which is evaluated in every control cycle, takes at most so many instructions. [choice:
+/// about a microsecond each sixteenth of it]
 inline constexpr std::size_t kLongestWatch = 256;
 /// Slots of variables that it may use. [choice: as many names do not fit on a line]
 inline constexpr int kMostWatched = 32;
@@ -125,7 +125,8 @@ struct NamedRegister {
   std::uint32_t to = 0;    ///< one past the last
 };
 
-/// What SIGNAL calls a channel, and for an analog one what its volts stand for, SI; for reports.
+/// The name that SIGNAL gives a channel, and for an analog one what its volts stand for, SI; for
+/// reports.
 struct NamedSignal {
   std::string name;
   int signal = 0;  ///< its index in the RobotSignature
@@ -136,7 +137,7 @@ struct NamedSignal {
   bool operator==(const NamedSignal&) const = default;
 };
 
-/// What an output becomes when the run goes wrong: SAFE.
+/// The value of an output after the run has gone wrong: SAFE.
 struct SafeValue {
   int signal = 0;    ///< its index in the RobotSignature
   double value = 0;  ///< 1 for ON, V
@@ -170,7 +171,7 @@ class PlaceTable {
     std::uint32_t first = 0;  ///< its first word
     std::uint32_t line = 0;
   };
-  /// What else the places have, from a run on.
+  /// The rest of the places, from a run on.
   struct Rest {
     std::uint32_t run = 0;
     Place place;  ///< its line says nothing

@@ -17,10 +17,10 @@ namespace rob::lang {
 /// The instructions of a Chunk in the making. Knows the encoding and its limits, and nothing of the
 /// language.
 ///
-/// Beyond a limit the code is worthless but building goes on; limits() tells at the end.
+/// Beyond a limit the code is worthless but building goes on; limits() says so at the end.
 class CodeBuilder {
  public:
-  /// Code that is still to be told where to go.
+  /// A jump whose target is not known yet.
   using Jump = std::size_t;
   using Jumps = std::vector<Jump>;
 
@@ -28,7 +28,7 @@ class CodeBuilder {
   CodeBuilder(const CodeBuilder&) = delete;
   CodeBuilder& operator=(const CodeBuilder&) = delete;
 
-  /// The registers and the memory of the present frame.
+  /// The registers and the memory of the current frame.
   FrameSlots& frame() { return frame_; }
 
   void emit(Instruction instruction, Place place);
@@ -74,7 +74,7 @@ class CodeBuilder {
   /// is to store what never changes into the element of that number, many turns become one.
   void join_turns(std::size_t body, Register value);
 
-  /// The present frame has memory behind its registers; how much turns out at its end.
+  /// The current frame has memory behind its registers; how much turns out at its end.
   void open_memory(Place place);
 
   /// Tells reports what the program calls a signal.
@@ -82,13 +82,13 @@ class CodeBuilder {
   void name_tool(NamedTool tool) { chunk_.tools.push_back(std::move(tool)); }
   void name_signal(NamedSignal signal) { chunk_.named_signals.push_back(std::move(signal)); }
 
-  /// What follows is what every TEST begins with.
+  /// The beginning of every TEST follows.
   void begin_tests() { chunk_.test_entry = static_cast<std::uint32_t>(chunk_.code.size()); }
   void add_test(TestCode test) { chunk_.tests.push_back(std::move(test)); }
-  /// Calls the TEST that the Vm was told; its registers begin behind those in use.
+  /// Calls the TEST that the Vm was given; its registers begin behind those in use.
   void call_test(Place place);
 
-  /// Where every TASK begins: it calls the routine that the Vm was told.
+  /// Where every TASK begins: it calls the routine that the Vm was given.
   void task_entry(Place place);
   void add_task(TaskCode task) { chunk_.tasks.push_back(std::move(task)); }
   /// START of a TASK, by its number.
@@ -104,13 +104,13 @@ class CodeBuilder {
   void uses_signal(Place place) {
     if (!chunk_.first_signal) chunk_.first_signal = place;
   }
-  /// What follows is the code of a routine, with registers of its own.
+  /// The code of a routine follows, with registers of its own.
   void begin_routine(const std::string& name, const Place& place, bool handler);
   /// Calls a routine, by its number, whose parameters lie in the registers from these two on.
   void call(std::size_t routine, Register numbers, Register texts, Place place);
 
-  /// What follows, up to end_watch(), is code for every control cycle, with registers of its own.
-  /// It must not be executed: it is jumped over.
+  /// Code for every control cycle follows, up to end_watch(), with registers of its own. It must
+  /// not be executed: it is jumped over.
   void begin_watch(Place place);
   /// `answer` holds its value; its first `values` registers are given. Returns its number.
   std::uint16_t end_watch(Register answer, int values, Place place);
@@ -141,7 +141,7 @@ class CodeBuilder {
   CodeTables tables_;
   CodeLimits limits_;
   FrameSlots frame_{chunk_.code, limits_};
-  std::vector<std::size_t> reserves_;  ///< `reserve` instructions of the present frame
+  std::vector<std::size_t> reserves_;  ///< `reserve` instructions of the current frame
   std::optional<OpenWatch> watch_;
 };
 

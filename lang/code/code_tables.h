@@ -11,8 +11,8 @@
 
 namespace rob::lang {
 
-/// What instructions name by a number: constants, texts, and what says how values are written and
-/// motions are made. Everything is kept once; each function gives the number of its value.
+/// Things that instructions name by a number: constants, texts, and the forms of written values and
+/// of motions. Everything is kept once; each function gives the number of its value.
 class CodeTables {
  public:
   /// `bits`: of the value. Constants differ by bits, kind and dimension (which only listings look

@@ -18,7 +18,7 @@ constexpr Register behind(Register first, int slots) {
   return static_cast<Register>(first + slots);
 }
 
-/// What the top level of a prompt holds from one entry to the next.
+/// The room that the top level of a prompt takes from one entry to the next.
 struct Room {
   int numbers = 0;  ///< registers
   int texts = 0;
@@ -26,7 +26,7 @@ struct Room {
   std::size_t whens = 0;  ///< that are armed
 };
 
-/// What a program can have too much of. Beyond a limit its code is worthless.
+/// The limits of the code. Beyond one of them it is worthless.
 enum class Limit { None, Registers, Memory, Jump, Dimensions, Motions, Watch, WatchLength };
 
 /// The limit that was exceeded first, and where.
@@ -71,7 +71,7 @@ class FrameSlots {
   /// Gives back all that was taken, and forgets all names given, since `mark`.
   void release(const Mark& mark);
   Room room() const { return {registers_.numbers.used, registers_.texts.used, memory_}; }
-  /// What is taken now lies behind this, which holds values of earlier code.
+  /// Later slots lie behind these, which hold values of earlier code.
   void begin_behind(const Room& room);
   /// Tells listings that a variable lives in a register from here on.
   void name_register(const std::string& name, Register index, bool text);
@@ -90,7 +90,7 @@ class FrameSlots {
   /// Takes slots of the memory; where they begin in it.
   Slots take_memory(Slots slots, Place place);
 
-  /// What comes now takes registers of its own, up to bring_back().
+  /// The next code takes registers of its own, up to bring_back().
   void put_aside();
   void bring_back() { registers_ = aside_; }
 
@@ -99,7 +99,7 @@ class FrameSlots {
   Slots most_memory() const { return most_memory_; }
   /// A new frame.
   void begin();
-  /// Of all frames; to be called when the last one is complete.
+  /// The names of all frames; to be called when the last one is complete.
   std::vector<NamedRegister> take_names() { return std::move(names_); }
 
  private:

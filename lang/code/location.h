@@ -10,7 +10,7 @@ namespace rob::lang {
 /// Where the number slots, or the text slots, of a value begin. They follow one another.
 struct SlotsAt {
   enum class Base : std::uint8_t {
-    Own,             ///< registers of the present frame
+    Own,             ///< registers of the current frame
     GlobalRegister,  ///< of the top level, seen from a routine
     GlobalMemory,    ///< `offset` slots behind where the memory of the top level begins, likewise
     Place            ///< `offset` slots behind the place on the stack that register `place` holds

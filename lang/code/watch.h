@@ -8,7 +8,7 @@
 #include "lang/values/arithmetic.h"
 #include "lang/values/setting.h"
 
-/// What is evaluated in every control cycle: the conditions of UNTIL and WHEN.
+/// Code that is evaluated in every control cycle: the conditions of UNTIL and WHEN.
 ///
 /// The code of a watch is a stretch of its chunk that only jumps forward and ends with `answer`.
 /// Its first registers hold the values that the program's variables had when the statement was

@@ -10,7 +10,8 @@ namespace rob::lang {
 /// Where the parameters of a routine lie in its frame, and what its caller has to keep free for
 /// them and for the value, which is left where they begin.
 struct CallLayout {
-  /// Of each parameter. Arrays and records are given by their places, which the routine copies.
+  /// One for each parameter. Arrays and records are given by their places, which the routine
+  /// copies.
   std::vector<Location> homes;
   Location result;  ///< where the routine puts an array or record that it returns
   int registers = 0;

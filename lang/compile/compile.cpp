@@ -35,7 +35,7 @@ KeptName kept(const Symbol& symbol, const std::vector<Location>& homes) {
   return name;
 }
 
-/// What the entry itself declares at its top level.
+/// The names that the entry itself declares at its top level.
 std::vector<KeptName> names_of(const CheckedProgram& checked, const Generated& generated) {
   std::vector<KeptName> names;
   for (const Symbol& symbol : checked.symbols) {

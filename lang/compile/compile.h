@@ -19,7 +19,7 @@
 
 namespace rob::lang {
 
-/// What compiling one source text yields.
+/// The result of compiling one source text.
 struct Compilation {
   Diagnostics diagnostics;
   std::optional<Chunk> chunk;      ///< empty if the program has errors
@@ -28,7 +28,7 @@ struct Compilation {
   std::vector<MissingPoint> missing_points;  ///< each has had a warning
   std::vector<SourceFile> used;              ///< the files that it USEs, by Place::file from 1
   std::uint32_t begins = 0;  ///< asked for `from`: the line of the first statement; 0: none is left
-  // Of an entry of the prompt that has no errors:
+  // For an entry of the prompt that has no errors:
   std::vector<KeptName> names;  ///< that it declares
   /// Lines that later entries have to read again: of a routine, or a USE.
   struct Definition {

@@ -131,7 +131,7 @@ Generated ProgramCompiler::compile(Diagnostics& diagnostics) {
   return {};
 }
 
-/// Of a program that begins further down only the declarations are executed before that.
+/// Where a program begins further down, only the declarations are executed before that.
 void ProgramCompiler::compile_top_level() {
   for (const Statement& statement : program_.statements) {
     const bool before = statement.place.file == 0 && statement.place.line < program_.from;
@@ -140,8 +140,8 @@ void ProgramCompiler::compile_top_level() {
   }
 }
 
-/// What stands before the entry has been executed, and is jumped over: of that the names and their
-/// homes stay.
+/// The lines before the entry have been executed, and are jumped over: their names keep their
+/// homes.
 void ProgramCompiler::compile_entry() {
   CodeBuilder::Jumps over{code_.jump(program_.end)};
   for (const Statement& statement : program_.statements) {
@@ -171,7 +171,7 @@ void ProgramCompiler::compile_test_entry() {
   code_.frame().release(mark);
 }
 
-/// What a SIGNAL declares stands in the Chunk already.
+/// SIGNALs stand in the Chunk already.
 void ProgramCompiler::compile_variables(const Block& statements) {
   for (const Statement& statement : statements) {
     if (const Use* const use = std::get_if<Use>(&statement.node)) {

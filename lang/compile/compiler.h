@@ -14,7 +14,7 @@
 
 namespace rob::lang {
 
-/// Of an entry of the prompt: what earlier ones have taken.
+/// The room that earlier entries of the prompt have taken.
 struct EntryRooms {
   Room now;                              ///< before the entry
   std::map<std::uint32_t, Room> before;  ///< before lines of earlier entries that stand in the text
@@ -22,7 +22,7 @@ struct EntryRooms {
 
 struct Generated {
   std::optional<Chunk> chunk;
-  // Of an entry:
+  // For an entry:
   Room room;                    ///< what is taken after it
   std::vector<Location> homes;  ///< by Symbol::id
 };

@@ -27,7 +27,7 @@ class DeclarationCompiler {
   void compile(const SignalDeclaration& signal);
   void compile(const PointDeclaration& declaration, Place place);
   void compile(const Teach& teach, Place place);
-  /// What an earlier entry of the prompt has declared.
+  /// Takes over a name that an earlier entry of the prompt has declared.
   void know(const Symbol& symbol, const KeptName& kept);
 
   /// A home in registers, where instructions look for it.

@@ -84,7 +84,7 @@ void erase(std::vector<T>& list, Which which) {
 
 }  // namespace
 
-/// What an entry is compiled with.
+/// The names and texts that an entry is compiled with.
 struct Entries::Selection {
   std::set<std::string> seen;  ///< words
   std::vector<const KeptName*> names;
@@ -96,7 +96,7 @@ const Entries::Known* Entries::known(const std::string& key) const {
   return found == known_.end() || found->second.empty() ? nullptr : &found->second.back();
 }
 
-/// What the words name, and what that needs in turn.
+/// Selects what the words name, and what that needs in turn.
 void Entries::select(std::vector<std::string> words, Selection& selection) const {
   while (!words.empty()) {
     const std::string word = std::move(words.back());

@@ -32,7 +32,7 @@ class Entries {
  public:
   enum class Knowing : std::uint8_t {
     Needed,     ///< what occurs in the entry
-    Everything  ///< for an entry with errors: so messages can tell what a word was meant for
+    Everything  ///< for an entry with errors: so messages can say what a word was meant for
   };
 
   /// The line on which the next entry begins.
@@ -46,7 +46,7 @@ class Entries {
   /// A line that declares nothing.
   void pass_line() { ++line_; }
 
-  /// What was declared on these lines is unknown again: their entries have not been carried out.
+  /// The names declared on these lines are unknown again: their entries have not been carried out.
   void forget(std::uint32_t first, std::uint32_t last);
   /// The name is unknown from here on. False if a routine uses it: then it stays.
   bool forget(std::string_view name);

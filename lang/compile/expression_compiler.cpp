@@ -30,7 +30,7 @@ void ExpressionCompiler::begin(const Expr& expression) {
   variables_.refresh(observed_globals(expression), world_.latched(), expression.place);
 }
 
-/// Of a place that is assigned only what its indices read is observed.
+/// Only the indices of a place that is assigned read something.
 void ExpressionCompiler::begin_place(const Expr& target) {
   int count = 0;
   std::vector<const Symbol*> globals;
@@ -71,7 +71,7 @@ void ExpressionCompiler::call(const Expr& expression) {
   frame_.release(mark);
 }
 
-/// The value first, then the place: an index is computed behind it.
+/// The value first, then the place: an index is computed after it.
 void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
   const Type& type = target.type;
   const bool as_real = type.kind == Type::Kind::Real;
@@ -129,7 +129,7 @@ Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
     variables_.load(at, expression.type, target, expression.place);
     return target;
   }
-  // What a routine returns stays where the call has left it.
+  // The value of a routine stays where the call has left it.
   if (const auto* const call = std::get_if<Call>(&expression.node);
       call != nullptr && call->routine != nullptr && !convert && expression.moved_from == nullptr) {
     const Location result = call_routine(*call, expression);
@@ -282,8 +282,8 @@ bool ExpressionCompiler::compile_by_constant(const Binary& binary, const Expr& e
   return true;
 }
 
-/// What is added to a product on its left is read behind it, so it must be there already: what
-/// could fail would have to wait for the product.
+/// The term that is added to a product on its left is read after it, so it must be there already:
+/// one that could fail would have to wait for the product.
 bool ExpressionCompiler::compile_with_product(const Binary& binary, const Expr& expression,
                                               Register target) {
   if (variables_.watching() || (binary.op != BinaryOp::Add && binary.op != BinaryOp::Subtract))
@@ -535,7 +535,7 @@ void ExpressionCompiler::pass(const Call& call, std::size_t parameter, const Loc
     refer_parameter(locate(argument), group.type, home, first, argument.place);
     frame_.release(mark);
   } else if (!group.type.in_registers()) {
-    // What a later argument calls may change the variable, so its value is kept.
+    // A routine that a later argument calls may change the variable, so its value is kept.
     const bool keep = std::any_of(
         call.bound.begin() + static_cast<std::ptrdiff_t>(parameter) + 1, call.bound.end(),
         [](const Expr* later) { return later != nullptr && calls_routine(*later); });
@@ -673,7 +673,7 @@ void ExpressionCompiler::put_record(const Call& call, const Location& to, Place 
   }
 }
 
-/// A whole array or record. What is built of parts may use the old value, so it is built apart.
+/// A whole array or record. One that is built of parts may use the old value, so it is built apart.
 void ExpressionCompiler::assign_memory(const Expr& target, const Expr& value) {
   const Slots slots = slots_of(target.type);
   Location from;

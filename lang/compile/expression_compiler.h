@@ -16,8 +16,8 @@ namespace rob::lang {
 /// Code for expressions. A value ends up in number registers (one for BOOL, INT and REAL, several
 /// in a row for VEC and the like) or a text register (STRING), as the checker has settled.
 ///
-/// Of the targets given to into() nothing is overwritten before all operands have been read, so a
-/// variable can be computed from itself in place.
+/// into() overwrites nothing of its target before all operands have been read, so a variable can be
+/// computed from itself in place.
 class ExpressionCompiler {
  public:
   ExpressionCompiler(CodeBuilder& code, Variables& variables, WorldCode& world)
@@ -40,7 +40,7 @@ class ExpressionCompiler {
   /// Gives a new variable the value of an expression, which cannot use it.
   void initialise(const Expr& value, const Location& home, const Type& type);
 
-  /// Jumps that are taken if the condition has the value `when`; else execution goes on behind.
+  /// Jumps that are taken if the condition has the value `when`; else execution goes on after them.
   CodeBuilder::Jumps jumps_if(const Expr& condition, bool when);
   /// A jump that is taken if the value equals that of a register of its kind; `as_real` as above.
   CodeBuilder::Jump jump_if_equal(Register selector, const Expr& value, bool as_real);

@@ -6,8 +6,9 @@
 
 namespace rob::lang {
 
-/// What is fixed of a condition when the statement is executed that watches it: variables, each
-/// once, and the elements and fields of arrays and records, whose index may be computed.
+/// The parts of a condition that are fixed when the statement is executed that watches it:
+/// variables, each once, and elements and fields of arrays and records, whose index may be
+/// computed.
 std::vector<const Expr*> fixed_parts_of(const Expr& condition);
 
 }  // namespace rob::lang

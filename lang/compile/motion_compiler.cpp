@@ -200,7 +200,7 @@ void MotionCompiler::compile_component(const Expr& component, Dimension dimensio
   frame_.release(mark);
 }
 
-/// What AT LIVE computes, of the motion or of its PATH; null without it.
+/// The pace that AT LIVE computes, of the motion or of its PATH; null without it.
 const Expr* MotionCompiler::live_pace(const Clauses& clauses) const {
   const bool own = clauses[Clause::At] != nullptr || path_ == nullptr;
   const Clauses& said = own ? clauses : path_->clauses;

@@ -35,8 +35,8 @@ class MotionCompiler {
   /// WITH and IN, of a block or a motion.
   void enter(const Surroundings& surroundings, Place place);
   void leave(const Surroundings& surroundings, Place place);
-  /// What stands between these two is planned as one. The registers of the clauses are the caller's
-  /// to give back.
+  /// The motions between these two calls are planned as one. The caller gives the registers of the
+  /// clauses back.
   void begin_path(const PathBlock& path, Place place);
   void end_path(Place place);
 

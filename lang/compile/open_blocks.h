@@ -14,14 +14,14 @@ class OpenBlocks {
  public:
   explicit OpenBlocks(CodeBuilder& code) : code_(code) {}
 
-  /// What follows belongs to a new routine.
+  /// A new routine begins.
   void begin_routine() { whens_ = 0; }
 
   // Loops
   void enter_loop();
   /// NEXT arrives here.
   void land_next() { code_.land(loops_.back().nexts); }
-  /// EXIT arrives here: behind the loop.
+  /// EXIT arrives here: after the loop.
   void leave_loop();
   void exit_loop(Place place);
   void next_turn(Place place);
@@ -32,7 +32,7 @@ class OpenBlocks {
   std::size_t arm() { return whens_++; }
   /// At least so many are armed: by earlier entries of a prompt.
   void armed(std::size_t whens);
-  /// Code that disarms what was armed behind them, in routines that were called too.
+  /// Code that disarms what was armed after them, in routines that were called too.
   void disarm_inner(Place place);
   /// A block ends before which `kept` were armed.
   void close_whens(std::size_t kept, Place place);

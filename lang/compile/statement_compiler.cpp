@@ -61,7 +61,7 @@ void StatementCompiler::compile(const Block& block) {
 
 // Motions
 
-/// The guard is set before the motion is commanded, and asked for behind it.
+/// The guard is set before the motion is commanded, and asked for after it.
 void StatementCompiler::compile(const WatchedMotion& watched) {
   const Place place = place_;
   const auto mark = frame_.mark();
@@ -182,7 +182,7 @@ void StatementCompiler::compile(const Pulse& pulse) {
   frame_.release(mark);
 }
 
-/// What is constant between two computed values is one text.
+/// All constants between two computed values are one text.
 void StatementCompiler::compile(const Print& print) {
   const Place place = place_;
   const auto mark = frame_.mark();

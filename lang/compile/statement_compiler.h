@@ -30,17 +30,17 @@ class StatementCompiler {
   void compile(const Routine& routine);
 
   // Entries of a prompt
-  /// What an earlier entry has declared.
+  /// Takes over a name that an earlier entry has declared.
   void know(const Symbol& symbol, const KeptName& kept) { declarations_.know(symbol, kept); }
-  /// What is taken now, and armed, lies behind that of earlier entries.
+  /// Registers, memory and WHENs that come now lie behind those of earlier entries.
   void begin_behind(const Room& room);
-  /// What is taken at the top level, and armed.
+  /// All that is taken at the top level, and armed.
   Room room() const;
   /// RETURN at the top level arrives here.
   void land_end() { blocks_.land_end(); }
 
  private:
-  /// What a block declares is given back at its end.
+  /// Gives back at the end of a block what it has declared.
   void compile(const Block& block);
 
   // Motions
@@ -86,7 +86,7 @@ class StatementCompiler {
   void compile(const While& loop);
   void compile(const For& loop);
   void compile(const Loop& loop);
-  /// Code for the body; NEXT arrives behind it.
+  /// Code for the body; NEXT arrives after it.
   void compile_body(const Block& body);
   void compile(const Exit&) { blocks_.exit_loop(place_); }
   void compile(const Next&) { blocks_.next_turn(place_); }
@@ -111,7 +111,7 @@ class StatementCompiler {
   OpenBlocks blocks_;
   MotionCompiler motions_;
   DeclarationCompiler declarations_;
-  Place place_;  ///< of the current statement: its line is what the Machine is told
+  Place place_;  ///< of the current statement: its line is what the Machine is given
   const Routine* routine_ = nullptr;                 ///< null at the top level
   std::map<std::size_t, std::size_t> task_numbers_;  ///< of TASKs, by their Routine::index
 };

@@ -27,8 +27,8 @@ class Variables {
 
   /// Where a variable lies, as the current code sees it.
   Location home(const Symbol& symbol) const;
-  /// Whether a symbol is a value at a place. What is none is read anew each time; in a watch its
-  /// value was fixed before.
+  /// Whether a symbol is a value at a place. A symbol that is none is read anew each time; in a
+  /// watch its value was fixed before.
   bool has_home(const Symbol& symbol) const;
   /// Whether an expression is a variable, or a part of one.
   bool is_variable(const Expr& expression) const;
@@ -72,7 +72,7 @@ class Variables {
   }
   /// The same into new ones.
   Register variable(const Symbol& variable, Place place);
-  /// What lies in registers becomes the value of a point or of another variable.
+  /// A value in registers becomes that of a point or of another variable.
   void store_variable(const Symbol& variable, Register value, Place place);
 
   /// TASKs see the current value of a variable that they use.

@@ -5,7 +5,7 @@ namespace {
 
 bool in_volts(const Symbol& symbol) { return symbol.low == 0 && symbol.high == kMostVolts; }
 
-/// What one volt stands for.
+/// The quantity that one volt stands for.
 double per_volt(const Symbol& symbol) { return (symbol.high - symbol.low) / kMostVolts; }
 
 Instruction on_channel(Opcode op, Register reg, const Symbol& symbol) {

@@ -5,8 +5,9 @@
 
 namespace rob::lang {
 
-/// Code that looks at the robot and its signals, and sets them. What one expression observes
-/// belongs to one control cycle: where that is more than one thing, the cycle is latched first.
+/// Code that looks at the robot and its signals, and sets them. All that one expression
+/// observes belongs to one control cycle: where that is more than one thing, the cycle is latched
+/// first.
 /// The program has quantities, the channel volts.
 class WorldCode {
  public:
@@ -14,8 +15,8 @@ class WorldCode {
 
   /// Begins an expression that makes so many observations.
   void begin(int observations, Place place);
-  /// What follows in the expression belongs to a new instant: that of a routine's own observations
-  /// is over.
+  /// The rest of the expression belongs to a new instant: a routine with observations of its own
+  /// was called in between.
   void begin_again(Place place);
   bool latched() const { return latched_; }
 
