@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "motion/ahead/path_item.h"
 #include "motion/generate/limit_numbers.h"
 
 namespace rob::motion {
@@ -14,11 +16,6 @@ namespace {
 constexpr double kMostShare = 2;
 
 constexpr double kAnyPace = std::numeric_limits<double>::infinity();
-
-bool has_way(const SegmentDescriptor& segment) noexcept {
-  return segment.ahead.length > 0 && !segment.no_length && !segment.dwell &&
-         !segment.jog->present() && !segment.profile.present();
-}
 
 /// σ that differ by less are one place: rounding of the sum of a path's lengths.
 double rounding(double sigma) noexcept { return 1e-12 * (1 + std::abs(sigma)); }
@@ -45,126 +42,124 @@ std::uint8_t number_of(const GuideLimit& limit) noexcept {
 
 }  // namespace
 
-LookAheadGenerator::LookAheadGenerator(const RobotModel& robot, LookAheadBuffer& buffer,
-                                       PathRing& ring, const JointVector& start)
-    : SegmentGenerator(robot, buffer, start),
+LookAheadLaw::LookAheadLaw(const RobotModel& robot, PathRing& ring, UnderWay& now,
+                           EventQueue& events)
+    : PathLaw(now, events),
+      period_(robot.reference_period),
       ring_(ring),
-      guide_(ring, start),
-      average_(ring, start),
-      events_(guide_, average_, robot.reference_period),
+      guide_(ring, now.segment.target),
+      average_(ring, now.segment.target),
+      events_on_way_(guide_, average_, robot.reference_period),
       clock_(time_scale_limits(robot), robot.reference_period) {
   guide_.brake();
 }
 
-void LookAheadGenerator::set_override(double share) noexcept {
-  SegmentGenerator::set_override(share);
-  clock_.set_override(share);
-  ring_.share.store(std::min(override_share(), kMostShare), std::memory_order_relaxed);
+void LookAheadLaw::take_share() noexcept {
+  clock_.set_override(now_.orders.share);
+  ring_.share.store(std::min(now_.orders.share, kMostShare), std::memory_order_relaxed);
 }
 
-const SegmentDescriptor* LookAheadGenerator::next_segment() const noexcept {
+const SegmentDescriptor* LookAheadLaw::next_segment() const noexcept {
   const PathLeg* const leg = dropping_ ? nullptr : ring_.next_leg();
   return leg == nullptr ? nullptr : &leg->segment;
 }
 
-void LookAheadGenerator::pop_segment() noexcept { ring_.pop_leg(); }
-
-bool LookAheadGenerator::begins_at_stamp(const SegmentDescriptor& next) const noexcept {
+bool LookAheadLaw::begins_at_stamp(const SegmentDescriptor& next) const noexcept {
   return has_way(next) || next.jog->present() || next.profile.present();
 }
 
-void LookAheadGenerator::skip(double gap) noexcept {
+void LookAheadLaw::skip(double gap) noexcept {
   skipped_ += gap;
   clock_.skip(gap);
 }
 
-void LookAheadGenerator::go_on_to_stamp() noexcept {
-  if (dropping_ && ring_.drop_done()) finish_drop();
-  stopping() ? clock_.hold() : clock_.resume();
-  clock_.advance(stamp(), !(on_path() && profiled()));
+PathLaw::News LookAheadLaw::go_on_to_stamp() noexcept {
+  News news;
+  if (dropping_ && ring_.drop_done()) news.skipped = finish_drop();
+  now_.orders.stop ? clock_.hold() : clock_.resume();
+  clock_.advance(now_.stamp, !(now_.on_path() && profiled()));
   step_guide();
   const std::uint32_t late = ring_.late.load(std::memory_order_relaxed);
-  for (; late_ != late; ++late_) tell_late_decision(stamp());
+  news.late_decisions = late - std::exchange(late_, late);
+  return news;
 }
 
 /// Where no path is followed it stands, and its time goes on.
-void LookAheadGenerator::step_guide() noexcept {
+void LookAheadLaw::step_guide() noexcept {
   const bool runs = on_run();
   const double pace = runs ? live_pace() : kAnyPace;
-  runs && !stopping() && pace > 0 ? guide_.release() : guide_.brake();
-  guide_.set_share(std::min(override_share(), kMostShare));
+  runs && !now_.orders.stop && pace > 0 ? guide_.release() : guide_.brake();
+  guide_.set_share(std::min(now_.orders.share, kMostShare));
   guide_.set_pace(pace);
   guide_.step(guide_time(), [this](const Guide::Part& part) noexcept { history_.keep(part); });
   ring_.sigma.store(guide_.sigma(), std::memory_order_relaxed);
   ring_.rate.store(guide_.rate(), std::memory_order_relaxed);
   ring_.periods.fetch_add(1, std::memory_order_relaxed);
-  if (!runs) return events_.stand(guide_time());
+  if (!runs) return events_on_way_.stand(guide_time());
   average_.take(guide_);
-  events_.go_on({guide_time(), average_.sigma(), average_.rate()});
-  tell_missed_leads();
-  history_.forget(guide_time() - lag() - period());  // what was passed in this period is kept
+  events_on_way_.go_on({guide_time(), average_.sigma(), average_.rate()});
+  report_missed_leads();
+  history_.forget(guide_time() - lag() - period_);  // what was passed in this period is kept
   released_ = std::max(released_, average_.oldest());
   ring_.release(released_);
 }
 
 /// σ' that the motion on which the guide is, ahead of the references, may have.
-double LookAheadGenerator::live_pace() noexcept {
-  const SegmentDescriptor* const leg = guide_.sigma() < end_ ? &segment() : next_segment();
+double LookAheadLaw::live_pace() noexcept {
+  const SegmentDescriptor* const leg = guide_.sigma() < end_ ? &now_.segment : next_segment();
   const bool paced = leg != nullptr && leg->live.present();  // of no length there is no share
   return paced ? live_rate(*leg) * leg->ahead.length : kAnyPace;
 }
 
-void LookAheadGenerator::tell_missed_leads() noexcept {
-  while (const auto missed = events_.take_missed(period())) {
-    tell({.kind = MotionEvent::Kind::LeadMissed,
-          .time = missed->time + skipped_,
-          .tag = missed->tag,
-          .value = missed->error});
+void LookAheadLaw::report_missed_leads() noexcept {
+  while (const auto missed = events_on_way_.take_missed(period_)) {
+    events_.report({.kind = MotionEvent::Kind::LeadMissed,
+                    .time = missed->time + skipped_,
+                    .tag = missed->tag,
+                    .value = missed->error});
   }
 }
 
-bool LookAheadGenerator::beyond_end() const noexcept { return cursor() > end_ + rounding(end_); }
+bool LookAheadLaw::beyond_end() const noexcept { return cursor() > end_ + rounding(end_); }
 
-void LookAheadGenerator::pass_targets() noexcept {
+std::optional<PathLaw::Passed> LookAheadLaw::passed(std::uint32_t known) const noexcept {
+  const std::uint32_t number = now_.segment.number;
+  if (known >= number) return std::nullopt;
   const double arrived = end();
-  if (arrived <= stamp() + kSameInstant && !passed(segment().number)) {
-    pass(segment().number, arrived);
-  }
-  while (on_run() && beyond_end()) {
-    const PathLeg* const next = ring_.next_leg();
-    const auto when = passed_end();
-    if (next == nullptr || !when) return;
-    if (!passed(segment().number)) pass(segment().number, *when);
-    if (!take_up(next->segment, *when)) return;
-    pop_segment();
-  }
+  return arrived <= now_.stamp + kSameInstant ? std::optional(Passed{number, arrived})
+                                              : std::nullopt;
+}
+
+std::optional<double> LookAheadLaw::ran_on() const noexcept {
+  const bool on = on_run() && beyond_end() && ring_.next_leg() != nullptr;
+  return on ? passed_end() : std::nullopt;
 }
 
 /// When the references passed the end of the motion. Without a mean they are the guide, whose
 /// instants are exact; else their σ is known at each stamp.
-std::optional<double> LookAheadGenerator::passed_end() const noexcept {
-  if (average_.periods() > 1) return events_.passing(end_) + skipped_;
+std::optional<double> LookAheadLaw::passed_end() const noexcept {
+  if (average_.periods() > 1) return events_on_way_.passing(end_) + skipped_;
   const auto when = history_.when(end_, guide_time());
   return when ? std::optional(*when + skipped_) : std::nullopt;
 }
 
 /// Of a run: when the references came to rest at its end.
-double LookAheadGenerator::arrival() const noexcept {
+double LookAheadLaw::arrival() const noexcept {
   const bool there = guide_.at_run_end() && average_.stands() && !beyond_end();
   if (!there) return std::numeric_limits<double>::infinity();
-  return std::min(told(history_.stands_since()) + lag(), stamp());
+  return std::min(told(history_.stands_since()) + lag(), now_.stamp);
 }
 
-double LookAheadGenerator::end() const noexcept {
+double LookAheadLaw::end() const noexcept {
   if (on_run()) return arrival();
   if (!profiled()) return arrival_;
-  const double end = zero_ + segment().duration;
+  const double end = zero_ + now_.segment.duration;
   const bool comes = clock_.path_time() >= end - kSameInstant;
   return comes ? clock_.run_time(end) : std::numeric_limits<double>::infinity();
 }
 
 /// In the middle of a corner, or from rest.
-void LookAheadGenerator::begin(const SegmentDescriptor& next, double instant) noexcept {
+void LookAheadLaw::begin(const SegmentDescriptor& next, double instant) noexcept {
   const PathLeg leg = *ring_.next_leg();
   const bool goes_on = on_run() && beyond_end();
   begin_ = leg.begin;
@@ -174,70 +169,70 @@ void LookAheadGenerator::begin(const SegmentDescriptor& next, double instant) no
   run_ = goes_on || has_way(next);
   if (run_ && !goes_on) begin_run(leg);
   next.profile.present() ? begin_profile(next) : expect_events(next, instant);
-  segment() = next;
+  now_.segment = next;
 }
 
-void LookAheadGenerator::begin_profile(const SegmentDescriptor& next) noexcept {
+void LookAheadLaw::begin_profile(const SegmentDescriptor& next) noexcept {
   moved_ = true;
   clock_.jump();  // it begins at rest
   zero_ = clock_.path_time();
-  profile_.begin(next, segment().target, segment().target, 0, true);
+  profile_.begin(next, now_.segment.target, now_.segment.target, 0, true);
   profile_events_.begin(next, zero_, 0, true, zero_, clock_.override_share());
 }
 
 /// A mean of N samples is at rest N − 1 periods after the guide, but its last jerk comes after
 /// that: it must not meet the next run's.
-bool LookAheadGenerator::settled() const noexcept {
-  const double mean = average_.periods() * period();
+bool LookAheadLaw::settled() const noexcept {
+  const double mean = average_.periods() * period_;
   const bool bounded = average_.periods() > 1 || guide_.pauses();
   return !bounded || history_.stands_since() + mean <= guide_time() + kSameInstant;
 }
 
-void LookAheadGenerator::begin_run(const PathLeg& leg) noexcept {
-  if (moved_) guide_.restart(guide_.index(), segment().target);
+void LookAheadLaw::begin_run(const PathLeg& leg) noexcept {
+  if (moved_) guide_.restart(guide_.index(), now_.segment.target);
   moved_ = false;
-  guide_.begin_run(leg.begin, guide_time() + (settled() ? 0 : period()),
-                   leg.pauses ? leg.average * period() : 0);
+  guide_.begin_run(leg.begin, guide_time() + (settled() ? 0 : period_),
+                   leg.pauses ? leg.average * period_ : 0);
   average_.begin_run(leg.average, leg.of_sigma, guide_);
   history_.begin(guide_time(), leg.begin);
-  events_.begin_run({guide_time(), leg.begin, 0});
+  events_on_way_.begin_run({guide_time(), leg.begin, 0});
 }
 
-void LookAheadGenerator::expect_events(const SegmentDescriptor& next, double instant) noexcept {
+void LookAheadLaw::expect_events(const SegmentDescriptor& next, double instant) noexcept {
   for (const PathEvent& event : next.on_the_way)
-    events_.expect(event, begin_ + std::clamp(event.share, 0.0, 1.0) * length(),
-                   instant - skipped_);
+    events_on_way_.expect(event, begin_ + std::clamp(event.share, 0.0, 1.0) * length(),
+                          instant - skipped_);
 }
 
-void LookAheadGenerator::end_path() noexcept {
+void LookAheadLaw::end_path() noexcept {
   if (on_run()) end_ = std::max(begin_, cursor());
   moved_ = true;
   run_ = false;
-  events_.drop();
+  events_on_way_.drop();
   profile_events_.drop();
 }
 
-void LookAheadGenerator::drop_path(std::uint32_t generation) noexcept {
+void LookAheadLaw::drop_path(std::uint32_t generation) noexcept {
   dropping_ = true;
   dropped_ = generation;
   ring_.ask_drop(generation);
 }
 
-/// The numbers of what was given up are passed over, unless they come again.
-void LookAheadGenerator::finish_drop() noexcept {
-  std::uint32_t last = segment().number;
+/// The numbers of what was given up are passed over, unless they come again: up to this one.
+std::uint32_t LookAheadLaw::finish_drop() noexcept {
+  std::uint32_t last = now_.segment.number;
   for (const PathLeg* leg = ring_.next_leg(); leg != nullptr; leg = ring_.next_leg()) {
     last = leg->segment.number;
     ring_.pop_leg();
   }
   last = std::max(last, ring_.last_number());
-  if (dropped_ != 0 && last > segment().number) skip_to(last);
   released_ = ring_.skip_dropped();
-  guide_.restart(released_, segment().target);
+  guide_.restart(released_, now_.segment.target);
   dropping_ = false;
+  return dropped_ != 0 && last > now_.segment.number ? last : 0;
 }
 
-void LookAheadGenerator::sample_path(GeneratorSample& sample) const noexcept {
+void LookAheadLaw::sample_path(GeneratorSample& sample) const noexcept {
   PathPoint p = average_.mean();
   const double sigma = length() > 0 ? average_.sigma() - begin_ : 0;
   sample.sigma = leg_.way(sigma);
@@ -248,9 +243,9 @@ void LookAheadGenerator::sample_path(GeneratorSample& sample) const noexcept {
     sample.sigma = clock_.path_time() - zero_;
     sample.rate = clock_.rate();
     p = driven(profile_.sample(sample.sigma), clock_.rate(), clock_.slope());
-    sample.limit = override_share() < 1 ? limit_number::kOverride : segment().limit;
+    sample.limit = now_.orders.share < 1 ? limit_number::kOverride : now_.segment.limit;
   } else if (!on_run()) {
-    p = {segment().target, p.qd * 0, p.qdd * 0};
+    p = {now_.segment.target, p.qd * 0, p.qdd * 0};
     sample.rate = 0;
   }
   sample.reference.q = p.q;
@@ -258,29 +253,29 @@ void LookAheadGenerator::sample_path(GeneratorSample& sample) const noexcept {
   sample.reference.qdd = p.qdd;
 }
 
-double LookAheadGenerator::share_done() const noexcept {
-  if (profiled()) return std::min((clock_.path_time() - zero_) / segment().duration, 1.0);
+double LookAheadLaw::share_done() const noexcept {
+  if (profiled()) return std::min((clock_.path_time() - zero_) / now_.segment.duration, 1.0);
   const double way = leg_.way(length());
   return way > 0 ? std::clamp(leg_.way(cursor() - begin_) / way, 0.0, 1.0) : 1;
 }
 
-std::optional<double> LookAheadGenerator::stands_since() const noexcept {
+std::optional<double> LookAheadLaw::stands_since() const noexcept {
   if (profiled()) {
     return clock_.held() ? std::optional(clock_.steady_since()) : std::nullopt;
   }
-  if (!on_run()) return stamp();
+  if (!on_run()) return now_.stamp;
   if (!guide_.stands() || !average_.stands()) return std::nullopt;
-  return std::min(told(history_.stands_since()) + lag(), stamp());
+  return std::min(told(history_.stands_since()) + lag(), now_.stamp);
 }
 
 /// The guide is ahead of the references, and may have passed decision points further on.
-std::uint32_t LookAheadGenerator::decided() const noexcept {
-  const std::uint32_t number = segment().number;
+std::uint32_t LookAheadLaw::decided() const noexcept {
+  const std::uint32_t number = now_.segment.number;
   if (profiled()) {
-    const bool due = clock_.next() > zero_ + segment().duration + kSameInstant;
+    const bool due = clock_.next() > zero_ + now_.segment.duration + kSameInstant;
     return due ? number : number - 1;
   }
-  const double next = guide_.sigma() + guide_.rate() * period();
+  const double next = guide_.sigma() + guide_.rate() * period_;
   if (on_run() && next < leg_.decides - rounding(leg_.decides)) return number - 1;
   std::uint32_t decided = number;
   const PathLeg* leg = ring_.leg(0);
@@ -291,20 +286,15 @@ std::uint32_t LookAheadGenerator::decided() const noexcept {
   return decided;
 }
 
-const Effect* LookAheadGenerator::take_path_event(double until, std::uint32_t number,
-                                                  double& due) noexcept {
+PathLaw::DueEvent LookAheadLaw::take_path_event(double until, std::uint32_t number) noexcept {
   const double path_time = clock_.passed_by(until) + kSameInstant;
-  if (const Effect* effect = profile_events_.take(path_time, number, due)) {
-    due = clock_.run_time(due);
-    tell_cut_lead(*effect, due, profile_events_.cut());
-    return effect;
-  }
+  double due = 0;
+  if (const Effect* effect = profile_events_.take(path_time, number, due))
+    return {effect, clock_.run_time(due), profile_events_.cut()};
   const PlaceEvents::Until passed{until - skipped_, number};
-  const Effect* const effect = events_.take(passed, due);
-  if (effect == nullptr) return nullptr;
-  due += skipped_;
-  tell_cut_lead(*effect, due, events_.cut());
-  return effect;
+  const Effect* const effect = events_on_way_.take(passed, due);
+  if (effect == nullptr) return {};
+  return {effect, due + skipped_, events_on_way_.cut()};
 }
 
 }  // namespace rob::motion

@@ -5,13 +5,15 @@
 
 #include "motion/generate/path_clock.h"
 #include "motion/generate/path_events.h"
+#include "motion/generate/path_law.h"
 #include "motion/generate/segment_generator.h"
+#include "motion/plan/look_ahead_buffer.h"
 #include "motion/plan/paul_segment.h"
 #include "motion/robots/time_scaling.h"
 
 namespace rob::motion {
 
-/// References on line by S1's law: segments, straight in axis space or along a path of the tool,
+/// S1's law: segments, straight in axis space or along a path of the tool,
 /// joined by transitions around their via points (PaulSegment). What is to begin at rest makes the
 /// target before it exact; a motion with a profile begins and ends at rest by itself.
 ///
@@ -36,45 +38,50 @@ namespace rob::motion {
 ///
 /// Sample: sigma is S1's t, s; limit 20 stands for the end of the buffer, 21 for an override
 /// below 1.
-class PaulGenerator final : public SegmentGenerator {
+class PaulLaw final : public PathLaw {
  public:
-  /// `start`: where the axes stand, m, rad. Takes memory; nothing else here does.
-  PaulGenerator(const RobotModel& robot, LookAheadBuffer& buffer, const JointVector& start);
+  PaulLaw(const RobotModel& robot, LookAheadBuffer& buffer, UnderWay& now, EventQueue& events);
 
-  void set_override(double share) noexcept override;
-
- private:
-  bool fits(const SegmentDescriptor& next) const noexcept override;
-  void go_on_to_stamp() noexcept override;
+  const SegmentDescriptor* next_segment() const noexcept override { return buffer_.next_segment(); }
+  void pop_segment() noexcept override { buffer_.pop_segment(); }
+  bool fits(const SegmentDescriptor& next) const noexcept override {
+    return !(next.t_acc < tightest_);
+  }
+  bool closed() const noexcept override { return buffer_.closed(); }
+  void take_share() noexcept override;
+  News go_on_to_stamp() noexcept override;
   void skip(double gap) noexcept override { clock_.skip(gap); }
-  void pass_targets() noexcept override;
-  double end() const noexcept override;
-  void decide(double instant) noexcept override;
   void begin(const SegmentDescriptor& next, double instant) noexcept override;
+  double end() const noexcept override;
+  bool ends_at_rest() const noexcept override { return now_.segment.ends_at_rest(); }
+  void stop() noexcept override;
+  std::optional<Passed> passed(std::uint32_t known) const noexcept override;
   void end_path() noexcept override;
   void sample_path(GeneratorSample& sample) const noexcept override;
   double sigma_at_rest() const noexcept override { return exit(); }
   double share_done() const noexcept override;
   std::optional<double> stands_since() const noexcept override;
   std::uint32_t decided() const noexcept override;
-  const Effect* take_path_event(double until, std::uint32_t number, double& due) noexcept override;
+  DueEvent take_path_event(double until, std::uint32_t number) noexcept override;
   bool awaits_path_event() const noexcept override { return path_events_.pending(); }
 
+ private:
   void aim_clock() noexcept;
   void adapt_clock() noexcept;
   double path_instant(double instant) const noexcept;
   double live_share() noexcept;
   void brake_harder() noexcept;
   void begin_profile(const SegmentDescriptor& next, double instant) noexcept;
-  void begin_stop() noexcept;
   bool may_jump() const noexcept;
   double sigma() const noexcept { return clock_.path_time() - zero_; }
   /// S1's t at the decision instant.
   double exit() const noexcept {
-    const bool whole = segment().dwell || segment().profile.present();
-    return whole ? segment().duration : segment().duration - segment().t_acc;
+    const SegmentDescriptor& segment = now_.segment;
+    const bool whole = segment.dwell || segment.profile.present();
+    return whole ? segment.duration : segment.duration - segment.t_acc;
   }
 
+  LookAheadBuffer& buffer_;
   const AxisReserve reserve_;
   const double usual_t_acc_;  ///< of the first transition from a place that no path has led to
   PathClock clock_;
@@ -87,6 +94,17 @@ class PaulGenerator final : public SegmentGenerator {
   double end_ = 0;          ///< path time of the decision instant
   double milestone_ = 0;    ///< path time at which the effects up to number `passing_` are due
   std::uint32_t passing_ = 0;
+};
+
+/// References on line by S1's law.
+class PaulGenerator final : public SegmentGenerator {
+ public:
+  /// `start`: where the axes stand, m, rad. Takes memory; nothing else here does.
+  PaulGenerator(const RobotModel& robot, LookAheadBuffer& buffer, const JointVector& start)
+      : SegmentGenerator(robot, buffer, law_, start), law_(robot, buffer, now(), events()) {}
+
+ private:
+  PaulLaw law_;
 };
 
 }  // namespace rob::motion
