@@ -229,6 +229,12 @@ ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, 
   return leg;
 }
 
+ShapedLeg shaped_leg(const RobotModel& robot, const PathItem& item, double begin) {
+  ShapedLeg leg = shaped_leg(robot, item.segment, begin);
+  leg.stretch = item.stretch;
+  return leg;
+}
+
 double greatest_rate(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place) {
   double most = leg.segment.ahead.speed;
   for (int i = 0; i < robot.axis_count(); ++i) {

@@ -49,6 +49,7 @@ struct ShapedLeg {
   PathPoint at(double way) const noexcept { return motion.at(way); }
 };
 ShapedLeg shaped_leg(const RobotModel& robot, const SegmentDescriptor& segment, double begin);
+ShapedLeg shaped_leg(const RobotModel& robot, const PathItem& item, double begin);
 
 /// σ' that is asked for on a leg, or what the speeds of the axes leave of it at one of its places.
 double greatest_rate(const RobotModel& robot, const ShapedLeg& leg, const PathPoint& place);
