@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "motion/path/tool_line.h"
+
 namespace rob::motion {
 
 namespace {
@@ -14,6 +16,24 @@ namespace {
 constexpr int kDemandParts = 8;
 
 }  // namespace
+
+LegDemand demand_along(const ToolPath& path, const JointPath& axes) {
+  LegDemand demand;
+  demand.path = &axes;
+  const bool even = dynamic_cast<const ToolLine*>(&path) != nullptr;
+  const bool stands = path.axes() != nullptr && path.way() <= kSamePose;  // the axes alone turn
+  if (!even && !stands) demand.uneven = &path;
+  demand.rates = greatest_rates(axes);
+  demand.way = path.way();
+  demand.turn = path.turn();
+  demand.pace_way = path.greatest_speed();
+  demand.pace_turn = path.greatest_turning();
+  demand.farthest = path.way();
+  demand.leaving = path.greatest_speed();
+  demand.first_point = (path.first_point() - path.begin()) / (path.end() - path.begin());
+  demand.last_point = (path.last_point() - path.begin()) / (path.end() - path.begin());
+  return demand;
+}
 
 /// The greatest of the samples, and of parabolas through one and its neighbours.
 JointVector greatest_rates(const JointPath& axes) {

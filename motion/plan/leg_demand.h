@@ -25,6 +25,12 @@ struct LegDemand {
   double last_point = 0;
 };
 
+/// m, rad: two poses that differ by less are one.
+inline constexpr double kSamePose = 1e-9;
+
+/// Of the axes along a path of the tool.
+LegDemand demand_along(const ToolPath& path, const JointPath& axes);
+
 /// The greatest |dq/ds| of each axis along a path.
 JointVector greatest_rates(const JointPath& axes);
 

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
+#include "motion/path/follow.h"
+#include "motion/path/paced_path.h"
+#include "motion/plan/ahead_judge.h"
+#include "motion/plan/ahead_leg.h"
 #include "motion/plan/wishes.h"
 #include "motion/robots/time_scaling.h"
 
@@ -15,11 +19,19 @@ namespace {
 /// given up for another one.
 constexpr std::size_t kMostRunning = 8;
 
-double greatest_tool_speed(const RobotModel& robot) {
-  double squares = 0;
-  for (const Axis& axis : robot.axes)
-    if (axis.kind == AxisKind::Linear) squares += axis.v_max * axis.v_max;
-  return std::sqrt(squares);
+LastTarget standing_at(const JointVector& q, double t_acc) {
+  LastTarget last;
+  last.q = q;
+  last.t_acc = t_acc;
+  return last;
+}
+
+/// Along a path that the axes lead.
+Followed led_by(const JointPath& axes) {
+  Followed led{axes, std::nullopt};
+  if (axes.nodes().size() > kMostNodes)
+    led.trouble = PathTrouble{PathTrouble::Kind::TooLong, axes.begin(), -1};
+  return led;
 }
 
 }  // namespace
@@ -28,93 +40,150 @@ MotionPlanner::MotionPlanner(const RobotModel& robot, const JointVector& start) 
     : robot_(robot),
       carrying_(robot.mechanics),
       mechanics_(carrying_.with({})),
-      usual_t_acc_(robot.law == Law::Paul ? robot.t_acc : 0),
-      least_t_acc_(least_t_acc(robot)),
-      braking_(time_scale_limits(robot).slope),
-      linear_speed_(greatest_tool_speed(robot)),
-      tool_speed_(linear_speed_),
-      arms_(JointVector::Zero(start.size())),
-      commanded_(start),
+      tip_(robot),
+      timing_(robot, tip_, last_),
+      segments_(robot, tip_, last_, timing_),
+      drives_(robot, last_, timing_, segments_),
+      paths_(robot, tip_, last_, timing_),
       kept_(static_cast<std::size_t>(robot.most_ahead()) + kMostRunning),
       boxes_(robot) {
-  set_tool({});
+  last_ = standing_at(start, timing_.usual_t_acc());
 }
 
 PlanOutcome MotionPlanner::plan(const MotionRequest& request) {
   const std::array<double, kMaxJoints> wanted = absolute(request);
   if (const auto refusal = check_target(robot_, request.given, wanted)) return *refusal;
   if (const auto refusal = check_wishes(request)) return *refusal;
-  Draft draft{complete(request.given, wanted)};
-  draft.no_length = (draft.target - commanded_).cwiseAbs().maxCoeff() <= kLimitTolerance;
-  if (draft.no_length) draft.target = commanded_;
-  draft.demand = straight_demand(draft.target);
+  MotionDraft draft{complete(request.given, wanted)};
+  draft.no_length = (draft.target - last_.q).cwiseAbs().maxCoeff() <= kLimitTolerance;
+  if (draft.no_length) draft.target = last_.q;
+  draft.demand = tip_.demand(last_.q, draft.target);
+  return take(request, std::move(draft));
+}
+
+PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& path) {
+  if (const auto refusal = check_wishes(request)) return *refusal;
+  MotionDraft draft{last_.q};
+  draft.no_length = path.way() <= kSamePose && path.turn() <= kSamePose;
+  if (draft.no_length) {
+    draft.demand = tip_.demand(last_.q, draft.target);
+    return take(request, std::move(draft));
+  }
+  Followed followed = path.axes() != nullptr ? led_by(*path.axes())
+                                             : motion::follow(robot_, path, tip_.pose(), last_.q);
+  if (const auto refusal = paths_.judge(request, path, followed)) return *refusal;
+  draft.leg = std::make_shared<PlannedLeg>();
+  draft.target = followed.axes.nodes().back().q;
+  draft.demand = demand_along(path, followed.axes);
+  const double paced = pace_time(robot_, draft.demand, request) / timing_.boost();
+  draft.pace_cut = pace_cut(robot_, path, followed.axes, paced);
+  if (path.axes() == nullptr) draft.leg->pace = timing_.pace(request, draft.demand);
+  if (draft.leg->pace) {
+    const PacedPath slowed(path, *draft.leg->pace);
+    draft.leg->axes = slowed.paced(followed.axes);
+    draft.demand = demand_along(slowed, *draft.leg->axes);
+    draft.demand.uneven = nullptr;  // only the look-ahead law asks, and `slowed` ends here
+  } else {
+    draft.leg->axes = std::move(followed.axes);
+    draft.demand.path = &*draft.leg->axes;
+    if (const auto* const line = dynamic_cast<const ToolLine*>(&path)) draft.leg->line = *line;
+  }
   return take(request, std::move(draft));
 }
 
 /// A profile has its own time under both laws.
-PlanOutcome MotionPlanner::take(const MotionRequest& request, Draft draft) {
+PlanOutcome MotionPlanner::take(const MotionRequest& request, MotionDraft draft) {
   const bool profiled = request.profile != ProfileShape::None && !draft.no_length;
   const bool timed = robot_.law == Law::Paul || profiled;
   if (robot_.law == Law::LookAhead && draft.demand.path == nullptr && !draft.no_length)
-    measure_swing(draft.target, draft.demand);
+    tip_.measure_swing(last_.q, draft.target, draft.demand);
   return timed ? take_timed(request, std::move(draft)) : take_ahead(request, std::move(draft));
 }
 
-PlanOutcome MotionPlanner::take_timed(const MotionRequest& request, Draft draft) {
-  Timing timing = time(draft, request);
-  if (robot_.mechanics && !draft.no_length) suit_drives(draft, request, timing);
+PlanOutcome MotionPlanner::take_timed(const MotionRequest& request, MotionDraft draft) {
+  Timing timing = timing_.time(draft, request);
+  if (mechanics_ != nullptr && !draft.no_length) drives_.suit(*mechanics_, request, draft, timing);
   if (!(timing.duration <= kLongest))
     return Refusal{Refusal::Kind::TooLong, -1, timing.duration, kLongest};
   PlannedSegment planned;
   planned.warnings = timing.warnings;
   planned.pace_cut = draft.pace_cut;
   if (draft.pace_cut.axis >= 0) planned.warnings |= PlannedSegment::kPaceCut;
-  if (draft.pace_cut.asked > 0)
-    planned.pace_cut.longer =
-        std::max(0.0, timing.duration - std::max(draft.pace_cut.asked, request.at_least / boost_));
-  planned.segment = joined(draft, timing, planned.warnings);
-  if (robot_.mechanics && demanded_by_corner(planned.segment).speed < 1) {
-    planned.segment.from_rest = true;
+  if (draft.pace_cut.asked > 0) {
+    const double asked = std::max(draft.pace_cut.asked, request.at_least / timing_.boost());
+    planned.pace_cut.longer = std::max(0.0, timing.duration - asked);
+  }
+  SegmentDescriptor& segment = planned.segment;
+  segment = segments_.joined(draft, timing, planned.warnings);
+  if (mechanics_ != nullptr && !drives_.corner_fits(*mechanics_, segment)) {
+    segment.from_rest = true;
     planned.warnings |= PlannedSegment::kCornerExact;
   }
-  const JointVector from = commanded_;
-  SegmentDescriptor& segment = planned.segment;
   segment.live.unit_time = live_unit_time(robot_, draft.demand, request);
   segment.reserve = axis_reserve(robot_, draft.demand.rates / segment.duration);
-  commit(request.tag, segment);
-  before_ = {{segment.path, from, segment.target, segment.duration}, draft.leg, tool_};
-  if (request.zone == MotionRequest::Zone::Length) before_.zone = request.zone_value;
-  planned.leg = std::move(draft.leg);
-  keep(planned.leg);
+  leave(request, std::move(draft), planned);
   return planned;
+}
+
+/// Its time is known only after its neighbours are.
+PlanOutcome MotionPlanner::take_ahead(const MotionRequest& request, MotionDraft draft) {
+  PlannedSegment planned;
+  planned.pace_cut = draft.pace_cut;
+  SegmentDescriptor& segment = planned.segment;
+  segment = segments_.segment_to(draft.target, false, {});
+  segment.duration = robot_.reference_period;  // of a target that is the last one: it is passed
+  if (draft.no_length) {
+    bound_corner(robot_, request, LegBounds::kAny, segment.ahead);
+  } else {
+    const AheadLeg leg = ahead_leg(robot_, draft.demand, request);
+    if (!(leg.alone <= kLongest)) return Refusal{Refusal::Kind::TooLong, -1, leg.alone, kLongest};
+    if (mechanics_ != nullptr)
+      if (const auto refusal = too_heavy(robot_, *mechanics_, last_.q, draft)) return *refusal;
+    segment.ahead = leg.bounds;
+    segment.ahead.mechanics = mechanics_;
+    if (draft.leg && draft.leg->line) segment.ahead.line = &*draft.leg->line;
+    segment.duration = leg.duration;
+    segment.path = draft.demand.path;
+    segment.live.unit_time = live_unit_time(robot_, draft.demand, request);
+    planned.warnings = leg.warnings;
+    if (!last_.exact) judge_zone(robot_, tip_, last_, draft, planned);
+  }
+  segment.ahead.from = last_.q;
+  segment.ahead.tip = tip_.pose();
+  leave(request, std::move(draft), planned);
+  return planned;
+}
+
+/// The motion is taken: what comes next leaves its target.
+void MotionPlanner::leave(const MotionRequest& request, MotionDraft draft,
+                          PlannedSegment& planned) {
+  SegmentDescriptor& segment = planned.segment;
+  LastTarget::Before before{
+      {segment.path, last_.q, segment.target, segment.duration}, draft.leg, tip_.pose()};
+  if (request.zone == MotionRequest::Zone::Length) before.zone = request.zone_value;
+  before.tag = request.tag;
+  last_.before = std::move(before);
+  commit(request.tag, segment);
+  planned.leg = std::move(draft.leg);
+  kept_[next_kept_++ % kept_.size()] = planned.leg;
 }
 
 double MotionPlanner::way(const MotionRequest& request) const noexcept {
   const std::array<double, kMaxJoints> wanted = absolute(request);
   if (check_target(robot_, request.given, wanted)) return 0;
-  return tool_distance(complete(request.given, wanted));
+  return tip_.distance(last_.q, complete(request.given, wanted));
 }
 
 double MotionPlanner::swing(const MotionRequest& request) const noexcept {
   const std::array<double, kMaxJoints> wanted = absolute(request);
   if (check_target(robot_, request.given, wanted)) return 0;
-  return swing_to(complete(request.given, wanted));
-}
-
-void MotionPlanner::set_tool(const Pose& tool) noexcept {
-  tool_ = tool;
-  tool_speed_ = linear_speed_;
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    const double arm = robot_.kinematics->lever(i, tool_.position);
-    arms_[i] = arm > kLimitTolerance ? arm : 0;
-    tool_speed_ += arms_[i] * robot_.axes[static_cast<std::size_t>(i)].v_max;
-  }
+  return tip_.swing(last_.q, complete(request.given, wanted));
 }
 
 std::optional<SegmentDescriptor> MotionPlanner::stop(Tag tag) noexcept {
-  if (exact_) return std::nullopt;
+  if (last_.exact) return std::nullopt;
   SegmentDescriptor segment =
-      segment_to(commanded_, true, Timing{2 * t_acc_before_, t_acc_before_, 0, 0});
+      segments_.segment_to(last_.q, true, Timing{2 * last_.t_acc, last_.t_acc});
   return commit(tag, segment);
 }
 
@@ -125,54 +194,39 @@ PlanOutcome MotionPlanner::jog(Tag tag, JogRates rates) noexcept {
     if (std::isfinite(rates.rate[i])) continue;
     return Refusal{Refusal::Kind::NotFinite, i, rates.rate[i], 0};
   }
+  const double boost = timing_.boost();
   const double greatest = rates.rate.cwiseAbs().maxCoeff();
-  rates.rate *= greatest * boost_ > kFastest ? kFastest / greatest : boost_;
-  const double periods = std::ceil(rates.lasts / boost_ / robot_.reference_period - kRounding);
+  rates.rate *= greatest * boost > kFastest ? kFastest / greatest : boost;
+  const double periods = std::ceil(rates.lasts / boost / robot_.reference_period - kRounding);
   rates.lasts = std::max(1.0, periods) * robot_.reference_period;
   if (!(rates.lasts <= kLongest)) rates.lasts = JogRates::kAny;
   const double duration = rates.lasts < JogRates::kAny ? rates.lasts : 0;
-  t_acc_before_ = usual_t_acc_;
-  SegmentDescriptor segment = segment_to(commanded_, false, {duration, usual_t_acc_, 0, 0});
+  last_.t_acc = timing_.usual_t_acc();
+  SegmentDescriptor segment =
+      segments_.segment_to(last_.q, false, Timing{duration, timing_.usual_t_acc()});
   segment.jog = rates;
   commit(tag, segment);
-  exact_ = true;  // nothing is to be made exact after it
+  last_.exact = true;  // nothing is to be made exact after it
   return PlannedSegment{segment, 0};
 }
 
 SegmentDescriptor MotionPlanner::dwell(Tag tag, double duration) noexcept {
-  SegmentDescriptor segment = segment_to(commanded_, true, Timing{duration, usual_t_acc_, 0, 0});
+  SegmentDescriptor segment =
+      segments_.segment_to(last_.q, true, Timing{duration, timing_.usual_t_acc()});
   segment.dwell = true;
   return commit(tag, segment);
 }
 
 void MotionPlanner::retarget(const JointVector& q) noexcept {
-  stand_at(q, number_);
+  stand_at(q, last_.number);
   ++generation_;
 }
 
 void MotionPlanner::stand_at(const JointVector& q, std::uint32_t number) noexcept {
-  commanded_ = q;
-  exact_ = true;
-  t_acc_before_ = usual_t_acc_;
-  number_ = number;
-}
-
-MotionPlanner::Mark MotionPlanner::mark() const {
-  Mark mark;
-  mark.commanded_ = commanded_;
-  mark.t_acc_before_ = t_acc_before_;
-  mark.exact_ = exact_;
-  mark.before_ = before_;
-  mark.number_ = number_;
-  return mark;
-}
-
-void MotionPlanner::go_back(const Mark& mark) {
-  commanded_ = mark.commanded_;
-  t_acc_before_ = mark.t_acc_before_;
-  exact_ = mark.exact_;
-  before_ = mark.before_;
-  number_ = mark.number_;
+  last_.q = q;
+  last_.exact = true;
+  last_.t_acc = timing_.usual_t_acc();
+  last_.number = number;
 }
 
 /// The given components, measured from the origin.
@@ -180,14 +234,13 @@ std::array<double, kMaxJoints> MotionPlanner::absolute(
     const MotionRequest& request) const noexcept {
   std::array<double, kMaxJoints> target = request.target;
   if (!request.relative) return target;
-  for (int i = 0; i < robot_.axis_count(); ++i)
-    target[static_cast<std::size_t>(i)] += commanded_[i];
+  for (int i = 0; i < robot_.axis_count(); ++i) target[static_cast<std::size_t>(i)] += last_.q[i];
   return target;
 }
 
 JointVector MotionPlanner::complete(std::uint8_t given,
                                     const std::array<double, kMaxJoints>& wanted) const noexcept {
-  JointVector target = commanded_;
+  JointVector target = last_.q;
   for (int i = 0; i < robot_.axis_count(); ++i) {
     if ((given >> i & 1) == 0) continue;
     const Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
@@ -196,35 +249,13 @@ JointVector MotionPlanner::complete(std::uint8_t given,
   return target;
 }
 
-Eigen::Vector3d MotionPlanner::tip(const JointVector& q) const noexcept {
-  return place_of(tool_.position, robot_.kinematics->forward(q));
-}
-
-Pose MotionPlanner::tool_pose() const noexcept {
-  const Pose flange = robot_.kinematics->forward(commanded_);
-  return {place_of(tool_.position, flange), flange.orientation * tool_.orientation};
-}
-
-SegmentDescriptor MotionPlanner::segment_to(const JointVector& target, bool no_length,
-                                            const Timing& timing) const noexcept {
-  SegmentDescriptor segment;
-  segment.target = target;
-  segment.duration = timing.duration;
-  segment.t_acc_before = t_acc_before_;
-  segment.t_acc = timing.t_acc;
-  segment.no_length = no_length;
-  segment.limit = timing.limit;
-  segment.profile = timing.profile;
-  return segment;
-}
-
 SegmentDescriptor& MotionPlanner::commit(Tag tag, SegmentDescriptor& segment) noexcept {
   segment.tag = tag;
-  segment.number = ++number_;
+  segment.number = ++last_.number;
   segment.generation = generation_;
-  commanded_ = segment.target;
-  exact_ = segment.ends_at_rest();
-  t_acc_before_ = segment.t_acc;
+  last_.q = segment.target;
+  last_.exact = segment.ends_at_rest();
+  last_.t_acc = segment.t_acc;
   return segment;
 }
 

@@ -1,10 +1,13 @@
+#include "motion/plan/leg_timing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "motion/plan/motion_planner.h"
+#include "motion/plan/local_pace.h"
+#include "motion/plan/planned_segment.h"
+#include "motion/robots/time_scaling.h"
 
-/// Member functions of MotionPlanner that calculate the time of a motion.
 namespace rob::motion {
 
 namespace {
@@ -14,23 +17,22 @@ constexpr double kSameTime = 1e-9;
 
 bool longer(double time, double than) { return time > than * (1 + kSameTime); }
 
+/// [choice] A path gets a pace for each place where an even rate takes so many times as long. With
+/// AT that is soon, since AT is kept elsewhere; without AT an ordinary line keeps an even rate.
+constexpr double kWorthWithPace = 1.05;
+constexpr double kWorthFree = 1.5;
+
 }  // namespace
 
-LegDemand MotionPlanner::straight_demand(const JointVector& target) const noexcept {
-  LegDemand demand;
-  demand.rates = (target - commanded_).cwiseAbs();
-  demand.way = demand.pace_way = tool_distance(target);
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    if (robot_.axes[static_cast<std::size_t>(i)].kind == AxisKind::Rotary)
-      demand.pace_turn = std::max(demand.pace_turn, demand.rates[i]);
-  }
-  demand.turn = demand.pace_turn;
-  demand.farthest = greatest_way(target);
-  demand.leaving = leaving_speed(target);
-  return demand;
-}
+LegTiming::LegTiming(const RobotModel& robot, const ToolTip& tip, const LastTarget& last)
+    : robot_(robot),
+      tip_(tip),
+      last_(last),
+      usual_t_acc_(robot.law == Law::Paul ? robot.t_acc : 0),
+      least_t_acc_(least_t_acc(robot)),
+      braking_(time_scale_limits(robot).slope) {}
 
-MotionPlanner::Timing MotionPlanner::time(const Draft& draft, const MotionRequest& request) const {
+Timing LegTiming::time(const MotionDraft& draft, const MotionRequest& request) const {
   const LegDemand& demand = draft.demand;
   Timing timing;
   for (int i = 0; i < robot_.axis_count(); ++i) {
@@ -58,7 +60,7 @@ MotionPlanner::Timing MotionPlanner::time(const Draft& draft, const MotionReques
     timing.t_acc = least_t_acc_;
     timing.warnings |= PlannedSegment::kZoneRaised;
   }
-  const double corners = t_acc_before_ + timing.t_acc;
+  const double corners = last_.t_acc + timing.t_acc;
   if (request.at_least > 0 && longer(std::max(slowest, corners), request.at_least))
     timing.warnings |= PlannedSegment::kStretched;
   if (const double other = std::max(corners, request.at_least / boost_); other > timing.duration) {
@@ -67,7 +69,7 @@ MotionPlanner::Timing MotionPlanner::time(const Draft& draft, const MotionReques
   }
   if (demand.path == nullptr) return timing;
   // S1's ramps from and to rest change the path's rate by up to 0.75/t.
-  const double change = 0.75 / std::min(t_acc_before_, timing.t_acc) + braking_;
+  const double change = 0.75 / std::min(last_.t_acc, timing.t_acc) + braking_;
   int axis = 0;
   if (const double needed = least_time(robot_, *demand.path, change, axis);
       needed > timing.duration) {
@@ -78,8 +80,8 @@ MotionPlanner::Timing MotionPlanner::time(const Draft& draft, const MotionReques
 }
 
 /// From rest to rest with what AT and the axes' speeds leave; timing.duration is 1/rate so far.
-void MotionPlanner::time_profile(const Draft& draft, const MotionRequest& request,
-                                 Timing& timing) const {
+void LegTiming::time_profile(const MotionDraft& draft, const MotionRequest& request,
+                             Timing& timing) const {
   const JointPath* const path = draft.demand.path;
   ProfileLimits limits = path == nullptr ? profile_limits(robot_, draft.demand.rates, braking_)
                                          : profile_limits(robot_, *path, braking_);
@@ -99,14 +101,14 @@ void MotionPlanner::time_profile(const Draft& draft, const MotionRequest& reques
   timing.profile = law(rate, asked);
   timing.duration = timing.profile.duration();
   timing.t_acc = usual_t_acc_;
-  // What AT adds is no surprise.
+  // The time that AT adds is no surprise.
   if (request.at_least > 0 && longer(law(limits.rate, 0).duration() * boost_, request.at_least))
     timing.warnings |= PlannedSegment::kStretched;
 }
 
 /// t_C as the request asks for it; `duration`: of the motion, corners apart.
-double MotionPlanner::corner_time(const LegDemand& demand, double duration,
-                                  const MotionRequest& request) const noexcept {
+double LegTiming::corner_time(const LegDemand& demand, double duration,
+                              const MotionRequest& request) const noexcept {
   switch (request.zone) {
     case MotionRequest::Zone::Robots:
       return usual_t_acc_;
@@ -125,52 +127,60 @@ double MotionPlanner::corner_time(const LegDemand& demand, double duration,
 
 /// t = K/(v_in + V) with K = 16·z/3. Where the motion lasts as long as its corners, v_in = d/(t_B +
 /// t) and t is the root of V·t² + (d + V·t_B − K)·t − K·t_B = 0.
-double MotionPlanner::zone_time(double distance, double duration, double zone) const noexcept {
+double LegTiming::zone_time(double distance, double duration, double zone) const noexcept {
   const double k = 16 * zone / 3;
-  const double v = tool_speed_;
+  const double v = tip_.greatest_speed();
   if (duration > 0) {
     const double t = k / (distance / duration + v);
-    if (t_acc_before_ + t <= duration) return t;
+    if (last_.t_acc + t <= duration) return t;
   }
-  const double half = (distance + v * t_acc_before_ - k) / (2 * v);
-  return std::sqrt(half * half + k * t_acc_before_ / v) - half;
+  const double half = (distance + v * last_.t_acc - k) / (2 * v);
+  return std::sqrt(half * half + k * last_.t_acc / v) - half;
 }
 
 /// t = K/2v with v the tip's speed at the target, the same before and after it. Where the motion
 /// lasts as long as its corners, v = d/(t_B + t), so t = K·t_B/(2d − K). The corner is made when
 /// both speeds are known, and may be shorter then; never is it too short for the axes here.
-double MotionPlanner::arm_zone_time(double leaving, double duration, double zone) const noexcept {
+double LegTiming::arm_zone_time(double leaving, double duration, double zone) const noexcept {
   const double k = 16 * zone / 3;
   if (!(leaving > 0)) return usual_t_acc_;
   double t = k * duration / (2 * leaving);
-  if (t_acc_before_ + t > duration)
-    t = 2 * leaving > k ? k * t_acc_before_ / (2 * leaving - k) : usual_t_acc_;
+  if (last_.t_acc + t > duration)
+    t = 2 * leaving > k ? k * last_.t_acc / (2 * leaving - k) : usual_t_acc_;
   return std::max(t, least_t_acc_);
 }
 
-/// The tip's, per unit of the leg.
-double MotionPlanner::leaving_speed(const JointVector& target) const noexcept {
-  constexpr double kStep = 1e-5;  // of the leg: the error is as small beside the speed
-  const JointVector before = target - kStep * (target - commanded_);
-  return (tip(target) - tip(before)).norm() / kStep;
+void LegTiming::slow_down(const TorqueShare& most, const MotionRequest& request,
+                          Timing& timing) const {
+  // The accelerations of a profile go down with the square of its speed.
+  const double share = timing.profile.present() ? std::sqrt(most.speed) : most.speed;
+  timing.duration /= share;
+  if (timing.profile.present()) timing.profile = timing.profile.slowed(share);
+  timing.limit = static_cast<std::uint8_t>(10 + most.axis);
+  if (request.at_least > 0 && timing.duration * boost_ > request.at_least)
+    timing.warnings |= PlannedSegment::kStretched;
+  if (request.pace != MotionRequest::Pace::Unspecified) timing.warnings |= PlannedSegment::kPaceCut;
 }
 
-double MotionPlanner::tool_distance(const JointVector& target) const noexcept {
-  return (tip(target) - tip(commanded_)).norm();
-}
-
-double MotionPlanner::swing_to(const JointVector& target) const noexcept {
-  return arms_.dot((target - commanded_).cwiseAbs());
-}
-
-/// What the tip covers at most: the way of the linear axes, and what it swings around the others.
-double MotionPlanner::greatest_way(const JointVector& target) const noexcept {
-  double squares = 0;
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    const double way = target[i] - commanded_[i];
-    if (robot_.axes[static_cast<std::size_t>(i)].kind == AxisKind::Linear) squares += way * way;
-  }
-  return std::sqrt(squares) + swing_to(target);
+std::optional<PaceLaw> LegTiming::pace(const MotionRequest& request,
+                                       const LegDemand& demand) const {
+  if (robot_.law != Law::Paul || request.profile != ProfileShape::None) return std::nullopt;
+  const bool by_share = request.pace == MotionRequest::Pace::Share;
+  PaceWish wish;
+  wish.share = by_share ? std::min(1.0, request.pace_value * boost_) : 1;
+  const double paced = by_share ? 0 : pace_time(robot_, demand, request);
+  const double asked = std::max(paced, request.at_least) / boost_;
+  wish.rate = 1 / asked;
+  const double t_acc = std::max(least_t_acc_, corner_time(demand, asked, request));
+  wish.change = 0.75 / std::min(last_.t_acc, t_acc) + braking_;
+  int axis = 0;
+  const double axes_time = named_axes_time(robot_, demand, MotionRequest::Pace::Share);
+  const double bends_time = least_time(robot_, *demand.path, wish.change, axis);
+  const double evenly = std::max({asked, axes_time / wish.share, bends_time});
+  const double worth = asked > 0 ? kWorthWithPace : kWorthFree;
+  const double corners = last_.t_acc + t_acc;  // it takes no less
+  auto law = local_pace(robot_, *demand.path, wish);
+  return law && evenly > worth * std::max(law->duration(), corners) ? law : std::nullopt;
 }
 
 }  // namespace rob::motion
