@@ -87,13 +87,13 @@ class CellScene {
   const motion::CapSupplyData* supply_at(const Eigen::Vector3d& place) const noexcept;
   double obstacle(const Eigen::Vector3d& place) const noexcept;
   Carried carried(const ToolMotion& tool) const noexcept;
-  // Contact (cell_scene.cpp)
+  // Contact
   Pressed touch(const ToolMotion& tool, double dt, Foot& foot) const noexcept;
   Pressed touch_top(const Carried& end, const Foot& foot) const noexcept;
   Pressed touch_empty(const ToolMotion& tool) const noexcept;
   void turn_cap(double way) noexcept;
   void begin_thread(double sunk) noexcept;
-  // Taking and leaving (cell_scene_jaws.cpp)
+  // Taking and leaving
   void take(Held held, int number, const Eigen::Vector3d& lower_end) noexcept;
   bool take_standing(int number) noexcept;
   void leave_tube() noexcept;

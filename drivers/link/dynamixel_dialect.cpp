@@ -1,4 +1,4 @@
-#include "drivers/link/servo_dialect.h"
+#include "drivers/link/dynamixel_dialect.h"
 
 namespace rob::drivers {
 

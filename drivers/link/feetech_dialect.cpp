@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "drivers/link/feetech_dialect.h"
 
-#include "drivers/link/servo_dialect.h"
+#include <algorithm>
 
 namespace rob::drivers {
 

@@ -1,5 +1,9 @@
+#include "drivers/link/grbl_driver.h"
+
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "drivers/link/grbl_link.h"
 

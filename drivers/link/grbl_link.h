@@ -2,11 +2,9 @@
 
 #include <deque>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "drivers/link/driver.h"
 #include "drivers/link/grbl_port.h"
 #include "drivers/link/grbl_setup.h"
 #include "drivers/link/grbl_stream.h"
@@ -25,7 +23,7 @@ namespace rob::drivers {
 /// answers that were lost.
 class GrblLink final : public WireLink {
  public:
-  static constexpr double kPeriod = 0.02;  ///< s a move: 50 Hz, of which 115200 baud bears twice
+  static constexpr double kPeriod = GrblStream::kPeriod;
 
   /// `axes`: letter, X = 0; mm. `baud`: for the check that the moves fit through the line.
   explicit GrblLink(const std::vector<WireAxis>& axes, int baud = 115200);
@@ -77,6 +75,5 @@ class GrblLink final : public WireLink {
 };
 
 std::unique_ptr<WireLink> grbl_link(const std::vector<WireAxis>& axes, int baud = 115200);
-std::unique_ptr<WireBackend> make_grbl(WireSettings settings, std::span<const WiredAxis> axes);
 
 }  // namespace rob::drivers

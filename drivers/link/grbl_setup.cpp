@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <optional>
 
-#include "drivers/link/grbl_link.h"
 #include "drivers/link/grbl_stream.h"
 
 namespace rob::drivers {
@@ -119,7 +118,7 @@ void GrblSettings::check(const std::vector<WireAxis>& axes, const std::string& p
                         " is no number of steps per mm; write that of the machine");
     const double acceleration = values_.at(kAccelerationSetting + axis.address);
     const double speed = std::min(axis.most_step, values_.at(kMostRate + axis.address) / 60);
-    const double needed = speed / (2 * GrblStream::kAhead * GrblLink::kPeriod);
+    const double needed = speed / (2 * GrblStream::kAhead * GrblStream::kPeriod);
     if (acceleration >= needed) continue;
     const std::string comma = slow.empty() ? "" : ", ";
     slow += comma + numbered(kAccelerationSetting + axis.address, acceleration) + " (axis " +

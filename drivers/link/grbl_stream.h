@@ -17,6 +17,7 @@ namespace rob::drivers {
 /// at the end of each. It counts characters: unacknowledged lines never exceed grbl's buffer.
 class GrblStream {
  public:
+  static constexpr double kPeriod = 0.02;  ///< s a move: 50 Hz, of which 115200 baud bears twice
   /// [choice] 80 ms in moves of 20 ms: a computer that is late by less does no harm.
   static constexpr int kAhead = 4;
   static constexpr int kBuffer = 127;  ///< bytes, of 128

@@ -255,13 +255,4 @@ std::unique_ptr<WireLink> rob_link(const std::vector<WireAxis>& axes, double per
   return std::make_unique<RobLink>(axes, period, baud);
 }
 
-std::unique_ptr<WireBackend> make_rob(WireSettings settings, std::span<const WiredAxis> axes) {
-  constexpr double kMillimetre = 1e-3;
-  constexpr double kDegree = 0.017453292519943295;
-  for (const WiredAxis& axis : axes)
-    settings.axes.push_back(axis_on(axis, kMicro, axis.linear ? kMillimetre : kDegree, 0));
-  auto link = rob_link(settings.axes, settings.period, settings.baud);
-  return std::make_unique<WireBackend>(std::move(settings), std::move(link));
-}
-
 }  // namespace rob::drivers

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <vector>
 
-#include "drivers/link/driver.h"
 #include "drivers/link/packet_port.h"
 #include "drivers/link/wire_link.h"
 #include "drivers/protocol/rob_frame.h"
@@ -65,6 +63,5 @@ class RobLink final : public WireLink {
 
 std::unique_ptr<WireLink> rob_link(const std::vector<WireAxis>& axes, double period,
                                    int baud = 115200);
-std::unique_ptr<WireBackend> make_rob(WireSettings settings, std::span<const WiredAxis> axes);
 
 }  // namespace rob::drivers

@@ -1,5 +1,9 @@
+#include "drivers/link/servo_driver.h"
+
 #include <utility>
 
+#include "drivers/link/dynamixel_dialect.h"
+#include "drivers/link/feetech_dialect.h"
 #include "drivers/link/servo_link.h"
 
 namespace rob::drivers {

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "drivers/link/dynamixel_dialect.h"
+#include "drivers/link/feetech_dialect.h"
+
 namespace rob::drivers {
 
 using motion::DriverError;
@@ -18,9 +21,8 @@ constexpr std::uint8_t kNobody = 253;       // no servo of a robot file can have
 constexpr std::uint32_t kHealthEvery = 10;  // cycles
 constexpr double kChainShare = 0.5;         // of a cycle, at least, for the sync read
 constexpr double kShare = 0.8;              // of a cycle, for all that is said in it (WireBackend)
-// Bytes of 10 bits; a USB adapter and this computer take their time for each turn of the line.
-constexpr double kBits = 10;
-constexpr double kTurnaround = 1e-3;  // s
+constexpr double kBits = 10;                // of a byte
+constexpr double kTurnaround = 1e-3;  // s, of USB adapter and computer, for a turn of the line
 // A goal's own speed limit: the axis' speed and a half, so that it never shapes the references.
 constexpr double kSpeedMargin = 1.5;
 // A servo stands if it moves by less, ticks, while its goal is farther away. [choice] More than the

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "drivers/link/answer_turns.h"
-#include "drivers/link/driver.h"
 #include "drivers/link/packet_port.h"
 #include "drivers/link/servo_dialect.h"
 #include "drivers/link/wire_link.h"
@@ -84,14 +81,5 @@ class ServoLink final : public WireLink {
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 };
-
-std::unique_ptr<WireLink> dynamixel_link(const std::vector<WireAxis>& axes, int baud);
-std::unique_ptr<WireLink> feetech_link(const std::vector<WireAxis>& axes, int baud);
-std::unique_ptr<WireLink> feetech_scs_link(const std::vector<WireAxis>& axes, int baud);
-
-std::unique_ptr<WireBackend> make_dynamixel(WireSettings settings, std::span<const WiredAxis> axes);
-std::unique_ptr<WireBackend> make_feetech(WireSettings settings, std::span<const WiredAxis> axes);
-std::unique_ptr<WireBackend> make_feetech_scs(WireSettings settings,
-                                              std::span<const WiredAxis> axes);
 
 }  // namespace rob::drivers

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "drivers/serial/open_port.h"
 #include "motion/servo/following_supervisor.h"
 
 namespace rob::drivers {

@@ -9,9 +9,6 @@
 #include <cmath>
 #include <ctime>
 
-#include "drivers/serial/serial_port.h"
-#include "drivers/serial/tcp_port.h"
-
 namespace rob::drivers {
 
 namespace {
@@ -79,11 +76,6 @@ std::size_t WirePort::discard_input() noexcept {
     discarded += static_cast<std::size_t>(count);
   }
   return discarded;
-}
-
-std::unique_ptr<WirePort> open_port(const std::string& path, int baud) {
-  if (is_network_address(path)) return std::make_unique<TcpPort>(path);
-  return std::make_unique<SerialPort>(path, baud);
 }
 
 }  // namespace rob::drivers

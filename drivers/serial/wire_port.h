@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 
@@ -49,8 +48,5 @@ class WirePort {
   std::string path_;
   int file_ = -1;
 };
-
-/// Opens "tcp://host:port" or the path of a serial port. Throws motion::DriverError.
-std::unique_ptr<WirePort> open_port(const std::string& path, int baud);
 
 }  // namespace rob::drivers

@@ -6,7 +6,7 @@
 
 #include "motion/robots/closest_name.h"
 #include "motion/robots/quoted.h"
-#include "motion/robots/robot_file.h"
+#include "motion/robots/robot_file_error.h"
 
 namespace rob::motion {
 

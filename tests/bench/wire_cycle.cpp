@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "drivers/link/servo_link.h"
+#include "drivers/link/servo_driver.h"
 #include "drivers/serial/serial_port.h"
 #include "tests/emulators/servo_emulator.h"
 

@@ -5,6 +5,9 @@
 #include <set>
 #include <vector>
 
+#include "drivers/link/dynamixel_dialect.h"
+#include "drivers/link/feetech_dialect.h"
+
 namespace rob::drivers {
 
 TEST_CASE("cycles after one with a missing answer have turns of their own, until one is whole") {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drivers/device/rob_device.h"
+#include "drivers/serial/open_port.h"
 #include "tests/drivers/link/wire_bench.h"
 #include "tests/emulators/device_process.h"
 #include "tests/support/pty_wire.h"

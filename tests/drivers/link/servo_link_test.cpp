@@ -1,4 +1,4 @@
-#include "drivers/link/servo_link.h"
+#include "drivers/link/servo_driver.h"
 
 #include <doctest/doctest.h>
 

@@ -9,7 +9,7 @@
 
 #include "drivers/link/grbl_link.h"
 #include "drivers/link/rob_link.h"
-#include "drivers/link/servo_link.h"
+#include "drivers/link/servo_driver.h"
 #include "drivers/link/wire_backend.h"
 #include "tests/support/eventually.h"
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "drivers/serial/open_port.h"
 #include "motion/servo/servo_backend.h"
 #include "tests/emulators/tcp_bridge.h"
 #include "tests/support/eventually.h"
