@@ -182,7 +182,7 @@ void bound_by_mean(const RobotModel& robot, const ShapedLeg& leg, double average
   constexpr double kStep = 1e-6;  // s²: moves a point by less than any zone
   const double moved = average * average / 24;
   const double own = std::min(leg.before, leg.segment.ahead.miss);
-  const double zone = leg.merged() ? own : std::min(own, robot.zone);
+  const double zone = leg.merged() ? own : std::min(own, robot.zone.distance);
   for (Piece& piece : pieces) {
     for (const double at : {0.0, piece.length / 2, piece.length}) {
       const PathPoint point = piece.point(at);
@@ -190,7 +190,7 @@ void bound_by_mean(const RobotModel& robot, const ShapedLeg& leg, double average
       const double unit = kStep / std::max(1.0, point.qdd.norm());
       const Miss miss = miss_between(robot, tip, point.q + unit * point.qdd, point.q);
       const double square =
-          shrinking(miss, zone / 2, robot.zone_angle / 2) * unit / moved;  // of σ'
+          shrinking(miss, zone / 2, robot.zone.angle / 2) * unit / moved;  // of σ'
       if (!(square < piece.fastest * piece.fastest)) continue;
       piece.fastest = std::sqrt(square);
       piece.fastest_axis = -1;

@@ -120,10 +120,10 @@ Windows windows(const RobotModel& robot, const LegDemand& demand, const MotionRe
 
 void bound_corner(const RobotModel& robot, const MotionRequest& request, double speed,
                   LegBounds& bounds) {
-  bounds.turn = request.zone_angle > 0 ? request.zone_angle : robot.zone_angle;
+  bounds.turn = request.zone_angle > 0 ? request.zone_angle : robot.zone.angle;
   switch (request.zone) {
     case MotionRequest::Zone::Robots:
-      bounds.miss = robot.zone;
+      bounds.miss = robot.zone.distance;
       return;
     case MotionRequest::Zone::Length:
       bounds.miss = request.zone_value;

@@ -35,7 +35,7 @@ inline constexpr int kMostPeriods = 4096;
 ///                 and of JERK. Of a tip that axes of another kind move, 2·σ''/JERK
 ///   ZONE          z: miss; t: the corner begins t before the target at the leg's full speed;
 ///                 p%: of half of the legs; without it the robot's. Its angle, or the
-///                 robot's zone_angle, always
+///                 robot's zone.angle, always
 ///
 /// Where jerk is low, and T_w would be long, the share is √(F·J)/2: a ramp up to F, of F/A + 2A/J,
 /// takes as long as with √(F·J), and the mean moves corners by an eighth. A leg that turns out to

@@ -154,9 +154,9 @@ void read_timing(const TableReader& file, RobotModel& robot) {
   } else if (robot.law == Law::Paul) {
     file.fail("t_acc", "is missing: Paul's law needs it; law = \"lookahead\" does not");
   }
-  if (file.has("zone")) robot.zone = file.quantity("zone", Quantity::Length, kZone);
+  if (file.has("zone")) robot.zone.distance = file.quantity("zone", Quantity::Length, kZone);
   if (file.has("zone_angle"))
-    robot.zone_angle = file.quantity("zone_angle", Quantity::Angle, kZoneAngle);
+    robot.zone.angle = file.quantity("zone_angle", Quantity::Angle, kZoneAngle);
   robot.look_ahead = file.integer("look_ahead", kLookAheadMin, kLookAheadMax);
 }
 

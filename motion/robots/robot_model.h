@@ -89,19 +89,24 @@ struct ForceSensorData {
   double stiffness = 0;  ///< N/m: the greatest that the tool meets, the arm's own included
 };
 
+/// By how much a corner may miss its point.
+struct CornerZone {
+  double distance = 1e-3;                 ///< m
+  double angle = std::numbers::pi / 180;  ///< rad, of the orientation and of rotary axes
+};
+
 /// Everything that is known of a robot before it moves. Read from a robot file, never changed
 /// afterwards, and shared as const.
 struct RobotModel {
   std::string name;
   std::string description;
   Law law = Law::Paul;
-  double t_acc = 0;    ///< s, half a transition under Paul's law (S1); 0: it has not that law
-  double zone = 1e-3;  ///< m by which look-ahead's corners may miss where no ZONE is written
-  double zone_angle = std::numbers::pi / 180;  ///< rad: the same of orientation and rotary axes
-  SettleWindow settle;                         ///< of FINE, STOP and WAIT; its tip is the flange
-  double reference_period = 0;                 ///< s
-  double servo_period = 0;                     ///< s, at most reference_period
-  int look_ahead = 0;                          ///< segments that the buffer holds
+  double t_acc = 0;     ///< s, half a transition under Paul's law (S1); 0: it has not that law
+  CornerZone zone;      ///< of look-ahead's corners where no ZONE is written
+  SettleWindow settle;  ///< of FINE, STOP and WAIT; its tip is the flange
+  double reference_period = 0;  ///< s
+  double servo_period = 0;      ///< s, at most reference_period
+  int look_ahead = 0;           ///< segments that the buffer holds
   std::vector<Axis> axes;
   ServoStructure servo = ServoStructure::Force;
   JointVector start;  ///< m, rad: where the simulated robot stands at power-up

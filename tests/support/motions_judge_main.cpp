@@ -73,7 +73,7 @@ MotionRobot motion_robot(const std::string& name, bool look_ahead, const Scratch
   MotionRobot robot;
   robot.robot = without_cell(name, folder);
   robot.look_ahead = look_ahead;
-  robot.zone = look_ahead ? model.zone * 1e3 : 1e9;
+  robot.zone = look_ahead ? model.zone.distance * 1e3 : 1e9;
   for (const auto& axis : model.axes) robot.axes.push_back(bounds_of(axis, look_ahead));
   if (model.tool_coordinates) {
     const auto* const work = std::find_if(std::begin(kArms), std::end(kArms),

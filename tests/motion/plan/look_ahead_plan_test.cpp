@@ -85,8 +85,8 @@ TEST_CASE(
   CHECK_FALSE(segment.ahead.paced);
   CHECK(segment.ahead.acceleration == 1);
   CHECK(segment.ahead.window == doctest::Approx(2 * 100 / 1000.0));  // 2·A/J
-  CHECK(segment.ahead.miss == p.robot.zone);
-  CHECK(segment.ahead.turn == p.robot.zone_angle);
+  CHECK(segment.ahead.miss == p.robot.zone.distance);
+  CHECK(segment.ahead.turn == p.robot.zone.angle);
   CHECK(segment.ahead.lead == kInfinity);
   CHECK(segment.ahead.share == 1);
   CHECK(segment.duration == doctest::Approx(2));  // 40 mm at 20 mm/s
@@ -196,7 +196,7 @@ TEST_CASE("ZONE bounds the corner by a length, by when it begins, or by its shar
   Planned p;
   const LegBounds length = p.bounds(zoned(to(30, 40), Zone::Length, 0.002));
   CHECK(length.miss == 0.002);
-  CHECK(length.turn == p.robot.zone_angle);
+  CHECK(length.turn == p.robot.zone.angle);
   CHECK(length.lead == kInfinity);
   // 25 mm/s is the full speed of this leg, 10 mm/s what AT leaves of the next.
   const LegBounds time = p.bounds(zoned(to(0, 0), Zone::Time, 0.2));

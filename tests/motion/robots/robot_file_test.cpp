@@ -255,12 +255,12 @@ TEST_CASE("a robot without t_acc has the look-ahead law alone") {
 
 TEST_CASE("look-ahead's corners miss by what the file says, else by 1 mm and 1 deg") {
   const RobotModel robot = parse_robot_file(kGood, "my.toml");
-  CHECK(robot.zone == 0.001);
-  CHECK(robot.zone_angle == std::numbers::pi / 180);
+  CHECK(robot.zone.distance == 0.001);
+  CHECK(robot.zone.angle == std::numbers::pi / 180);
   const std::string zoned =
       edit(1, "look_ahead = 64", "zone = \"5 mm\"\nzone_angle = \"3 deg\"\nlook_ahead = 64");
-  CHECK(parse_robot_file(zoned, "my.toml").zone == 0.005);
-  CHECK(parse_robot_file(zoned, "my.toml").zone_angle == doctest::Approx(std::numbers::pi / 60));
+  CHECK(parse_robot_file(zoned, "my.toml").zone.distance == 0.005);
+  CHECK(parse_robot_file(zoned, "my.toml").zone.angle == doctest::Approx(std::numbers::pi / 60));
   for (const char* value : {"0 mm", "-1 mm", "2 m", "5"}) {
     const std::string line = std::string("zone = \"") + value + "\"\nlook_ahead = 64";
     CHECK(error_of(edit(1, "look_ahead = 64", line)).starts_with("my.toml:8:8: zone"));
