@@ -32,12 +32,12 @@ install(CODE "
   set(include \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/rob\")
 ")
 install(CODE [[
-  foreach(layer lang motion drivers)
+  foreach(layer base lang motion drivers)
     file(GLOB headers RELATIVE ${source} ${source}/${layer}/*.h ${source}/${layer}/*/*.h
          ${source}/${layer}/*/*.def ${source}/${layer}/*/*.inc)
     foreach(header IN LISTS headers)
       file(READ ${source}/${header} text)
-      string(REGEX REPLACE "#include \"((lang|motion|drivers)/)" "#include \"rob/\\1" text "${text}")
+      string(REGEX REPLACE "#include \"((base|lang|motion|drivers)/)" "#include \"rob/\\1" text "${text}")
       string(REGEX REPLACE "^lang/lang\\.h$" "lang.h" installed ${header})
       string(REGEX REPLACE "^motion/motion\\.h$" "motion.h" installed ${installed})
       file(WRITE ${include}/${installed} "${text}")

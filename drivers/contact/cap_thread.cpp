@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/unit_factors.h"
 
 namespace rob::drivers {
 
@@ -11,9 +12,7 @@ double CapThread::friction(double turned) const noexcept {
   return cap_.running_torque + risen * (cap_.slip_torque - cap_.running_torque);
 }
 
-double CapThread::sink(double turned) const noexcept {
-  return cap_.pitch * turned / (2 * std::numbers::pi);
-}
+double CapThread::sink(double turned) const noexcept { return cap_.pitch * turned / kFullTurn; }
 
 void CapThread::turn(double way, double& turned) noexcept {
   twist_ += way;

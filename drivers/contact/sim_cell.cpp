@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/unit_factors.h"
 
 namespace rob::drivers {
 
@@ -68,7 +69,7 @@ ToolMotion SimCell::tool_at(const Pose& flange) const noexcept {
   tool.tip = motion::place_of(Vector3d(0, 0, cell_.gripper.tip), flange);
   const Vector3d x = flange.orientation * Vector3d::UnitX();
   const double turn = -std::atan2(x.y(), x.x());
-  tool.turn = tool_.turn + std::remainder(turn - tool_.turn, 2 * std::numbers::pi);
+  tool.turn = tool_.turn + std::remainder(turn - tool_.turn, kFullTurn);
   return tool;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/unit_factors.h"
 #include "drivers/link/grbl_link.h"
 
 namespace rob::drivers {
@@ -31,8 +32,6 @@ std::vector<int> letters_of(std::span<const WiredAxis> axes) {
 
 /// m or rad: what a millimetre of grbl is where the file does not say; a degree for a rotary axis.
 double travel_of(const WiredAxis& axis) {
-  constexpr double kMillimetre = 1e-3;
-  constexpr double kDegree = 0.017453292519943295;
   return axis.travel != 0 ? axis.travel : axis.linear ? kMillimetre : kDegree;
 }
 

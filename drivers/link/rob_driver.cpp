@@ -2,14 +2,13 @@
 
 #include <utility>
 
+#include "base/unit_factors.h"
 #include "drivers/link/rob_link.h"
 
 namespace rob::drivers {
 
 std::unique_ptr<WireBackend> make_rob(WireSettings settings, std::span<const WiredAxis> axes) {
   constexpr double kMicro = 1e6;  // units in a millimetre, or a degree
-  constexpr double kMillimetre = 1e-3;
-  constexpr double kDegree = 0.017453292519943295;
   for (const WiredAxis& axis : axes)
     settings.axes.push_back(axis_on(axis, kMicro, axis.linear ? kMillimetre : kDegree, 0));
   auto link = rob_link(settings.axes, settings.period, settings.baud);

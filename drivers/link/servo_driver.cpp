@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/unit_factors.h"
 #include "drivers/link/dynamixel_dialect.h"
 #include "drivers/link/feetech_dialect.h"
 #include "drivers/link/servo_link.h"
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kTurn = 4096;     // ticks a turn, of both makers
 constexpr double kScsTurn = 1024;  // ticks of the way of a servo of Feetech's SCS series
-constexpr double kFullTurn = 6.283185307179586;  // rad
 
 WireAxis servo_axis(const WiredAxis& axis, int number, double ticks) {
   const bool turns = !axis.linear && ticks == kTurn;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/unit_factors.h"
 
 namespace rob::drivers {
 
@@ -26,7 +27,7 @@ double PulseDrive::force(double h, double q, double counted, double v) noexcept 
   left_ = std::max(0.0, left_ - h);
   way_ += way;
   const double wanted = gain_ > 0 ? gain_ * (way_ - counted) : way / h;
-  const double wave = std::sin(2 * std::numbers::pi * q / data_.ripple_period);
+  const double wave = std::sin(kFullTurn * q / data_.ripple_period);
   return data_.speed_stiffness * (wanted - v) + data_.ripple * wave;
 }
 

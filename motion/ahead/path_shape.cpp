@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/unit_factors.h"
 #include "motion/space/quintic.h"
 
 namespace rob::motion {
@@ -12,7 +12,7 @@ namespace {
 
 /// [choice] rad that an axis turns in a piece at most: what a piece has as one stretch of even σ''
 /// is then as good as the time-optimal within a part in a thousand (tests/motion/ahead).
-constexpr double kMostTurn = std::numbers::pi / 180;
+constexpr double kMostTurn = kDegree;
 /// [choice] The same of its direction: what a circle's axes ask for between the ends of a piece is
 /// 1 − cos of half of this above what they ask for there, a third of a thousandth.
 constexpr double kMostBend = 0.05;

@@ -11,15 +11,6 @@ namespace {
 /// of the rounding of a position
 constexpr double kNearby = 1e-7;
 
-Pose composed(const Pose& frame, const Pose& inner) noexcept {
-  return {place_of(inner.position, frame), frame.orientation * inner.orientation};
-}
-
-Pose inverted(const Pose& pose) noexcept {
-  const Eigen::Quaterniond back = pose.orientation.conjugate();
-  return {-(back * pose.position), back};
-}
-
 /// A body that moves for a unit of time at constant velocity and angular velocity, both along its
 /// own axes: the exponential of a twist (Murray, Li, Sastry 1994, eq. 2.36).
 Pose screw(const Eigen::Vector3d& velocity, const Eigen::Vector3d& turning) noexcept {
@@ -80,7 +71,7 @@ std::optional<JointVector> JogSpace::axes(const JogPlace& place,
     const JointVector& x = place.coordinates;
     tip = {x.head<3>(), orientation_from({x[3], x[4], x[5]})};
   }
-  return kinematics_->inverse(composed(tip, inverted(flange_T_tip_)), near);
+  return kinematics_->inverse(composed(tip, inverse(flange_T_tip_)), near);
 }
 
 std::optional<JointVector> JogSpace::image(const JogState& at,

@@ -5,14 +5,6 @@
 
 namespace rob::motion {
 
-namespace {
-
-Pose behind(const Pose& pose, const Pose& next) {
-  return {place_of(next.position, pose), pose.orientation * next.orientation};
-}
-
-}  // namespace
-
 ChainKinematics::ChainKinematics(std::vector<Pose> joints, const Pose& flange, int axes)
     : joints_(std::move(joints)), flange_(flange), axes_(axes) {}
 
@@ -20,10 +12,10 @@ Pose ChainKinematics::forward(const JointVector& q) const noexcept {
   Pose pose;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const double half = q[static_cast<Eigen::Index>(i)] / 2;
-    pose = behind(pose, joints_[i]);
+    pose = composed(pose, joints_[i]);
     pose.orientation = pose.orientation * Eigen::Quaterniond(std::cos(half), 0, 0, std::sin(half));
   }
-  pose = behind(pose, flange_);
+  pose = composed(pose, flange_);
   pose.orientation.normalize();
   return pose;
 }

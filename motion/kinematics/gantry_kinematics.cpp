@@ -1,7 +1,8 @@
 #include "motion/kinematics/gantry_kinematics.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "base/unit_factors.h"
 
 namespace rob::motion {
 
@@ -33,7 +34,7 @@ InverseSolutions GantryKinematics::solutions(const Pose& pose,
   if (turn_ == Turn::None) return found;
   const double half_sine = pose.orientation.vec()[static_cast<int>(turn_)];
   const double angle = 2 * std::atan2(half_sine, pose.orientation.w());
-  q[linear_] = near[linear_] + std::remainder(angle - near[linear_], 2 * std::numbers::pi);
+  q[linear_] = near[linear_] + std::remainder(angle - near[linear_], kFullTurn);
   return found;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kDegree = 3;
+constexpr std::size_t kCubic = 3;
 /// [choice] Found on reliefs, circles, noisy lines and random polylines: more of any costs time and
 /// gains less than a part in a thousand.
 constexpr double kDatumsApart = 0.25;     // u between two places that the curve has to pass
@@ -32,7 +32,7 @@ constexpr double kKnotsOfStraight = 3;
 constexpr double kLeastWindow = 24;  // controls, times the stiffness
 constexpr double kMostWindow = 64;
 
-using Basis = std::array<double, kDegree + 1>;
+using Basis = std::array<double, kCubic + 1>;
 
 /// The uniform cubic B-splines of a span, at t = 0 … 1 of it.
 Basis basis(double t) {
@@ -141,10 +141,10 @@ double CurveFit::end_straight(const Vector3d& direction) {
   const Vector3d place = last.place + way * direction;
   add_data({place, u, last.tolerance, 0, false});
   const auto first = static_cast<std::size_t>(std::lround(u));
-  controls_.resize(first + kDegree - dropped_, Vector3d::Zero());
+  controls_.resize(first + kCubic - dropped_, Vector3d::Zero());
   for (const double k : {-1.0, 0.0, 1.0})
     control(first + static_cast<std::size_t>(k + 1)) = place + k * knot_ * direction;
-  fixed_end_ = kDegree;
+  fixed_end_ = kCubic;
   ended_ = true;
   return way;
 }
@@ -174,22 +174,22 @@ double CurveFit::at_place(double from, double to, const Vector3d& place) const {
 
 /// Controls of a curve as long as what is known.
 std::size_t CurveFit::count() const noexcept {
-  return static_cast<std::size_t>(std::max(1.0, std::ceil(length_ - 1e-9))) + kDegree;
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(length_ - 1e-9))) + kCubic;
 }
 
 std::size_t CurveFit::span_of(double u) const noexcept {
-  return std::min(static_cast<std::size_t>(u), count() - kDegree - 1);
+  return std::min(static_cast<std::size_t>(u), count() - kCubic - 1);
 }
 
 bool CurveFit::ready() const noexcept {
   if (ended_) return settled_ < length_;
-  return length_ >= static_cast<double>(frozen_ + window_ - kDegree);
+  return length_ >= static_cast<double>(frozen_ + window_ - kCubic);
 }
 
 Vector3d CurveFit::curve(double u, std::size_t span) const {
   const Basis b = basis(u - static_cast<double>(span));
   Vector3d sum = Vector3d::Zero();
-  for (std::size_t k = 0; k <= kDegree; ++k) sum += b[k] * control(span + k);
+  for (std::size_t k = 0; k <= kCubic; ++k) sum += b[k] * control(span + k);
   return sum;
 }
 
@@ -298,7 +298,7 @@ void CurveFit::stretch(double from, double to) {
   for (const Datum& old : data_) {
     Datum datum = old;
     datum.u = moved(old.u);
-    if (old.u > from - kDegree && old.u <= to + kDegree) ++datum.doubled;
+    if (old.u > from - kCubic && old.u <= to + kCubic) ++datum.doubled;
     if (!data.empty() && datum.u > from) {
       const Datum last = data.back();
       const double parts = std::max(1.0, std::ceil((datum.u - last.u) / kDatumsApart - 1e-9));
@@ -327,11 +327,11 @@ void CurveFit::meet(const Datum& datum) {
   const std::size_t span = span_of(datum.u);
   const Basis b = basis(datum.u - static_cast<double>(span));
   double square = 0;
-  for (std::size_t k = 0; k <= kDegree; ++k)
+  for (std::size_t k = 0; k <= kCubic; ++k)
     if (span + k >= frozen_) square += b[k] * b[k];
   if (square == 0) return;
   const Vector3d left = datum.place - curve(datum.u, span);
-  for (std::size_t k = 0; k <= kDegree; ++k)
+  for (std::size_t k = 0; k <= kCubic; ++k)
     if (span + k >= frozen_) control(span + k) += left * (b[k] / square);
 }
 
@@ -340,8 +340,8 @@ double CurveFit::settle() {
     const bool last = ended_ && frozen_ + window_ >= count() - fixed_end_;
     const std::size_t until = last ? count() - fixed_end_ : frozen_ + window_;
     controls_.resize(std::max(controls_.size(), until + fixed_end_ - dropped_), Vector3d::Zero());
-    const auto lowest = static_cast<double>(frozen_ - std::min(frozen_, kDegree));
-    const auto highest = static_cast<double>(until - kDegree);
+    const auto lowest = static_cast<double>(frozen_ - std::min(frozen_, kCubic));
+    const auto highest = static_cast<double>(until - kCubic);
     std::size_t begin = 0;
     while (begin < data_.size() && data_[begin].u < lowest) ++begin;
     std::size_t end = begin;
@@ -357,7 +357,7 @@ double CurveFit::settle() {
       settled_ = length_;
     } else {
       frozen_ += window_ / 3;
-      settled_ = static_cast<double>(frozen_ - kDegree);
+      settled_ = static_cast<double>(frozen_ - kCubic);
     }
     return settled_;
   }
@@ -371,7 +371,7 @@ CurveFit::Place CurveFit::on_span(double u, std::size_t span) const {
   const Basis slope = basis_slope(t);
   const Basis bend = basis_bend(t);
   Place place{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
-  for (std::size_t k = 0; k <= kDegree; ++k) {
+  for (std::size_t k = 0; k <= kCubic; ++k) {
     place.place += b[k] * control(span + k);
     place.first += slope[k] * control(span + k);
     place.second += bend[k] * control(span + k);
@@ -381,7 +381,7 @@ CurveFit::Place CurveFit::on_span(double u, std::size_t span) const {
 
 void CurveFit::drop(double u) {
   const auto first = static_cast<std::size_t>(std::max(std::floor(u), 0.0));
-  const std::size_t kept = std::min(first, frozen_ - std::min(frozen_, kDegree));
+  const std::size_t kept = std::min(first, frozen_ - std::min(frozen_, kCubic));
   if (kept <= dropped_ + kMostInChord) return;  // not for a few
   controls_.erase(controls_.begin(),
                   controls_.begin() + static_cast<std::ptrdiff_t>(kept - dropped_));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/unit_factors.h"
 #include "motion/space/rotation.h"
 
 namespace rob::motion {
@@ -13,9 +14,7 @@ namespace {
 constexpr double kSteepest = 89 * std::numbers::pi / 180;  // rad, of b
 
 /// From one angle to another, −π … π.
-double shorter_way(double from, double to) {
-  return std::remainder(to - from, 2 * std::numbers::pi);
-}
+double shorter_way(double from, double to) { return std::remainder(to - from, kFullTurn); }
 
 }  // namespace
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/unit_factors.h"
 #include "motion/space/quintic.h"
 #include "motion/space/rotation.h"
 
@@ -11,19 +11,14 @@ namespace rob::motion {
 
 namespace {
 
-constexpr double kMostTurn = 5 * std::numbers::pi / 180;  // rad between nodes
-constexpr double kLeastStep = 1e-5;                       // m of the path
-constexpr double kOffPlace = 5e-7;                        // m
-constexpr double kOffTurn = 1e-5;                         // rad
+constexpr double kMostTurn = 5 * kDegree;  // rad between nodes
+constexpr double kLeastStep = 1e-5;        // m of the path
+constexpr double kOffPlace = 5e-7;         // m
+constexpr double kOffTurn = 1e-5;          // rad
 
 /// Of a step: between the places from which a derivative is made. [choice] the error of the
 /// differences, of sixth order, is then far below that of the quintic between the nodes.
 constexpr double kSpacing = 1.0 / 16;
-
-Pose seen_from_tip(const Pose& tip) {
-  const Eigen::Quaterniond back = tip.orientation.conjugate();
-  return {back * -tip.position, back};
-}
 
 class Follower {
  public:
@@ -33,7 +28,7 @@ class Follower {
       : robot_(robot),
         path_(path),
         tip_(tip),
-        flange_(seen_from_tip(tip)),
+        flange_(inverse(tip)),
         length_(path.end() - path.begin()),
         longest_step_(length_ / path.parts()),
         least_step_(std::min(least_share(path) * length_, longest_step_)) {}
@@ -108,9 +103,7 @@ class Follower {
   }
 
   std::optional<JointVector> solve(double s, const JointVector& near_to) {
-    const Pose at = path_.at(s);
-    const Pose flange{at.position + at.orientation * flange_.position,
-                      at.orientation * flange_.orientation};
+    const Pose flange = composed(path_.at(s), flange_);
     auto q = robot_.kinematics->inverse(flange, near_to);
     if (!q) trouble_ = PathTrouble::Kind::OutOfReach;
     return q;

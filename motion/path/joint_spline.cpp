@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "base/unit_factors.h"
 
 namespace rob::motion {
 
 namespace {
 
-constexpr double kSame = 1e-9;                            // m, rad
-constexpr double kMostTurn = 5 * std::numbers::pi / 180;  // rad between nodes, as on other paths
-constexpr double kLeastPieces = 8;                        // [choice] of the way between two points
+constexpr double kSame = 1e-9;             // m, rad
+constexpr double kMostTurn = 5 * kDegree;  // rad between nodes, as on other paths
+constexpr double kLeastPieces = 8;         // [choice] of the way between two points
 
 /// Points of the axes, the parameter in each, 0 … 1, and the second derivatives there.
 struct Knots {
@@ -114,8 +115,7 @@ std::optional<JointSpline> JointSpline::through(const RobotModel& robot, const P
 Pose JointSpline::at(double s) const noexcept {
   const PathPoint point = axes_.at(s);
   const JointVector q = point.qd * (s - std::clamp(s, axes_.begin(), axes_.end())) + point.q;
-  const Pose flange = robot_->kinematics->forward(q);
-  return {place_of(tip_.position, flange), flange.orientation * tip_.orientation};
+  return composed(robot_->kinematics->forward(q), tip_);
 }
 
 void JointSpline::measure() {

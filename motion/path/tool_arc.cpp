@@ -1,8 +1,8 @@
 #include "motion/path/tool_arc.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "base/unit_factors.h"
 #include "motion/space/rotation.h"
 
 namespace rob::motion {
@@ -29,7 +29,7 @@ std::optional<ToolArc> ToolArc::through(const Pose& from, const Eigen::Vector3d&
   arc.ahead_ = normal.normalized().cross(arc.out_);
   const Eigen::Vector3d end = to.position - arc.centre_;
   arc.angle_ = std::atan2(end.dot(arc.ahead_), end.dot(arc.out_));
-  if (arc.angle_ <= 0) arc.angle_ += 2 * std::numbers::pi;
+  if (arc.angle_ <= 0) arc.angle_ += kFullTurn;
   return arc;
 }
 

@@ -1,7 +1,8 @@
 #include "motion/path/tool_spiral.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "base/unit_factors.h"
 
 namespace rob::motion {
 
@@ -18,7 +19,7 @@ std::optional<ToolSpiral> ToolSpiral::inwards(const Pose& from, const Eigen::Qua
   spiral.y_ = normal.cross(spiral.x_);
   if (spiral.y_.dot(frame * Eigen::Vector3d::UnitY()) < 0) spiral.y_ = -spiral.y_;
   spiral.radius_ = radius;
-  spiral.angle_ = 2 * std::numbers::pi * turns;
+  spiral.angle_ = kFullTurn * turns;
   return spiral;
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/unit_factors.h"
 #include "motion/path/tool_line.h"
 #include "motion/space/rotation.h"
 
@@ -14,13 +14,12 @@ namespace {
 /// Of the rotation vectors of one orientation that are whole turns apart, the one nearest to
 /// `near`.
 Eigen::Vector3d nearest_vector(const Eigen::Vector3d& vector, const Eigen::Vector3d& near) {
-  constexpr double kTurn = 2 * std::numbers::pi;
   constexpr double kNoDirection = 1e-9;  // rad
   const double angle = vector.norm();
   const Eigen::Vector3d direction =
       angle > kNoDirection ? Eigen::Vector3d(vector / angle) : Eigen::Vector3d(near.normalized());
-  const double turns = std::round((near.dot(direction) - angle) / kTurn);
-  return direction * (angle + turns * kTurn);
+  const double turns = std::round((near.dot(direction) - angle) / kFullTurn);
+  return direction * (angle + turns * kFullTurn);
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/unit_factors.h"
 #include "motion/plan/torque_row.h"
 
 namespace rob::motion {
@@ -11,7 +11,7 @@ namespace rob::motion {
 namespace {
 
 /// rad: of a corner that turns by less there is nothing to miss. [choice] 0.1 deg
-constexpr double kStraightOn = 0.1 * std::numbers::pi / 180;
+constexpr double kStraightOn = 0.1 * kDegree;
 
 /// Only linear axes move.
 bool is_linear(const RobotModel& robot, const JointVector& way) {
@@ -39,7 +39,7 @@ std::optional<Refusal> too_heavy(const RobotModel& robot, const ArmMechanics& me
     draft.demand.path->survey(1, [&](double s, const PathPoint& place) { look(s, place.q); });
     return found;
   }
-  constexpr double kApart = 2 * std::numbers::pi / 180;  // [choice] weight hardly changes between
+  constexpr double kApart = 2 * kDegree;  // [choice] weight hardly changes between
   const JointVector way = draft.target - from;
   const int parts = 1 + static_cast<int>(way.cwiseAbs().maxCoeff() / kApart);
   for (int k = 0; k <= parts; ++k) look(double(k) / parts, from + way * (double(k) / parts));

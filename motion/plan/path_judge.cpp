@@ -14,11 +14,6 @@ namespace {
 /// it is refused as singular (2 %).
 constexpr double kLeastShare = 0.02;
 
-Pose flange_of(const Pose& pose, const Pose& tool) {
-  const Eigen::Quaterniond turned = pose.orientation * tool.orientation.conjugate();
-  return {pose.position - turned * tool.position, turned};
-}
-
 /// Refusal::at becomes a place on the way.
 Refusal placed(Refusal refusal, const ToolPath& path) {
   refusal.turning = path.way() <= kSamePose;
@@ -58,7 +53,7 @@ Refusal PathJudge::refusal_for(const PathTrouble& trouble, const ToolPath& path,
   refusal.kind = Refusal::Kind::PathOutOfReach;
   // [choice] a ten-thousandth of the path on, where the lack can be told from rounding
   const double beyond = std::min(trouble.at + 1e-4 * (path.end() - path.begin()), path.end());
-  refusal.shortfall = robot_.kinematics->shortfall(flange_of(path.at(beyond), tip_.pose()));
+  refusal.shortfall = robot_.kinematics->shortfall(composed(path.at(beyond), inverse(tip_.pose())));
   return refusal;
 }
 
@@ -79,7 +74,7 @@ std::optional<Refusal> PathJudge::too_slow(const MotionRequest& request, const T
 }
 
 bool PathJudge::reachable_otherwise(const ToolPath& path) const {
-  const auto q = reach(robot_, flange_of(path.at(path.end()), tip_.pose()), last_.q);
+  const auto q = reach(robot_, composed(path.at(path.end()), inverse(tip_.pose())), last_.q);
   if (!q) return false;
   std::array<double, kMaxJoints> target{};
   std::copy(q->begin(), q->end(), target.begin());

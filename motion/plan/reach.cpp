@@ -2,14 +2,12 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/unit_factors.h"
 #include "motion/plan/feasibility.h"
 
 namespace rob::motion {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 bool within_limits(const RobotModel& robot, const JointVector& q) noexcept {
   std::array<double, kMaxJoints> target{};
@@ -24,8 +22,8 @@ JointVector turned_within(const RobotModel& robot, JointVector q) noexcept {
     if (axis.kind != AxisKind::Rotary) continue;
     const double above = q[i] - axis.max - kLimitTolerance;
     const double below = axis.min - kLimitTolerance - q[i];
-    if (above > 0) q[i] -= kTurn * std::ceil(above / kTurn);
-    if (below > 0) q[i] += kTurn * std::ceil(below / kTurn);
+    if (above > 0) q[i] -= kFullTurn * std::ceil(above / kFullTurn);
+    if (below > 0) q[i] += kFullTurn * std::ceil(below / kFullTurn);
   }
   return q;
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "base/unit_factors.h"
 #include "motion/plan/feasibility.h"
 
 namespace rob::motion {
@@ -34,11 +34,6 @@ void ToolTip::set(const Pose& tip) noexcept {
     arms_[i] = arm > kLimitTolerance ? arm : 0;
     greatest_speed_ += arms_[i] * robot_.axes[static_cast<std::size_t>(i)].v_max;
   }
-}
-
-Pose ToolTip::pose_at(const JointVector& q) const noexcept {
-  const Pose flange = robot_.kinematics->forward(q);
-  return {place_of(tip_.position, flange), flange.orientation * tip_.orientation};
 }
 
 LegDemand ToolTip::demand(const JointVector& from, const JointVector& to) const noexcept {
@@ -76,8 +71,8 @@ double ToolTip::leaving_speed(const JointVector& from, const JointVector& to) co
 void ToolTip::measure_swing(const JointVector& from, const JointVector& to,
                             LegDemand& demand) const {
   if (swing(from, to) == 0) return;
-  constexpr double kStep = 1e-4;                           // of the leg, for differences
-  constexpr double kApart = 2.5 * std::numbers::pi / 180;  // [choice] cosines bend little between
+  constexpr double kStep = 1e-4;            // of the leg, for differences
+  constexpr double kApart = 2.5 * kDegree;  // [choice] cosines bend little between
   const JointVector way = to - from;
   const auto speed = [&](double s) {
     const JointVector step = way * kStep;

@@ -18,7 +18,9 @@ class ToolTip {
   /// Seen from the flange.
   const Pose& pose() const noexcept { return tip_; }
   /// In the world.
-  Pose pose_at(const JointVector& q) const noexcept;
+  Pose pose_at(const JointVector& q) const noexcept {
+    return composed(robot_.kinematics->forward(q), tip_);
+  }
   Eigen::Vector3d place_at(const JointVector& q) const noexcept {
     return place_of(tip_.position, robot_.kinematics->forward(q));
   }

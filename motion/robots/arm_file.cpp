@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
+
+#include "base/unit_factors.h"
 
 namespace rob::motion {
 
@@ -15,7 +16,7 @@ constexpr Range kHeight{-100, 100};
 constexpr Range kUpperArm{1e-3, 10};
 constexpr Range kForearm{0, 10};
 constexpr Range kHand{0, 10};
-constexpr Range kOffset{-2 * std::numbers::pi, 2 * std::numbers::pi};
+constexpr Range kOffset{-kFullTurn, kFullTurn};
 
 /// Shorter than this from axis 3 to the wrist is no forearm. [choice] as kUpperArm
 constexpr double kShortest = 1e-3;

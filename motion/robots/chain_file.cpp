@@ -1,14 +1,15 @@
 #include "motion/robots/chain_file.h"
 
-#include <numbers>
 #include <utility>
+
+#include "base/unit_factors.h"
 
 namespace rob::motion {
 
 namespace {
 
 constexpr Range kStep{-10, 10};  // [choice] as the steps of an arm
-constexpr Range kTurn{-2 * std::numbers::pi, 2 * std::numbers::pi};
+constexpr Range kTurn{-kFullTurn, kFullTurn};
 
 Pose read_pose(const TableReader& table) {
   const std::vector<double> place = table.quantities("place", Quantity::Length, kStep, 3);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <system_error>
 
+#include "base/unit_factors.h"
 #include "motion/robots/quoted.h"
 
 namespace rob::motion {
@@ -21,8 +21,6 @@ struct Unit {
   double times;
   double over;
 };
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The first of each quantity is its SI unit.
 constexpr Unit kUnits[] = {

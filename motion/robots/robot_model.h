@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/unit_factors.h"
 #include "motion/cell/cell_data.h"
 #include "motion/dynamics/arm_mechanics.h"
 #include "motion/kinematics/kinematics.h"
@@ -91,8 +91,8 @@ struct ForceSensorData {
 
 /// By how much a corner may miss its point.
 struct CornerZone {
-  double distance = 1e-3;                 ///< m
-  double angle = std::numbers::pi / 180;  ///< rad, of the orientation and of rotary axes
+  double distance = 1e-3;  ///< m
+  double angle = kDegree;  ///< rad, of the orientation and of rotary axes
 };
 
 /// Everything that is known of a robot before it moves. Read from a robot file, never changed

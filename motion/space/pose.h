@@ -15,6 +15,17 @@ inline Eigen::Vector3d place_of(const Eigen::Vector3d& point, const Pose& frame)
   return frame.position + frame.orientation * point;
 }
 
+/// A frame that is seen from another, as seen from where that one is.
+inline Pose composed(const Pose& frame, const Pose& inner) {
+  return {place_of(inner.position, frame), frame.orientation * inner.orientation};
+}
+
+/// The frame from which this one is seen, as seen from it.
+inline Pose inverse(const Pose& pose) {
+  const Eigen::Quaterniond back = pose.orientation.conjugate();
+  return {-(back * pose.position), back};
+}
+
 /// Rotations about the fixed axes x, y, z, in rad: R = Rz(c)·Ry(b)·Rx(a) (seeds: S3).
 struct FixedAngles {
   double a = 0;

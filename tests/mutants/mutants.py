@@ -32,7 +32,7 @@ sys.dont_write_bytecode = True  # no files beside the sources
 from mutations import mutations_of  # noqa: E402
 
 LAYERS = ("lang", "motion", "drivers", "runtime")
-SOURCES = (*LAYERS, "tests", "docs", "examples", "CMakeLists.txt", "README.md", "CHANGELOG.md", "LICENSE",
+SOURCES = (*LAYERS, "base", "tests", "docs", "examples", "CMakeLists.txt", "README.md", "CHANGELOG.md", "LICENSE",
            "packages.txt")
 GOAL = 0.9
 NOT_IN_REAL_TIME = "--source-file-exclude=*/link/*,*/machines/*,*/real_time_*"

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <numbers>
+#include "base/unit_factors.h"
 
 namespace rob::test {
 
-inline constexpr double kDegree = std::numbers::pi / 180;  ///< rad
+using rob::kDegree;
 
 }  // namespace rob::test

@@ -96,7 +96,7 @@ rob_is_current() {
   local stamp=$root/build/.built
   [[ -x $root/build/rob && -f $stamp ]] || return 1
   [[ -z $(cd "$root" &&
-    find CMakeLists.txt packages.txt lang motion drivers runtime -newer "$stamp" -print -quit) ]]
+    find CMakeLists.txt packages.txt base lang motion drivers runtime -newer "$stamp" -print -quit) ]]
 }
 
 # ensure_rob: build/rob is there and current.

@@ -95,7 +95,7 @@ step_format() {
 check_format() {
   local unformatted
   unformatted=$(cd "$root" &&
-    find lang motion drivers runtime tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
+    find base lang motion drivers runtime tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
     xargs -0 clang-format-14 --dry-run -Werror 2>&1) ||
     fail "$unformatted"$'\n'"run clang-format-14 -i on these files"
 }
