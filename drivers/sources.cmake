@@ -9,15 +9,18 @@ set(rob_drivers_sources
   drivers/link/grbl_port.cpp
   drivers/link/grbl_setup.cpp
   drivers/link/grbl_stream.cpp
+  drivers/link/rob_driver.cpp
   drivers/link/rob_link.cpp
   drivers/link/servo_driver.cpp
   drivers/link/servo_link.cpp
   drivers/link/wire_backend.cpp
   drivers/link/wire_link.cpp
+  drivers/link/wired_axis.cpp
   drivers/protocol/dynamixel_packet.cpp
   drivers/protocol/feetech_packet.cpp
   drivers/protocol/grbl_line.cpp
   drivers/protocol/rob_frame.cpp
+  drivers/serial/open_port.cpp
   drivers/serial/port_list.cpp
   drivers/serial/serial_port.cpp
   drivers/serial/tcp_port.cpp
@@ -35,7 +38,6 @@ set(rob_drivers_sources
 set(rob_contact_sources
   drivers/contact/cap_thread.cpp
   drivers/contact/cell_scene.cpp
-  drivers/contact/cell_scene_jaws.cpp
   drivers/contact/drawn_cell.cpp
   drivers/contact/force_sensor.cpp
   drivers/contact/hole.cpp

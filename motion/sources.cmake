@@ -1,6 +1,7 @@
 # The sources of `rob_motion`, folder by folder. tests/architecture_test.cpp finds those that are missing here.
 set(rob_motion_sources
   motion/motion.cpp
+  motion/ahead/course_ahead.cpp
   motion/ahead/curve_axes.cpp
   motion/ahead/guide.cpp
   motion/ahead/leg_queue.cpp
@@ -9,13 +10,12 @@ set(rob_motion_sources
   motion/ahead/merge_rules.cpp
   motion/ahead/miss.cpp
   motion/ahead/overlap.cpp
-  motion/ahead/path_arms.cpp
+  motion/ahead/path_intake.cpp
   motion/ahead/path_merger.cpp
-  motion/ahead/path_passes.cpp
   motion/ahead/path_planner.cpp
   motion/ahead/path_shape.cpp
-  motion/ahead/path_stops.cpp
   motion/ahead/path_turn.cpp
+  motion/ahead/piece_writer.cpp
   motion/ahead/reachable.cpp
   motion/ahead/reference_average.cpp
   motion/ahead/rehearsal.cpp
@@ -26,8 +26,12 @@ set(rob_motion_sources
   motion/force/press.cpp
   motion/generate/corner_miss.cpp
   motion/generate/drive_relief.cpp
+  motion/generate/dwell.cpp
+  motion/generate/early_end.cpp
+  motion/generate/effect_order.cpp
   motion/generate/foresight.cpp
   motion/generate/guide_history.cpp
+  motion/generate/jog_run.cpp
   motion/generate/jog_space.cpp
   motion/generate/look_ahead_generator.cpp
   motion/generate/motion_chain.cpp
@@ -40,11 +44,8 @@ set(rob_motion_sources
   motion/generate/rate_change.cpp
   motion/generate/reference_mark.cpp
   motion/generate/retrace.cpp
-  motion/generate/segment_early_end.cpp
   motion/generate/segment_generator.cpp
-  motion/generate/segment_handled.cpp
-  motion/generate/segment_jog.cpp
-  motion/generate/segment_settling.cpp
+  motion/generate/segment_sequence.cpp
   motion/generate/stop_ramp.cpp
   motion/generate/velocity_mode.cpp
   motion/generate/watch_list.cpp
@@ -64,20 +65,22 @@ set(rob_motion_sources
   motion/path/tool_path.cpp
   motion/path/tool_spiral.cpp
   motion/path/tool_spline.cpp
+  motion/plan/ahead_judge.cpp
   motion/plan/ahead_leg.cpp
   motion/plan/capability.cpp
   motion/plan/corner.cpp
+  motion/plan/drive_fit.cpp
   motion/plan/feasibility.cpp
   motion/plan/leg_demand.cpp
+  motion/plan/leg_timing.cpp
   motion/plan/local_pace.cpp
   motion/plan/motion_planner.cpp
-  motion/plan/motion_planner_ahead.cpp
-  motion/plan/motion_planner_drives.cpp
-  motion/plan/motion_planner_paths.cpp
-  motion/plan/motion_planner_timing.cpp
+  motion/plan/path_judge.cpp
   motion/plan/paul_segment.cpp
   motion/plan/profile.cpp
   motion/plan/reach.cpp
+  motion/plan/segment_maker.cpp
+  motion/plan/tool_tip.cpp
   motion/plan/torque_row.cpp
   motion/plan/torque_share.cpp
   motion/plan/wishes.cpp
