@@ -94,7 +94,7 @@ void Trajectory::Parts::send() {
   const Waiting* next = waiting.front();
   for (; next != nullptr && !chain.buffer.full(); next = waiting.front()) {
     sent.push_back(next->leg);
-    if (sent.size() > static_cast<std::size_t>(robot.most_ahead()) + kRunning) sent.pop_front();
+    if (sent.size() > static_cast<std::size_t>(most_ahead(robot)) + kRunning) sent.pop_front();
     chain.buffer.push(next->segment);
     waiting.pop();
   }

@@ -22,13 +22,6 @@ using Circle = std::vector<std::string>;
 /// The circles that are still there, in the order of their names. None may be added or grow.
 const std::vector<Circle>& remaining_circles() {
   static const std::vector<Circle> circles = {
-      {"drivers/link/driver", "drivers/link/grbl_link", "drivers/link/grbl_setup",
-       "drivers/link/rob_link", "drivers/link/servo_link"},
-      {"drivers/serial/serial_port", "drivers/serial/tcp_port", "drivers/serial/wire_port"},
-      {"lang/values/types", "lang/values/units"},
-      {"motion/robots/arm_file", "motion/robots/cell_file", "motion/robots/chain_file",
-       "motion/robots/mechanics_file", "motion/robots/pulse_file", "motion/robots/robot_file",
-       "motion/robots/signal_channel", "motion/robots/table_reader", "motion/robots/wire_file"},
       {"runtime/words/force_words", "runtime/words/messages", "runtime/words/path_words"},
       {"runtime/prompt/commands", "runtime/prompt/session"},
   };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string_view>
 
 #include "lang/text/ascii.h"
@@ -39,37 +38,7 @@ constexpr std::array<std::string_view, 3> kAngleFields{"a", "b", "c"};
 constexpr std::array<std::string_view, 7> kPlaceFields{"x", "y", "z", "a", "b", "c", "pos"};
 constexpr std::array<std::string_view, 2> kWrenchFields{"force", "torque"};
 
-/// An exponent beyond the type's range sticks at its end; the checker refuses such quantities
-/// long before that (kMostExponent).
-std::int8_t saturated(int exponent) {
-  using Limits = std::numeric_limits<std::int8_t>;
-  return static_cast<std::int8_t>(std::clamp(exponent, int{Limits::min()}, int{Limits::max()}));
-}
-
-template <typename Combine>
-Dimension combine(Dimension a, Dimension b, Combine exponent) {
-  return {.length = saturated(exponent(a.length, b.length)),
-          .mass = saturated(exponent(a.mass, b.mass)),
-          .time = saturated(exponent(a.time, b.time)),
-          .angle = saturated(exponent(a.angle, b.angle)),
-          .voltage = saturated(exponent(a.voltage, b.voltage))};
-}
-
 }  // namespace
-
-Dimension operator*(Dimension a, Dimension b) {
-  return combine(a, b, [](int x, int y) { return x + y; });
-}
-
-Dimension operator/(Dimension a, Dimension b) {
-  return combine(a, b, [](int x, int y) { return x - y; });
-}
-
-Dimension power(Dimension base, int exponent) {
-  // More than the exponents' range cannot be kept apart anyway, and could overflow the product.
-  const int bounded = std::clamp(exponent, -256, 256);
-  return combine(base, {}, [bounded](int x, int) { return x * bounded; });
-}
 
 std::string in_words(Dimension dimension) {
   const auto* const named = std::find_if(

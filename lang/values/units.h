@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lang/values/types.h"
+#include "lang/values/dimension.h"
 
 /// The units of the language and the conversion of written numbers to SI.
 ///

@@ -134,7 +134,7 @@ void PathMerger::begin_run(double before) {
 /// ends where it would have more than the rest before its first window is full.
 std::size_t PathMerger::most_unsettled() const {
   constexpr std::size_t kMost = 4096;  // [choice] 6 MB, where so many are needed
-  const auto half = static_cast<std::size_t>(robot_.short_ahead()) / 2;
+  const auto half = static_cast<std::size_t>(short_ahead(robot_)) / 2;
   return std::min(kMost, half - std::min(half / 2, 8 * most_members_));
 }
 

@@ -21,7 +21,7 @@ std::size_t legs_ahead(const MotionChain::Room& room) {
 /// The other half is in the planner's hands. Handlers that never move need none.
 std::size_t short_ahead(const RobotModel& robot, const MotionChain::Room& room) {
   constexpr int kMost = 4096;  // [choice] 2.6 MB: what 20 mm of chords of 5 µm need
-  return room.motions > 1 ? static_cast<std::size_t>(std::min(robot.short_ahead() / 2, kMost)) : 0;
+  return room.motions > 1 ? static_cast<std::size_t>(std::min(short_ahead(robot) / 2, kMost)) : 0;
 }
 
 }  // namespace

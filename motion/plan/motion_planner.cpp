@@ -45,7 +45,7 @@ MotionPlanner::MotionPlanner(const RobotModel& robot, const JointVector& start) 
       segments_(robot, tip_, last_, timing_),
       drives_(robot, last_, timing_, segments_),
       paths_(robot, tip_, last_, timing_),
-      kept_(static_cast<std::size_t>(robot.most_ahead()) + kMostRunning),
+      kept_(static_cast<std::size_t>(most_ahead(robot)) + kMostRunning),
       boxes_(robot) {
   last_ = standing_at(start, timing_.usual_t_acc());
 }

@@ -14,7 +14,7 @@ namespace rob::motion {
 class SentBoxes {
  public:
   explicit SentBoxes(const RobotModel& robot)
-      : most_(static_cast<std::uint32_t>(robot.most_ahead()) + kRunning) {}
+      : most_(static_cast<std::uint32_t>(most_ahead(robot)) + kRunning) {}
 
   /// Before it is sent.
   void keep(const SegmentDescriptor& segment) {

@@ -129,19 +129,21 @@ struct RobotModel {
   WireData wire;
 
   int axis_count() const { return static_cast<int>(axes.size()); }
-  /// Under the look-ahead law so many short motions may be ahead beside look_ahead others: those
-  /// that are merged into curves, or passed in a few periods. [choice] 40 mm of chords of 5 µm, and
-  /// more where the program may be farther ahead; 16384 fill the planner's curves of 4096 legs.
-  int short_ahead() const {
-    constexpr int kLeast = 8192;
-    constexpr int kMost = 16384;
-    return law == Law::LookAhead ? std::clamp(8 * look_ahead, kLeast, kMost) : 0;
-  }
-  /// How many motions can have been commanded that are not done: those in the buffer, and under the
-  /// look-ahead law as many again whose path is planned, and the short ones.
-  int most_ahead() const {
-    return law == Law::LookAhead ? 2 * look_ahead + short_ahead() : look_ahead;
-  }
 };
+
+/// Under the look-ahead law so many short motions may be ahead beside look_ahead others: those
+/// that are merged into curves, or passed in a few periods. [choice] 40 mm of chords of 5 µm, and
+/// more where the program may be farther ahead; 16384 fill the planner's curves of 4096 legs.
+inline int short_ahead(const RobotModel& robot) {
+  constexpr int kLeast = 8192;
+  constexpr int kMost = 16384;
+  return robot.law == Law::LookAhead ? std::clamp(8 * robot.look_ahead, kLeast, kMost) : 0;
+}
+
+/// How many commanded motions can be unfinished: those in the buffer, and under the look-ahead law
+/// as many again whose path is planned, and the short ones.
+inline int most_ahead(const RobotModel& robot) {
+  return robot.law == Law::LookAhead ? 2 * robot.look_ahead + short_ahead(robot) : robot.look_ahead;
+}
 
 }  // namespace rob::motion

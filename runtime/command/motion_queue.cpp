@@ -52,7 +52,7 @@ void MotionQueue::remember(Commanded commanded) {
   if (!keeps_commanded_) return;
   commanded_.push_back(std::move(commanded));
   // The one that runs, and those of the buffer.
-  if (commanded_.size() > static_cast<std::size_t>(links_.robot.most_ahead()) + 2)
+  if (commanded_.size() > static_cast<std::size_t>(motion::most_ahead(links_.robot)) + 2)
     commanded_.pop_front();
 }
 

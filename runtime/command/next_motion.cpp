@@ -13,7 +13,7 @@ bool NextMotion::takes(const motion::Effect& effect) {
 
 /// A place of the ring is free again when its motion is done: no more can have been commanded.
 void NextMotion::live_pace(const lang::Watch& pace, lang::MoveCommand::Pace means) {
-  const auto most = static_cast<std::size_t>(links_.robot.most_ahead()) + 2;
+  const auto most = static_cast<std::size_t>(motion::most_ahead(links_.robot)) + 2;
   if (paces_.size() < most) paces_.emplace_back(links_.signature.signals, links_.robot);
   ProgramWatch& place = paces_[next_pace_++ % most];
   place.set(pace);

@@ -29,7 +29,7 @@ TEST_CASE("what a motion has boxed is kept as long as the generator can have a c
     rates = segment.jog.box();
     boxes.keep(segment);
   }
-  const auto most = static_cast<std::uint32_t>(robot.most_ahead());
+  const auto most = static_cast<std::uint32_t>(most_ahead(robot));
   for (std::uint32_t number = 2; number <= most + 2; ++number) {
     boxes.keep(numbered(number));
     REQUIRE_FALSE(events.expired());
