@@ -16,7 +16,7 @@ namespace rob::runtime {
 
 namespace {
 
-/// What has errors is told of those first.
+/// A program with errors reports those first.
 bool plans_a_path(const LoadedProgram& program) {
   return !program.runnable() || program.robot.law == motion::Law::LookAhead;
 }

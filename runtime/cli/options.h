@@ -38,7 +38,8 @@ struct Options {
   std::string help_text;    ///< of Help
 };
 
-/// What could not be understood, or what was answered already (--help, --version).
+/// The end of a command line that could not be understood, or that was answered already (--help,
+/// --version).
 struct CommandLineEnd {
   ExitCode exit_code = ExitCode::Done;
   std::string to_stdout;

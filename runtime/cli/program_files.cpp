@@ -68,7 +68,7 @@ void refuse_overwriting_inputs(std::string_view option, const std::string& outpu
   refuse_overwriting(option, output, inputs);
 }
 
-/// What is wrong with the program or with its script, for people.
+/// The errors of the program or of its script, for people.
 std::string problems_text(const RunResult& result, const LoadedProgram& program,
                           const SignalScript& script) {
   const bool in_script = program.runnable() && script.diagnostics.has_errors();

@@ -13,8 +13,8 @@
 #include "runtime/run/machine.h"
 #include "runtime/run/run_result.h"
 
-/// What the commands over program files have in common: reading all of them before the first one
-/// starts, and showing their results.
+/// The commands over program files have this in common: they read all files before the first
+/// program starts, and show the results.
 namespace rob::runtime {
 
 /// The worse of two: the first that is not Done.

@@ -58,7 +58,7 @@ class BackgroundTasks {
   void stop() { running_.clear(); }
   /// Whether the program has any.
   bool any() const { return !chunk_.tasks.empty(); }
-  /// What has gone wrong in one of them, once.
+  /// The error that has ended one of them; it is returned once.
   std::optional<lang::RuntimeError> take_error();
 
  private:

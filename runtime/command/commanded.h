@@ -15,7 +15,7 @@
 
 namespace rob::runtime {
 
-/// What a motion does on its way.
+/// An effect that a motion has on its way.
 struct OnTheWay {
   lang::PathPlace place;
   motion::Effect effect;

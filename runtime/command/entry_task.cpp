@@ -62,7 +62,7 @@ bool EntryTask::begin_next() {
   return true;
 }
 
-/// What has watches is kept: the handlers of its WHENs may begin as long as they are armed.
+/// An entry with watches is kept: the handlers of its WHENs may begin as long as they are armed.
 void EntryTask::begin(const Statements& statements) {
   if (!statements.chunk->watches.empty()) watching_.push_back(statements.chunk);
   present_ = statements.chunk;

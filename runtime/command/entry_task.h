@@ -19,7 +19,7 @@ namespace rob::runtime {
 
 /// Carries out what is entered at a prompt, one entry after another, ahead of the motion: the
 /// motions of two entries meet as those of two lines do. An error that nothing catches ends its
-/// entry when all that was commanded before is finished, and drops the entries behind it.
+/// entry when all that was commanded before is finished, and drops the entries after it.
 ///
 /// submit() and what stands above step() belong to the thread that reads; step() to the program's,
 /// or on the virtual clock to the same one.
@@ -58,7 +58,7 @@ class EntryTask {
   void submit(Entry entry);
   /// Entries that are not done yet.
   std::size_t open() const { return open_.load(std::memory_order_acquire); }
-  /// None is open, and the robot stands behind all that was commanded.
+  /// No entry is open, and the robot stands after all that was commanded.
   bool settled() const { return settled_.load(std::memory_order_acquire); }
   /// The oldest one that has not been taken.
   std::optional<Failure> take_failure();
@@ -68,7 +68,7 @@ class EntryTask {
     tell_settled();
     return state;
   }
-  /// Behind step(), once in every cycle.
+  /// To be called after step(), once in every cycle.
   ProgramTask::State run_tasks(ProgramTask::State state);
 
  private:

@@ -12,8 +12,8 @@ using State = PressLine::State;
 
 namespace {
 
-/// Times the noise of the sensor that a force must be at least. [choice] one is not to be told
-/// from none
+/// A force must be at least this many times the noise of the sensor. [choice] the sensor cannot
+/// distinguish a smaller one from none
 constexpr double kResolved = 5;
 
 std::optional<Words> words_against(const lang::PressCommand& command,

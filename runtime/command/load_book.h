@@ -7,7 +7,8 @@
 
 namespace rob::runtime {
 
-/// On the program's side: what the arm is said to carry, and what of it has been told to motion.
+/// On the program's side: the load that the arm is said to carry, and the load that was last sent
+/// to motion.
 /// Loads that have been sent keep their addresses for the whole run: the ticks point to them.
 class LoadBook {
  public:
@@ -27,22 +28,22 @@ class LoadBook {
   /// The same, null for nothing.
   const motion::CarriedLoad* last() const { return told_; }
 
-  /// Somebody else has told something.
+  /// Somebody else has sent a load.
   void doubt() { doubted_ = true; }
-  /// What was told may have been dropped, where anything was: that is what it carries, null for
-  /// nothing.
+  /// The load that was sent may have been dropped, if there was one. `carried`: the load that the
+  /// arm carries, null for nothing.
   void doubt_where_told(const motion::CarriedLoad* carried) {
     doubted_ = doubted_ || told_ != nullptr || carried != nullptr;
   }
   bool doubted() const { return doubted_; }
-  /// This is what it carries, null for nothing.
+  /// `carried`: the load that the arm carries, null for nothing.
   void take_up(const motion::CarriedLoad* carried) {
     doubted_ = false;
     told_ = carried;
     wanted_.grasped = told().grasped;
     found_ = told().tool;
   }
-  /// The tool is again the one that was found; it counts where anything has been told since.
+  /// The tool is again the one that was found; it counts if no load is in doubt.
   void put_tool_back() {
     if (!doubted_) wanted_.tool = found_;
   }

@@ -18,7 +18,8 @@ class Loads {
   void mount(const lang::ToolValue& tool);
   /// An object beside the tool. known() must be true.
   void grasp(const lang::LoadCommand& load);
-  /// Tells motion what is new from here on. `Later` while that is not known, or there is no room.
+  /// Sends motion the load that is new from here on. `Later` while that is not known, or there is
+  /// no room.
   lang::Reply tell(int line);
   /// Whether motion and this side agree on the load. After a doubt they do again once all that was
   /// commanded has acted.

@@ -156,7 +156,7 @@ bool MotionPlans::moves_against_press(const Commanded& commanded) const {
              commanded.via, [&](const MoveCommand& via) { return press_.forbids(target_of(via)); });
 }
 
-/// Where the tip is to be, in the world.
+/// The target of the tip, in the world.
 motion::Pose MotionPlans::target_of(const MoveCommand& command) const {
   if (command.means == MoveCommand::Target::Axes) {
     motion::JointVector q = links_.planner.commanded();

@@ -38,7 +38,8 @@ class MotionQueue {
   std::size_t room() const { return links_.buffer.room(); }
 
   // After all else
-  /// A motion, and what makes its target exact where it is to be; there is room for both.
+  /// A motion, and a stop that makes its target exact if the command asks for it; there is room for
+  /// both.
   void add_motion(int line, Commanded commanded);
   void add_brakable(Commanded commanded);
   void add(Commanded commanded);

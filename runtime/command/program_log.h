@@ -44,7 +44,7 @@ struct Note {
   bool typed = false;  ///< by a person, who has seen it
 };
 
-/// What the program's thread leaves for the thread that reports: motions as they were planned,
+/// The program's thread leaves here for the thread that reports: motions as they were planned,
 /// texts to be printed when their turn comes, findings. Not for the tick: it locks and allocates.
 class ProgramLog {
  public:

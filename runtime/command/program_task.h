@@ -33,8 +33,8 @@ class ProgramTask {
   /// At most `budget` instructions.
   State step(std::int64_t budget);
 
-  /// Behind step(), once in every cycle: one of the program's TASKs. `state`: what step() has said
-  /// last; what it is now, since an error of a TASK is one of the program.
+  /// To be called after step(), once in every cycle: runs one of the program's TASKs. `state`: the
+  /// last result of step(). Returns the state now, since an error of a TASK is one of the program.
   State run_tasks(State state);
   /// The program waits, but not for the next cycle: it may go on as soon as there is room.
   bool waits_for_room() const { return !failure_ && vm_.state() == lang::Vm::State::Waiting; }

@@ -28,7 +28,7 @@ class CycleWorld final : public lang::WatchedWorld {
     return asked.output ? view_.analog_outputs[channel] : view_.analog_inputs[channel];
   }
 
-  /// HERE and JOINTS() are what the axes are told to be, as everywhere.
+  /// HERE and JOINTS() come from the references of the axes, as everywhere.
   void read(lang::Reading what, lang::Slot* value) const noexcept override {
     switch (what) {
       case lang::Reading::Clock:

@@ -39,7 +39,7 @@ Reply Readings::current(Reading what, const lang::Setting& setting, lang::Slot* 
   return Reply::Done;
 }
 
-/// A sensor tells something with the first servo cycle.
+/// A sensor gives its first value with the first servo cycle.
 Reply Readings::felt(Reading what, lang::Slot* value, const Refuse& refuse) const {
   constexpr std::int64_t kFirstCycles = 3;
   const motion::JointVector wrench = links_.channels.wrench.load();

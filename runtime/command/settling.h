@@ -10,7 +10,7 @@
 namespace rob::runtime {
 
 /// On the program's side: which exact motions wait until the measured robot is in position, and
-/// whether it is behind all that has been commanded. The generator does the waiting.
+/// whether it is in position after all that was commanded. The generator does the waiting.
 class Settling {
  public:
   Settling(const motion::RobotModel& robot, ProgramLog& log) : robots_(robot.settle), log_(log) {}
@@ -18,8 +18,8 @@ class Settling {
   /// While a program is foretold nothing waits: what is foretold is the reference's time.
   void leave_out() { left_out_ = true; }
 
-  /// What FINE, STOP and WAIT wait for; `own`: the distance behind FINE, m, 0 without one. `tip`:
-  /// of the tool, seen from the flange.
+  /// The window that FINE, STOP and WAIT wait for. `own`: the distance written after FINE, m, 0
+  /// without one. `tip`: of the tool, seen from the flange.
   motion::SettleWindow window(double own, const Eigen::Vector3d& tip) const {
     motion::SettleWindow window = robots_;
     if (own > 0) window.distance = own;
@@ -32,7 +32,7 @@ class Settling {
     if (left_out_ && window.present()) log_.found(note_on_settling());
   }
 
-  /// Commanded behind all else.
+  /// `segment` is commanded after all else.
   void follow(const motion::SegmentDescriptor& segment) {
     if (segment.settle.present()) {
       settled_ = segment.settle.distance <= robots_.distance;

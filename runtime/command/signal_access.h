@@ -8,7 +8,7 @@
 
 namespace rob::runtime {
 
-/// An effect on an output, still to be told what it does.
+/// An effect on an output; the caller adds the value.
 inline motion::Effect effect_on(const lang::RobotSignature::Signal& signal, int line) {
   motion::Effect effect;
   effect.tag = static_cast<motion::Tag>(line);
@@ -16,7 +16,7 @@ inline motion::Effect effect_on(const lang::RobotSignature::Signal& signal, int 
   return effect;
 }
 
-/// What a digital signal is in the present cycle, or an analog one, V.
+/// The value of a digital signal in the current cycle, or of an analog one, V.
 inline bool digital_value(const Channels& channels, const lang::RobotSignature::Signal& signal) {
   const std::uint64_t bits = signal.output ? channels.outputs.load(std::memory_order_relaxed)
                                            : channels.inputs.load(std::memory_order_relaxed);

@@ -27,7 +27,7 @@ class WhenPool {
   motion::WatchedAction* first_in_use();
   int id_of(const motion::WatchedAction& action) const;
   motion::WatchedAction& at(int id) { return places_.at(static_cast<std::size_t>(id)).action; }
-  /// What it raises.
+  /// The error that `action` raises.
   void set_error(motion::WatchedAction& action, const lang::Place& written, std::string text);
   /// The error that a Rest which a WHEN has caused means.
   lang::RuntimeError error_of(const motion::Rest& rest);

@@ -7,8 +7,8 @@
 
 namespace rob::runtime {
 
-/// What files held before they were saved: a folder of numbered versions for each, named after its
-/// full path. Nothing is ever thrown away. All throw FileError.
+/// Keeps the content that files had before they were saved: a folder of numbered versions for each
+/// file, named after its full path. Nothing is ever thrown away. All throw FileError.
 class Archive {
  public:
   struct Version {

@@ -28,7 +28,7 @@ std::string folder_of(const std::string& path) {
 }
 
 /// Beside the file, so that the renaming stays on one disk; always the same, so that the next save
-/// finds what a crash left behind.
+/// finds the file that a crash left.
 std::string temporary_name(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   const std::size_t name = slash == std::string::npos ? 0 : slash + 1;
@@ -120,8 +120,8 @@ class Save {
   }
 
  private:
-  /// What a crash left, or whoever else gave a file this name; its content stays where it has
-  /// another name. Not what another program is writing: that is locked.
+  /// Removes a file that a crash left, or that somebody else gave this name; its content stays
+  /// where it has another name. A file that another program is writing stays: it is locked.
   void remove_leftover() {
     const int fd = ::open(temporary_.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (fd < 0 && errno == ENOENT) return;  // it has gone meanwhile
@@ -165,7 +165,7 @@ class Save {
 
   const std::string& shown_;  ///< as the user named it
   FileCalls& calls_;
-  std::string path_;  ///< behind symbolic links
+  std::string path_;  ///< with symbolic links followed
   std::string temporary_;
   std::optional<Status> old_;
   int fd_ = -1;

@@ -11,9 +11,9 @@
 
 namespace rob::runtime {
 
-/// What the readers of the small files beside a program share: points, signal scripts. They are
-/// made of the language's tokens, a statement a line. A line that cannot be read is reported with
-/// its place, and reading goes on behind it, so that all errors of a file are found.
+/// The common part of the readers of the small files beside a program: points, signal scripts. The
+/// files are made of the language's tokens, a statement a line. A line that cannot be read is
+/// reported with its place, and reading goes on after it, so that all errors of a file are found.
 class LineReader {
  protected:
   /// Thrown by fail(): the rest of the line is skipped.
@@ -78,7 +78,7 @@ class LineReader {
   [[noreturn]] void expected(std::string_view what) {
     fail(code_, token_.place, fmt::format("{} expected, not {}", what, shown()), help_);
   }
-  /// The present token, for messages.
+  /// The current token, for messages.
   std::string shown() const {
     if (at_line_end()) return "the end of the line";
     return fmt::format("'{}'", lang::shortened(token_.text));

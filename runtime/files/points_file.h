@@ -17,9 +17,10 @@ namespace rob::runtime {
 /// The size up to which a points file is read. [choice] more than 10,000 points
 inline constexpr std::size_t kMostPointsBytes = std::size_t{4} << 20U;
 
-/// What a points file (docs/language.md, "Points") holds: behind a line that names the robot and
-/// tells its geometry, by where some joints bring its flange, a point a line, blank lines and `//`
-/// comments. Without the geometry (written by hand) the name alone is compared.
+/// The content of a points file (docs/language.md, "Points"). Its first line names the robot and
+/// gives its geometry, by the pose to which some joints bring its flange. After it come a point a
+/// line, blank lines and `//` comments. Without the geometry (written by hand) the name alone is
+/// compared.
 ///
 ///     ROBOT "gantry" JOINTS(100mm, 200mm, 51deg) POSE(100mm, 200mm, 0mm, 0deg, 0deg, 51deg)
 ///     pick = POSE(40mm, 20mm, 0mm, 0deg, 0deg, 90deg) JOINTS(40mm, 20mm, 90deg) IN world
@@ -27,7 +28,7 @@ inline constexpr std::size_t kMostPointsBytes = std::size_t{4} << 20U;
 ///
 /// A point whose POSE was changed by hand has no JOINTS and no TOOL.
 struct Points {
-  /// What people have written beside a line; it stays where the line goes.
+  /// Text that people have written beside a line; it moves with the line.
   struct Remarks {
     std::string above;   ///< comments alone on their lines and blank lines, each with its end
     std::string behind;  ///< "// …" on the line itself
@@ -41,7 +42,7 @@ struct Points {
   };
   std::vector<Point> points;
   Remarks robot;                  ///< of the line that names the robot
-  std::string below;              ///< comments and blank lines behind the last point
+  std::string below;              ///< comments and blank lines after the last point
   lang::Diagnostics diagnostics;  ///< all errors of the file; with one it must not be used
 
   lang::PointTable table() const;

@@ -64,7 +64,7 @@ class PointsReader : LineReader {
   double quantity(lang::Dimension dimension);
   std::string name_or(std::string_view nothing);
 
-  /// The first line tells where JOINTS bring the flange.
+  /// The first line says to which pose JOINTS bring the flange.
   void compare_geometry(const lang::Place& place);
   /// JOINTS lead to another pose than the point's: the robot has another geometry, though the name
   /// is the same, or somebody has changed the pose. In a frame, or with a tool, nothing is known.

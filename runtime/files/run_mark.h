@@ -21,7 +21,7 @@ class RunMark {
   int lock_ = -1;
 };
 
-/// A line for people of each run whose process has gone without an end; they are told once.
+/// A line for people for each run whose process has gone without an end; each is reported once.
 std::vector<std::string> unclean_ends();
 
 }  // namespace rob::runtime

@@ -11,8 +11,8 @@
 
 namespace rob::runtime {
 
-/// What a signal script (--signals FILE, docs/cli.md) says: what the simulated inputs do, and what
-/// the operator does. One rule a line:
+/// The content of a signal script (--signals FILE, docs/cli.md): what the simulated inputs do, and
+/// what the operator does. One rule a line:
 ///
 ///     at 2.5s part_here = ON
 ///     when vacuum == ON after 0.3s : vac_ok = ON

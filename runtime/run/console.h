@@ -5,8 +5,8 @@
 namespace rob::runtime {
 
 /// Results for standard output, messages for people on standard error. A full disk is remembered,
-/// and reported when the run is over. What a terminal would act on, such as ESC in a name, is shown
-/// there (lang/text/visible.h); a pipe or a file gets the bytes.
+/// and reported when the run is over. Bytes that a terminal would act on, such as ESC in a name,
+/// are shown there (lang/text/visible.h); a pipe or a file gets the bytes.
 void put_result(std::string_view text);
 void put_message(std::string_view text);
 /// "rob: …", one message on one line, whatever names stand in it.

@@ -22,7 +22,7 @@ class Controller {
  public:
   /// `backend` is open. `override_share`: 1 is the programmed speed.
   /// `script`: what drives inputs in place of the machine. `recorded`: periods for WayBack.
-  /// `handlers`: the program may have some, for which there has to be room.
+  /// `handlers`: the program may have handlers, for which there must be room.
   Controller(const motion::RobotModel& robot, std::unique_ptr<motion::ServoBackend> backend,
              double override_share, const std::vector<SimulationRule>& script = {},
              std::size_t recorded = 0, bool handlers = true);
@@ -53,7 +53,7 @@ class Controller {
     return chain_.plan_path() || handlers;
   }
 
-  /// From here on it is told of the program's path as it is planned; under the look-ahead law.
+  /// From here on `listener` gets the program's path as it is planned; under the look-ahead law.
   void tell(motion::PathListener& listener) {
     if (chain_.path) chain_.path->planner.tell(listener);
   }

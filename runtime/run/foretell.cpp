@@ -69,7 +69,7 @@ std::vector<std::string> undriven_inputs(const LoadedProgram& program,
   return names;
 }
 
-/// What stops the program is also a finding, as the errors of the compiler are.
+/// An error that stops the program is also a finding, as the errors of the compiler are.
 lang::Diagnostic finding_of(const Problem& problem) {
   return {lang::Severity::Error, problem.code, problem.place, problem.message, problem.help};
 }
@@ -98,7 +98,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   });
   RunResult result = recorder.finish();
   result.clock = "virtual";
-  // What the simulated run took is what is foretold, with all its waiting.
+  // The foretold times are those that the simulated run took, with all its waiting.
   result.planned = result.measured;
   result.lines.change([](LineTotal& line) { line.planned = line.measured; });
   if (task.failure()) add_failure(result, *task.failure());

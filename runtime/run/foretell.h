@@ -17,9 +17,9 @@ struct ForetellOptions {
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
   const SignalScript* script = nullptr;             ///< what drives the inputs, without errors
   double override_share = 1;                        ///< 1 = 100 %
-  motion::PathListener* path = nullptr;  ///< is told of the path, under the look-ahead law
-  /// s of the program's time for which it is followed. Of each hour, and at least of one, it is
-  /// followed for 100,000,000 instructions.
+  motion::PathListener* path = nullptr;             ///< gets the path, under the look-ahead law
+  /// s of the program's time for which it is followed: for at most 100,000,000 instructions an
+  /// hour, where a shorter time counts as an hour.
   double longest = 3600;
   std::function<void(double time)> progress{};  ///< in every cycle: how far it is, s
 };

@@ -31,7 +31,7 @@ class Interruption {
   static bool requested();
   /// Since the last call.
   static bool ctrl_c_pressed();
-  /// Of the first request: 128 + the number of its signal, such as 130, 143, 129 or 131.
+  /// For the first request: 128 + the number of its signal, such as 130, 143, 129 or 131.
   static ExitCode exit_code();
 
  private:

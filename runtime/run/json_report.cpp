@@ -37,7 +37,7 @@ void put_line(Json& json, const std::vector<std::string>& used, int tag) {
   put_line(json, used, lang::tagged_place(tag));
 }
 
-/// Of a line or a run; null where it was not foretold.
+/// The planned time of a line or a run, s; null where it was not foretold.
 template <typename Result>
 Json planned_seconds(const Result& result) {
   return result.foretold ? Json(seconds(result.planned)) : Json(nullptr);

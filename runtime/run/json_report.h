@@ -9,7 +9,7 @@
 namespace rob::runtime {
 
 /// The documents of `rob run --json` and `rob check --json` (docs/cli.md), piece by piece, without
-/// a line end behind them. Times in s, rounded to 1 ns; places in mm, rounded to 1 nm; angles in
+/// a line end after them. Times in s, rounded to 1 ns; places in mm, rounded to 1 nm; angles in
 /// deg. `indent`: by how many blanks they are deeper than the document that they stand in.
 void put_run_json(const RunResult& result, std::size_t indent, const Put& put);
 void put_check_json(const RunResult& result, std::size_t indent, const Put& put);

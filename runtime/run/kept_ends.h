@@ -9,8 +9,8 @@
 
 namespace rob::runtime {
 
-/// The first and the last kEach of any number of things, and how many there were: what a report
-/// tells of a run that may go on for days.
+/// The first and the last kEach of any number of things, and how many there were: a report shows
+/// these of a run that may go on for days.
 template <typename T>
 class KeptEnds {
  public:

@@ -73,7 +73,7 @@ static_assert(sizeof(LineTotal) == 64);
 /// The totals of all lines of a run, by their tags. They are kept in pages of neighbouring lines.
 class LineTotals {
  public:
-  /// Of a line, which is one of the run from here on.
+  /// The total of a line, which is one of the run from here on.
   LineTotal& of(int tag) {
     LineTotal& total = pages_[tag / kPage][static_cast<std::size_t>(tag % kPage)];
     if (!total.known) ++size_;
@@ -90,8 +90,8 @@ class LineTotals {
       for (LineTotal& total : page)
         if (total.known) change(total);
   }
-  /// What was planned of each line stays, as foretold for a run that is to come; no line is one of
-  /// that run yet.
+  /// The planned values of each line stay, as foretold for a run that comes later; no line is one
+  /// of that run yet.
   void expect();
 
  private:

@@ -82,7 +82,7 @@ std::optional<lang::Refusal> refusal_of(const lang::MoveCommand& command,
                                         const Coordinates& coordinates) {
   using Target = lang::MoveCommand::Target;
   const bool of_tool = command.means == Target::Coordinates && robot.tool_coordinates;
-  // What it leaves out is as the motion before leaves it.
+  // A coordinate that it leaves out is as the motion before leaves it.
   if (of_tool && command.given != lang::given_all(kCoordinatesOfTool)) return std::nullopt;
   const auto words = of_tool || command.means == Target::Pose
                          ? words_against_pose(command, robot, coordinates)

@@ -15,7 +15,7 @@
 
 namespace rob::runtime {
 
-/// A program that has been read and compiled for a robot; `compilation` tells all its errors.
+/// A program that has been read and compiled for a robot; `compilation` has all its errors.
 /// `robot` is under the law that the program runs under.
 struct LoadedProgram {
   std::string file;
@@ -33,9 +33,9 @@ void put_source_away(LoadedProgram& program);
 /// anew, the other lines empty; and nothing if its file is not what it was any more.
 std::string source_lines(const LoadedProgram& program, const std::set<std::uint32_t>& shown);
 
-/// What the files are called that it USEs, by lang::Place::file from 1.
+/// The names of the files that it USEs, by lang::Place::file from 1.
 std::vector<std::string> used_names(const LoadedProgram& program);
-/// Tells a problem the names of the files that it speaks of.
+/// Gives a problem the names of the files that it refers to.
 void place_in(const LoadedProgram& program, Problem& problem);
 
 /// A robot by its name, or by its file if that ends in ".toml". Throws motion::RobotFileError for
@@ -49,7 +49,7 @@ motion::RobotModel load_robot(const std::string& name_or_file);
 LoadedProgram load_program(const std::string& file, const std::string& asked,
                            std::optional<motion::Law> law = {});
 
-/// The same from text: `file` is for messages, and tells where the files are that it USEs.
+/// The same from text: `file` is for messages, and says where the files are that it USEs.
 /// `points_file`: where its points are; empty for a program without any.
 LoadedProgram compile_program(std::string file, std::string source, const std::string& asked,
                               const std::string& points_file = "",

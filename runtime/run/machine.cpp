@@ -43,7 +43,7 @@ drivers::WireSettings settings_of(const BackendName& name, const motion::RobotMo
   return settings;
 }
 
-/// A cycle that the wire cannot do is longer, and the user is told.
+/// A cycle that the wire cannot do is longer, and the user gets a note.
 void tell_period(const drivers::WireBackend& machine, const drivers::WireSettings& settings,
                  std::vector<std::string>& notes) {
   if (machine.period() <= machine.asked_period()) return;
@@ -112,7 +112,7 @@ void take_place(const motion::JointVector& place, bool back, motion::RobotModel&
   }
 }
 
-/// A program that counts on signals is told where the wire does not carry them.
+/// The user of a program that counts on signals gets a note where the wire does not carry them.
 void tell_of_signals(const LoadedProgram& program, std::vector<std::string>& notes) {
   const auto& used = program.compilation.chunk->first_signal;
   if (!used) return;

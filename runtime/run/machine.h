@@ -12,7 +12,7 @@
 
 namespace rob::runtime {
 
-/// What moves: the simulation, or a machine on a wire ("grbl:/dev/ttyUSB0").
+/// The machine that moves: the simulation, or a machine on a wire ("grbl:/dev/ttyUSB0").
 struct BackendName {
   const drivers::Driver* driver = nullptr;  ///< null: the simulation
   std::string port;

@@ -14,7 +14,7 @@ struct InputFile {
   std::string what;
 };
 
-/// Whether both names lead to one file, or would: neither has to be there.
+/// Whether both names lead to one file, or would: neither needs to exist.
 bool same_file(const std::string& a, const std::string& b);
 
 /// The program, the files that it USEs, and its points, which need not be there yet.

@@ -70,7 +70,7 @@ double PathMeter::distance(const motion::Pose& flange) const {
   return least;
 }
 
-/// Of the chord nearest to it, or of one that is no farther than `enough`.
+/// The distance of the nearest chord, or of one that is no farther than `enough`.
 double PathMeter::Leg::distance(const motion::Pose& flange, double enough) const {
   const Eigen::Vector3d point = place_of(tip, flange);
   double least = std::numeric_limits<double>::infinity();

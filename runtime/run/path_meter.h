@@ -37,7 +37,7 @@ class PathMeter {
   /// tool: within 0.008 mm of a whole circle of 100 mm radius.
   static constexpr std::size_t kChords = 16;
   static constexpr std::size_t kPathChords = 256;
-  /// The corner's two, and the one behind a motion of no length between them.
+  /// The two legs of a corner, and one more for a motion of no length between them.
   static constexpr std::size_t kLegs = 3;
   struct Leg {
     Eigen::Vector3d tip = Eigen::Vector3d::Zero();

@@ -8,7 +8,7 @@
 
 namespace rob::runtime {
 
-/// A line at the bottom of a terminal that tells how far a run is: source line, time, time left as
+/// A line at the bottom of a terminal that shows how far a run is: source line, time, time left as
 /// planned, override and state; or how far a program is foretold. Prints nothing where stderr is no
 /// terminal.
 class Progress {
@@ -17,13 +17,13 @@ class Progress {
   /// the files that the program USEs.
   Progress(double planned, double override_share, std::vector<std::string> used);
 
-  /// Of a program that is foretold, for so many s of its time at most.
+  /// For a program that is foretold, for so many s of its time at most.
   explicit Progress(double longest) : Progress(longest, 1, {}) {}
 
   void show(const Position& position);
   /// How far a program is foretold, s.
   void show(double time);
-  /// What HALT and ASK say to the operator. While they wait, nothing else is shown.
+  /// Shows the message of HALT or ASK to the operator. While they wait, nothing else is shown.
   void consult(const Note& note, int line);
   /// Makes room for other output.
   void clear();

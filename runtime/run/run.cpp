@@ -73,8 +73,8 @@ RunResult refusal(const lang::Diagnostics& diagnostics, const std::string& file,
   return result;
 }
 
-/// What is planned, where motions do not bring their times: what was foretold of the lines that
-/// have run as often.
+/// Where motions do not bring their times, the plan is the time that was foretold of the lines
+/// that have run as often.
 void compare(RunResult& result, const Foretold& foretold) {
   result.planned = foretold.planned;
   result.foretold = result.lines.size() == foretold.count;

@@ -16,7 +16,7 @@
 
 namespace rob::runtime {
 
-/// What foretell() says of a run that is to come.
+/// The result of foretell() for a run that comes later.
 struct Foretold {
   double planned = 0;     ///< s
   std::size_t count = 0;  ///< of its lines
@@ -24,7 +24,7 @@ struct Foretold {
 };
 Foretold foretold_by(RunResult result);
 
-/// How a program is to be run.
+/// Says how a program runs.
 struct RunOptions {
   bool fast = false;                                ///< on the virtual clock
   double override_share = 1;                        ///< 1 = 100 %
@@ -45,7 +45,7 @@ struct Position {
   motion::MotionState state = motion::MotionState::Idle;
 };
 
-/// What a run tells while it goes on; each may be empty.
+/// The reports of a run while it goes on; each may be empty.
 struct RunListener {
   std::function<void(const std::string& text)> print;  ///< a line of PRINT, in motion order
   std::function<void(const Position& position)> progress;

@@ -11,13 +11,13 @@
 
 namespace rob::runtime {
 
-/// What run() and foretell() do alike.
+/// The common parts of run() and foretell().
 
 SignalNames names_in(const LoadedProgram& program, const motion::RobotModel& robot);
 bool has_handlers(const LoadedProgram& program);
 /// None without a script.
 std::vector<SimulationRule> rules_of(const SignalScript* script);
-/// What the script says and does as the operator.
+/// Prepares the operator's answers and actions in the script.
 void prepare_panel(Controller& controller, const SignalScript* script);
 
 /// The program has ended by this error.

@@ -45,9 +45,9 @@ class RunRecorder {
   motion::MotionState state() const {
     return last_ ? last_->sample.state : motion::MotionState::Idle;
   }
-  /// Of the last snapshot, s.
+  /// The time of the last snapshot, s.
   double time() const { return last_ ? last_->sample.reference.time : 0; }
-  /// After the last drain(): closes the books. What the program did wrong is the caller's to add.
+  /// After the last drain(): closes the books. The caller adds the error of the program.
   RunResult finish();
 
  private:
@@ -74,7 +74,7 @@ class RunRecorder {
   void take(const Snapshot& snapshot);
   void begin_segment(const motion::MotionEvent& event);
   void end_segment(double time, const LoggedSegment* next);
-  // What was planned (run_recorder_planned.cpp)
+  // The planned motions (run_recorder_planned.cpp)
   bool comes_timed() const { return robot_.law == motion::Law::Paul; }
   void plan(const LoggedSegment& planned, const motion::MotionEvent& event, LineTotal& line);
   void take_decision(const motion::MotionEvent& event);
@@ -128,7 +128,7 @@ class RunRecorder {
   motion::JointVector from_;       ///< where the leg that was programmed last begins
   motion::JointVector reached_;    ///< the last programmed point
   std::optional<EarlyEnd> early_;
-  /// What a handler has interrupted.
+  /// The state that a handler has interrupted.
   struct Interrupted {
     double time;  ///< s
     int line;     ///< of the WHEN

@@ -5,7 +5,7 @@
 /// Member functions of RunRecorder for motions without a target.
 namespace rob::runtime {
 
-/// What is programmed from here on: a further point, or rates.
+/// The next thing that is programmed: a further point, or rates.
 void RunRecorder::programmed(const LoggedSegment& planned) {
   if (planned.jog->present()) return path_.unprogrammed(planned.tip);
   if (path_.is_unprogrammed() && last_) reached_ = last_->sample.reference.q;

@@ -8,13 +8,13 @@
 /// Member functions of RunRecorder for the planned motions. Under Paul's law a motion is queued
 /// with its time. Under the look-ahead law the times come with the whole path: the plan is what was
 /// foretold of the run (run.cpp), the miss at a corner is that of the references, and motion itself
-/// tells when its decision points come.
+/// reports when its decision points come.
 namespace rob::runtime {
 
 using motion::MotionEvent;
 
 void RunRecorder::plan(const LoggedSegment& planned, const MotionEvent& event, LineTotal& line) {
-  // Behind a guarded motion the program goes on when it has ended: nothing is decided before.
+  // After a guarded motion the program goes on when it has ended: nothing is decided before.
   const bool decides = line.count == 1 && !planned.guard.present();
   if (!comes_timed()) {
     if (const auto told = decisions_.find(planned.number); decides && told != decisions_.end())

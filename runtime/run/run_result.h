@@ -42,7 +42,7 @@ struct RunEvent {
   std::vector<double> joints{};  ///< the reference of the cycle before, mm or deg
 };
 
-/// What an axis was asked for at most: mm, deg and their rates.
+/// The greatest values that an axis was asked for: mm, deg and their rates.
 struct AxisPeak {
   std::string axis;
   double v = 0;
@@ -65,7 +65,7 @@ struct SlowPlace {
   motion::SingularPlace near = motion::SingularPlace::None;
 };
 
-/// What went wrong, as JSON and people get it.
+/// An error, as JSON and people get it.
 struct Problem {
   std::string code;
   std::string file;
@@ -76,7 +76,7 @@ struct Problem {
   std::vector<std::string> used{};      ///< as of RunResult: for the lines of `calls`
 };
 
-/// Everything that `rob run` and `rob check` tell of one program.
+/// Everything that `rob run` and `rob check` report about one program.
 struct RunResult {
   std::string status = "done";  ///< done | program-error | fault | interrupted
   ExitCode exit_code = ExitCode::Done;
@@ -110,7 +110,7 @@ struct RunResult {
   std::size_t findings_left_out = 0;  ///< see ProgramLog::findings()
   std::optional<Problem> error;
   std::int64_t starved = 0;          ///< decision points at which nothing was known
-  std::int64_t dropped_effects = 0;  ///< outputs and prints behind a fault or an interruption
+  std::int64_t dropped_effects = 0;  ///< outputs and prints after a fault or an interruption
   std::int64_t lost_rows = 0;        ///< of the trace
   double worst_saturation = 0;       ///< greatest force demanded / what the drive can give
   std::vector<AxisPeak> peaks;

@@ -9,7 +9,7 @@
 
 namespace rob::runtime {
 
-/// What reports call an output, and how they show what it carries: by the program's SIGNAL where
+/// The name of an output in reports, and how they show its value: by the program's SIGNAL where
 /// there is one (the first, if there are several), else by the robot file's name, else by its
 /// channel.
 class SignalNames {

@@ -15,7 +15,7 @@ namespace rob::runtime {
 /// Finds where a path under the look-ahead law is gone much slower than asked for, and what holds
 /// it there. Looked at are the places where the speed is least, between slowing down and speeding
 /// up or for a while: not the ways from and to rest. Asked for is what AT and OVER say; of a motion
-/// without them, the greatest speed that it reaches. Of a line the worst place counts.
+/// without them, the greatest speed that it reaches. For a line the worst place counts.
 class SlowPlaces {
  public:
   /// [choice] below half of what was asked for

@@ -8,9 +8,9 @@
 
 namespace rob::runtime {
 
-/// Tells a WAIT for what never comes, in a run on the virtual clock that nobody drives from
-/// outside: the program waits, the axes stand, all that was commanded has acted, and neither an
-/// input nor an output has changed for longer than anything in the simulated machine takes. Then
+/// Detects a WAIT for something that never comes, in a run on the virtual clock that nobody drives
+/// from outside: the program waits, the axes stand, all that was commanded has acted, and neither
+/// an input nor an output has changed for longer than anything in the simulated machine takes. Then
 /// nothing is left that could change an input, unless the program reads the time or has something
 /// running beside it (lang::Chunk::timed).
 class Standstill {

@@ -6,7 +6,7 @@
 
 #include "runtime/run/test_runner.h"
 
-/// What `rob test` tells of the TESTs of one program (docs/cli.md).
+/// The report of `rob test` on the TESTs of one program (docs/cli.md).
 namespace rob::runtime {
 
 /// A line for each TEST, what failed below it, and a summary.

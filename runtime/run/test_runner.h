@@ -14,7 +14,7 @@
 
 namespace rob::runtime {
 
-/// What became of one TEST.
+/// The result of one TEST.
 struct TestResult {
   std::string name;
   lang::Place place;

@@ -18,7 +18,7 @@ std::string miss(const std::optional<double>& mm) {
   return mm ? fmt::format("{:.1f} mm", *mm) : "";
 }
 
-/// Of a line or a run, s; empty where it was not foretold.
+/// The planned time of a line or a run, s; empty where it was not foretold.
 template <typename Result>
 std::string planned(const Result& result) {
   return result.foretold ? fmt::format("{:.2f}", result.planned) : "";

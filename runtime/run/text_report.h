@@ -12,9 +12,9 @@ namespace rob::runtime {
 /// Takes a report piece by piece: a program may have a million lines.
 using Put = std::function<void(std::string_view piece)>;
 
-/// What `rob check` prints: a line each with start, duration, decision point and corner miss.
+/// The output of `rob check`: a line each with start, duration, decision point and corner miss.
 void put_check_table(const RunResult& result, const Put& put);
-/// What `rob run` prints at the end: the same with what was measured beside it, and the totals.
+/// The output of `rob run` at the end: the same, the measured values beside it, and the totals.
 void put_run_table(const RunResult& result, const Put& put);
 
 /// The routines that an error happened in. [choice] ten of them: a recursion may be 1000 deep.

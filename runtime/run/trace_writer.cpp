@@ -80,7 +80,7 @@ std::string TraceWriter::line_text(std::uint32_t tag) const {
 bool TraceWriter::put(const std::string& text) {
   if (full_) return false;
   const bool taken = std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size();
-  // What was taken may have been written in part: then the stream remembers an error.
+  // The text that was taken may have been written in part: then the stream remembers an error.
   full_ = !taken || std::ferror(file_.get()) != 0;
   return !full_;
 }

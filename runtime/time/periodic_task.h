@@ -31,7 +31,7 @@ class PeriodicSchedule {
   double deadline(std::int64_t cycle) const noexcept {
     return motion::cycle_instant(cycle, period_);
   }
-  /// Of the cycle that wait() returned last, s.
+  /// The lateness of the cycle that wait() returned last, s.
   double lateness() const noexcept { return lateness_; }
   const Punctuality& punctuality() const noexcept { return punctuality_; }
 
