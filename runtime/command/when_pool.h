@@ -23,7 +23,7 @@ class WhenPool {
 
   /// A place for a WHEN in this line, and its number; null while all are in use.
   motion::WatchedAction* set_up(int line, const lang::Watch& condition, int& id);
-  /// One that is armed, and is not to be disarmed yet; null: none.
+  /// One that is armed, and that nobody has asked to disarm yet; null: none.
   motion::WatchedAction* first_in_use();
   int id_of(const motion::WatchedAction& action) const;
   motion::WatchedAction& at(int id) { return places_.at(static_cast<std::size_t>(id)).action; }

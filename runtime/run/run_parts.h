@@ -17,7 +17,7 @@ SignalNames names_in(const LoadedProgram& program, const motion::RobotModel& rob
 bool has_handlers(const LoadedProgram& program);
 /// None without a script.
 std::vector<SimulationRule> rules_of(const SignalScript* script);
-/// Prepares the operator's answers and actions in the script.
+/// Gives the panel the operator's part of the script.
 void prepare_panel(Controller& controller, const SignalScript* script);
 
 /// The program has ended by this error.

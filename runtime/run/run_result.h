@@ -99,7 +99,7 @@ struct RunResult {
   std::vector<double> final_reference;  ///< mm, deg
   std::string stands;                   ///< for people: "x 100 mm, theta 90 deg", measured
   std::vector<double> final_pose;       ///< of final_joints: x, y, z in mm, a, b, c in deg
-  // Of each the first and the last 5000, and the number of all.
+  // The first and the last 5000 of each, and the number of all.
   std::vector<SignalChange> signals;
   std::vector<std::string> output;
   std::vector<RunEvent> events;
