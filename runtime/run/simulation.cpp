@@ -8,6 +8,7 @@
 #include "drivers/sim/sim_gantry.h"
 #include "motion/kinematics/arm_kinematics.h"
 #include "motion/servo/pulse_servo.h"
+#include "runtime/tick/axis_values.h"
 
 namespace rob::runtime {
 
@@ -37,8 +38,7 @@ std::vector<drivers::PulseDrive> pulse_drives_of(const motion::RobotModel& robot
 }
 
 std::unique_ptr<drivers::SimMachine> machine_of(const motion::RobotModel& robot) {
-  std::vector<motion::DriveData> drives;
-  for (const motion::Axis& axis : robot.axes) drives.push_back(axis.drive);
+  const std::vector<motion::DriveData> drives = drives_of(robot);
   std::vector<drivers::SimActuatorParameters> actuators;
   for (const motion::TwoPositionActuator& a : robot.actuators) {
     actuators.push_back({a.output, a.input_off, a.input_on, a.travel_time});

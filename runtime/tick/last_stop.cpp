@@ -1,22 +1,17 @@
 #include "runtime/tick/last_stop.h"
 
+#include "runtime/tick/axis_values.h"
+
 namespace rob::runtime {
 
 namespace {
 
 constexpr double kLongestSearch = 1;  // s [choice] for a machine that does not say where it is
 
-motion::JointVector greatest_accelerations(const motion::RobotModel& robot) {
-  motion::JointVector a_max(robot.axis_count());
-  for (int i = 0; i < robot.axis_count(); ++i)
-    a_max[i] = robot.axes[static_cast<std::size_t>(i)].a_max;
-  return a_max;
-}
-
 }  // namespace
 
 LastStop::LastStop(const motion::RobotModel& robot)
-    : period_(robot.reference_period), brake_(greatest_accelerations(robot)) {
+    : period_(robot.reference_period), brake_(axis_values(robot, &motion::Axis::a_max)) {
   last_.q = robot.start;
   last_.qd = last_.qdd = motion::JointVector::Zero(robot.axis_count());
 }

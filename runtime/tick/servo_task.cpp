@@ -1,11 +1,10 @@
 #include "runtime/tick/servo_task.h"
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "motion/servo/pulse_servo.h"
 #include "motion/servo/servo_law.h"
+#include "runtime/tick/axis_values.h"
 
 namespace rob::runtime {
 
@@ -13,12 +12,6 @@ using motion::DriverStatus;
 using motion::JointVector;
 
 namespace {
-
-std::vector<motion::DriveData> drives_of(const motion::RobotModel& robot) {
-  std::vector<motion::DriveData> drives;
-  for (const motion::Axis& axis : robot.axes) drives.push_back(axis.drive);
-  return drives;
-}
 
 /// The one that the robot file chooses.
 std::unique_ptr<motion::Servo> servo_of(const motion::RobotModel& robot) {
@@ -30,14 +23,6 @@ std::unique_ptr<motion::Servo> servo_of(const motion::RobotModel& robot) {
   return std::make_unique<motion::PulseServo>(drives, pulses, robot.servo, robot.servo_period);
 }
 
-JointVector limits_of(const motion::RobotModel& robot, double motion::Axis::*limit) {
-  JointVector values(robot.axis_count());
-  for (int i = 0; i < robot.axis_count(); ++i) {
-    values[i] = robot.axes[static_cast<std::size_t>(i)].*limit;
-  }
-  return values;
-}
-
 JointVector counts_of(const motion::RobotModel& robot) {
   JointVector counts(robot.axis_count());
   for (int i = 0; i < robot.axis_count(); ++i)
@@ -45,22 +30,7 @@ JointVector counts_of(const motion::RobotModel& robot) {
   return counts;
 }
 
-constexpr double kPatience = 0.01;   // s [choice] for a thread that the same computer runs next
 constexpr double kNoisyWire = 0.05;  // [choice] fault 25: 1 % is repeated, 10 % is reported
-
-/// s between two cycles. As much lateness as the generator makes up (20 reference periods, at least
-/// 200 ms), and the period itself: after more the machine has been on its own.
-double longest_gap(const motion::RobotModel& robot) {
-  return std::max(20 * robot.reference_period, 0.2) + robot.reference_period;
-}
-
-/// How far the axes may be from the references, s at full speed: the longest gap, and twice the way
-/// v²/a_max that they lose when they start again from rest with half of their acceleration.
-double most_behind(const motion::RobotModel& robot) {
-  double start = 0;
-  for (const motion::Axis& axis : robot.axes) start = std::max(start, axis.v_max / axis.a_max);
-  return longest_gap(robot) + 2 * start;
-}
 
 }  // namespace
 
@@ -68,18 +38,14 @@ ServoTask::ServoTask(const motion::RobotModel& robot, motion::ServoBackend& back
                      Channels& channels)
     : backend_(backend),
       channels_(channels),
-      interpolator_(robot.reference_period, limits_of(robot, &motion::Axis::v_max),
-                    limits_of(robot, &motion::Axis::a_max), limits_of(robot, &motion::Axis::j_max)),
+      interpolator_(robot.reference_period, axis_values(robot, &motion::Axis::v_max),
+                    axis_values(robot, &motion::Axis::a_max),
+                    axis_values(robot, &motion::Axis::j_max)),
       servo_(servo_of(robot)),
-      supervisor_(drives_of(robot), limits_of(robot, &motion::Axis::v_max),
-                  limits_of(robot, &motion::Axis::a_max), robot.servo_period),
-      reference_period_(robot.reference_period),
-      bridged_gap_((motion::ReferenceInterpolator::kLongestGap - 1) *
-                   std::max(robot.reference_period, robot.servo_period)),
-      longest_gap_(longest_gap(robot)),
-      most_behind_(most_behind(robot)),
-      v_max_(limits_of(robot, &motion::Axis::v_max)),
-      stop_(limits_of(robot, &motion::Axis::a_max)),
+      supervisor_(drives_of(robot), axis_values(robot, &motion::Axis::v_max),
+                  axis_values(robot, &motion::Axis::a_max), robot.servo_period),
+      lateness_(robot),
+      touch_(robot),
       still_(counts_of(robot)) {
   const JointVector zero = JointVector::Zero(robot.axis_count());
   state_.measured = {0, robot.start, zero};
@@ -123,20 +89,6 @@ void ServoTask::take_as_it_stands(double now) noexcept {
   history_.reset(command_.reference);
 }
 
-/// The whole process was stopped for a while, and this thread came back before the one that makes
-/// the references: what it lacks, or the instant from which it holds, is about to come. Until then
-/// the drives go on as they were told; but not for long, since that thread may be late again.
-bool ServoTask::references_are_coming(double now, double gap) noexcept {
-  const bool missing =
-      gap > bridged_gap_ && gap <= longest_gap_ && std::abs(now - newest_) > reference_period_;
-  if (!missing) {
-    waiting_since_.reset();
-    return false;
-  }
-  if (!waiting_since_) waiting_since_ = now;
-  return now - *waiting_since_ <= std::max(reference_period_, kPatience);
-}
-
 motion::FollowingFinding ServoTask::judge(DriverStatus status) noexcept {
   using motion::FollowingFinding;
   const FollowingFinding found =
@@ -151,8 +103,8 @@ motion::FollowingFinding ServoTask::judge(DriverStatus status) noexcept {
 /// This computer was late, whatever the machine says.
 motion::FollowingFinding ServoTask::overrun() const noexcept {
   using motion::FollowingFinding;
-  return {FollowingFinding::Verdict::Stop, FollowingFinding::Cause::Overrun, -1, gap_,
-          longest_gap_};
+  return {FollowingFinding::Verdict::Stop, FollowingFinding::Cause::Overrun, -1, touch_.gap(),
+          lateness_.longest_gap()};
 }
 
 void ServoTask::guide(double now) noexcept {
@@ -177,27 +129,16 @@ void ServoTask::take_references() noexcept {
   motion::JointReference newest;
   while (channels_.references.take(newest)) {
     interpolator_.push(newest);
-    newest_ = newest.time;
+    lateness_.take(newest.time);
   }
-}
-
-void ServoTask::lose_touch(double now, double gap) noexcept {
-  touch_ = Touch::Lost;
-  lost_ = now;
-  gap_ = gap;
 }
 
 /// A position that the machine reported after the gap: there the axes are braked from the velocity
 /// that they have. Drives that have braked by themselves thus stay where they are.
 bool ServoTask::find_machine(double instant, DriverStatus read) noexcept {
-  const motion::JointMeasurement& found = state_.measured;
-  const bool fresh = std::max(state_.seen, found.time) >= lost_;
-  const bool finite = found.q.allFinite() && found.qd.allFinite();
-  if (read != DriverStatus::Ok || !fresh || !finite) return false;
+  if (read != DriverStatus::Ok || !touch_.finds(state_)) return false;
   take_as_it_stands(instant);
-  command_.reference.qd = found.qd.cwiseMin(v_max_).cwiseMax(-v_max_);
-  stop_.start(command_.reference);
-  touch_ = Touch::Braked;
+  touch_.brake(command_.reference, state_.measured.qd);
   return true;
 }
 
@@ -212,20 +153,20 @@ void ServoTask::run(double now, double due) noexcept {
     return tell(status == DriverStatus::Ok ? motion::FollowingFinding{} : judge(status));
   }
   if (enabled_ && channels_.drives_off.load(std::memory_order_relaxed)) disable();
-  if (gap > longest_gap_) lose_touch(now, gap);
-  if (read == DriverStatus::Late && touch_ == Touch::Kept) lose_touch(now, state_.late);
-  if (touch_ == Touch::Kept && references_are_coming(now, gap)) return tell({});
+  if (gap > lateness_.longest_gap()) touch_.lose(now, gap);
+  if (read == DriverStatus::Late && touch_.kept()) touch_.lose(now, state_.late);
+  if (touch_.kept() && lateness_.references_are_coming(now, gap)) return tell({});
   followed_ = now;
-  if (touch_ == Touch::Lost && !find_machine(instant, read)) return tell(overrun());
-  if (touch_ == Touch::Kept && gap > bridged_gap_ && read == DriverStatus::Ok)
+  if (touch_.lost() && !find_machine(instant, read)) return tell(overrun());
+  if (touch_.kept() && !lateness_.bridged(gap) && read == DriverStatus::Ok)
     interpolator_.join_from(found_at(instant));
-  command_.reference = touch_ == Touch::Braked ? stop_.at(instant) : interpolator_.at(instant);
-  if (touch_ == Touch::Kept && interpolator_.behind() > most_behind_) {
-    lose_touch(now, interpolator_.behind());
+  command_.reference = touch_.braked() ? touch_.at(instant) : interpolator_.at(instant);
+  if (touch_.kept() && interpolator_.behind() > lateness_.most_behind()) {
+    touch_.lose(now, interpolator_.behind());
     return tell(overrun());
   }
   history_.push(command_.reference);
-  const motion::FollowingFinding finding = touch_ == Touch::Braked ? overrun() : judge(status);
+  const motion::FollowingFinding finding = touch_.braked() ? overrun() : judge(status);
   follow(now, read);
   tell(finding);
 }
@@ -261,8 +202,8 @@ void ServoTask::tell(const motion::FollowingFinding& finding) noexcept {
   sample->felt.time = state_.wrench_time;
   if (state_.wrench_time != 0) sample->felt.wrench = state_.wrench;
   sample->reference = command_.reference;
-  sample->braked = touch_ == Touch::Braked;
-  sample->joining = touch_ == Touch::Kept && interpolator_.joining();
+  sample->braked = touch_.braked();
+  sample->joining = touch_.kept() && interpolator_.joining();
   sample->settled = !backend_.follows_references() || !answers_ || still_.still();
   channels_.samples.push();
 }

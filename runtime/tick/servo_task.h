@@ -1,9 +1,7 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
-#include "motion/generate/axis_brake.h"
 #include "motion/robots/robot_model.h"
 #include "motion/servo/following_supervisor.h"
 #include "motion/servo/reference_history.h"
@@ -12,6 +10,8 @@
 #include "motion/servo/servo_backend.h"
 #include "motion/servo/still_watch.h"
 #include "runtime/tick/channels.h"
+#include "runtime/tick/lateness.h"
+#include "runtime/tick/touch.h"
 #include "runtime/time/clock.h"
 
 namespace rob::runtime {
@@ -56,13 +56,11 @@ class ServoTask {
   void learn_stand(double now) noexcept;
   void take_references() noexcept;
   void run(double now, double due) noexcept;
-  void lose_touch(double now, double gap) noexcept;
   bool find_machine(double instant, motion::DriverStatus read) noexcept;
   void follow(double now, motion::DriverStatus read) noexcept;
   motion::FollowingFinding overrun() const noexcept;
   void take_as_it_stands(double now) noexcept;
   motion::JointReference found_at(double instant) const noexcept;
-  bool references_are_coming(double now, double gap) noexcept;
   void tell(const motion::FollowingFinding& finding) noexcept;
   motion::FollowingFinding judge(motion::DriverStatus status) noexcept;
 
@@ -73,24 +71,9 @@ class ServoTask {
   const motion::CarriedLoad* carried_ = nullptr;  ///< that the servo knows of
   motion::FollowingSupervisor supervisor_;
   motion::ReferenceHistory history_;
-  double reference_period_;
-  double bridged_gap_;  ///< s that the interpolator bridges by itself
-  double longest_gap_;
-  double most_behind_;  ///< s
-  /// What the references of motion have to say about the axes.
-  enum class Touch : std::uint8_t {
-    Kept,   ///< they are followed
-    Lost,   ///< nothing is known of the machine since lost_
-    Braked  ///< it was found, and is braked by stop_
-  };
-  Touch touch_ = Touch::Kept;
-  double lost_ = 0;  ///< when the gap ended, s
-  double gap_ = 0;   ///< s
-  motion::JointVector v_max_;
-  motion::AxisBrake stop_;
-  std::optional<double> waiting_since_;  ///< for references that are about to come, s
-  double newest_ = 0;                    ///< stamp of the newest reference
-  double followed_ = 0;                  ///< when the references were followed last
+  Lateness lateness_;
+  Touch touch_;
+  double followed_ = 0;  ///< when the references were followed last
   motion::ServoState state_;
   motion::StillWatch still_;
   motion::ServoCommand command_;
