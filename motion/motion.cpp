@@ -21,12 +21,6 @@ namespace {
 /// [choice] The motion that runs, and those before it in its corners.
 constexpr std::size_t kRunning = 8;
 
-/// A motion that the planner has judged, and what its segment points into.
-struct Waiting {
-  SegmentDescriptor segment;
-  std::shared_ptr<const PlannedLeg> leg;
-};
-
 /// The robot under that law, with its axes there.
 RobotModel placed(const RobotModel& robot, Law law, const JointVector& start) {
   RobotModel placed = robot;
@@ -58,6 +52,12 @@ double most_share(Law law) noexcept { return law == Law::Paul ? 1 : 2; }
 }  // namespace
 
 struct Trajectory::Parts {
+  /// A motion that the planner has judged, and what its segment points into.
+  struct Waiting {
+    SegmentDescriptor segment;
+    std::shared_ptr<const PlannedLeg> leg;
+  };
+
   Parts(const RobotModel& from, Law law, const JointVector& start)
       : robot(placed(from, law, start)), chain(robot) {}
 

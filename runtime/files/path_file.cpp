@@ -11,10 +11,7 @@ namespace rob::runtime {
 
 PathFile::PathFile(const std::string& path, const motion::RobotModel& robot)
     : robot_(robot), path_(path) {
-  std::string names = "sigma";
-  for (const char* column : {"q", "dq", "ddq"})
-    for (int i = 1; i <= robot_.axis_count(); ++i) names += fmt::format(",{}{}", column, i);
-  text_ = names + "\n";
+  text_ = "sigma" + axis_columns(robot_, {"q", "dq", "ddq"}) + "\n";
 }
 
 void PathFile::planned(const motion::Piece& piece) {
@@ -32,7 +29,7 @@ void PathFile::put(const motion::Piece& piece, double at) {
   double per_mm = 1;
   for (const motion::JointVector* values : {&point.q, &point.qd, &point.qdd}) {
     for (int i = 0; i < robot_.axis_count(); ++i) {
-      const double shown = shown_per_si(robot_.axes[static_cast<std::size_t>(i)].kind);
+      const double shown = shown_per_si(axis_of(robot_, i).kind);
       fmt::format_to(std::back_inserter(row), ",{:.17g}", (*values)[i] * shown * per_mm);
     }
     per_mm *= kMm;

@@ -1,5 +1,4 @@
 #include "runtime/run/run_recorder.h"
-#include "runtime/words/force_words.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/words/codes.h"
+#include "lang/values/percent_text.h"
+#include "runtime/run/drain.h"
+#include "runtime/words/force_words.h"
 #include "runtime/words/units.h"
 
 namespace rob::runtime {
@@ -18,11 +19,11 @@ using motion::MotionEvent;
 RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,
                          ProgramLog& log, SignalNames names, Listener listener)
     : robot_(robot),
-      override_share_(std::min(override_share, 1.0)),
       channels_(channels),
       log_(log),
-      names_(std::move(names)),
       listener_(std::move(listener)),
+      journal_(robot, log, std::move(names)),
+      plan_(robot, override_share),
       meter_(*robot.kinematics),
       references_(*robot.kinematics),
       path_(*robot.kinematics, robot.start),
@@ -36,33 +37,25 @@ RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share,
 void RunRecorder::drain() {
   Intervention intervention;
   while (channels_.interventions.take(intervention)) take(intervention);
-  while (const Snapshot* const snapshot = channels_.snapshots.front()) {
-    const MotionEvent* event = nullptr;
-    while ((event = channels_.events.front()) != nullptr &&
-           event->time <= snapshot->sample.reference.time) {
-      take(*event);
-      channels_.events.pop();
-    }
-    take(*snapshot);
-    channels_.snapshots.pop();
-  }
-  MotionEvent event;
-  while (channels_.events.take(event)) take(event);
+  drain_in_order(
+      channels_, [&](const MotionEvent& event) { take(event); },
+      [&](const Snapshot& snapshot) { take(snapshot); });
   ServoNotice notice;
   while (channels_.notices.take(notice)) take(notice);
 }
 
 void RunRecorder::take(const Snapshot& snapshot) {
   meter_.measured(snapshot.measured, snapshot.pressed);
-  if (!comes_timed()) references_.measured(snapshot.sample.reference.q, snapshot.pressed);
+  if (!plan_.comes_timed()) references_.measured(snapshot.sample.reference.q, snapshot.pressed);
   take_misses(false);
   const double way = path_.reference(snapshot.sample.reference.q);
   if (running_) line_of(*running_).way += way * kMillimetresPerMetre;
-  if (!comes_timed()) slow_.take(snapshot.sample, way);
+  if (!plan_.comes_timed()) slow_.take(snapshot.sample, way);
   peaks_.take(snapshot.sample.reference);
   result_.worst_saturation = std::max(result_.worst_saturation, snapshot.saturation);
   if (early_) locate(snapshot);
   last_ = snapshot;
+  journal_.stand_at(snapshot.sample.reference.q);
   if (listener_.snapshot) listener_.snapshot(snapshot);
 }
 
@@ -72,7 +65,7 @@ void RunRecorder::take(const MotionEvent& event) {
       begin_segment(event);
       break;
     case MotionEvent::Kind::DecisionPoint:
-      take_decision(event);
+      plan_.take_decision(event, running(), running_line());
       break;
     case MotionEvent::Kind::EffectDue:
       take_effect(event);
@@ -80,25 +73,23 @@ void RunRecorder::take(const MotionEvent& event) {
     case MotionEvent::Kind::ActionDue:
       if (event.effect.after > 0)
         --result_.dropped_effects;  // a path event is one of the program's
-      take_output(event);
+      journal_.take_output(event);
       break;
     case MotionEvent::Kind::PulseOver:
-      add_output(event, false);
+      journal_.end_pulse(event);
       break;
     case MotionEvent::Kind::LateDecision:
       ++result_.starved;
-      add_event(event.time, "late-decision", static_cast<int>(event.tag),
-                "the next motion was not known in time; the target was made exact");
+      journal_.add_event(event.time, "late-decision", static_cast<int>(event.tag),
+                         "the next motion was not known in time; the target was made exact");
       break;
     case MotionEvent::Kind::LeadMissed:
-      add_event(event.time, "lead", static_cast<int>(event.tag), text_for_missed_lead(event.value));
+      journal_.add_event(event.time, "lead", static_cast<int>(event.tag),
+                         text_for_missed_lead(event.value));
       break;
-    case MotionEvent::Kind::LeadCut: {
-      const Words words = words_for_cut_lead(event.value);
-      log_.found({lang::Severity::Warning, words.code,
-                  lang::tagged_place(static_cast<int>(event.tag)), words.message, words.help});
+    case MotionEvent::Kind::LeadCut:
+      journal_.note(static_cast<int>(event.tag), words_for_cut_lead(event.value));
       break;
-    }
     case MotionEvent::Kind::Hit:
     case MotionEvent::Kind::Braking:
       begin_early_end(event);
@@ -111,7 +102,8 @@ void RunRecorder::take(const MotionEvent& event) {
     case MotionEvent::Kind::NoWayBack:
       break;
     case MotionEvent::Kind::JogStopped:
-      stop_jog(event);
+      journal_.add_event(event.time, "limit", static_cast<int>(event.tag),
+                         text_for_stopped_jog(event.axis, robot_));
       break;
     case MotionEvent::Kind::Overrun:
       fail(event.time, "overrun", words_for_overrun(event.value));
@@ -120,11 +112,11 @@ void RunRecorder::take(const MotionEvent& event) {
       fail(event.time, "fault", words_for_not_finite(event.axis, robot_));
       break;
     case MotionEvent::Kind::PaceFailed:
-      fail(event.time, "fault", words_for_no_pace(), static_cast<int>(event.tag));
+      journal_.fail(event.time, "fault", words_for_no_pace(), static_cast<int>(event.tag));
       break;
     case MotionEvent::Kind::Unsettled:
-      fail(event.time, "fault", words_for_unsettled(event.off, robot_),
-           static_cast<int>(event.tag));
+      journal_.fail(event.time, "fault", words_for_unsettled(event.off, robot_),
+                    static_cast<int>(event.tag));
       break;
     case MotionEvent::Kind::Handling:
       begin_handler(event);
@@ -144,31 +136,30 @@ void RunRecorder::take(const ServoNotice& notice) {
   if (notice.finding.verdict == motion::FollowingFinding::Verdict::Stop) {
     fail(notice.time, "fault", words);
   } else {
-    add_event(notice.time, "warning", line(), words.message);
-    log_.found({lang::Severity::Warning, words.code, lang::tagged_place(line()), words.message,
-                words.help});
+    journal_.warn(notice.time, line(), words);
   }
 }
 
 void RunRecorder::begin_segment(const MotionEvent& event) {
   const std::optional<LoggedSegment> planned = log_.take_planned(event.number);
   if (!planned) return;  // a stop that the generator made by itself belongs to the line before
-  if (planned->from_rest) count_stop();
+  if (planned->from_rest && running_) plan_.add_stop(*running_, line_of(*running_));
   end_segment(event.time, &*planned);
   programmed(*planned);
 
   slow_.begin(*planned);
   LineTotal& line = line_of(*planned);
-  running_ = Running{*planned, from_, event.time};
+  running_ = RunningMotion{*planned, from_, event.time};
   if (!planned->further && line.count++ == 0) line.starts = event.time;
-  plan(*planned, event, line);
+  plan_.begin(*running_, event.time, line);
 }
 
 void RunRecorder::begin_early_end(const MotionEvent& event) {
   const bool hit = event.kind == MotionEvent::Kind::Hit;
-  add_event(event.time, hit ? "hit" : "brake", static_cast<int>(event.tag), "");
+  const std::int64_t number =
+      journal_.add_event(event.time, hit ? "hit" : "brake", static_cast<int>(event.tag), "");
   using Ended = LineTotal::Ended;
-  early_ = EarlyEnd{events_.count() - 1, hit ? Ended::Hit : Ended::Brake, event.time, {}, {}};
+  early_ = EarlyEnd{number, hit ? Ended::Hit : Ended::Brake, event.time, {}, {}};
 }
 
 /// The motion has ended, early or not; its target and its corner count only if it was not.
@@ -189,7 +180,7 @@ void RunRecorder::locate(const Snapshot& snapshot) {
   const Eigen::Vector3d tip = running_ ? running_->tip : Eigen::Vector3d::Zero();
   const double way =
       (place_of(tip, tool.forward(q)) - place_of(tip, tool.forward(early_->from))).norm();
-  if (RunEvent* const event = events_.find(early_->event))
+  if (RunEvent* const event = journal_.find_event(early_->event))
     event->text =
         fmt::format("at rest {} s and {} mm later", shown(*early_->rest - early_->tripped, 3),
                     shown(way * kMillimetresPerMetre, 3));
@@ -203,7 +194,7 @@ void RunRecorder::stand_still(const MotionEvent& event) {
     if (running_) {
       LineTotal& line = line_of(*running_);
       line.measured += event.time - running_->started;
-      line.ended = result_.error ? LineTotal::Ended::Fault : LineTotal::Ended::Brake;
+      line.ended = journal_.failed() ? LineTotal::Ended::Fault : LineTotal::Ended::Brake;
     }
     return;
   }
@@ -216,9 +207,12 @@ void RunRecorder::end_segment(double time, const LoggedSegment* next) {
   if (!running_) return;
   LineTotal& line = line_of(*running_);
   line.measured += time - running_->started;
-  if (running_->jog->present()) plan_jog(time - running_->started);
+  if (running_->jog->present()) {
+    plan_.add_jog(time - running_->started, line);
+    running_->cut = true;
+  }
   if (running_->cut) return running_.reset();
-  plan_corner(next);
+  plan_.add_corner(*running_, next, line);
   if (next != nullptr && next->stop) line.exact = true;
   if (next == nullptr && line.count == 1) line.decides.reset();  // nothing follows it
   behind_ = running_;
@@ -242,7 +236,7 @@ void RunRecorder::take_misses(bool all) {
   while (const auto miss = meter_.take(all))
     line(*miss).miss_measured.raise_to(miss->least * kMillimetresPerMetre);
   while (const auto miss = references_.take(all))
-    add_planned_miss(line(*miss), miss->least * kMillimetresPerMetre);
+    plan_.add_miss(line(*miss), miss->least * kMillimetresPerMetre);
 }
 
 void RunRecorder::take_effect(const MotionEvent& event) {
@@ -255,74 +249,106 @@ void RunRecorder::take_effect(const MotionEvent& event) {
   if (kind == Kind::Load) return;
   if (kind == Kind::Simulate || kind == Kind::SimulateAnalog) return;
   if (kind == Kind::SimulateGo || kind == Kind::SimulateAnswer) return;
-  if (kind != Kind::Note) return take_output(event);
+  if (kind != Kind::Note) return journal_.take_output(event);
   take_note(event, log_.take_note(event.effect.id));
 }
 
-void RunRecorder::take_output(const MotionEvent& event) {
-  const bool analog = event.effect.kind == Effect::Kind::Analog;
-  if (analog) {
-    add_analog(event);
-  } else {
-    add_output(event, event.effect.kind == Effect::Kind::Pulse || event.effect.value);
-  }
-  if (event.effect.safe) {
-    add_event(
-        event.time, "safe", static_cast<int>(event.tag),
-        fmt::format("{} takes its SAFE value", analog ? names_.analog_output(event.effect.channel)
-                                                      : names_.output(event.effect.channel)));
-  }
+void RunRecorder::change_override(double time, double share) {
+  plan_.change_override(time, share, running(), running_line());
 }
 
-void RunRecorder::add_output(const MotionEvent& event, bool value) {
-  signals_.push_back({.time = event.time,
-                      .name = names_.output(event.effect.channel),
-                      .value = value,
-                      .line = static_cast<int>(event.tag)});
+void RunRecorder::begin_handler(const MotionEvent& event) {
+  journal_.add_event(event.time, "when", static_cast<int>(event.tag), "its handler begins");
+  interrupted_.emplace(Interrupted{event.time, static_cast<int>(event.tag),
+                                   std::exchange(running_, std::nullopt),
+                                   std::exchange(behind_, std::nullopt), reached_, path_});
+  if (last_) reached_ = last_->sample.reference.q;
 }
 
-void RunRecorder::add_analog(const MotionEvent& event) {
-  constexpr double kSame = 1e-9;  // V: what rounding can add at the end of a SCALE
+/// The interrupted motion goes on as though no time had passed, or has come to its end.
+void RunRecorder::end_handler(const MotionEvent& event) {
+  if (!interrupted_) return;
+  const bool left = event.value != 0;
+  end_segment(event.time, nullptr);
+  end_corner();
+  journal_.add_event(event.time, "when", interrupted_->line,
+                     left ? "its handler has ended the motion" : "its handler ends");
+  running_ = interrupted_->running;
+  behind_ = interrupted_->behind;
+  const double pause = event.time - interrupted_->time;
+  if (running_) {
+    running_->started += pause;
+    running_->ends += pause;
+    running_->cut = left;
+    if (left) line_of(*running_).ended = LineTotal::Ended::Brake;
+  }
+  if (!left) {
+    reached_ = interrupted_->reached;
+    path_ = interrupted_->path;
+  } else if (last_) {
+    reached_ = last_->sample.reference.q;
+  }
+  interrupted_.reset();
+}
+
+/// What is programmed from here on: a further point, or rates.
+void RunRecorder::programmed(const LoggedSegment& planned) {
+  if (planned.jog->present()) return path_.unprogrammed(planned.tip);
+  if (path_.is_unprogrammed() && last_) reached_ = last_->sample.reference.q;
+  from_ = std::exchange(reached_, planned.target);
+  meter_.watch(planned.number, planned.target, planned.tip);
+  if (!plan_.comes_timed()) references_.watch(planned.number, planned.target, planned.tip);
+  const bool on_line = planned.leg != nullptr && planned.leg->line.has_value();
+  path_.programmed({planned.path, from_, planned.target, planned.duration}, on_line, planned.tip);
+}
+
+/// One that has come to rest where nothing follows.
+void RunRecorder::end_jog(double time) {
+  if (!running_ || !running_->jog->present()) return;
+  running_->cut = true;
+  end_segment(time, nullptr);
+}
+
+void RunRecorder::take_note(const MotionEvent& event, Note note) {
   const int line = static_cast<int>(event.tag);
-  const int channel = event.effect.channel;
-  const double volts = motion::within_analog_range(event.effect.volts);
-  const std::string name = names_.analog_output(channel);
-  const SignalNames::Quantity carried = names_.quantity(channel, volts);
-  signals_.push_back({.time = event.time,
-                      .name = name,
-                      .number = carried.number,
-                      .unit = carried.unit,
-                      .line = line});
-  if (std::abs(event.effect.volts - volts) <= kSame) return;
-  const std::string text =
-      fmt::format("{}: {} is beyond what the channel carries; it is set to {}", name,
-                  names_.quantity(channel, event.effect.volts).text, carried.text);
-  add_event(event.time, "warning", line, text);
-  log_.found({lang::Severity::Warning, code::kAnalogCut, lang::tagged_place(line), text,
-              "keep the value within its SCALE, or give the signal a wider one"});
-}
-
-void RunRecorder::add_event(double time, const char* kind, int line, std::string text) {
-  events_.push_back({time, kind, line, std::move(text),
-                     shown_joints(last_ ? last_->sample.reference.q : robot_.start)});
-}
-
-void RunRecorder::fail(double time, const char* kind, Words words, std::optional<int> line) {
-  const int tag = line.value_or(this->line());
-  add_event(time, kind, tag, words.message);
-  if (result_.error) return;  // the first cause is the one to mend
-  result_.status = "fault";
-  result_.exit_code = ExitCode::Fault;
-  result_.error = Problem{std::move(words.code), "", lang::tagged_place(tag),
-                          std::move(words.message), std::move(words.help)};
-}
-
-std::vector<double> RunRecorder::shown_joints(const motion::JointVector& q) const {
-  std::vector<double> shown;
-  for (int i = 0; i < robot_.axis_count(); ++i) {
-    shown.push_back(q[i] * shown_per_si(robot_.axes[static_cast<std::size_t>(i)].kind));
+  switch (note.kind) {
+    case Note::Kind::Print:
+      if (listener_.print) listener_.print(note.text);
+      journal_.print(std::move(note.text));
+      return;
+    case Note::Kind::Halt:
+    case Note::Kind::Ask:
+      if (listener_.consult) listener_.consult(note, line);
+      journal_.add_event(event.time, note.kind == Note::Kind::Ask ? "ask" : "halt", line,
+                         note.text);
+      return;
+    case Note::Kind::Answer:
+      if (listener_.consult) listener_.consult(note, line);
+      journal_.add_event(event.time, "answer", line, note.text);
+      return;
   }
-  return shown;
+}
+
+void RunRecorder::take(const Intervention& intervention) {
+  const double time = intervention.time;
+  switch (intervention.kind) {
+    case Intervention::Kind::Hold:
+      journal_.add_event(time, "hold", line(), "the signal script holds the robot");
+      return;
+    case Intervention::Kind::GoOn:
+      journal_.add_event(time, "go", line(), "the signal script lets the robot go on");
+      return;
+    case Intervention::Kind::Override:
+      journal_.add_event(time, "override", line(),
+                         fmt::format("the signal script sets the override to {}",
+                                     lang::percent_text(intervention.share)));
+      return change_override(time, intervention.share);
+    case Intervention::Kind::Stop:
+      journal_.add_event(time, "stop", line(), "the signal script stops the robot");
+      return journal_.interrupt();
+    case Intervention::Kind::Forgotten:
+      return fail(time, "fault", words_for_endless_hold());
+  }
 }
 
 /// Where the robot has come to rest. After a fault the axes may be anywhere beside their
@@ -332,13 +358,13 @@ void RunRecorder::take_stand() {
   const motion::JointVector& measured = last_ ? last_->measured : robot_.start;
   motion::JointVector q = reference;
   for (int i = 0; i < robot_.axis_count(); ++i) {
-    const motion::Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
+    const motion::Axis& axis = axis_of(robot_, i);
     if (result_.status != "done" && stands_beside(axis, measured[i], reference[i]))
       q[i] = measured[i];
   }
-  result_.final_joints = shown_joints(q);
-  result_.final_measured = shown_joints(measured);
-  result_.final_reference = shown_joints(reference);
+  result_.final_joints = shown_joints(robot_, q);
+  result_.final_measured = shown_joints(robot_, measured);
+  result_.final_reference = shown_joints(robot_, reference);
   result_.final_pose = shown_pose(robot_.kinematics->forward(q));
   result_.stands = stand_text(robot_, measured, reference);
 }
@@ -346,20 +372,14 @@ void RunRecorder::take_stand() {
 RunResult RunRecorder::finish() {
   take_misses(true);
   result_.dropped_effects += log_.effects();
-  result_.output_count = output_.count();
-  result_.output = output_.take();
-  result_.signals_count = signals_.count();
-  result_.signals = signals_.take();
-  result_.events_count = events_.count();
-  result_.events = events_.take();
-  result_.findings = log_.findings();
-  result_.findings_left_out = log_.findings_left_out();
+  journal_.put_into(result_);
   result_.lost_rows = channels_.lost.load();
   // An instant that is a whole number of periods must not become one cycle more by rounding.
   constexpr double kRounding = 1e-7;
   result_.cycles =
       static_cast<std::int64_t>(std::ceil(result_.measured / robot_.reference_period - kRounding));
-  result_.deviation = std::max(result_.deviation, path_.deviation() * kMillimetresPerMetre);
+  result_.planned = plan_.duration();
+  result_.deviation = std::max(plan_.greatest_miss(), path_.deviation() * kMillimetresPerMetre);
   result_.slow_places = slow_.finish();
   result_.peaks = peaks_.peaks();
   take_stand();

@@ -90,7 +90,7 @@ void SlowPlaces::find_cause(const Passed& next, SlowPlace& place) const {
   int fastest = 0;
   int hardest = 0;
   for (int i = 0; i < robot_.axis_count(); ++i) {
-    const motion::Axis& axis = robot_.axes[static_cast<std::size_t>(i)];
+    const motion::Axis& axis = axis_of(robot_, i);
     const double v = std::abs(last_.sample.reference.qd[i]) / axis.v_max;
     double a = 0;
     for (const Passed* passed : {&before_, &last_, &next})
@@ -108,7 +108,7 @@ void SlowPlaces::find_cause(const Passed& next, SlowPlace& place) const {
   } else {
     const bool at_speed = speed >= kAtLimit;
     place.cause = at_speed ? SlowPlace::Cause::Speed : SlowPlace::Cause::Acceleration;
-    place.axis = robot_.axes[static_cast<std::size_t>(at_speed ? fastest : hardest)].name;
+    place.axis = axis_of(robot_, at_speed ? fastest : hardest).name;
   }
 }
 

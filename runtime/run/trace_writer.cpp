@@ -20,9 +20,7 @@ void append(std::string& row, double value) {
 
 /// The axes' values in the units people read.
 void append(std::string& row, const motion::JointVector& values, const motion::RobotModel& robot) {
-  for (int i = 0; i < robot.axis_count(); ++i) {
-    append(row, values[i] * shown_per_si(robot.axes[static_cast<std::size_t>(i)].kind));
-  }
+  for (const double value : shown_joints(robot, values)) append(row, value);
 }
 
 }  // namespace
@@ -37,13 +35,10 @@ TraceWriter::TraceWriter(const std::string& path, const motion::RobotModel& robo
 
 void TraceWriter::header() {
   std::string names = "t,line,piece,sigma,rate,state,override,limit,late_us";
-  for (const char* column : {"q", "qd", "qdd", "a"}) {
-    for (int i = 1; i <= robot_.axis_count(); ++i) names += fmt::format(",{}{}", column, i);
-  }
+  names += axis_columns(robot_, {"q", "qd", "qdd", "a"});
   names += ",x,y,z,a,b,c";
   if (robot_.force_sensor) names += ",fx,fy,fz,tx,ty,tz";
-  for (int i = 1; i <= robot_.axis_count(); ++i) names += fmt::format(",drive{}", i);
-  put(names + "\n");
+  put(names + axis_columns(robot_, {"drive"}) + "\n");
 }
 
 void TraceWriter::write(const Snapshot& snapshot) {

@@ -4,7 +4,7 @@
 
 #include "lang/machine/motion_words.h"
 #include "motion/robots/robot_model.h"
-#include "runtime/words/messages.h"
+#include "runtime/words/words.h"
 
 namespace rob::runtime {
 

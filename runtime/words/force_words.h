@@ -1,6 +1,8 @@
 #pragma once
 
-#include "runtime/words/messages.h"
+#include "motion/robots/robot_model.h"
+#include "motion/servo/following_supervisor.h"
+#include "runtime/words/words.h"
 
 /// What has to do with forces, in words for people.
 namespace rob::runtime {

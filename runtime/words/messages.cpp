@@ -1,6 +1,4 @@
 #include "runtime/words/messages.h"
-#include "runtime/words/codes.h"
-#include "runtime/words/force_words.h"
 
 #include <cmath>
 
@@ -13,6 +11,8 @@
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/tick/simulated_inputs.h"
+#include "runtime/words/codes.h"
+#include "runtime/words/force_words.h"
 #include "runtime/words/path_words.h"
 #include "runtime/words/units.h"
 
@@ -22,10 +22,6 @@ using motion::FollowingFinding;
 using motion::Refusal;
 
 namespace {
-
-const motion::Axis& axis_of(const motion::RobotModel& robot, int axis) {
-  return robot.axes.at(static_cast<std::size_t>(axis));
-}
 
 Words beyond(const Refusal& refusal, const motion::RobotModel& robot) {
   const motion::Axis& axis = axis_of(robot, refusal.axis);

@@ -2,25 +2,16 @@
 
 #include <string>
 
-#include "lang/machine/machine.h"
 #include "lang/values/arithmetic.h"
 #include "lang/values/pose_math.h"
 #include "motion/generate/position_error.h"
 #include "motion/plan/feasibility.h"
 #include "motion/robots/robot_model.h"
 #include "motion/servo/following_supervisor.h"
+#include "runtime/words/words.h"
 
 /// Everything motion tells by numbers, in words for people: motion knows neither lines nor texts.
 namespace rob::runtime {
-
-/// Code, what is wrong, and the remedy. What a program's commands are refused with.
-using Words = lang::Refusal;
-
-/// The same words about this place of the program.
-inline Words words_at(lang::Place place, Words words) {
-  words.place = place;
-  return words;
-}
 
 /// "axis x: 9000 mm is beyond 400 mm".
 Words words_for(const motion::Refusal& refusal, const motion::RobotModel& robot);

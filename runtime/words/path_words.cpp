@@ -14,10 +14,6 @@ using motion::Refusal;
 
 namespace {
 
-const motion::Axis& axis_in(const motion::RobotModel& robot, int axis) {
-  return robot.axes.at(static_cast<std::size_t>(axis));
-}
-
 /// "63.2 mm of 120 mm".
 std::string place_on(const Refusal& refusal) {
   const auto kind = refusal.turning ? motion::AxisKind::Rotary : motion::AxisKind::Linear;
@@ -28,7 +24,7 @@ std::string place_on(const Refusal& refusal) {
 }
 
 Words words_for_limit(const Refusal& refusal, const motion::RobotModel& robot) {
-  const motion::Axis& axis = axis_in(robot, refusal.axis);
+  const motion::Axis& axis = axis_of(robot, refusal.axis);
   return {code::kPathBeyondLimit,
           fmt::format("axis {} would pass its limit of {} at {}", axis.name,
                       shown(refusal.limit, axis.kind), place_on(refusal)),
@@ -59,7 +55,7 @@ const char* words_for(motion::SingularPlace place) {
 Words words_for_weight(const Refusal& refusal, const motion::RobotModel& robot) {
   return {code::kTooHeavy,
           fmt::format("axis {} would bear {} Nm at {}, more than its {} Nm, by weight alone",
-                      axis_in(robot, refusal.axis).name, shown(refusal.value, 2), place_on(refusal),
+                      axis_of(robot, refusal.axis).name, shown(refusal.value, 2), place_on(refusal),
                       shown(refusal.limit, 2)),
           "carry less, go past that place, or in another posture"};
 }
@@ -72,7 +68,7 @@ Words words_for_pace_cut(const motion::PaceCut& cut, const motion::RobotModel& r
     const auto kind = cut.turning ? motion::AxisKind::Rotary : motion::AxisKind::Linear;
     const auto place = [&](double at) { return shown(at * shown_per_si(kind), 1); };
     text += fmt::format(": axis {} holds it from {} to {} {} of {} {}",
-                        axis_in(robot, cut.axis).name, place(cut.from), place(cut.to),
+                        axis_of(robot, cut.axis).name, place(cut.from), place(cut.to),
                         unit_name(kind), place(cut.way), unit_name(kind));
   }
   constexpr double kTold = 0.005;  // s: 0.01 s of what is shown
@@ -166,7 +162,7 @@ Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
   return {
       code::kPathSingular,
       fmt::format("axis {} would have to turn too fast at {}{}{}",
-                  axis_in(robot, refusal.axis).name, place_on(refusal), *why == 0 ? "" : ": ", why),
+                  axis_of(robot, refusal.axis).name, place_on(refusal), *why == 0 ? "" : ": ", why),
       "lead the way past that place, begin in another posture, or write MOVE"};
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <string>
+
 #include "motion/plan/feasibility.h"
 #include "motion/plan/planned_segment.h"
-#include "runtime/words/messages.h"
+#include "motion/robots/robot_model.h"
+#include "runtime/words/words.h"
 
 /// What is wrong with the way of a tool, in words for people.
 namespace rob::runtime {

@@ -23,7 +23,7 @@ std::string shown(double si, motion::AxisKind kind) {
 std::string axes_text(const motion::RobotModel& robot, const motion::JointVector& q) {
   std::string text;
   for (int i = 0; i < robot.axis_count(); ++i) {
-    const motion::Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    const motion::Axis& axis = axis_of(robot, i);
     text += fmt::format("{}{} {}", i == 0 ? "" : ", ", axis.name, shown(q[i], axis.kind));
   }
   return text;
@@ -40,7 +40,7 @@ std::string stand_text(const motion::RobotModel& robot, const motion::JointVecto
   constexpr int kDecimals = 2;
   std::string text;
   for (int i = 0; i < robot.axis_count(); ++i) {
-    const motion::Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    const motion::Axis& axis = axis_of(robot, i);
     const char* const comma = i == 0 ? "" : ", ";
     if (!stands_beside(axis, measured[i], reference[i])) {
       text += fmt::format("{}{} {}", comma, axis.name, shown(reference[i], axis.kind));
@@ -52,6 +52,21 @@ std::string stand_text(const motion::RobotModel& robot, const motion::JointVecto
                     shown(reference[i] * shown_per_si(axis.kind), kDecimals), unit_name(axis.kind));
   }
   return text;
+}
+
+std::vector<double> shown_joints(const motion::RobotModel& robot, const motion::JointVector& q) {
+  std::vector<double> values;
+  for (int i = 0; i < robot.axis_count(); ++i)
+    values.push_back(q[i] * shown_per_si(axis_of(robot, i).kind));
+  return values;
+}
+
+std::string axis_columns(const motion::RobotModel& robot,
+                         std::initializer_list<const char*> names) {
+  std::string columns;
+  for (const char* const name : names)
+    for (int i = 1; i <= robot.axis_count(); ++i) columns += fmt::format(",{}{}", name, i);
+  return columns;
 }
 
 std::vector<double> shown_pose(const motion::Pose& pose) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,11 @@ constexpr const char* unit_name(motion::AxisKind kind) {
   return kind == motion::AxisKind::Linear ? "mm" : "deg";
 }
 
+/// The axis of this number, from 0 on.
+inline const motion::Axis& axis_of(const motion::RobotModel& robot, int number) {
+  return robot.axes.at(static_cast<std::size_t>(number));
+}
+
 /// "400 mm", "12.5 deg": at most six decimals, no trailing zeros.
 std::string shown(double si, motion::AxisKind kind);
 
@@ -37,6 +43,12 @@ bool stands_beside(const motion::Axis& axis, double measured, double reference);
 /// stands_beside() its reference, that too: "pan -3.05 deg (its reference is -21.3 deg)".
 std::string stand_text(const motion::RobotModel& robot, const motion::JointVector& measured,
                        const motion::JointVector& reference);
+
+/// Each axis in mm or deg.
+std::vector<double> shown_joints(const motion::RobotModel& robot, const motion::JointVector& q);
+
+/// ",q1,q2,q3,dq1,dq2,dq3": the names of columns, each of them for every axis.
+std::string axis_columns(const motion::RobotModel& robot, std::initializer_list<const char*> names);
 
 /// x, y, z in mm, a, b, c in deg.
 std::vector<double> shown_pose(const motion::Pose& pose);
