@@ -12,6 +12,7 @@
 #include "lang/values/number_text.h"
 #include "runtime/files/line_reader.h"
 #include "runtime/files/points_file.h"
+#include "runtime/files/text_lines.h"
 #include "runtime/words/codes.h"
 #include "runtime/words/pose_values.h"
 #include "runtime/words/signature.h"
@@ -111,9 +112,7 @@ void PointsReader::take_remarks(std::string_view text) {
   if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
   std::string above;
   for (std::uint32_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    std::string_view line = take_line(text);
     while (line.ends_with('\r') || line.ends_with(' ')) line.remove_suffix(1);
     const std::size_t comment = comment_of(line);
     if (const auto owner = owners.find(number); owner != owners.end()) {

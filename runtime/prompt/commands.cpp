@@ -8,7 +8,12 @@
 
 #include "lang/text/ascii.h"
 #include "lang/text/suggest.h"
-#include "runtime/prompt/session.h"
+#include "motion/robots/robot_file.h"
+#include "runtime/prompt/file_commands.h"
+#include "runtime/prompt/motion_commands.h"
+#include "runtime/prompt/point_commands.h"
+#include "runtime/prompt/program_commands.h"
+#include "runtime/prompt/run_commands.h"
 #include "runtime/words/explanation.h"
 
 namespace rob::runtime {
@@ -99,10 +104,7 @@ Command::Words words_of(std::string_view line, std::size_t plain) {
   return words;
 }
 
-}  // namespace
-
-std::span<const Command> commands() { return kCommands; }
-
+/// What stands after the colon; for an unknown word the nearest name is proposed.
 void carry_out_command(Session& session, std::string_view line) {
   std::string name = take_word(line);
   if (name.empty()) name = "help";
@@ -116,6 +118,35 @@ void carry_out_command(Session& session, std::string_view line) {
   session.fail(fmt::format("there is no command :{}", name),
                meant.empty() ? ":help lists the commands" : fmt::format("did you mean :{}?", meant),
                ExitCode::Usage);
+}
+
+}  // namespace
+
+std::span<const Command> commands() { return kCommands; }
+
+bool is_command(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t\n");
+  return first != std::string_view::npos && line[first] == ':';
+}
+
+Session::Taken enter(Session& session, const std::string& text, bool last) try {
+  using Taken = Session::Taken;
+  const std::size_t first = text.find_first_not_of(" \t\n");
+  if (is_command(text)) {
+    carry_out_command(session, std::string_view(text).substr(first + 1));
+    return Taken::Done;
+  }
+  if (session.asks()) {
+    session.answer(text);
+    return Taken::Done;
+  }
+  return first == std::string::npos ? Taken::Done : session.take(text, last);
+} catch (const FileError& error) {
+  session.fail(error.what(), "", ExitCode::InputOutput);
+  return Session::Taken::Done;
+} catch (const motion::RobotFileError& error) {
+  session.fail(error.what());
+  return Session::Taken::Done;
 }
 
 }  // namespace rob::runtime

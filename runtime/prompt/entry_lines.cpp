@@ -4,6 +4,7 @@
 #include <array>
 
 #include "lang/text/ascii.h"
+#include "runtime/files/text_lines.h"
 
 namespace rob::runtime {
 
@@ -83,11 +84,7 @@ bool EntryLines::surely_goes_on() const {
 
 bool EntryLines::brackets_open(std::string_view text) {
   int open = 0;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    open += shape_of(text.substr(0, end)).brackets;
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
+  while (!text.empty()) open += shape_of(take_line(text)).brackets;
   return open > 0;
 }
 

@@ -1,31 +1,28 @@
 #include "runtime/prompt/live_reports.h"
-#include "runtime/words/force_words.h"
-#include "runtime/words/units.h"
 
 #include <fmt/format.h>
+
+#include "runtime/run/drain.h"
+#include "runtime/words/force_words.h"
+#include "runtime/words/state_name.h"
+#include "runtime/words/units.h"
 
 namespace rob::runtime {
 
 using motion::Effect;
 using motion::MotionEvent;
+using motion::MotionState;
 
 void LiveReports::drain() {
   const bool over =
       controller_.motion().over();  // before looking: all that came before is then seen
   Channels& channels = controller_.channels();
-  Snapshot snapshot;
-  while (channels.snapshots.take(snapshot)) {
-    const MotionEvent* event = nullptr;
-    while ((event = channels.events.front()) != nullptr &&
-           event->time <= snapshot.sample.reference.time) {
-      take(*event);
-      channels.events.pop();
-    }
-    last_ = snapshot;
-    if (listener_.snapshot) listener_.snapshot(snapshot);
-  }
-  MotionEvent event;
-  while (channels.events.take(event)) take(event);
+  drain_in_order(
+      channels, [&](const MotionEvent& event) { take(event); },
+      [&](const Snapshot& snapshot) {
+        last_ = snapshot;
+        if (listener_.snapshot) listener_.snapshot(snapshot);
+      });
   ServoNotice notice;
   while (channels.notices.take(notice)) {
     const Words words =
@@ -50,6 +47,27 @@ void LiveReports::tell_stand() {
   if (last_)
     tell(fmt::format("the robot stands at {}",
                      stand_text(controller_.robot(), last_->measured, last_->sample.reference.q)));
+}
+
+bool LiveReports::moves() const {
+  return last_ && last_->sample.state != MotionState::Idle &&
+         last_->sample.state != MotionState::Held;
+}
+
+std::string LiveReports::state_text() const {
+  const motion::RobotModel& robot = controller_.robot();
+  if (!last_) return robot.name;
+  const MotionState state = last_->sample.state;
+  const char* const name = controller_.motion().over()     ? "fault"
+                           : state == MotionState::Running ? "moving"
+                                                           : state_name(state);
+  std::string text = fmt::format("{} {} (", robot.name, name);
+  const char* comma = "";
+  for (const double place : shown_joints(robot, last_->measured)) {
+    text += comma + shown(place, 1);
+    comma = ", ";
+  }
+  return text + ")";
 }
 
 void LiveReports::take(const MotionEvent& event) {

@@ -27,6 +27,12 @@ class LiveReports {
   void drain();
   /// Of the last cycle; none before the first.
   const std::optional<Snapshot>& last() const { return last_; }
+  /// As the last cycle says.
+  bool moves() const;
+  /// s of the run, of the last cycle.
+  double time() const { return last_ ? last_->sample.reference.time : 0; }
+  /// "gantry idle (0, 0, 0)": robot, state, position in mm and deg.
+  std::string state_text() const;
   /// The line under way or done last; 0 before the first.
   int line() const { return line_; }
 

@@ -17,8 +17,6 @@ constexpr std::int64_t kSlice = 10'000;  // instructions between looks at the st
 constexpr auto kProgramPause = 1ms;      // [choice] a tenth of a reference period
 /// Of the way that `:back` goes: 11 minutes at 10 ms, 5 MB. [choice]
 constexpr std::size_t kRecorded = 65'536;
-/// Instructions of a cycle of virtual time (docs/language.md).
-constexpr std::int64_t kInstructionsPerCycle = 1'000'000;
 
 }  // namespace
 

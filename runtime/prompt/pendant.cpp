@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "motion/space/cycle_instant.h"
+#include "runtime/prompt/commands.h"
 #include "runtime/words/signature.h"
 #include "runtime/words/units.h"
 
@@ -111,7 +112,7 @@ void Pendant::move(const Way& way, Key::Event event) {
     return;
   }
   if (!active_) return begin(way);
-  const double now = session_.time();
+  const double now = session_.robot().reports().time();
   if (active_ == way) return dead_man_.hold_until(now + kPulse);
   stop();
   if (style_ == Style::Hold) pending_ = way;
@@ -122,7 +123,8 @@ void Pendant::begin(const Way& way) {
   active_ = way;
   const double rate = full_rate(way.coordinate) * share();
   if (style_ != Style::Step) {
-    dead_man_.hold_until(session_.time() + (style_ == Style::Hold ? kFirstHold : kPulse));
+    dead_man_.hold_until(session_.robot().reports().time() +
+                         (style_ == Style::Hold ? kFirstHold : kPulse));
     return session_.jog(jog(way, rate, 0), dead_man_.watch());
   }
   // In whole periods, so that it is as long as it says.
@@ -233,7 +235,7 @@ void Pendant::command(const Key& key) {
 
 void Pendant::toggle(const char* output) {
   if (!session_.robot().idle()) return;
-  session_.enter(fmt::format("{0} = NOT {0}", output));
+  enter(session_, fmt::format("{0} = NOT {0}", output));
 }
 
 /// The name of a point to be taught here: Enter takes it, Esc leaves it.
@@ -243,7 +245,7 @@ void Pendant::name(const Key& key) {
   } else if (key.kind == Key::Kind::Enter) {
     if (!naming_->empty()) {
       session_.screen().message(fmt::format("{} is here from now on\n", *naming_));
-      session_.enter(":teach " + *naming_);
+      enter(session_, ":teach " + *naming_);
     }
     naming_.reset();
   } else if (key.kind == Key::Kind::Backspace) {

@@ -36,9 +36,7 @@ const char* name_of(Pendant::Style style) {
 /// What holds the robot, in words; empty: nothing that a person must know.
 std::string limit_text(int limit, const motion::RobotModel& robot) {
   using namespace motion::limit_number;
-  const auto axis = [&](int first) {
-    return robot.axes[static_cast<std::size_t>(limit - first)].name;
-  };
+  const auto axis = [&](int first) { return axis_of(robot, limit - first).name; };
   const int axes = robot.axis_count();
   if (limit >= kEndOfAxis && limit < kEndOfAxis + axes)
     return fmt::format("axis {} is at its limit", axis(kEndOfAxis));
@@ -53,7 +51,7 @@ void add_axes(const Pendant& pendant, const Snapshot& snapshot, Lines& lines) {
   const motion::RobotModel& robot = pendant.session().robot().robot();
   const bool joint = pendant.frame() == JogFrame::Joint;
   for (int i = 0; i < robot.axis_count(); ++i) {
-    const motion::Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    const motion::Axis& axis = axis_of(robot, i);
     const bool chosen = joint && static_cast<std::size_t>(i) == pendant.chosen();
     const double per_si = shown_per_si(axis.kind);
     lines.push_back(fmt::format("{} {:<8}{:>12.3f} {:<4} of {:g} … {:g}", chosen ? ">" : " ",

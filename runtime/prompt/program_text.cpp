@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/files/text_lines.h"
+
 namespace rob::runtime {
 
 namespace {
@@ -11,16 +13,6 @@ namespace {
 constexpr std::size_t kMostEdits = 200;
 
 }  // namespace
-
-std::vector<std::string> split_lines(std::string_view text) {
-  std::vector<std::string> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    lines.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
-}
 
 std::string ProgramText::text() const {
   std::string text;

@@ -48,7 +48,4 @@ class ProgramText {
   std::vector<Lines> undone_;
 };
 
-/// The lines of a text; one line's end at its end begins no further line.
-std::vector<std::string> split_lines(std::string_view text);
-
 }  // namespace rob::runtime

@@ -13,6 +13,7 @@
 
 #include "runtime/files/files.h"
 #include "runtime/files/run_mark.h"
+#include "runtime/prompt/commands.h"
 #include "runtime/prompt/entry_lines.h"
 #include "runtime/prompt/session.h"
 #include "runtime/prompt/terminal_prompt.h"
@@ -91,12 +92,12 @@ ExitCode filter(Session& session, bool fast) {
     const auto line = lines.next();
     if (!line) break;
     if (is_command(*line)) {
-      session.enter(*line);
+      enter(session, *line);
     } else {
       entry.add(*line);
       const bool last = entry.text().size() > kMostLine;
       if (!last && !session.asks() && entry.surely_goes_on()) continue;
-      if (session.enter(entry.text(), last) == Session::Taken::Incomplete) {
+      if (enter(session, entry.text(), last) == Session::Taken::Incomplete) {
         entry.note_open_block();
         continue;
       }
@@ -105,7 +106,7 @@ ExitCode filter(Session& session, bool fast) {
     if (session.take_pendant()) session.fail("the pendant needs a terminal", "", ExitCode::Usage);
     session.carry_out_entries(fast ? 0 : kAhead);
   }
-  if (!entry.empty()) session.enter(entry.text(), true);
+  if (!entry.empty()) enter(session, entry.text(), true);
   if (!lines.trouble().empty()) session.fail(lines.trouble(), "", ExitCode::InputOutput);
   session.finish();
   if (session.asks() && !Interruption::requested())

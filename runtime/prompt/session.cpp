@@ -10,13 +10,12 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 #include "lang/text/visible.h"
-#include "motion/robots/robot_file.h"
-#include "runtime/prompt/commands.h"
+#include "runtime/files/text_lines.h"
 #include "runtime/prompt/entry_lines.h"
+#include "runtime/run/output_file.h"
 #include "runtime/run/simulation.h"
 #include "runtime/run/text_report.h"
 #include "runtime/words/codes.h"
-#include "runtime/words/units.h"
 
 namespace rob::runtime {
 
@@ -36,25 +35,6 @@ bool is_incomplete(const std::string& entry, const LoadedProgram& compiled) {
       compiled.compilation.diagnostics.all(), [](const lang::Diagnostic& one) {
         return one.code == lang::code::kUnclosedBlock || one.code == lang::code::kRescueMissing;
       });
-}
-
-const char* name_of(motion::MotionState state) {
-  switch (state) {
-    case motion::MotionState::Idle:
-      return "idle";
-    case motion::MotionState::Running:
-      return "moving";
-    case motion::MotionState::Held:
-      return "held";
-    case motion::MotionState::Stopping:
-      return "stopping";
-    case motion::MotionState::Jogging:
-      return "jogging";
-    case motion::MotionState::Pressing:
-      return "pressing";
-    default:
-      return "busy";
-  }
 }
 
 }  // namespace
@@ -87,7 +67,7 @@ std::unique_ptr<LiveRobot> Session::live(const motion::RobotModel& robot) {
   options.backend = options_.backend;
   options.home = std::exchange(options_.home, false);
   options.requests = options_.requests;
-  return std::make_unique<LiveRobot>(robot, std::move(options), listener(), this);
+  return std::make_unique<LiveRobot>(robot, std::move(options), listener(), &answers_);
 }
 
 LiveReports::Listener Session::listener() {
@@ -97,14 +77,14 @@ LiveReports::Listener Session::listener() {
     screen_->message(lang::on_one_line(text) + "\n");
   };
   listener.consult = [this](const Note& note) {
-    asks_ = note.kind != Note::Kind::Answer;
+    answers_.want(note.kind != Note::Kind::Answer);
     if (note.kind == Note::Kind::Ask) screen_->message(note.text + "\n");
     if (note.kind == Note::Kind::Halt)
       screen_->message(
           fmt::format("HALT{}{}: Enter goes on\n", note.text.empty() ? "" : " ", note.text));
   };
   listener.fault = [this](int line, const Words& words) {
-    asks_ = false;
+    answers_.want(false);
     screen_->message(fmt::format("line {}: fault[{}]: {}\nhelp: {}\n", line, words.code,
                                  words.message, words.help));
     screen_->message("the robot has stopped; :reset takes it under control again\n");
@@ -113,24 +93,10 @@ LiveReports::Listener Session::listener() {
   return listener;
 }
 
-bool is_command(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(" \t\n");
-  return first != std::string_view::npos && line[first] == ':';
-}
-
-Session::Taken Session::enter(const std::string& text, bool last) try {
-  const std::size_t first = text.find_first_not_of(" \t\n");
-  if (asks_ && !is_command(text)) {
-    answer(text);
-    return Taken::Done;
-  }
-  if (first == std::string::npos) return Taken::Done;
-  if (is_command(text)) {
-    carry_out_command(*this, text.substr(first + 1));
-    return Taken::Done;
-  }
+Session::Taken Session::take(const std::string& text, bool last) {
+  const std::string word = text.substr(text.find_first_not_of(" \t\n"));
   // END at the prompt is STOP: there is more to come.
-  const std::string entry = lang::same_word(text.substr(first), "END") ? "STOP" : text;
+  const std::string entry = lang::same_word(word, "END") ? "STOP" : text;
   if (robot_->guided()) {
     fail("the drives are without force", ":guide off takes the robot under control again");
     return Taken::Done;
@@ -140,13 +106,8 @@ Session::Taken Session::enter(const std::string& text, bool last) try {
   if (!last && is_incomplete(entry, compiled)) return Taken::Incomplete;
   if (!compiled.runnable()) compiled = text_->compile(entry, SessionText::Knowing::Everything);
   const std::uint32_t line = text_->line();
-  if (submit(entry, std::move(compiled)) && workshop_.records) record(entry, line);
-  return Taken::Done;
-} catch (const FileError& error) {
-  fail(error.what(), "", ExitCode::InputOutput);
-  return Taken::Done;
-} catch (const motion::RobotFileError& error) {
-  fail(error.what());
+  if (submit(entry, std::move(compiled)) && workshop_.records)
+    workshop_.record(entry, text_->named_in(entry), line);
   return Taken::Done;
 }
 
@@ -194,7 +155,7 @@ void Session::let_pass() {
 
 void Session::take_failures() {
   while (const auto failure = robot_->take_failure()) {
-    asks_ = false;  // whatever asked has ended
+    answers_.want(false);  // whatever asked has ended
     const lang::RuntimeError& error = failure->error;
     forget(*failure);
     note(ExitCode::Fault);
@@ -204,10 +165,8 @@ void Session::take_failures() {
     }
     const lang::Diagnostic told{lang::Severity::Error, error.code, error.place, error.message,
                                 error.help};
-    const auto run = runs_.find(failure->line);
-    screen_->message(run == runs_.end() ? text_->rendered(told)
-                                        : lang::render(told, run->second.file, run->second.source,
-                                                       run->second.used));
+    screen_->message(runs_.contains(failure->line) ? runs_.rendered(told, failure->line)
+                                                   : text_->rendered(told));
   }
 }
 
@@ -225,7 +184,7 @@ void Session::forget(const EntryTask::Failure& failure) {
 void Session::wait_while(const std::function<bool()>& waits) {
   using namespace std::chrono_literals;
   robot_->work();
-  while (!robot_->over() && !robot_->held() && !asks_ && waits()) {
+  while (!robot_->over() && !robot_->held() && !asks() && waits()) {
     let_pass();
     if (!options_.fast) std::this_thread::sleep_for(5ms);
   }
@@ -248,7 +207,7 @@ bool Session::interrupt() {
 }
 
 bool Session::interrupt_again() {
-  if (!interrupted_ || !moves()) return false;
+  if (!interrupted_ || !robot_->reports().moves()) return false;
   robot_->brake();
   screen_->message("braked as hard as the axes can; the drives are without force\n");
   return true;
@@ -265,20 +224,6 @@ void Session::note(ExitCode error) {
                                         ExitCode::InputOutput, ExitCode::Fault};
   worst_ = std::ranges::max(worst_, error, {},
                             [&](ExitCode one) { return std::ranges::find(kFromTheLeast, one); });
-}
-
-std::string Session::state_text() const {
-  const auto& last = robot_->reports().last();
-  const motion::RobotModel& model = robot_->robot();
-  std::string text = model.name;
-  if (!last) return text;
-  text += fmt::format(" {} (", robot_->over() ? "fault" : name_of(last->sample.state));
-  for (int i = 0; i < model.axis_count(); ++i) {
-    const motion::Axis& axis = model.axes[static_cast<std::size_t>(i)];
-    text += fmt::format("{}{}", i == 0 ? "" : ", ",
-                        shown(last->measured[i] * shown_per_si(axis.kind), 1));
-  }
-  return text + ")";
 }
 
 void Session::choose_robot(const std::string& robot, std::optional<motion::Law> law) {
@@ -308,17 +253,6 @@ void Session::jog(const lang::MoveCommand& command, const motion::Watch& held) {
   robot_->submit({text_->line(), EntryTask::Jog{command, held}});
 }
 
-bool Session::moves() const {
-  using motion::MotionState;
-  const auto& last = robot_->reports().last();
-  return last && last->sample.state != MotionState::Idle && last->sample.state != MotionState::Held;
-}
-
-double Session::time() const {
-  const auto& last = robot_->reports().last();
-  return last ? last->sample.reference.time : 0;
-}
-
 /// The variables have gone with what executed them, and so have their names.
 void Session::reset() {
   robot_->reset();
@@ -341,26 +275,120 @@ void Session::home() {
 }
 
 void Session::go_on() {
-  if (asks_) answer("");
+  if (asks()) answer("");
 }
 
-void Session::listen() {
-  const std::lock_guard lock(mutex_);
-  answers_.clear();
+bool Session::stands(const char* command) {
+  if (options_.waits) finish();
+  if (robot_->over()) {
+    fail("the robot has stopped for good", ":reset takes it up again");
+  } else if (robot_->guided()) {
+    fail(fmt::format("{} needs a robot under control", command), ":guide off before");
+  } else if (robot_->held()) {
+    fail(fmt::format("{} needs a robot at rest; it is held", command), ":resume or :stop before");
+  } else if (!robot_->idle()) {
+    fail(fmt::format("{} needs a robot at rest; it is busy", command), "wait for it, or :stop it");
+  } else {
+    return true;
+  }
+  return false;
 }
 
-std::optional<std::string> Session::line() {
-  const std::lock_guard lock(mutex_);
-  if (answers_.empty()) return std::nullopt;
-  std::string text = std::move(answers_.front());
-  answers_.pop_front();
-  return text;
+void Session::run(LoadedProgram program) {
+  const std::uint32_t line = text_->line();
+  text_->pass_line(":run");
+  auto chunk = std::make_shared<const lang::Chunk>(std::move(*program.compilation.chunk));
+  runs_.keep(line, program);
+  robot_->submit({line, EntryTask::Program{std::move(chunk), options_.seed}});
+  leave_hold();
 }
 
-void Session::answer(const std::string& text) {
-  asks_ = false;  // the line after this one is none
-  const std::lock_guard lock(mutex_);
-  answers_.push_back(text);
+void Session::leave_hold() {
+  robot_->pause(false);
+  if (options_.waits) finish();
+}
+
+void Session::go_back() {
+  if (options_.waits) finish();
+  if (!robot_->held() && !stands(":back")) return;
+  robot_->go_back();
+  while (options_.waits && robot_->going_back() && !robot_->over()) let_pass();
+}
+
+/// The tick has asked for the hold; what is said of it is of the program run last.
+void Session::tell_held() {
+  const lang::Place place =
+      lang::tagged_place(static_cast<int>(robot_->channels().hold_points.take_held()));
+  if (place.line == 0 || runs_.empty()) return;
+  screen_->message(fmt::format("held where {}\n", runs_.beginning_of(place)));
+}
+
+void Session::declare(const std::string& entry) { submit(entry, text_->compile(entry)); }
+
+void Session::carry_out_aside(LoadedProgram compiled) {
+  auto chunk = std::make_shared<const lang::Chunk>(std::move(*compiled.compilation.chunk));
+  robot_->submit({text_->line(), EntryTask::Statements{std::move(chunk)}});
+  if (options_.waits) finish();
+}
+
+/// Those of entries before have been told, and have their value.
+void Session::refuse_untaught(LoadedProgram& compiled) const {
+  std::erase_if(compiled.compilation.missing_points,
+                [&](const lang::MissingPoint& one) { return one.place.line < text_->line(); });
+  refuse_missing_points(compiled);
+}
+
+/// Points of another robot, or a file with errors: the prompt works without them.
+void Session::forget_unusable_points(const motion::RobotModel& robot) {
+  if (options_.points_file.empty()) return;
+  try {
+    load_points(options_.points_file, robot);
+  } catch (const FileError& error) {
+    fail(error.what(), "points are not kept at this prompt", ExitCode::InputOutput);
+    options_.points_file.clear();
+  }
+}
+
+void Session::follow_points(const std::string& file) {
+  if (options_.points_file.empty() || robot_->points() == nullptr) return;
+  load_points(file, robot_->robot());
+  options_.points_file = file;
+  text_->use_points(file);
+  robot_->points()->move_to(file);
+  take_points();
+}
+
+bool Session::traces_to(const std::string& file) const {
+  return !options_.trace.empty() && same_file(options_.trace, file);
+}
+
+/// While statements are under way the file may not be what they leave.
+void Session::take_points() {
+  if (robot_->idle()) read_points();
+}
+
+/// Behind begin_text() nothing is under way, though the robot may have to come under control first.
+void Session::read_points() {
+  if (options_.points_file.empty() || robot_->over()) return;
+  const motion::RobotModel& robot = robot_->robot();
+  const SessionPoints::Change change =
+      points_.take_change(load_points(options_.points_file, robot), robot);
+  for (const std::string& name : change.gone) {
+    if (!text_->forget_name(name))
+      screen_->message(fmt::format("{} stays as it was at this prompt: it is used there\n", name));
+  }
+  if (!change.declares.empty()) declare(change.declares);
+}
+
+/// TEACH must stand beside the POINT that it gives its first value.
+void Session::teach(const std::string& point) {
+  if (robot_->guided()) {  // where a hand has brought the axes is where the robot stands now
+    robot_->reset();
+    begin_text(robot_->robot());
+  }
+  const auto declared = text_->find(point);
+  const bool known = declared && declared->kind == lang::DeclaredName::Kind::Point;
+  declare(known ? "TEACH " + point : fmt::format("POINT {0}\nTEACH {0}", point));
 }
 
 }  // namespace rob::runtime

@@ -1,11 +1,7 @@
 #pragma once
 
-#include <atomic>
-#include <deque>
 #include <functional>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,9 +9,11 @@
 
 #include "runtime/prompt/dead_man.h"
 #include "runtime/prompt/live_robot.h"
+#include "runtime/prompt/run_texts.h"
 #include "runtime/prompt/screen.h"
 #include "runtime/prompt/session_points.h"
 #include "runtime/prompt/session_text.h"
+#include "runtime/prompt/typed_answers.h"
 #include "runtime/prompt/workshop.h"
 
 namespace rob::runtime {
@@ -39,12 +37,9 @@ struct SessionOptions {
   const StopRequests* requests = nullptr;  ///< as of LiveOptions
 };
 
-/// A line for the workshop; it acts at once, also while a block is open.
-bool is_command(std::string_view line);
-
 /// What a prompt works on: a robot under control, and what has been typed. Statements act at once;
-/// lines that begin with a colon command the workshop (commands.h).
-class Session final : public Person {
+/// colon commands (commands.h) act on the workshop.
+class Session {
  public:
   enum class Taken : std::uint8_t {
     Done,       ///< it is on its way, or refused and told so
@@ -54,9 +49,9 @@ class Session final : public Person {
   /// Throws as load_robot() and LiveRobot do.
   Session(SessionOptions options, Screen& screen);
 
-  /// What was typed: a statement, a block, or a colon command; a line at least. `last`: no more
-  /// lines will come.
-  Taken enter(const std::string& text, bool last = false);
+  /// A statement or a block, a word of it at least. `last`: no more lines will come. Throws
+  /// FileError.
+  Taken take(const std::string& text, bool last);
   /// Takes what there is to report; on the virtual clock a cycle passes.
   void let_pass();
   /// Until no entry is open, or `most` of them.
@@ -72,20 +67,17 @@ class Session final : public Person {
 
   /// A jog as long as `held` says No; it begins when the robot stands.
   void jog(const lang::MoveCommand& command, const motion::Watch& held);
-  /// As the last cycle that has been reported says.
-  bool moves() const;
-  /// s of the run, of the last cycle that has been reported.
-  double time() const;
 
   bool over() const { return over_; }
   /// `:jog` has asked for the pendant; once.
   bool take_pendant() { return std::exchange(pendant_, false); }
   /// HALT or ASK waits: the next line is the answer.
-  bool asks() const { return asks_; }
+  bool asks() const { return answers_.wanted(); }
+  void answer(const std::string& text) { answers_.give(text); }
   /// Of all errors: a fault before files, a program before a command.
   ExitCode worst() const { return worst_; }
-  /// "gantry idle (0, 0, 0)": robot, state, position.
-  std::string state_text() const;
+  /// See LiveReports.
+  std::string state_text() const { return robot_->reports().state_text(); }
 
   // For commands.
   LiveRobot& robot() { return *robot_; }
@@ -113,7 +105,7 @@ class Session final : public Person {
   /// Enter, where HALT waits.
   void go_on();
 
-  // For the commands that build programs and points (session_workshop.cpp).
+  // For the commands that build programs and points.
   Workshop& workshop() { return workshop_; }
   /// Whether the robot stands and nothing is open; if not, that is told as an error of `command`.
   bool stands(const char* command);
@@ -140,48 +132,33 @@ class Session final : public Person {
   void teach(const std::string& point);
 
  private:
-  // Person
-  bool present() override { return true; }
-  void listen() override;
-  std::optional<std::string> line() override;
-
   bool submit(const std::string& entry, LoadedProgram compiled);
-  void record(const std::string& entry, std::uint32_t line);
   void refuse_untaught(LoadedProgram& compiled) const;
   void forget_unusable_points(const motion::RobotModel& robot);
   void tell_held();
   void read_points();
   void begin_text(const motion::RobotModel& robot);
-  void answer(const std::string& text);
   void wait_while(const std::function<bool()>& waits);
   LiveReports::Listener listener();
   std::unique_ptr<LiveRobot> live(const motion::RobotModel& robot);
   void take_failures();
   void forget(const EntryTask::Failure& failure);
   void tell(const LoadedProgram& compiled, std::uint32_t line);
+  void note(ExitCode error);
 
   SessionOptions options_;
   Screen* screen_;
   std::optional<SessionText> text_;
   DeadMan dead_man_;
-  std::unique_ptr<LiveRobot> robot_;
-  /// A program that was run, for messages.
-  struct Run {
-    std::string file;
-    std::string source;
-    std::vector<lang::SourceFile> used;
-  };
-  std::map<std::uint32_t, Run> runs_;  ///< by the line of its :run
+  TypedAnswers answers_;
+  std::unique_ptr<LiveRobot> robot_;  ///< asks for answers_ and dead_man_ as long as it lives
+  RunTexts runs_;
   Workshop workshop_;
   SessionPoints points_;
-  void note(ExitCode error);
   ExitCode worst_ = ExitCode::Done;
   bool over_ = false;
   bool pendant_ = false;
   bool interrupted_ = false;  ///< and the robot has not come to rest yet
-  std::atomic<bool> asks_{false};
-  std::mutex mutex_;  ///< of what the operator has typed
-  std::deque<std::string> answers_;
 };
 
 }  // namespace rob::runtime

@@ -19,6 +19,7 @@
 #include "lang/text/visible.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/files/state_folder.h"
+#include "runtime/prompt/commands.h"
 #include "runtime/prompt/entry_lines.h"
 #include "runtime/prompt/line_editor.h"
 #include "runtime/prompt/pendant_terminal.h"
@@ -106,7 +107,7 @@ class TerminalPrompt {
   bool wait() const;
   void take_typed();
   void show_pendant();
-  void enter(const std::string& line);
+  void take(const std::string& line);
   void show_state();
   void stop_or_drop();
   void come_to_rest();
@@ -189,7 +190,7 @@ void TerminalPrompt::take_typed() {
   if (!typed) return;
   for (std::string_view rest = *typed; !session_.over();) {
     const std::size_t end = rest.find('\n');
-    enter(std::string(rest.substr(0, end)));
+    take(std::string(rest.substr(0, end)));
     if (end == std::string_view::npos) break;
     rest.remove_prefix(end + 1);
   }
@@ -202,14 +203,14 @@ void TerminalPrompt::show_pendant() {
   session_.fail("the pendant needs a terminal that can move its cursor; TERM says there is none");
 }
 
-void TerminalPrompt::enter(const std::string& line) {
+void TerminalPrompt::take(const std::string& line) {
   if (session_.asks() || is_command(line)) {
-    session_.enter(line);
+    enter(session_, line);
     return;
   }
   entry_.add(line);
   if (entry_.surely_goes_on()) return;
-  if (session_.enter(entry_.text()) == Session::Taken::Incomplete) return entry_.note_open_block();
+  if (enter(session_, entry_.text()) == Session::Taken::Incomplete) return entry_.note_open_block();
   entry_.clear();
 }
 
@@ -233,7 +234,7 @@ void TerminalPrompt::stop_or_drop() {
 }
 
 void TerminalPrompt::come_to_rest() {
-  const bool moves = session_.moves();
+  const bool moves = session_.robot().reports().moves();
   if (!session_.interrupt()) return;
   if (moves) screen_.message("the robot comes to rest first\n");
   session_.finish();

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "lang/compile/entries.h"
 #include "runtime/prompt/program_file.h"
 #include "runtime/prompt/program_text.h"
 
@@ -12,6 +14,11 @@ namespace rob::runtime {
 /// What is built at a prompt.
 struct Workshop {
   explicit Workshop(const std::string& archive) : file(archive) {}
+
+  /// Adds what was typed from this line of the prompt on. `named`: what occurs in it; points among
+  /// that are declared in the program where they are used first.
+  void record(const std::string& entry, const std::vector<lang::DeclaredName>& named,
+              std::uint32_t line);
 
   ProgramText program;
   ProgramFile file;

@@ -19,6 +19,7 @@
 #include "runtime/files/files.h"
 #include "runtime/files/folder_sources.h"
 #include "runtime/files/points_file.h"
+#include "runtime/files/text_lines.h"
 #include "runtime/words/codes.h"
 #include "runtime/words/feature_words.h"
 #include "runtime/words/messages.h"
@@ -44,11 +45,7 @@ std::uint64_t print_with(std::uint64_t before, std::string_view line) {
 
 std::uint64_t print_of(std::string_view text) {
   std::uint64_t print = kNoText;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    print = print_with(print, text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
+  while (!text.empty()) print = print_with(print, take_line(text));
   return print;
 }
 

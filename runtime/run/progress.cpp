@@ -10,30 +10,13 @@
 
 #include "lang/text/visible.h"
 #include "runtime/run/console.h"
+#include "runtime/words/state_name.h"
 
 namespace rob::runtime {
 
 namespace {
 
 constexpr double kEvery = 0.1;  // s: as often as an eye reads
-
-const char* name_of(motion::MotionState state) {
-  switch (state) {
-    case motion::MotionState::Idle:
-      return "idle";
-    case motion::MotionState::Running:
-      return "running";
-    case motion::MotionState::Held:
-      return "held";
-    case motion::MotionState::Jogging:
-      return "jogging";
-    case motion::MotionState::Pressing:
-      return "pressing";
-    case motion::MotionState::Stopping:
-      return "stopping";
-  }
-  return "";
-}
 
 }  // namespace
 
@@ -55,7 +38,8 @@ void Progress::show(const Position& position) {
     text += fmt::format("  {:.1f} s left", std::max(0.0, planned_ - position.time));
   }
   clear_message_line();
-  put_message(text + fmt::format("  {:.0f}%  {}", 100 * override_share_, name_of(position.state)));
+  put_message(text +
+              fmt::format("  {:.0f}%  {}", 100 * override_share_, state_name(position.state)));
 }
 
 /// It goes faster than an eye reads: what counts here is the clock.

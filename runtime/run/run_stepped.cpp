@@ -9,9 +9,6 @@ namespace rob::runtime {
 
 namespace {
 
-/// So many instructions without a wait also take one cycle of virtual time (docs/language.md).
-constexpr std::int64_t kInstructionsPerCycle = 1'000'000;
-
 /// Turns of program and planner in one cycle: as many as the planner's thread would have in real
 /// time.
 int turns_in(double period) {

@@ -7,6 +7,9 @@
 
 namespace rob::runtime {
 
+/// So many instructions without a wait also take one cycle of virtual time (docs/language.md).
+inline constexpr std::int64_t kInstructionsPerCycle = 1'000'000;
+
 /// A robot under control on the virtual clock: one thread steps servo and motion, cycle by cycle.
 class Stepper {
  public:

@@ -6,14 +6,6 @@
 #include <vector>
 
 using rob::runtime::ProgramText;
-using rob::runtime::split_lines;
-
-TEST_CASE("lines are split at their ends, and the last end begins no line") {
-  CHECK(split_lines("").empty());
-  CHECK(split_lines("a") == std::vector<std::string>{"a"});
-  CHECK(split_lines("a\n") == std::vector<std::string>{"a"});
-  CHECK(split_lines("\n  b //c\n\n") == std::vector<std::string>{"", "  b //c", ""});
-}
 
 TEST_CASE("edits change the lines that they name, and no others") {
   ProgramText program;

@@ -37,9 +37,9 @@ TEST_CASE("an error in an entry is told with its line, and nothing of it moves")
 
 TEST_CASE("an entry that fails drops the entries typed ahead, and the prompt goes on") {
   Prompt prompt;
-  prompt.session.enter("MOVE(40,40,0)");
-  prompt.session.enter("RAISE \"enough\"");
-  prompt.session.enter("MOVE(140,40,0)");
+  enter(prompt.session, "MOVE(40,40,0)");
+  enter(prompt.session, "RAISE \"enough\"");
+  enter(prompt.session, "MOVE(140,40,0)");
   prompt.session.finish();
   CHECK(prompt.screen.messages.find("error[E") != std::string::npos);
   CHECK(prompt.screen.messages.find("enough") != std::string::npos);
@@ -50,18 +50,18 @@ TEST_CASE("an entry that fails drops the entries typed ahead, and the prompt goe
 
 TEST_CASE("a block takes lines until it is closed") {
   Prompt prompt;
-  CHECK(prompt.session.enter("FOR i = 1 TO 2 DO") == Session::Taken::Incomplete);
-  CHECK(prompt.session.enter("FOR i = 1 TO 2 DO\n  PRINT i") == Session::Taken::Incomplete);
+  CHECK(enter(prompt.session, "FOR i = 1 TO 2 DO") == Session::Taken::Incomplete);
+  CHECK(enter(prompt.session, "FOR i = 1 TO 2 DO\n  PRINT i") == Session::Taken::Incomplete);
   CHECK(prompt.enter({"FOR i = 1 TO 2 DO\n  PRINT i\nENDFOR"}) == "1\n2\n");
-  CHECK(prompt.session.enter("MOVE(40,") == Session::Taken::Incomplete);
-  CHECK(prompt.session.enter("PRINT \"(\"") == Session::Taken::Done);
-  CHECK(prompt.session.enter("PRINT 1 // (") == Session::Taken::Done);
+  CHECK(enter(prompt.session, "MOVE(40,") == Session::Taken::Incomplete);
+  CHECK(enter(prompt.session, "PRINT \"(\"") == Session::Taken::Done);
+  CHECK(enter(prompt.session, "PRINT 1 // (") == Session::Taken::Done);
 }
 
 TEST_CASE("the operator's stop brakes on the path, and drops what was typed ahead") {
   Prompt prompt;
-  prompt.session.enter("MOVE(400,0,0)");
-  prompt.session.enter("MOVE(400,400,0)");
+  enter(prompt.session, "MOVE(400,0,0)");
+  enter(prompt.session, "MOVE(400,400,0)");
   for (int i = 0; i < 500; ++i) prompt.session.let_pass();  // 5 s of 20 s
   CHECK(prompt.session.interrupt());
   prompt.session.finish();
@@ -78,16 +78,16 @@ TEST_CASE("the operator's stop brakes on the path, and drops what was typed ahea
 
 TEST_CASE(":hold stands on the path, and :resume goes on to the end") {
   Prompt prompt;
-  prompt.session.enter("MOVE(100,0,0)");
+  enter(prompt.session, "MOVE(100,0,0)");
   for (int i = 0; i < 300; ++i) prompt.session.let_pass();
-  prompt.session.enter(":hold");
+  enter(prompt.session, ":hold");
   for (int i = 0; i < 300; ++i) prompt.session.let_pass();
   const double held = prompt.session.robot().reports().last()->sample.reference.q[0];
   CHECK(prompt.session.state_text().starts_with("gantry held"));
   for (int i = 0; i < 100; ++i) prompt.session.let_pass();
   CHECK(prompt.session.robot().reports().last()->sample.reference.q[0] == held);
   CHECK(held < 0.09);
-  prompt.session.enter(":resume");
+  enter(prompt.session, ":resume");
   prompt.session.finish();
   CHECK(prompt.session.state_text() == "gantry idle (100, 0, 0)");
 }
@@ -97,10 +97,10 @@ TEST_CASE(":override halves the speed of what moves") {
   Prompt whole;
   whole.enter({"MOVE(100,0,0)"});
   Prompt half;
-  half.session.enter(":override 50%");
+  enter(half.session, ":override 50%");
   half.enter({"MOVE(100,0,0)"});
   CHECK(half.time() == doctest::Approx(2 * whole.time()).epsilon(0.01));
-  half.session.enter(":override 500%");
+  enter(half.session, ":override 500%");
   CHECK(half.screen.messages.starts_with("error: :override takes a share from above 0% to 200%"));
 }
 
@@ -112,9 +112,9 @@ TEST_CASE("a WHEN of the prompt stays armed from entry to entry") {
 
 TEST_CASE("another law is for a robot at rest") {
   Prompt prompt;
-  prompt.session.enter("MOVE(100,0,0)");
+  enter(prompt.session, "MOVE(100,0,0)");
   for (int i = 0; i < 100; ++i) prompt.session.let_pass();
-  prompt.session.enter(":law lookahead");
+  enter(prompt.session, ":law lookahead");
   CHECK(prompt.screen.messages ==
         "error: :law needs a robot at rest; it is busy\nhelp: wait for it, or :stop it\n");
   prompt.session.finish();
@@ -123,7 +123,7 @@ TEST_CASE("another law is for a robot at rest") {
 
 TEST_CASE("an unknown command is told with the nearest one") {
   Prompt prompt;
-  prompt.session.enter(":wher");
+  enter(prompt.session, ":wher");
   CHECK(prompt.screen.messages == "error: there is no command :wher\nhelp: did you mean :where?\n");
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("SAFE values are taken where an entry fails, and may be set again") {
 
 TEST_CASE("a TASK is refused with the way out") {
   Prompt prompt;
-  prompt.session.enter("TASK blink\n  WAIT 1s\nENDTASK");
+  enter(prompt.session, "TASK blink\n  WAIT 1s\nENDTASK");
   CHECK(prompt.screen.messages ==
         "error: a TASK runs beside a program, not at the prompt\n"
         "help: put it into a program; :load and :run it\n");
@@ -201,17 +201,17 @@ TEST_CASE("an error in a handler of an earlier entry can be rescued, and says wh
 
 TEST_CASE("an entry that fails tells how many behind it are dropped, and their names are free") {
   Prompt prompt;
-  prompt.session.enter("MOVE(40,0,0)");
-  prompt.session.enter("RAISE \"enough\"");
-  prompt.session.enter("VAR n = 1");
-  prompt.session.enter("PROC f()\n  PRINT 1\nENDPROC");
-  prompt.session.enter("DOUT[1] = ON\nVAR m = 1");
+  enter(prompt.session, "MOVE(40,0,0)");
+  enter(prompt.session, "RAISE \"enough\"");
+  enter(prompt.session, "VAR n = 1");
+  enter(prompt.session, "PROC f()\n  PRINT 1\nENDPROC");
+  enter(prompt.session, "DOUT[1] = ON\nVAR m = 1");
   prompt.session.finish();
   CHECK(prompt.screen.messages.starts_with("dropped, typed ahead: 3 entries\n"));
   for (const char* const name : {"n", "m"}) {
     CAPTURE(name);
     prompt.screen.messages.clear();
-    prompt.session.enter(std::string("PRINT ") + name);
+    enter(prompt.session, std::string("PRINT ") + name);
     CHECK(prompt.screen.messages.find("error[E201]") != std::string::npos);
   }
   CHECK(prompt.enter({"VAR n = 2", "VAR f = 3", "PRINT n + f"}) == "5\n");
@@ -220,29 +220,29 @@ TEST_CASE("an entry that fails tells how many behind it are dropped, and their n
 TEST_CASE("a type is not declared anew, nor a routine where there is a value") {
   Prompt prompt;
   prompt.enter({"RECORD r\n  x: INT\nENDRECORD", "VAR a = 3"});
-  prompt.session.enter("RECORD r\n  y: LENGTH\nENDRECORD");
+  enter(prompt.session, "RECORD r\n  y: LENGTH\nENDRECORD");
   CHECK(prompt.screen.messages.find("error[E202]: r is already declared") != std::string::npos);
   prompt.screen.messages.clear();
-  prompt.session.enter("FUNC a(): INT\n  RETURN 4\nENDFUNC");
+  enter(prompt.session, "FUNC a(): INT\n  RETURN 4\nENDFUNC");
   CHECK(prompt.screen.messages.find("error[E202]: a is already declared") != std::string::npos);
   CHECK(prompt.enter({"PRINT a, r(x: 1)"}) == "3r(x: 1)\n");
 }
 
 TEST_CASE(":jog is refused while something moves, or is held") {
   Prompt prompt;
-  prompt.session.enter("MOVE(40,0,0)");
+  enter(prompt.session, "MOVE(40,0,0)");
   for (int i = 0; i < 100; ++i) prompt.session.let_pass();
-  prompt.session.enter(":jog");
-  prompt.session.enter(":hold");
+  enter(prompt.session, ":jog");
+  enter(prompt.session, ":hold");
   for (int i = 0; i < 200; ++i) prompt.session.let_pass();
-  prompt.session.enter(":jog");
+  enter(prompt.session, ":jog");
   CHECK_FALSE(prompt.session.take_pendant());
   CHECK(prompt.screen.messages ==
         "error: the pendant needs a robot at rest\nhelp: :stop before\n"
         "error: the pendant needs a robot at rest; it is held\nhelp: :resume or :stop before\n");
-  prompt.session.enter(":stop");
+  enter(prompt.session, ":stop");
   prompt.session.finish();
   prompt.session.let_pass();
-  prompt.session.enter(":jog");
+  enter(prompt.session, ":jog");
   CHECK(prompt.session.take_pendant());
 }

@@ -33,15 +33,15 @@ bool comes_to(Session& session, const std::string& state) {
 TEST_CASE("a prompt moves, holds, goes back and on, stops and jogs in real time") {
   VirtualPrompt prompt(in_real_time());
   Session& session = prompt.session;
-  session.enter("VAR n = 20");
-  session.enter("MOVE(n * 1mm, 0, 0)");
+  enter(session, "VAR n = 20");
+  enter(session, "MOVE(n * 1mm, 0, 0)");
   CHECK(comes_to(session, "moving"));
-  session.enter(":hold");
+  enter(session, ":hold");
   CHECK(comes_to(session, "held"));
-  session.enter(":back");
+  enter(session, ":back");
   CHECK(comes_to(session, "held (0, 0, 0)"));
-  session.enter(":resume");
-  session.enter("PRINT n");
+  enter(session, ":resume");
+  enter(session, "PRINT n");
   CHECK(comes_to(session, "moving"));
   CHECK(session.interrupt());
   session.finish();

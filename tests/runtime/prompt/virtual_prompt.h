@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/prompt/session.h"
+#include "runtime/prompt/commands.h"
 
 namespace rob::test {
 
@@ -34,7 +34,7 @@ struct VirtualPrompt {
   std::string enter(const std::vector<std::string>& entries) {
     const std::size_t before = screen.results.size();
     for (const std::string& entry : entries) {
-      REQUIRE(session.enter(entry) == runtime::Session::Taken::Done);
+      REQUIRE(runtime::enter(session, entry) == runtime::Session::Taken::Done);
       session.carry_out_entries();
     }
     session.finish();

@@ -65,11 +65,11 @@ TEST_CASE("the operator stops the way back, and what was held is dropped") {
     CAPTURE(law);
     rob::test::VirtualPrompt prompt;
     prompt.enter({std::string(":law ") + law, "MOVE(100,0,0)", "STOP", "MOVE(100,50,0)"});
-    prompt.session.enter("MOVE(200,50,0)");
+    enter(prompt.session, "MOVE(200,50,0)");
     for (int i = 0; i < 100; ++i) prompt.session.let_pass();
-    prompt.session.enter(":hold");
+    enter(prompt.session, ":hold");
     for (int i = 0; i < 200; ++i) prompt.session.let_pass();
-    prompt.session.enter(":back");
+    enter(prompt.session, ":back");
     for (int i = 0; i < 100; ++i) prompt.session.let_pass();
     const double before = prompt.session.robot().reports().last()->sample.reference.q[0];
     REQUIRE(prompt.session.interrupt());
@@ -85,14 +85,14 @@ TEST_CASE("the operator stops the way back, and what was held is dropped") {
 TEST_CASE("behind a hold on the way back :resume drives forth again") {
   rob::test::VirtualPrompt prompt;
   prompt.enter({"MOVE(100,0,0)", "STOP"});
-  prompt.session.enter(":back");
+  enter(prompt.session, ":back");
   for (int i = 0; i < 200; ++i) prompt.session.let_pass();
-  prompt.session.enter(":hold");
+  enter(prompt.session, ":hold");
   for (int i = 0; i < 200; ++i) prompt.session.let_pass();
   const std::string there = prompt.session.state_text();
   CHECK(there.find("(100") == std::string::npos);
   CHECK(there.find("(0, ") == std::string::npos);
-  prompt.session.enter(":resume");
+  enter(prompt.session, ":resume");
   prompt.session.finish();
   prompt.session.let_pass();
   CHECK(prompt.session.state_text() == "gantry idle (100, 0, 0)");
@@ -102,25 +102,25 @@ TEST_CASE("behind a hold on the way back :resume drives forth again") {
 
 TEST_CASE("a second hold ends the way back from a hold; :resume goes on") {
   rob::test::VirtualPrompt prompt;
-  prompt.session.enter("MOVE(100,0,0)");
+  enter(prompt.session, "MOVE(100,0,0)");
   const auto pass = [&] {
     for (int i = 0; i < 200; ++i) prompt.session.let_pass();
   };
   const auto x = [&] { return prompt.session.robot().reports().last()->sample.reference.q[0]; };
   pass();
-  prompt.session.enter(":hold");
+  enter(prompt.session, ":hold");
   pass();
   const double left = x();
-  prompt.session.enter(":back");
+  enter(prompt.session, ":back");
   for (int i = 0; i < 80; ++i) prompt.session.let_pass();
-  prompt.session.enter(":hold");
+  enter(prompt.session, ":hold");
   pass();
   const double there = x();
   CHECK(there < left);
   CHECK(there > 0);
   pass();
   CHECK(x() == there);
-  prompt.session.enter(":resume");
+  enter(prompt.session, ":resume");
   prompt.session.finish();
   prompt.session.let_pass();
   CHECK(prompt.session.state_text() == "gantry idle (100, 0, 0)");

@@ -1,12 +1,12 @@
+#include "runtime/prompt/program_commands.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "runtime/prompt/commands.h"
 #include "runtime/prompt/line_numbers.h"
 #include "runtime/prompt/session.h"
 
-/// The commands that write the program in memory.
 namespace rob::runtime::command {
 
 namespace {

@@ -1,17 +1,15 @@
+#include "runtime/prompt/point_commands.h"
+
 #include <fmt/format.h>
 
 #include "runtime/files/files.h"
-#include "runtime/prompt/commands.h"
 #include "runtime/prompt/session.h"
 #include "runtime/words/pose_values.h"
 #include "runtime/words/units.h"
 
-/// The commands that teach and keep points.
 namespace rob::runtime::command {
 
 namespace {
-
-constexpr double kMillimetresPerMetre = 1000;
 
 /// The file in which points are kept; null, and that is told, if there is none.
 PointsFile* kept_points(Session& session) {

@@ -1,3 +1,5 @@
+#include "runtime/prompt/file_commands.h"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -6,12 +8,11 @@
 #include "runtime/files/atomic_file.h"
 #include "runtime/files/files.h"
 #include "runtime/files/points_file.h"
-#include "runtime/prompt/commands.h"
+#include "runtime/files/text_lines.h"
 #include "runtime/prompt/line_diff.h"
 #include "runtime/prompt/line_numbers.h"
 #include "runtime/prompt/session.h"
 
-/// The commands that keep the program in memory in files.
 namespace rob::runtime::command {
 
 namespace {

@@ -1,13 +1,13 @@
+#include "runtime/prompt/motion_commands.h"
+
 #include <fmt/format.h>
 
 #include "runtime/command/signal_access.h"
-#include "runtime/prompt/commands.h"
 #include "runtime/prompt/session.h"
 #include "runtime/words/arguments.h"
 #include "runtime/words/signature.h"
 #include "runtime/words/units.h"
 
-/// The commands that ask where the robot is, and how it moves.
 namespace rob::runtime::command {
 
 namespace {
@@ -57,7 +57,8 @@ void override_speed(Session& session, const Words& words) {
 void jog(Session& session, const Words&) {
   if (session.robot().held())
     return session.fail("the pendant needs a robot at rest; it is held", ":resume or :stop before");
-  if (session.moves()) return session.fail("the pendant needs a robot at rest", ":stop before");
+  if (session.robot().reports().moves())
+    return session.fail("the pendant needs a robot at rest", ":stop before");
   session.ask_for_pendant();
 }
 

@@ -1,14 +1,14 @@
+#include "runtime/prompt/run_commands.h"
+
 #include <fmt/format.h>
 
 #include "lang/syntax/robot_name.h"
 #include "lang/text/ascii.h"
-#include "runtime/prompt/commands.h"
 #include "runtime/prompt/line_numbers.h"
 #include "runtime/prompt/session.h"
 #include "runtime/run/foretell.h"
 #include "runtime/run/text_report.h"
 
-/// The commands that run and foretell the program in memory.
 namespace rob::runtime::command {
 
 namespace {
