@@ -54,31 +54,33 @@ set(rob_runtime_sources
   runtime/files/signal_script.cpp
   runtime/files/state_folder.cpp
   runtime/prompt/commands.cpp
-  runtime/prompt/commands_files.cpp
-  runtime/prompt/commands_motion.cpp
-  runtime/prompt/commands_points.cpp
-  runtime/prompt/commands_program.cpp
-  runtime/prompt/commands_run.cpp
   runtime/prompt/completion.cpp
   runtime/prompt/entry_lines.cpp
+  runtime/prompt/file_commands.cpp
   runtime/prompt/key_reader.cpp
   runtime/prompt/line_diff.cpp
   runtime/prompt/line_editor.cpp
   runtime/prompt/live_reports.cpp
   runtime/prompt/live_robot.cpp
+  runtime/prompt/motion_commands.cpp
   runtime/prompt/pendant.cpp
   runtime/prompt/pendant_terminal.cpp
   runtime/prompt/pendant_view.cpp
+  runtime/prompt/point_commands.cpp
+  runtime/prompt/program_commands.cpp
   runtime/prompt/program_file.cpp
   runtime/prompt/program_text.cpp
   runtime/prompt/prompt.cpp
   runtime/prompt/raw_terminal.cpp
+  runtime/prompt/run_commands.cpp
+  runtime/prompt/run_texts.cpp
   runtime/prompt/session.cpp
   runtime/prompt/session_points.cpp
   runtime/prompt/session_text.cpp
-  runtime/prompt/session_workshop.cpp
   runtime/prompt/terminal_guard.cpp
   runtime/prompt/terminal_prompt.cpp
+  runtime/prompt/typed_answers.cpp
+  runtime/prompt/workshop.cpp
   runtime/run/console.cpp
   runtime/run/control_threads.cpp
   runtime/run/controller.cpp
@@ -94,12 +96,10 @@ set(rob_runtime_sources
   runtime/run/peak_meter.cpp
   runtime/run/progress.cpp
   runtime/run/run.cpp
+  runtime/run/run_journal.cpp
   runtime/run/run_parts.cpp
+  runtime/run/run_plan.cpp
   runtime/run/run_recorder.cpp
-  runtime/run/run_recorder_handlers.cpp
-  runtime/run/run_recorder_jog.cpp
-  runtime/run/run_recorder_operator.cpp
-  runtime/run/run_recorder_planned.cpp
   runtime/run/run_stepped.cpp
   runtime/run/run_threaded.cpp
   runtime/run/signal_names.cpp
@@ -116,6 +116,7 @@ set(rob_runtime_sources
   runtime/tick/force_watch.cpp
   runtime/tick/inputs.cpp
   runtime/tick/last_stop.cpp
+  runtime/tick/lateness.cpp
   runtime/tick/motion_task.cpp
   runtime/tick/outputs.cpp
   runtime/tick/pressing.cpp
@@ -125,6 +126,7 @@ set(rob_runtime_sources
   runtime/tick/simulated_inputs.cpp
   runtime/tick/speed_share.cpp
   runtime/tick/stopping.cpp
+  runtime/tick/touch.cpp
   runtime/tick/tracks.cpp
   runtime/time/clock.cpp
   runtime/time/periodic_task.cpp

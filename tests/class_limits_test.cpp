@@ -48,8 +48,6 @@ struct LayerClass {
 const std::vector<LayerClass>& still_too_large() {
   static const std::vector<LayerClass> classes = {
       {"lang", {"Vm", 0, 105, 46}},
-      {"runtime", {"ServoTask", 0, 20, 27}},
-      {"runtime", {"Session", 0, 61, 15}},
   };
   return classes;
 }
