@@ -14,7 +14,7 @@ class CapThread {
  public:
   CapThread(const motion::CapData& cap, double torsion) noexcept : cap_(cap), torsion_(torsion) {}
 
-  /// What turns the cap when `turned` of its thread is on, Nm.
+  /// The torque that turns the cap when `turned` of its thread is on, Nm.
   double friction(double turned) const noexcept;
   /// How much lower it is then than where it begins, m.
   double sink(double turned) const noexcept;
@@ -24,7 +24,7 @@ class CapThread {
   /// The hand turns by `way`, rad, and the cap on its thread with it: `turned` is renewed, at least
   /// 0.
   void turn(double way, double& turned) noexcept;
-  /// Of the cap on the hand, about the upward vertical, Nm.
+  /// The torque of the cap on the hand, about the upward vertical, Nm.
   double torque() const noexcept { return torsion_ * twist_; }
 
  private:

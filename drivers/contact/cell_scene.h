@@ -17,7 +17,7 @@ struct ToolMotion {
   double turn = 0;  ///< rad about the vertical, clockwise as seen from above; counted without end
 };
 
-/// What the cell does to the tool, along the world's axes.
+/// The force and torque of the cell on the tool, along the world's axes.
 struct Reaction {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< where the force acts
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
@@ -28,9 +28,10 @@ struct Reaction {
 /// and leaves.
 ///
 /// Tubes and caps stand upright, in the gripper too, and weigh nothing (0.2 N are within a sensor's
-/// noise). What the gripper takes is in the middle between its jaws from then on. The tool is
-/// carried along a given way: the stiffness of everything, arm included, is in the contact, so what
-/// it meets never pushes the arm itself. Fingers do not meet neighbours of what they reach for.
+/// noise). A part that the gripper takes is in the middle between its jaws from then on. The tool
+/// is carried along a given way: the stiffness of everything, arm included, is in the contact, so
+/// what it meets never pushes the arm itself. Fingers do not meet neighbours of what they reach
+/// for.
 ///
 /// Every call but the constructor may be used in the tick.
 class CellScene {

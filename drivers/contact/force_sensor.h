@@ -10,14 +10,14 @@
 namespace rob::drivers {
 
 /// A six-axis force-torque sensor between flange and tool that is not there: it takes a sample
-/// every SensorErrors::period, adds its bias and its noise, and tells it `delay` later. SI. Every
+/// every SensorErrors::period, adds its bias and its noise, and reports it `delay` later. SI. Every
 /// call but the constructor may be used in the tick.
 class ForceSensor {
  public:
   enum class Fault : std::uint8_t {
     None,
-    Silent,  ///< tells nothing new
-    Stuck    ///< goes on telling the last value as if it were new
+    Silent,  ///< reports nothing new
+    Stuck    ///< goes on reporting the last value as if it were new
   };
 
   struct Told {
@@ -30,7 +30,7 @@ class ForceSensor {
 
   /// Forgets all samples; the noise goes on.
   void clear() noexcept;
-  /// What acts at `time`, an instant at which a sample is due.
+  /// Takes a sample of `acting`, which acts at `time`, an instant at which a sample is due.
   void take(double time, const motion::Wrench& acting) noexcept;
   /// The newest sample that has got through at `now`.
   Told told(double now) const noexcept;

@@ -4,7 +4,7 @@
 
 namespace rob::drivers {
 
-/// What the tool's spring does where it presses on something: SI.
+/// How the tool's spring acts where it presses on something: SI.
 struct ContactLaw {
   double stiffness = 0;     ///< N/m, alike in all directions
   double damping_time = 0;  ///< s: damping over stiffness, across the surface

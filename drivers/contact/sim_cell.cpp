@@ -13,7 +13,7 @@ using motion::Pose;
 
 namespace {
 
-// s. What comes after a longer gap begins anew: the tool is where it is, and nothing was sampled.
+// s. After a longer gap the contact begins anew: the tool is where it is, and nothing was sampled.
 constexpr double kLongestGap = 0.05;
 
 Pose between(const Pose& from, const Pose& to, double share) noexcept {

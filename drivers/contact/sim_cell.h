@@ -13,12 +13,12 @@
 namespace rob::drivers {
 
 /// A simulated machine in its cell: the joints' true positions carry the tool through the scene,
-/// and a force sensor behind the flange tells what that does to it. Between two calls of read() the
-/// tool goes straight on, in steps of CellScene::kStep while it touches anything.
+/// and a force sensor after the flange measures what that does to it. Between two calls of read()
+/// the tool goes straight on, in steps of CellScene::kStep while it touches anything.
 ///
 /// A wrench is the reaction on the tool, about the flange's origin and along the flange's axes, and
 /// late by the sensor's delay. The jaws take hold when the machine's actuator has closed them, and
-/// let go as soon as it moves again; GripperData::held_input tells whether something is in them.
+/// let go as soon as it moves again; GripperData::held_input shows whether something is in them.
 class SimCell final : public motion::ServoBackend {
  public:
   /// `sensor_delay`: s. Throws std::invalid_argument for a sensor that cannot be (ForceSensor).
@@ -55,7 +55,7 @@ class SimCell final : public motion::ServoBackend {
   CellScene scene_;
   ForceSensor sensor_;
 
-  bool started_ = false;  // the first read() tells what time it is
+  bool started_ = false;  // the first read() gives the time
   bool closed_ = false;
   double time_ = 0;
   motion::Pose flange_;  // at time_

@@ -10,8 +10,8 @@
 
 namespace rob::drivers {
 
-/// The turn of each cycle on a bus of servos, which tells answers of this cycle from late ones, and
-/// which servos have answered late.
+/// The turn of each cycle on a bus of servos, which separates answers of this cycle from late ones,
+/// and which servos have answered late.
 class AnswerTurns {
  public:
   /// A new cycle. After one that was not whole, its answers may still be on the way, and none of

@@ -24,8 +24,8 @@ constexpr double kSameOffset = 2e-3;  // mm: two units of the last place of a re
 constexpr double kCatchUp = 1.1;      // of v_max: the speed limit while a late thread catches up
 constexpr int kBitsPerByte = 10;
 constexpr int kBytesPerSecond = 4000;  // 50 lines of at most 80 bytes
-// s by which grbl may lag behind the references: Rob does not know exactly when its moves began.
-// [choice] twice the look-ahead, so that a computer may be late by as much
+// s by which grbl may lag the references: Rob does not know exactly when its moves began. [choice]
+// twice the look-ahead, so that a computer may be late by as much
 constexpr double kWindow = 0.2;
 
 struct Interference {

@@ -117,7 +117,7 @@ void RobLink::connect(WirePort& port) {
                       "; its firmware does not follow docs/serial-protocol.md");
 }
 
-/// The quickest of the last answers tells best what the device's clock says.
+/// The quickest of the last answers shows best what the device's clock says.
 void RobLink::follow_clock(double asked, double answered) noexcept {
   trip_ *= kTripForgets;
   const double trip = answered - asked;
@@ -164,7 +164,7 @@ auto RobLink::ask_as_it_is(double deadline) noexcept -> Result {
   return ask_state(Type::Enable, {&on, 1}, deadline);
 }
 
-/// Until it is where the last reference is, kLead periods behind it.
+/// Until it is where the last reference is, kLead periods later.
 void RobLink::run_dry() noexcept {
   const double end = wire_time() + (kLead + 1) * period_;
   while (wire_time() < end && ask_as_it_is(end) == Result::Ok && state_.queue > 0 &&

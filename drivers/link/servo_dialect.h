@@ -24,8 +24,8 @@ struct ServoHealth {
   std::string trouble;  ///< empty: nothing
 };
 
-/// Questions for readings that can be told apart. No protocol here numbers its packets, so each
-/// turn asks for another number of bytes: the size of an answer tells which question it belongs to.
+/// Questions for readings that can be distinguished. No protocol here numbers its packets, so each
+/// turn asks for another number of bytes: the size of an answer shows which question it belongs to.
 inline constexpr int kTurns = 8;
 
 /// A register and the value it must hold.

@@ -124,7 +124,7 @@ auto ServoLink<Dialect>::must_ask(std::size_t i, const typename Dialect::Wire& q
     const Result result =
         ask(i, question, answer, wire_time() + kServoAnswerTime + question_time(reading_bytes()),
             [](const Frame&) { return true; });
-    // This may answer the first try. What answers the others must not answer the next question.
+    // This may answer the first try. An answer to another try must not answer the next question.
     if (result == Result::Ok && tries > 0) hear_out(wire_time() + tries * 2 * kServoAnswerTime);
     if (result == Result::Ok) return answer;
     if (result == Result::Gone) {

@@ -215,7 +215,7 @@ void WireBackend::exchange() noexcept {
 }
 
 /// A position that the axis cannot have reached is a bad frame, if the next one does not say the
-/// same. A drive makes up what it lags behind its goal as fast as it can.
+/// same. A drive makes up its lag as fast as it can.
 DriverStatus WireBackend::believed(DriverStatus status, const WireAnswer& before,
                                    const WireCommand& newest) noexcept {
   if (status != DriverStatus::Ok || std::exchange(first_, false)) return status;

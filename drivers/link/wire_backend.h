@@ -28,7 +28,7 @@ struct WireSettings {
 
 /// A machine on a wire. A thread of its own talks to it: each command that the servo's tick writes
 /// wakes it for one exchange; the tick takes the newest answer and never waits. The WireLink knows
-/// the protocol. What happens when the wire fails is the same for all of them:
+/// the protocol. The reaction when the wire fails is the same for all of them:
 ///
 /// - An exchange without an answer is Silent; the next one repeats it.
 /// - A step that the axis cannot have made is taken for a bad frame, once.

@@ -11,7 +11,7 @@ namespace rob::drivers {
 using Bytes = std::span<const std::uint8_t>;
 
 /// Bytes in a row, at most `kMost`, wholly in the object: for packets in a thread that takes no
-/// memory. What no longer fits is dropped, and full() tells.
+/// memory. Bytes that no longer fit are dropped, and full() reports it.
 template <std::size_t kMost>
 class ByteBuffer {
  public:

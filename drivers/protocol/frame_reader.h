@@ -20,7 +20,7 @@ struct Scan {
 };
 
 /// Finds frames in what comes on a wire, whatever lies between them. A `Format` has a type `Frame`,
-/// the most bytes `kMost` that a frame has, and `Scan scan(Bytes, Frame&)`. Behind a broken frame
+/// the most bytes `kMost` that a frame has, and `Scan scan(Bytes, Frame&)`. After a broken frame
 /// the search goes on at its second byte, so that a good frame within it is not lost.
 template <typename Format>
 class FrameReader {

@@ -79,7 +79,7 @@ int version_of(std::string_view text) noexcept {
 bool parse_setting(std::string_view text, Line& line) noexcept {
   std::string_view rest = text.substr(1);
   if (!number(take(rest, '='), line.number)) return false;
-  return number(take(rest, ' '), line.value);  // some firmwares write "(x max rate)" behind
+  return number(take(rest, ' '), line.value);  // some firmwares write "(x max rate)" after it
 }
 
 void parse_numbered(std::string_view text, Line::Kind kind, Line& line) noexcept {

@@ -39,7 +39,7 @@ enum class Machine : std::uint8_t {
 /// "<Run|MPos:1.000,0.000,0.000|FS:600,0|Bf:12,100|Ov:100,100,100|WCO:…>". mm.
 struct Status {
   Machine machine = Machine::Unknown;
-  int phase = 0;  ///< the number behind the state: Hold:1 still brakes, Hold:0 stands
+  int phase = 0;  ///< the number after the state: Hold:1 still brakes, Hold:0 stands
   int axes = 0;
   std::array<double, kMostAxes> position{};
   bool of_work = false;  ///< WPos, not MPos

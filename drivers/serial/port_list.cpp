@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What each process is called is in its /proc/PID/comm.
+/// The name of each process is in its /proc/PID/comm.
 std::string name_of(int process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/comm");
   std::string name;

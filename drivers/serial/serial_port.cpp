@@ -80,7 +80,7 @@ speed_t speed_of(const std::string& path, int baud) {
   return found->second;
 }
 
-/// An FTDI adapter keeps bytes back for 16 ms unless it is told otherwise.
+/// An FTDI adapter keeps bytes back for 16 ms unless it is set otherwise.
 void ask_for_low_latency(int file) {
   serial_struct settings{};
   if (::ioctl(file, TIOCGSERIAL, &settings) != 0) return;

@@ -11,7 +11,7 @@ namespace rob::drivers {
 ///
 ///     r = count − (x + v·h);   x += v·h + (1 − p²)·r;   v += (1 − p)²·r/h;   p = exp(−ω·h)
 ///
-/// Seen from outside it is the true velocity behind ω²/(s + ω)², that is 2/ω late.
+/// Seen from outside it is the true velocity filtered by ω²/(s + ω)², that is 2/ω late.
 /// Every call but the constructor may be used in the tick.
 class Encoder {
  public:

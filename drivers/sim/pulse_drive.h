@@ -4,9 +4,9 @@
 
 namespace rob::drivers {
 
-/// A drive that takes pulses, without its axis. What it was last given it spends evenly over the
-/// servo's period, as a pulse board puts it out; pulses that come early wait in line. Without new
-/// ones it stands.
+/// A drive that takes pulses, without its axis. It spends the pulses that it was last given evenly
+/// over the servo's period, as a pulse board puts it out; pulses that come early wait in line.
+/// Without new ones it stands.
 ///
 /// Under ServoStructure::PulseTrain the drive counts the pulses against its encoder and runs at a
 /// rate proportional to the difference, as a magnet's teeth pull a stepping motor; else at the

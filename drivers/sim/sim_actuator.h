@@ -18,7 +18,7 @@ class SimActuator {
  public:
   explicit SimActuator(const SimActuatorParameters& parameters) : parameters_(parameters) {}
 
-  /// At its OFF end, told to stay there.
+  /// At its OFF end, commanded to stay there.
   void place_off() noexcept;
   void command(double now, std::uint64_t outputs) noexcept;
   /// Its two bits.

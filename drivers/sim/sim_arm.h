@@ -22,7 +22,7 @@ struct SimArmParameters {
   bool carries_what_it_is_told = false;  ///< beside what is in `mechanics`
 };
 
-/// An arm that is not there: S2's table with its complete mechanics, and motors behind gears.
+/// An arm that is not there: S2's table with its complete mechanics, and motors with gears.
 ///
 ///     Da·(H(q)·q'' + Coriolis torques + ∂V/∂q) + Db·q'' = u − Dc·q' − C·sign(q')
 ///

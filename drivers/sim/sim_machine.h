@@ -9,7 +9,7 @@
 
 namespace rob::drivers {
 
-/// What every machine that is not there has: time that passes between calls, encoders that are
+/// The parts that every simulated machine has: time that passes between calls, encoders that are
 /// sampled meanwhile, drives with a watchdog, and two-position actuators (lift, gripper) on digital
 /// channels. How the axes move is said by the class that is derived. SI.
 ///
@@ -34,15 +34,15 @@ class SimMachine : public motion::ServoBackend {
   motion::DriverStatus read(double now, motion::ServoState& state) noexcept override;
   motion::DriverStatus write(double now, const motion::ServoCommand& command) noexcept override;
 
-  /// What was last written to an analog output, V.
+  /// The voltage that was last written to an analog output, V.
   double analog_output(int channel) const noexcept {
     return analog_outputs_[static_cast<std::size_t>(channel)];
   }
-  /// Where an axis really is, which no encoder tells: for tests and pictures.
+  /// Where an axis really is, which no encoder shows: for tests and pictures.
   virtual double true_position(int axis) const noexcept = 0;
 
  protected:
-  /// Throws std::invalid_argument for a channel beyond 63. What is derived calls open() when its
+  /// Throws std::invalid_argument for a channel beyond 63. The derived class calls open() when its
   /// axes are made.
   SimMachine(const motion::JointVector& start, const std::vector<SimActuatorParameters>& actuators);
 
@@ -70,7 +70,7 @@ class SimMachine : public motion::ServoBackend {
   motion::JointVector start_;
   std::vector<SimActuator> actuators_;
   motion::AnalogValues analog_outputs_{};
-  bool started_ = false;  // the first call tells what time it is
+  bool started_ = false;  // the first call gives the time
   bool enabled_ = false;
   double time_ = 0;
   double written_ = 0;  // when the drives heard last

@@ -13,7 +13,7 @@ constexpr double kSame = 1e-12;
 /// The same of a square that has come out of a long division.
 constexpr double kNear = 1e-9;
 
-/// Of a place on a piece, and of what is left of it: some times that of one operation.
+/// The rounding of a place on a piece, and of the rest of it: some times that of one operation.
 constexpr double kRounding = 1e-15;
 
 double root(double square) noexcept { return std::sqrt(std::max(square, 0.0)); }

@@ -7,7 +7,7 @@
 
 namespace rob::motion {
 
-/// What holds the guide's speed.
+/// The limit that holds the guide's speed.
 struct GuideLimit {
   enum class Kind : std::uint8_t {
     None,
@@ -64,7 +64,7 @@ class Guide {
   void brake() noexcept { braking_ = true; }
   void release() noexcept { braking_ = false; }
   bool braking() const noexcept { return braking_; }
-  /// Of the programmed speed, 0 < share <= 2.
+  /// The share of the programmed speed, 0 < share <= 2.
   void set_share(double share) noexcept { share_ = share; }
   double share() const noexcept { return share_; }
   /// σ' that is not exceeded at a share of 1, whatever the pieces ask for; above 0.
@@ -95,7 +95,7 @@ class Guide {
   double rate() const noexcept { return rate_; }
   double acceleration() const noexcept { return acceleration_; }
   const GuideLimit& limit() const noexcept { return limit_; }
-  /// Of the piece it is on, or will be on next.
+  /// The index of the piece it is on, or will be on next.
   PathRing::Index index() const noexcept { return index_; }
   /// The axes: place, velocity and acceleration in time.
   const PathPoint& place() const noexcept { return place_; }
@@ -134,8 +134,8 @@ class Guide {
 
   PathRing& ring_;
   PathRing::Index index_ = 0;
-  PathRing::Index begun_ = 0;  ///< piece at which the present run has begun
-  PathRing::Index first_ = 0;  ///< the first behind the last restart
+  PathRing::Index begun_ = 0;  ///< piece at which the current run has begun
+  PathRing::Index first_ = 0;  ///< the first after the last restart
   double at_ = 0;              ///< σ since the beginning of the piece
   double time_ = 0;
   double sigma_ = 0;
@@ -144,7 +144,7 @@ class Guide {
   double share_ = 1;
   double pace_ = Piece::kAny;
   bool braking_ = false;
-  double start_ = 0;              ///< s: of the present run
+  double start_ = 0;              ///< s: of the current run
   double pause_ = 0;              ///< s between speeding up and braking
   double gained_ = -Piece::kAny;  ///< when it last sped up
   double lost_ = -Piece::kAny;    ///< when it last braked

@@ -4,7 +4,7 @@
 
 namespace rob::motion {
 
-/// A motion without a way may stand behind each of them.
+/// A motion without a way may stand after each of them.
 std::size_t LegWriter::most_members() const noexcept {
   return std::clamp<std::size_t>(ring_.leg_capacity() / 4, 1, kMostMembers);
 }

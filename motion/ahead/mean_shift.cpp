@@ -19,8 +19,8 @@ constexpr double kSharp = 0.35;
 constexpr double kOfSharp = 0.5;
 constexpr double kOfGentle = 0.25;
 
-/// What moves a corner, of what its zone admits: the bend where the axes give all they have, both
-/// legs, and either together.
+/// The parts of the miss that its zone admits which move a corner: the bend where the axes give all
+/// they have, both legs, and either together.
 struct Shares {
   double bend = 0;
   double legs = 0;
@@ -79,7 +79,7 @@ Shares shares_of(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& 
 }
 
 /// The zone of a corner, or a stricter one of a corner beside it that is passed within T/2 of it:
-/// the mean mixes this one into that. Of the one before it the distance alone.
+/// the mean mixes this one into that. From the one before it only the distance counts.
 Miss strictest_zone(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                     const JointVector& turn, double average, double longest) {
   const LegBounds& own = in.segment.ahead;
@@ -107,8 +107,8 @@ double turns_in_zone(const RobotModel& robot, const ShapedLeg& in, const JointVe
   return shrinking(unit, in.segment.ahead.miss, in.segment.ahead.turn) / moved;
 }
 
-/// Of legs of length l the mean leaves σ'² = turns·l, where turns is as 1/T², and the accelerations
-/// reserve·l, where reserve is as T.
+/// For legs of length l the mean leaves σ'² = turns·l, where turns is as 1/T², and the
+/// accelerations reserve·l, where reserve is as T.
 double bend_share(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                   double average) {
   if (in.motion.path != nullptr || out.motion.path != nullptr) return 1;
@@ -143,7 +143,7 @@ MeanShift mean_shift(const RobotModel& robot, const ShapedLeg& in, const ShapedL
   const Miss unit = miss_between(robot, in.segment.ahead.tip, point + turn, point);
   const double reach = shrinking(unit, in.segment.ahead.miss, in.segment.ahead.turn);
   if (reach == kAny) return shift;
-  // What the corner itself can miss, and so what is left.
+  // How much the corner itself can miss, and so what is left.
   const double left = std::max(0.5, 1 - longest / 4 / reach);
   const bool curved = in.motion.path != nullptr || out.motion.path != nullptr;
   const double asked =

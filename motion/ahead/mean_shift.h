@@ -7,8 +7,8 @@
 
 namespace rob::motion {
 
-/// What the mean of the references does to a corner of the axes: it moves it inwards. What it moves
-/// it by is taken off its zone, and bounded, by the accelerations in the corner and around it.
+/// The effect of the mean of the references on a corner of the axes: it moves it inwards. The
+/// distance is taken off its zone, and bounded, by the accelerations in the corner and around it.
 ///
 /// A mean over T of accelerations up to a lies up to a·T²/24 beside what it is of. At the corner's
 /// middle those along its bend count, of all that is passed within T/2 of it: around a gentle
@@ -42,8 +42,8 @@ double bend_share(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg&
 double calm_way(const ShapedLeg& in, const ShapedLeg& out, double calm, double average,
                 double rate);
 
-/// The most of it before the end of a leg, whatever comes behind; 0 where no corner there asks for
-/// it, unless for the zone of a point behind it, which is not known yet.
+/// The most of it before the end of a leg, whatever comes after; 0 where no corner there asks for
+/// it, unless for the zone of a point after it, which is not known yet.
 double longest_calm_way(const RobotModel& robot, const ShapedLeg& leg, double average);
 
 /// Slows the pieces of a curve of the axes so far that its mean is beside it by half of its zones

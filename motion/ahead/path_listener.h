@@ -4,7 +4,7 @@
 
 namespace rob::motion {
 
-/// Is told of the path as it is planned: each piece once, in its order, when it can no longer
+/// Learns of the path as it is planned: each piece once, in its order, when it can no longer
 /// change. Called by the planner's thread, not in the tick.
 class PathListener {
  public:

@@ -47,9 +47,9 @@ struct PathLeg {
 ///
 /// At the end of each piece stands the greatest σ'² from which the standstill at the end of what is
 /// known can still be reached: 0 at the very end. The planner raises it as path is appended, from
-/// the end backwards, so that a value that the reader sees is as good as all behind it.
+/// the end backwards, so that a value that the reader sees is as good as all after it.
 ///
-/// What ends early is dropped: the reader asks, the planner forgets all it has taken from the
+/// Path that ends early is dropped: the reader asks, the planner forgets all it has taken from the
 /// LookAheadBuffer and empties that, and says so; what it has written before then is passed over.
 class PathRing {
  public:
@@ -68,13 +68,13 @@ class PathRing {
   std::size_t leg_capacity() const noexcept { return legs_.capacity(); }
   Index end() const noexcept { return tail_.load(std::memory_order_relaxed); }
   Index begin() const noexcept { return head_.load(std::memory_order_acquire); }
-  /// A piece behind the published ones; there has to be room.
+  /// A piece after the published ones; there must be room.
   Piece& draft(Index at) noexcept { return slot(at).piece; }
   const Piece& written(Index at) const noexcept { return slot(at).piece; }
   void set_square(Index at, double square) noexcept {
     slot(at).square.store(square, std::memory_order_release);
   }
-  /// Whether the square is so small only since nothing is known behind the last piece.
+  /// Whether the square is so small only since nothing is known after the last piece.
   void set_cut(Index at, bool is) noexcept { slot(at).cut.store(is, std::memory_order_relaxed); }
   void set_run_end(Index at, bool is) noexcept {
     slot(at).run_end.store(is, std::memory_order_release);
@@ -106,7 +106,7 @@ class PathRing {
   /// Pieces before `at` are not looked at any more.
   void release(Index at) noexcept { head_.store(at, std::memory_order_release); }
   const PathLeg* next_leg() const noexcept { return legs_.front(); }
-  /// The i-th behind next_leg(), which is the 0th; null: not known yet.
+  /// The i-th after next_leg(), which is the 0th; null: not known yet.
   const PathLeg* leg(std::size_t i) const noexcept { return legs_.at(i); }
   void pop_leg() noexcept { legs_.pop(); }
   /// `generation`: nothing of it, nor of those before, is path any more, even if it comes late.
@@ -128,7 +128,7 @@ class PathRing {
   std::uint32_t last_number() const noexcept { return last_number_; }
   std::uint32_t last_generation() const noexcept { return last_generation_; }
 
-  // What each has to know of the other, and asks no more often than it works.
+  // All that each must know of the other, and asks no more often than it works.
   std::atomic<std::uint32_t> late{0};     ///< how often nothing was known of what follows in time
   std::atomic<bool> closed{false};        ///< all that was commanded is here, and no more will come
   std::atomic<double> share{1};           ///< the override

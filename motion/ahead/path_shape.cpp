@@ -46,7 +46,7 @@ Piece piece_of(const ShapedLeg& leg, double begin, double length) {
   return piece;
 }
 
-/// Through place, slope and bend at both of its ends. Of a sliver, as rounding leaves between two
+/// Through place, slope and bend at both of its ends. For a sliver, as rounding leaves between two
 /// nodes, those at its beginning say all: its higher terms would be rounding divided by next to
 /// nothing.
 void fill_quintic(Piece& piece, const PathPoint& a, const PathPoint& b) {
@@ -116,7 +116,7 @@ int parts_of(const RobotModel& robot, const PathPoint& a, const PathPoint& b, do
   constexpr double kShortest = 1e-6;  // m. [choice] below what any scale resolves
   constexpr double kMost = 64;        // [choice] a stretch that asks for more is no curve of a tool
   const double slope = std::max(a.qd.norm(), b.qd.norm());
-  // Of a bend at its ends, too: within, it may turn there and back.
+  // A bend counts at its ends, too: within, it may turn there and back.
   const double turned =
       std::max((b.qd - a.qd).norm(), length * std::max(a.qdd.norm(), b.qdd.norm()));
   double wanted = slope > 0 ? turned / slope / kMostBend : 1;
@@ -159,7 +159,7 @@ bool torque_binds(const Piece& piece) {
            1);
 }
 
-/// Of the ends of a curve's piece, which is short, and of places on a straight one.
+/// The torques at the ends of a curve's piece, which is short, and at places on a straight one.
 void bound_torque(const RobotModel& robot, const ShapedLeg& leg, Piece& piece) {
   const ArmMechanics* const arm = leg.segment.ahead.mechanics;
   if (arm == nullptr) return;

@@ -12,8 +12,9 @@
 
 namespace rob::motion {
 
-/// What the bends of an arm's path may ask for of the axes' jerk; what they do ask for at the speed
-/// that is planned is not there for speeding up and slowing down near them (SpeedPlan). [choice]
+/// The share of the axes' jerk that the bends of an arm's path may ask for; what they do ask for at
+/// the speed that is planned is not there for speeding up and slowing down near them (SpeedPlan).
+/// [choice]
 inline constexpr double kBendsShare = 0.85;
 
 /// d³q/dσ³ at `at`, σ from the beginning of a piece.
@@ -36,7 +37,7 @@ struct ShapedLeg {
   double sent = 0;              ///< m from there, up to which it has been made into pieces
   double before = Piece::kAny;  ///< m by which the tip may miss the point before it
   bool starts = false;          ///< at rest
-  bool ends = false;            ///< at rest: there is no corner behind it
+  bool ends = false;            ///< at rest: there is no corner after it
   JointVector acceleration;
   JointVector jerk;  ///< m/s³, rad/s³; infinite where it is not bounded
 
@@ -63,12 +64,12 @@ double greatest_control(const ShapedLeg& leg, const PathPoint& place);
 /// The greatest u with which all axes can take on u times `turn`: min A_i/|turn_i|.
 double turning_reserve(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn);
 
-/// A leg from rest to rest with nothing before and behind, in the least time: that of a
+/// A leg from rest to rest with nothing before and after, in the least time: that of a
 /// third-order profile. The mean takes A/J, for the guide pauses (Guide).
 ///
-/// What an arm's drives are asked for by its mechanics is known only when they cannot give it: such
-/// a robot has to be able to slow down at once (DriveRelief). It does not pause, and its mean takes
-/// 2A/J; so does that of a leg along a path of the tool, which bends.
+/// The forces that an arm's mechanics ask of its drives are known only when they cannot give them:
+/// such a robot must be able to slow down at once (DriveRelief). It does not pause, and its mean
+/// takes 2A/J; so does that of a leg along a path of the tool, which bends.
 struct LegAlone {
   double share = 1;    ///< of the leg's accelerations
   double average = 0;  ///< s of the mean
@@ -90,7 +91,8 @@ struct Turn {
 /// than `longest`.
 void append_leg(const RobotModel& robot, const ShapedLeg& leg, double from, double to,
                 double longest, std::vector<Piece>& pieces);
-/// Of a corner, split in its middle: there the pace changes from one leg's to the other's.
+/// Appends the pieces of a corner, split in its middle: there the pace changes from one leg's to
+/// the other's.
 void append_turn(const RobotModel& robot, const ShapedLeg& in, const ShapedLeg& out,
                  const Turn& turn, std::vector<Piece>& pieces);
 

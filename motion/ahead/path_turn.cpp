@@ -102,7 +102,7 @@ double half_for_miss(const RobotModel& robot, const ShapedLeg& in, const JointVe
   return half;
 }
 
-/// What is driven around the corner with less than the axes have.
+/// Drives around the corner with less than the axes have.
 void calm_down(const ShapedLeg& in, const ShapedLeg& out, const JointVector& turn,
                const MeanShift& shift, double average, Turn& made) {
   if (shift.calm == 1) return;

@@ -6,7 +6,7 @@
 
 namespace rob::motion {
 
-/// What bounds a corner, beside the zone of its point.
+/// The bounds of a corner, beside the zone of its point.
 struct TurnBounds {
   double longest = 0;      ///< m of σ that it may take on each side
   double average = 0;      ///< s of the mean that follows, which moves a curve of the axes inwards
