@@ -181,7 +181,7 @@ void CellScene::open_jaws() noexcept {
   foot_ = {tool_.tip, false};
 }
 
-// A spring force that presses the tip up stays.
+// The force that presses the tip up stays the same.
 void CellScene::take(Held held, int number, const Vector3d& lower_end) noexcept {
   held_ = held;
   held_number_ = number;

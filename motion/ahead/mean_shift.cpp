@@ -19,8 +19,8 @@ constexpr double kSharp = 0.35;
 constexpr double kOfSharp = 0.5;
 constexpr double kOfGentle = 0.25;
 
-/// The parts of the miss that its zone admits which move a corner: the bend where the axes give all
-/// they have, both legs, and either together.
+/// How much each effect moves a corner, as a share of what its zone admits: the bend where the axes
+/// give all they have, both legs, and either together.
 struct Shares {
   double bend = 0;
   double legs = 0;

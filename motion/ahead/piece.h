@@ -30,8 +30,8 @@ struct Piece {
   double fastest = kAny;  ///< σ' that the speeds of the axes allow all along, and what else does
   int fastest_axis = -1;  ///< that sets it; −1: another reason
 
-  /// Of all of the piece; where the mean of σ makes the references, of all around here. Without a
-  /// slope and a bend: nothing is known of an arm.
+  /// The torque of all of the piece; where the mean of σ makes the references, of all around here.
+  /// Without a slope and a bend: nothing is known of an arm.
   TorqueRow torque;
 
   // Where the mean of σ makes the references, places within half its time act together: the

@@ -73,7 +73,7 @@ class Stretch {
     for (const double way : {0.0, rest})
       for (const double sign : {1.0, -1.0}) add(axis, sign * slope + 2 * way * bend, bend, 1);
   }
-  /// `way` behind the beginning of the stretch, since x there is x + 2·u·way.
+  /// `way` after the beginning of the stretch, since x there is x + 2·u·way.
   void add(int axis, const PathPoint& place, double way) noexcept {
     add(axis, place.qd[axis] + 2 * way * place.qdd[axis], place.qdd[axis]);
   }
@@ -219,7 +219,8 @@ double reachable_square(const Piece& piece, double end_square, double cap) noexc
     if (width >= 0) return x;
     const double fall = bounds.widening();
     if (!(fall < 0)) return 0;
-    // Of a slope of next to nothing the bound is as good as upright, and rounding where it stands.
+    // With a slope of next to nothing the bound is as good as upright, and rounding where it
+    // stands.
     x = std::max(std::min(x - width / fall, x * kBeside), 0.0);
   }
   return x;

@@ -7,7 +7,7 @@ namespace rob::motion {
 
 namespace {
 
-/// Of σ: what sums of a path's lengths leave.
+/// The error of σ: what sums of a path's lengths leave.
 constexpr double kSumRounding = 1e-12;
 
 }  // namespace

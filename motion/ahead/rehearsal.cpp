@@ -115,7 +115,8 @@ double Rehearsal::guided(const Course& course, std::size_t first, std::size_t la
   return time;
 }
 
-/// What begins at a reference begins a whole number of periods later; so does what follows it.
+/// A motion that begins at a reference begins a whole number of periods later; so does what follows
+/// it.
 double Rehearsal::settled(double guided, double average) const noexcept {
   const double period = robot_.reference_period;
   return std::ceil(guided / period - 1e-6) * period + average;
@@ -214,7 +215,7 @@ bool Rehearsal::pays(const Course& course, double window) {
     const double guide = guided(course, 0, last, window);
     return course.taken ? guide + average : settled(guide, average);
   };
-  // Of many short legs the mean of this run is as good for another.
+  // With many short legs the mean of this run is as good for another.
   const auto others = [&] {
     if (count <= 3) return any(course, 1);
     return std::min(each_alone(course, 1), settled(guided(course, 1, count - 1, window), average));

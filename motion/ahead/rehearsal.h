@@ -18,7 +18,7 @@ struct Grading {
   double last = 0;     ///< at its end
   double longest = 0;  ///< m that it may have at most
 
-  /// Of the piece that begins there.
+  /// The length of the piece that begins there.
   double length_at(double way) const noexcept;
 };
 
@@ -43,7 +43,7 @@ struct Course {
   double square = 0;            ///< σ'² there
 };
 
-/// What runs of the legs of a course would take, on an arm.
+/// The time that runs of the legs of a course would take, on an arm.
 class Rehearsal {
  public:
   explicit Rehearsal(const RobotModel& robot) : robot_(robot) {}
@@ -80,7 +80,8 @@ class Rehearsal {
     double share = 1;
     double time = 0;  ///< s from rest to rest
   };
-  /// What is looked at again with the next motions: of a leg, and of the corner out of it.
+  /// The results that are needed again with the next motions: of a leg, and of the corner out of
+  /// it.
   struct Seen {
     std::uint32_t number = 0;  ///< of its motion
     double length = 0;         ///< m

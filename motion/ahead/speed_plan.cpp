@@ -92,8 +92,8 @@ void SpeedPlan::plan(double average) {
   if (fixed_ == count) return;
   bounds_.resize(count);
   squares_.resize(count + 1);
-  // Of what each place alone would do the slow places are spread far, of what comes out of that
-  // not far enough, and so on; what is spread as far as the third and is no faster is right.
+  // From the speeds of each place alone the slow places are spread far, from the result not far
+  // enough, and so on; what is spread as far as the third and is no faster is right.
   bound_by_own(average);
   pass();
   take_rates(1);
@@ -113,7 +113,7 @@ void SpeedPlan::plan(double average) {
   spread(average);
 }
 
-/// q = q(σ) has the jerk q'''·σ'³ + 3·q''·σ'·σ'' + q'·σ'''. Of the mean, |σ'''| <= 2·u/T where
+/// q = q(σ) has the jerk q'''·σ'³ + 3·q''·σ'·σ'' + q'·σ'''. With the mean, |σ'''| <= 2·u/T where
 /// |σ''| <= u; with T = 2A/J that is at most
 ///
 ///     q'''·σ'³ + (|q'| + 1.5·T·|q''|·σ')·2u/T <= 2A/T
@@ -205,7 +205,7 @@ double SpeedPlan::time() {
   return time;
 }
 
-/// What each stretch keeps, of all that is within reach at the rates there are now.
+/// The bounds that each stretch keeps, of all that is within reach at the rates there are now.
 void SpeedPlan::spread(double average) {
   lay_out_times();
   find_reach(average);
@@ -236,8 +236,9 @@ void SpeedPlan::lay_out_times() {
   }
 }
 
-/// Of the place of what always has the rate c. Before the first stretch it stands; behind the last
-/// one it does, too, or goes on at the same rate. `at`: a stretch that begins no later.
+/// The integral of the place of a guide that always has the rate c. Before the first stretch it
+/// stands; after the last one it does, too, or goes on at the same rate. `at`: a stretch that
+/// begins no later.
 double SpeedPlan::place_integral(double time, std::size_t& at) const noexcept {
   if (time <= 0) return 0;
   const Stretch& last = stretches_.back();
@@ -258,8 +259,8 @@ void SpeedPlan::go_to(double place, std::size_t& at) const noexcept {
   while (at + 1 < stretches_.size() && stretches_[at + 1].begin <= sigma) ++at;
 }
 
-/// With the guide on a stretch the mean lies no farther before and behind it than what has been
-/// gone at c in the mean of a time T. Ready are those of which that is known.
+/// With the guide on a stretch the mean lies no farther before and after it than what has been gone
+/// at c in the mean of a time T. Ready are those of which that is known.
 void SpeedPlan::find_reach(double average) {
   const std::size_t count = stretches_.size();
   const double zero = stretches_[0].begin;

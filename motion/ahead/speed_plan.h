@@ -9,7 +9,7 @@
 
 namespace rob::motion {
 
-/// What one piece, or the greatest of some, asks for. m, rad, s; of axes that there are not: 0.
+/// The demand of one piece, or the greatest of some. m, rad, s; of axes that there are not: 0.
 struct Extent {
   using Axes = Eigen::Array<double, kMaxJoints, 1>;
   /// The index of Piece::torque, whose limit is 1. No arm has so many axes.
@@ -21,7 +21,7 @@ struct Extent {
   double fastest = Piece::kAny;  ///< σ' that it admits
   int fastest_axis = -1;         ///< that sets it
 
-  /// What both ask for.
+  /// Takes the greater demand of both.
   void take(const Extent& its) noexcept;
 };
 
@@ -37,7 +37,7 @@ struct Extent {
 /// m, rad, s.
 class SpeedPlan {
  public:
-  /// What of a run has been planned for good: only its last part matters to what follows.
+  /// The part of a run that has been planned for good: only its last part matters to what follows.
   struct Stretch {
     double begin = 0;   ///< σ
     double length = 0;  ///< above 0
@@ -60,8 +60,8 @@ class SpeedPlan {
   /// It comes to rest where it ends now.
   void end_at_rest() noexcept;
 
-  /// Plans what is not fixed for a mean over `average`. What follows an end that is no rest may be
-  /// as fast as it likes.
+  /// Plans what is not fixed for a mean over `average`. Path that follows an end that is no rest
+  /// may be as fast as it likes.
   void plan(double average);
   /// As planned, s for what is not fixed, at override 1.
   double time();
@@ -74,18 +74,18 @@ class SpeedPlan {
   std::size_t ready() const noexcept { return ready_; }
   /// So much has come since it was planned that it pays to plan anew.
   bool grown() const noexcept { return rests_ || 4 * open() > 5 * planned_; }
-  /// Of those that are not fixed.
+  /// A stretch of those that are not fixed.
   const Stretch& stretch(std::size_t at) const noexcept { return stretches_[fixed_ + at]; }
-  /// The first `count` are as planned for good. What lies within reach of them keeps its c, too.
+  /// The first `count` are as planned for good. A stretch within their reach keeps its c, too.
   void fix(std::size_t count);
 
  private:
-  /// What a pass keeps of a stretch.
+  /// The bounds of a stretch that a pass keeps.
   struct Bound {
     Extent extent;
     double square = 0;  ///< σ'² at most
   };
-  /// What has been taken for granted of path that was not known yet.
+  /// The assumptions about path that was not known yet.
   struct Promise {
     double rate = Piece::kAny;  ///< σ' at most
     double until = 0;           ///< σ

@@ -8,8 +8,8 @@
 
 namespace rob::motion {
 
-// What surrounds the tool of a simulated robot (docs/adding-a-robot.md), SI, in the world's frame,
-// z up. Plain data, from the robot file.
+// The surroundings of the tool of a simulated robot (docs/adding-a-robot.md), SI, in the world's
+// frame, z up. Plain data, from the robot file.
 
 /// How a simulated force sensor errs.
 struct SensorErrors {
@@ -18,7 +18,7 @@ struct SensorErrors {
   double torque_noise = 0;  ///< Nm
   Eigen::Vector3d force_bias = Eigen::Vector3d::Zero();   ///< N, added to what acts
   Eigen::Vector3d torque_bias = Eigen::Vector3d::Zero();  ///< Nm
-  double delay = 0;                                       ///< s from what acts to what is told
+  double delay = 0;                                       ///< s from what acts to what is reported
 };
 
 /// How hard, rough and quick everything is that the tool touches.
@@ -33,8 +33,8 @@ struct ContactData {
 
 /// A gripper with parallel jaws that points along the flange's z.
 struct GripperData {
-  int closed_input = 0;  ///< channel that tells that the jaws have closed, on something or not
-  int held_input = 0;    ///< channel that tells that something is between them
+  int closed_input = 0;  ///< channel that shows that the jaws have closed, on something or not
+  int held_input = 0;    ///< channel that shows that something is between them
   double tip = 0;        ///< m from the flange to the point between the jaws where it grips
   double fingers = 0;    ///< m from there to the ends of the fingers
   double palm = 0;       ///< m from there back to the palm, which meets what is too high

@@ -7,7 +7,7 @@
 
 namespace rob::motion {
 
-/// A motor behind its gear, as its axis feels it. What it gives and takes is counted at the axis,
+/// A motor with its gear, as its axis feels it. All that it gives and takes is counted at the axis,
 /// in Nm. S2's motor terms: u = load_factor·P + inertia·q'' + viscous friction·q' for a torque P at
 /// the axis.
 struct GearedMotor {
@@ -26,7 +26,7 @@ struct ArmMechanics {
   ArmMechanics carrying(const ArmLoad& load) const noexcept {
     return {Ums7Dynamics(with_load(dynamics.parameters(), load, lengths)), motors, lengths};
   }
-  /// Of what it carries alone, without the arm.
+  /// The dynamics of what it carries alone, without the arm.
   Ums7Dynamics load_alone(const ArmLoad& load) const noexcept {
     return Ums7Dynamics(with_load({}, load, lengths));
   }

@@ -11,7 +11,7 @@ namespace rob::motion {
 /// upper arm is level, axis 2 turns it downwards; at q2 + q3 = 0 the forearm is upright; at q5 = 0
 /// the hand prolongs it.
 ///
-/// S2's arm is balanced but for its hand. What hangs on it beyond that pulls at axes 2 and 3 by
+/// S2's arm is balanced but for its hand. A weight beyond that pulls at axes 2 and 3 by
 /// `upper_pull` and `fore_pull`: mass times gravity times the length of upper arm and forearm, Nm.
 /// A load beside axis 6 has the weight moments `side_x` and `side_y` along the flange's x and y,
 /// Nm.
@@ -31,7 +31,7 @@ struct Ums7Parameters {
   double side_y = 0;
 };
 
-/// What is wrong with the table; null if it can be an arm's. Beyond signs: c2 = 2·c5;
+/// The fault of the table; null if it can be an arm's. Beyond signs: c2 = 2·c5;
 /// c3·(c4 − c3) > c5² and c1·c3 >= c5², without which some motion had no kinetic energy.
 const char* fault_of(const Ums7Parameters& parameters);
 

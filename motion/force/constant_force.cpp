@@ -84,7 +84,8 @@ double ConstantForce::Line::misfit() const noexcept {
   return (yy - y * y / count - slope() * (xy - x * y / count)) / count;
 }
 
-/// What is felt belongs to where the axis was a delay ago, and that is at most the known one.
+/// The force that is felt belongs to where the axis was a delay ago, and that is at most the known
+/// one.
 void ConstantForce::learn(double felt) noexcept {
   const auto most = static_cast<std::size_t>(std::lround(contact_.delay / contact_.period)) + 1;
   if (most >= std::min(steps_, kKept)) return;

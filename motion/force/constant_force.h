@@ -6,10 +6,10 @@
 
 namespace rob::motion {
 
-/// What is known of the contact that a force is kept on. SI.
+/// The known data of the contact that a force is kept on. SI.
 struct PressContact {
   double stiffness = 0;     ///< N/m, the greatest that may be met
-  double delay = 0;         ///< s from what acts to what is told
+  double delay = 0;         ///< s from what acts to what is reported
   double period = 0;        ///< s of a step
   double acceleration = 0;  ///< m/s² that the motion along the axis may take
   double jerk = 0;          ///< m/s³, the same
@@ -43,7 +43,7 @@ class ConstantForce {
 
   /// From rest. N along the axis, not 0; m/s, above 0.
   void begin(double force, double most_speed) noexcept;
-  /// One period on, in which `felt` is what the sensor tells, N along the axis.
+  /// One period on, in which `felt` is what the sensor reports, N along the axis.
   void step(double felt) noexcept;
   /// One period on towards standstill.
   void brake() noexcept;

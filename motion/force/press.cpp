@@ -84,8 +84,8 @@ void Press::shift(JointReference& reference) noexcept {
 }
 
 /// Whether an axis must be faster than it can; or, where the arm is stretched or its wrist is
-/// singular and a way of next to nothing takes axes far, will soon have to be: their speeds change
-/// though the way's does not. `per_way`: rad/m of the way that the force leads.
+/// singular and a way of next to nothing takes axes far, soon must be: their speeds change though
+/// the way's does not. `per_way`: rad/m of the way that the force leads.
 bool Press::too_fast(const JointVector& rates, const JointVector& accelerations,
                      const JointVector& per_way) const noexcept {
   constexpr double kMost = 1.0 / 4;  // of a_max. [choice] the rest is to brake with

@@ -8,7 +8,7 @@
 
 namespace rob::motion {
 
-/// What PRESS asks for. SI.
+/// The data that PRESS asks for. SI.
 struct PressOrder {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< in the world, of length 1
   double force = 0;                                 ///< N: of the reaction along it; not 0

@@ -18,7 +18,7 @@ class DriveRelief {
   /// Once a period. `kappa`: greatest share of what drives have that was demanded; `rate`: of the
   /// path, meanwhile; at rest there is nothing to slow down. Returns share().
   double update(double kappa, double rate) noexcept;
-  /// What the path's rate shall not exceed, kLeast … 1.
+  /// The bound of the path's rate, kLeast … 1.
   double share() const noexcept { return share_; }
 
  private:

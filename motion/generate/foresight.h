@@ -29,7 +29,7 @@ class Foresight {
     double sigma = 0;
     double within = 0;  ///< s from now on, at most kFurthest
   };
-  /// Of one place, from look to look.
+  /// The outlook on one place, from look to look.
   struct Outlook {
     double guide_passes = 0;
     double again = 0;  ///< the next look

@@ -16,7 +16,7 @@ double passing_time(const Guide::Part& part, double sigma, double end) noexcept;
 class GuideHistory {
  public:
   /// [choice] 2000 periods, half of the longest mean, of eight parts each. Where that is not enough
-  /// the oldest are lost, and what has been passed in them is told late.
+  /// the oldest are lost, and what has been passed in them is reported late.
   static constexpr std::size_t kMost = 16384;
 
   GuideHistory() : parts_(kMost) {}

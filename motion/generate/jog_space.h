@@ -9,7 +9,7 @@
 namespace rob::motion {
 
 /// Where a jog is, in the space of its rates. World: six coordinates, integrated as they are, so
-/// that nothing is lost where the fixed angles cannot be told from an orientation (b = ±90°).
+/// that nothing is lost where an orientation does not give the fixed angles (b = ±90°).
 struct JogPlace {
   JointVector coordinates;  ///< Joint: the axes; World: x y z a b c; Tool: none
   Pose tip;                 ///< Tool

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-/// What holds the speed, as the trace numbers it (docs/cli.md).
+/// The limit that holds the speed, as the trace numbers it (docs/cli.md).
 namespace rob::motion::limit_number {
 
 inline constexpr std::uint8_t kNone = 0;

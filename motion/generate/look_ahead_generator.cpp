@@ -143,7 +143,7 @@ std::optional<double> LookAheadLaw::passed_end() const noexcept {
   return when ? std::optional(*when + skipped_) : std::nullopt;
 }
 
-/// Of a run: when the references came to rest at its end.
+/// The arrival of a run: when the references came to rest at its end.
 double LookAheadLaw::arrival() const noexcept {
   const bool there = guide_.at_run_end() && average_.stands() && !beyond_end();
   if (!there) return std::numeric_limits<double>::infinity();

@@ -22,16 +22,16 @@ namespace rob::motion {
 /// A reference has the mean of the guide's σ, and events go by that σ, too: a motion begins in the
 /// middle of the corner that leads to it, where the target before it is passed, and path events are
 /// due at their places, all at their exact instants. At a standstill the references
-/// come to rest later than the guide by the mean's time. What then follows begins at the next
-/// stamp.
+/// come to rest later than the guide by the mean's time. A motion that then follows begins at the
+/// next stamp.
 ///
 /// Hold, brake and a lower override slow the guide on the path, as hard as the axes can. Where
-/// nothing is known it stands within what is; the PathPlanner tells when that was too late.
+/// nothing is known it stands within what is; the PathPlanner reports when that was too late.
 ///
 /// A motion with a profile runs in its own time, scaled as under Paul's law.
 ///
-/// What ends early takes the path ahead with it. Until the PathPlanner has given it up nothing is
-/// told and nothing begins.
+/// A motion that ends early takes the path ahead with it. Until the PathPlanner has given it up
+/// nothing is reported and nothing begins.
 ///
 /// Sample: sigma is the way on its motion, m; rate m/s; limit_numbers.h.
 class LookAheadLaw final : public PathLaw {
@@ -71,7 +71,7 @@ class LookAheadLaw final : public PathLaw {
   bool on_run() const noexcept { return now_.on_path() && run_; }
   double length() const noexcept { return end_ - begin_; }
   double guide_time() const noexcept { return now_.stamp - skipped_; }
-  /// s by which a reference lags behind the guide.
+  /// s by which a reference lags the guide.
   double lag() const noexcept { return (average_.periods() - 1) * period_ / 2; }
   /// When what the guide did at `time` shows in the references.
   double told(double time) const noexcept { return time + lag() + skipped_; }

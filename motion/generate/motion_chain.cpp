@@ -12,8 +12,8 @@ namespace {
 // [choice] 40 mm of a path in pieces of 5 µm
 constexpr std::size_t kPieces = 8192;
 
-/// What the ring may hold, so that with the buffer no more is under way than RobotModel says
-/// (most_ahead): three are in the planner's hands, and one runs.
+/// The number of legs that the ring may hold, so that with the buffer no more is under way than
+/// RobotModel says (most_ahead): three are in the planner's hands, and one runs.
 std::size_t legs_ahead(const MotionChain::Room& room) {
   return std::max<std::size_t>(room.motions, 4) - 2;
 }

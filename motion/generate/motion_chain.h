@@ -13,8 +13,8 @@
 
 namespace rob::motion {
 
-/// What makes references of what one side commands, by the robot's law. Three threads may use it:
-/// one `planner` and the writer's side of `buffer`, one plan_path(), one `generator`.
+/// The parts that make references of what one side commands, by the robot's law. Three threads may
+/// use it: one `planner` and the writer's side of `buffer`, one plan_path(), one `generator`.
 struct MotionChain {
   /// How much may be under way.
   struct Room {

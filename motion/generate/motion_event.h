@@ -7,11 +7,11 @@
 
 namespace rob::motion {
 
-/// What motion tells those above, in order of time. Fixed size; texts are made above.
+/// An event that motion reports to those above, in order of time. Fixed size; texts are made above.
 struct MotionEvent {
   enum class Kind : std::uint8_t {
     SegmentStarted,  ///< tag; number; value: 1 if it has a way to go
-    DecisionPoint,   ///< tag; number: what follows this motion has to be known by now; told under
+    DecisionPoint,   ///< tag; number: what follows this motion must be known by now; reported under
                      ///< the look-ahead law, where it is not known beforehand
     EffectDue,       ///< effect
     LateDecision,    ///< tag: nothing was known at the decision point; the target is made exact
@@ -34,7 +34,7 @@ struct MotionEvent {
     WentBack,        ///< tag: the axes stand where this motion had begun; 0: on the way there
     NoWayBack,       ///< what is recorded of their way begins where they stand
     PaceFailed,      ///< tag: what its LivePace computes has no result
-    Unsettled,       ///< tag: `off` tells how far the robot still is from its SettleWindow
+    Unsettled,       ///< tag: `off` says how far the robot still is from its SettleWindow
     Overrun,         ///< the tick came too late to be made up; value: how late, s
     Fault            ///< axis: its reference was no number; it has not been handed out
   };

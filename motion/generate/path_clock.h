@@ -10,9 +10,9 @@ namespace rob::motion {
 ///
 /// The lag is exactly 0 until something has slowed the motion, and does not change while the time
 /// scale is 1, so that a run without hold or override has the same bits however late its ticks
-/// came. hold(), resume() and set_override() scale time along the same curve (StopRamp). What
-/// slows takes effect at once, what quickens from the next stamp on, so that nothing is reached
-/// earlier than next() has announced.
+/// came. hold(), resume() and set_override() scale time along the same curve (StopRamp). A change
+/// that slows takes effect at once, one that quickens from the next stamp on, so that nothing is
+/// reached earlier than next() has announced.
 ///
 /// s. Every call may be used in the tick.
 class PathClock {
@@ -51,7 +51,7 @@ class PathClock {
   /// The run's time at a path time that the last advance() passed, and the other way round.
   double run_time(double path_time) const noexcept;
   double path_time_at(double run_time) const noexcept;
-  /// Path time at an instant of the last period; before or behind it that of its ends.
+  /// Path time at an instant of the last period; before or after it that of its ends.
   double passed_by(double run_time) const noexcept {
     return run_time >= stamp_ ? path_ : path_time_at(std::max(run_time, stamp_before_));
   }

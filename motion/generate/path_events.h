@@ -24,13 +24,14 @@ class PathEvents {
              double instant, double rate) noexcept;
   /// The leg ends at rest, by a stop that begins t_acc before its target would be reached.
   void stop(double t_acc) noexcept;
-  /// What is due at `path_time` of motions up to `number`, the earliest first; null: nothing.
+  /// The effect that is due at `path_time` of motions up to `number`, the earliest first; null:
+  /// nothing.
   const Effect* take(double path_time, std::uint32_t number, double& due) noexcept;
   /// s by which what was taken last came later than its LEAD asked for, since it cannot come before
   /// its motion begins; 0: it did not.
   double cut() const noexcept { return cut_; }
   bool pending() const noexcept { return count_ > 0; }
-  /// What is not due yet is never done.
+  /// An effect that is not due yet is never done.
   void drop() noexcept { count_ = 0; }
 
  private:

@@ -29,7 +29,7 @@ double PathRecord::last_mark() const noexcept {
   return mark_count_ > mark_first_ ? marks_[(mark_count_ - 1) % kMarks].place : -1;
 }
 
-/// Of motions that begin at one place, since the axes have not moved between them, the last counts.
+/// Where motions begin at one place, since the axes have not moved between them, the last counts.
 void PathRecord::mark(Tag tag, bool before) noexcept {
   if (empty()) return;
   const double here = before && grew_ ? std::max(last() - 1, first()) : last();

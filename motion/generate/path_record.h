@@ -27,7 +27,7 @@ class PathRecord {
   void add(const JointVector& q) noexcept;
   /// Here a motion begins; `before`: at the place before, if the last add() has led on from there.
   void mark(Tag tag, bool before = false) noexcept;
-  /// The way ends at this place; what was recorded behind it is forgotten.
+  /// The way ends at this place; what was recorded after it is forgotten.
   void cut(double where) noexcept;
 
   /// Its ends, once something has been added.

@@ -23,7 +23,7 @@ void PaulLaw::take_share() noexcept {
   if (may_jump()) clock_.jump();
 }
 
-/// Of the planned speed, as much as the LivePace of the motion leaves.
+/// The share of the planned speed that the LivePace of the motion leaves.
 double PaulLaw::live_share() noexcept {
   if (!now_.segment.live.present()) return 1;
   return std::min(1.0, live_rate(now_.segment) * now_.segment.duration);
@@ -36,8 +36,8 @@ void PaulLaw::aim_clock() noexcept {
   now_.orders.stop || live == 0 ? clock_.hold() : clock_.resume();
 }
 
-/// What ends early, and began at rest, is slowed down as its own speeds permit: slow ones far
-/// sooner than the greatest of the robot, which a hold may find anywhere.
+/// A motion that ends early, and began at rest, is slowed down as its own speeds permit: slow ones
+/// far sooner than the greatest of the robot, which a hold may find anywhere.
 void PaulLaw::brake_harder() noexcept {
   if (!from_rest_ || !now_.on_path() || inserted_ || now_.segment.profile.present()) return;
   if (clock_.steady()) clock_.set_limits(time_scale_limits(now_.segment.reserve, tightest_));
@@ -75,7 +75,7 @@ double PaulLaw::end() const noexcept {
   return comes ? clock_.run_time(end_) : std::numeric_limits<double>::infinity();
 }
 
-/// What begins at the end of a segment begins exactly there.
+/// A motion that begins at the end of a segment begins exactly there.
 double PaulLaw::path_instant(double instant) const noexcept {
   if (!now_.running) return clock_.path_time();
   return now_.segment.dwell ? clock_.path_time_at(instant) : end_;

@@ -14,8 +14,8 @@
 namespace rob::motion {
 
 /// S1's law: segments, straight in axis space or along a path of the tool,
-/// joined by transitions around their via points (PaulSegment). What is to begin at rest makes the
-/// target before it exact; a motion with a profile begins and ends at rest by itself.
+/// joined by transitions around their via points (PaulSegment). A motion that begins at rest makes
+/// the target before it exact; a motion with a profile begins and ends at rest by itself.
 ///
 /// A segment is left at its decision instant, t_acc before its target would be reached; what
 /// follows is taken from the buffer only when a reference later than that instant is computed. The
@@ -31,8 +31,8 @@ namespace rob::motion {
 /// override may be. One that is tighter than what a ramp under way was made for waits for its end,
 /// at the target before it.
 ///
-/// What brakes does so beyond the segment's end if need be. A guarded motion that has begun to
-/// round the corner towards it is asked from there on.
+/// A motion that brakes does so beyond the segment's end if need be. A guarded motion that has
+/// begun to round the corner towards it is asked from there on.
 ///
 /// Path events are due at their places (PathEvents), to the instant at constant override.
 ///

@@ -39,7 +39,7 @@ std::optional<double> PlaceEvents::when(Entry& entry) noexcept {
   return foresight_.when(now_, {entry.sigma, entry.lead}, entry.outlook);
 }
 
-/// What comes at the motion's beginning cannot keep its lead; what was foreseen too late comes now.
+/// An event at the motion's beginning cannot keep its lead; what was foreseen too late comes now.
 void PlaceEvents::remember(const Entry& entry, double due) noexcept {
   if (cut_ > 0 || led_count_ == kMost) return;
   const double came = due > before_.time ? due : now_.time;

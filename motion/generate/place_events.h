@@ -31,8 +31,8 @@ class PlaceEvents {
   void go_on(const Mark& mark) noexcept;
   /// The same while no run is under way: the references stand, and time goes on.
   void stand(double time) noexcept { go_on({time, now_.sigma, 0}); }
-  /// No later than now. What motions up to `number` have passed comes before the instant, at which
-  /// the last of them ends.
+  /// No later than now. An event that motions up to `number` have passed comes before the instant,
+  /// at which the last of them ends.
   struct Until {
     double time = 0;
     std::uint32_t number = 0;
@@ -69,7 +69,7 @@ class PlaceEvents {
   /// [choice] the events of eight legs, whose lags may overlap
   static constexpr std::size_t kMost = 8 * EventsOnTheWay::kMost;
 
-  /// What came before its place, until that is passed.
+  /// An event that came before its place, until that is passed.
   struct Led {
     Tag tag = 0;
     double sigma = 0;

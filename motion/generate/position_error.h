@@ -8,8 +8,8 @@
 
 namespace rob::motion {
 
-/// What keeps a robot outside of its in-position window. Of several reasons it is the first one in
-/// the order of Kind.
+/// The reason that keeps a robot outside of its in-position window. Among several it is the first
+/// one in the order of Kind.
 struct PositionError {
   enum class Kind : std::uint8_t {
     None,   ///< it is in position

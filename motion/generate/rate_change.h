@@ -4,7 +4,8 @@
 
 namespace rob::motion {
 
-/// What of the missing rate and of the present acceleration makes the acceleration one period on.
+/// The shares of the missing rate and of the current acceleration that make the acceleration one
+/// period on.
 struct RateChange {
   double of_missing = 0;       ///< 1/s
   double of_acceleration = 0;  ///< 1
@@ -19,7 +20,7 @@ struct RateChange {
 ///
 /// n is the least whole number for which |a'| <= a_max and the jerk |a'|/(n·T) <= j_max on every
 /// axis; towards a' it is changed by j_max·T at most. Asked in every period it ramps up, goes on
-/// and levels off. What is missing and the acceleration are given by what they make of each axis,
+/// and levels off. The missing rate and the acceleration are given by what they make of each axis,
 /// so that the answer keeps its directions in whatever space the rates are of. Closed form.
 RateChange rate_change(const JointVector& missing, const JointVector& acceleration,
                        const JointVector& a_max, const JointVector& j_max, double period) noexcept;

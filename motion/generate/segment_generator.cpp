@@ -54,7 +54,7 @@ void SegmentGenerator::look(const CycleView& view) noexcept {
   if (!orders().stop) sequence_.look_at_position();
 }
 
-/// False where nothing more is to be asked in this cycle.
+/// False where nothing more must be asked in this cycle.
 bool SegmentGenerator::do_watched(WatchedAction& action, WatchAnswer answer) noexcept {
   if (answer == WatchAnswer::Yes && action.kind == WatchedAction::Kind::Act) {
     events_.report({.kind = EventKind::ActionDue,
@@ -166,8 +166,9 @@ void SegmentGenerator::publish_decidable() noexcept {
   if (number > decidable()) decidable_.store(number, std::memory_order_release);
 }
 
-/// The axes have come to rest after a trip: the path ends here, and with it its generation. What
-/// was commanded before the motion that tripped acts now, since its place is not passed any more.
+/// The axes have come to rest after a trip: the path ends here, and with it its generation. An
+/// effect that was commanded before the motion that tripped acts now, since its place is not passed
+/// any more.
 void SegmentGenerator::end_early(double instant) noexcept {
   const std::uint32_t generation = early_.rest().generation;
   stand_at(sequence_.standing_place());

@@ -21,7 +21,7 @@ class StopRamp {
 
   /// From the next aim on. Only while steady.
   void set_limits(const TimeScaleLimits& limits) noexcept { limits_ = limits; }
-  /// Goes to `target`, 0 <= target <= 1, from the present r and r'.
+  /// Goes to `target`, 0 <= target <= 1, from the current r and r'.
   void aim(double target) noexcept;
   /// Is there at once. Only for axes at rest.
   void jump(double target) noexcept;

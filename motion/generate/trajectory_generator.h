@@ -9,14 +9,14 @@
 
 namespace rob::motion {
 
-/// What the generator is doing; the numbers stand in the trace.
+/// The state of the generator; the numbers stand in the trace.
 enum class MotionState : std::uint8_t {
   Idle = 0,
   Running = 1,
   Held = 2,
   Stopping = 3,
   Jogging = 4,
-  Pressing = 5  ///< a force is kept beside the path; told by who keeps it
+  Pressing = 5  ///< a force is kept beside the path; reported by who keeps it
 };
 
 /// One reference and where it comes from.
@@ -39,7 +39,7 @@ class TrajectoryGenerator {
  public:
   virtual ~TrajectoryGenerator() = default;
 
-  /// Asks all watches about the present cycle, before advance() goes on from it.
+  /// Asks all watches about the current cycle, before advance() goes on from it.
   virtual void look(const CycleView& view) noexcept = 0;
 
   /// Computes every reference up to `period` (the reference stamped period·T) in order, and
@@ -59,19 +59,19 @@ class TrajectoryGenerator {
 
   /// The axes are back where they left the path; `time`: now.
   virtual void go_on(double time) noexcept = 0;
-  /// The handler that was told does not begin: the axes go on, and it is told anew when handlers
-  /// may begin and its condition holds.
+  /// The handler that was called does not begin: the axes go on, and it is called anew when
+  /// handlers may begin and its condition holds.
   virtual void decline_handler(double time) noexcept = 0;
   /// Whether no handler may begin: the program settles an error, or is over.
   virtual void bar_handlers(bool barred) noexcept = 0;
   /// They are not, they stand at `q`: the motion under way has ended (Rest::Outcome::Braked, at
-  /// `time`), and all that is queued behind it is taken back. What stands between the motions stays
+  /// `time`), and all that is queued after it is taken back. An effect between the motions stays
   /// and goes with the motions of the same numbers, which are queued anew; with `all` it is
   /// dropped.
   virtual void leave_path(const JointVector& q, double time, bool all) noexcept = 0;
   /// Nothing has been commanded here, or all of it is done: the axes have been brought to `q`.
   virtual void stand_at(const JointVector& q) noexcept = 0;
-  /// What is under way brakes on its path and ends there (Braked), with all that is queued.
+  /// The motion under way brakes on its path and ends there (Braked), with all that is queued.
   virtual void brake() noexcept = 0;
 
   /// The highest segment number at whose decision point the world may be read now: the next call

@@ -34,9 +34,9 @@ constexpr double kBeside = 1e-6;
 /// s: a step of a rest is a period, or as many together as this holds. [choice] A tenth of what it
 /// takes an arm to reach its full acceleration, so that a robot at 1 kHz can work out a rest, too.
 constexpr double kRestStep = 0.004;
-/// Of acceleration and jerk at the ends of a step of several periods, the most that a motion of the
-/// tool may ask; the rest is for what lies between. [choice] 0.9 was a fifth too much beside
-/// singular places, in steps of 8 ms.
+/// The share of acceleration and jerk at the ends of a step of several periods that a motion of the
+/// tool may ask at most; the rest is for what lies between. [choice] 0.9 was a fifth too much
+/// beside singular places, in steps of 8 ms.
 constexpr double kForBetween = 0.8;
 /// Steps of rests that are worked out in a period: its work is bounded. [choice] twice what the
 /// longest rest takes
@@ -44,8 +44,9 @@ constexpr int kMostSteps = 120;
 
 /// Shares of the rates that are tried in a period, as parts of what was granted in the one before;
 /// the first at least kLittle, so that it begins again; none lies above what speeds permit. From
-/// rest, where nothing else is left to do: parts of that. [choice] Of several, those that led
-/// random jogs as far as a closer search did. What leaps by a factor is smoothed by the axes' jerk.
+/// rest, where nothing else is left to do: parts of that. [choice] Among several, those that led
+/// random jogs as far as a closer search did. A rate that leaps by a factor is smoothed by the
+/// axes' jerk.
 constexpr std::array kAgain = {4.0, 1.5, 0.5};
 constexpr double kLittle = 1.0 / 64;
 constexpr std::array kFromRest = {1.0, 1.0 / 8, kLittle};
@@ -209,7 +210,7 @@ JogPlace VelocityMode::moved(const State& from, const State& to, double time) co
   return space_.moved(from.place, from.rate * time + bend * (time * time / 6));
 }
 
-/// Of the rates, so that no axis becomes too fast here, nor the tool.
+/// The share of the rates, so that no axis becomes too fast here, nor the tool.
 double VelocityMode::greatest_share(const JointVector& asked) noexcept {
   double share = 1;
   const auto bound = [&](double speed, double most, JogLimit limit) noexcept {
@@ -254,9 +255,9 @@ JogLimit VelocityMode::go(const State& from, double share, const JointVector& as
   return judge(from.axes, to.axes, time);
 }
 
-/// Of the rates. What of the acceleration does not lie along what is missing would last as long as
-/// that does, and lead the tool aside: half of the jerk takes it back at once. `of_axes`: what is
-/// missing, as the axes feel it.
+/// The acceleration of the rates. Its part that does not lie along what is missing would last as
+/// long as that does, and lead the tool aside: half of the jerk takes it back at once. `of_axes`:
+/// what is missing, as the axes feel it.
 JointVector VelocityMode::next_acceleration(const State& from, const JointVector& missing,
                                             const JointVector& of_axes,
                                             double time) const noexcept {
@@ -344,7 +345,7 @@ JogLimit VelocityMode::judge(const JointReference& from, const JointReference& t
   const bool between = time > period_;  // there are periods that are not judged
   const double forces = between && !space_.joint() ? kForBetween : kMost;
   const JointVector bent = to.qdd - from.qdd;
-  // Of an axis whose jerk is constant nothing is left; one that leaps leaves its leap.
+  // An axis whose jerk is constant leaves nothing; one that leaps leaves its leap.
   const JointVector left =
       to.q - from.q - (from.qd + to.qd) * (time / 2) + bent * (time * time / 12);
   for (int i = 0; i < to.q.size(); ++i) {

@@ -8,7 +8,7 @@
 
 namespace rob::motion {
 
-/// What keeps a jog from going as fast as it is asked to.
+/// The limit that keeps a jog from going as fast as it is asked to.
 struct JogLimit {
   enum class Kind : std::uint8_t {
     None,
@@ -27,11 +27,11 @@ struct JogLimit {
 /// that were asked for last.
 ///
 /// Rates change all together (rate_change()), within what every axis may accelerate and jerk, and
-/// what a former change has left beside the direction of the present one is taken back; where
+/// what a former change has left beside the direction of the current one is taken back; where
 /// the tool moves, so does it straight in its space. No step is taken from which the jog could not
 /// come to rest with every axis within its way, speed, acceleration and jerk: that rest is tried
 /// beforehand, and where it is not possible smaller rates in the same direction are. Where none of
-/// the few that are tried in a period is possible, the rest behind the step before is gone on
+/// the few that are tried in a period is possible, the rest after the step before is gone on
 /// with: so the work of a period is bounded. Neither the step nor that rest moves the tool faster
 /// than the rates that were asked for and AT permit. A jog slows down before the end of an axis,
 /// the border of its reach and singular places, stands still short of them, and goes wherever they
@@ -58,7 +58,8 @@ class VelocityMode {
   bool stands() const noexcept { return at_rest(state_); }
   /// Its time is the caller's.
   const JointReference& reference() const noexcept { return state_.axes; }
-  /// Of the last step: what kept it, and what share of the rates asked for could be aimed at.
+  /// The limit of the last step: what kept it, and what share of the rates asked for could be aimed
+  /// at.
   const JogLimit& limit() const noexcept { return limit_; }
   double granted() const noexcept { return granted_; }
   /// It hardly goes on, though axes and tool are fast enough for what was asked; JogLimit says why.

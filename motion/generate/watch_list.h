@@ -23,7 +23,7 @@ class WatchList {
   void renew(const WatchedAction& action) noexcept;
 
   /// Calls fire(action, answer) for each that comes true or cannot be computed, in order, until one
-  /// of the calls returns false: what stands behind it is not asked in this cycle. Those for which
+  /// of the calls returns false: what stands after it is not asked in this cycle. Those for which
   /// waits(action) holds are left out, as though nothing had changed for them.
   template <typename Waits, typename Fire>
   void ask(const CycleView& view, Waits&& waits, Fire&& fire) noexcept {
