@@ -32,7 +32,7 @@
 ///     }
 namespace rob::motion {
 
-/// What update() has come to.
+/// The result of update().
 enum class Result : std::uint8_t {
   Working,   ///< there is more to come, or may be
   Finished,  ///< close() has been called, all motions are done, and the axes stand
@@ -79,8 +79,8 @@ class Trajectory {
   /// true: the axes slow down on their path, and stand there; false: they go on.
   void hold(bool stand) noexcept;
   /// The axes run at this share of the programmed speed; 1 at first. At most 1 under Paul's law, 2
-  /// under the look-ahead law, where it is never more than the axes can do. What is not above 0
-  /// changes nothing.
+  /// under the look-ahead law, where it is never more than the axes can do. A share that is not
+  /// above 0 changes nothing.
   void override_speed(double share) noexcept;
 
  private:

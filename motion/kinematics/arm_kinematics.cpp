@@ -72,7 +72,7 @@ void turn_hand(const Eigen::Matrix3d& r, Eigen::Matrix<double, 6, 1>& theta) {
 
 }  // namespace
 
-/// Where the wrist is to be, seen from axis 2's height, and how the hand is to be turned.
+/// Where the wrist shall be, seen from axis 2's height, and how the hand shall be turned.
 struct ArmKinematics::Wrist {
   Eigen::Vector3d at;
   Eigen::Matrix3d hand;

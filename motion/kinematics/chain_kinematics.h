@@ -6,8 +6,8 @@
 
 namespace rob::motion {
 
-/// An arm of rotary axes, one behind the other, in whatever places: from axes to tool alone. Such a
-/// robot is commanded in its axes. Axes behind the chain, a gripper's, do not move the flange.
+/// An arm of rotary axes, one after the other, in whatever places: from axes to tool alone. Such a
+/// robot is commanded in its axes. Axes after the chain, a gripper's, do not move the flange.
 class ChainKinematics final : public Kinematics {
  public:
   /// `joints`: the frame of each as seen from that of the one before, the first from the base; it

@@ -4,7 +4,7 @@
 
 namespace rob::motion {
 
-/// A gantry: two or three linear axes place the tool, one rotary axis behind them may turn it.
+/// A gantry: two or three linear axes place the tool, one rotary axis after them may turn it.
 /// Linear in the axes is linear in the world; there are no singularities.
 class GantryKinematics final : public Kinematics {
  public:

@@ -55,7 +55,7 @@ class Kinematics {
   /// Every solution, each with its axes turned as near to `near` as whole turns bring them. None if
   /// there is no solution. Limits of the axes are not looked at.
   virtual InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept = 0;
-  /// Of all solutions the one nearest to `near`, as sum of squares over the axes.
+  /// The solution nearest to `near`, as sum of squares over the axes.
   virtual std::optional<JointVector> inverse(const Pose& pose,
                                              const JointVector& near) const noexcept;
   /// Why there is none, where there is none.
@@ -63,7 +63,8 @@ class Kinematics {
   /// How far the tip of a tool, seen from the flange (m), can be from the rotary axis `axis` at
   /// most, m; 0 of a linear axis.
   virtual double lever(int axis, const Eigen::Vector3d& tip) const noexcept = 0;
-  /// Of a robot whose coordinates are its axes: which of x, y, z, a, b, c, from 0 on, `axis` moves.
+  /// For a robot whose coordinates are its axes: which of x, y, z, a, b, c, from 0 on, `axis`
+  /// moves.
   virtual int coordinate(int axis) const noexcept { return axis; }
   /// The singular place that `q` is nearest to, of those within `within`, rad.
   virtual SingularPlace nearest_singularity(

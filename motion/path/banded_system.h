@@ -17,7 +17,8 @@ class BandedSystem {
   explicit BandedSystem(std::size_t unknowns)
       : matrix_(unknowns, Band{}), right_(unknowns, Eigen::Vector3d::Zero()) {}
 
-  /// Of factor · (Σ coefficients·x − value)²: the coefficients of the unknowns i and j <= i.
+  /// For the term factor · (Σ coefficients·x − value)²: the coefficients of the unknowns i and j <=
+  /// i.
   void add(std::size_t i, std::size_t j, double value) { matrix_[i][i - j] += value; }
   void add_right(std::size_t i, const Eigen::Vector3d& value) { right_[i] += value; }
 

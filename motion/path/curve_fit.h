@@ -7,10 +7,10 @@
 namespace rob::motion {
 
 /// A cubic B-spline along a polyline, within a tolerance of it, streamed: points come at one end,
-/// settled spans of the curve leave at the other. Of all curves within the tolerance it seeks the
-/// one with the least sum of squared differences of its control points, which is what lets it be
-/// run the fastest: of the second ones where acceleration is bounded, of the third where jerk is.
-/// Controls are found in a window by least squares with weights, which grow
+/// settled spans of the curve leave at the other. Among all curves within the tolerance it seeks
+/// the one with the least sum of squared differences of its control points, which is what lets it
+/// be run the fastest: of the second ones where acceleration is bounded, of the third where jerk
+/// is. Controls are found in a window by least squares with weights, which grow
 /// where a point lies too far away (iteratively reweighted least squares). Where no weight helps,
 /// as in a corner that is sharper than the knots, these spans get twice as many knots.
 ///

@@ -27,7 +27,7 @@ class EulerLine final : public ToolPath {
  private:
   EulerLine(const Pose& from, const Pose& to);
 
-  /// Of the tool, rad per unit of s.
+  /// The turning of the tool, rad per unit of s.
   double turning_at(double s) const noexcept;
 
   Eigen::Vector3d from_;

@@ -16,8 +16,8 @@ constexpr double kLeastStep = 1e-5;        // m of the path
 constexpr double kOffPlace = 5e-7;         // m
 constexpr double kOffTurn = 1e-5;          // rad
 
-/// Of a step: between the places from which a derivative is made. [choice] the error of the
-/// differences, of sixth order, is then far below that of the quintic between the nodes.
+/// The share of a step between the places from which a derivative is made. [choice] the error of
+/// the differences, of sixth order, is then far below that of the quintic between the nodes.
 constexpr double kSpacing = 1.0 / 16;
 
 class Follower {

@@ -32,7 +32,7 @@ struct Followed {
 /// [choice] 1 MB of a path, and 20 m of an arm's line
 inline constexpr std::size_t kMostNodes = 4096;
 
-/// What the axes have to do so that the tip of a tool, which `tip` places on the flange, follows
+/// The motion of the axes by which the tip of a tool, which `tip` places on the flange, follows
 /// `path`. They begin at `start`, which brings it to the path's beginning; further on continuity
 /// decides among the closed form's solutions. Limits of the axes are not looked at.
 ///

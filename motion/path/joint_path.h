@@ -7,8 +7,8 @@
 
 namespace rob::motion {
 
-/// What the axes do along a path: a quintic from node to node, so that values, first and second
-/// derivatives are continuous. m, rad.
+/// The motion of the axes along a path: a quintic from node to node, so that values, first and
+/// second derivatives are continuous. m, rad.
 ///
 /// A node is a JointReference whose `time` is the path's parameter. Making one takes memory; at()
 /// may be used in the tick: a search in the nodes and one polynomial.

@@ -6,7 +6,7 @@
 namespace rob::motion {
 
 /// One segment of S1's on-line law (after R. P. Paul, 1981): the transition around B, in which the
-/// motion that comes from A turns towards C, and the straight part behind it.
+/// motion that comes from A turns towards C, and the straight part after it.
 ///
 ///     A                      t = −t_acc: the segment before is left
 ///      ·

@@ -16,7 +16,7 @@ class ToolPath {
 
   /// Also a little beyond both ends, where the curve goes on.
   virtual Pose at(double s) const noexcept = 0;
-  /// What the axes do along it, where they lead the tool; null where they follow from it.
+  /// The motion of the axes along it, where they lead the tool; null where they follow from it.
   virtual const JointPath* axes() const noexcept { return nullptr; }
   virtual double begin() const noexcept { return 0; }
   virtual double end() const noexcept { return 1; }
@@ -53,7 +53,7 @@ struct ToolSpeed {
 };
 ToolSpeed speed_at(const ToolPath& path, double s) noexcept;
 
-/// What a path is measured by, m: its way, or where only the orientation changes 1 mm a degree.
+/// The measure of a path, m: its way, or where only the orientation changes 1 mm a degree.
 double measure_of(const ToolPath& path) noexcept;
 
 }  // namespace rob::motion

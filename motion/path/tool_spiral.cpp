@@ -31,7 +31,7 @@ Pose ToolSpiral::at(double s) const noexcept {
       from_.orientation};
 }
 
-/// What is left of the way where the radius is that share of the first: ∫ r·√(1 + k²u²) du.
+/// The rest of the way where the radius is that share of the first: ∫ r·√(1 + k²u²) du.
 double ToolSpiral::left(double radii) const noexcept {
   const double ku = angle_ * radii;
   return radius_ / 2 * (radii * std::sqrt(1 + ku * ku) + std::asinh(ku) / angle_);

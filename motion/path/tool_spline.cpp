@@ -11,7 +11,7 @@ namespace rob::motion {
 
 namespace {
 
-/// Of the rotation vectors of one orientation that are whole turns apart, the one nearest to
+/// The rotation vector, among those of one orientation that are whole turns apart, nearest to
 /// `near`.
 Eigen::Vector3d nearest_vector(const Eigen::Vector3d& vector, const Eigen::Vector3d& near) {
   constexpr double kNoDirection = 1e-9;  // rad

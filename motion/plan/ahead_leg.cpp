@@ -31,7 +31,8 @@ double length_of(const LegDemand& demand) {
   return demand.way > kNoWay ? demand.way : demand.turn * kPerRadian;
 }
 
-/// What the axes can give a leg: shares of its length, at the places where they give most.
+/// The rates and accelerations that the axes can give a leg: shares of its length, at the places
+/// where they give most.
 struct AxesGive {
   double most_rate = 0;          ///< 1/s
   double most_acceleration = 0;  ///< 1/s², without bends
@@ -85,7 +86,7 @@ AxesGive axes_give(const RobotModel& robot, const LegDemand& demand, double slow
   return give;
 }
 
-/// What the axes can give to what a bound speaks of; 0 where that does not move.
+/// The acceleration that the axes can give to the subject of a bound; 0 where that does not move.
 double given_to(Bound bound, const AxesGive& give) {
   return bound == Bound::Tool     ? give.acceleration.way
          : bound == Bound::Rotary ? give.acceleration.turn

@@ -23,7 +23,7 @@ struct AheadLeg {
 inline constexpr double kLongestWindow = 2;
 inline constexpr int kMostPeriods = 4096;
 
-/// What a request asks for, per unit of the leg's σ (LegBounds).
+/// The bounds that a request asks for, per unit of the leg's σ (LegBounds).
 ///
 ///   AT v, AT ω    the tip's speed, or that of every rotary axis (on a path, of the tool's
 ///                 turning), kept at the leg's fastest place
@@ -32,7 +32,7 @@ inline constexpr int kMostPeriods = 4096;
 ///   ACCEL         a share of every axis' a_max: so much that the tip, or the turning, is
 ///                 accelerated by that much where the axes are strongest, along the leg
 ///   JERK          T_w = max_i 2·A_i/J_i with A_i that share of a_max, J_i the least of j_max
-///                 and of JERK. Of a tip that axes of another kind move, 2·σ''/JERK
+///                 and of JERK. For a tip that axes of another kind move, 2·σ''/JERK
 ///   ZONE          z: miss; t: the corner begins t before the target at the leg's full speed;
 ///                 p%: of half of the legs; without it the robot's. Its angle, or the
 ///                 robot's zone.angle, always
@@ -43,7 +43,7 @@ inline constexpr int kMostPeriods = 4096;
 /// leg's parameter, with the length of the tip's way.
 AheadLeg ahead_leg(const RobotModel& robot, const LegDemand& demand, const MotionRequest& request);
 
-/// What the ZONE of a request, or the robot's, lets the corner at its target be; `speed`: m/s of σ
+/// Bounds the corner at its target by the ZONE of a request, or the robot's; `speed`: m/s of σ
 /// there, for a ZONE in time.
 void bound_corner(const RobotModel& robot, const MotionRequest& request, double speed,
                   LegBounds& bounds);

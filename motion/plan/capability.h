@@ -6,7 +6,7 @@
 
 namespace rob::motion {
 
-/// What a robot's law of motion may have or not.
+/// A capability that a robot's law of motion may have or not.
 enum class Capability : std::uint8_t {
   AccelerationBound,  ///< of a single motion
   JerkBound,

@@ -94,7 +94,7 @@ Polyline ways_of(const RobotModel& robot, const CornerTask& task, double half) {
   return ways;
 }
 
-/// Of a point of one from the other.
+/// The greatest distance of a point of one from the other.
 double greatest_distance(const Polyline& points, const Polyline& line) {
   double most = 0;
   for (const Eigen::Vector3d& p : points) {
@@ -153,7 +153,7 @@ double beside_ways(const RobotModel& robot, const CornerTask& task, const JointP
 bool winds_round(const RobotModel& robot, const CornerTask& task, double half) {
   const Polyline ways = ways_of(robot, task, half);
   constexpr std::size_t kPoint = kChords / 2;
-  constexpr double kStands = 1e-18;  // m²: the tip goes by less than it can be told
+  constexpr double kStands = 1e-18;  // m²: the tip goes by less than it can be measured
   const Eigen::Vector3d in = ways[kPoint] - ways[kPoint - 1];
   const Eigen::Vector3d out = ways[kPoint + 1] - ways[kPoint];
   for (std::size_t k = 0; k < kChords; ++k)

@@ -16,7 +16,7 @@ struct Corner {
   double half = 0;
 };
 
-/// What a corner joins, and by what it is bounded.
+/// The motions that a corner joins, and its bounds.
 struct CornerTask {
   LegMotion in;
   LegMotion out;

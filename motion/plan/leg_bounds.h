@@ -11,8 +11,8 @@
 
 namespace rob::motion {
 
-/// What a motion asks of the look-ahead law. The path is measured by σ: the way of the tool's tip,
-/// m; where the tip does not move, 1 mm for each degree that the axes turn most.
+/// The bounds that a motion asks of the look-ahead law. The path is measured by σ: the way of the
+/// tool's tip, m; where the tip does not move, 1 mm for each degree that the axes turn most.
 struct LegBounds {
   static constexpr double kAny = std::numeric_limits<double>::infinity();
 

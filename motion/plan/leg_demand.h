@@ -10,7 +10,7 @@
 
 namespace rob::motion {
 
-/// What a leg asks of the axes, per unit of its parameter 0 … 1. m, rad.
+/// The demand of a leg on the axes, per unit of its parameter 0 … 1. m, rad.
 struct LegDemand {
   JointVector rates;                 ///< the greatest |dq/ds| of each axis
   double way = 0;                    ///< of the tip: straight, or along its path
@@ -21,14 +21,14 @@ struct LegDemand {
   double leaving = 0;                ///< the tip's speed at the end
   const JointPath* path = nullptr;   ///< null: straight in the axes
   const ToolPath* uneven = nullptr;  ///< a path whose parameter does not say how fast the tool is
-  double first_point = 1;            ///< of the path, between its ends, that is to be met
+  double first_point = 1;            ///< of the path, between its ends, that must be met
   double last_point = 0;
 };
 
 /// m, rad: two poses that differ by less are one.
 inline constexpr double kSamePose = 1e-9;
 
-/// Of the axes along a path of the tool.
+/// The demand on the axes along a path of the tool.
 LegDemand demand_along(const ToolPath& path, const JointPath& axes);
 
 /// The greatest |dq/ds| of each axis along a path.

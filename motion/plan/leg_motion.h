@@ -4,8 +4,8 @@
 
 namespace rob::motion {
 
-/// What the axes do from the beginning of one motion to its end: straight, or along a path of the
-/// tool. m, rad, s. Calls may be used in the tick.
+/// The motion of the axes from the beginning of one motion to its end: straight, or along a path of
+/// the tool. m, rad, s. Calls may be used in the tick.
 struct LegMotion {
   const JointPath* path = nullptr;  ///< of a parameter 0 … 1; null: straight in the axes
   JointVector from;
@@ -18,7 +18,7 @@ struct LegMotion {
     const JointVector way = to - from;
     return {from + way * share, way * rate, way * acceleration};
   }
-  /// `t` s behind its beginning.
+  /// `t` s after its beginning.
   PathPoint at(double t) const noexcept { return along(t / duration, 1 / duration, 0); }
 };
 

@@ -10,7 +10,7 @@
 
 namespace rob::motion {
 
-/// What has been commanded and not yet begun, between the program (one writer) and the
+/// All that has been commanded and not yet begun, between the program (one writer) and the
 /// generator (one reader): S2's buffer of segment descriptors, and beside it the effects in
 /// their order. Memory is taken once, by the constructor; no call locks or waits.
 class LookAheadBuffer {
@@ -25,7 +25,7 @@ class LookAheadBuffer {
   // The program's side. False: full, nothing has happened.
   bool push(const SegmentDescriptor& segment) noexcept {
     if (segment.t_acc < tightest_.load(std::memory_order_relaxed))
-      tightest_.store(segment.t_acc, std::memory_order_relaxed);  // told before it is seen
+      tightest_.store(segment.t_acc, std::memory_order_relaxed);  // known before it is seen
     return segments_.push(segment);
   }
   bool push(const Effect& effect) noexcept { return effects_.push(effect); }
@@ -34,7 +34,7 @@ class LookAheadBuffer {
   std::size_t room() const noexcept { return segments_.room(); }
   bool effects_full() const noexcept { return effects_.full(); }
   /// The motion `number` is braked on its path as soon as it is the running one, and ends early
-  /// (Rest); nothing may be pushed behind it before.
+  /// (Rest); nothing may be pushed after it before.
   void brake(std::uint32_t number) noexcept { brake_.store(number, std::memory_order_release); }
   /// Nothing more will come: the generator finishes when it has done what is there.
   void close() noexcept { closed_.store(true, std::memory_order_release); }

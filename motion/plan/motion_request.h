@@ -23,7 +23,7 @@ struct MotionRequest {
     Share    ///< 1 = 100 %: of the robot's own t_acc; of half of each leg
   };
 
-  /// What an acceleration or a jerk is of.
+  /// The subject of an acceleration or a jerk.
   enum class Bound : std::uint8_t {
     None,
     Tool,   ///< the tip, m/s², m/s³

@@ -26,7 +26,7 @@ struct Effect {
     SimulateGo,
     SimulateAnswer,  ///< `id`
     Note,
-    ZeroForce,  ///< what the force sensor tells now is nothing
+    ZeroForce,  ///< what the force sensor reports now is nothing
     Override,   ///< from here on the path's time runs at `share`
     Load,       ///< from here on the arm carries `carried`
     Report,     ///< `id`: the asker learns that its turn has come, or that it is dropped
@@ -37,7 +37,7 @@ struct Effect {
   Tag tag = 0;
   Kind kind = Kind::Note;
   bool value = false;        ///< of an Output or Simulate
-  bool safe = false;         ///< of an Output or Analog: nothing sets it any more behind this one
+  bool safe = false;         ///< of an Output or Analog: nothing sets it any more after this one
   std::uint8_t channel = 0;  ///< of the output or, for Simulate…, the input
   double volts = 0;          ///< of an …Analog: as asked for; the channel carries what it can
   double share = 1;          ///< of an Override, above 0; above 1 is as 1
@@ -52,7 +52,7 @@ struct Effect {
 /// Something that happens at a place on the way of a motion.
 struct PathEvent {
   double share = 0;  ///< of the leg, 0 … 1
-  double lead = 0;   ///< s of the run by which it comes before the place; below 0: behind it
+  double lead = 0;   ///< s of the run by which it comes before the place; below 0: after it
   Effect effect{};   ///< `after`: the number of its motion
 };
 

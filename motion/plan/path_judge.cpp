@@ -35,7 +35,7 @@ std::optional<Refusal> PathJudge::judge(const MotionRequest& request, const Tool
     first->other = path.axes() == nullptr && reachable_otherwise(path);
   }
   if (path.axes() != nullptr) return first;  // singular places do no harm to them
-  // Where the reach ends the arm is stretched: that says more than how fast it would have to be.
+  // Where the reach ends the arm is stretched: that says more than how fast it must be.
   const bool out = trouble && trouble->kind == PathTrouble::Kind::OutOfReach;
   const auto slow = out ? std::nullopt : too_slow(request, path, followed.axes);
   return slow && (!first || slow->at < first->at) ? slow : first;
@@ -51,7 +51,7 @@ Refusal PathJudge::refusal_for(const PathTrouble& trouble, const ToolPath& path,
                                                             : Refusal::Kind::PathSingular;
   if (trouble.kind != PathTrouble::Kind::OutOfReach) return refusal;
   refusal.kind = Refusal::Kind::PathOutOfReach;
-  // [choice] a ten-thousandth of the path on, where the lack can be told from rounding
+  // [choice] a ten-thousandth of the path on, where the lack is greater than rounding
   const double beyond = std::min(trouble.at + 1e-4 * (path.end() - path.begin()), path.end());
   refusal.shortfall = robot_.kinematics->shortfall(composed(path.at(beyond), inverse(tip_.pose())));
   return refusal;

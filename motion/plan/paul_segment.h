@@ -19,7 +19,7 @@ class PaulSegment {
   /// `from_rest` they stand there.
   void begin(const SegmentDescriptor& segment, const JointVector& a, const JointVector& b,
              double t_acc, bool from_rest) noexcept;
-  /// They come to rest at the target of the present leg, t_acc before which they are, and stand
+  /// They come to rest at the target of the current leg, t_acc before which they are, and stand
   /// there until t = `duration`.
   void stop(const JointVector& a, const JointVector& b, double t_acc, double duration) noexcept;
 

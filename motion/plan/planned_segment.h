@@ -11,7 +11,7 @@
 
 namespace rob::motion {
 
-/// A motion that can be, and what its asker should be told of it.
+/// A motion that can be, and what its asker should know of it.
 struct PlannedSegment {
   /// AT asks for more than the axes it names can do; they go as fast as they can.
   static constexpr std::uint8_t kPaceCut = 1;

@@ -40,7 +40,7 @@ struct SegmentMotion {
   SettleWindow settle{};
 
   /// Along this the axes run, parameter 0 … 1; null: straight. Its planner keeps it as long as the
-  /// motion, or the corner behind it, can run.
+  /// motion, or the corner after it, can run.
   const JointPath* path = nullptr;
   const Corner* corner = nullptr;  ///< out of the motion before; null: S1's in the axes
   bool from_rest = false;          ///< the target before is reached exactly: no corner leads here

@@ -5,7 +5,7 @@
 
 namespace rob::motion {
 
-/// What a state of motion asks of a robot's gears and drives.
+/// The demand of a state of motion on a robot's gears and drives.
 struct TorqueShare {
   /// The most that a plan may ask for; the rest is the servo's. [choice: S2 gives none]
   static constexpr double kMost = 0.9;
@@ -23,13 +23,13 @@ struct TorqueShare {
 ///
 ///     P = H(q)·q'' + c(q, q') + ∂V/∂q        u = Da·P + Db·q'' + Dc·q' + C·sign(q')
 ///
-/// without them (null) u = inertia·q'' + Dc·q' + C·sign(q'). What the arm carries counts as far as
+/// without them (null) u = inertia·q'' + Dc·q' + C·sign(q'). The load of the arm counts as far as
 /// it is in `mechanics` (ArmMechanics::carrying); the payload of [simulation] is not known. May be
 /// used in the tick.
 TorqueShare torque_share(const RobotModel& robot, const ArmMechanics* mechanics,
                          const JointVector& q, const JointVector& qd,
                          const JointVector& qdd) noexcept;
-/// Of an arm that carries nothing.
+/// The share of an arm that carries nothing.
 TorqueShare torque_share(const RobotModel& robot, const JointVector& q, const JointVector& qd,
                          const JointVector& qdd) noexcept;
 

@@ -8,7 +8,7 @@
 
 namespace rob::motion {
 
-/// What can be seen of the world in one control cycle. SI.
+/// The view of the world in one control cycle. SI.
 struct CycleView {
   double time = 0;                ///< s, when the cycle begins
   JointVector reference;          ///< where the axes are meant to be at that instant
@@ -20,7 +20,7 @@ struct CycleView {
   Wrench wrench;                  ///< what the world does to the tool, along the world's axes
 };
 
-/// What a Watch says of one cycle.
+/// The answer of a Watch for one cycle.
 enum class WatchAnswer : std::uint8_t {
   No,
   Yes,
@@ -42,7 +42,7 @@ struct Watch {
 
 /// How fast a motion shall be, asked in every control cycle: AT LIVE. As a Watch.
 struct LivePace {
-  /// Of the pace; NaN where its computation has no result, and its owner knows why.
+  /// The value of the pace; NaN where its computation has no result, and its owner knows why.
   using Value = double (*)(const void* self, const CycleView& view) noexcept;
 
   Value value = nullptr;  ///< null: the motion keeps its own pace

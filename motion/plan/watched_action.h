@@ -8,14 +8,15 @@
 
 namespace rob::motion {
 
-/// What is done whenever a condition comes true: WHEN. The program's thread sets it up and sends an
-/// effect that arms it, later one that disarms it; from the one to the other it is the tick's.
+/// An action that is done whenever a condition comes true: WHEN. The program's thread sets it up
+/// and sends an effect that arms it, later one that disarms it; from the one to the other it is the
+/// tick's.
 struct WatchedAction {
   enum class Kind : std::uint8_t {
     Act,     ///< the effect acts in the cycle
     Raise,   ///< the axes brake, and all that was commanded is dropped (Rest::by)
     Handle,  ///< the axes stop on their path, and a handler has them (TrajectoryGenerator::go_on())
-    Call     ///< a handler is told, and the axes go on
+    Call     ///< a handler is called, and the axes go on
   };
 
   /// By a handler, of which there is one at a time.

@@ -9,7 +9,7 @@
 namespace rob::motion {
 
 /// The table [chain] of a robot file, and [axis.joint] of its axes: the first ones, as far as they
-/// have it. Throws RobotFileError where none has, and where one behind the chain has.
+/// have it. Throws RobotFileError where none has, and where one after the chain has.
 std::shared_ptr<const ChainKinematics> read_chain(const TableReader& file,
                                                   const std::vector<TableReader>& axes);
 

@@ -35,7 +35,7 @@ PulseDriveData read_pulse_drive(const TableReader& axis, AxisKind kind) {
   return drive;
 }
 
-/// A drive that counts pulses itself runs behind them by v/kp.
+/// A drive that counts pulses itself lags them by v/kp.
 void check_lag(const TableReader& table, const Axis& axis) {
   const double kp =
       (1 + axis.drive.viscous_friction / axis.pulses.speed_stiffness) / (4 * time_constant(axis));

@@ -5,7 +5,7 @@
 
 namespace rob::motion {
 
-/// What a number in a robot file measures; each has its own units.
+/// The quantity that a number in a robot file measures; each has its own units.
 enum class Quantity {
   Length,
   Angle,

@@ -171,7 +171,7 @@ void read_settling(const TableReader& file, RobotModel& robot) {
         file.quantity("settle_time", Quantity::Time, {robot.reference_period, kLongestSettling});
 }
 
-/// What is finer than an encoder counts is never seen.
+/// A deviation finer than an encoder counts is never seen.
 void check_settling(const TableReader& file, const RobotModel& robot) {
   for (const Axis& axis : robot.axes) {
     const bool linear = axis.kind == AxisKind::Linear;

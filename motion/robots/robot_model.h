@@ -65,7 +65,7 @@ struct RobotSignal {
 };
 
 /// A two-position actuator of the simulated machine: an output that takes time to act, and the
-/// inputs that tell when it has arrived. Channels as in RobotSignal.
+/// inputs that show when it has arrived. Channels as in RobotSignal.
 struct TwoPositionActuator {
   int output = 0;          ///< output channel that drives it
   int input_off = 0;       ///< input channel, true while it stands at its OFF end
@@ -81,11 +81,11 @@ struct SimulatedDeviation {
   double friction = 1;  ///< factor
 };
 
-/// What is known of a force sensor, and of what the tool may press on.
+/// The known data of a force sensor, and of what the tool may press on.
 struct ForceSensorData {
-  double delay = 0;      ///< s from what acts to what is told
+  double delay = 0;      ///< s from what acts to what is reported
   double limit = 0;      ///< N: a force that ends the run; 0: none
-  double noise = 0;      ///< N, by which what it tells at rest varies; 0: not known
+  double noise = 0;      ///< N, by which its report at rest varies; 0: not known
   double stiffness = 0;  ///< N/m: the greatest that the tool meets, the arm's own included
 };
 
@@ -123,7 +123,8 @@ struct RobotModel {
   bool tool_coordinates = false;
   /// Null where this version does not know how the axes move the tool: such a robot cannot be run.
   std::shared_ptr<const Kinematics> kinematics;
-  /// What the servo feeds forward and the simulation integrates; without it the axes are decoupled.
+  /// The mechanics that the servo feeds forward and the simulation integrates; without it the axes
+  /// are decoupled.
   std::optional<ArmMechanics> mechanics;
   SimulatedDeviation deviation;  ///< only with mechanics
   WireData wire;

@@ -29,7 +29,7 @@ std::string in_quotes(const std::vector<std::string_view>& words) {
   return text;
 }
 
-/// What to do about an unknown word.
+/// The remedy for an unknown word.
 std::string remedy(std::string_view word, const std::vector<std::string_view>& known) {
   const std::string_view close = closest_name(word, known);
   if (close.empty()) return "; known are " + in_quotes(known);

@@ -10,7 +10,7 @@
 
 namespace rob::motion {
 
-/// What a value must lie in, both ends included. SI.
+/// The range in which a value must lie, both ends included. SI.
 struct Range {
   double low = 0;
   double high = 0;

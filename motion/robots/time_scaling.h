@@ -11,7 +11,7 @@ struct TimeScaleLimits {
   double bend = 0;   ///< 1/s²: greatest |r''|
 };
 
-/// What the axes of a robot have beyond their speed: the least of all axes.
+/// The reserve that the axes of a robot have beyond their speed: the least of all axes.
 struct AxisReserve {
   double acceleration = 0;  ///< a_max/v_max, 1/s
   double jerk = 0;          ///< j_max/v_max, 1/s²

@@ -21,7 +21,7 @@ struct DriveData {
 /// encoder has jumped (FollowingSupervisor). [choice] twice: an axis overshoots.
 inline constexpr double kJumpMargin = 2;
 
-/// What closes the loop of the axes, and what goes out to the drives.
+/// The law that closes the loop of the axes, and what goes out to the drives.
 enum class ServoStructure : std::uint8_t {
   Force,         ///< S2's law: forces (ServoLaw)
   PulseTrain,    ///< pulses of the reference; the drive counts them against its motor (PulseServo)

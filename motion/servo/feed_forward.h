@@ -10,7 +10,7 @@
 
 namespace rob::motion {
 
-/// What a reference asks of the drives, before any error. N or Nm at the axes.
+/// The forces that a reference asks of the drives, before any error. N or Nm at the axes.
 struct MotionForces {
   JointVector u0;       ///< the feed-forward
   JointVector inertia;  ///< that the drive of each axis moves there: Da·H_ii + Db
@@ -25,7 +25,7 @@ struct MotionForces {
 /// The torques P are checked against what the gears bear, limited to it, and turned into the
 /// accelerations that are admissible with them: H·q'' = P − G; these count in u0.
 ///
-/// What the arm carries counts in H and, with all of its weight at every axis, in G.
+/// The load of the arm counts in H and, with all of its weight at every axis, in G.
 ///
 /// Without mechanics the axes are decoupled: u0 = inertia·q0'' + Dc·q0'. Coulomb friction is not in
 /// it. at() may be used in the tick.

@@ -16,7 +16,7 @@ constexpr double kWarnShare = 0.5;  // of the limit
 // Of the way that overcomes Coulomb friction: at a reversal the integral still holds against it
 // from the other side, so twice that way is needed; the third is the margin.
 constexpr double kBreakawayMargin = 3;
-// Of following_warn: what is frozen is found before the error stops it.
+// The share of following_warn: what is frozen is found before the error stops it.
 constexpr double kLagShare = 0.25;
 
 FollowingFinding stop(Cause cause, int axis, double value, double limit) noexcept {

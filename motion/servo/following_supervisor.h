@@ -18,7 +18,7 @@ inline double off_way(double from, double to, double q) noexcept {
   return std::abs(q - std::clamp(q, std::min(from, to), std::max(from, to)));
 }
 
-/// What the servo found out about the machine in one cycle. Fixed size; texts are made above.
+/// The finding of the servo about the machine in one cycle. Fixed size; texts are made above.
 struct FollowingFinding {
   enum class Verdict : std::uint8_t { None, Warn, Stop };
   enum class Cause : std::uint8_t {
@@ -34,7 +34,7 @@ struct FollowingFinding {
     Saturated,   ///< value: κ; limit: 1. The path is slowed down. Its task says so
     Noisy,       ///< value: share of what goes over its wire that is repeated. Its task says so
     Force,       ///< axis: 0, 1, 2 for x, y, z of the world; value, limit: N. Its task says so
-    Insensible,  ///< value: s since the force sensor has told anything new. Its task says so
+    Insensible,  ///< value: s since the force sensor has reported anything new. Its task says so
     Overrun      ///< value: s without a servo cycle; limit: so long is too long. Its task says so
   };
 
@@ -45,7 +45,7 @@ struct FollowingFinding {
   double limit = 0;
 };
 
-/// Does the machine do what it is told, and can what it reports be true? m or rad, s.
+/// Does the machine do what is commanded, and can what it reports be true? m or rad, s.
 ///
 /// *Following error*, as LinuxCNC's FERROR and MIN_FERROR: a cycle with |q0 − q| above
 ///
@@ -58,12 +58,12 @@ struct FollowingFinding {
 /// went away from it further than 20 counts + three times the way on which the servo overcomes
 /// Coulomb friction (3·C/kp: a reversal takes two of them) + the way by which a loop lags where the
 /// acceleration leaps, a_max/ω² but a quarter of following_warn at most. A reference that comes
-/// back to an axis that lags behind it asks for no count. Because it is counted in way, not in
-/// time, no slow motion can raise it. [choice] 20 counts: real encoders miss a few; three cycles: a
-/// drive that answers late repeats itself once.
+/// back to an axis that lags it asks for no count. Because it is counted in way, not in time, no
+/// slow motion can raise it. [choice] 20 counts: real encoders miss a few; three cycles: a drive
+/// that answers late repeats itself once.
 ///
 /// *Jump*: since the last measurement the axis has gone further than 2·v_max·(time since then, at
-/// least T, and what is uncertain of both instants). What brings it nearer to its goal does not
+/// least T, and what is uncertain of both instants). Way that brings it nearer to its goal does not
 /// count: after a late command a drive with a position loop of its own makes up its lag as fast as
 /// it can, and that is no fault of the encoder. The limit of the following error bounds that lag.
 ///

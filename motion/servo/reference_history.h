@@ -7,8 +7,8 @@
 
 namespace rob::motion {
 
-/// The references of the last servo cycles, for what is measured later than it was told: a machine
-/// on a wire answers for an instant that has passed. Every call may be used in the tick.
+/// The references of the last servo cycles, for what is measured later than it was commanded: a
+/// machine on a wire answers for an instant that has passed. Every call may be used in the tick.
 class ReferenceHistory {
  public:
   /// Forgets what was before `first`.

@@ -100,7 +100,7 @@ bool ReferenceInterpolator::gap_follows() const noexcept {
   return count_ > 1 && kept(1).time - kept(0).time > (kLongestGap + kStampTolerance) * period_;
 }
 
-// Behind a gap, and not to be taken up yet.
+// After a gap, and too early to take up.
 bool ReferenceInterpolator::next_is_far(double now) const noexcept {
   return gap_follows() && now < kept(1).time - (1 + kStampTolerance) * period_;
 }

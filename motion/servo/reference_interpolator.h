@@ -9,7 +9,7 @@
 
 namespace rob::motion {
 
-/// What the axes shall do *now*, out of references that come once a reference period (S2's servo
+/// The reference of the axes *now*, out of references that come once a reference period (S2's servo
 /// interpolates position, velocity and acceleration between kinematic periods). s, SI.
 ///
 /// Between two neighbouring stamps it follows the quintic through (q, q', q'') of both; at a stamp

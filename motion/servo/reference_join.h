@@ -37,7 +37,8 @@ class ReferenceJoin {
   /// Adds what is left at reference.time; ends by itself.
   void apply(JointReference& reference) noexcept;
 
-  /// What was left at the last apply(), s: the longest time that an axis needs for it at v_max.
+  /// The time that was left at the last apply(), s: the longest time that an axis needs for it at
+  /// v_max.
   double behind() const noexcept { return behind_; }
 
  private:

@@ -5,8 +5,8 @@
 
 namespace rob::motion {
 
-/// What closes the loop: makes what the drives take, every servo cycle, out of where the axes shall
-/// be and where they are. Every call may be used in the tick.
+/// Closes the loop: makes what the drives take, every servo cycle, out of where the axes shall be
+/// and where they are. Every call may be used in the tick.
 class Servo {
  public:
   virtual ~Servo() = default;

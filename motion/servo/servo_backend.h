@@ -26,7 +26,7 @@ enum class DriverStatus : std::uint8_t {
   Lost      ///< it is gone
 };
 
-/// What one servo cycle asks of the machine. A backend with its own position loop follows
+/// The command of one servo cycle to the machine. A backend with its own position loop follows
 /// `reference`; one that takes forces applies `drive`.
 struct ServoCommand {
   JointReference reference;
@@ -36,7 +36,7 @@ struct ServoCommand {
   const CarriedLoad* carried = nullptr;  ///< what the program says the arm carries; null: nothing
 };
 
-/// What one servo cycle learns from it.
+/// The state that one servo cycle learns from it.
 struct ServoState {
   JointMeasurement measured;
   double spread = 0;         ///< s by which the instant of an axis may differ from measured.time
@@ -75,12 +75,12 @@ class ServoBackend {
   virtual DriverStatus write(double now, const ServoCommand& command) noexcept = 0;
 
   /// It closes the position loop itself: references are what it takes, no servo law stands before
-  /// it, and it is told them as long as it is not lost.
+  /// it, and it gets them as long as it is not lost.
   virtual bool follows_references() const noexcept { return false; }
   /// Why the last status was not Ok: "what is wrong; the remedy". Empty if nothing more is known.
   /// From any thread but the tick.
   virtual std::string trouble() const { return {}; }
-  /// What the machine shows that explains why its axes are not where they should be, in the same
+  /// A remark of the machine that explains why its axes are not where they should be, in the same
   /// form. Empty: nothing. From any thread but the tick.
   virtual std::string remark() const { return {}; }
 };

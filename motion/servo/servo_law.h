@@ -33,7 +33,7 @@ ServoGains servo_gains(const DriveData& drive, double servo_period);
 ///     e  = e + (q0 − q)·(time really elapsed),        |kI·e| <= force_max/2
 ///
 /// Where the load changes, e is set so that the integral keeps its force, less what it has learned
-/// of the new weight before it was told: that is in u0 now.
+/// of the new weight before it was reported: that is in u0 now.
 ///
 /// u0 is FeedForward's; Coulomb friction is left to e. With an arm's mechanics the gains vary with
 /// its posture, as Da·H_ii + Db does; otherwise the axes are decoupled and the gains constant.

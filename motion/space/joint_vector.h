@@ -48,7 +48,7 @@ struct JointReference {
   JointVector qdd;
 };
 
-/// What the servo measured at one instant. s, SI. Velocities are estimates.
+/// The measurement of the servo at one instant. s, SI. Velocities are estimates.
 struct JointMeasurement {
   double time = 0;
   JointVector q;

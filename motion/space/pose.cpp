@@ -24,7 +24,7 @@ Eigen::Quaterniond orientation_from(const FixedAngles& angles) {
 }
 
 FixedAngles fixed_angles(const Eigen::Quaterniond& orientation) {
-  // Below this cos b the entries that tell a from c are rounding noise. [choice: 1e-10, as for
+  // Below this cos b the entries that separate a from c are rounding noise. [choice: 1e-10, as for
   // the wrist's singularity; the angles are then still right to 1e-10 rad]
   constexpr double kNoHeading = 1e-10;
   const Eigen::Matrix3d r = orientation.toRotationMatrix();

@@ -14,7 +14,7 @@ Eigen::Quaterniond rotation_by(const Eigen::Vector3d& vector);
 /// The other way round: of the shortest rotation that `turn` is; its length is 0 … π.
 Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& turn);
 
-/// What turns `from` into `to`, about axes of the world.
+/// The rotation vector that turns `from` into `to`, about axes of the world.
 inline Eigen::Vector3d rotation_between(const Eigen::Quaterniond& from,
                                         const Eigen::Quaterniond& to) {
   return rotation_vector(to * from.conjugate());

@@ -31,7 +31,7 @@ SpeedChange speed_change(const AxisState& from, double target, const AxisLimits&
   if (std::isinf(limits.j)) {
     return {{{{}, {std::abs(missing) / limits.a, std::copysign(limits.a, missing), 0}, {}}}};
   }
-  // What taking back the acceleration at once would bring tells which way to push.
+  // The change that taking back the acceleration at once would bring shows which way to push.
   const double by_itself = from.a * std::abs(from.a) / (2 * limits.j);
   const double sign = missing >= by_itself ? 1 : -1;
   const double a = sign * from.a;

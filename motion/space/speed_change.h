@@ -11,7 +11,7 @@ struct AxisState {
   double a = 0;
 };
 
-/// What an axis may do. SI; the jerk may be infinite.
+/// The limits of an axis. SI; the jerk may be infinite.
 struct AxisLimits {
   double v = 0;
   double a = 0;

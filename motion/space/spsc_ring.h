@@ -44,7 +44,7 @@ class SpscRing {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     return head == tail_.load(std::memory_order_acquire) ? nullptr : &slots_[head];
   }
-  /// The i-th behind the front, which is the 0th; null when there are not so many.
+  /// The i-th after the front, which is the 0th; null when there are not so many.
   const T* at(std::size_t i) const noexcept {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     const std::size_t tail = tail_.load(std::memory_order_acquire);
