@@ -43,7 +43,7 @@ struct Course {
   double square = 0;            ///< σ'² there
 };
 
-/// The time that runs of the legs of a course would take, on an arm.
+/// Works out the time that runs of the legs of a course would take, on an arm.
 class Rehearsal {
  public:
   explicit Rehearsal(const RobotModel& robot) : robot_(robot) {}

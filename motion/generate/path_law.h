@@ -52,7 +52,7 @@ class PathLaw {
   /// `next`, which has a path, begins, and becomes the segment. In any case; what is under way
   /// ends, or has ended, at standstill, or runs on into it.
   virtual void begin(const SegmentDescriptor& next, double instant) noexcept = 0;
-  /// When it must be known, or was, what follows the segment; infinite if that is not by stamp.
+  /// When what follows the segment must be known, or was; infinite if that is not by stamp.
   virtual double end() const noexcept = 0;
   /// The axes stand at the segment's target at its end().
   virtual bool ends_at_rest() const noexcept = 0;

@@ -14,8 +14,8 @@
 namespace rob::motion {
 
 /// S1's law: segments, straight in axis space or along a path of the tool,
-/// joined by transitions around their via points (PaulSegment). A motion that begins at rest makes
-/// the target before it exact; a motion with a profile begins and ends at rest by itself.
+/// joined by transitions around their via points (PaulSegment). A motion that must begin at rest
+/// makes the target before it exact; a motion with a profile begins and ends at rest by itself.
 ///
 /// A segment is left at its decision instant, t_acc before its target would be reached; what
 /// follows is taken from the buffer only when a reference later than that instant is computed. The

@@ -54,7 +54,7 @@ void SegmentGenerator::look(const CycleView& view) noexcept {
   if (!orders().stop) sequence_.look_at_position();
 }
 
-/// False where nothing more must be asked in this cycle.
+/// False where nothing more may be asked in this cycle.
 bool SegmentGenerator::do_watched(WatchedAction& action, WatchAnswer answer) noexcept {
   if (answer == WatchAnswer::Yes && action.kind == WatchedAction::Kind::Act) {
     events_.report({.kind = EventKind::ActionDue,

@@ -206,7 +206,7 @@ PlanOutcome MotionPlanner::jog(Tag tag, JogRates rates) noexcept {
       segments_.segment_to(last_.q, false, Timing{duration, timing_.usual_t_acc()});
   segment.jog = rates;
   commit(tag, segment);
-  last_.exact = true;  // nothing must be made exact after it
+  last_.exact = true;  // nothing needs to be made exact after it
   return PlannedSegment{segment, 0};
 }
 

@@ -23,9 +23,9 @@ struct TorqueShare {
 ///
 ///     P = H(q)·q'' + c(q, q') + ∂V/∂q        u = Da·P + Db·q'' + Dc·q' + C·sign(q')
 ///
-/// without them (null) u = inertia·q'' + Dc·q' + C·sign(q'). The load of the arm counts as far as
-/// it is in `mechanics` (ArmMechanics::carrying); the payload of [simulation] is not known. May be
-/// used in the tick.
+/// without them (null) u = inertia·q'' + Dc·q' + C·sign(q'). The load that the arm carries counts
+/// as far as it is in `mechanics` (ArmMechanics::carrying); the payload of [simulation] is not
+/// known. May be used in the tick.
 TorqueShare torque_share(const RobotModel& robot, const ArmMechanics* mechanics,
                          const JointVector& q, const JointVector& qd,
                          const JointVector& qdd) noexcept;

@@ -25,7 +25,7 @@ struct MotionForces {
 /// The torques P are checked against what the gears bear, limited to it, and turned into the
 /// accelerations that are admissible with them: H·q'' = P − G; these count in u0.
 ///
-/// The load of the arm counts in H and, with all of its weight at every axis, in G.
+/// The load that the arm carries counts in H and, with all of its weight at every axis, in G.
 ///
 /// Without mechanics the axes are decoupled: u0 = inertia·q0'' + Dc·q0'. Coulomb friction is not in
 /// it. at() may be used in the tick.
