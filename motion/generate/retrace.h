@@ -54,7 +54,7 @@ class Retrace {
 
   PathRecord record_;
   AxisLimits limits_;    ///< of the place, 1/s, 1/s², 1/s³, at full share
-  double held_at_ = -1;  ///< the mark that the axes have passed by as much as holding takes
+  double held_at_ = -1;  ///< the mark; the axes stand off it by as much as holding takes
   bool away_ = false;
   bool returns_ = false;
   double left_ = 0;  ///< the place
