@@ -157,24 +157,13 @@ bool WatchChecker::check_element(const Expr& expression, const Index& index,
 }
 
 bool WatchChecker::check_parts(const Expr& expression, std::string_view word) {
-  if (const auto* const unary = std::get_if<Unary>(&expression.node)) {
-    return check_watchable(*unary->operand, word);
-  }
-  if (const auto* const binary = std::get_if<Binary>(&expression.node)) {
-    return check_watchable(*binary->left, word) && check_watchable(*binary->right, word);
-  }
-  if (const auto* const tuple = std::get_if<Tuple>(&expression.node)) {
-    return std::ranges::all_of(tuple->elements, [&](const Tuple::Element& element) {
-      return check_watchable(*element.value, word);
-    });
-  }
-  if (const auto* const member = std::get_if<Member>(&expression.node)) {
-    return check_watchable(*member->object, word);
-  }
   if (const auto* const index = std::get_if<Index>(&expression.node)) {
     return check_element(expression, *index, word);
   }
-  return true;
+  if (std::holds_alternative<List>(expression.node)) return true;
+  bool sound = true;
+  each_part(expression, [&](const Expr& part) { sound = sound && check_watchable(part, word); });
+  return sound;
 }
 
 void WaitChecker::check(Wait& wait, const Routine* routine) {

@@ -42,6 +42,15 @@ TEST_CASE("constant targets are known before the program runs, also in branches 
   CHECK(targets[1].target[0] == 9.0);
 }
 
+TEST_CASE("a place left out in a watched condition is one error") {
+  for (const char* const statement : {"MOVE(1, 2, 3) UNTIL (1mm, , 2mm) == (1mm, 2mm, 3mm)\n",
+                                      "WHEN (1mm, , 2mm) <> (1mm, 2mm, 3mm) : lift = OFF\n"}) {
+    const ProgramRun program(statement);
+    CHECK(program.first_error().code == "E216");
+    CHECK(program.first_error().place.column < 25);
+  }
+}
+
 TEST_CASE("a target that the robot refuses is an error at its place") {
   const auto refuse = [](const MoveCommand&) { return std::optional(Refusal{"E401", "no", "so"}); };
   const Compilation compilation = compile("MOVE(1, 2, 3)\nMOVEL ((4), 5, 6)\nMOVE( , , )\n",
