@@ -93,7 +93,7 @@ bool BuiltinChecker::has_sensor(Reading reading, Place place) {
   diagnostics_.error(
       code::kNoForceSensor, place,
       fmt::format("{} has no force sensor: it cannot read {}", robot_.name, name_of(reading)),
-      "`rob robots` tells which robot has one");
+      "`rob robots` shows which robot has one");
   return false;
 }
 
@@ -464,7 +464,7 @@ bool CallChecker::bind(Call& call, Place place, const Routine& routine) {
     std::size_t at = i;
     if (name.empty() && named) {
       return refuse(code::kArgumentName, argument.place,
-                    "an argument without name behind one with a name",
+                    "an argument without name after one with a name",
                     "name it, too, or put it before the named ones");
     }
     if (!name.empty()) {

@@ -76,7 +76,7 @@ bool ClauseChecker::check(Clause clause, const Expr& value) {
     case Clause::Zone:
       return check_zone(value);
     case Clause::ZoneAngle:
-      return values_.accept(value, Type::real(kAngle), "behind its first value ZONE needs") &&
+      return values_.accept(value, Type::real(kAngle), "after its first value ZONE needs") &&
              check_positive(value, "the angle of ZONE");
     case Clause::Fine:
       return check_fine(value);

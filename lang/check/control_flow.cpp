@@ -313,7 +313,7 @@ class Walk {
           code::kReadInCorner, reading->place,
           fmt::format("{} is read where the corner of line {} begins, before its target is reached",
                       name, loose_),
-          "FINE at that motion, or STOP behind it, makes it exact");
+          "FINE at that motion, or STOP after it, makes it exact");
     }
     if (expression != nullptr && calls_routine(*expression)) settle(0);
   }

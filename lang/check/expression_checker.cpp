@@ -222,7 +222,7 @@ Type ExpressionChecker::check(const Tuple& tuple, Expr& expression) {
     diagnostics_.error(
         code::kTupleMisplaced, expression.place,
         "outside of a motion, values in parentheses are a VEC: three of one dimension",
-        "a target of a motion stands behind MOVE itself");
+        "a target of a motion stands after MOVE itself");
     return {};
   }
   if (!sound) return {};

@@ -147,7 +147,7 @@ bool MoveChecker::check_joint(const Move& move) {
   const Type type = expressions_.check(move.axis);
   expressions_.check(move.target);
   if (type.kind == Type::Kind::Unknown ||
-      !values_.accept(*move.axis, Type::integer(), "the axis of MOVE JOINT has to be")) {
+      !values_.accept(*move.axis, Type::integer(), "the axis of MOVE JOINT must be")) {
     return false;
   }
   const auto* const number = std::get_if<std::int64_t>(&move.axis->constant);
@@ -401,14 +401,14 @@ bool MoveChecker::settle(PlainMotions& motions, PlainMotions::Written& motion) {
 bool MoveChecker::check_clauses_of(const Move& move) {
   const Clauses& clauses = move.clauses;
   if (clauses.euler && move.kind != MotionKind::Line) {
-    return refuse_clause("EULER", clauses.euler_place, "stands behind MOVEL alone",
+    return refuse_clause("EULER", clauses.euler_place, "stands after MOVEL alone",
                          "on a line the angles a, b, c can change evenly");
   }
   if (move.kind == MotionKind::Jog) return check_clauses_of_jog(move);
   const ExprPtr& lasts = clauses[Clause::For];
   const ExprPtr& jerk = clauses[Clause::Jerk];
   if (lasts != nullptr)
-    return refuse_clause("FOR", lasts->place, "stands behind JOG alone",
+    return refuse_clause("FOR", lasts->place, "stands after JOG alone",
                          "OVER 3s gives another motion its time");
   return jerk == nullptr || clauses.profile != Profile::Rectangular ||
          refuse_clause("JERK", jerk->place,
@@ -419,7 +419,7 @@ bool MoveChecker::check_clauses_of(const Move& move) {
 bool MoveChecker::check_clauses_of_jog(const Move& move) {
   const Clauses& clauses = move.clauses;
   const auto refuse = [&](std::string_view clause, Place place) {
-    return refuse_clause(clause, place, "does not stand behind JOG, which has no target",
+    return refuse_clause(clause, place, "does not stand after JOG, which has no target",
                          "its rates say how fast, FOR and UNTIL how long");
   };
   bool sound = true;
@@ -428,7 +428,7 @@ bool MoveChecker::check_clauses_of_jog(const Move& move) {
   if (clauses.fine) sound = refuse("FINE", move.target->place);
   if (clauses.profile != Profile::Unspecified) sound = refuse("PROFILE", move.target->place);
   if (clauses.surroundings.has_frame()) {
-    sound = refuse_clause("IN", clauses.surroundings.frame_place, "does not stand behind JOG",
+    sound = refuse_clause("IN", clauses.surroundings.frame_place, "does not stand after JOG",
                           "JOG WORLD and JOG TOOL say in which frame");
   }
   return sound;
@@ -558,7 +558,7 @@ void PathChecker::check_clauses(const Clauses& clauses, Place place) {
                                                                    : nullptr;
   if (word == nullptr) return;
   diagnostics_.error(code::kClauseMisplaced, place,
-                     fmt::format("{} does not stand behind PATH", word),
+                     fmt::format("{} does not stand after PATH", word),
                      "AT, OVER, ACCEL, JERK, ZONE and FINE do: for each motion in it");
 }
 

@@ -141,7 +141,7 @@ const Symbol* Names::resolve_channel(const Name& name, Place place) {
   const auto* const number = std::get_if<std::int64_t>(&name.index->constant);
   if (number == nullptr) {
     diagnostics_.error(code::kChannelNotConstant, name.index->place,
-                       fmt::format("the number of {} has to be a constant whole number; this is {}",
+                       fmt::format("the number of {} must be a constant whole number; this is {}",
                                    name.text, described(*name.index)));
     return nullptr;
   }
@@ -196,7 +196,7 @@ void Names::report_unknown(std::string_view name, Place place) {
   }
   std::string help = did_you_mean(suggest(name, scopes_.visible()));
   if (help.empty() && find_unit(name)) {
-    help = fmt::format("a unit stands behind its number, without a blank: 1{}", name);
+    help = fmt::format("a unit stands after its number, without a blank: 1{}", name);
   }
   diagnostics_.error(code::kUnknownName, place, fmt::format("unknown name {}", shortened(name)),
                      std::move(help));
@@ -237,7 +237,7 @@ void Names::report_no_such_name(std::string_view name, Place place) {
   if (!scopes_.is_file(file)) {
     diagnostics_.error(code::kUnknownName, place,
                        fmt::format("{} is no file that is USEd here", shortened(file)),
-                       "a routine is called by its name alone, or behind the name of its file");
+                       "a routine is called by its name alone, or after the name of its file");
     return;
   }
   const std::string_view wanted = name.substr(point + 1);

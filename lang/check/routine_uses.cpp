@@ -237,7 +237,7 @@ void RoutineUses::report_references(Diagnostics& diagnostics) const {
     diagnostics.error(code::kSharedReference, reference.place,
                       fmt::format("{} is used by a TASK, and cannot be given to a REF parameter",
                                   shortened(reference.symbol->name)),
-                      "give a variable of its own, and assign it behind the call");
+                      "give a variable of its own, and assign it after the call");
   }
 }
 

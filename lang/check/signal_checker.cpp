@@ -121,7 +121,7 @@ std::optional<double> SignalChecker::constant_end(const Expr& end) {
   const Constant value = converted(end.constant, Type::real());
   if (const double* const number = std::get_if<double>(&value)) return *number;
   diagnostics_.error(code::kScaleNoRange, end.place,
-                     "the ends of a SCALE have to be known before the program runs",
+                     "the ends of a SCALE must be known before the program runs",
                      "write a number with its unit, or a CONST");
   return std::nullopt;
 }
@@ -153,7 +153,7 @@ void SignalChecker::check_safe(SignalDeclaration& signal, const Symbol& symbol) 
 std::optional<double> SignalChecker::safe_value(const Expr& safe, const Symbol& symbol) {
   if (!known(safe.constant)) {
     diagnostics_.error(
-        code::kSafeUnknown, safe.place, "a SAFE value has to be known before the program runs",
+        code::kSafeUnknown, safe.place, "a SAFE value must be known before the program runs",
         symbol.analog ? "write a number with its unit, or a CONST" : "write ON or OFF, or a CONST");
     return std::nullopt;
   }

@@ -131,7 +131,7 @@ void StatementChecker::check(WatchedMotion& watched) {
   if (move.kind == MotionKind::Jog && !watched.events.empty()) {
     diagnostics_.error(code::kClauseMisplaced, watched.events.front().place,
                        "a JOG has no length on which a place could lie",
-                       "set or pulse it before or behind the JOG");
+                       "set or pulse it before or after the JOG");
   }
   if (watched.until != nullptr) watches_.check_until(watched.until);
   check(watched.otherwise);
@@ -487,7 +487,7 @@ void StatementChecker::check_parameters(Routine& routine) {
                            "a REF parameter has no default", "it stands for a variable");
       } else if (!unknown && !known(group.value->constant)) {
         diagnostics_.error(code::kDefaultNotConstant, group.value->place,
-                           "a default has to be constant",
+                           "a default must be constant",
                            "give the value where the routine is called");
       }
     }

@@ -76,9 +76,9 @@ void WatchChecker::check_action(const Statement& action, std::string_view word) 
     diagnostics_.error(
         code::kActionMisplaced, action.place,
         fmt::format("this cannot be done in the control cycle itself, as {} does it", word),
-        word == "WHEN" ? "behind ':' an output is set or pulsed, or an error raised: "
+        word == "WHEN" ? "after ':' an output is set or pulsed, or an error raised: "
                          "lift = OFF, PULSE lift 50ms, RAISE \"door\"; DO … ENDWHEN does all else"
-                       : "behind ':' an output is set or pulsed: lift = OFF, PULSE lift 50ms");
+                       : "after ':' an output is set or pulsed: lift = OFF, PULSE lift 50ms");
   } else if (value != nullptr && (calls_routine(*value) || observations(*value) > 0)) {
     diagnostics_.error(code::kActionNotFixed, value->place,
                        fmt::format("the value is fixed when {} is executed: it cannot read a "
@@ -152,7 +152,7 @@ bool WatchChecker::check_element(const Expr& expression, const Index& index,
   if (variable && observations(*index.index) == 0) return true;
   return refuse(code::kNotWatchable, index.index->place, word,
                 variable ? "which element is meant cannot be read from the robot"
-                         : "which part of what is read or computed is meant has to be a constant",
+                         : "which part of what is read or computed is meant must be a constant",
                 "give the index or the element a variable before, and watch that");
 }
 

@@ -323,7 +323,7 @@ void ActionParser::simulate_statement(Block& block) {
     if (!tokens_.at(TokenKind::Word)) {
       tokens_.fail_here(
           code::kNameExpected,
-          fmt::format("x, y or z expected behind the '.', not {}", described(tokens_.current())),
+          fmt::format("x, y or z expected after the '.', not {}", described(tokens_.current())),
           "SIMULATE force.z = 5N AFTER 2s");
     }
     tokens_.advance();

@@ -64,12 +64,12 @@ void BlockParser::behind_then(Block& body) {
     tokens_.fail_here(
         code::kLineEndExpected,
         fmt::format("{} cannot stand on the line of THEN", spelling(tokens_.current().keyword)),
-        "begin a new line behind THEN, and close with ENDIF");
+        "begin a new line after THEN, and close with ENDIF");
   }
   statements_.simple(body);
   if (tokens_.at(Keyword::Else)) {
     tokens_.fail_here(code::kLineEndExpected, "an IF with ELSE takes several lines",
-                      "begin new lines behind THEN and around ELSE, and close with ENDIF");
+                      "begin new lines after THEN and around ELSE, and close with ENDIF");
   }
   if (tokens_.at(Keyword::Endif)) {
     tokens_.fail_here(code::kLineEndExpected, "an IF on one line has no ENDIF", "leave ENDIF out");
@@ -85,7 +85,7 @@ void BlockParser::further_branches(If& node, const OpenBlock& open) {
         tokens_.next().kind == TokenKind::Reserved && tokens_.next().keyword == Keyword::If;
     if (had_else) {
       tokens_.report(code::kStrayCloser, place,
-                     fmt::format("{} behind the ELSE of the IF of line {}", word, open.place.line));
+                     fmt::format("{} after the ELSE of the IF of line {}", word, open.place.line));
     } else if (tokens_.at(Keyword::Else) && split) {
       tokens_.report(code::kLineEndExpected, place, "ELSE IF is written as one word",
                      "write ELSIF");
@@ -180,7 +180,7 @@ void BlockParser::select_statement(Block& block) {
   if (!before.empty()) {
     tokens_.report(code::kMisplaced, before.front().place,
                    "nothing may stand between SELECT and CASE",
-                   "move it behind a CASE, or before SELECT");
+                   "move it after a CASE, or before SELECT");
   }
   select_branches(node, open);
   blocks_.close(open);
@@ -191,7 +191,7 @@ void BlockParser::select_branches(Select& node, const OpenBlock& open) {
   while (tokens_.at(Keyword::Case) || tokens_.at(Keyword::Else)) {
     if (node.has_else) {
       tokens_.report(code::kStrayCloser, tokens_.place(),
-                     fmt::format("{} behind the ELSE of the SELECT of line {}",
+                     fmt::format("{} after the ELSE of the SELECT of line {}",
                                  spelling(tokens_.current().keyword), open.place.line),
                      "ELSE stands last");
     }
@@ -239,7 +239,7 @@ void BlockParser::try_statement(Block& block) {
     while (tokens_.at(Keyword::Rescue)) {
       tokens_.report(code::kStrayCloser, tokens_.place(),
                      fmt::format("a second RESCUE in the TRY of line {}", open.place.line),
-                     "one RESCUE handles all errors; IF and SELECT tell them apart");
+                     "one RESCUE handles all errors; IF and SELECT distinguish them");
       rescue_header(node);
       blocks_.read(open);
     }

@@ -271,7 +271,7 @@ Token Lexer::unknown_unit(std::string_view digits) {
     return bad(code::kMalformedNumber, "the digits of a number are not grouped");
   }
   report(code::kUnknownUnit, unit_begin,
-         fmt::format("'{}' behind {} is no unit", shortened(unit), shortened(digits)),
+         fmt::format("'{}' after {} is no unit", shortened(unit), shortened(digits)),
          unit_help(unit));
   return finish(TokenKind::Bad);
 }

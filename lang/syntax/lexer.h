@@ -13,7 +13,7 @@ namespace rob::lang {
 
 /// What to do about an INT that is too large.
 inline constexpr const char* kLargestInt =
-    "an INT goes up to 9223372036854775807; with .0 behind it, it is a REAL";
+    "an INT goes up to 9223372036854775807; with .0 after it, it is a REAL";
 
 /// Cuts a source text into tokens, one at a call. Blanks and comments are skipped.
 ///

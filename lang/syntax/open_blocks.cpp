@@ -37,7 +37,7 @@ void OpenBlocks::check_routine(std::string_view word) {
   if (none()) return;
   tokens_.report(code::kMisplaced, tokens_.place(),
                  fmt::format("{} can only stand at the top level, outside of all blocks", word),
-                 fmt::format("move it behind the end of the {} of line {}",
+                 fmt::format("move it after the end of the {} of line {}",
                              opener_of(open_.front().closer), open_.front().place.line));
 }
 
@@ -120,7 +120,7 @@ void OpenBlocks::report_unclosed(const OpenBlock& open) {
   tokens_.report(
       code::kUnclosedBlock, open.place,
       fmt::format("the {} of line {} is not closed", opener_of(open.closer), open.place.line),
-      fmt::format("write {} behind its last statement", spelling(open.closer)));
+      fmt::format("write {} after its last statement", spelling(open.closer)));
 }
 
 void OpenBlocks::fail_stray_closer() {

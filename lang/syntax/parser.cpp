@@ -76,7 +76,7 @@ void TextParser::items(Program& program) {
   if (tokens_.at(Keyword::End)) tokens_.advance();
   tokens_.skip_line_ends();
   if (!tokens_.at(TokenKind::EndOfFile)) {
-    tokens_.fail_here(code::kTextBehindEnd, "nothing may stand behind END",
+    tokens_.fail_here(code::kTextBehindEnd, "nothing may stand after END",
                       "END ends the whole program; blocks end with ENDIF, ENDWHILE, ENDFOR");
   }
 }

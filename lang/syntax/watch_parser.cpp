@@ -149,11 +149,11 @@ void WatchParser::when(Block& block) {
 /// What stands behind the ':' of a WHEN: one statement on the same line.
 void WatchParser::action(Block& block, std::string_view behind) {
   if (!tokens_.accept(TokenKind::Colon)) {
-    tokens_.fail_behind(code::kWordExpected, fmt::format("':' expected behind {}", behind),
+    tokens_.fail_behind(code::kWordExpected, fmt::format("':' expected after {}", behind),
                         tokens_.remedy());
   }
   if (tokens_.at_line_end()) {
-    tokens_.fail_behind(code::kStatementExpected, "a statement expected behind ':'",
+    tokens_.fail_behind(code::kStatementExpected, "a statement expected after ':'",
                         "for example lift = OFF");
   }
   const TreeBuilder::Level level(tree_);

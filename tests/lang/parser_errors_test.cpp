@@ -87,8 +87,8 @@ TEST_CASE("END closes the program, not a block") {
         Errors{"3:1 E138 the IF of line 1 is closed by ENDIF"});
   CHECK(errors("IF a THEN\n STOP\nEND IF\nSTOP") ==
         Errors{"3:1 E138 the IF of line 1 is closed by ENDIF"});
-  CHECK(errors("STOP\nEND\nSTOP\nSTOP") == Errors{"3:1 E140 nothing may stand behind END"});
-  CHECK(errors("END STOP") == Errors{"1:5 E140 nothing may stand behind END"});
+  CHECK(errors("STOP\nEND\nSTOP\nSTOP") == Errors{"3:1 E140 nothing may stand after END"});
+  CHECK(errors("END STOP") == Errors{"1:5 E140 nothing may stand after END"});
 }
 
 TEST_CASE("the end of a block that was not opened is an error of one line") {
@@ -96,7 +96,7 @@ TEST_CASE("the end of a block that was not opened is an error of one line") {
   CHECK(errors("ELSE\nSTOP") == Errors{"1:1 E139 ELSE without IF"});
   CHECK(errors("WHILE a DO\nELSE\nENDWHILE") == Errors{"2:1 E139 ELSE without IF"});
   CHECK(errors("IF a THEN\nELSE\nELSE\nENDIF") ==
-        Errors{"3:1 E139 ELSE behind the ELSE of the IF of line 1"});
+        Errors{"3:1 E139 ELSE after the ELSE of the IF of line 1"});
 }
 
 TEST_CASE("a faulty head does not hide the errors of its block") {

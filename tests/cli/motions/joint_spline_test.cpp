@@ -179,9 +179,9 @@ TEST_CASE("EULER is refused near b = 90 deg, and where no line is") {
   CHECK(contains(steep, "test.rob:3:1: error[E566]"));
   CHECK(contains(steep, "at the end of this line, within 1 deg of 90 deg"));
   CHECK(contains(check_refuses(robot + "MOVE(350, 50, 250) EULER\n"),
-                 "EULER stands behind MOVEL alone"));
+                 "EULER stands after MOVEL alone"));
   CHECK(contains(check_refuses("LAW LOOKAHEAD\nPATH EULER DO\nMOVEL(10, 0, 0)\nENDPATH\n"),
-                 "EULER does not stand behind PATH"));
+                 "EULER does not stand after PATH"));
   CHECK(
       contains(check_refuses(robot + "MOVEL(350, 50, 250) EULER EULER\n"), "EULER is given twice"));
 }
