@@ -35,7 +35,8 @@ std::string text_of(const Constant& constant, const Type& type);
 
 Folded fold(UnaryOp op, const Constant& operand);
 /// Both operands are of one type: BOOL, INT, REAL or STRING; those of AND and OR may be unknown.
-/// `result` is the type that the checker gave the operation: it tells INT `^` from REAL `^`.
+/// `result` is the type that the checker gave the operation: it distinguishes INT `^` from REAL
+/// `^`.
 Folded fold(BinaryOp op, const Constant& left, const Constant& right, const Type& result);
 /// All arguments are INT, or all are REAL or made of REALs, as `function` wants them.
 Folded fold(BuiltinFunction function, std::span<const Constant> arguments, const Type& result);

@@ -116,7 +116,7 @@ bool calls_routine(const Expr& expression) {
 
 namespace {
 
-/// The value of `0.3` or `-0.3` with the default unit behind its digits.
+/// The value of `0.3` or `-0.3` with the default unit after its digits.
 std::optional<double> bare_literal(const Expr& component, Dimension dimension,
                                    const RobotSignature& robot) {
   if (const auto* const unary = std::get_if<Unary>(&component.node)) {

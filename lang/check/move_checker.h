@@ -56,7 +56,7 @@ class MoveChecker {
         diagnostics_(diagnostics),
         checked_(checked) {}
 
-  /// `place`: of the statement; `guarded`: UNTIL stands behind it.
+  /// `place`: of the statement; `guarded`: UNTIL stands after it.
   void check(const Move& move, Place place, bool guarded);
   void check(PlainMotions& motions);
   /// Says whether the next statements stand in a routine.

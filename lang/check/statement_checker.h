@@ -33,7 +33,7 @@ class StatementChecker {
   void check(Routine& routine);
   /// Takes over a name that an earlier entry of the prompt has declared.
   void know(const KeptName& kept, const Symbol& symbol);
-  /// Whether the routine, or the top level, that has been checked needs memory behind its
+  /// Whether the routine, or the top level, that has been checked needs memory after its
   /// registers.
   bool take_memory_use();
   /// A ZONE that has no effect, at the top level.

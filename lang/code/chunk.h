@@ -46,7 +46,7 @@ struct Instruction {
   constexpr std::int32_t distance() const { return static_cast<std::int32_t>(word) >> 8; }
 
  private:
-  /// One load, where a part of the word would have to be shifted and masked besides.
+  /// One load, where a part of the word would need a shift and a mask besides.
   std::uint8_t byte(std::size_t index) const {
     static_assert(std::endian::native == std::endian::little);
     return reinterpret_cast<const std::uint8_t*>(&word)[index];
@@ -71,7 +71,7 @@ inline constexpr int kMostRegisters = 256;
 /// enough for FOR, and for all that one statement computes.
 inline constexpr int kVariableRegisters = 160;
 
-/// The registers of all frames together; the frames' memory lies behind them (kMemory). [choice]
+/// The registers of all frames together; the frames' memory lies after them (kMemory). [choice]
 /// the numbers take 512 KiB.
 inline constexpr std::size_t kNumberStack = 65536;
 inline constexpr std::size_t kTextStack = 1024;
@@ -152,7 +152,7 @@ struct RoutineCode {
   std::uint32_t entry = 0;
   int registers = 0;
   int text_registers = 0;
-  Slots memory;  ///< behind the registers
+  Slots memory;  ///< after the registers
 };
 
 /// A place for each word of code, in order. Words in a row that come from one place take no more
@@ -227,11 +227,11 @@ struct Chunk {
   std::optional<Place> first_teach;   ///< where the text first keeps a point
   int registers = 0;                  ///< of the top level
   int text_registers = 0;
-  Slots memory;                                 ///< of the top level, behind its registers
+  Slots memory;                                 ///< of the top level, after its registers
   std::shared_ptr<const TypeTable> type_table;  ///< where `types` point to
 };
 
-/// Whether a routine takes memory behind its registers.
+/// Whether a routine takes memory after its registers.
 bool takes_memory(const Chunk& chunk);
 /// Whether a WHEN has a handler.
 bool has_handlers(const Chunk& chunk);

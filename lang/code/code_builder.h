@@ -74,18 +74,18 @@ class CodeBuilder {
   /// is to store what never changes into the element of that number, many turns become one.
   void join_turns(std::size_t body, Register value);
 
-  /// The current frame has memory behind its registers; how much turns out at its end.
+  /// The current frame has memory after its registers; how much turns out at its end.
   void open_memory(Place place);
 
-  /// Tells reports what the program calls a signal.
   void declare_safe(const SafeValue& value) { chunk_.safe_values.push_back(value); }
   void name_tool(NamedTool tool) { chunk_.tools.push_back(std::move(tool)); }
+  /// Gives reports the program's name of a signal.
   void name_signal(NamedSignal signal) { chunk_.named_signals.push_back(std::move(signal)); }
 
   /// The beginning of every TEST follows.
   void begin_tests() { chunk_.test_entry = static_cast<std::uint32_t>(chunk_.code.size()); }
   void add_test(TestCode test) { chunk_.tests.push_back(std::move(test)); }
-  /// Calls the TEST that the Vm was given; its registers begin behind those in use.
+  /// Calls the TEST that the Vm was given; its registers begin after those in use.
   void call_test(Place place);
 
   /// Where every TASK begins: it calls the routine that the Vm was given.

@@ -13,7 +13,7 @@ namespace rob::lang {
 
 using Register = std::uint8_t;
 
-/// The register so many slots behind another.
+/// The register so many slots after another.
 constexpr Register behind(Register first, int slots) {
   return static_cast<Register>(first + slots);
 }
@@ -71,9 +71,9 @@ class FrameSlots {
   /// Gives back all that was taken, and forgets all names given, since `mark`.
   void release(const Mark& mark);
   Room room() const { return {registers_.numbers.used, registers_.texts.used, memory_}; }
-  /// Later slots lie behind these, which hold values of earlier code.
+  /// Later slots lie after these, which hold values of earlier code.
   void begin_behind(const Room& room);
-  /// Tells listings that a variable lives in a register from here on.
+  /// Notes for listings that a variable lives in a register from here on.
   void name_register(const std::string& name, Register index, bool text);
   /// Whether so many registers are left for a variable.
   bool has_room(Slots slots) const;
@@ -82,10 +82,10 @@ class FrameSlots {
     return registers_.numbers.used > kMostRegisters || registers_.texts.used > kMostRegisters;
   }
 
-  /// From here on the frame has memory behind its registers.
+  /// From here on the frame has memory after its registers.
   void open_memory() { memory_register_ = number_registers(2); }
   bool has_memory() const { return memory_register_.has_value(); }
-  /// Holds the place of that memory's numbers; the one behind it that of its texts.
+  /// Holds the place of that memory's numbers; the one after it that of its texts.
   Register memory_register() const { return *memory_register_; }
   /// Takes slots of the memory; where they begin in it.
   Slots take_memory(Slots slots, Place place);

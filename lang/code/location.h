@@ -12,8 +12,8 @@ struct SlotsAt {
   enum class Base : std::uint8_t {
     Own,             ///< registers of the current frame
     GlobalRegister,  ///< of the top level, seen from a routine
-    GlobalMemory,    ///< `offset` slots behind where the memory of the top level begins, likewise
-    Place            ///< `offset` slots behind the place on the stack that register `place` holds
+    GlobalMemory,    ///< `offset` slots after where the memory of the top level begins, likewise
+    Place            ///< `offset` slots after the place on the stack that register `place` holds
   };
 
   Base base = Base::Own;

@@ -32,7 +32,7 @@ class DeclarationCompiler {
 
   /// A home in registers, where instructions look for it.
   Location declare_in_registers(const Symbol& symbol);
-  /// Tells listings what the registers are called.
+  /// Gives listings the names of the registers.
   void name_home(const Symbol& symbol, const Location& home);
 
  private:

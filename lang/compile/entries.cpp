@@ -245,7 +245,7 @@ void Entries::forget(std::uint32_t first, std::uint32_t last) {
   const auto begin = entries_.lower_bound(first);
   const auto end = entries_.upper_bound(last);
   if (begin == end) return;
-  // The room is free again unless something lies behind it.
+  // The room is free again unless something lies after it.
   if (end == entries_.end()) room_ = begin->second.room;
   for (auto entry = begin; entry != end; ++entry) remove(entry->second);
   entries_.erase(begin, end);

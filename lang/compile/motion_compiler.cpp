@@ -135,7 +135,7 @@ Register MotionCompiler::registers_for(const std::vector<const Tuple::Element*>&
   return frame_.number_registers(given);
 }
 
-/// Registers are taken one behind another, so that they lie together.
+/// Registers are taken one after another, so that they lie together.
 Register MotionCompiler::compile_axis(const Move& move, MoveForm& form) {
   form.means = MoveCommand::Target::Axes;
   form.count = static_cast<int>(robot_.axes.size());
@@ -165,7 +165,7 @@ Register MotionCompiler::compile_target(const Expr& target, MoveForm& form) {
   return first;
 }
 
-/// A pose, JOINTS, or a VEC behind BY, as it lies in registers.
+/// A pose, JOINTS, or a VEC after BY, as it lies in registers.
 Register MotionCompiler::compile_value(const Expr& target, MoveForm& form) {
   const bool axes = target.type.is(Type::Kind::Joints);
   form.means = axes ? MoveCommand::Target::Axes : MoveCommand::Target::Pose;

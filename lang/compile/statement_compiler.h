@@ -32,7 +32,7 @@ class StatementCompiler {
   // Entries of a prompt
   /// Takes over a name that an earlier entry has declared.
   void know(const Symbol& symbol, const KeptName& kept) { declarations_.know(symbol, kept); }
-  /// Registers, memory and WHENs that come now lie behind those of earlier entries.
+  /// Registers, memory and WHENs that come now lie after those of earlier entries.
   void begin_behind(const Room& room);
   /// All that is taken at the top level, and armed.
   Room room() const;

@@ -26,7 +26,7 @@ class WorldCode {
   void write_signal(const Symbol& symbol, Register value, Place place);
   /// Switches an output ON for the time in a register.
   void pulse(const Symbol& symbol, Register time, Place place);
-  /// SIMULATE of an input: its value in `value`, which is overwritten, the delay behind it.
+  /// SIMULATE of an input: its value in `value`, which is overwritten, the delay after it.
   void simulate(const Symbol& symbol, Register value, Place place);
   /// SIMULATE of a part of the force or the torque.
   void simulate_force(int component, Register value, Place place);

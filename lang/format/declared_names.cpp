@@ -98,7 +98,7 @@ void DeclaredNames::read(const Token& token) {
   }
 }
 
-/// A parameter's name stands behind the bracket, a comma, or REF; deeper brackets are defaults.
+/// A parameter's name stands after the bracket, a comma, or REF; deeper brackets are defaults.
 void DeclaredNames::read_parameter(const Token& token) {
   if (depth_ == 0) expected_ = Expected::Nothing;
   if (depth_ != 1 || token.kind != TokenKind::Word) return;

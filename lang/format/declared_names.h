@@ -16,13 +16,14 @@ class DeclaredNames {
   /// Goes over a text that has passed check_source(), which must outlive this.
   explicit DeclaredNames(std::string_view source);
 
-  /// Of a variable, constant, routine …; empty if the file does not declare it.
+  /// The name of a variable, constant, routine …; empty if the file does not declare it.
   std::string_view name(std::string_view word) const;
-  /// Of a record's field or a routine's parameter; empty if there is none or if they differ.
+  /// The name of a record's field or a routine's parameter; empty if there is none or if they
+  /// differ.
   std::string_view label(std::string_view word) const;
 
  private:
-  /// What the tokens that come next declare.
+  /// Kinds of names that the next tokens declare.
   enum class Expected { Nothing, OneName, Names, Parameters, Fields };
   using Spellings = std::map<std::string, std::string_view, std::less<>>;
 

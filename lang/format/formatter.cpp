@@ -51,7 +51,7 @@ std::string_view type_name(std::string_view word) {
   return found == nullptr ? std::string_view() : found->name;
 }
 
-/// What a line does to the indentation.
+/// How a line changes the indentation.
 enum class BlockEdge { None, Opens, Closes, Branches, EndsProgram };
 
 BlockEdge edge_of(const Token& first, const Token& last) {
@@ -94,7 +94,7 @@ class Layout {
   }
 
  private:
-  /// A line with a comment behind its code.
+  /// A line with a comment after its code.
   struct Commented {
     std::string code;
     std::string_view comment;
@@ -152,7 +152,7 @@ void Layout::put(std::string code) {
   text_ += '\n';
 }
 
-/// Comments that stood below each other do so again, behind the longest of their lines.
+/// Comments that stood below each other do so again, after the longest of their lines.
 void Layout::end_run() {
   std::uint32_t widest = 0;
   for (const Commented& line : run_) widest = std::max(widest, count_code_points(line.code));

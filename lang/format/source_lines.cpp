@@ -27,7 +27,7 @@ bool SourceLines::next(SourceLine& line) {
   return true;
 }
 
-/// Behind the last token there are blanks and the comment alone.
+/// After the last token there are blanks and the comment alone.
 void SourceLines::find_comment(SourceLine& line, std::size_t end) const {
   std::size_t behind = begin_;
   if (!line.tokens.empty()) behind = line.tokens.back().offset + line.tokens.back().text.size();

@@ -11,7 +11,7 @@
 
 namespace rob::lang {
 
-/// One line of a source text: its tokens without EndOfLine, and the comment behind them.
+/// One line of a source text: its tokens without EndOfLine, and the comment after them.
 struct SourceLine {
   std::vector<Token> tokens;
   std::string_view comment;          ///< from its // on, without trailing blanks; empty if none
@@ -20,8 +20,9 @@ struct SourceLine {
   bool empty() const { return tokens.empty() && comment.empty(); }
 };
 
-/// Reads a text line by line, comments included, which the Lexer alone would skip. What the lexer
-/// cannot read goes to `diagnostics`. The text must have passed check_source() and outlive this.
+/// Reads a text line by line, comments included, which the Lexer alone would skip. Text that the
+/// lexer cannot read goes to `diagnostics`. The text must have passed check_source() and outlive
+/// this.
 class SourceLines {
  public:
   SourceLines(std::string_view source, Diagnostics& diagnostics);

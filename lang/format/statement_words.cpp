@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 2> kEventWords{"AFTER", "BEFORE"};
 /// Clauses without a value.
 constexpr std::array<std::string_view, 2> kWholeClauses{"FINE", "EULER"};
 
-/// Words that stand behind a value: no expression goes on with a name there.
+/// Words that stand after a value: no expression goes on with a name there.
 constexpr std::array<std::string_view, 25> kClauseWords{
     "AT",  "OVER", "ACCEL", "JERK",  "PROFILE", "ZONE",    "FINE", "BY",    "VIA",
     "TO",  "FROM", "OF",    "TURNS", "STEP",    "TIMEOUT", "INTO", "LIMIT", "LEAD",
@@ -35,7 +35,7 @@ bool closes(TokenKind kind) {
   return kind == TokenKind::RightParen || kind == TokenKind::RightBracket;
 }
 
-/// Whether a word with this sign behind it is a value: something is computed from it.
+/// Whether a word with this sign after it is a value: something is computed from it.
 bool goes_on(TokenKind kind) {
   return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star ||
          kind == TokenKind::Slash || kind == TokenKind::Caret || kind == TokenKind::Dot;

@@ -8,15 +8,15 @@
 
 namespace rob::lang {
 
-/// What a token is within its statement, as far as its writing depends on it.
+/// The role of a token within its statement, as far as its writing depends on it.
 enum class WordUse : std::uint8_t {
   Name,
   Label,      ///< before a ':' in brackets: a component, a parameter
-  Member,     ///< behind a '.'
+  Member,     ///< after a '.'
   Kept,       ///< a name that has to stay as it is written: of a file, of a record and its fields
   Clause,     ///< a word that is not reserved but a keyword where it stands
-  TypeName,   ///< behind the ':' of a declaration
-  Unit,       ///< part of a unit between brackets or behind UNITS
+  TypeName,   ///< after the ':' of a declaration
+  Unit,       ///< part of a unit between brackets or after UNITS
   UnarySign,  ///< the sign of one value
   Other
 };
@@ -26,17 +26,17 @@ struct WrittenWord {
   bool blank_before = false;
 };
 
-/// Goes along the tokens of one statement and tells what each is and whether a blank stands before
+/// Goes along the tokens of one statement and says what each is and whether a blank stands before
 /// it. It knows the clause words of all versions of the language.
 class StatementWords {
  public:
   /// `fields`: the statement is a line of a RECORD.
   void begin(bool fields);
 
-  /// `rest`: the tokens of the line from the present one on.
+  /// `rest`: the tokens of the line from the current one on.
   WrittenWord next(std::span<const Token> rest);
 
-  /// Brackets that are open behind the last token.
+  /// Brackets that are open after the last token.
   int depth() const { return depth_; }
 
  private:
@@ -52,7 +52,7 @@ class StatementWords {
 
   Token previous_;
   WordUse previous_use_ = WordUse::Other;
-  bool at_begin_ = true;  ///< of a statement, also of one behind THEN, ELSE or a trigger's ':'
+  bool at_begin_ = true;  ///< of a statement, also of one after THEN, ELSE or a trigger's ':'
   bool behind_value_ = false;
   bool fields_ = false;
   bool trigger_ = false;    ///< WHEN, AFTER, BEFORE: a ':' stands before the action

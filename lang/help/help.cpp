@@ -51,7 +51,7 @@ Words names_in(std::string_view heading) {
   return names;
 }
 
-/// What stands between ` and ` in a line.
+/// The text between ` and ` in a line.
 Words quoted_in(std::string_view line) {
   Words quoted;
   for (std::size_t open = line.find('`'); open != line.npos; open = line.find('`', open)) {

@@ -6,7 +6,7 @@
 
 namespace rob::lang {
 
-/// What `rob help` says of a code: beside its title what to do, and an example in which the wrong
+/// The help of `rob help` on a code: beside its title what to do, and an example in which the wrong
 /// line stands before the right one.
 struct CodeHelp {
   std::string_view code;
@@ -16,13 +16,13 @@ struct CodeHelp {
 };
 std::string help_text(const CodeHelp& help);
 
-/// What `rob help` says of a word: of a code what help_codes.def says; of a heading of the manual
+/// The help of `rob help` on a word: of a code what help_codes.def says; of a heading of the manual
 /// what stands below it; of any other word that the manual explains, what it says of it there.
 /// Empty if there is nothing. MIN is a function, min a unit: units count as they are written, all
 /// else in any case.
 std::string help_on(std::string_view word);
 
-/// What help_on() knows, each once.
+/// All words that help_on() knows, each once.
 std::vector<std::string_view> help_topics();
 
 }  // namespace rob::lang

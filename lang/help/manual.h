@@ -6,7 +6,7 @@
 
 namespace rob::lang {
 
-/// What stands together in the manual: a paragraph, an item of a list, a program, a table.
+/// A block of the manual: a paragraph, an item of a list, a program, a table.
 struct ManualBlock {
   enum class Kind { Paragraph, Item, Code, Table };
   Kind kind = Kind::Paragraph;

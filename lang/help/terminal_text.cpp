@@ -50,7 +50,7 @@ std::string columns(const std::vector<Row>& rows, const std::vector<std::size_t>
   return text;
 }
 
-/// Below each other, each cell behind the word that heads its column.
+/// Below each other, each cell after the word that heads its column.
 std::string stacked(const std::vector<Row>& rows) {
   std::string text;
   for (std::size_t r = 1; r < rows.size(); ++r) {

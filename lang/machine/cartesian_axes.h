@@ -8,7 +8,7 @@
 #include "lang/values/pose_math.h"
 
 /// The kinematics of a robot whose coordinates are those of its tool: x, y, z move it along the
-/// axes of the world; a, b, c (or theta) turn it about them. What tests have instead of a robot.
+/// axes of the world; a, b, c (or theta) turn it about them. Tests use it instead of a robot.
 namespace rob::lang {
 
 /// Coordinates of other names move nothing.

@@ -32,7 +32,7 @@ struct PathPlace {
 /// The longest LEAD and LAG, s. [choice] longer than any valve takes.
 inline constexpr double kLongestLead = 0.5;
 
-/// What became of a command.
+/// The result of a command.
 enum class Reply : std::uint8_t {
   Done,    ///< taken
   Later,   ///< nothing has happened; give the same command again when woken
@@ -47,7 +47,7 @@ struct Refusal {
   Place place = {};  ///< where, if not at the command itself
 };
 
-/// What all parts of a Machine have in common: why the last command was refused.
+/// The common base of all parts of a Machine: why the last command was refused.
 class Refuser {
  public:
   virtual ~Refuser() = default;
@@ -78,11 +78,11 @@ class Motions : public virtual Refuser {
   virtual Reply via(int line, const MoveCommand& point);
   /// WITH, IN: what motions, HERE, TARGET, forward() and inverse() mean from here on.
   virtual void work_in(int line, const Setting& setting);
-  /// PATH: the motions up to end_path() are planned as one before it starts. What is set or pulsed
-  /// on_the_way() there counts along the whole path. settle() drops a path that is still open.
+  /// PATH: the motions up to end_path() are planned as one before it starts. Outputs set or pulsed
+  /// on_the_way() there count along the whole path. settle() drops a path that is still open.
   virtual Reply begin_path(int line);
   virtual Reply end_path(int line);
-  /// What is set or pulsed next is not done now, but on the way of the motion commanded next.
+  /// The next output is not set or pulsed now, but on the way of the motion commanded next.
   virtual Reply on_the_way(int line, const PathPlace& place);
   /// AT LIVE: the pace of the motion that is commanded next, computed anew in every control cycle.
   virtual Reply live_pace(int line, const Watch& pace, MoveCommand::Pace means);
@@ -154,14 +154,14 @@ class Signals : public virtual Refuser {
   virtual Reply waited(int line);
 };
 
-/// What a program writes for people.
+/// Texts that a program writes for people.
 class Output : public virtual Refuser {
  public:
   /// Prints `text` (one line, without its line end) in motion order.
   virtual Reply print(int line, std::string_view text);
 };
 
-/// What a program asks of the person beside the machine.
+/// Questions of a program to the person beside the machine.
 class Operator : public virtual Refuser {
  public:
   /// HALT: the last target is reached exactly, all that was commanded has acted, `text` (empty:
@@ -188,7 +188,7 @@ class Force : public virtual Refuser {
   virtual Reply zero_force(int line);
 };
 
-/// What a TEST does to the world around the program.
+/// Actions of a TEST on the world around the program.
 class Testing : public virtual Refuser {
  public:
   /// An EXPECT of a TEST does not hold; `text` says what it found. The TEST goes on.
@@ -204,12 +204,12 @@ class Testing : public virtual Refuser {
   virtual Reply simulate_answer(int line, std::string_view text, double after);
 };
 
-/// What a program shares with its TASKs.
+/// The state that a program shares with its TASKs.
 class Shared : public virtual Refuser {
  public:
   /// START: the TASK of that number runs beside the program, from this point of motion order on.
   virtual Reply start(const Place& place, std::uint32_t task);
-  /// What TASKs see of the program's globals: from this point of motion order on the slots from
+  /// The program's globals as TASKs see them: from this point of motion order on the slots from
   /// `first` on have these values; or, an observation, what they are.
   virtual Reply publish(int line, std::size_t first, std::span<const Slot> values);
   virtual Reply publish(int line, std::size_t first, std::span<const std::string> texts);
@@ -235,8 +235,8 @@ class Machine : public Motions,
   /// Reads the value that a name of the language stands for, into as many slots as Reading says.
   /// `Later` as for a signal if it is an observation.
   virtual Reply read(int line, Reading what, Slot* value);
-  /// A TRY block is left: an observation, Done at the decision point of the last motion. What goes
-  /// wrong from then on is no longer the block's.
+  /// A TRY block is left: an observation, Done at the decision point of the last motion. An error
+  /// from then on is no longer the block's.
   virtual Reply leave_block(int line);
   /// The program has gone wrong in a TRY block: the last target is reached exactly, and all that
   /// was commanded acts. Done when the axes stand and nothing is left to do. Never refused; ends

@@ -28,7 +28,7 @@ constexpr std::string_view word_of(MotionKind kind) {
   return kMotionWords[static_cast<std::size_t>(kind)];
 }
 
-/// What the rates of a JOG are of.
+/// The motion that the rates of a JOG describe.
 enum class JogFrame : std::uint8_t {
   Joint,  ///< of the axes
   World,  ///< of the coordinates in the world: of the place and of the angles a, b, c
@@ -51,7 +51,7 @@ inline std::optional<Profile> find_profile(std::string_view word) {
   return std::nullopt;
 }
 
-/// What not every robot can do, so that each has to say whether it can.
+/// Abilities that not every robot has, so that each must say whether it has them.
 enum class MotionFeature : std::uint8_t { Accel, Jerk, Path, Press, Lead };
 
 /// LAW: how motions are joined.

@@ -10,7 +10,7 @@ namespace rob::lang {
 
 /// A motion as the program asks for it. SI units: m, rad, s.
 struct MoveCommand {
-  /// What the components of a target are.
+  /// The kind of the components of a target.
   enum class Target : std::uint8_t {
     Coordinates,  ///< of a tuple, as RobotSignature names them
     Axes,         ///< the axes themselves
@@ -38,7 +38,7 @@ struct MoveCommand {
   bool relative = false;   ///< BY: from the last commanded target
   int count = 0;           ///< components that there are
   std::uint8_t given = 0;  ///< bit i: component i was written
-  /// What is not given is 0. Of Jog: rates, m/s or rad/s, of the coordinates or the axes.
+  /// A component not given is 0. For a Jog: rates, m/s or rad/s, of the coordinates or the axes.
   std::array<double, kMaxCoordinates> target{};
   bool in_frame = false;  ///< a Pose without a frame of its own: it is seen from the Setting's
   double radius = 0;      ///< of Spiral: where it begins, m from its centre
@@ -60,7 +60,7 @@ struct MoveCommand {
   Profile profile = Profile::Unspecified;
 
   bool has(int i) const { return (given >> i & 1) != 0; }
-  /// Whether the target is to be reached exactly, at rest.
+  /// Whether the motion must reach the target exactly, at rest.
   bool exact() const { return fine || (zone != Zone::Unspecified && zone_value == 0); }
 };
 

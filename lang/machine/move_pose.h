@@ -10,8 +10,8 @@
 namespace rob::lang {
 
 /// Where a motion with a target of coordinates or of a pose brings the tip of the tool, in the
-/// world; `last`: where the one before it does, with the same tool. What a tuple leaves out keeps
-/// its value, seen from the setting's frame.
+/// world; `last`: where the one before it does, with the same tool. A component that a tuple leaves
+/// out keeps its value, seen from the setting's frame.
 PoseValue target_pose(const MoveCommand& command, const PoseValue& last, const Setting& setting,
                       const std::vector<RobotSignature::Coordinate>& coordinates);
 

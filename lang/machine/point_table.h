@@ -9,7 +9,7 @@
 
 namespace rob::lang {
 
-/// What a program's points file holds, as plain values; where it comes from is none of the
+/// The content of a program's points file, as plain values; where it comes from is none of the
 /// language's business.
 struct PointTable {
   struct Point {
@@ -30,7 +30,7 @@ struct PointTable {
   }
 };
 
-/// What TEACH keeps.
+/// A point that TEACH keeps.
 struct TaughtPoint {
   std::string_view name;
   std::string_view frame;  ///< of the program, that `pose` is in; empty for the world

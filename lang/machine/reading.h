@@ -6,16 +6,17 @@
 
 namespace rob::lang {
 
-/// What a program reads of the robot by a name of the language, and how many slots it takes.
+/// A value that a program reads of the robot by a name of the language, and how many slots it
+/// takes.
 enum class Reading : std::uint8_t {
   Clock,   ///< CLOCK: s since the start of the program
-  Here,    ///< HERE: the tool in the world, x y z (m) and w i j k; what the axes are told to be
+  Here,    ///< HERE: the tool in the world, x y z (m) and w i j k; from the commanded axes
   Joints,  ///< JOINTS(): the same as one value an axis, m or rad
   Target,  ///< TARGET: the tool at the last target commanded; known without looking
   /// HITPOSE: the tool in the world where the condition of the last guarded motion came true, or
   /// where that motion ended; known without looking
   HitPose,
-  Force,   ///< force: N, the reaction on the tool. A Machine tells it along x y z of the world; the
+  Force,   ///< force: N, the reaction on the tool. A Machine gives it along x y z of the world; the
            ///< program sees it along those of the active frame (seen_from.h)
   Torque,  ///< torque: Nm, in the same way
   Wrench   ///< WRENCH(): force, then torque

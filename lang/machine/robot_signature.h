@@ -8,7 +8,7 @@
 
 namespace rob::lang {
 
-/// What the language has to know of a robot: how its targets are written and which signals its
+/// The language's knowledge of a robot: how its targets are written and which signals its
 /// file declares. Limits are none of its business; motion refuses what is out of reach.
 struct RobotSignature {
   struct Coordinate {
@@ -40,7 +40,7 @@ inline const char* channel_word(bool output, bool analog) {
 /// "lift", or "DOUT[3]" for what has no name.
 std::string shown_name(const RobotSignature::Signal& signal);
 
-/// What an analog channel carries at most, V; at least it is 0V. [choice] The range of nearly all
+/// The highest value of an analog channel, V; the lowest is 0V. [choice] The range of nearly all
 /// analog modules.
 inline constexpr double kMostVolts = 10;
 

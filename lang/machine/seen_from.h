@@ -6,7 +6,7 @@
 
 namespace rob::lang {
 
-/// What a force sensor tells along the axes of the world becomes what the program reads: along
+/// Turns a force sensor's reading along the axes of the world into the program's reading: along
 /// those of the setting's frame, or, IN TOOL, of the tool as it stands; `tool` is its pose in the
 /// world. Other readings stay. May be used in the tick.
 void turn_into_frame(Reading what, const Setting& setting, const PoseValue& tool, Slot* value);

@@ -164,7 +164,7 @@ void ActionParser::expect_statement(Block& block) {
   tree_.add(block, place, std::move(node));
 }
 
-/// What has been read from `begin` on, for messages: on one line, and not too long for one.
+/// The text read from `begin` on, for messages: on one line, and not too long for one.
 std::string ActionParser::source_text(std::size_t begin) const {
   const std::size_t end = tokens_.previous().offset + tokens_.previous().text.size();
   constexpr std::size_t kMost = 80;  // [choice] the message still fits two lines of a terminal
@@ -341,7 +341,7 @@ void ActionParser::simulate_statement(Block& block) {
   tree_.add(block, place, std::move(node));
 }
 
-/// Whether the word behind SIMULATE means the operator. GO and ANSWER always do there, as in a
+/// Whether the word after SIMULATE means the operator. GO and ANSWER always do there, as in a
 /// signal script.
 bool ActionParser::operators_simulation(Simulate& node) {
   if (tokens_.next().kind != TokenKind::Assign) return false;

@@ -264,7 +264,7 @@ struct Routine {
 
 /// ROBOT, UNITS and LAW: what holds for the whole program.
 struct Header {
-  bool robot = false;       ///< ROBOT was written; declared_robot() (robot_name.h) tells which
+  bool robot = false;       ///< ROBOT was written; declared_robot() (robot_name.h) says which
   std::vector<Unit> units;  ///< UNITS: of bare numbers in targets, at most one of a dimension
   struct Law {
     Place place;
@@ -294,7 +294,7 @@ struct Program {
   std::vector<ArrayLength> array_lengths{};
   bool memory = false;  ///< as of Routine, of the top level
   std::vector<FrameUse> frame_uses{};
-  std::set<std::string> taught{};  ///< names behind TEACH, in capitals
+  std::set<std::string> taught{};  ///< names after TEACH, in capitals
   bool surroundings = false;       ///< WITH or IN stand somewhere: routines may run in them
   /// Where END stands, or the end of the file if there is none.
   Place end;

@@ -27,7 +27,7 @@ struct Surroundings {
   ExprPtr tool;          ///< a Name; null where left out
   ExprPtr frame;         ///< a Name; null where left out, and of IN TOOL
   bool in_tool = false;  ///< IN TOOL
-  Place frame_place{};   ///< of what stands behind IN
+  Place frame_place{};   ///< of what stands after IN
   bool none() const { return tool == nullptr && frame == nullptr && !in_tool; }
   bool has_frame() const { return frame != nullptr || in_tool; }
 };

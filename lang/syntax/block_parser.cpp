@@ -13,7 +13,7 @@ namespace rob::lang {
 
 namespace {
 
-/// What cannot stand on the line of THEN.
+/// Words that cannot stand on the line of THEN.
 bool takes_lines(Keyword keyword) {
   switch (keyword) {
     case Keyword::If:
@@ -203,7 +203,7 @@ void BlockParser::select_branches(Select& node, const OpenBlock& open) {
       branch.body = blocks_.read(open);
     } else {
       tokens_.advance();
-      tokens_.accept(TokenKind::Colon);  // as behind CASE; it changes nothing
+      tokens_.accept(TokenKind::Colon);  // as after CASE; it changes nothing
       blocks_.header_end("ELSE");
       node.has_else = true;
       node.otherwise = blocks_.read(open);

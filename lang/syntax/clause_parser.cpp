@@ -108,7 +108,7 @@ void ClauseParser::clause(Clauses& clauses, Clause which, std::string_view word)
     clauses[Clause::ZoneAngle] = expressions_.primary();
 }
 
-/// LIVE with a value behind it; a variable may be called so, too.
+/// LIVE with a value after it; a variable may be called so, too.
 bool ClauseParser::at_live() const { return at_clause_word("LIVE"); }
 
 /// The angle of a ZONE, the distance of a FINE. A word that is nearly one of a clause is taken for
@@ -175,7 +175,7 @@ bool ClauseParser::at_name_of_value() const {
   return ends || (goes_on(tokens_.next()) && tokens_.next().kind != TokenKind::Minus);
 }
 
-/// A word behind MOVE that is not the name of what stands there.
+/// A word after MOVE that is not the name of what stands there.
 bool ClauseParser::at_clause_word(std::string_view word) const {
   return tokens_.at_word(word) && !at_name_of_value();
 }

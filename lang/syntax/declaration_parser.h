@@ -10,7 +10,7 @@
 
 namespace rob::lang {
 
-/// The rules for declarations. Of one that cannot be read in full the names are declared all the
+/// The rules for declarations. If one cannot be read in full, its names are declared all the
 /// same, with the type Unknown.
 class DeclarationParser {
  public:

@@ -199,7 +199,7 @@ ExprPtr ExpressionParser::member(ExprPtr object) {
   const Place place = object->place;
   const int height = object->height + 1;
   tokens_.advance();
-  // Behind the point a reserved word is a name like any other.
+  // After the point a reserved word is a name like any other.
   if (!tokens_.at(TokenKind::Word) && !tokens_.at(TokenKind::Reserved)) {
     tokens_.fail_here(code::kNameExpected,
                       fmt::format("the name of a field expected after '.', not {}",
@@ -352,7 +352,7 @@ ExprPtr ExpressionParser::call(const Place& place, std::string callee) {
   return tree_.make(place, std::move(node), height + 1);
 }
 
-/// ")" behind what has been read, or what is missing there: the bracket or a comma.
+/// ")" after what has been read, or what is missing there: the bracket or a comma.
 void ExpressionParser::close_bracket(std::string_view what) {
   if (tokens_.accept(TokenKind::RightParen)) return;
   const bool value =

@@ -25,7 +25,7 @@ struct NumberLiteral {
   std::int64_t integer = 0;
   bool is_integer = false;  ///< written without point, exponent or unit
   Dimension dimension;
-  bool has_unit = false;  ///< written with a unit: tells 50% from 0.5, both dimensionless
+  bool has_unit = false;  ///< written with a unit: distinguishes 50% from 0.5, both dimensionless
 };
 struct BoolLiteral {
   bool value = false;

@@ -35,7 +35,7 @@ struct ForeignSign {
   Keyword keyword{};
 };
 
-/// What people write who come from other languages, and what it is called here.
+/// Words of other languages that people may write, and their names here.
 constexpr auto kForeignSigns = std::to_array<ForeignSign>({
     {"!=", "<>", TokenKind::NotEqual},
     {":=", "=", TokenKind::Assign},
@@ -65,7 +65,7 @@ constexpr auto kRemedies = std::to_array<std::pair<std::string_view, std::string
     {"\u00B0", "degrees are written 90deg"},
 });
 
-/// What was meant by a unit that is none. Capital letters are a likely mistake.
+/// The unit that was meant by one that is none. Capital letters are a likely mistake.
 std::string unit_help(std::string_view unit) {
   if (unit.starts_with("\u00B0")) return "degrees are written 90deg";
   if (unit.starts_with("\u00B5") || unit.starts_with("\u03BC")) {
@@ -211,7 +211,7 @@ Token Lexer::number() {
   return ends ? plain_number(digits, whole) : quantity(digits);
 }
 
-/// A point behind the digits of a number that does not go on with digits: `5.`, `1.5.2`, `1e3.`.
+/// A point after the digits of a number that does not go on with digits: `5.`, `1.5.2`, `1e3.`.
 Token Lexer::stray_point(std::string_view digits, bool whole) {
   ++offset_;
   skip_word();

@@ -11,15 +11,15 @@
 
 namespace rob::lang {
 
-/// What to do about an INT that is too large.
+/// Help for an INT that is too large.
 inline constexpr const char* kLargestInt =
     "an INT goes up to 9223372036854775807; with .0 after it, it is a REAL";
 
 /// Cuts a source text into tokens, one at a call. Blanks and comments are skipped.
 ///
-/// What cannot be read is reported and returned as a Bad token; an operator of another language
-/// whose meaning is plain (`!=`, `&&`, `:=`) is reported and returned as Rob's. The text must have
-/// passed check_source() and outlive the lexer. A lexer may be copied to look ahead.
+/// Text that cannot be read is reported and returned as a Bad token; an operator of another
+/// language whose meaning is plain (`!=`, `&&`, `:=`) is reported and returned as Rob's. The text
+/// must have passed check_source() and outlive the lexer. A lexer may be copied to look ahead.
 class Lexer {
  public:
   /// For places: `file` is the number of the file that the text is of, `parts` its lines.
@@ -32,7 +32,7 @@ class Lexer {
 
   /// Goes on at a place of the text where a token begins.
   void begin_at(std::size_t offset, const Place& place);
-  /// Goes on behind what has been read otherwise, on the line of the last token.
+  /// Goes on after what has been read otherwise, on the line of the last token.
   void skip_to(std::size_t offset);
 
   /// A copy that goes on from here and reports nothing.

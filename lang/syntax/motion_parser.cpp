@@ -102,7 +102,7 @@ void MotionParser::curve(Move& move) {
   const Place place = tokens_.previous().place;
   expect_word("VIA", word_of(move.kind), example);
   do {
-    // Behind a comma too many, or where a point is missing.
+    // After a comma too many, or where a point is missing.
     if (clauses_.at_clause_word("TO")) break;
     move.via.push_back(target("VIA", true));
   } while (tokens_.accept(TokenKind::Comma));

@@ -129,8 +129,8 @@ void OpenBlocks::fail_stray_closer() {
                                 opener_of(tokens_.current().keyword)));
 }
 
-/// A condition and the word behind it. What cannot be read is reported and replaced, so that the
-/// block behind it is read all the same.
+/// A condition and the word after it. Text that cannot be read is reported and replaced, so that
+/// the block after it is read all the same.
 ExprPtr OpenBlocks::condition(Keyword last) {
   const Place place = tokens_.place();
   try {
@@ -143,7 +143,7 @@ ExprPtr OpenBlocks::condition(Keyword last) {
   }
 }
 
-/// THEN or DO. Where it is missing the statement behind it is read all the same.
+/// THEN or DO. Where it is missing the statement after it is read all the same.
 void OpenBlocks::header_word(Keyword word, std::string_view behind) {
   if (tokens_.at(word)) return tokens_.advance();
   const std::string message = fmt::format("{} expected after {}", spelling(word), behind);

@@ -10,7 +10,7 @@
 
 namespace rob::lang {
 
-/// What the statements inside other statements are read with.
+/// The means to read the statements inside other statements.
 class StatementReader {
  public:
   /// The statement that begins on this line, or what an error left of it.
@@ -49,7 +49,7 @@ class OpenBlocks {
   ExprPtr condition(Keyword last);
   void header_word(Keyword word, std::string_view behind);
   void header_end(std::string_view word);
-  /// Reads DO behind what `header` reads; where that throws SyntaxError the block is read all the
+  /// Reads DO after what `header` reads; where that throws SyntaxError the block is read all the
   /// same.
   template <typename Header>
   void header_up_to_do(Header header) {

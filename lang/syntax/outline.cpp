@@ -12,7 +12,7 @@ void skip_blanks(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
 }
 
-/// A word from the beginning of a text, which goes on behind it; empty if none stands there.
+/// A word from the beginning of a text, which goes on after it; empty if none stands there.
 std::string_view take_word(std::string_view& text) {
   if (text.empty() || !begins_word(text.front())) return {};
   const auto end = std::ranges::find_if_not(text, in_word);
@@ -29,7 +29,7 @@ bool Outline::names_file(std::string_view word) const {
 }
 
 /// A line that begins with a reserved word begins a statement, inside brackets too, and no text
-/// goes on in the next line: two words of each line tell enough.
+/// goes on in the next line: two words of each line are enough.
 Outline outline_of(std::string_view source, std::uint32_t file, TextParts parts) {
   Outline outline;
   LineCount count(parts);

@@ -11,8 +11,8 @@
 
 namespace rob::lang {
 
-/// What the parser has to know of a text beforehand: the files that it USEs, whose names begin
-/// `tools.grip`, and the types that it declares itself.
+/// The facts that the parser must know of a text beforehand: the files that it USEs, whose names
+/// begin `tools.grip`, and the types that it declares itself.
 struct Outline {
   struct UsedName {
     std::string name;  ///< as it is written

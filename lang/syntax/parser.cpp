@@ -48,7 +48,7 @@ Program TextParser::program() {
   try {
     items(program);
   } catch (const SyntaxError&) {
-    // Reported; what stands behind END is not read.
+    // Reported; what stands after END is not read.
   } catch (const GiveUp&) {
     program.end = tokens_.place();
     program.whole = false;
@@ -69,7 +69,7 @@ void TextParser::items(Program& program) {
     tokens_.skip_line_ends();
   }
   program.end = tokens_.place();
-  // A file without END ends as if END stood on the line behind its last one.
+  // A file without END ends as if END stood on the line after its last one.
   if (tokens_.at(TokenKind::EndOfFile) && tokens_.place().column > 1) {
     program.end = Place{tokens_.place().line + 1, 1, 1, tokens_.place().file};
   }

@@ -18,8 +18,8 @@ struct SourceContext;
 /// with the type Unknown, so that their uses draw no further messages.
 Program parse(std::string_view source, Diagnostics& diagnostics);
 
-/// The same of a text that is part of something, and that has passed check_source(). What `context`
-/// points to must outlive the call.
+/// The same of a text that is part of something, and that has passed check_source(). All that
+/// `context` points to must outlive the call.
 Program parse(std::string_view source, Diagnostics& diagnostics, const SourceContext& context);
 
 /// Reads the statement of one line that begins at `offset`, at `place`, once more.

@@ -8,7 +8,7 @@
 namespace rob::lang {
 namespace {
 
-/// More digits may not fit an INT; the lexer tells.
+/// More digits may not fit an INT; the lexer reports it.
 constexpr std::size_t kMostDigits = 18;
 
 /// Goes over one line.

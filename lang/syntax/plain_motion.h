@@ -9,7 +9,7 @@
 #include "lang/machine/motion_words.h"
 #include "lang/machine/robot_signature.h"
 
-/// Motions that are written in numbers alone: `MOVE(140, , -0.5m)`, and nothing behind it but a
+/// Motions that are written in numbers alone: `MOVE(140, , -0.5m)`, and nothing after it but a
 /// comment. Programs made by programs are a million such lines, so these are read straight from
 /// the text, by the rules of the lexer and the grammar, and kept as numbers instead of trees.
 namespace rob::lang {
@@ -23,11 +23,11 @@ struct PlainMotion {
   };
   int count = 0;
   std::array<Component, kMaxCoordinates> components;
-  std::size_t length = 0;  ///< bytes from its first letter to behind its bracket
+  std::size_t length = 0;  ///< bytes from its first letter to after its bracket
 };
 
-/// The motion that `text` begins with, at its bracket (`word` bytes behind its first letter). None
-/// where it is written in any other way, or wrongly: then the parser tells.
+/// The motion that `text` begins with, at its bracket (`word` bytes after its first letter). None
+/// where it is written in any other way, or wrongly: then the parser reports it.
 std::optional<PlainMotion> read_plain_motion(std::string_view text, std::size_t word);
 
 }  // namespace rob::lang

@@ -19,7 +19,7 @@ std::optional<RobotName> declared_robot(std::string_view source) {
     }
     const bool motion = token.kind == TokenKind::Reserved &&
                         (token.keyword == Keyword::Move || token.keyword == Keyword::Movel);
-    if (motion && token.first_on_line) break;  // behind a statement ROBOT cannot stand
+    if (motion && token.first_on_line) break;  // after a statement ROBOT cannot stand
     before = std::move(token);
   }
   return std::nullopt;

@@ -8,7 +8,7 @@
 
 namespace rob::lang {
 
-/// What ROBOT names.
+/// The robot that ROBOT names.
 struct RobotName {
   std::string name;
   Place place;  ///< of the name

@@ -20,7 +20,7 @@ struct Import {
   Program* program = nullptr;
 };
 
-/// What a text is part of, and what of it is known before it is parsed.
+/// The program around a text, and what of it is known before it is parsed.
 struct SourceContext {
   std::uint32_t file = 0;
   TextParts parts{};                 ///< of the text

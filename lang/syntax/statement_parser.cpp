@@ -55,7 +55,7 @@ void StatementParser::any_statement(Block& block) {
   if (!tokens_.current().first_on_line) tokens_.end_of_line();
 }
 
-/// What cannot stand behind THEN on the same line; false if nothing of the kind stands here.
+/// Reads a statement that cannot stand after THEN on the same line; false if none stands here.
 bool StatementParser::block_statement(Block& block) {
   if (!tokens_.at(TokenKind::Reserved)) return false;
   switch (tokens_.current().keyword) {
@@ -148,8 +148,8 @@ void StatementParser::fail_statement() {
   }
 }
 
-/// What begins with a word that is not reserved: an assignment, a statement known by its place
-/// at the beginning of a line, or a mistake.
+/// A statement that begins with a word that is not reserved: an assignment, a statement known by
+/// its place at the beginning of a line, or a mistake.
 void StatementParser::word_statement(Block& block) {
   if (at_placed_word("ROBOT") || at_placed_word("UNITS") || at_placed_word("LAW")) {
     return header_.header(block, !blocks_.none());
@@ -234,7 +234,7 @@ void StatementParser::unknown_word(Block& block) {
   if (!blocks_.at_closer()) any_statement(block);
 }
 
-/// Whether the line goes on as behind `keyword`, for which its word may have been meant.
+/// Whether the line goes on as after `keyword`, for which its word may have been meant.
 bool StatementParser::can_stand_for(Keyword keyword) const {
   switch (keyword) {
     case Keyword::End:

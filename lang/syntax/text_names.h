@@ -24,7 +24,7 @@ class TextNames {
     std::set<std::string> records;
   };
 
-  /// What `context` points to must outlive it.
+  /// All that `context` points to must outlive it.
   TextNames(TokenReader& tokens, const SourceContext& context);
 
   /// Reads a name that is declared; `kind` is what stands before it.
@@ -47,7 +47,7 @@ class TextNames {
   TypeDetail& own_record(std::string_view name) { return types_.record(file_, name); }
   TypeDetail& own_frame(std::string_view name) { return types_.frame(file_, name); }
 
-  /// Says which file a USE means. What the file declares goes to its first USE.
+  /// Says which file a USE means. The declarations of the file go to its first USE.
   void resolve(Use& use) const;
 
  private:

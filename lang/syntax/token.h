@@ -37,7 +37,7 @@ enum class TokenKind : std::uint8_t {
   Star,
   Slash,
   Caret,
-  Percent  ///< alone; behind a number it is part of the quantity
+  Percent  ///< alone; after a number it is part of the quantity
 };
 
 /// One word or sign of a program. `text` points into the source.

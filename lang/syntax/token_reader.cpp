@@ -14,7 +14,7 @@ namespace rob::lang {
 
 namespace {
 
-/// Operators that are words: what a word behind a value may have been meant for.
+/// Operators that are words: what a word after a value may have been meant for.
 constexpr std::array<std::string_view, 5> kOperatorWords{"AND", "OR", "XOR", "DIV", "MOD"};
 
 }  // namespace
@@ -152,7 +152,7 @@ bool TokenReader::has_error_between(const Place& first, const Place& last) const
   return diagnostics_.has_error_between(first, last);
 }
 
-/// What helps against frequent mistakes that show as an unexpected token.
+/// Help against frequent mistakes that show as an unexpected token.
 std::string TokenReader::remedy() const {
   const bool behind_number = previous_.kind == TokenKind::Number && !previous_.has_unit;
   const bool value_follows = next_.kind == TokenKind::Number || next_.kind == TokenKind::Word ||
@@ -174,7 +174,7 @@ std::string TokenReader::remedy() const {
 
 // ------------------------------------------------------------------- recovery
 
-/// Goes on behind the statement in which an error was met: at the end of its line or, where
+/// Goes on after the statement in which an error was met: at the end of its line or, where
 /// brackets were open, of the line that closes them, but before a line that is a new statement.
 void TokenReader::recover() {
   int open = std::exchange(brackets_, 0);
@@ -187,7 +187,7 @@ void TokenReader::recover() {
   }
 }
 
-/// The same within a header: goes on behind `keyword`, or at the end of the line.
+/// The same within a header: goes on after `keyword`, or at the end of the line.
 void TokenReader::recover_until(Keyword keyword) {
   brackets_ = 0;
   while (!at_line_end() && !at(keyword)) shift();

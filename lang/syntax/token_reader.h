@@ -44,7 +44,7 @@ class TokenReader {
   const Token& previous() const { return previous_; }
   const Token& current() const { return current_; }
   const Token& next() const { return next_; }
-  /// Of the current token.
+  /// The place of the current token.
   const Place& place() const { return current_.place; }
   std::string_view text() const { return current_.text; }
   bool at(TokenKind kind) const { return current_.kind == kind; }

@@ -98,7 +98,7 @@ Type TypeParser::array_type() {
   return {Type::Kind::Array, {}, &detail};
 }
 
-/// [ "IN" IDENT ] behind POSE.
+/// [ "IN" IDENT ] after POSE.
 Type TypeParser::pose_type() {
   if (!tokens_.at(Keyword::In)) return Type::pose();
   tokens_.advance();
@@ -115,7 +115,7 @@ Type TypeParser::pose_type() {
   return Type::pose(frame);
 }
 
-/// "OF" type behind VEC, which alone is one of LENGTH.
+/// "OF" type after VEC, which alone is one of LENGTH.
 Type TypeParser::vec_type() {
   tokens_.advance();
   const Token word = tokens_.current();

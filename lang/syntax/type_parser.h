@@ -16,7 +16,7 @@ namespace rob::lang {
 /// The rules for types. Keeps what the checker has to settle in those that were written.
 class TypeParser {
  public:
-  /// What `context` points to must outlive it.
+  /// All that `context` points to must outlive it.
   TypeParser(TokenReader& tokens, TreeBuilder& tree, TextNames& names,
              ExpressionParser& expressions, const SourceContext& context);
 

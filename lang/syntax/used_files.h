@@ -32,9 +32,9 @@ class Sources {
 
 /// Reads a program and the files that it USEs, each once, however often and by whichever of them
 /// it is USEd. The declarations of a file come where it is USEd first (Use), its routines among
-/// those of the program. What is wrong goes to `diagnostics`; a USE that leads nowhere leaves
+/// those of the program. Errors go to `diagnostics`; a USE that leads nowhere leaves
 /// Program::whole false. `sources`: null where there are no files; `used`: what was read.
-/// Of an entry of the prompt: `parts` are its lines, `types` what it can name beside its own.
+/// For an entry of the prompt: `parts` are its lines, `types` what it can name beside its own.
 Program read_program(std::string_view source, const Sources* sources, const RobotSignature& robot,
                      Diagnostics& diagnostics, std::vector<SourceFile>& used, TextParts parts = {},
                      std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>());

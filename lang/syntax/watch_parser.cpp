@@ -42,7 +42,7 @@ void WatchParser::wait(Block& block) {
   tree_.add(block, place, std::move(wait));
 }
 
-/// The one statement behind the ELSE of a WAIT.
+/// The one statement after the ELSE of a WAIT.
 void WatchParser::alternative(Block& block) {
   if (tokens_.at_line_end()) {
     tokens_.fail_behind(code::kStatementExpected, "a statement expected after ELSE");
@@ -146,7 +146,7 @@ void WatchParser::when(Block& block) {
   tree_.add(block, open.place, std::move(when));
 }
 
-/// What stands behind the ':' of a WHEN: one statement on the same line.
+/// The action after the ':' of a WHEN: one statement on the same line.
 void WatchParser::action(Block& block, std::string_view behind) {
   if (!tokens_.accept(TokenKind::Colon)) {
     tokens_.fail_behind(code::kWordExpected, fmt::format("':' expected after {}", behind),

@@ -24,7 +24,7 @@ class WatchParser {
         statements_(statements) {}
 
   void wait(Block& block);
-  /// UNTIL and DO behind the motion that `block` ends with.
+  /// UNTIL and DO after the motion that `block` ends with.
   void behind_motion(Block& block, bool may_open_block);
   WayPoint path_event();
   void when(Block& block);

@@ -30,7 +30,7 @@ inline bool same_word(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, [](char x, char y) { return to_upper(x) == to_upper(y); });
 }
 
-/// A piece of a program for a message: at most 40 bytes of it. What is cut is ASCII.
+/// A piece of a program for a message: at most 40 bytes of it, and whole characters.
 inline std::string shortened(std::string_view text) {
   constexpr std::size_t kMost = 40;
   if (text.size() <= kMost) return std::string(text);

@@ -73,7 +73,7 @@ class Diagnostics {
   std::size_t error_count() const { return errors_; }
   /// Whether an error has been found in these lines, of one file; after kMost errors it says yes.
   bool has_error_between(const Place& first, const Place& last) const;
-  /// What the next file is called that the program USEs.
+  /// Sets the name of the next file that the program USEs.
   void name_file(std::string name) { file_names_.push_back(std::move(name)); }
   /// "line 5" for a message about `from`; "line 5 of tools.rob" where that is another file.
   std::string line_of(const Place& place, const Place& from) const;

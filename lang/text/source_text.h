@@ -7,7 +7,7 @@
 #include "lang/text/diagnostic.h"
 #include "lang/text/text_parts.h"
 
-/// What a file must be before it is read as a program: UTF-8 text of bounded size.
+/// The form a file must have before it is read as a program: UTF-8 text of bounded size.
 namespace rob::lang {
 
 /// [choice] a million lines and more; what is larger was not written by a person, and the memory

@@ -4,8 +4,8 @@
 #include <string_view>
 
 /// Texts of others, such as names of files and what a program prints, as a person may see them: no
-/// character of them moves a cursor, turns the direction of writing or begins a line. What is left
-/// out is written as Rob's texts write it (`\n`, `\u{1B}`); bytes that are no UTF-8 as `\xFF`.
+/// character of them moves a cursor, turns the direction of writing or begins a line. A character
+/// left out is written as Rob's texts write it (`\n`, `\u{1B}`); bytes that are no UTF-8 as `\xFF`.
 namespace rob::lang {
 
 /// On one line, for messages: control characters (C0, DEL, C1), line and paragraph separators, and
@@ -19,7 +19,7 @@ std::string visible_lines(std::string_view text);
 /// what programs read, too, such as the names of files in messages.
 std::string on_one_line(std::string_view text);
 
-/// Of a JSON document: what visible() replaces, as `\u009b`. It means the same.
+/// For a JSON document: what visible() replaces, as `\u009b`. It means the same.
 std::string visible_json(std::string_view document);
 
 }  // namespace rob::lang

@@ -97,7 +97,7 @@ Division divide_down(double a, double b) {
   const double rest = crosses ? cut + b : cut;
   const double missing = crosses ? -cut : b - cut;
   const bool within_margin = missing / b <= kMargin && !(is_whole(a) && is_whole(b));
-  // The rest of two whole numbers can be so near to b that a double cannot tell them apart.
+  // The rest of two whole numbers can be so near to b that a double cannot distinguish them.
   const bool full = within_margin || rest == b;
   return {cut, full ? 0 : rest, (full ? 1 : 0) - (crosses ? 1 : 0)};
 }

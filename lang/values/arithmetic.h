@@ -39,7 +39,7 @@ enum class ArithmeticError : std::uint8_t {
   ZeroVector
 };
 
-/// What a person is told about an ArithmeticError.
+/// The message about an ArithmeticError.
 struct ArithmeticErrorText {
   std::string_view code;
   std::string_view message;

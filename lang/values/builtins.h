@@ -46,8 +46,8 @@ enum class BuiltinRule : std::uint8_t {
 /// argument: all is read before anything is written.
 using BuiltinFunction = ArithmeticError (*)(std::span<const Slot> arguments, Slot& result);
 
-/// What the arguments of a function on texts or poses are, letter by letter, and behind a colon its
-/// result: "SII:S" (builtins.def).
+/// The types of the arguments of a function on texts or poses, letter by letter, and after a colon
+/// its result: "SII:S" (builtins.def).
 struct Signature {
   std::string_view parameters;
   char result = 0;

@@ -13,8 +13,8 @@ struct ToolValue {
   Vector3 cog;      ///< its centre of gravity, seen from the flange, m
 };
 
-/// What WITH and IN say: the tool that is moved to targets, and the frame of tuples, of what stands
-/// behind BY, of poses without a frame of their own, and of force and torque.
+/// The setting that WITH and IN give: the tool that is moved to targets, and the frame of tuples,
+/// of what stands after BY, of poses without a frame of their own, and of force and torque.
 struct Setting {
   ToolValue tool;        ///< without WITH the flange itself
   PoseValue frame;       ///< in the world
@@ -40,7 +40,7 @@ inline constexpr double kMostLoad = 1000;
 /// The greatest OVERRIDE, 1 = 100 %. [choice] that of `--override`.
 inline constexpr double kMostOverride = 2;
 
-/// What to do instead of an OVERRIDE that is refused.
+/// Help for an OVERRIDE that is refused.
 constexpr std::string_view override_help(double share) {
   return share > 0 ? "write OVERRIDE 200%, and a greater AT where that is not enough"
                    : "at 0% the robot would stand for ever, and the program with it: HALT waits for"

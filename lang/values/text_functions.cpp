@@ -149,7 +149,7 @@ Error formatted(Slot* numbers, std::string* texts) {
   const double value = unit.exponent10 < 0 ? units * shift : units / shift;
   if (!std::isfinite(value)) return Error::NotFinite;
   texts[0] = fmt::format("{:.{}f}", value, digits);
-  // What is rounded to zero has no sign.
+  // A value rounded to zero has no sign.
   if (texts[0].find_first_not_of("-0.") == std::string::npos && texts[0].starts_with('-')) {
     texts[0].erase(0, 1);
   }

@@ -85,7 +85,7 @@ bool Type::operator==(const Type& other) const {
   if (kind != other.kind || dimension != other.dimension) return false;
   if (detail == other.detail) return true;
   if (kind != Kind::Array) return false;
-  // What is faulty fits everywhere.
+  // A faulty type fits everywhere.
   const bool faulty = detail->length == 0 || other.detail->length == 0;
   return faulty ||
          (detail->length == other.detail->length && detail->element == other.detail->element);

@@ -29,7 +29,7 @@ struct Slots {
   }
 };
 
-/// The memory behind the registers, for arrays, records and what registers have no room for, of
+/// The memory after the registers, for arrays, records and what registers have no room for, of
 /// all frames together. [choice] 262144 numbers are 2 MiB and more than a program of a robot has
 /// points; 4096 texts of 64 KiB each are 256 MiB at most.
 inline constexpr Slots kMemory{.numbers = 262144, .texts = 4096};
@@ -65,7 +65,7 @@ struct Type {
   bool numeric() const { return kind == Kind::Int || kind == Kind::Real; }
   bool text() const { return kind == Kind::String; }
   bool is(Kind other) const { return kind == other; }
-  /// Of one slot.
+  /// Whether the type takes one slot.
   bool scalar() const { return kind <= Kind::String; }
   /// Lies in registers of a row; all else lies in the memory of a frame.
   bool in_registers() const { return kind < Kind::Array; }
@@ -83,7 +83,7 @@ struct Type {
   bool is_place() const { return kind == Kind::Pose || kind == Kind::Frame || kind == Kind::Tool; }
 };
 
-/// What a compound type is made of.
+/// The parts of a compound type.
 struct TypeDetail {
   struct Field {
     std::string name;
@@ -132,7 +132,7 @@ struct TypeTable {
 /// A pose that has no frame yet and takes the one that its place in the program wants.
 Type free_pose();
 bool is_free(const Type& type);
-/// What a place is as a pose: a FRAME one in the world, a TOOL one without frame.
+/// The type of a place as a pose: a FRAME one in the world, a TOOL one without frame.
 Type as_pose(const Type& place);
 /// The type of a variable that is given a value of this type: what is free is in the world.
 Type settled(const Type& type);
@@ -156,14 +156,14 @@ bool holds_place(const Type& type);
 /// One part of a value: `v.x`, `part.size`.
 struct Field {
   Type type;
-  Slots offset;  ///< of its slots behind those of the whole
+  Slots offset;  ///< of its slots after those of the whole
 };
 /// Nothing if values of this type have no such field. `name` in any case.
 std::optional<Field> field_of(const Type& type, std::string_view name);
 /// The names of all fields, for messages.
 std::vector<std::string_view> field_names(const Type& type);
 
-/// What an index chooses from: elements of one type in a row.
+/// The set that an index chooses from: elements of one type in a row.
 struct Elements {
   Type type;  ///< of JOINTS that of the first axis; the others may be of another dimension
   std::int64_t count = 0;

@@ -109,7 +109,7 @@ std::optional<UnitMatch> match_factor(std::string_view text, const Unit& base, b
   return UnitMatch{*unit, word.size() + exponent.length};
 }
 
-/// Goes on from a match with what is multiplied or divided behind it.
+/// Goes on from a match with what is multiplied or divided after it.
 UnitMatch with_further_factors(std::string_view text, UnitMatch match) {
   while (match.length < text.size()) {
     const char op = text[match.length];
@@ -130,7 +130,7 @@ long magnitude(std::string_view mantissa) {
   return first < point ? distance : distance + 1;
 }
 
-/// The number behind `e`. Beyond a million the sign alone matters: no line has so many digits.
+/// The number after `e`. Beyond a million the sign alone matters: no line has so many digits.
 long exponent_value(std::string_view text) {
   constexpr long kHuge = 1'000'000;
   if (text.starts_with('+')) text.remove_prefix(1);

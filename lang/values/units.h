@@ -29,7 +29,7 @@ struct UnitMatch {
   std::size_t length = 0;  ///< bytes of the text that belong to the unit
 };
 
-/// The longest unit at the beginning of `text` behind which no letter, digit or _ follows.
+/// The longest unit at the beginning of `text` after which no letter, digit or _ follows.
 std::optional<UnitMatch> match_unit(std::string_view text);
 
 /// The unit that the whole of `text` names; `1/unit` is one here. Blanks are not allowed.
