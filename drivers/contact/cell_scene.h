@@ -24,14 +24,13 @@ struct Reaction {
   double torque = 0;  ///< about the vertical, Nm
 };
 
-/// A table with racks of holes, tubes, caps, and a gripper that points down: what it touches, takes
-/// and leaves.
+/// A table with racks of holes, tubes and caps, and a gripper that points down. The scene computes
+/// the contacts of the tool, and keeps track of the parts that the gripper takes and leaves.
 ///
 /// Tubes and caps stand upright, in the gripper too, and weigh nothing (0.2 N are within a sensor's
-/// noise). A part that the gripper takes is in the middle between its jaws from then on. The tool
-/// is carried along a given way: the stiffness of everything, arm included, is in the contact, so
-/// what it meets never pushes the arm itself. Fingers do not meet neighbours of what they reach
-/// for.
+/// noise). The gripper centres a part between its jaws. The caller prescribes the motion of the
+/// tool: the contacts contain the stiffness of everything, arm included, so a contact never moves
+/// the arm. Fingers do not touch the neighbours of the part that they grip.
 ///
 /// Every call but the constructor may be used in the tick.
 class CellScene {

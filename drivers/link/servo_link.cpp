@@ -21,7 +21,7 @@ constexpr std::uint8_t kNobody = 253;       // no servo of a robot file can have
 constexpr std::uint32_t kHealthEvery = 10;  // cycles
 constexpr double kChainShare = 0.5;         // of a cycle, at least, for the sync read
 constexpr double kShare = 0.8;              // of a cycle, for all that is said in it (WireBackend)
-constexpr double kBits = 10;                // of a byte
+constexpr double kBitsPerByte = 10;         // start, 8 data bits, stop
 constexpr double kTurnaround = 1e-3;  // s, of USB adapter and computer, for a turn of the line
 // A goal's own speed limit: the axis' speed and a half, so that it never shapes the references.
 constexpr double kSpeedMargin = 1.5;
@@ -45,7 +45,7 @@ std::string ServoLink<Dialect>::servo(std::size_t i) const {
 
 template <typename Dialect>
 double ServoLink<Dialect>::time_of(double bytes) const noexcept {
-  return bytes * kBits / baud_;
+  return bytes * kBitsPerByte / baud_;
 }
 
 /// s from the goals to the last answer of the sync read; where there is none, all the single ones.

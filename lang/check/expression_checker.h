@@ -43,8 +43,9 @@ class ExpressionChecker {
   void check_condition(const ExprPtr& condition, std::string_view word);
   /// Where `wanted` is needed, as for ValueChecker::accept(); the expression may be null.
   bool check_as(const ExprPtr& expression, const Type& wanted, std::string_view needed);
-  /// The value of a FRAME or a TOOL, which is fixed before the program runs: points are worth there
-  /// what they are worth at the start. `missed`: one of them has no value, which has been noted.
+  /// The value of a FRAME or a TOOL, which is fixed before the program runs, so a point has its
+  /// value from the start of the program. `missed` becomes true if a point has no value; the
+  /// message is already written.
   Type check_fixed(const ExprPtr& expression, bool& missed);
 
   /// DIN[n], DOUT[n], AIN[n] or AOUT[n]; null, and a message, if n is no constant or the robot has

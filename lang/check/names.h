@@ -35,8 +35,7 @@ class Names {
   const Builtin* resolve_function(const Call& call, Place place);
   /// Whether several USEd files declare a plain name, which is an error then.
   bool report_ambiguous(std::string_view name, Place place);
-  /// Where a file of the program declares a name (VAR, CONST or FOR), the first time in the order
-  /// of the text.
+  /// The first place in a file of the program that declares a name (VAR, CONST or FOR).
   std::optional<Place> declaration_of(std::string_view name, std::uint32_t file) const;
 
  private:

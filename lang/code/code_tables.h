@@ -11,19 +11,20 @@
 
 namespace rob::lang {
 
-/// Things that instructions name by a number: constants, texts, and the forms of written values and
-/// of motions. Everything is kept once; each function gives the number of its value.
+/// The tables that instructions refer to by index: constants, texts, dimensions, types, and forms
+/// of motions. Each table holds a value once. A function adds its value if it is new, and returns
+/// its index.
 class CodeTables {
  public:
-  /// `bits`: of the value. Constants differ by bits, kind and dimension (which only listings look
-  /// at).
+  /// `bits` is the bit pattern of the value. Constants differ if their bits, their kinds or their
+  /// dimensions differ; only listings use the dimension.
   std::uint32_t constant(Slot value, std::uint64_t bits, Type type);
   std::uint32_t text(const std::string& text);
   std::size_t dimension(Dimension dimension);
   std::size_t type(const Type& type);
   std::size_t form(const MoveForm& form);
 
-  /// All of them, when the code is complete.
+  /// Moves all tables into the chunk, when the code is complete.
   void move_into(Chunk& chunk);
 
  private:

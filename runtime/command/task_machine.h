@@ -15,7 +15,7 @@
 
 namespace rob::runtime {
 
-/// The part of the program's side of the robot that a TASK needs. All of it outlives the TASK.
+/// References to the objects that a TASK's machine uses. The objects outlive the machine.
 struct TaskSide {
   const RobotLinks& links;
   Readings& readings;
@@ -23,10 +23,9 @@ struct TaskSide {
   HandlerTurns& turns;
 };
 
-/// A TASK's side of the robot, and that of a handler that does not stop the axes: it reads the
-/// current cycle, the values that it sets and prints act at the beginning of the next one, and its
-/// WAIT stops nothing but itself. It has nothing that moves the robot; the checker lets nothing of
-/// the kind into a TASK. All calls come from the program's thread.
+/// The machine of a TASK, and of a handler that does not stop the axes. It reads the current cycle.
+/// Its outputs and prints act at the beginning of the next cycle, and its WAIT stops only itself.
+/// It has no motions; the checker rejects them in a TASK. The program's thread makes all calls.
 class TaskMachine final : public lang::Machine {
  public:
   /// `memory`: the globals that TASKs see; null where there are none.

@@ -1,5 +1,5 @@
 // A small interpreter host: it compiles a program of Rob's language and runs it against a machine
-// of its own, a table with two axes that only writes down where it is sent.
+// of its own: a table with two axes that prints each target.
 #include <rob/lang.h>
 
 #include <cstdio>
