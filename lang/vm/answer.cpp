@@ -1,5 +1,7 @@
 #include "lang/vm/answer.h"
 
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "lang/syntax/lexer.h"
@@ -34,8 +36,6 @@ bool read_truth(const Token& token, Slot& value) {
   return true;
 }
 
-}  // namespace
-
 bool read_answer(std::string_view line, const Type& type, Slot& value) {
   if (!is_text(line)) return false;
   Diagnostics unread;
@@ -55,12 +55,30 @@ bool read_answer(std::string_view line, std::string& value) {
   return true;
 }
 
+/// "'7' is not a length, such as 5mm": for one who has to try again.
 std::string misread_answer(std::string_view line, const Type& type) {
   if (!is_text(line)) return "that is no text";
   const std::string example = type.is(Type::Kind::Int)    ? "7"
                               : type.is(Type::Kind::Real) ? example_of(type.dimension)
                                                           : "TRUE";
   return fmt::format("'{}' is not {}, such as {}", shortened(line), in_words(type), example);
+}
+
+}  // namespace
+
+Reply Question::ask(Machine& machine, int line, std::string text, const Type& type, Slot* numbers,
+                    std::string* texts, std::size_t index) {
+  if (!misread_.empty()) text = fmt::format("{}; {}", misread_, text);
+  std::optional<std::string> answer;
+  const Reply reply = machine.ask(line, text, answer);
+  if (reply == Reply::Later) return reply;
+  forget();
+  if (reply == Reply::Refused || !answer) return reply;
+  const bool read = type.is(Type::Kind::String) ? read_answer(*answer, texts[index])
+                                                : read_answer(*answer, type, numbers[index]);
+  if (read) return Reply::Done;
+  misread_ = misread_answer(*answer, type);
+  return Reply::Later;
 }
 
 }  // namespace rob::lang

@@ -3,18 +3,26 @@
 #include <string>
 #include <string_view>
 
+#include "lang/machine/machine.h"
 #include "lang/values/arithmetic.h"
 #include "lang/values/types.h"
 
 namespace rob::lang {
 
-/// Reads a line that an operator has typed as a value of BOOL, INT or REAL: a literal of the
-/// language with its unit, perhaps with a sign, and nothing else. False if it is none of that type.
-bool read_answer(std::string_view line, const Type& type, Slot& value);
-/// The line as it is; false if it is no text.
-bool read_answer(std::string_view line, std::string& value);
+/// An ASK. What the operator answers is read as a value of its type: a literal of the language with
+/// its unit, perhaps with a sign, and nothing else; or, for a STRING, the line as it is. What
+/// cannot be read is asked again, and said why.
+class Question {
+ public:
+  /// The answer becomes numbers[index], or texts[index] if that is what the type needs. Both stay
+  /// where the program is only foretold.
+  Reply ask(Machine& machine, int line, std::string text, const Type& type, Slot* numbers,
+            std::string* texts, std::size_t index);
+  /// Another one comes next.
+  void forget() { misread_.clear(); }
 
-/// "'7' is not a length, such as 5mm": for one who has to try again.
-std::string misread_answer(std::string_view line, const Type& type);
+ private:
+  std::string misread_;  ///< why the last answer could not be taken
+};
 
 }  // namespace rob::lang

@@ -16,8 +16,8 @@ namespace rob::lang {
 inline constexpr Slots kTaskRegisters{.numbers = 4096, .texts = 128};
 inline constexpr Slots kTaskOwnMemory{.numbers = 16384, .texts = 256};
 
-/// What the TASKs of a program work on: the globals of its top level as they are in motion order,
-/// at the same places as in the program's own stacks, and behind them a stack for each TASK.
+/// The memory of all TASKs of a program: the globals of its top level as they are in motion order,
+/// at the same places as in the program's own stacks, and after them a stack for each TASK.
 class TaskMemory {
  public:
   explicit TaskMemory(const Chunk& chunk)
@@ -28,7 +28,7 @@ class TaskMemory {
         numbers_(tasks_ == 0 ? 0 : size(stack_begin(tasks_).numbers)),
         texts_(tasks_ == 0 ? 0 : size(stack_begin(tasks_).texts)) {}
 
-  /// Where a TASK's registers begin; they end kTaskRegisters behind it, and its memory follows.
+  /// Where a TASK's registers begin; they end kTaskRegisters further on, and its memory follows.
   Slots stack_begin(std::size_t task) const {
     const int before = static_cast<int>(task);
     return globals_ + Slots{before * stack_.numbers, before * stack_.texts};

@@ -11,7 +11,7 @@
 // texts or is rare is in Vm::step(), out of the way: with few instructions here all that the loop
 // needs stays in processor registers, the place of the current instruction before all.
 //
-// Computed goto, an extension that g++ and clang share: a jump of its own behind each instruction
+// Computed goto, an extension that g++ and clang share: a jump of its own after each instruction
 // lets the processor predict the next one by the current one.
 namespace rob::lang {
 
@@ -37,29 +37,29 @@ namespace rob::lang {
   name:                                                                                       \
   if (static_cast<std::uint8_t>(condition) == (expected)) ROB_NEXT(2 + (pc + 1)->distance()); \
   ROB_NEXT(2)
-// What jumps back pays for the way to here. `pc` is at the jump. Where the last one leads is known
+// A jump back pays for the way to here. `pc` is at the jump. Where the last one leads is known
 // without waiting for its word: a loop is followed as fast as its turns can be guessed.
-#define ROB_TURN()                         \
-  do {                                     \
-    if (pc != turn.at) [[unlikely]]        \
-      goto other_turn;                     \
-    pc = turn.to;                          \
-    limit -= turn.cost;                    \
-    turned_ = true;                        \
-    if (limit <= address(pc)) [[unlikely]] \
-      goto used_up;                        \
-    ROB_NEXT(0);                           \
+#define ROB_TURN()                                 \
+  do {                                             \
+    if (pc != turn.at) [[unlikely]]                \
+      goto other_turn;                             \
+    pc = turn.to;                                  \
+    limit -= turn.cost;                            \
+    instant_.turn();                               \
+    if (limit <= Budget::address(pc)) [[unlikely]] \
+      goto used_up;                                \
+    ROB_NEXT(0);                                   \
   } while (false)
 // Into a routine or out of it. A recursion pays like a loop.
-#define ROB_GO(words, target)               \
-  do {                                      \
-    const Code behind = pc + (words);       \
-    pc = (target);                          \
-    n = numbers_;                           \
-    limit += address(pc) - address(behind); \
-    if (limit <= address(pc)) [[unlikely]]  \
-      goto used_up;                         \
-    ROB_NEXT(0);                            \
+#define ROB_GO(words, target)                            \
+  do {                                                   \
+    const Code end = pc + (words);                       \
+    pc = (target);                                       \
+    n = stack_.numbers();                                \
+    limit += Budget::address(pc) - Budget::address(end); \
+    if (limit <= Budget::address(pc)) [[unlikely]]       \
+      goto used_up;                                      \
+    ROB_NEXT(0);                                         \
   } while (false)
 
 Vm::State Vm::execute(Code pc) {
@@ -70,9 +70,9 @@ Vm::State Vm::execute(Code pc) {
   };
   const void* const* labels = kLabels;
   asm("" : "+r"(labels));  // else the address of the table is made anew for each instruction
-  Slot* n = numbers_;
-  const Slot* const constants = chunk_->constants.data();
-  std::intptr_t limit = limit_;
+  Slot* n = stack_.numbers();
+  const Slot* const constants = loaded_.chunk->constants.data();
+  std::intptr_t limit = budget_.limit();
   struct {
     Code at = nullptr;
     Code to = nullptr;
@@ -98,7 +98,56 @@ int_to_real:
   ROB_NEXT(1);
 
 #include "lang/code/arithmetic_opcodes.def"
-#include "lang/vm/vm_constants.inc"
+
+// Operations whose right side is a constant, or a product.
+#define ROB_BY_CONSTANT(name, function, kind)                                                   \
+  name:                                                                                         \
+  ROB_CHECKED(arithmetic::function(n[pc->b()].kind, constants[pc->c()].kind, n[pc->a()].kind)); \
+  ROB_NEXT(1)
+
+  ROB_BY_CONSTANT(add_int_constant, add, integer);
+  ROB_BY_CONSTANT(sub_int_constant, subtract, integer);
+  ROB_BY_CONSTANT(mul_int_constant, multiply, integer);
+  ROB_BY_CONSTANT(add_real_constant, add, real);
+  ROB_BY_CONSTANT(sub_real_constant, subtract, real);
+  ROB_BY_CONSTANT(mul_real_constant, multiply, real);
+  ROB_BY_CONSTANT(quot_real_constant, divide, real);
+
+  ROB_IF(if_equal_int_constant, n[pc->a()].integer == constants[pc->b()].integer, pc->c());
+  ROB_IF(if_less_int_constant, n[pc->a()].integer < constants[pc->b()].integer, pc->c());
+  ROB_IF(if_less_equal_int_constant, n[pc->a()].integer <= constants[pc->b()].integer, pc->c());
+  ROB_IF(if_equal_real_constant, n[pc->a()].real == constants[pc->b()].real, pc->c());
+  ROB_IF(if_less_real_constant, n[pc->a()].real < constants[pc->b()].real, pc->c());
+  ROB_IF(if_less_equal_real_constant, n[pc->a()].real <= constants[pc->b()].real, pc->c());
+
+#undef ROB_BY_CONSTANT
+
+#define ROB_WITH_PRODUCT_INT(name, function)                                                   \
+  name : {                                                                                     \
+    std::int64_t product = 0;                                                                  \
+    ROB_CHECKED(arithmetic::multiply(n[pc->c()].integer, n[(pc + 1)->word].integer, product)); \
+    error = arithmetic::function(n[pc->b()].integer, product, n[pc->a()].integer);             \
+    if (error != ArithmeticError::None) [[unlikely]]                                           \
+      goto failed_after;                                                                       \
+    ROB_NEXT(2);                                                                               \
+  }
+// A product that is not finite makes the sum so, and that it may be -0 is no matter in a sum.
+#define ROB_WITH_PRODUCT_REAL(name, function)                                             \
+  name:                                                                                   \
+  error = arithmetic::function(n[pc->b()].real, n[pc->c()].real * n[(pc + 1)->word].real, \
+                               n[pc->a()].real);                                          \
+  if (error != ArithmeticError::None) [[unlikely]]                                        \
+    goto failed_with_product;                                                             \
+  ROB_NEXT(2)
+
+  ROB_WITH_PRODUCT_INT(add_product_int, add);
+  ROB_WITH_PRODUCT_INT(sub_product_int, subtract);
+  ROB_WITH_PRODUCT_REAL(add_product_real, add);
+  ROB_WITH_PRODUCT_REAL(sub_product_real, subtract);
+
+#undef ROB_WITH_PRODUCT_INT
+#undef ROB_WITH_PRODUCT_REAL
+
 neg_int:
   ROB_CHECKED(arithmetic::negate(n[pc->b()].integer, n[pc->a()].integer));
   ROB_NEXT(1);
@@ -118,21 +167,71 @@ pose_transform:
   ROB_CHECKED(pose_functions::transformed(&n[pc->b()], &n[pc->c()], &n[pc->a()]));
   ROB_NEXT(1);
 
-#include "lang/vm/vm_places.inc"
+// Through places: of variables that do not lie in registers of the frame, of elements and of
+// references.
+#define ROB_ELEMENT()                                                    \
+  const auto which = static_cast<std::uint64_t>(n[pc->b()].integer) - 1; \
+  if (which >= (pc + 2)->word) [[unlikely]]                              \
+    goto out_of_range;                                                   \
+  Slot* const element = stack_.place(n[pc->c()], (pc + 1)->word) + which
+
+load_global:
+  n[pc->a()] = stack_.global(pc->x());
+  ROB_NEXT(1);
+store_global:
+  stack_.global(pc->x()) = n[pc->a()];
+  ROB_NEXT(1);
+refer:
+  n[pc->a()].integer = stack_.reference_to(&n[pc->b()]);
+  ROB_NEXT(1);
+load_reference:
+  std::copy_n(stack_.place(n[pc->b()], (pc + 1)->word), pc->c(), &n[pc->a()]);
+  ROB_NEXT(2);
+store_reference:
+  std::copy_n(&n[pc->a()], pc->c(), stack_.place(n[pc->b()], (pc + 1)->word));
+  ROB_NEXT(2);
+place_behind:
+  n[pc->a()].integer = n[pc->b()].integer + (pc + 1)->word;
+  ROB_NEXT(2);
+element : {
+  const auto which = static_cast<std::uint64_t>(n[pc->b()].integer) - 1;
+  if (which >= (pc + 2)->word) [[unlikely]]
+    goto out_of_range;
+  n[pc->a()].integer =
+      n[pc->c()].integer + (pc + 1)->word + static_cast<std::int64_t>(which) * (pc + 3)->word;
+  ROB_NEXT(4);
+}
+load_element : {
+  ROB_ELEMENT();
+  n[pc->a()] = *element;
+  ROB_NEXT(3);
+}
+store_element : {
+  ROB_ELEMENT();
+  *element = n[pc->a()];
+  ROB_NEXT(3);
+}
+store_element_constant : {
+  ROB_ELEMENT();
+  *element = constants[pc->a()];
+  ROB_NEXT(3);
+}
+
+#undef ROB_ELEMENT
 
 call:
-  if (!enter(n + pc->a(), texts_ + pc->b(), (pc + 1)->word, pc + 2)) [[unlikely]]
+  if (!enter(n + pc->a(), stack_.texts() + pc->b(), (pc + 1)->word, pc + 2)) [[unlikely]]
     goto too_deep;
-  ROB_GO(2, callees_[(pc + 1)->word].entry);
+  ROB_GO(2, loaded_.callees[(pc + 1)->word].entry);
 leave:
-  ROB_GO(1, leave_routine());
+  ROB_GO(1, stack_.leave());
 leave_with:
   if (pc->b() == 1) {
     n[0] = n[pc->a()];
   } else {
     std::memmove(n, &n[pc->a()], pc->b() * sizeof(Slot));
   }
-  ROB_GO(1, leave_routine());
+  ROB_GO(1, stack_.leave());
 
 jump:
   ROB_NEXT(1 + pc->distance());
@@ -146,46 +245,80 @@ loop:
   ROB_IF(if_less_real, n[pc->a()].real < n[pc->b()].real, pc->c());
   ROB_IF(if_less_equal_real, n[pc->a()].real <= n[pc->b()].real, pc->c());
 
-#include "lang/vm/vm_for.inc"
+// FOR. opcodes.def says what lies in its registers. No pointer to them lives on after a call of a
+// function: it would take a processor register from the whole loop.
+for_prepare_int : {
+  const Slot* const f = &n[pc->a()];
+  ROB_CHECKED(arithmetic::turns(f[0].integer, f[1].integer, f[2].integer, n[pc->a() + 1].integer));
+  if (n[pc->a() + 1].integer == 0) ROB_NEXT(2 + (pc + 1)->distance());
+  n[pc->a() + 1].integer -= 1;
+  ROB_NEXT(2);
+}
+for_next_int : {
+  Slot* const f = &n[pc->a()];
+  if (--f[1].integer < 0) ROB_NEXT(2);
+  f[0].integer += f[2].integer;
+  ++pc;
+  ROB_TURN();
+}
+for_prepare_real : {
+  const Slot* const first = &n[pc->a()];
+  ROB_CHECKED(
+      arithmetic::turns(first[0].real, first[1].real, first[2].real, n[pc->a() + 1].integer));
+  if (n[pc->a() + 1].integer == 0) ROB_NEXT(2 + (pc + 1)->distance());
+  Slot* const f = &n[pc->a()];
+  f[1].integer -= 1;
+  f[3].real = f[0].real;
+  f[4].real = 0;
+  ROB_NEXT(2);
+}
+for_next_real : {
+  Slot* const f = &n[pc->a()];
+  if (--f[1].integer < 0) ROB_NEXT(2);
+  f[4].real += 1;
+  f[0].real = f[3].real + f[4].real * f[2].real;
+  ++pc;
+  ROB_TURN();
+}
 
 elsewhere : {
-  limit_ = limit;
+  budget_.set_limit(limit);
   const Step done = step(pc);
   if (done.next == nullptr) return done.left;
   pc = done.next;
-  n = numbers_;
-  limit = limit_;
+  n = stack_.numbers();
+  limit = budget_.limit();
   ROB_NEXT(0);
 }
 other_turn : {
   const Code jump = pc;
   pc += 1 + pc->distance();
-  const std::intptr_t cost = address(jump + 1) - address(pc);
+  const std::intptr_t cost = Budget::address(jump + 1) - Budget::address(pc);
   limit -= cost;
-  turned_ = true;
-  if (limit <= address(pc)) goto used_up;
-  if (most_turns_ == 0) {
+  instant_.turn();
+  if (limit <= Budget::address(pc)) goto used_up;
+  if (!turns_.limited()) {
     turn = {jump, pc, cost};
-  } else if (!count_turn(jump + 1, pc)) {
+  } else if (!turns_.count(jump + 1, pc)) {
     goto used_up;
   }
   ROB_NEXT(0);
 }
 used_up:
-  limit_ = limit;
+  budget_.set_limit(limit);
   return Vm::leave(pc, pc, State::Running);
 failed_with_product:
   if (!std::isfinite(n[pc->c()].real * n[(pc + 1)->word].real)) goto failed_here;
-failed_behind:
+failed_after:
   ++pc;
 failed_here:
-  limit_ = limit;
+  budget_.set_limit(limit);
   return fail(pc, error);
 too_deep:
-  limit_ = limit;
+  budget_.set_limit(limit);
   return fail_calls_too_deep(pc);
 out_of_range:
-  limit_ = limit;
+  budget_.set_limit(limit);
   return fail_index(pc, n[pc->b()].integer, (pc + 2)->word);
 }
 

@@ -1,295 +1,389 @@
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "lang/text/codes.h"
-#include "lang/values/builtins.h"
-#include "lang/values/number_text.h"
-#include "lang/values/pose_functions.h"
-#include "lang/values/value_text.h"
-#include "lang/vm/texts.h"
+#include "lang/vm/commands.h"
+#include "lang/vm/observations.h"
+#include "lang/vm/value_instructions.h"
 #include "lang/vm/vm.h"
 
-/// Member functions of Vm that execute the instructions that its dispatch loop hands over.
+// The instructions that the dispatch loop of the Vm hands over, kind by kind: a function gives the
+// next one all that it does not know.
 namespace rob::lang {
 namespace {
 
 constexpr double kSameTime = 1e-9;  // s: sums of cycles that differ by less are one
 
-bool equal_slots(const Slot* a, const Slot* b, std::size_t count) {
-  return std::memcmp(a, b, count * sizeof(Slot)) == 0;
+/// fill_element itself, for_next_int and loop.
+constexpr std::int64_t kWordsAFill = 3 + 1 + 1;
+
+Refusal no_hit_pose() {
+  return {.code = std::string(code::kNoHit),
+          .message = "there is no HITPOSE yet: no motion with UNTIL has been executed",
+          .help = "MOVE(140, 40, 0) UNTIL touched comes first"};
 }
 
-void copy_texts(std::string* to, const std::string* from, std::size_t count) {
-  if (to < from) {
-    std::copy(from, from + count, to);
-  } else if (to > from) {
-    std::copy_backward(from, from + count, to + count);
-  }
+Refusal timeout() {
+  return {.code = std::string(code::kTimeout),
+          .message = "timeout: what this WAIT waits for did not come in time",
+          .help = "an ELSE behind TIMEOUT says what to do then"};
+}
+
+Refusal assertion_failed(std::string_view condition) {
+  return {.code = std::string(code::kAssertionFailed),
+          .message = fmt::format("ASSERT {} does not hold", condition),
+          .help = ""};
+}
+
+Refusal raised(const std::string& text) {
+  return {.code = std::string(code::kRaised),
+          .message = text,
+          .help = text.empty() ? "the text behind this RAISE is empty" : ""};
+}
+
+/// How many steps stay between 0 and `length` - 1.
+std::int64_t steps_within(std::uint64_t index, std::int64_t step, std::uint64_t length) {
+  const auto by = static_cast<std::uint64_t>(step);
+  return static_cast<std::int64_t>(step < 0 ? index / (0 - by) : (length - 1 - index) / by);
 }
 
 }  // namespace
-
-Vm::Step Vm::go(Code behind, Code next) {
-  limit_ += address(next) - address(behind);
-  return limit_ > address(next) ? Step(next) : Step(leave(next, next, State::Running));
-}
 
 #define ROB_CHECKED(operation)                                  \
   do {                                                          \
     const ArithmeticError error = (operation);                  \
     if (error != ArithmeticError::None) return fail(pc, error); \
   } while (false)
-#define ROB_IF(name, condition) \
-  case Opcode::name:            \
-    return pc + ((condition) ? 2 + (pc + 1)->distance() : 2)
+#define ROB_SOUND(objection)                                           \
+  do {                                                                 \
+    if (Objection why = (objection)) return fail(pc, std::move(*why)); \
+  } while (false)
 #define ROB_ASK(call, resume)                                  \
   do {                                                         \
     const Reply reply = (call);                                \
     if (reply != Reply::Done) return pause(pc, resume, reply); \
   } while (false)
+// An observation: of the next cycle, where a loop has turned since the last one.
+#define ROB_OBSERVE(call, resume)                                   \
+  do {                                                              \
+    if (instant_.due()) return leave(pc, resume, State::NextCycle); \
+    ROB_ASK(instant_.seen(call), resume);                           \
+  } while (false)
+#define ROB_IF(name, condition) \
+  case Opcode::name:            \
+    return pc + ((condition) ? 2 + (pc + 1)->distance() : 2)
 
+/// Computing.
 Vm::Step Vm::step(Code pc) {
-  Slot* const n = numbers_;
+  Slot* const n = stack_.numbers();
   switch (pc->opcode()) {
-    case Opcode::load_constant_wide:
-      n[pc->a()] = chunk_->constants[(pc + 1)->word];
-      return pc + 2;
-    case Opcode::call_text:
-      ROB_CHECKED(builtins()[pc->c()].text(&n[pc->a()], &texts_[pc->b()]));
-      return pc + 1;
-    case Opcode::pose_angle:
-      pose_functions::angle(&n[pc->b()], pc->c(), n[pc->a()]);
-      return pc + 1;
-    case Opcode::forward:
-      ROB_ASK(forward(pc), pc);
-      return pc + 1;
-    case Opcode::at_joints:
-      ROB_ASK(at_joints(pc), pc);
-      return pc + 2;
-    case Opcode::inverse:
-      ROB_ASK(inverse(pc), pc);
-      return pc + 2;
+    case Opcode::fill_element:
+      return fill(pc, n[pc->a()]);
+    case Opcode::fill_element_constant:
+      return fill(pc, loaded_.chunk->constants[pc->a()]);
     case Opcode::random:
-      n[pc->a()].real = random_.share();
+      n[pc->a()].real = instant_.random().share();
       return pc + 1;
     case Opcode::random_int: {
       Slot* const range = &n[pc->a()];
-      ROB_CHECKED(random_.between(range[0].integer, range[1].integer, range[0].integer));
+      ROB_CHECKED(instant_.random().between(range[0].integer, range[1].integer, range[0].integer));
       return pc + 1;
     }
     case Opcode::random_real: {
       Slot* const range = &n[pc->a()];
-      ROB_CHECKED(random_.between(range[0].real, range[1].real, range[0].real));
+      ROB_CHECKED(instant_.random().between(range[0].real, range[1].real, range[0].real));
       return pc + 1;
     }
-#include "lang/vm/vm_memory.inc"
     case Opcode::leave_with_text:
-      if (pc->a() != 0) texts_[0] = texts_[pc->a()];
-      return go(pc + 1, leave_routine());
-    case Opcode::equal_text:
-      n[pc->a()].integer = texts_[pc->b()] == texts_[pc->c()] ? 1 : 0;
-      return pc + 1;
-    case Opcode::less_text:  // UTF-8 sorts by bytes as by code points
-      n[pc->a()].integer = texts_[pc->b()] < texts_[pc->c()] ? 1 : 0;
-      return pc + 1;
-    case Opcode::less_equal_text:
-      n[pc->a()].integer = texts_[pc->b()] <= texts_[pc->c()] ? 1 : 0;
-      return pc + 1;
-    case Opcode::load_text:
-      texts_[pc->a()] = chunk_->texts[(pc + 1)->word];
-      return pc + 2;
-    case Opcode::copy_text:
-      texts_[pc->a()] = texts_[pc->b()];
-      return pc + 1;
-    case Opcode::join_text:
-      if (!join(texts_[pc->a()], texts_[pc->b()], texts_[pc->c()])) return fail_too_long(pc);
-      return pc + 1;
-    case Opcode::append_int:
-      if (!append(texts_[pc->a()], std::to_string(n[pc->b()].integer))) return fail_too_long(pc);
-      return pc + 1;
-    case Opcode::append_real:
-      if (!append(texts_[pc->a()], number_text(n[pc->b()].real, chunk_->dimensions[pc->c()]))) {
-        return fail_too_long(pc);
-      }
-      return pc + 1;
-    case Opcode::append_bool:
-      if (!append(texts_[pc->a()], text_of(n[pc->b()].integer != 0))) return fail_too_long(pc);
-      return pc + 1;
-    case Opcode::append_value:
-      if (!append_value_text(texts_[pc->a()], chunk_->types[(pc + 1)->word], &n[pc->b()], nullptr,
-                             kMostText)) {
-        return fail_too_long(pc);
-      }
-      return pc + 2;
-    case Opcode::append_text:
-      if (!append(texts_[pc->a()], texts_[pc->b()])) return fail_too_long(pc);
-      return pc + 1;
+      if (pc->a() != 0) stack_.texts()[0] = stack_.texts()[pc->a()];
+      return go(pc + 1, stack_.leave());
+    default: {
+      Objection why;
+      const Code next = step_value(pc, *loaded_.chunk, stack_, budget_, why);
+      if (why) return fail(pc, std::move(*why));
+      return next != pc ? next : step_observation(pc);
+    }
+  }
+}
+
+/// Looking at the world, and asking the machine.
+Vm::Step Vm::step_observation(Code pc) {
+  Slot* const n = stack_.numbers();
+  switch (pc->opcode()) {
     case Opcode::latch:
-      latch_ = pc;
-      latched_random_ = random_;
+      instant_.latch(pc);
       return pc + 1;
     case Opcode::read_signal:
-      if (next_cycle_is_due()) return leave(pc, pc, State::NextCycle);
-      ROB_ASK(observe(pc), pc);
+      ROB_OBSERVE(read_signal(*machine_, line(pc), pc, n), pc);
       return pc + 1;
     case Opcode::read_latched:
-      if (next_cycle_is_due()) return leave(pc, latch_, State::NextCycle);
-      ROB_ASK(observe(pc), latch_);
+      ROB_OBSERVE(read_signal(*machine_, line(pc), pc, n), instant_.latch());
       return pc + 1;
     case Opcode::read_analog:
-      if (next_cycle_is_due()) return leave(pc, pc, State::NextCycle);
-      ROB_ASK(observe_analog(pc), pc);
+      ROB_OBSERVE(read_analog(*machine_, line(pc), pc, n), pc);
       return pc + 1;
     case Opcode::read_analog_latched:
-      if (next_cycle_is_due()) return leave(pc, latch_, State::NextCycle);
-      ROB_ASK(observe_analog(pc), latch_);
+      ROB_OBSERVE(read_analog(*machine_, line(pc), pc, n), instant_.latch());
       return pc + 1;
     case Opcode::read: {
-      if (!check_hit_pose(pc)) return fail(pc, std::move(error_));
-      const Code resume = pc->c() != 0 ? latch_ : pc;
-      if (waits_for_cycle(pc)) return leave(pc, resume, State::NextCycle);
-      ROB_ASK(read(pc), resume);
+      const auto what = static_cast<Reading>(pc->b());
+      const Code resume = pc->c() != 0 ? instant_.latch() : pc;
+      if (what == Reading::HitPose && !last_guard_.ended) return fail(pc, no_hit_pose());
+      if (is_observation(what)) {
+        ROB_OBSERVE(read_value(*machine_, line(pc), pc, n, settings_.setting()), resume);
+      } else {
+        ROB_ASK(machine_->read(line(pc), what, &n[pc->a()]), resume);
+      }
       return pc + 1;
     }
-    case Opcode::write_signal:
-      ROB_ASK(machine_->write_signal(line(pc), pc->x(), n[pc->a()].integer != 0), pc);
+    case Opcode::read_hit:
+      n[pc->a()].integer = last_guard_.hit ? 1 : 0;
       return pc + 1;
-    case Opcode::write_analog:
-      ROB_ASK(machine_->write_analog(line(pc), pc->x(), n[pc->a()].real), pc);
+    case Opcode::stand:
+      turns_.forget(pc);  // a WAIT that looks again is no loop
+      ROB_OBSERVE(machine_->stand(line(pc), n[pc->a()].real), pc);
       return pc + 1;
-    case Opcode::pulse:
-      if (!check_pulse(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
-      ROB_ASK(machine_->pulse(line(pc), pc->x(), n[pc->a()].real), pc);
+      ROB_IF(if_elapsed, n[pc->a()].real - n[pc->b()].real >= n[pc->c()].real - kSameTime);
+      ROB_IF(if_assumed, machine_->taken_as_met(line(pc)));
+    case Opcode::forward:
+      ROB_ASK(forward(*machine_, line(pc), pc, n), pc);
       return pc + 1;
+    case Opcode::at_joints:
+      ROB_ASK(at_joints(*machine_, line(pc), pc, n), pc);
+      return pc + 2;
+    case Opcode::inverse:
+      ROB_ASK(inverse(*machine_, line(pc), pc, n), pc);
+      return pc + 2;
+    // The globals of a TASK are those that all TASKs see.
+    case Opcode::publish:
+      if (role_ == Role::Task) return pc + 2;
+      ROB_ASK(publish(*machine_, line(pc), pc, stack_, budget_), pc);
+      return pc + 2;
+    case Opcode::refresh:
+      if (role_ == Role::Task) return pc + 3;
+      ROB_OBSERVE(refresh(*machine_, line(pc), pc, stack_, budget_),
+                  pc->c() != 0 ? instant_.latch() : pc);
+      return pc + 3;
+    default:
+      return step_motion(pc);
+  }
+}
+
+/// Motions, and what else the machine is told that depends on more than registers.
+Vm::Step Vm::step_motion(Code pc) {
+  const Slot* const n = stack_.numbers() + pc->a();
+  std::string* const t = stack_.texts();
+  switch (pc->opcode()) {
     case Opcode::move: {
       MoveCommand command;
-      if (!build(pc, command)) return fail(pc, std::move(error_));
+      ROB_SOUND(build_move(loaded_.chunk->moves[pc->x()], n, command));
       ROB_ASK(machine_->move(line(pc), command), pc);
-      ++motions_;
+      turns_.moved();
       return pc + 1;
     }
     case Opcode::move_to: {
-      const MoveCommand command = build_plain(pc);
+      const MoveCommand command = plain_move(loaded_.chunk->moves[pc->x()], pc + 1);
       ROB_ASK(machine_->move(line(pc), command), pc);
-      ++motions_;
+      turns_.moved();
       return pc + 1 + 2 * std::popcount(command.given);
     }
-    case Opcode::live_pace:
-      ROB_ASK(live_pace(pc), pc);
+    case Opcode::via: {
+      MoveCommand point;
+      ROB_SOUND(build_move(loaded_.chunk->moves[pc->x()], n, point));
+      ROB_ASK(machine_->via(line(pc), point), pc);
+      return pc + 1;
+    }
+    case Opcode::live_pace: {
+      const auto means = static_cast<MoveCommand::Pace>((pc + 1)->word);
+      ROB_ASK(machine_->live_pace(line(pc), watch(pc), means), pc);
       return pc + 2;
-#include "lang/vm/vm_surroundings.inc"
+    }
+    case Opcode::with:
+      settings_.enter(*machine_, line(pc), setting_of(pc->b(), n, settings_.setting()));
+      return pc + 1;
+    case Opcode::end_with:
+      settings_.leave(*machine_, line(pc), settings_.settings() - 1);
+      return pc + 1;
+    case Opcode::on_the_way: {
+      PathPlace at;
+      ROB_SOUND(build_path_place(pc->b() != 0, n, place(pc), at));
+      ROB_ASK(machine_->on_the_way(line(pc), at), pc);
+      return pc + 1;
+    }
+    case Opcode::carry: {
+      LoadCommand load;
+      ROB_SOUND(build_load(pc->b() != 0, n, settings_.setting(), load));
+      ROB_ASK(machine_->carry(line(pc), load), pc);
+      return pc + 1;
+    }
     case Opcode::guard:
-      ROB_ASK(guard(pc), pc);
+      ROB_ASK(machine_->guard(line(pc), watch(pc)), pc);
       return pc + 1;
     case Opcode::ended:
-      ROB_ASK(ended(pc), pc);
+      return end_guard(pc);
+    case Opcode::press: {
+      PressCommand command;
+      ROB_SOUND(build_press(pc->b(), n, command));
+      ROB_ASK(settings_.press(*machine_, line(pc), command), pc);
       return pc + 1;
+    }
+    case Opcode::end_press:
+      ROB_ASK(settings_.end_presses(*machine_, line(pc), settings_.presses() - 1), pc);
+      return pc + 1;
+    case Opcode::ask:
+      ROB_ASK(question_.ask(*machine_, line(pc), t[pc->a()], loaded_.chunk->types[(pc + 1)->word],
+                            stack_.numbers(), t, pc->b()),
+              pc);
+      return pc + 2;
+    case Opcode::teach: {
+      const Setting setting = settings_.setting();
+      ROB_ASK(machine_->teach(line(pc), taught_point(*loaded_.chunk, pc, n, setting)), pc);
+      return pc + 3;
+    }
+    case Opcode::start:
+      ROB_ASK(machine_->start(place(pc), (pc + 1)->word), pc);
+      return pc + 2;
+    default:
+      return step_control(pc);
+  }
+}
+
+/// WHEN, errors, and the end.
+Vm::Step Vm::step_control(Code pc) {
+  const std::string* const t = stack_.texts();
+  switch (pc->opcode()) {
     case Opcode::when:
-      if (armed_count_ == kMostWhens) return fail_too_many_whens(pc);
-      ROB_ASK(when(pc), pc);
+      return arm(pc);
+    case Opcode::when_handle: {
+      ROB_ASK(machine_->when_handle(line(pc), pc->c() != 0), pc);
+      ArmedWhen& when = whens_.last();
+      when.chunk = loaded_.chunk;
+      when.handler = pc;
+      when.captured = stack_.numbers() + pc->a();
+      when.settings = settings_.settings();
       return pc + 2;
-    case Opcode::when_raise:
-      ROB_ASK(machine_->when_raise(place(pc), texts_[pc->a()]), pc);
-      return pc + 1;
-    case Opcode::when_handle:
-      ROB_ASK(when_handle(pc), pc);
-      return pc + 2;
+    }
     case Opcode::leave_handler:
       ROB_ASK(machine_->leave_handler(line(pc)), pc);
       leave(pc + 1, pc, State::Running);
       end_handler();
       return State::Running;
-    case Opcode::on_the_way:
-      if (!check_place(pc)) return fail(pc, std::move(error_));
-      ROB_ASK(machine_->on_the_way(line(pc), place_of(pc)), pc);
-      return pc + 1;
     case Opcode::disarm:
-      ROB_ASK(disarm(line(pc), whens_below(pc->x())), pc);
+      ROB_ASK(whens_.disarm(*machine_, line(pc), whens_.below(stack_.depth(), pc->x())), pc);
       return pc + 1;
-    case Opcode::read_hit:
-      n[pc->a()].integer = hit_ ? 1 : 0;
-      return pc + 1;
-    case Opcode::answer:  // stands in code that is jumped over
-      return pc + 1;
-    case Opcode::stop:
-      ROB_ASK(machine_->stop(line(pc)), pc);
-      return pc + 1;
-    case Opcode::zero_force:
-      ROB_ASK(machine_->zero_force(line(pc)), pc);
-      return pc + 1;
-    case Opcode::brake:
-      ROB_ASK(machine_->brake(line(pc)), pc);
-      return pc + 1;
-    case Opcode::teach:
-      ROB_ASK(teach(pc), pc);
-      return pc + 3;
-    case Opcode::halt:
-      ROB_ASK(machine_->halt(line(pc), texts_[pc->a()]), pc);
-      return pc + 1;
-    case Opcode::ask:
-      ROB_ASK(ask(pc), pc);
-      return pc + 2;
-    case Opcode::wait:
-      if (!check_wait(pc, n[pc->a()].real)) return fail(pc, std::move(error_));
-      ROB_ASK(machine_->wait(line(pc), n[pc->a()].real), pc);
-      return pc + 1;
-    case Opcode::stand:
-      if (next_cycle_is_due()) return leave(pc, pc, State::NextCycle);
-      ROB_ASK(stand(pc), pc);
-      return pc + 1;
-      ROB_IF(if_elapsed, n[pc->a()].real - n[pc->b()].real >= n[pc->c()].real - kSameTime);
-      ROB_IF(if_assumed, machine_->taken_as_met(line(pc)));
-    case Opcode::waited:
-      ROB_ASK(machine_->waited(line(pc)), pc);
-      return pc + 1;
-    case Opcode::fail_timeout:
-      return fail_timeout(pc);
-    case Opcode::print:
-      ROB_ASK(machine_->print(line(pc), texts_[pc->a()]), pc);
-      return pc + 1;
-    case Opcode::fail_assertion:
-      return fail_assertion_at(pc);
-    case Opcode::call_test: {
-      if (!enter(n + pc->a(), texts_ + pc->b(), test_, pc + 1)) return fail_calls_too_deep(pc);
-      return go(pc + 1, callees_[test_].entry);
-    }
-    case Opcode::expect_failed:
-      ROB_ASK(machine_->expectation_failed(line(pc), texts_[pc->a()]), pc);
-      return pc + 1;
-#include "lang/vm/vm_simulate.inc"
-#include "lang/vm/vm_tasks.inc"
     case Opcode::open_try:
-      if (!open_try(pc)) return fail_tries_too_deep(pc);
-      return pc + 2;
+      return open_try(pc);
     case Opcode::leave_try:
       ROB_ASK(machine_->leave_block(line(pc)), pc);
-      guards_.pop_back();
+      tries_.close();
       return pc + 1;
     case Opcode::leave_rescue:
-      guards_.pop_back();
+      tries_.close();
       return pc + 1;
     case Opcode::raise:
-      return fail(pc,
-                  {.code = std::string(code::kRaised),
-                   .place = place(pc),
-                   .message = texts_[pc->a()],
-                   .help = texts_[pc->a()].empty() ? "the text behind this RAISE is empty" : ""});
+      return fail(pc, raised(t[pc->a()]));
     case Opcode::raise_again:
-      return raise_again(pc);
+      tries_.fail_again();
+      return give_up(pc);
+    case Opcode::fail_timeout:
+      return fail(pc, timeout());
+    case Opcode::fail_assertion:
+      return fail(pc, assertion_failed(loaded_.chunk->texts[(pc + 1)->word]));
+    case Opcode::call_test:  // or a TASK
+      if (!enter(stack_.numbers() + pc->a(), stack_.texts() + pc->b(), asked_for_, pc + 1)) {
+        return fail_calls_too_deep(pc);
+      }
+      return go(pc + 1, loaded_.callees[asked_for_].entry);
     case Opcode::end:
-      if (!entries_) ROB_ASK(machine_->end(line(pc)), pc);
-      kept_whens_ = armed_count_;
+      if (role_ != Role::Entries) ROB_ASK(machine_->end(line(pc)), pc);
+      whens_.keep();
       return leave(pc + 1, pc, State::Done);
-    default:  // of the dispatch loop
-      return pc;
+    default:
+      return step_command(pc);
   }
 }
 
-#undef ROB_ASK
-#undef ROB_IF
+/// Commands that stand in the registers as they are.
+Vm::Step Vm::step_command(Code pc) {
+  const Slot* const n = stack_.numbers() + pc->a();
+  ROB_SOUND(check_command(pc->opcode(), n));
+  ROB_ASK(tell(*machine_, place(pc), *pc, n, stack_.texts()), pc);
+  return pc + 1;
+}
+
+/// Into a routine or out of it; the current instruction ends at `end`.
+Vm::Step Vm::go(Code end, Code next) {
+  if (budget_.jump(end, next)) return next;
+  return leave(next, next, State::Running);
+}
+
+/// Stores, and makes at once those turns of the loop around it that neither the budget nor the
+/// array's end stops; they cost what they would cost one by one.
+Vm::Step Vm::fill(Code pc, Slot value) {
+  Slot* const n = stack_.numbers();
+  Slot* const loop = &n[pc->b()];
+  const std::uint32_t length = (pc + 2)->word;
+  const auto which = static_cast<std::uint64_t>(loop[0].integer) - 1;
+  if (which >= length) return fail_index(pc, loop[0].integer, length);
+  Slot* element = stack_.place(n[pc->c()], (pc + 1)->word) + which;
+  *element = value;
+  if (loop[1].integer == 0) return pc + 3;
+  const std::int64_t step = loop[2].integer;
+  const std::int64_t turns =
+      std::max<std::int64_t>(0, std::min({loop[1].integer, steps_within(which, step, length),
+                                          budget_.turns_left(pc, kWordsAFill)}));
+  if (turns == 0) return pc + 3;
+  for (std::int64_t turn = 0; turn < turns; ++turn) *(element += step) = value;
+  loop[0].integer += turns * step;
+  loop[1].integer -= turns;
+  budget_.pay(turns * kWordsAFill);
+  instant_.turn();
+  return pc + 3;
+}
+
+Watch Vm::watch(Code pc) const {
+  const Chunk& chunk = *loaded_.chunk;
+  return watch_of(chunk, chunk.watches[pc->x()], stack_.numbers() + pc->a(), settings_.setting());
+}
+
+Vm::Step Vm::end_guard(Code pc) {
+  bool hit = false;
+  const Reply reply = instant_.seen(machine_->ended(line(pc), hit));
+  if (reply != Reply::Later) last_guard_ = {.ended = true, .hit = hit};
+  if (reply != Reply::Done) return pause(pc, pc, reply);
+  stack_.numbers()[pc->a()].integer = hit ? 1 : 0;
+  return pc + 1;
+}
+
+Vm::Step Vm::arm(Code pc) {
+  if (whens_.full()) return fail(pc, too_many_whens());
+  ArmedWhen when{.depth = stack_.depth(), .level = (pc + 1)->word};
+  ROB_ASK(machine_->when(line(pc), watch(pc), when.id), pc);
+  whens_.arm(when);
+  return pc + 2;
+}
+
+Vm::Step Vm::open_try(Code pc) {
+  if (tries_.full()) return fail(pc, tries_too_deep());
+  const Code jump = pc + 1;
+  tries_.open({.rescue = jump + 1 + jump->distance(),
+               .why = pc->a(),
+               .depth = stack_.depth(),
+               .whens = whens_.count(),
+               .settings = settings_.settings(),
+               .presses = settings_.presses()});
+  return pc + 2;
+}
+
 #undef ROB_CHECKED
+#undef ROB_SOUND
+#undef ROB_ASK
+#undef ROB_OBSERVE
+#undef ROB_IF
 
 }  // namespace rob::lang

@@ -139,6 +139,18 @@ TEST_CASE("a refused motion ends the program with the words of the refusal") {
   CHECK(program.machine().texts() == std::vector<std::string>{"print a"});
 }
 
+TEST_CASE("waiting for an error to settle costs no instructions") {
+  ProgramRun program("TRY\n  RAISE \"no\"\nRESCUE\nENDTRY\nPRINT 1");
+  program.machine().world().answer_later(3);  // the settling
+  CHECK(program.vm().run(1000) == State::Waiting);
+  const std::int64_t before = program.vm().executed();
+  CHECK(before < static_cast<std::int64_t>(program.chunk().code.size()));
+  CHECK(program.vm().run(1000) == State::Waiting);
+  CHECK(program.vm().run(1000) == State::Waiting);
+  CHECK(program.vm().executed() == before);
+  CHECK(program.vm().run(1000) == State::Done);
+}
+
 TEST_CASE("a program that is over stays over") {
   ProgramRun done("PRINT 1");
   CHECK(done.finish() == State::Done);

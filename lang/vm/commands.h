@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "lang/code/chunk.h"
+#include "lang/code/watch.h"
+#include "lang/machine/machine.h"
+#include "lang/values/setting.h"
+#include "lang/vm/errors.h"
+
+/// Commands to the Machine, put together from registers. `n` points to the first register
+/// of the instruction. An Objection: a value has turned out to be impossible.
+namespace rob::lang {
+
+/// `move` and `via`.
+Objection build_move(const MoveForm& form, const Slot* n, MoveCommand& command);
+/// `move_to`: its components are words of the code.
+MoveCommand plain_move(const MoveForm& form, const Instruction* components);
+/// `on_the_way`, written at that place.
+Objection build_path_place(bool before, const Slot* n, const Place& written, PathPlace& place);
+/// UNTIL, WHEN and AT LIVE.
+Watch watch_of(const Chunk& chunk, const WatchForm& form, const Slot* n, const Setting& setting);
+
+/// WITH and IN; what is not named stays what it is around the block. `named`: opcodes.def.
+Setting setting_of(unsigned named, const Slot* n, Setting around);
+Objection build_press(int axis, const Slot* n, PressCommand& command);
+/// Without COG the load is where the tip of the tool is.
+Objection build_load(bool with_cog, const Slot* n, const Setting& setting, LoadCommand& load);
+TaughtPoint taught_point(const Chunk& chunk, const Instruction* teach, const Slot* n,
+                         const Setting& setting);
+
+/// All other commands: they take everything from their registers, and the texts `t` of the frame.
+Objection check_command(Opcode opcode, const Slot* n);
+Reply tell(Machine& machine, const Place& at, Instruction command, const Slot* n,
+           const std::string* t);
+
+}  // namespace rob::lang

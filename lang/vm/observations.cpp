@@ -1,0 +1,102 @@
+#include "lang/vm/observations.h"
+
+#include <array>
+#include <span>
+
+#include "lang/machine/robot_signature.h"
+#include "lang/machine/seen_from.h"
+#include "lang/values/pose_slots.h"
+
+namespace rob::lang {
+namespace {
+
+/// Whether joints bring the tool to a point. [choice] What a points file loses by its digits is far
+/// less, and a tool or frame that has been measured anew differs by more.
+constexpr double kSamePlace = 1e-6;  // m
+constexpr double kSameTurn = 1e-6;   // rad
+
+using Axes = std::array<double, kMaxCoordinates>;
+
+Axes load_axes(const Slot* slots, std::size_t count) {
+  Axes axes{};
+  for (std::size_t i = 0; i < count; ++i) axes[i] = slots[i].real;
+  return axes;
+}
+
+}  // namespace
+
+Reply read_signal(Machine& machine, int line, const Instruction* pc, Slot* n) {
+  bool value = false;
+  const Reply reply = machine.read_signal(line, pc->x(), value);
+  if (reply == Reply::Done) n[pc->a()].integer = value ? 1 : 0;
+  return reply;
+}
+
+Reply read_analog(Machine& machine, int line, const Instruction* pc, Slot* n) {
+  return machine.read_analog(line, pc->x(), n[pc->a()].real);
+}
+
+Reply read_value(Machine& machine, int line, const Instruction* pc, Slot* n,
+                 const Setting& setting) {
+  const auto what = static_cast<Reading>(pc->b());
+  Slot* const value = &n[pc->a()];
+  if (!needs_sensor(what)) return machine.read(line, what, value);
+  std::array<Slot, kPoseSlots> tool{};
+  Reply reply = Reply::Done;
+  if (setting.in_tool) reply = machine.read(line, Reading::Here, tool.data());
+  if (reply == Reply::Done) reply = machine.read(line, what, value);
+  if (reply == Reply::Done) turn_into_frame(what, setting, load_pose(tool.data()), value);
+  return reply;
+}
+
+Reply forward(Machine& machine, int line, const Instruction* pc, Slot* n) {
+  const Axes axes = load_axes(&n[pc->b()], pc->c());
+  PoseValue pose;
+  const Reply reply = machine.forward(line, {axes.data(), pc->c()}, pose);
+  if (reply == Reply::Done) store(pose, &n[pc->a()]);
+  return reply;
+}
+
+Reply at_joints(Machine& machine, int line, const Instruction* pc, Slot* n) {
+  using pose_math::operator-;
+  const std::size_t count = (pc + 1)->word;
+  const Axes axes = load_axes(&n[pc->b()], count);
+  const PoseValue asked = load_pose(&n[pc->c()]);
+  PoseValue pose;
+  const Reply reply = machine.forward(line, {axes.data(), count}, pose);
+  if (reply != Reply::Done) return reply;
+  const bool same = pose_math::length(pose.position - asked.position) <= kSamePlace &&
+                    pose_math::turn(pose, asked) <= kSameTurn;
+  n[pc->a()].integer = same ? 1 : 0;
+  return reply;
+}
+
+Reply inverse(Machine& machine, int line, const Instruction* pc, Slot* n) {
+  const std::size_t count = (pc + 1)->word;
+  const bool near = pc->b() != pc->c();
+  const Axes from = near ? load_axes(&n[pc->c()], count) : Axes{};
+  Axes found{};
+  const Reply reply =
+      machine.inverse(line, load_pose(&n[pc->b()]), std::span(from.data(), near ? count : 0),
+                      std::span(found.data(), count));
+  for (std::size_t i = 0; reply == Reply::Done && i < count; ++i) n[pc->a() + i].real = found[i];
+  return reply;
+}
+
+Reply publish(Machine& machine, int line, const Instruction* pc, Stack& stack, Budget& budget) {
+  const auto first = static_cast<std::size_t>(stack.numbers()[pc->a()].integer);
+  const std::uint32_t count = (pc + 1)->word;
+  budget.charge(count);
+  if (pc->b() != 0) return machine.publish(line, first, stack.texts_at(first, count));
+  return machine.publish(line, first, stack.numbers_at(first, count));
+}
+
+Reply refresh(Machine& machine, int line, const Instruction* pc, Stack& stack, Budget& budget) {
+  const std::size_t first = (pc + 1)->word;
+  const std::uint32_t count = (pc + 2)->word;
+  budget.charge(count);
+  if (pc->a() != 0) return machine.refresh(line, first, stack.texts_at(first, count));
+  return machine.refresh(line, first, stack.numbers_at(first, count));
+}
+
+}  // namespace rob::lang

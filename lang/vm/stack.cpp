@@ -1,0 +1,97 @@
+#include "lang/vm/stack.h"
+
+#include <fmt/core.h>
+
+#include "lang/text/codes.h"
+
+namespace rob::lang {
+namespace {
+
+constexpr Slots kAllRegisters{static_cast<int>(kNumberStack), static_cast<int>(kTextStack)};
+
+Slots registers_of(const Chunk& chunk) {
+  return chunk.routines.empty() ? Slots{kMostRegisters, kMostRegisters} : kAllRegisters;
+}
+
+/// Without memory in routines, what the top level takes is all.
+Slots memory_of(const Chunk& chunk) { return takes_memory(chunk) ? kMemory : chunk.memory; }
+
+std::size_t size(int slots) { return static_cast<std::size_t>(slots); }
+
+}  // namespace
+
+std::vector<Callee> callees_of(const Chunk& chunk) {
+  std::vector<Callee> callees;
+  callees.reserve(chunk.routines.size());
+  for (const RoutineCode& routine : chunk.routines) {
+    callees.push_back({.entry = chunk.code.data() + routine.entry,
+                       .registers = routine.registers,
+                       .text_registers = routine.text_registers,
+                       .routine = &routine,
+                       .chunk = &chunk});
+  }
+  return callees;
+}
+
+Stack::Stack(const Chunk& chunk)
+    : Stack(registers_of(chunk), memory_of(chunk), chunk.routines.empty() ? 0 : kMostCalls) {}
+
+Stack::Stack() : Stack(kAllRegisters, kMemory, kMostCalls) {}
+
+Stack::Stack(Slots registers, Slots memory, std::size_t calls)
+    : own_numbers_(size((registers + memory).numbers)),
+      own_texts_(size((registers + memory).texts)),
+      number_stack_(own_numbers_),
+      text_stack_(own_texts_),
+      registers_(registers),
+      registers_end_(number_stack_.data() + registers_.numbers),
+      text_registers_end_(text_stack_.data() + registers_.texts),
+      frames_(calls),
+      frame_(frames_.data()),
+      numbers_(number_stack_.data()),
+      texts_(text_stack_.data()) {}
+
+Stack::Stack(TaskMemory& memory, std::size_t task)
+    : number_stack_(memory.numbers(task)),
+      text_stack_(memory.texts(task)),
+      registers_(memory.stack_begin(task) + kTaskRegisters),
+      registers_end_(number_stack_.data() + registers_.numbers),
+      text_registers_end_(text_stack_.data() + registers_.texts),
+      frames_(kMostCalls),
+      frame_(frames_.data()),
+      numbers_(number_stack_.data() + memory.stack_begin(task).numbers),
+      texts_(text_stack_.data() + memory.stack_begin(task).texts) {}
+
+void Stack::unwind(std::size_t depth) {
+  while (this->depth() > depth) leave();
+}
+
+Slots Stack::room() const {
+  return {static_cast<int>(number_stack_.size()) - registers_.numbers,
+          static_cast<int>(text_stack_.size()) - registers_.texts};
+}
+
+bool Stack::reserve(Slots slots, Slot* place) {
+  const Slots end = memory_ + slots;
+  if (end.numbers > room().numbers || end.texts > room().texts) return false;
+  place[0].integer = registers_.numbers + memory_.numbers;
+  place[1].integer = registers_.texts + memory_.texts;
+  memory_ = end;
+  return true;
+}
+
+Refusal calls_too_deep() {
+  return {.code = std::string(code::kCallsTooDeep),
+          .message = fmt::format("the calls are nested too deep: at most {}", kMostCalls),
+          .help = "a routine that calls itself needs a way that does not"};
+}
+
+Refusal memory_used_up(Slots room) {
+  return {.code = std::string(code::kCallsTooDeep),
+          .message = fmt::format("the calls need more memory for arrays and records than there is: "
+                                 "{} numbers and {} texts",
+                                 room.numbers, room.texts),
+          .help = "REF passes an array without copying it"};
+}
+
+}  // namespace rob::lang
