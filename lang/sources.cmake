@@ -91,23 +91,20 @@ set(rob_lang_sources
   lang/values/types.cpp
   lang/values/units.cpp
   lang/values/value_text.cpp
+  lang/vm/active_settings.cpp
   lang/vm/answer.cpp
   lang/vm/call_log.cpp
+  lang/vm/commands.cpp
+  lang/vm/errors.cpp
   lang/vm/move_text.cpp
+  lang/vm/observations.cpp
   lang/vm/printing_machine.cpp
   lang/vm/scripted_robot.cpp
-  lang/vm/texts.cpp
+  lang/vm/stack.cpp
+  lang/vm/turns.cpp
+  lang/vm/value_instructions.cpp
   lang/vm/vm.cpp
-  lang/vm/vm_entries.cpp
-  lang/vm/vm_errors.cpp
-  lang/vm/vm_fill.cpp
-  lang/vm/vm_frames.cpp
-  lang/vm/vm_handlers.cpp
-  lang/vm/vm_joints.cpp
-  lang/vm/vm_machine.cpp
-  lang/vm/vm_motion.cpp
+  lang/vm/vm_run.cpp
   lang/vm/vm_step.cpp
-  lang/vm/vm_surroundings.cpp
-  lang/vm/vm_tasks.cpp
-  lang/vm/vm_watching.cpp
+  lang/vm/whens.cpp
 )
