@@ -141,7 +141,7 @@ TEST_CASE("a refused motion ends the program with the words of the refusal") {
 
 TEST_CASE("waiting for an error to settle costs no instructions") {
   ProgramRun program("TRY\n  RAISE \"no\"\nRESCUE\nENDTRY\nPRINT 1");
-  program.machine().world().answer_later(3);  // the settling
+  program.machine().answer_later(3);  // the settling
   CHECK(program.vm().run(1000) == State::Waiting);
   const std::int64_t before = program.vm().executed();
   CHECK(before < static_cast<std::int64_t>(program.chunk().code.size()));
