@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,20 +18,10 @@ namespace {
 
 using Circle = std::vector<std::string>;
 
-/// The circles that are still there, in the order of their names. None may be added or grow.
-const std::vector<Circle>& remaining_circles() {
-  static const std::vector<Circle> circles = {};
-  return circles;
-}
-
 std::string in_one_line(const Circle& circle) {
   std::string line;
   for (const std::string& module : circle) line += " " + module;
   return line;
-}
-
-bool holds(const std::vector<Circle>& circles, const Circle& circle) {
-  return std::ranges::find(circles, circle) != circles.end();
 }
 
 /// Circles among files that are no more than their paths and what they include.
@@ -51,14 +40,9 @@ std::vector<Circle> circles_among(
 }  // namespace
 
 TEST_CASE("no modules include each other in a circle") {
-  const std::vector<Circle> found = include_circles(rob::test::layers());
-  for (const Circle& circle : found) {
-    CHECK_MESSAGE(holds(remaining_circles(), circle),
-                  "a circle that is not in the list:" << in_one_line(circle));
-  }
-  for (const Circle& circle : remaining_circles()) {
-    CHECK_MESSAGE(holds(found, circle),
-                  "take this from the list, or shorten it:" << in_one_line(circle));
+  REQUIRE(rob::test::layers().size() > 300);
+  for (const Circle& circle : include_circles(rob::test::layers())) {
+    FAIL_CHECK("these include each other:" << in_one_line(circle));
   }
 }
 
