@@ -282,11 +282,11 @@ void MotionCompiler::enter(const Surroundings& surroundings, Place place) {
   }
   code_.emit(Opcode::with, place, first, parts);
   frame_.release(mark);
-  blocks_.open(OpenBlocks::Kind::With);
+  blocks_.open(OpenScopes::Kind::With);
 }
 
 void MotionCompiler::leave(const Surroundings& surroundings, Place place) {
-  if (!surroundings.none()) blocks_.close(OpenBlocks::Kind::With, place);
+  if (!surroundings.none()) blocks_.close(OpenScopes::Kind::With, place);
 }
 
 /// The clauses are evaluated once; their values are copied for the motions that have none.

@@ -19,7 +19,7 @@ namespace rob::lang {
 class MotionCompiler {
  public:
   MotionCompiler(CodeBuilder& code, Variables& variables, ExpressionCompiler& expressions,
-                 OpenBlocks& blocks, const RobotSignature& robot)
+                 OpenScopes& blocks, const RobotSignature& robot)
       : code_(code),
         frame_(code.frame()),
         variables_(variables),
@@ -65,7 +65,7 @@ class MotionCompiler {
   FrameSlots& frame_;
   Variables& variables_;
   ExpressionCompiler& expressions_;
-  OpenBlocks& blocks_;
+  OpenScopes& blocks_;
   const RobotSignature& robot_;
   const PathBlock* path_ = nullptr;               ///< around the motion; null outside of PATH
   std::array<Register, kClauses> path_values_{};  ///< of its clauses

@@ -10,9 +10,9 @@ namespace rob::lang {
 
 /// The blocks of the current routine that are open, and what was begun in them: what EXIT, NEXT and
 /// RETURN leave on their way.
-class OpenBlocks {
+class OpenScopes {
  public:
-  explicit OpenBlocks(CodeBuilder& code) : code_(code) {}
+  explicit OpenScopes(CodeBuilder& code) : code_(code) {}
 
   /// A new routine begins.
   void begin_routine() { whens_ = 0; }

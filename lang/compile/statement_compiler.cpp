@@ -138,9 +138,9 @@ void StatementCompiler::compile(const Press& press) {
   code_.emit(Opcode::press, place, force, static_cast<unsigned>(press.axis));
   motions_.leave(press.surroundings, place);
   frame_.release(mark);
-  blocks_.open(OpenBlocks::Kind::Press);
+  blocks_.open(OpenScopes::Kind::Press);
   compile(press.body);
-  blocks_.close(OpenBlocks::Kind::Press, place);
+  blocks_.close(OpenScopes::Kind::Press, place);
 }
 
 void StatementCompiler::compile(const SetOverride& statement) {
@@ -456,11 +456,11 @@ void StatementCompiler::compile(const Try& statement) {
   const Register why = frame_.text_register();
   code_.emit(Opcode::open_try, place, why);
   const CodeBuilder::Jump failed = code_.jump(place);
-  blocks_.open(OpenBlocks::Kind::Try);
+  blocks_.open(OpenScopes::Kind::Try);
   compile(statement.body);
-  blocks_.close(OpenBlocks::Kind::Try, place);
+  blocks_.close(OpenScopes::Kind::Try, place);
   const CodeBuilder::Jump done = code_.jump(place);
-  blocks_.open(OpenBlocks::Kind::Rescue);
+  blocks_.open(OpenScopes::Kind::Rescue);
   code_.land(failed);
   blocks_.disarm_inner(place);
   if (statement.why.symbol != nullptr) {
@@ -470,7 +470,7 @@ void StatementCompiler::compile(const Try& statement) {
     variables_.settle(*statement.why.symbol, home);
   }
   compile(statement.rescue);
-  blocks_.close(OpenBlocks::Kind::Rescue, place);
+  blocks_.close(OpenScopes::Kind::Rescue, place);
   code_.land(done);
   frame_.release(mark);
 }

@@ -108,7 +108,7 @@ class StatementCompiler {
   Variables& variables_;
   WorldCode& world_;
   ExpressionCompiler& expressions_;
-  OpenBlocks blocks_;
+  OpenScopes blocks_;
   MotionCompiler motions_;
   DeclarationCompiler declarations_;
   Place place_;  ///< of the current statement: its line is what the Machine is given
