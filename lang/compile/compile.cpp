@@ -106,8 +106,9 @@ Compilation compile(std::string_view source, const RobotSignature& robot, const 
 Compilation compile(const EntryText& entry, const RobotSignature& robot, const PointTable& points,
                     const TargetJudge& judge, const Sources* sources) {
   Compilation compilation;
-  Program program = read_program(entry.source, sources, robot, compilation.diagnostics,
-                                 compilation.used, entry.parts, entry.types);
+  Program program =
+      read_program(entry.source, sources, robot, compilation.diagnostics, compilation.used,
+                   entry.parts, entry.types, entry.printed ? entry.line : 0);
   program.entry = entry.line;
   compile(std::move(program), robot, points, judge, entry.known, &entry.rooms, compilation);
   return compilation;

@@ -59,6 +59,7 @@ struct EntryText {
   std::vector<const KeptName*> known;
   EntryRooms rooms;
   std::shared_ptr<TypeTable> types;  ///< with those that the entry can name
+  bool printed = false;              ///< the entry is an expression; its value is printed
 };
 
 /// The same of an entry, to be executed by Vm::go_on_with().

@@ -174,7 +174,7 @@ EntryText Entries::text_of(Selection selection, std::string_view entry) const {
 
 Compilation Entries::compile(std::string_view entry, const RobotSignature& robot,
                              const PointTable& points, const TargetJudge& judge,
-                             const Sources* sources, Knowing knowing) const {
+                             const Sources* sources, Knowing knowing, As as) const {
   Selection selection;
   selection.definitions = uses_;
   std::vector<std::string> words = words_of(entry);
@@ -186,7 +186,9 @@ Compilation Entries::compile(std::string_view entry, const RobotSignature& robot
     for (const auto& [name, list] : known_) words.push_back(name);
   select(std::move(words), selection);
   for (;;) {
-    Compilation compiled = lang::compile(text_of(selection, entry), robot, points, judge, sources);
+    EntryText text = text_of(selection, entry);
+    text.printed = as == As::Expression;
+    Compilation compiled = lang::compile(text, robot, points, judge, sources);
     if (!compiled.chunk || !select_users(compiled.names, selection)) return compiled;
   }
 }

@@ -34,13 +34,18 @@ class Entries {
     Needed,     ///< what occurs in the entry
     Everything  ///< for an entry with errors: so messages can say what a word was meant for
   };
+  enum class As : std::uint8_t {
+    Statements,
+    Expression  ///< whose value is printed
+  };
 
   /// The line on which the next entry begins.
   std::uint32_t line() const { return line_; }
   /// Compiled after all that has been kept, as by compile(). Nothing is kept of it before keep().
   Compilation compile(std::string_view entry, const RobotSignature& robot,
                       const PointTable& points = {}, const TargetJudge& judge = {},
-                      const Sources* sources = nullptr, Knowing knowing = Knowing::Needed) const;
+                      const Sources* sources = nullptr, Knowing knowing = Knowing::Needed,
+                      As as = As::Statements) const;
   /// The entry has been accepted, or has errors: the next one begins on the line after it.
   void keep(std::string_view entry, const Compilation& compiled);
   /// A line that declares nothing.

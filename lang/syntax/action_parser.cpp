@@ -115,6 +115,13 @@ void ActionParser::print(Block& block) {
   tree_.add(block, place, std::move(print));
 }
 
+void ActionParser::value_alone(Block& block) {
+  const Place place = tokens_.place();
+  Print print;
+  print.values.push_back(expressions_.expression());
+  tree_.add(block, place, std::move(print));
+}
+
 // panel = "PULSE" ( foreign | channel ) expr .
 void ActionParser::pulse(Block& block) {
   const Place place = tokens_.place();

@@ -23,6 +23,8 @@ class ActionParser {
 
   /// The statement that begins with the reserved word here; false if it is none of these.
   bool reserved(Block& block);
+  /// At a prompt: an expression, which is printed.
+  void value_alone(Block& block);
   void assignment(Block& block);
   void call_statement(Block& block);
   void start_statement(Block& block);

@@ -27,6 +27,7 @@ class TextParser {
         names_(tokens_, context),
         expressions_(tokens_, tree_, names_),
         types_(tokens_, tree_, names_, expressions_, context),
+        printed_from_(context.printed_from),
         statements_(tokens_, tree_, names_, expressions_, types_, plain_motions) {}
 
   Program program();
@@ -40,6 +41,7 @@ class TextParser {
   TextNames names_;
   ExpressionParser expressions_;
   TypeParser types_;
+  std::uint32_t printed_from_;
   StatementParser statements_;
 };
 
@@ -65,7 +67,11 @@ void TextParser::items(Program& program) {
   tokens_.begin();
   tokens_.skip_line_ends();
   while (!tokens_.at(TokenKind::EndOfFile) && !tokens_.at(Keyword::End)) {
-    statements_.statement(program.statements);
+    if (printed_from_ > 0 && tokens_.place().line >= printed_from_) {
+      statements_.value_alone(program.statements);
+    } else {
+      statements_.statement(program.statements);
+    }
     tokens_.skip_line_ends();
   }
   program.end = tokens_.place();

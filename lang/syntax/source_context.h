@@ -29,6 +29,8 @@ struct SourceContext {
   std::size_t nodes = 0;          ///< of the files that were read before
   std::size_t names = 0;          ///< the same
   std::size_t array_lengths = 0;  ///< the same
+  /// From this line on expressions stand alone, and are printed; 0: they do nowhere.
+  std::uint32_t printed_from = 0;
   /// Of all of them.
   std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>();
 };

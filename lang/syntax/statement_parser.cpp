@@ -45,6 +45,15 @@ void StatementParser::statement(Block& block) {
   }
 }
 
+void StatementParser::value_alone(Block& block) {
+  try {
+    actions_.value_alone(block);
+    tokens_.end_of_line();
+  } catch (const SyntaxError&) {
+    tokens_.recover();
+  }
+}
+
 // statement = simple eol | compound .   block = { decl | statement } .
 void StatementParser::any_statement(Block& block) {
   if (tokens_.at(TokenKind::Reserved) && tokens_.next().kind == TokenKind::Assign) {

@@ -31,6 +31,8 @@ class StatementParser final : public StatementReader {
 
   void statement(Block& block) override;
   void simple(Block& block) override;
+  /// At a prompt: an expression, which is printed.
+  void value_alone(Block& block);
   /// Moves what was kept into the program.
   void finish(Program& program);
 

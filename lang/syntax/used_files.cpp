@@ -32,8 +32,9 @@ class UseReader {
     used_.reserve(kMostUsedFiles);  // tokens point into the texts: they must stay where they are
   }
 
-  Program read(std::string_view source, TextParts parts) {
+  Program read(std::string_view source, TextParts parts, std::uint32_t printed_from) {
     bytes_ = source.size();
+    printed_from_ = printed_from;
     read(source, 0, parts);
     return linked();
   }
@@ -57,6 +58,7 @@ class UseReader {
                             .nodes = nodes_,
                             .names = names_,
                             .array_lengths = array_lengths_.size(),
+                            .printed_from = number == 0 ? printed_from_ : 0,
                             .types = types_});
       nodes_ = file.program.nodes;
       names_ = file.program.names;
@@ -187,6 +189,7 @@ class UseReader {
   std::vector<SourceFile>& used_;
   std::deque<File> files_;  ///< the program's own first
   std::size_t bytes_ = 0;
+  std::uint32_t printed_from_ = 0;
   std::size_t nodes_ = 0;
   std::size_t names_ = 0;
   std::vector<Program::ArrayLength> array_lengths_;
@@ -198,8 +201,9 @@ class UseReader {
 
 Program read_program(std::string_view source, const Sources* sources, const RobotSignature& robot,
                      Diagnostics& diagnostics, std::vector<SourceFile>& used, TextParts parts,
-                     std::shared_ptr<TypeTable> types) {
-  return UseReader(sources, robot, diagnostics, used, std::move(types)).read(source, parts);
+                     std::shared_ptr<TypeTable> types, std::uint32_t printed_from) {
+  return UseReader(sources, robot, diagnostics, used, std::move(types))
+      .read(source, parts, printed_from);
 }
 
 }  // namespace rob::lang

@@ -34,9 +34,11 @@ class Sources {
 /// it is USEd. The declarations of a file come where it is USEd first (Use), its routines among
 /// those of the program. Errors go to `diagnostics`; a USE that leads nowhere leaves
 /// Program::whole false. `sources`: null where there are no files; `used`: what was read.
-/// For an entry of the prompt: `parts` are its lines, `types` what it can name beside its own.
+/// For an entry of the prompt: `parts` are its lines, `types` what it can name beside its own;
+/// `printed_from`: see SourceContext.
 Program read_program(std::string_view source, const Sources* sources, const RobotSignature& robot,
                      Diagnostics& diagnostics, std::vector<SourceFile>& used, TextParts parts = {},
-                     std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>());
+                     std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>(),
+                     std::uint32_t printed_from = 0);
 
 }  // namespace rob::lang

@@ -102,12 +102,16 @@ Session::Taken Session::take(const std::string& text, bool last) {
     return Taken::Done;
   }
   take_points();
-  LoadedProgram compiled = text_->compile(entry);
+  auto [compiled, as] = text_->read(entry);
   if (!last && is_incomplete(entry, compiled)) return Taken::Incomplete;
-  if (!compiled.runnable()) compiled = text_->compile(entry, SessionText::Knowing::Everything);
+  if (!compiled.runnable()) compiled = text_->compile(entry, SessionText::Knowing::Everything, as);
   const std::uint32_t line = text_->line();
-  if (submit(entry, std::move(compiled)) && workshop_.records)
-    workshop_.record(entry, text_->named_in(entry), line);
+  if (submit(entry, std::move(compiled)) && workshop_.records) {
+    const std::string kept = as == SessionText::As::Expression
+                                 ? "PRINT " + entry.substr(entry.find_first_not_of(" \t\n"))
+                                 : entry;
+    workshop_.record(kept, text_->named_in(entry), line);
+  }
   return Taken::Done;
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "lang/text/ascii.h"
+#include "lang/text/codes.h"
 #include "runtime/words/signature.h"
 
 namespace rob::runtime {
@@ -11,6 +12,21 @@ namespace {
 
 /// What messages call the text.
 constexpr const char* kName = "prompt";
+
+/// No word that a value could begin with.
+bool is_unknown(const lang::Diagnostic& finding) {
+  return finding.code == lang::code::kUnknownName || finding.code == lang::code::kUnknownFunction ||
+         finding.code == lang::code::kValueExpected;
+}
+
+bool suggests(const lang::Diagnostic& finding) { return finding.help.starts_with("did you mean"); }
+
+/// What is said of a line that is no statement, or none that may be there.
+bool may_be_value(const lang::Diagnostic& finding) {
+  namespace code = lang::code;
+  return finding.code == code::kUnknownStatement || finding.code == code::kStatementExpected ||
+         finding.code == code::kAssignExpected || finding.code == code::kRoutineMisused;
+}
 
 }  // namespace
 
@@ -34,9 +50,27 @@ SessionText::SessionText(motion::RobotModel robot, std::string points_file)
       points_file_(std::move(points_file)),
       sources_(kName) {}
 
-LoadedProgram SessionText::compile(std::string_view entry, Knowing knowing) const {
+LoadedProgram SessionText::compile(std::string_view entry, Knowing knowing, As as) const {
   return compile_entry(entries_, std::string(entry), robot_, signature_, points_file_, sources_,
-                       knowing);
+                       knowing, as);
+}
+
+/// An expression with a mistake in it is one, too, unless its first word is unknown and a statement
+/// may have been meant.
+SessionText::Reading SessionText::read(std::string_view entry) const {
+  Reading statements{compile(entry)};
+  const auto& found = statements.compiled.compilation.diagnostics.all();
+  if (statements.compiled.runnable() || found.empty() || !may_be_value(found.front()) ||
+      found.front().place.line != line())
+    return statements;
+  Reading value{compile(entry, Knowing::Needed, As::Expression), As::Expression};
+  if (value.compiled.runnable()) return value;
+  const lang::Diagnostic& wrong = value.compiled.compilation.diagnostics.all().front();
+  const bool in_first_word =
+      wrong.place.line == line() && wrong.place.column <= entry.find_first_not_of(" \t") + 1;
+  return in_first_word && is_unknown(wrong) && (!suggests(wrong) || suggests(found.front()))
+             ? statements
+             : value;
 }
 
 void SessionText::keep(std::string_view entry, const LoadedProgram& compiled) {

@@ -24,12 +24,20 @@ inline bool has_word(std::string_view line, std::string_view word) {
 class SessionText {
  public:
   using Knowing = lang::Entries::Knowing;
+  using As = lang::Entries::As;
 
   /// `points_file`: where TEACH keeps points; empty: nowhere.
   SessionText(motion::RobotModel robot, std::string points_file);
 
   /// Compiled after all that stays; nothing is kept of it before keep().
-  LoadedProgram compile(std::string_view entry, Knowing knowing = Knowing::Needed) const;
+  LoadedProgram compile(std::string_view entry, Knowing knowing = Knowing::Needed,
+                        As as = As::Statements) const;
+  struct Reading {
+    LoadedProgram compiled;
+    As as = As::Statements;
+  };
+  /// The entry as it is meant: statements, or else an expression alone.
+  Reading read(std::string_view entry) const;
   /// The entry has been taken, or refused: the next one begins on the line after it.
   void keep(std::string_view entry, const LoadedProgram& compiled);
   /// What was declared on these lines is forgotten: their entries have not been carried out.

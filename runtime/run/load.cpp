@@ -219,10 +219,11 @@ LoadedProgram compile_program(std::string file, std::string source, const motion
 LoadedProgram compile_entry(const lang::Entries& entries, std::string entry,
                             const motion::RobotModel& robot, const lang::RobotSignature& signature,
                             const std::string& points_file, const lang::Sources& sources,
-                            lang::Entries::Knowing knowing) {
+                            lang::Entries::Knowing knowing, lang::Entries::As as) {
   LoadedProgram program{sources.program().name, std::move(entry), robot, {}};
-  program.compilation = entries.compile(program.source, signature, points_in(points_file, robot),
-                                        judge_of(robot, signature.coordinates), &sources, knowing);
+  program.compilation =
+      entries.compile(program.source, signature, points_in(points_file, robot),
+                      judge_of(robot, signature.coordinates), &sources, knowing, as);
   settle_law(program, robot.law);
   if (!robot.tool_coordinates) refuse_what_the_robot_cannot(program.compilation, program.robot);
   return program;

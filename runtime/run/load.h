@@ -67,7 +67,7 @@ LoadedProgram compile_program(std::string file, std::string source, const motion
 LoadedProgram compile_entry(const lang::Entries& entries, std::string entry,
                             const motion::RobotModel& robot, const lang::RobotSignature& signature,
                             const std::string& points_file, const lang::Sources& sources,
-                            lang::Entries::Knowing knowing);
+                            lang::Entries::Knowing knowing, lang::Entries::As as);
 
 /// Refuses a program that needs points which nobody has taught: for what moves or tests.
 void refuse_missing_points(LoadedProgram& program);

@@ -110,6 +110,35 @@ TEST_CASE("a WHEN of the prompt stays armed from entry to entry") {
   CHECK(prompt.enter({"PRINT DOUT[2]"}) == "TRUE\n");
 }
 
+TEST_CASE("an expression alone prints its value") {
+  Prompt prompt;
+  CHECK(prompt.enter({"2mm*3"}) == "6mm\n");
+  CHECK(prompt.enter({"VAR x = 3", "x", "x == 3", "-x // three"}) == "3\nTRUE\n-3\n");
+  CHECK(prompt.enter({"MOVE(40,40,0)", "STOP", "HERE"}) ==
+        "POSE(40mm, 40mm, 0mm, 0deg, 0deg, 0deg)\n");
+  CHECK(prompt.enter({"FUNC double(n: INT): INT\n  RETURN 2 * n\nENDFUNC", "double(4)"}) == "8\n");
+  CHECK(prompt.enter({"VAR a = [1, 2, 3]", "a", "a[2]", "(1 +\n2)"}) == "[1, 2, 3]\n2\n3\n");
+  CHECK(prompt.enter({"RECORD part\n  n: INT\n  w: LENGTH\nENDRECORD", "VAR p = part(n: 1, w: 2mm)",
+                      "p", "p.w"}) == "part(n: 1, w: 2mm)\n2mm\n");
+  CHECK(prompt.enter({":record on", "  2*3", ":list"}) == "   1  PRINT 2*3\n6\n");
+}
+
+TEST_CASE("an error in an expression is told of the expression, one in a statement of that") {
+  Prompt prompt;
+  const auto said = [&](const char* entry) {
+    prompt.screen.messages.clear();
+    prompt.enter({entry});
+    return prompt.screen.messages.substr(0, prompt.screen.messages.find(']') + 1);
+  };
+  CHECK(said("2mm + 3s") == "prompt:1:5: error[E207]");
+  CHECK(said("SIN") == "prompt:2:1: error[E205]");
+  CHECK(said("HER") == "prompt:3:1: error[E201]");
+  CHECK(said("MOOVE(1,2,3)") == "prompt:4:1: error[E120]");
+  CHECK(said("nothing") == "prompt:5:1: error[E120]");
+  CHECK(said("VAR zero = 0") == "");
+  CHECK(said("1 DIV zero") == "prompt:7:3: error[E302]");
+}
+
 TEST_CASE("another law is for a robot at rest") {
   Prompt prompt;
   enter(prompt.session, "MOVE(100,0,0)");
