@@ -27,6 +27,7 @@ SessionOptions prompt_options(const Options& options) {
   session.trace = options.trace;
   session.backend = *backend_of(options.backend);
   session.home = options.home;
+  session.keep_going = options.keep_going;
   return session;
 }
 

@@ -120,6 +120,8 @@ void Parser::add_prompt() {
   add_robot(app);
   add_seed(app);
   add_motion(app);
+  app.add_flag("--keep-going", options.keep_going,
+               "carry out all that comes through a pipe, whatever goes wrong in it");
 }
 
 void Parser::add_run() {

@@ -31,6 +31,7 @@ struct Options {
   /// Which of its simulated cells the robot stands in; without it that of its file.
   std::optional<std::uint64_t> cell;
   bool fast = false;
+  bool keep_going = false;  ///< of the prompt: a pipe goes on after an error
   bool json = false;
   bool listing = false;
   bool check_only = false;  ///< of Format: write nothing

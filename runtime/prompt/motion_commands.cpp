@@ -73,7 +73,7 @@ void resume(Session& session, const Words&) {
   session.go_on();
 }
 
-void stop(Session& session, const Words&) { session.interrupt(); }
+void stop(Session& session, const Words&) { session.stop(); }
 
 void reset(Session& session, const Words&) { session.reset(); }
 

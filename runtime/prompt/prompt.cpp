@@ -60,6 +60,8 @@ class InputLines {
     begin_ = end + 1;
     return line;
   }
+  /// Whether more is here already.
+  bool more_here() const { return begin_ < bytes_.size(); }
   /// Why there is no further one; empty at the end of the input.
   const std::string& trouble() const { return trouble_; }
 
@@ -84,48 +86,84 @@ class InputLines {
   std::string trouble_;
 };
 
-/// Lines from a pipe or a file: no prompt, no colours, and the exit code of the first error.
-ExitCode filter(Session& session, bool fast) {
-  InputLines lines;
-  EntryLines entry;
-  while (!session.over() && !Interruption::requested()) {
-    const auto line = lines.next();
+/// Statements and commands from a pipe or a file: no prompt, no colours.
+class Filter {
+ public:
+  Filter(Session& session, const SessionOptions& options)
+      : session_(session),
+        fast_(options.fast),
+        keep_going_(options.keep_going),
+        errors_(session.errors()) {}
+  ExitCode run();
+
+ private:
+  bool goes_on() const { return keep_going_ || session_.errors() == errors_; }
+  void take(const std::string& line);
+  void end();
+  ExitCode exit_code() const;
+
+  Session& session_;
+  bool fast_;
+  bool keep_going_;
+  std::size_t errors_;  ///< before the first line
+  InputLines lines_;
+  EntryLines entry_;
+};
+
+/// To the end of the input, or to its first error.
+ExitCode Filter::run() {
+  while (goes_on() && !session_.over() && !Interruption::requested()) {
+    const auto line = lines_.next();
     if (!line) break;
-    if (is_command(*line)) {
-      enter(session, *line);
-    } else {
-      entry.add(*line);
-      const bool last = entry.text().size() > kMostLine;
-      if (!last && !session.asks() && entry.surely_goes_on()) continue;
-      if (enter(session, entry.text(), last) == Session::Taken::Incomplete) {
-        entry.note_open_block();
-        continue;
-      }
-      entry.clear();
-    }
-    if (session.take_pendant()) session.fail("the pendant needs a terminal", "", ExitCode::Usage);
-    session.carry_out_entries(fast ? 0 : kAhead);
+    take(*line);
   }
-  if (!entry.empty()) enter(session, entry.text(), true);
-  if (!lines.trouble().empty()) session.fail(lines.trouble(), "", ExitCode::InputOutput);
-  session.finish();
-  if (session.asks() && !Interruption::requested())
-    session.fail("the input has ended, and nobody answers any more", "", ExitCode::Fault);
-  if (session.robot().held() && !session.robot().idle())
-    session.fail("the input has ended, and the robot is held", "let :resume or :stop come behind",
-                 ExitCode::Fault);
-  return Interruption::requested() ? Interruption::exit_code() : session.worst();
+  if (goes_on() && !entry_.empty()) enter(session_, entry_.text(), true);
+  if (!lines_.trouble().empty()) session_.fail(lines_.trouble(), "", ExitCode::InputOutput);
+  end();
+  return Interruption::requested() ? Interruption::exit_code() : exit_code();
+}
+
+void Filter::take(const std::string& line) {
+  if (is_command(line)) {
+    enter(session_, line);
+  } else {
+    entry_.add(line);
+    const bool last = entry_.text().size() > kMostLine;
+    if (!last && !session_.asks() && entry_.surely_goes_on()) return;
+    if (enter(session_, entry_.text(), last) == Session::Taken::Incomplete)
+      return entry_.note_open_block();
+    entry_.clear();
+  }
+  if (session_.take_pendant()) session_.fail("the pendant needs a terminal", "", ExitCode::Usage);
+  session_.carry_out_entries(fast_ ? 0 : kAhead);
+}
+
+void Filter::end() {
+  const bool whole = goes_on();
+  session_.finish();
+  if (!whole && lines_.trouble().empty() && lines_.more_here())
+    put_message("what follows in the input is not executed; --keep-going executes it\n");
+  if (session_.asks() && !Interruption::requested())
+    session_.fail("the input has ended, and nobody answers any more", "", ExitCode::Fault);
+  if (session_.robot().held() && !session_.robot().idle())
+    session_.fail("the input has ended, and the robot is held", "let :resume or :stop come behind",
+                  ExitCode::Fault);
+}
+
+/// A pipe that ends at its first error is like a program that is wrong.
+ExitCode Filter::exit_code() const {
+  const ExitCode worst = session_.worst();
+  return !keep_going_ && worst == ExitCode::Usage ? ExitCode::ProgramError : worst;
 }
 
 ExitCode filter(SessionOptions options) {
   StopRequests requests;
   const Interruption interruption(requests);
   PlainScreen screen;
-  const bool fast = options.fast;
   options.requests = &requests;
   options.waits = true;
-  Session session(std::move(options), screen);
-  return filter(session, fast);
+  Session session(options, screen);
+  return Filter(session, options).run();
 }
 
 }  // namespace

@@ -162,11 +162,11 @@ void Session::take_failures() {
     answers_.want(false);  // whatever asked has ended
     const lang::RuntimeError& error = failure->error;
     forget(*failure);
-    note(ExitCode::Fault);
     if (error.code == code::kStopped) {
       screen_->message(error.message + "; what was not done yet is dropped\n");
       continue;
     }
+    note(ExitCode::Fault);
     const lang::Diagnostic told{lang::Severity::Error, error.code, error.place, error.message,
                                 error.help};
     screen_->message(runs_.contains(failure->line) ? runs_.rendered(told, failure->line)
@@ -210,6 +210,10 @@ bool Session::interrupt() {
   return true;
 }
 
+void Session::stop() {
+  if (interrupt() && options_.waits) finish();
+}
+
 bool Session::interrupt_again() {
   if (!interrupted_ || !robot_->reports().moves()) return false;
   robot_->brake();
@@ -224,6 +228,7 @@ void Session::fail(const std::string& message, const std::string& help, ExitCode
 }
 
 void Session::note(ExitCode error) {
+  ++errors_;
   constexpr std::array kFromTheLeast = {ExitCode::Done, ExitCode::Usage, ExitCode::ProgramError,
                                         ExitCode::InputOutput, ExitCode::Fault};
   worst_ = std::ranges::max(worst_, error, {},

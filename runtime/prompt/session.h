@@ -34,6 +34,7 @@ struct SessionOptions {
   /// Nobody types meanwhile: commands that need a robot at rest wait for it, and those that run a
   /// program wait for its end or a breakpoint. Otherwise such commands are refused.
   bool waits = false;
+  bool keep_going = false;  ///< a pipe is carried out to its end, whatever goes wrong
   const StopRequests* requests = nullptr;  ///< as of LiveOptions
 };
 
@@ -60,6 +61,8 @@ class Session {
   void finish();
   /// Ctrl-C, while the robot moves or an entry is open; false where there is nothing to stop.
   bool interrupt();
+  /// The same by a command.
+  void stop();
   /// Ctrl-C once more, while the robot comes to rest; false where it does not.
   bool interrupt_again();
   /// A jog has been interrupted.
@@ -76,6 +79,8 @@ class Session {
   void answer(const std::string& text) { answers_.give(text); }
   /// Of all errors: a fault before files, a program before a command.
   ExitCode worst() const { return worst_; }
+  /// That have been told so far.
+  std::size_t errors() const { return errors_; }
   /// See LiveReports.
   std::string state_text() const { return robot_->reports().state_text(); }
 
@@ -156,6 +161,7 @@ class Session {
   Workshop workshop_;
   SessionPoints points_;
   ExitCode worst_ = ExitCode::Done;
+  std::size_t errors_ = 0;
   bool over_ = false;
   bool pendant_ = false;
   bool interrupted_ = false;  ///< and the robot has not come to rest yet

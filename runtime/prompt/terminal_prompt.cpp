@@ -19,6 +19,7 @@
 #include "lang/text/visible.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/files/state_folder.h"
+#include "runtime/files/text_lines.h"
 #include "runtime/prompt/commands.h"
 #include "runtime/prompt/entry_lines.h"
 #include "runtime/prompt/line_editor.h"
@@ -106,6 +107,8 @@ class TerminalPrompt {
   void begin_line();
   bool wait() const;
   void take_typed();
+  void take_lines(std::string_view rest);
+  void tell_not_executed(std::string_view rest);
   void show_pendant();
   void take(const std::string& line);
   void show_state();
@@ -188,14 +191,29 @@ void TerminalPrompt::take_typed() {
     session_.quit();
   }
   if (!typed) return;
-  for (std::string_view rest = *typed; !session_.over();) {
-    const std::size_t end = rest.find('\n');
-    take(std::string(rest.substr(0, end)));
-    if (end == std::string_view::npos) break;
-    rest.remove_prefix(end + 1);
-  }
+  take_lines(*typed);
   if (session_.take_pendant()) show_pendant();
   if (!session_.over()) begin_line();
+}
+
+/// Up to the first error.
+void TerminalPrompt::take_lines(std::string_view rest) {
+  const std::size_t errors = session_.errors();
+  while (!session_.over()) {
+    const std::size_t end = rest.find('\n');
+    take(std::string(rest.substr(0, end)));
+    if (end == std::string_view::npos) return;
+    rest.remove_prefix(end + 1);
+    if (session_.errors() == errors) continue;
+    entry_.clear();
+    return tell_not_executed(rest);
+  }
+}
+
+void TerminalPrompt::tell_not_executed(std::string_view rest) {
+  if (rest.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
+  screen_.message("not executed, of what was pasted:\n");
+  while (!rest.empty()) screen_.message(fmt::format("  {}\n", take_line(rest)));
 }
 
 void TerminalPrompt::show_pendant() {

@@ -29,17 +29,50 @@ TEST_CASE("statements of a pipe are carried out, and its end is the end of the p
   CHECK(result.err == "");
 }
 
-TEST_CASE(
-    "an error of a pipe is told, the lines behind it are carried out, and the exit code stays") {
-  const ProcessResult wrong = piped("MOVE(9000,0,0)\nPRINT 1\n");
+TEST_CASE("a pipe ends at its first error, and the exit code says of which kind it was") {
+  constexpr const char* kRest = "what follows in the input is not executed";
+  const ProcessResult wrong = piped("PRINT 1\nMOVE(9000,0,0)\nPRINT 2\n");
   CHECK(wrong.exit_code == 65);
   CHECK(wrong.out == "1\n");
   CHECK(wrong.err.find("E401") != std::string::npos);
+  CHECK(wrong.err.find(kRest) != std::string::npos);
   CHECK(wrong.err.find('\x1b') == std::string::npos);  // no colours
 
   const ProcessResult failed = piped("RAISE \"enough\"\nPRINT 2\n");
   CHECK(failed.exit_code == 70);
+  CHECK(failed.out == "");
+  const ProcessResult command = piped(":nonsense\nPRINT 2\n");
+  CHECK(command.exit_code == 65);
+  CHECK(command.out == "");
+  const ProcessResult file = piped(":load missing.rob\nPRINT 2\n");
+  CHECK(file.exit_code == 74);
+  CHECK(file.out == "");
+  CHECK(piped("FOR i = 1 TO 2 DO\n:nonsense\n  PRINT i\nENDFOR\n").out == "");
+  CHECK(piped("PRINT 1\nMOOVE").err.find(kRest) == std::string::npos);  // nothing follows
+}
+
+TEST_CASE("what was commanded before the error of a pipe is carried out to its end") {
+  CHECK(piped("MOVE(40,0,0)\nSTOP\nPRINT HERE\nMOOVE\n", "").out ==
+        "POSE(40mm, 0mm, 0mm, 0deg, 0deg, 0deg)\n");
+}
+
+TEST_CASE("with --keep-going a pipe is carried out to its end") {
+  const std::string options = "--fast --keep-going";
+  const ProcessResult wrong = piped("MOVE(9000,0,0)\nPRINT 1\n", options);
+  CHECK(wrong.exit_code == 65);
+  CHECK(wrong.out == "1\n");
+  const ProcessResult failed = piped("RAISE \"enough\"\nPRINT 2\n", options);
+  CHECK(failed.exit_code == 70);
   CHECK(failed.out == "2\n");
+  CHECK(piped(":nonsense\nPRINT 1\n", options).exit_code == 64);
+  CHECK(piped(":nonsense\nMOOVE\n", options).exit_code == 65);
+  CHECK(piped("MOOVE\nRAISE \"x\"\n:nonsense\n", options).exit_code == 70);
+}
+
+TEST_CASE("a :stop in a pipe is no error, and what follows comes when the robot stands") {
+  const ProcessResult result = piped("MOVE(400,0,0)\n:stop\nPRINT 3\n");
+  CHECK(result.exit_code == 0);
+  CHECK(result.out == "3\n");
 }
 
 TEST_CASE("a block that a pipe leaves open is an error") {
@@ -74,7 +107,7 @@ TEST_CASE("a pipe runs under the robot and the law that it is given") {
   CHECK(law.out == "POSE(40mm, 40mm, 0mm, 0deg, 0deg, 0deg)\n");
   CHECK(law.err == "what was declared at the prompt is gone\n");
   CHECK(piped("PRINT 1\n", "--fast --robot nobody").exit_code == 65);
-  const ProcessResult other = piped(":robot nobody\nPRINT 1\n");
+  const ProcessResult other = piped(":robot nobody\nPRINT 1\n", "--fast --keep-going");
   CHECK(other.out == "1\n");
   CHECK(other.err.starts_with("error: "));
 }
@@ -83,11 +116,6 @@ TEST_CASE("a command acts while a block is open, and the block goes on") {
   const ProcessResult result = piped("FOR i = 1 TO 2 DO\n:Law\n  PRINT i\n:LAW\nENDFOR\n");
   CHECK(result.exit_code == 0);
   CHECK(result.out == "paul\npaul\n1\n2\n");
-}
-
-TEST_CASE("the exit code is that of the worst error") {
-  CHECK(piped(":nonsense\nMOOVE\n").exit_code == 65);
-  CHECK(piped("MOOVE\nRAISE \"x\"\n:nonsense\n").exit_code == 70);
 }
 
 TEST_CASE("an input that ends while the robot is held is an error, and the process ends") {

@@ -139,6 +139,22 @@ TEST_CASE("an error appears under what was typed, with a caret; a block can be d
   CHECK(line_of(lines, "1") == lines.size());
 }
 
+TEST_CASE("a paste ends at its first error, and what follows in it is shown") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("\033[200~PRINT 40 + 1\rMOOVE(1,2,3)\rPRINT 40 + 2\rPRINT 40 + 3\033[201~\r");
+  REQUIRE(terminal.expect("E120"));
+  REQUIRE(terminal.expect("not executed, of what was pasted:"));
+  REQUIRE(terminal.expect("41\r\n"));
+  const std::vector<std::string> lines = terminal.screen();
+  CHECK(line_of(lines, "41") < lines.size());
+  CHECK(line_of(lines, "  PRINT 40 + 2") < lines.size());
+  CHECK(line_of(lines, "  PRINT 40 + 3") < lines.size());
+  CHECK(line_of(lines, "42") == lines.size());
+}
+
 TEST_CASE("Tab completes what may stand there, and lists what is ambiguous") {
   const Desk desk;
   PseudoTerminal terminal({ROB_BINARY}, desk.options());
