@@ -25,6 +25,10 @@ ExitCode format_file(const std::string& file, const Options& options) {
   if (!is_sound(program.compilation.diagnostics, program)) return ExitCode::ProgramError;
   const lang::Formatting formatting = lang::format(program.source);
   if (!is_sound(formatting.diagnostics, program) || !formatting.text) return ExitCode::ProgramError;
+  if (file == kStandardInput && !options.check_only) {
+    put_result(*formatting.text);
+    return ExitCode::Done;
+  }
   if (*formatting.text == program.source) return ExitCode::Done;
   if (!options.check_only) {
     save_file(file, *formatting.text);

@@ -5,12 +5,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <iterator>
 #include <sstream>
 #include <string_view>
 #include <utility>
 
+#include "lang/text/suggest.h"
 #include "lang/text/visible.h"
+#include "runtime/files/files.h"
 #include "runtime/run/machine.h"
 #include "runtime/words/arguments.h"
 
@@ -61,7 +64,9 @@ struct Parser {
 
   Parser();
   void add_files(CLI::App& command) {
-    command.add_option("FILE", options.files, "programs (.rob)")->required()->check(check_name);
+    command.add_option("FILE", options.files, "programs (.rob); - is standard input")
+        ->required()
+        ->check(check_name);
   }
   void add_robot(CLI::App& command) {
     command.add_option("--robot", options.robot, "a robot's name (rob robots), or its file.toml")
@@ -187,14 +192,17 @@ void Parser::add_others() {
   help.add_option("WORD", topic, "a command, a statement, a clause, a unit, a function, or a code");
 }
 
-CommandLineEnd usage_error(const std::string& message) {
+/// `help`: the way out, where there is a better one than the list.
+CommandLineEnd usage_error(const std::string& message, const std::string& help = "") {
   return {ExitCode::Usage, "",
-          fmt::format("rob: {}\nrob --help lists the commands\n", lang::on_one_line(message))};
+          fmt::format("rob: {}{}\nrob --help lists the commands\n", lang::on_one_line(message),
+                      help.empty() ? "" : "; " + lang::on_one_line(help))};
 }
 
 std::variant<Options, CommandLineEnd> help_on(Parser& parser) {
-  if (parser.topic.empty()) {
-    parser.options.help_text = parser.app.help();
+  if (parser.topic.empty()) {  // App::help() would be that of `rob help`
+    parser.options.help_text =
+        parser.app.get_formatter()->make_help(&parser.app, "rob", CLI::AppFormatMode::Normal);
     return parser.options;
   }
   for (const CLI::App* command : parser.app.get_subcommands([](CLI::App*) { return true; })) {
@@ -207,12 +215,76 @@ std::variant<Options, CommandLineEnd> help_on(Parser& parser) {
   return parser.options;
 }
 
+using Names = std::vector<std::string>;
+
+Names command_names(const CLI::App& app) {
+  Names names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+Names option_names(const CLI::App& app) {
+  Names names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::string meant(const std::string& word, const Names& names) {
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  return lang::did_you_mean(lang::suggest(word, candidates));
+}
+
+bool takes_value(const CLI::App& command, const std::string& word) {
+  const CLI::Option* const option = command.get_option_no_throw(word);
+  return option != nullptr && option->get_items_expected() > 0;
+}
+
+/// `rob a.rob` is `rob run a.rob`: the first word that is no option says so.
+bool names_program(const CLI::App& app, const Names& words) {
+  const CLI::App& run = *app.get_subcommand("run");
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word == kStandardInput || word.ends_with(".rob")) return true;
+    if (!word.starts_with('-')) return false;
+    if (takes_value(run, word)) ++i;
+  }
+  return false;
+}
+
+/// The first word that fits nowhere.
+CommandLineEnd unexpected(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const Names rest = app.remaining(true);
+  const std::string word = rest.empty() ? "" : rest.front();
+  if (word.starts_with('-')) {
+    const std::string option = word.substr(0, word.find('='));
+    const std::string of = chosen.empty() ? "" : fmt::format(" of rob {}", command.get_name());
+    return usage_error(fmt::format("there is no option {}{}", lang::shortened(option), of),
+                       meant(option, option_names(command)));
+  }
+  if (!chosen.empty())
+    return usage_error(
+        fmt::format("rob {} takes no '{}'", command.get_name(), lang::shortened(word)));
+  std::string help = meant(word, command_names(app));
+  std::error_code none;
+  if (help.empty() && std::filesystem::is_regular_file(word, none)) help = "rob run " + word;
+  return usage_error(fmt::format("there is no command '{}'", lang::shortened(word)), help);
+}
+
 }  // namespace
 
 std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* const* argv) {
   Parser parser;
+  Names words(argv + 1, argv + argc);
+  if (names_program(parser.app, words)) words.insert(words.begin(), "run");
   try {
-    parser.app.parse(argc, argv);
+    std::ranges::reverse(words);  // as CLI11 wants them
+    parser.app.parse(std::move(words));
+  } catch (const CLI::ExtrasError&) {
+    return unexpected(parser.app);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) return usage_error(error.what());
     std::ostringstream out;  // --help and --version end the parsing with what they print

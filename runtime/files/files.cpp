@@ -6,6 +6,7 @@
 #include <sys/sysmacros.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 
@@ -90,6 +91,22 @@ std::string read_file(const std::string& path, std::size_t most) {
                                 size >> 20U, most >> 20U));
   }
   return read_all(file, path, size);
+}
+
+std::string read_input(std::size_t most) {
+  std::string text;
+  std::array<char, 65536> bytes;
+  for (;;) {
+    const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0)
+      throw FileError(fmt::format("standard input cannot be read: {}", std::strerror(errno)));
+    if (count == 0) return text;
+    text.append(bytes.data(), static_cast<std::size_t>(count));
+    if (text.size() > most)
+      throw FileError(
+          fmt::format("standard input is too long: at most {} MiB are read", most >> 20U));
+  }
 }
 
 FileHandle open_log(const std::string& path) {

@@ -69,17 +69,27 @@ constexpr std::array kCommands = {
     Command{"quit", "", "leave; a moving robot comes to rest first", quit},
 };
 
+std::string row_of(const Command& command) {
+  const std::string call = fmt::format(":{} {}", command.name, command.takes);
+  return fmt::format("  {:<28} {}\n", call, command.does);
+}
+
+/// A word of the language, or a command with its colon.
+std::string explained(std::string_view word) {
+  if (!word.starts_with(':')) return explanation_of(std::string(word));
+  for (const Command& one : commands())
+    if (lang::same_word(one.name, word.substr(1))) return row_of(one);
+  return "";
+}
+
 void help(Session& session, const Command::Words& words) {
   if (!words.empty()) {
-    const std::string text = explanation_of(words.front());
+    const std::string text = explained(words.front());
     if (!text.empty()) return session.screen().result(text);
     return session.fail(fmt::format("there is no help on '{}'", words.front()),
                         ":help lists the commands");
   }
-  for (const Command& one : commands()) {
-    const std::string call = fmt::format(":{} {}", one.name, one.takes);
-    session.screen().result(fmt::format("  {:<28} {}\n", call, one.does));
-  }
+  for (const Command& one : commands()) session.screen().result(row_of(one));
 }
 
 /// Takes the first word from what is left of a line; empty if there is none.
@@ -107,7 +117,8 @@ Command::Words words_of(std::string_view line, std::size_t plain) {
 /// What stands after the colon; for an unknown word the nearest name is proposed.
 void carry_out_command(Session& session, std::string_view line) {
   std::string name = take_word(line);
-  if (name.empty()) name = "help";
+  if (name.empty() || name == "?") name = "help";
+  if (lang::same_word(name, "exit")) name = "quit";
   const auto command = std::ranges::find_if(
       kCommands, [&](const Command& one) { return lang::same_word(one.name, name); });
   if (command != kCommands.end())
@@ -118,6 +129,19 @@ void carry_out_command(Session& session, std::string_view line) {
   session.fail(fmt::format("there is no command :{}", name),
                meant.empty() ? ":help lists the commands" : fmt::format("did you mean :{}?", meant),
                ExitCode::Usage);
+}
+
+/// `help`, `quit`, `exit` and `?` are commands without a colon, unless the name is declared. Empty
+/// where it is none.
+std::string_view plain_command(const Session& session, std::string_view text) {
+  std::string_view rest = text;
+  const std::string word = take_word(rest);
+  const std::string topic = take_word(rest);
+  if (!take_word(rest).empty() || session.text().find(word)) return {};
+  const bool asks = word == "?" || lang::same_word(word, "help");
+  if (asks && (topic.starts_with(':') || std::ranges::all_of(topic, lang::in_word))) return text;
+  const bool leaves = lang::same_word(word, "quit") || lang::same_word(word, "exit");
+  return leaves && topic.empty() ? text : std::string_view();
 }
 
 }  // namespace
@@ -140,7 +164,11 @@ Session::Taken enter(Session& session, const std::string& text, bool last) try {
     session.answer(text);
     return Taken::Done;
   }
-  return first == std::string::npos ? Taken::Done : session.take(text, last);
+  if (first == std::string::npos) return Taken::Done;
+  const std::string_view plain = plain_command(session, text);
+  if (plain.empty()) return session.take(text, last);
+  carry_out_command(session, plain);
+  return Taken::Done;
 } catch (const FileError& error) {
   session.fail(error.what(), "", ExitCode::InputOutput);
   return Session::Taken::Done;

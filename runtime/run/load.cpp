@@ -125,7 +125,7 @@ void settle_law(LoadedProgram& program, std::optional<motion::Law> asked) {
 }  // namespace
 
 void put_source_away(LoadedProgram& program) {
-  if (program.source.size() < kLongSource) return;
+  if (program.source.size() < kLongSource || program.file == kStandardInput) return;
   program.put_away = print_of(program.source);
   program.source.clear();
   program.source.shrink_to_fit();
@@ -168,7 +168,9 @@ motion::RobotModel load_robot(const std::string& name_or_file) {
 
 LoadedProgram load_program(const std::string& file, const std::string& asked,
                            std::optional<motion::Law> law) {
-  return compile_program(file, read_file(file, kMostSource), asked, points_file_of(file), law);
+  std::string source =
+      file == kStandardInput ? read_input(kMostSource) : read_file(file, kMostSource);
+  return compile_program(file, std::move(source), asked, points_file_of(file), law);
 }
 
 LoadedProgram compile_program(std::string file, std::string source, const std::string& asked,

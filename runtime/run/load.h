@@ -42,10 +42,10 @@ void place_in(const LoadedProgram& program, Problem& problem);
 /// an unknown name or a faulty file, FileError for one that cannot be read.
 motion::RobotModel load_robot(const std::string& name_or_file);
 
-/// Reads and compiles for the robot that is asked for (a name, a file, or empty), or that ROBOT in
-/// the program names, or the gantry. Where two differ that is an error of the program. Throws as
-/// load_robot() does for what is asked for. `law`: under which it runs, whatever LAW in the program
-/// and the robot file say; of these two LAW counts.
+/// Reads (`file` may be kStandardInput) and compiles for the robot that is asked for (a name, a
+/// file, or empty), or that ROBOT in the program names, or the gantry. Where two differ that is an
+/// error of the program. Throws as load_robot() does for what is asked for. `law`: under which it
+/// runs, whatever LAW in the program and the robot file say; of these two LAW counts.
 LoadedProgram load_program(const std::string& file, const std::string& asked,
                            std::optional<motion::Law> law = {});
 

@@ -156,6 +156,25 @@ TEST_CASE("an unknown command is told with the nearest one") {
   CHECK(prompt.screen.messages == "error: there is no command :wher\nhelp: did you mean :where?\n");
 }
 
+TEST_CASE("help, ?, quit and exit are commands without a colon, where they are no names") {
+  Prompt prompt;
+  const std::string list = prompt.enter({":help"});
+  CHECK(list.find("  :teach POINT") != std::string::npos);
+  CHECK(prompt.enter({"help"}) == list);
+  CHECK(prompt.enter({" ? "}) == list);
+  CHECK(prompt.enter({"Help MOVE"}) == prompt.enter({":help MOVE"}));
+  CHECK(prompt.enter({"help :where"}) ==
+        "  :where                       the robot's place: axes, pose, state\n");
+  CHECK(prompt.enter({"LOOP\n  exit\nENDLOOP", "VAR help = 3", "help"}) == "3\n");
+  CHECK_FALSE(prompt.session.over());
+  prompt.enter({"Exit"});
+  CHECK(prompt.session.over());
+  Prompt other;
+  other.enter({"VAR quit = 1", "quit"});
+  CHECK_FALSE(other.session.over());
+  CHECK(other.screen.results == "1\n");
+}
+
 TEST_CASE("SAFE values are taken where an entry fails, and may be set again") {
   Prompt prompt;
   prompt.enter({"SIGNAL torch = DOUT[1] SAFE OFF", "torch = ON"});
