@@ -57,6 +57,7 @@ set(rob_runtime_sources
   runtime/prompt/completion.cpp
   runtime/prompt/entry_lines.cpp
   runtime/prompt/file_commands.cpp
+  runtime/prompt/indentation.cpp
   runtime/prompt/key_reader.cpp
   runtime/prompt/line_diff.cpp
   runtime/prompt/line_editor.cpp

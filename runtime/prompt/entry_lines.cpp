@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lang/syntax/keywords.h"
 #include "lang/text/ascii.h"
 #include "runtime/files/text_lines.h"
 
@@ -22,7 +23,9 @@ bool opens_block(std::string_view first, std::string_view last) {
 
 bool closes_block(std::string_view first) {
   constexpr std::string_view kEnd = "END";
-  return first.size() > kEnd.size() && lang::same_word(first.substr(0, kEnd.size()), kEnd);
+  const auto keyword = lang::find_keyword(first);
+  return keyword && lang::role(*keyword) == lang::KeywordRole::Closer &&
+         lang::same_word(first.substr(0, kEnd.size()), kEnd);
 }
 
 /// What a line holds outside of texts and comments.
@@ -62,7 +65,23 @@ Shape shape_of(std::string_view line) {
   return shape;
 }
 
+/// ELSE, CASE …: the next part of a block.
+bool goes_on_with(std::string_view first) {
+  constexpr std::array<std::string_view, 4> kParts{"CASE", "ELSE", "ELSIF", "RESCUE"};
+  return std::ranges::any_of(kParts, [&](auto word) { return lang::same_word(word, first); });
+}
+
 }  // namespace
+
+bool EntryLines::opens(std::string_view line) {
+  const Shape shape = shape_of(line);
+  return opens_block(shape.first, shape.last) || goes_on_with(shape.first);
+}
+
+bool EntryLines::ends_part(std::string_view line) {
+  const std::string_view first = shape_of(line).first;
+  return closes_block(first) || goes_on_with(first);
+}
 
 void EntryLines::add(std::string_view line) {
   if (lines_ > 0) text_ += '\n';

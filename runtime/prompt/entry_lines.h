@@ -14,10 +14,16 @@ class EntryLines {
   void add(std::string_view line);
   void clear() { *this = {}; }
   bool empty() const { return text_.empty(); }
+  std::size_t size() const { return lines_; }
   const std::string& text() const { return text_; }
 
   /// Whether brackets are open at the end of a text.
   static bool brackets_open(std::string_view text);
+  /// Whether a line opens a block, or its next part, as ELSE does.
+  static bool opens(std::string_view line);
+  /// Whether a line ends a block, or a part of it.
+  static bool ends_part(std::string_view line);
+  bool brackets_open() const { return brackets_ > 0; }
   /// After the last line a bracket is open, or the block that it stands in surely is.
   bool surely_goes_on() const;
   /// It has been compiled, and a block is open.

@@ -8,13 +8,22 @@
 #include <readline/history.h>
 #include <readline/readline.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <clocale>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "runtime/files/text_lines.h"
+#include "runtime/prompt/indentation.h"
+#include "runtime/run/console.h"
 
 namespace rob::runtime {
 
@@ -59,6 +68,54 @@ void set_up_readline() {
   rl_readline_name = "rob";  // for the user's .inputrc
 }
 
+constexpr const char* kPasteBegins = "\033[200~";
+constexpr std::string_view kPasteEnds = "\033[201~";
+
+/// In place of readline's own, which it has set up by the first line.
+void bind(rl_command_func_t* enter, rl_command_func_t* paste) {
+  for (const Keymap map : {emacs_standard_keymap, vi_insertion_keymap, vi_movement_keymap}) {
+    for (const int key : {'\r', '\n'}) rl_bind_key_in_map(key, enter, map);
+    rl_bind_keyseq_in_map(kPasteBegins, paste, map);
+  }
+}
+
+/// What the terminal has marked as pasted; it comes without a pause.
+std::string read_paste() {
+  std::string text;
+  for (int key = rl_read_key(); key >= 0; key = rl_read_key()) {
+    text += key == '\r' ? '\n' : static_cast<char>(key);
+    if (text.ends_with(kPasteEnds)) return text.substr(0, text.size() - kPasteEnds.size());
+  }
+  return text;
+}
+
+/// Whether a text can be edited on the screen, with some lines to spare.
+bool fits(std::string_view text) {
+  constexpr std::size_t kSpare = 4;  // [choice]
+  int rows = 0;
+  int columns = 0;
+  rl_get_screen_size(&rows, &columns);
+  std::size_t needed = kSpare;
+  for (const std::string& line : split_lines(text))
+    needed += 1 + line.size() / static_cast<std::size_t>(std::max(columns, 1));
+  return needed <= static_cast<std::size_t>(rows);
+}
+
+/// A line of the history file is an entry: within it this stands for the end of a line.
+constexpr char kLineEnd = '\x1f';
+
+void read_entries(const std::string& file) {
+  read_history(file.c_str());
+  HIST_ENTRY** const list = history_list();
+  for (int i = 0; list != nullptr && list[i] != nullptr; ++i)
+    std::replace(list[i]->line, list[i]->line + std::strlen(list[i]->line), kLineEnd, '\n');
+}
+
+void append_entry(const std::string& file, std::string entry) {
+  std::ranges::replace(entry, '\n', kLineEnd);
+  std::ofstream(file, std::ios::app) << entry << '\n';
+}
+
 }  // namespace
 
 LineEditor::LineEditor(Completer completer, std::string history)
@@ -78,7 +135,7 @@ LineEditor::LineEditor(Completer completer, std::string history)
   if (history_.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(std::filesystem::path(history_).parent_path(), error);
-  read_history(history_.c_str());
+  read_entries(history_);
 }
 
 LineEditor::~LineEditor() {
@@ -89,17 +146,55 @@ LineEditor::~LineEditor() {
   living = nullptr;
 }
 
-void LineEditor::begin(const std::string& prompt, const std::string& typed) {
-  typed_ = typed;
+void LineEditor::begin(const std::string& prompt, const std::string& indent) {
+  indent_ = indent;
   line_.reset();
   editing_ = true;
   hidden_ = false;
   rl_callback_handler_install(prompt.c_str(), &LineEditor::accept);
+  bind(&LineEditor::enter, &LineEditor::paste);
+}
+
+/// The line is laid out before the cursor leaves it.
+int LineEditor::enter(int count, int key) {
+  const std::string typed(rl_line_buffer, static_cast<std::size_t>(rl_end));
+  const std::string line = !living->pasted_.empty() ? typed : laid_out(typed, living->indent_);
+  if (line != typed) {
+    rl_replace_line(line.c_str(), 0);
+    rl_point = rl_end;
+    rl_redisplay();
+  }
+  return rl_newline(count, key);
 }
 
 int LineEditor::put_in() {
-  if (!living->typed_.empty()) rl_insert_text(living->typed_.c_str());
+  if (!living->indent_.empty()) rl_insert_text(living->indent_.c_str());
   return 0;
+}
+
+int LineEditor::paste(int, int) {
+  const std::string text = read_paste();
+  if (text.find('\n') == std::string::npos || fits(text)) {
+    rl_insert_text(text.c_str());
+  } else {
+    living->hold(text);
+  }
+  return 0;
+}
+
+/// It is shown once, and does not have to be drawn anew with each key.
+void LineEditor::hold(const std::string& text) {
+  const std::string line(rl_line_buffer, static_cast<std::size_t>(rl_end));
+  const auto point = static_cast<std::size_t>(rl_point);
+  std::string whole = line.substr(0, point) + text + line.substr(point);
+  if (whole.ends_with('\n')) whole.pop_back();
+  rl_clear_visible_line();
+  rl_replace_line("", 1);
+  put_message(fmt::format("{}\n{} lines are pasted: Enter executes them, Ctrl-C drops them\n",
+                          whole, split_lines(whole).size()));
+  pasted_ += (pasted_.empty() ? "" : "\n") + whole;
+  rl_on_new_line();
+  rl_redisplay();
 }
 
 void LineEditor::change_prompt(const std::string& prompt) {
@@ -132,21 +227,21 @@ void LineEditor::accept(char* line) {
     living->ended_ = true;
     return;
   }
-  living->line_ = line;
+  living->line_ = std::exchange(living->pasted_, "");
+  if (!living->line_->empty() && *line != '\0') *living->line_ += '\n';
+  *living->line_ += line;
   std::free(line);
-  living->keep(*living->line_);
 }
 
 std::optional<std::string> LineEditor::take_line() { return std::exchange(line_, std::nullopt); }
 
 /// At once in the file too: it is there whatever ends the session.
-void LineEditor::keep(const std::string& line) {
-  if (line.find_first_not_of(" \t\n") == std::string::npos) return;
+void LineEditor::keep(const std::string& entry) {
+  if (entry.find_first_not_of(" \t\n") == std::string::npos) return;
   const HIST_ENTRY* const last = history_get(history_base + history_length - 1);
-  if (last != nullptr && line == last->line) return;
-  add_history(line.c_str());
-  if (history_.empty()) return;
-  if (append_history(1, history_.c_str()) != 0) write_history(history_.c_str());
+  if (last != nullptr && entry == last->line) return;
+  add_history(entry.c_str());
+  if (!history_.empty()) append_entry(history_, entry);
 }
 
 void LineEditor::drop() {
@@ -157,11 +252,12 @@ void LineEditor::drop() {
   rl_replace_line("", 1);
   rl_callback_handler_remove();
   editing_ = false;
+  pasted_.clear();
   std::fputs("^C\n", rl_outstream);
   std::fflush(rl_outstream);
 }
 
-bool LineEditor::empty() const { return rl_end == 0; }
+bool LineEditor::empty() const { return rl_end == 0 && pasted_.empty(); }
 
 void LineEditor::hide() {
   if (!editing_ || hidden_) return;

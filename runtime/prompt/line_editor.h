@@ -23,8 +23,8 @@ class LineEditor {
   LineEditor(const LineEditor&) = delete;
   LineEditor& operator=(const LineEditor&) = delete;
 
-  /// A new line, behind the prompt; `typed` stands in it already.
-  void begin(const std::string& prompt, const std::string& typed = "");
+  /// A new line, behind the prompt; `indent` stands in it already.
+  void begin(const std::string& prompt, const std::string& indent = "");
   /// Of the line under way; what has been typed and the cursor stay.
   void change_prompt(const std::string& prompt);
   /// Takes what has been typed until there is no more, or a line is complete.
@@ -35,8 +35,10 @@ class LineEditor {
   bool ended() const { return ended_; }
   /// The line under way is dropped; begin() has to follow.
   void drop();
-  /// Nothing stands in the line under way.
+  /// Nothing stands in the line under way, or is pasted before it.
   bool empty() const;
+  /// The history has this as one more entry, of any number of lines.
+  void keep(const std::string& entry);
 
   /// For output: takes the line off the screen, and puts it back.
   void hide();
@@ -46,12 +48,14 @@ class LineEditor {
   static void accept(char* line);
   static char** complete(const char* word, int begin, int end);
   static int put_in();
-  void keep(const std::string& line);
-  void forget_line();
+  static int enter(int count, int key);
+  static int paste(int count, int key);
+  void hold(const std::string& text);
 
   Completer completer_;
   std::string history_;
-  std::string typed_;  ///< at the beginning of the line
+  std::string indent_;
+  std::string pasted_;  ///< text that is too long for the screen; it stands before the line
   std::optional<std::string> line_;
   bool editing_ = false;
   bool hidden_ = false;

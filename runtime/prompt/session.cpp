@@ -31,10 +31,7 @@ motion::RobotModel chosen(const SessionOptions& options) {
 bool is_incomplete(const std::string& entry, const LoadedProgram& compiled) {
   if (compiled.runnable()) return false;
   if (EntryLines::brackets_open(entry)) return true;
-  return std::ranges::any_of(
-      compiled.compilation.diagnostics.all(), [](const lang::Diagnostic& one) {
-        return one.code == lang::code::kUnclosedBlock || one.code == lang::code::kRescueMissing;
-      });
+  return std::ranges::any_of(compiled.compilation.diagnostics.all(), may_be_mended_below);
 }
 
 }  // namespace
@@ -113,6 +110,14 @@ Session::Taken Session::take(const std::string& text, bool last) {
     workshop_.record(kept, text_->named_in(entry), line);
   }
   return Taken::Done;
+}
+
+bool Session::sound_so_far(const std::string& block, std::size_t first) {
+  const std::string wrong = text_->wrong_in_open(block, static_cast<std::uint32_t>(first));
+  if (wrong.empty()) return true;
+  screen_->message(wrong);
+  note(ExitCode::ProgramError);
+  return false;
 }
 
 /// False if it has been refused.

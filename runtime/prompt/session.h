@@ -53,6 +53,9 @@ class Session {
   /// A statement or a block, a word of it at least. `last`: no more lines will come. Throws
   /// FileError.
   Taken take(const std::string& text, bool last);
+  /// Whether nothing is wrong with the last lines of a block that is open; what is, is told.
+  /// `first`: of the lines, counted from 0.
+  bool sound_so_far(const std::string& block, std::size_t first);
   /// Takes what there is to report; on the virtual clock a cycle passes.
   void let_pass();
   /// Until no entry is open, or `most` of them.

@@ -4,6 +4,7 @@
 
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
+#include "runtime/files/text_lines.h"
 #include "runtime/words/signature.h"
 
 namespace rob::runtime {
@@ -29,6 +30,11 @@ bool may_be_value(const lang::Diagnostic& finding) {
 }
 
 }  // namespace
+
+bool may_be_mended_below(const lang::Diagnostic& finding) {
+  namespace code = lang::code;
+  return finding.code == code::kUnclosedBlock || finding.code == code::kRescueMissing;
+}
 
 std::size_t find_word(std::string_view line, std::string_view word, std::size_t begin) {
   for (std::size_t i = begin; i < line.size();) {
@@ -71,6 +77,21 @@ SessionText::Reading SessionText::read(std::string_view entry) const {
   return in_first_word && is_unknown(wrong) && (!suggests(wrong) || suggests(found.front()))
              ? statements
              : value;
+}
+
+/// What is missing may still come.
+std::string SessionText::wrong_in_open(std::string_view block, std::uint32_t first) const {
+  const LoadedProgram compiled = compile(block);
+  std::vector<std::string> lines = split_lines(block);
+  std::string told;
+  for (const lang::Diagnostic& one : compiled.compilation.diagnostics.all()) {
+    const lang::Place& place = one.place;
+    const bool here =
+        place.file == 0 && place.line >= line() + first && place.line < line() + lines.size();
+    if (!here || one.severity != lang::Severity::Error || may_be_mended_below(one)) continue;
+    told += lang::render_line(one, kName, lines[place.line - line()]);
+  }
+  return told;
 }
 
 void SessionText::keep(std::string_view entry, const LoadedProgram& compiled) {

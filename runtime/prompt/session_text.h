@@ -19,6 +19,9 @@ inline bool has_word(std::string_view line, std::string_view word) {
   return find_word(line, word) != std::string_view::npos;
 }
 
+/// What is said of a block because its end has not been typed yet.
+bool may_be_mended_below(const lang::Diagnostic& finding);
+
 /// All that has been typed at a prompt, line by line from 1, for messages; and what of it counts
 /// for the next entry, which is compiled for the robot of the prompt.
 class SessionText {
@@ -38,6 +41,9 @@ class SessionText {
   };
   /// The entry as it is meant: statements, or else an expression alone.
   Reading read(std::string_view entry) const;
+  /// What is wrong with the last lines of a block that is open, from its `first` line on, counted
+  /// from 0; told as rendered() does. Empty: nothing.
+  std::string wrong_in_open(std::string_view block, std::uint32_t first) const;
   /// The entry has been taken, or refused: the next one begins on the line after it.
   void keep(std::string_view entry, const LoadedProgram& compiled);
   /// What was declared on these lines is forgotten: their entries have not been carried out.

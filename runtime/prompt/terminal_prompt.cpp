@@ -22,6 +22,7 @@
 #include "runtime/files/text_lines.h"
 #include "runtime/prompt/commands.h"
 #include "runtime/prompt/entry_lines.h"
+#include "runtime/prompt/indentation.h"
 #include "runtime/prompt/line_editor.h"
 #include "runtime/prompt/pendant_terminal.h"
 #include "runtime/prompt/terminal_guard.h"
@@ -41,6 +42,8 @@ constexpr int kLookMs = 20;          // [choice] two reference periods between l
 constexpr auto kStateEvery = 200ms;  // [choice] figures that change faster cannot be read
 constexpr const char* kContinues = "\u2026 ";
 constexpr const char* kAsks = "? ";
+/// Each line of a block is compiled with all before it. [choice] a tenth of a second at most
+constexpr std::size_t kMostLookedAt = 500;
 
 /// Output stands above the line that is being typed.
 class TerminalScreen final : public Screen {
@@ -85,16 +88,6 @@ std::vector<std::string> files_in(const std::string& folder) {
   return names;
 }
 
-/// As many blanks as the last line begins with, and two more behind a line that opens a block.
-std::string indent_behind(std::string_view block) {
-  const std::size_t begin = block.rfind('\n') + 1;  // 0 on the first line
-  const std::string_view line = block.substr(begin);
-  const std::size_t blanks = std::min(line.find_first_not_of(' '), line.size());
-  const std::string_view word = line.substr(line.find_last_of(' ') + 1);
-  const bool opens = begin == 0 || lang::same_word(word, "DO") || lang::same_word(word, "THEN");
-  return std::string(blanks + (opens ? 2 : 0), ' ');
-}
-
 class TerminalPrompt {
  public:
   explicit TerminalPrompt(SessionOptions options);
@@ -111,6 +104,8 @@ class TerminalPrompt {
   void tell_not_executed(std::string_view rest);
   void show_pendant();
   void take(const std::string& line);
+  void drop_entry();
+  void look_at_last_lines();
   void show_state();
   void stop_or_drop();
   void come_to_rest();
@@ -125,6 +120,7 @@ class TerminalPrompt {
   bool draws_ = draws();
   bool colours_ = draws_ && !is_set("NO_COLOR");
   EntryLines entry_;                 ///< lines of a block that is open
+  EntryLines sound_;                 ///< those of them in which no mistake was found
   std::size_t width_ = 0;            ///< of the state in the prompt
   std::string prompt_;               ///< as it is shown
   SteadyClock::time_point shown_{};  ///< when
@@ -171,7 +167,7 @@ void TerminalPrompt::begin_line() {
   width_ = 0;
   prompt_ = prompt_text();
   shown_ = SteadyClock::now();
-  editor_.begin(prompt_, entry_.empty() || session_.asks() ? "" : indent_behind(entry_.text()));
+  editor_.begin(prompt_, entry_.empty() || session_.asks() ? "" : indent_after(entry_.text()));
 }
 
 /// For a key, but not longer than until the robot may have something to report. False when the
@@ -205,15 +201,23 @@ void TerminalPrompt::take_lines(std::string_view rest) {
     if (end == std::string_view::npos) return;
     rest.remove_prefix(end + 1);
     if (session_.errors() == errors) continue;
-    entry_.clear();
-    return tell_not_executed(rest);
+    std::string left = entry_.empty() ? "" : entry_.text() + "\n";
+    left += rest;
+    drop_entry();
+    return tell_not_executed(left);
   }
 }
 
+/// So many that the error stays in sight above them.
 void TerminalPrompt::tell_not_executed(std::string_view rest) {
   if (rest.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
+  const std::vector<std::string> lines = split_lines(rest);
+  constexpr std::size_t kMost = 10;  // [choice]
   screen_.message("not executed, of what was pasted:\n");
-  while (!rest.empty()) screen_.message(fmt::format("  {}\n", take_line(rest)));
+  for (std::size_t i = 0; i < std::min(lines.size(), kMost); ++i)
+    screen_.message(fmt::format("  {}\n", lines[i]));
+  if (lines.size() > kMost)
+    screen_.message(fmt::format("  and {} lines more\n", lines.size() - kMost));
 }
 
 void TerminalPrompt::show_pendant() {
@@ -223,13 +227,37 @@ void TerminalPrompt::show_pendant() {
 
 void TerminalPrompt::take(const std::string& line) {
   if (session_.asks() || is_command(line)) {
+    editor_.keep(line);
     enter(session_, line);
     return;
   }
   entry_.add(line);
-  if (entry_.surely_goes_on()) return;
-  if (enter(session_, entry_.text()) == Session::Taken::Incomplete) return entry_.note_open_block();
+  if (entry_.brackets_open()) return;
+  if (!entry_.surely_goes_on()) {
+    if (enter(session_, entry_.text()) == Session::Taken::Done) return drop_entry();
+    entry_.note_open_block();
+  }
+  look_at_last_lines();
+}
+
+/// The history has it as a whole.
+void TerminalPrompt::drop_entry() {
+  editor_.keep(entry_.text());
   entry_.clear();
+  sound_.clear();
+}
+
+/// A mistake is told at once, and only the lines with it have to be typed again.
+void TerminalPrompt::look_at_last_lines() {
+  const std::size_t before = sound_.size();
+  if (entry_.size() > kMostLookedAt || session_.sound_so_far(entry_.text(), before)) {
+    sound_ = entry_;
+    return;
+  }
+  std::string_view last = entry_.text();
+  for (std::size_t i = 0; i < before; ++i) take_line(last);
+  editor_.keep(std::string(last));
+  entry_ = sound_;
 }
 
 void TerminalPrompt::show_state() {
@@ -246,7 +274,7 @@ void TerminalPrompt::stop_or_drop() {
   if (session_.interrupt_again() || session_.interrupt()) return;
   const bool nothing = editor_.empty() && entry_.empty();
   editor_.drop();
-  entry_.clear();
+  drop_entry();
   if (nothing) screen_.message("nothing moves; Ctrl-D or :quit leaves\n");
   begin_line();
 }

@@ -155,6 +155,78 @@ TEST_CASE("a paste ends at its first error, and what follows in it is shown") {
   CHECK(line_of(lines, "42") == lines.size());
 }
 
+TEST_CASE("a line of a block with a mistake is told at once, and alone is typed again") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("FOR i = 1 TO 2 DO\r");
+  REQUIRE(terminal.expect("\u2026"));
+  terminal.send("PRINT j\r");
+  REQUIRE(terminal.expect("prompt:2:9: error[E201]"));
+  REQUIRE(terminal.expect("\u2026"));
+  terminal.send("PRINT 10 * i\r");
+  REQUIRE(terminal.expect("\u2026"));
+  terminal.send("ENDFOR\r");
+  REQUIRE(terminal.expect("10\r\n"));
+  REQUIRE(terminal.expect("20\r\n"));
+}
+
+TEST_CASE("a block is indented, its end is not, and blanks that are typed count alone") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("IF 1 == 1 THEN\r    LOOP\rEXIT\rENDLOOP\rELSE\rPRINT 2\rENDIF\rPRINT 40 + 2\r");
+  REQUIRE(terminal.expect("42\r\n"));
+  const std::vector<std::string> lines = terminal.screen();
+  const std::size_t first = line_of(lines, std::string(kAtRest) + "IF 1 == 1 THEN");
+  REQUIRE(first + 6 < lines.size());
+  CHECK(std::vector<std::string>(lines.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+                                 lines.begin() + static_cast<std::ptrdiff_t>(first) + 7) ==
+        std::vector<std::string>{"\u2026     LOOP", "\u2026       EXIT", "\u2026     ENDLOOP",
+                                 "\u2026   ELSE", "\u2026     PRINT 2", "\u2026   ENDIF"});
+}
+
+TEST_CASE("the history has a block as a whole, also in the next session") {
+  const Desk desk;
+  {
+    PseudoTerminal terminal({ROB_BINARY}, desk.options());
+    INFO(terminal.raw());
+    REQUIRE(terminal.expect(kAtRest));
+    terminal.send("FOR i = 1 TO 2 DO\rPRINT 10 * i\rENDFOR\r");
+    REQUIRE(terminal.expect("20\r\n"));
+    REQUIRE(terminal.expect(kAtRest));
+    terminal.send(std::string(kUp) + "\r");
+    REQUIRE(terminal.expect("10\r\n"));
+    REQUIRE(terminal.expect("20\r\n"));
+  }
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send(kUp);
+  REQUIRE(terminal.expect("ENDFOR"));
+  terminal.send("\r");
+  REQUIRE(terminal.expect("10\r\n"));
+  CHECK(terminal.expect("20\r\n"));
+}
+
+TEST_CASE("a paste of 50 lines is shown once, and Enter executes it") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  std::string text = "VAR n = 0\r";
+  for (int i = 1; i <= 48; ++i) text += "n = n + " + std::to_string(i) + "\r";
+  terminal.send("\033[200~" + text + "PRINT n\033[201~");
+  REQUIRE(terminal.expect("50 lines are pasted"));
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.watch(300ms);
+  CHECK(lines_with(terminal, "n = n + 48") == 1);
+  terminal.send("\r");
+  CHECK(terminal.expect("1176\r\n"));  // 48 * 49 / 2
+}
+
 TEST_CASE("Tab completes what may stand there, and lists what is ambiguous") {
   const Desk desk;
   PseudoTerminal terminal({ROB_BINARY}, desk.options());
