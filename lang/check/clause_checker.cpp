@@ -123,12 +123,25 @@ void ClauseChecker::check_override(const ExprPtr& share) {
 
 bool ClauseChecker::check_bound(const Expr& value, std::string_view word, std::string_view needed,
                                 std::string_view example, bool fits) {
-  if (fits) return check_positive(value, word);
-  diagnostics_.error(value.type.numeric() ? code::kDimensionMismatch : code::kTypeMismatch,
-                     value.place,
-                     fmt::format("this is {}; {} needs {} of the tool or of the rotary axes",
-                                 described(value), word, needed),
-                     fmt::format("as in {} {}", word, example));
+  const auto number = constant_number(value);
+  const bool bare = needs_unit(value);
+  if (fits && !bare) {
+    if (!check_positive(value, word)) return false;
+    if (is_bare(value.type) && number.value_or(0) > 1) {
+      diagnostics_.warning(code::kBoundAboveMaximum, value.place,
+                           fmt::format("{} {} is more than the robot can; it keeps 100%", word,
+                                       percent_text(*number)));
+    }
+    return true;
+  }
+  const bool share = bare && number.value_or(0) > 0;
+  diagnostics_.error(
+      value.type.numeric() ? code::kDimensionMismatch : code::kTypeMismatch, value.place,
+      fmt::format("this is {}; {} needs {} of the tool or of the rotary axes", described(value),
+                  word, needed),
+      share ? fmt::format("write {} {}% for a share of the robot's own, or {} {}", word,
+                          number_text(*number < 1 ? *number * 100 : *number, kNone), word, example)
+            : fmt::format("as in {} {}", word, example));
   return false;
 }
 

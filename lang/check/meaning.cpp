@@ -192,12 +192,14 @@ std::optional<MoveCommand::Pace> pace_of(const Type& type) {
 std::optional<MoveCommand::Bound> accel_of(const Type& type) {
   if (type == Type::real(kAcceleration)) return MoveCommand::Bound::Tool;
   if (type == Type::real(kAngularAcceleration)) return MoveCommand::Bound::Rotary;
+  if (type == Type::real()) return MoveCommand::Bound::Share;
   return std::nullopt;
 }
 
 std::optional<MoveCommand::Bound> jerk_of(const Type& type) {
   if (type == Type::real(kJerk)) return MoveCommand::Bound::Tool;
   if (type == Type::real(kAngularJerk)) return MoveCommand::Bound::Rotary;
+  if (type == Type::real()) return MoveCommand::Bound::Share;
   return std::nullopt;
 }
 

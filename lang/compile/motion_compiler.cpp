@@ -209,8 +209,8 @@ const Expr* MotionCompiler::live_pace(const Clauses& clauses) const {
 
 /// The checker has warned of a constant share above 100% and said that it is cut.
 void MotionCompiler::compile_clause(Clause clause, const Expr& said, Register target) {
-  const bool cut =
-      clause == Clause::At && is_bare(said.type) && constant_number(said).value_or(0) > 1;
+  const bool share = clause == Clause::At || clause == Clause::Accel || clause == Clause::Jerk;
+  const bool cut = share && is_bare(said.type) && constant_number(said).value_or(0) > 1;
   if (cut) return code_.load_real(target, 1, kNone, said.place);
   expressions_.value_into(said, target, true);
 }

@@ -29,8 +29,9 @@ struct MoveCommand {
     Time,         ///< ZONE 0.5s: s, half the time that the corner takes
     Share         ///< ZONE 50%: of the robot's own, 1 = 100 %
   };
-  /// ACCEL and JERK bound the tool point (m/s², m/s³) or the rotary axes (rad/s², rad/s³).
-  enum class Bound : std::uint8_t { Unspecified, Tool, Rotary };
+  /// ACCEL and JERK bound the tool point (m/s², m/s³) or the rotary axes (rad/s², rad/s³), or are a
+  /// share of the robot's maximum of every axis, 1 = 100 %.
+  enum class Bound : std::uint8_t { Unspecified, Tool, Rotary, Share };
 
   MotionKind kind = MotionKind::Joint;
   JogFrame jog{};  ///< of Jog

@@ -43,6 +43,11 @@ Dimension dimension_of(MoveCommand::Zone zone) {
   }
 }
 
+Dimension dimension_of(MoveCommand::Bound bound, Dimension tool, Dimension rotary) {
+  if (bound == MoveCommand::Bound::Share) return kNone;
+  return bound == MoveCommand::Bound::Tool ? tool : rotary;
+}
+
 /// The values of a motion, in the order of their registers. The first that is impossible is kept.
 class MoveValues {
  public:
@@ -96,11 +101,11 @@ void take_bounds(const MoveForm& form, MoveValues& values, MoveCommand& command)
   command.accel = form.accel;
   if (form.accel != Bound::Unspecified) {
     command.accel_value =
-        values.positive("ACCEL", form.accel == Bound::Tool ? kAcceleration : kAngularAcceleration);
+        values.positive("ACCEL", dimension_of(form.accel, kAcceleration, kAngularAcceleration));
   }
   command.jerk = form.jerk;
   if (form.jerk != Bound::Unspecified) {
-    command.jerk_value = values.positive("JERK", form.jerk == Bound::Tool ? kJerk : kAngularJerk);
+    command.jerk_value = values.positive("JERK", dimension_of(form.jerk, kJerk, kAngularJerk));
   }
 }
 

@@ -42,6 +42,8 @@ std::string zone_angle_text(const MoveCommand& command) {
 std::string bound_text(std::string_view word, MoveCommand::Bound bound, double value,
                        Dimension tool, Dimension rotary) {
   if (bound == MoveCommand::Bound::Unspecified) return "";
+  if (bound == MoveCommand::Bound::Share)
+    return std::string(word) + number_text(value * 100, kNone) + "%";
   return std::string(word) + number_text(value, bound == MoveCommand::Bound::Tool ? tool : rotary);
 }
 

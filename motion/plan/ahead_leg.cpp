@@ -90,6 +90,7 @@ AxesGive axes_give(const RobotModel& robot, const LegDemand& demand, double slow
 double given_to(Bound bound, const AxesGive& give) {
   return bound == Bound::Tool     ? give.acceleration.way
          : bound == Bound::Rotary ? give.acceleration.turn
+         : bound == Bound::Share  ? 1
                                   : 0;
 }
 
@@ -108,11 +109,13 @@ Windows windows(const RobotModel& robot, const LegDemand& demand, const MotionRe
     // The axes of a tool's path follow from it: they are bounded with it, not one by one.
     const bool follows = robot.tool_coordinates && demand.path != nullptr;
     const auto kind = request.jerk == Bound::Tool ? AxisKind::Linear : AxisKind::Rotary;
-    if (request.jerk == Bound::None || axis.kind != kind || follows) continue;
+    const bool whole = request.jerk == Bound::None || request.jerk == Bound::Share;
+    if (whole || axis.kind != kind || follows) continue;
     named = true;
     need.asked = std::max(need.asked, 2 * axis.a_max / request.jerk_value);
   }
-  if (request.jerk == Bound::None || named) return need;
+  if (request.jerk == Bound::Share) need.asked = need.axes / request.jerk_value;
+  if (request.jerk == Bound::None || request.jerk == Bound::Share || named) return need;
   need.asked = 2 * given_to(request.jerk, give) / request.jerk_value;
   return need;
 }

@@ -31,8 +31,10 @@ inline constexpr int kMostPeriods = 4096;
 ///   OVER t        length/t: speeding up and slowing down come on top
 ///   ACCEL         a share of every axis' a_max: so much that the tip, or the turning, is
 ///                 accelerated by that much where the axes are strongest, along the leg
+///   ACCEL p%      that share itself
 ///   JERK          T_w = max_i 2·A_i/J_i with A_i that share of a_max, J_i the least of j_max
 ///                 and of JERK. For a tip that axes of another kind move, 2·σ''/JERK
+///   JERK p%       J_i = p·j_max of axis i
 ///   ZONE          z: miss; t: the corner begins t before the target at the leg's full speed;
 ///                 p%: of half of the legs; without it the robot's. Its angle, or the
 ///                 robot's zone.angle, always

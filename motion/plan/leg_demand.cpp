@@ -131,13 +131,14 @@ PaceCut pace_cut(const RobotModel& robot, const ToolPath& path, const JointPath&
 }
 
 ProfileLimits profile_limits(const RobotModel& robot, const JointVector& straight, double change) {
-  ProfileLimits limits{std::numeric_limits<double>::infinity(),
-                       std::numeric_limits<double>::infinity()};
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  ProfileLimits limits{kUnbounded, kUnbounded, kUnbounded};
   for (int i = 0; i < robot.axis_count(); ++i) {
     const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
     const double way = std::abs(straight[i]);
     limits.rate = std::min(limits.rate, axis.v_max / way);
     limits.acceleration = std::min(limits.acceleration, (axis.a_max - change * axis.v_max) / way);
+    limits.jerk = std::min(limits.jerk, axis.j_max / way);
   }
   return limits;
 }

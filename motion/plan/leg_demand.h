@@ -64,12 +64,13 @@ struct PaceCut {
 PaceCut pace_cut(const RobotModel& robot, const ToolPath& path, const JointPath& axes,
                  double asked);
 
-/// The greatest speed and acceleration of a parameter, per s, which the axes can follow in a
+/// The greatest speed, acceleration and jerk of a parameter, per s, which the axes can follow in a
 /// profile while its time is also changed by as much as `change`, 1/s. On a path half of their
 /// acceleration is left to its bends [choice: so that the other half speeds the motion up].
 struct ProfileLimits {
   double rate = 0;
   double acceleration = 0;
+  double jerk = 0;  ///< the axes' own; a profile keeps it where JERK asks for a share of it
 };
 ProfileLimits profile_limits(const RobotModel& robot, const JointVector& straight, double change);
 ProfileLimits profile_limits(const RobotModel& robot, const JointPath& axes, double change);

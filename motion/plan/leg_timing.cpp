@@ -85,16 +85,18 @@ void LegTiming::time_profile(const MotionDraft& draft, const MotionRequest& requ
   const JointPath* const path = draft.demand.path;
   ProfileLimits limits = path == nullptr ? profile_limits(robot_, draft.demand.rates, braking_)
                                          : profile_limits(robot_, *path, braking_);
-  const auto bounded = [&](MotionRequest::Bound bound, double value) {
+  const auto bounded = [&](MotionRequest::Bound bound, double value, double own) {
+    if (bound == MotionRequest::Bound::Share) return value * own;
     const double per_share = bound == MotionRequest::Bound::Tool     ? draft.demand.pace_way
                              : bound == MotionRequest::Bound::Rotary ? draft.demand.pace_turn
                                                                      : 0;
     return per_share > 0 ? value / per_share : std::numeric_limits<double>::infinity();
   };
-  limits.acceleration = std::min(limits.acceleration, bounded(request.accel, request.accel_value));
+  limits.acceleration = std::min(limits.acceleration,
+                                 bounded(request.accel, request.accel_value, limits.acceleration));
   const double rate = std::min(limits.rate, 1 / timing.duration);
   const double asked = request.at_least / boost_;
-  const double jerk = bounded(request.jerk, request.jerk_value);
+  const double jerk = bounded(request.jerk, request.jerk_value, limits.jerk);
   const auto law = [&](double most_rate, double at_least) {
     return ProfileLaw::within_jerk(request.profile, most_rate, limits.acceleration, jerk, at_least);
   };

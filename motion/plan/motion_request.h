@@ -26,8 +26,9 @@ struct MotionRequest {
   /// The subject of an acceleration or a jerk.
   enum class Bound : std::uint8_t {
     None,
-    Tool,   ///< the tip, m/s², m/s³
-    Rotary  ///< every rotary axis, or on a path of the tool its turning, rad/s², rad/s³
+    Tool,    ///< the tip, m/s², m/s³
+    Rotary,  ///< every rotary axis, or on a path of the tool its turning, rad/s², rad/s³
+    Share    ///< 1 = 100 %: of the robot's own of every axis
   };
 
   Tag tag = 0;

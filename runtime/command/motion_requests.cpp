@@ -23,7 +23,10 @@ motion::ProfileShape profile_of(lang::Profile profile) {
 motion::MotionRequest::Bound bound_of(lang::MoveCommand::Bound bound) {
   using From = lang::MoveCommand::Bound;
   using To = motion::MotionRequest::Bound;
-  return bound == From::Tool ? To::Tool : bound == From::Rotary ? To::Rotary : To::None;
+  return bound == From::Tool     ? To::Tool
+         : bound == From::Rotary ? To::Rotary
+         : bound == From::Share  ? To::Share
+                                 : To::None;
 }
 
 }  // namespace

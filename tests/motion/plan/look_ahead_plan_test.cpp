@@ -174,6 +174,20 @@ TEST_CASE("JERK and the axes' own make the window 2·A/J, the longest of all axe
   CHECK(p.bounds(to(0, 0)).window == doctest::Approx(0.25));  // 2·100/500 s is too long
 }
 
+TEST_CASE("ACCEL and JERK in percent are shares of the robot's maxima of every axis") {
+  Planned p;
+  const LegBounds half = p.bounds(accelerated(to(30, 40), Bound::Share, 0.5));
+  CHECK(half.acceleration == 0.5);
+  CHECK(half.window == doctest::Approx(0.1));  // 2·50/1000
+  // Turning alone, where ACCEL of the tool bounds nothing.
+  CHECK(p.bounds(accelerated(to(30, 40, 90), Bound::Share, 0.3)).acceleration == 0.3);
+  CHECK(p.take(accelerated(to(0, 0), Bound::Share, 1.1)).warnings == PlannedSegment::kBoundCut);
+  // All axes have 1000: 80% of it is JERK 800mm/s^3, which the test before computes.
+  const LegBounds low = p.bounds(jerked(to(30, 40), Bound::Share, 0.8));
+  CHECK(low.window == doctest::Approx(0.2));
+  CHECK(low.acceleration == doctest::Approx(0.2 * 0.8 / 2 / 0.1));
+}
+
 TEST_CASE("where jerk is low the acceleration is no greater than a ramp to full speed can use") {
   Planned p;
   for (Axis& axis : p.robot.axes) axis.j_max = kInfinity;
