@@ -47,6 +47,7 @@ set(rob_lang_sources
   lang/help/terminal_text.cpp
   lang/machine/cartesian_axes.cpp
   lang/machine/machine.cpp
+  lang/machine/move_command.cpp
   lang/machine/move_pose.cpp
   lang/machine/robot_signature.cpp
   lang/machine/seen_from.cpp

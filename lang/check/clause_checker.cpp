@@ -60,6 +60,34 @@ bool ClauseChecker::check(const Clauses& clauses, Place place) {
   return false;
 }
 
+void ClauseChecker::check_defaults(const Clauses& clauses, std::string_view word, Place place) {
+  check(clauses, place);
+  const bool fixed = word == "DEFAULT";
+  const Surroundings& around = clauses.surroundings;
+  const char* const misplaced = clauses.profile != Profile::Unspecified ? "PROFILE"
+                                : clauses[Clause::Over] != nullptr      ? "OVER"
+                                : clauses[Clause::Jerk] != nullptr      ? "JERK"
+                                : clauses[Clause::For] != nullptr       ? "FOR"
+                                : clauses.euler                         ? "EULER"
+                                : fixed && around.tool != nullptr       ? "WITH"
+                                : fixed && around.has_frame()           ? "IN"
+                                                                        : nullptr;
+  if (clauses.live) {
+    diagnostics_.error(code::kClauseMisplaced, clauses.live_place,
+                       fmt::format("AT LIVE does not stand after {}", word),
+                       "it stands after a motion or a PATH");
+  } else if (misplaced != nullptr) {
+    diagnostics_.error(code::kClauseMisplaced, place,
+                       fmt::format("{} does not stand after {}", misplaced, word),
+                       "AT, ZONE, FINE and ACCEL do: for each motion that does not say otherwise");
+  }
+  for (const ExprPtr& value : clauses.values) {
+    if (!fixed || value == nullptr || !value->type.known() || known(value->constant)) continue;
+    diagnostics_.error(code::kDefaultComputed, value->place, "the values of DEFAULT are constant",
+                       "write a number with its unit, or a CONST; WITH … DO takes computed ones");
+  }
+}
+
 bool ClauseChecker::check(Clause clause, const Expr& value) {
   if (value.type.kind == Type::Kind::Unknown) return false;
   switch (clause) {

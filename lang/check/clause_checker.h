@@ -22,6 +22,9 @@ class ClauseChecker {
 
   /// `place`: of the motion.
   bool check(const Clauses& clauses, Place place);
+  /// What motions take that do not say otherwise: after `word`, WITH or DEFAULT. Also the
+  /// surroundings.
+  void check_defaults(const Clauses& clauses, std::string_view word, Place place);
   /// WITH names a TOOL, IN a FRAME.
   bool check(const Surroundings& surroundings);
   void check_override(const ExprPtr& share);

@@ -215,16 +215,33 @@ class Walk {
     for (const ExprPtr& value : move.clauses.values)  // AT LIVE is read while it moves
       if (!move.clauses.live || &value != &move.clauses[Clause::At]) look(value);
     const ExprPtr& zone = move.clauses[Clause::Zone];
-    const bool exact = move.clauses.at_rest() || (zone != nullptr && constant_number(*zone) == 0.0);
+    const bool own = move.clauses.fine || zone != nullptr;
+    const bool exact = move.clauses.at_rest() || (own ? exact_zone(zone) : exact_default_);
     settle(exact || move.kind == MotionKind::Jog ? 0 : place_.line);  // a jog has no corner
   }
-  void visit(const PlainMotions& motions) { settle(motions.motions.back().line); }
+  void visit(const PlainMotions& motions) {
+    settle(exact_default_ ? 0 : motions.motions.back().line);
+  }
   void visit(const WatchedMotion& watched) {
     block(watched.motion);
     if (watched.until != nullptr) settle(0);
     block(watched.otherwise);
   }
-  void visit(const With& with) { block(with.body); }
+  void visit(const With& with) {
+    const bool around = exact_default_;
+    visit_defaults(with.clauses);
+    block(with.body);
+    exact_default_ = around;
+  }
+  void visit(const Defaults& defaults) { visit_defaults(defaults.clauses); }
+  void visit_defaults(const Clauses& clauses) {
+    for (const ExprPtr& value : clauses.values) look(value);
+    const ExprPtr& zone = clauses[Clause::Zone];
+    if (clauses.fine || zone != nullptr) exact_default_ = clauses.fine || exact_zone(zone);
+  }
+  static bool exact_zone(const ExprPtr& zone) {
+    return zone != nullptr && constant_number(*zone) == 0.0;
+  }
   void visit(const PathBlock& path) { block(path.body); }
   void visit(const Press& press) {
     look(press.force);
@@ -320,8 +337,9 @@ class Walk {
 
   Diagnostics& diagnostics_;
   Place place_;
-  std::uint32_t loose_ = 0;    ///< line of the last motion, where it is not exact; 0: none
-  std::uint32_t settled_ = 0;  ///< how often that was settled
+  std::uint32_t loose_ = 0;     ///< line of the last motion, where it is not exact; 0: none
+  std::uint32_t settled_ = 0;   ///< how often that was settled
+  bool exact_default_ = false;  ///< a DEFAULT or WITH makes motions exact that say nothing
 };
 
 }  // namespace

@@ -150,10 +150,28 @@ void StatementChecker::check(WayPoint& event) {
 }
 
 void StatementChecker::check(With& with) {
-  clauses_.check(with.surroundings);
-  moves_.enter_surroundings();
+  clauses_.check_defaults(with.clauses, "WITH", place_);
+  remember_accel(with.clauses);
+  const bool elsewhere = !with.clauses.surroundings.none();
+  if (elsewhere) moves_.enter_surroundings();
   check(with.body);
-  moves_.leave_surroundings();
+  if (elsewhere) moves_.leave_surroundings();
+}
+
+void StatementChecker::check(Defaults& defaults) {
+  if (default_line_ != 0) {
+    diagnostics_.error(code::kDefaultTwice, place_,
+                       fmt::format("there is a DEFAULT already, in line {}", default_line_),
+                       "write all clauses after that one");
+  }
+  default_line_ = place_.line;
+  clauses_.check_defaults(defaults.clauses, "DEFAULT", place_);
+  remember_accel(defaults.clauses);
+}
+
+void StatementChecker::remember_accel(const Clauses& clauses) {
+  const ExprPtr& accel = clauses[Clause::Accel];
+  if (accel != nullptr) features_.push_back({accel->place, MotionFeature::Accel});
 }
 
 void StatementChecker::check(PathBlock& path) {

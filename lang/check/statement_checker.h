@@ -63,6 +63,8 @@ class StatementChecker {
   void check(WatchedMotion& watched);
   void check(WayPoint& event);
   void check(With& with);
+  void check(Defaults& defaults);
+  void remember_accel(const Clauses& clauses);
   void check(PathBlock& path);
   void check(Press& press);
   void check(SetOverride& statement) { clauses_.check_override(statement.share); }
@@ -135,7 +137,8 @@ class StatementChecker {
   DeclarationChecker declared_;
   Place place_;  ///< of the current statement
   Inside inside_;
-  bool pressing_ = false;  ///< inside of PRESS
+  std::uint32_t default_line_ = 0;  ///< where DEFAULT stands; 0: nowhere so far
+  bool pressing_ = false;           ///< inside of PRESS
 };
 
 }  // namespace rob::lang

@@ -98,6 +98,7 @@ struct MoveForm {
   bool fine = false;
   bool euler = false;
   bool fine_within = false;
+  bool live = false;  ///< AT LIVE has said the pace before
   Profile profile = Profile::Unspecified;
 
   bool operator==(const MoveForm&) const = default;

@@ -133,6 +133,10 @@ void CodeBuilder::via(Register first, const MoveForm& form, Place place) {
   emit(Instruction::ax(Opcode::via, first, form_number(form, place)), place);
 }
 
+void CodeBuilder::defaults(Opcode opcode, Register first, const MoveForm& form, Place place) {
+  emit(Instruction::ax(opcode, first, form_number(form, place)), place);
+}
+
 void CodeBuilder::move_to(const MoveForm& form, std::span<const double> components, Place place) {
   emit(Instruction::ax(Opcode::move_to, 0, form_number(form, place)), place);
   for (const double component : components) {

@@ -54,6 +54,8 @@ class CodeBuilder {
   void append_memory(Register text, Register places, const Type& type, Place place);
   void move(Register first, const MoveForm& form, Place place);
   void via(Register first, const MoveForm& form, Place place);
+  /// Clauses of motions: enter_defaults, set_defaults.
+  void defaults(Opcode opcode, Register first, const MoveForm& form, Place place);
   /// A move with its components in the code, SI.
   void move_to(const MoveForm& form, std::span<const double> components, Place place);
 

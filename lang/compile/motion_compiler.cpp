@@ -226,6 +226,7 @@ void MotionCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) {
   };
   form.profile = clauses.profile;
   form.euler = clauses.euler;
+  form.live = live_pace(clauses) != nullptr;
   std::array<const Expr*, kClauses> settled{};
   for (std::size_t i = 0; i < kClauses; ++i) {
     settled[i] = clauses.values[i].get();
@@ -287,6 +288,39 @@ void MotionCompiler::enter(const Surroundings& surroundings, Place place) {
 
 void MotionCompiler::leave(const Surroundings& surroundings, Place place) {
   if (!surroundings.none()) blocks_.close(OpenScopes::Kind::With, place);
+}
+
+namespace {
+
+bool gives_defaults(const Clauses& clauses) {
+  return clauses.fine || clauses[Clause::At] != nullptr || clauses[Clause::Zone] != nullptr ||
+         clauses[Clause::Accel] != nullptr;
+}
+
+}  // namespace
+
+void MotionCompiler::begin_defaults(const Clauses& clauses, Place place) {
+  if (!gives_defaults(clauses)) return;
+  emit_defaults(Opcode::enter_defaults, clauses, place);
+  blocks_.open(OpenScopes::Kind::With);
+}
+
+void MotionCompiler::end_defaults(const Clauses& clauses, Place place) {
+  if (gives_defaults(clauses)) blocks_.close(OpenScopes::Kind::With, place);
+}
+
+void MotionCompiler::set_defaults(const Clauses& clauses, Place place) {
+  emit_defaults(Opcode::set_defaults, clauses, place);
+}
+
+/// The values are computed here, once. A PATH around it, which takes no WITH, has no say.
+void MotionCompiler::emit_defaults(Opcode opcode, const Clauses& clauses, Place place) {
+  const auto mark = frame_.mark();
+  MoveForm form;
+  const Register first = frame_.number_registers(0);
+  compile_clauses(clauses, form);
+  code_.defaults(opcode, first, form, place);
+  frame_.release(mark);
 }
 
 /// The clauses are evaluated once; their values are copied for the motions that have none.

@@ -35,6 +35,10 @@ class MotionCompiler {
   /// WITH and IN, of a block or a motion.
   void enter(const Surroundings& surroundings, Place place);
   void leave(const Surroundings& surroundings, Place place);
+  /// The clauses of a WITH, which hold for its motions, and those of DEFAULT.
+  void begin_defaults(const Clauses& clauses, Place place);
+  void end_defaults(const Clauses& clauses, Place place);
+  void set_defaults(const Clauses& clauses, Place place);
   /// The motions between these two calls are planned as one. The caller gives the registers of the
   /// clauses back.
   void begin_path(const PathBlock& path, Place place);
@@ -59,6 +63,7 @@ class MotionCompiler {
   const Expr* live_pace(const Clauses& clauses) const;
   void compile_live(const Expr& pace);
   void compile_clauses(const Clauses& clauses, MoveForm& form);
+  void emit_defaults(Opcode opcode, const Clauses& clauses, Place place);
   void compile_clause(Clause clause, const Expr& said, Register target);
 
   CodeBuilder& code_;

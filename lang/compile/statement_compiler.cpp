@@ -106,9 +106,15 @@ void StatementCompiler::compile(const WayPoint& event) {
 
 void StatementCompiler::compile(const With& with) {
   const Place place = place_;
-  motions_.enter(with.surroundings, place);
+  motions_.enter(with.clauses.surroundings, place);
+  motions_.begin_defaults(with.clauses, place);
   compile(with.body);
-  motions_.leave(with.surroundings, place);
+  motions_.end_defaults(with.clauses, place);
+  motions_.leave(with.clauses.surroundings, place);
+}
+
+void StatementCompiler::compile(const Defaults& defaults) {
+  motions_.set_defaults(defaults.clauses, place_);
 }
 
 void StatementCompiler::compile(const PathBlock& path) {

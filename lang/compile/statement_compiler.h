@@ -49,6 +49,7 @@ class StatementCompiler {
   void compile(const WatchedMotion& watched);
   void compile(const WayPoint& event);
   void compile(const With& with);
+  void compile(const Defaults& defaults);
   void compile(const PathBlock& path);
   void compile(const Press& press);
   void compile(const SetOverride& statement);

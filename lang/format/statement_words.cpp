@@ -113,7 +113,9 @@ bool StatementWords::begins_as_keyword(const Token& word, TokenKind behind) cons
 }
 
 bool StatementWords::is_clause(const Token& word, TokenKind behind) const {
-  if (behind_value_ || follows_clause("PATH")) return is_among(kClauseWords, word.text);
+  const bool header = follows_clause("PATH") || follows_clause("DEFAULT") ||
+                      (with_block_ && follows(Keyword::With));
+  if (behind_value_ || header) return is_among(kClauseWords, word.text);
   const auto is = [&](std::string_view text) { return same_word(word.text, text); };
   if (follows(Keyword::Jog)) return is("JOINT") || is("WORLD") || is("TOOL");
   if (follows(Keyword::Move) || follows(Keyword::Movel)) {
@@ -165,6 +167,7 @@ void StatementWords::go_on(const Token& token, WordUse use) {
   if (at_begin_ && token.kind == TokenKind::Reserved && token.keyword == Keyword::When) {
     trigger_ = true;
   }
+  if (token.kind == TokenKind::Reserved && token.keyword == Keyword::With) with_block_ = at_begin_;
   behind_value_ = closes(token.kind) || token.kind == TokenKind::Number ||
                   token.kind == TokenKind::String || is_literal(token) ||
                   (token.kind == TokenKind::Word && !clause) ||

@@ -55,8 +55,9 @@ class StatementWords {
   bool at_begin_ = true;  ///< of a statement, also of one after THEN, ELSE or a trigger's ':'
   bool behind_value_ = false;
   bool fields_ = false;
-  bool trigger_ = false;    ///< WHEN, AFTER, BEFORE: a ':' stands before the action
-  bool all_units_ = false;  ///< UNITS
+  bool trigger_ = false;     ///< WHEN, AFTER, BEFORE: a ':' stands before the action
+  bool all_units_ = false;   ///< UNITS
+  bool with_block_ = false;  ///< its last WITH begins a block
   int depth_ = 0;
   std::size_t unit_words_ = 0;  ///< tokens that still belong to a unit between brackets
 };

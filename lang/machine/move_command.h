@@ -59,11 +59,20 @@ struct MoveCommand {
   Bound jerk = Bound::Unspecified;
   double jerk_value = 0;
   Profile profile = Profile::Unspecified;
+  bool live = false;  ///< AT LIVE has said its pace before (Motions::live_pace)
+  /// Lines (line_tag) of the WITH or DEFAULT that a clause is of; 0 where it is the motion's own.
+  int pace_line = 0;
+  int zone_line = 0;  ///< of FINE, too
+  int accel_line = 0;
 
   bool has(int i) const { return (given >> i & 1) != 0; }
   /// Whether the motion must reach the target exactly, at rest.
   bool exact() const { return fine || (zone != Zone::Unspecified && zone_value == 0); }
 };
+
+/// Gives a motion the clauses of `defaults` that it does not have: each by itself, FINE and ZONE as
+/// one. A motion with a profile, which ends at rest, takes no ZONE, and a jog nothing.
+void take_defaults(const MoveCommand& defaults, MoveCommand& command);
 
 /// MoveCommand::given where all of `count` components are.
 constexpr std::uint8_t given_all(int count) {

@@ -229,7 +229,7 @@ struct Statement {
                Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
                Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use,
                PathBlock, WayPoint, Press, With, SetOverride, Load, RecordDeclaration, Halt, Ask,
-               Start>
+               Start, Defaults>
       node;
 };
 

@@ -112,10 +112,14 @@ struct Press {
   Surroundings surroundings;  ///< of the axis: IN alone
   Block body;
 };
-/// WITH cup IN pallet DO
+/// WITH cup IN pallet AT 50mm/s DO: its clauses are the defaults of all motions until its end.
 struct With {
-  Surroundings surroundings;
+  Clauses clauses;
   Block body;
+};
+/// DEFAULT AT 200mm/s ZONE 1mm: the defaults of all motions of the program.
+struct Defaults {
+  Clauses clauses;
 };
 /// LOAD 2kg COG (0mm, 0mm, 150mm)
 struct Load {

@@ -264,20 +264,11 @@ void BlockParser::rescue_header(Try& node) {
   blocks_.header_end("RESCUE");
 }
 
-// "WITH" ( IDENT [ "IN" refframe ] | "IN" refframe ) "DO" eol block "ENDWITH" eol
+// "WITH" ( IDENT | clause ) { clause } "DO" eol block "ENDWITH" eol
 void BlockParser::with_statement(Block& block) {
   const OpenBlock open{Keyword::Endwith, tokens_.place()};
   With node;
-  blocks_.header_up_to_do([&] {
-    const bool frame_alone =
-        tokens_.next().kind == TokenKind::Reserved && tokens_.next().keyword == Keyword::In;
-    if (frame_alone) {
-      tokens_.advance();
-    } else {
-      clauses_.with_tool(node.surroundings);
-    }
-    if (tokens_.at(Keyword::In)) clauses_.in_frame(node.surroundings);
-  });
+  blocks_.header_up_to_do([&] { clauses_.with_header(node.clauses); });
   node.body = blocks_.read(open);
   blocks_.close(open);
   tree_.add(block, open.place, std::move(node));

@@ -133,6 +133,15 @@ void ClauseParser::profile(Clauses& clauses) {
   tokens_.advance();
 }
 
+void ClauseParser::with_header(Clauses& clauses) {
+  if (clause_word(tokens_.next()).empty() || tokens_.next_is(Keyword::Do)) {
+    with_tool(clauses.surroundings);
+  } else {
+    tokens_.advance();
+  }
+  this->clauses(clauses);
+}
+
 // "WITH" IDENT
 void ClauseParser::with_tool(Surroundings& surroundings) {
   surroundings_ = true;

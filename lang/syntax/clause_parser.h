@@ -23,7 +23,8 @@ class ClauseParser {
       : tokens_(tokens), tree_(tree), expressions_(expressions) {}
 
   void clauses(Clauses& clauses);
-  void with_tool(Surroundings& surroundings);
+  /// The header of a block, from WITH on: there a word of a clause is one, never a tool's name.
+  void with_header(Clauses& clauses);
   void in_frame(Surroundings& surroundings);
   bool any_surroundings() const { return surroundings_; }
 
@@ -31,6 +32,7 @@ class ClauseParser {
   bool at_clause_word(std::string_view word) const;
 
  private:
+  void with_tool(Surroundings& surroundings);
   void clause(Clauses& clauses, Clause which, std::string_view word);
   bool at_live() const;
   bool at_further_value() const;

@@ -1,10 +1,12 @@
 #include "lang/syntax/statement_parser.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "lang/syntax/clause_words.h"
+#include "lang/syntax/declarations.h"
 #include "lang/syntax/keywords.h"
 #include "lang/syntax/named_types.h"
 #include "lang/text/ascii.h"
@@ -163,6 +165,9 @@ void StatementParser::word_statement(Block& block) {
   if (at_placed_word("ROBOT") || at_placed_word("UNITS") || at_placed_word("LAW")) {
     return header_.header(block, !blocks_.none());
   }
+  if (at_placed_word("DEFAULT") && tokens_.next().kind != TokenKind::LeftParen) {
+    return default_statement(block);
+  }
   if (at_placed_word("FRAME") || at_placed_word("TOOL")) return declarations_.frame_or_tool(block);
   if (at_placed_word("PATH")) return block_statements_.path_statement(block);
   if (at_placed_word("PRESS")) return block_statements_.press_statement(block);
@@ -185,6 +190,24 @@ void StatementParser::word_statement(Block& block) {
     default:
       return unknown_word(block);
   }
+}
+
+// "DEFAULT" clause { clause } eol
+void StatementParser::default_statement(Block& block) {
+  const Place place = tokens_.place();
+  if (!blocks_.none() || !std::ranges::all_of(block, is_declaration)) {
+    tokens_.fail(code::kHeaderTooLate, place,
+                 "DEFAULT holds for the whole program and has to stand before its first statement",
+                 "move it to the beginning; WITH … DO gives the motions of a block their own");
+  }
+  tokens_.advance();
+  if (tokens_.at_line_end()) {
+    tokens_.fail_behind(code::kWordExpected, "a clause expected after DEFAULT",
+                        "DEFAULT AT 200mm/s ZONE 1mm ACCEL 50%");
+  }
+  Defaults node;
+  clauses_.clauses(node.clauses);
+  tree_.add(block, place, std::move(node));
 }
 
 /// MOVE( or PRINT(, nearly, where no routine is called so.

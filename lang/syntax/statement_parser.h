@@ -41,6 +41,7 @@ class StatementParser final : public StatementReader {
   bool block_statement(Block& block);
   void motion(Block& block);
   void word_statement(Block& block);
+  void default_statement(Block& block);
   bool at_placed_word(std::string_view word);
   bool looks_misspelt();
   void unknown_word(Block& block);

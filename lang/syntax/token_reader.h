@@ -54,6 +54,9 @@ class TokenReader {
   bool at_word(std::string_view word) const {
     return current_.kind == TokenKind::Word && same_word(current_.text, word);
   }
+  bool next_is(Keyword keyword) const {
+    return next_.kind == TokenKind::Reserved && next_.keyword == keyword;
+  }
   bool at_line_end() const { return at(TokenKind::EndOfLine) || at(TokenKind::EndOfFile); }
   bool at_new_statement() const;
   bool line_ends_with(Keyword keyword) const;

@@ -144,6 +144,14 @@ class UseReader {
                          "a USEd file has declarations and routines only",
                          "put it into a PROC, or into the program that USEs this file");
     }
+    const auto defaults = std::ranges::find_if(program.statements, [](const Statement& one) {
+      return std::holds_alternative<Defaults>(one.node);
+    });
+    if (defaults != program.statements.end()) {
+      diagnostics_.error(code::kNotInUsedFile, defaults->place,
+                         "a USEd file has no DEFAULT: how the robot moves is up to the program",
+                         "move it into the program, or write WITH … DO around the motions here");
+    }
     if (program.header.law) {
       diagnostics_.error(code::kNotInUsedFile, program.header.law->place,
                          "a USEd file has no LAW: how the robot moves is up to the program",

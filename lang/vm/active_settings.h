@@ -12,15 +12,24 @@ namespace rob::lang {
 class ActiveSettings {
  public:
   /// That of the innermost WITH; without one the flange in the world.
-  Setting setting() const { return setting(settings_.size()); }
+  const Setting& setting() const { return setting(settings_.size()); }
   /// The same where only the first `open` WITHs are.
-  Setting setting(std::size_t open) const { return open == 0 ? Setting{} : settings_[open - 1]; }
+  const Setting& setting(std::size_t open) const { return around(open).setting; }
   std::size_t settings() const { return settings_.size(); }
   void enter(Machine& machine, int line, const Setting& setting);
+  /// A handler begins: all is as where the first `open` WITHs are.
+  void enter_as_of(Machine& machine, int line, std::size_t open);
   /// Leaves all beyond the first `kept`.
   void leave(Machine& machine, int line, std::size_t kept);
   /// The same where another machine has been told of them.
   void drop(std::size_t kept) { settings_.resize(kept); }
+
+  /// What motions take that do not say otherwise: DEFAULT, and the WITHs around them.
+  const MoveCommand& defaults() const { return around(settings_.size()).defaults; }
+  /// WITH: those of `clauses` come before those around it.
+  void enter(MoveCommand clauses);
+  /// DEFAULT, from here on.
+  void set_defaults(const MoveCommand& clauses) { program_.defaults = clauses; }
 
   std::size_t presses() const { return presses_; }
   Reply press(Machine& machine, int line, const PressCommand& command);
@@ -28,7 +37,17 @@ class ActiveSettings {
   Reply end_presses(Machine& machine, int line, std::size_t kept);
 
  private:
-  std::vector<Setting> settings_;
+  struct Around {
+    Setting setting;
+    MoveCommand defaults;  ///< nothing but clauses
+    bool told = false;     ///< the machine knows of it
+  };
+  const Around& around(std::size_t open) const {
+    return open == 0 ? program_ : settings_[open - 1];
+  }
+
+  Around program_;  ///< where no WITH is
+  std::vector<Around> settings_;
   std::size_t presses_ = 0;
 };
 

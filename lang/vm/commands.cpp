@@ -111,6 +111,7 @@ void take_bounds(const MoveForm& form, MoveValues& values, MoveCommand& command)
 
 void take_clauses(const MoveForm& form, MoveValues& values, MoveCommand& command) {
   command.fine = form.fine;
+  command.live = form.live;
   command.euler = form.euler;
   command.profile = form.profile;
   command.pace = form.pace;
@@ -177,6 +178,11 @@ Objection build_move(const MoveForm& form, const Slot* n, MoveCommand& command) 
   }
   take_clauses(form, values, command);
   return values.objection();
+}
+
+Objection build_defaults(const MoveForm& form, const Slot* n, int line, MoveCommand& clauses) {
+  clauses.pace_line = clauses.zone_line = clauses.accel_line = line;
+  return build_move(form, n, clauses);
 }
 
 MoveCommand plain_move(const MoveForm& form, const Instruction* components) {

@@ -14,6 +14,8 @@ namespace rob::lang {
 
 /// `move` and `via`.
 Objection build_move(const MoveForm& form, const Slot* n, MoveCommand& command);
+/// `enter_defaults` and `set_defaults` of this line: nothing but clauses.
+Objection build_defaults(const MoveForm& form, const Slot* n, int line, MoveCommand& clauses);
 /// `move_to`: its components are words of the code.
 MoveCommand plain_move(const MoveForm& form, const Instruction* components);
 /// `on_the_way`, written at that place.

@@ -214,7 +214,7 @@ void Vm::handle(int when, Machine& machine) {
     return;
   }
   std::copy_n(armed.captured, armed.handler->b(), stack_.numbers());
-  settings_.enter(*machine_, line(armed.handler), settings_.setting(armed.settings));
+  settings_.enter_as_of(*machine_, line(armed.handler), armed.settings);
   go_on_at(loaded_.callees[routine].entry);
   instant_.begin(next_);
 }

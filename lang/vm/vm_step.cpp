@@ -182,12 +182,14 @@ Vm::Step Vm::step_motion(Code pc) {
     case Opcode::move: {
       MoveCommand command;
       ROB_SOUND(build_move(loaded_.chunk->moves[pc->x()], n, command));
+      take_defaults(settings_.defaults(), command);
       ROB_ASK(machine_->move(line(pc), command), pc);
       turns_.moved();
       return pc + 1;
     }
     case Opcode::move_to: {
-      const MoveCommand command = plain_move(loaded_.chunk->moves[pc->x()], pc + 1);
+      MoveCommand command = plain_move(loaded_.chunk->moves[pc->x()], pc + 1);
+      take_defaults(settings_.defaults(), command);
       ROB_ASK(machine_->move(line(pc), command), pc);
       turns_.moved();
       return pc + 1 + 2 * std::popcount(command.given);
@@ -209,6 +211,14 @@ Vm::Step Vm::step_motion(Code pc) {
     case Opcode::end_with:
       settings_.leave(*machine_, line(pc), settings_.settings() - 1);
       return pc + 1;
+    case Opcode::enter_defaults:
+    case Opcode::set_defaults: {
+      MoveCommand clauses;
+      ROB_SOUND(build_defaults(loaded_.chunk->moves[pc->x()], n, line(pc), clauses));
+      if (pc->opcode() == Opcode::enter_defaults) settings_.enter(clauses);
+      if (pc->opcode() == Opcode::set_defaults) settings_.set_defaults(clauses);
+      return pc + 1;
+    }
     case Opcode::on_the_way: {
       PathPlace at;
       ROB_SOUND(build_path_place(pc->b() != 0, n, place(pc), at));

@@ -120,8 +120,8 @@ std::optional<Words> MotionPlans::take(int line, const motion::PlanOutcome& outc
   if (const auto* refusal = std::get_if<motion::Refusal>(&outcome))
     return words_for(*refusal, links_.robot);
   const auto& planned = std::get<motion::PlannedSegment>(outcome);
-  report_warnings(links_.log, links_.robot, last_line_, line, commanded, planned);
-  last_line_ = line;
+  report_warnings(links_.log, links_.robot, last_, line, commanded, planned);
+  last_ = {line, commanded.move ? commanded.move->zone_line : 0};
   const motion::SegmentDescriptor with_events = std::exchange(commanded.segment, planned.segment);
   motion::SegmentDescriptor& segment = commanded.segment;
   segment.on_the_way = with_events.on_the_way;

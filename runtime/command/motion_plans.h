@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "runtime/command/commanded.h"
+#include "runtime/command/plan_warnings.h"
 #include "runtime/command/press_line.h"
 #include "runtime/command/robot_links.h"
 #include "runtime/command/surroundings.h"
@@ -22,7 +23,7 @@ class MotionPlans {
   std::optional<Words> plan_jog(int line, const lang::MoveCommand& asked,
                                 motion::SegmentDescriptor& segment);
   /// Line of the last motion that was planned.
-  int last_line() const { return last_line_; }
+  int last_line() const { return last_.line; }
 
  private:
   std::optional<Words> plan_straight(int line, Commanded& commanded);
@@ -38,7 +39,7 @@ class MotionPlans {
   const RobotLinks& links_;
   const Surroundings& surroundings_;
   const PressLine& press_;
-  int last_line_ = 0;
+  CornerBefore last_;
 };
 
 }  // namespace rob::runtime

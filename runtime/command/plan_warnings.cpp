@@ -21,20 +21,35 @@ std::string meeting(int one, int other) {
                          : fmt::format("lines {} and {}, which meet here,", first, second);
 }
 
+/// Where a warning of a clause stands: once at the WITH or DEFAULT (`given`, a line) that the
+/// clause is of, else at its motion.
+struct ClausePlace {
+  ClausePlace(int given, int line)
+      : place(lang::tagged_place(given != 0 ? given : line)),
+        first(given != 0 ? fmt::format(", first in line {}", lang::tagged_place(line).line) : "") {}
+  lang::Place place;
+  std::string first;
+};
+
 }  // namespace
 
-void report_warnings(ProgramLog& log, const motion::RobotModel& robot, int before, int line,
-                     const Commanded& commanded, const motion::PlannedSegment& planned) {
+void report_warnings(ProgramLog& log, const motion::RobotModel& robot, CornerBefore before,
+                     int line, const Commanded& commanded, const motion::PlannedSegment& planned) {
   const lang::Place place = lang::tagged_place(line);
-  const bool angle = commanded.move && commanded.move->zone_angle > 0 && !commanded.move->exact();
+  const lang::MoveCommand own;
+  const lang::MoveCommand& move = commanded.move ? *commanded.move : own;
+  const bool angle = move.zone_angle > 0 && !move.exact();
   if (angle && robot.law == motion::Law::Paul) {
-    log.found({lang::Severity::Warning, code::kZoneAngleUnused, place,
+    log.found({lang::Severity::Warning, code::kZoneAngleUnused,
+               ClausePlace(move.zone_line, line).place,
                "under Paul's law the angle of a ZONE bounds nothing",
                "leave it out, or write LAW LOOKAHEAD"});
   }
   if ((planned.warnings & motion::PlannedSegment::kPaceCut) != 0) {
     const Words words = words_for_pace_cut(planned.pace_cut, robot);
-    log.found({lang::Severity::Warning, words.code, place, words.message, words.help});
+    const ClausePlace at(move.pace_line, line);
+    log.found(
+        {lang::Severity::Warning, words.code, at.place, words.message + at.first, words.help});
   }
   if ((planned.warnings & motion::PlannedSegment::kStretched) != 0) {
     log.found({lang::Severity::Warning, code::kTooShort, place,
@@ -44,31 +59,35 @@ void report_warnings(ProgramLog& log, const motion::RobotModel& robot, int befor
                "OVER is a lower bound; the axes and the corners need longer here"});
   }
   if ((planned.warnings & motion::PlannedSegment::kBoundCut) != 0) {
-    log.found({lang::Severity::Warning, code::kBoundCut, place,
-               "ACCEL or JERK asks for more than the axes can do",
+    const bool jerk = move.jerk != lang::MoveCommand::Bound::Unspecified;
+    const ClausePlace at(jerk ? 0 : move.accel_line, line);
+    log.found({lang::Severity::Warning, code::kBoundCut, at.place,
+               "ACCEL or JERK asks for more than the axes can do" + at.first,
                "the motion is as quick as its axes permit"});
   }
   if ((planned.warnings & motion::PlannedSegment::kZoneCut) != 0) {
-    log.found({lang::Severity::Warning, code::kZoneCut,
-               lang::tagged_place(static_cast<int>(planned.zone_tag)),
-               fmt::format("ZONE cannot be used in full: {} are too short for it, and leave {} at"
-                           " most, and what a bound on jerk adds to that",
-                           meeting(static_cast<int>(planned.zone_tag), line),
-                           shown(planned.zone_left, motion::AxisKind::Linear)),
-               "a ZONE of that size says so in the program"});
+    const int zoned = static_cast<int>(planned.zone_tag);
+    log.found(
+        {lang::Severity::Warning, code::kZoneCut,
+         ClausePlace(zoned == before.line ? before.zone_line : 0, zoned).place,
+         fmt::format("ZONE cannot be used in full: {} are too short for it, and leave {} at"
+                     " most, and what a bound on jerk adds to that",
+                     meeting(zoned, line), shown(planned.zone_left, motion::AxisKind::Linear)),
+         "a ZONE of that size says so in the program"});
   }
   if ((planned.warnings & motion::PlannedSegment::kZoneRaised) != 0) {
-    log.found({lang::Severity::Warning, code::kZoneRaised, place,
+    const ClausePlace at(move.zone_line, line);
+    log.found({lang::Severity::Warning, code::kZoneRaised, at.place,
                fmt::format("ZONE asks for a tighter corner than the axes can take; it becomes"
-                           " ZONE {}s",
-                           shown(planned.segment.t_acc, 3)),
+                           " ZONE {}s{}",
+                           shown(planned.segment.t_acc, 3), at.first),
                "FINE reaches the target exactly"});
   }
   if ((planned.warnings & motion::PlannedSegment::kCornerExact) != 0) {
     log.found({lang::Severity::Warning, code::kCornerExact, place,
                fmt::format("{} have no corner within what the axes can do: the target between them"
                            " is reached exactly",
-                           meeting(before, line)),
+                           meeting(before.line, line)),
                "FINE at that target says so; a slower AT or a greater ZONE leaves room for it"});
   }
 }
