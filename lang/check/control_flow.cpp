@@ -288,7 +288,7 @@ class Walk {
     perhaps([&] { inner(loop.body); });
   }
   void visit(const For& loop) {
-    for (const ExprPtr* value : {&loop.from, &loop.to, &loop.step}) look(*value);
+    for (const ExprPtr* value : {&loop.elements, &loop.from, &loop.to, &loop.step}) look(*value);
     perhaps([&] { inner(loop.body); });
   }
   void visit(const Loop& loop) {

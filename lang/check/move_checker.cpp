@@ -571,7 +571,9 @@ void PathChecker::check(const Statement& statement) {
   } else if (const auto* const conditional = std::get_if<If>(&statement.node)) {
     for (const If::Branch& branch : conditional->branches) note(branch.condition);
   } else if (const auto* const loop = std::get_if<For>(&statement.node)) {
-    for (const ExprPtr* value : {&loop->from, &loop->to, &loop->step}) note(*value);
+    for (const ExprPtr* value : {&loop->elements, &loop->from, &loop->to, &loop->step}) {
+      note(*value);
+    }
   } else if (const auto* const assign = std::get_if<Assign>(&statement.node)) {
     const auto* const name = std::get_if<Name>(&assign->target->node);
     const bool signal =

@@ -380,7 +380,7 @@ void StatementChecker::check(While& loop) {
 }
 
 void StatementChecker::check(For& loop) {
-  const Type type = check_range(loop);
+  const Type type = loop.elements != nullptr ? check_elements(loop) : check_range(loop);
   const Declarations::OpenScope scope(declarations_);
   loop.symbol = declarations_.declare(Symbol::Kind::LoopVariable, loop.variable,
                                       loop.variable_place, type, {});
@@ -416,6 +416,21 @@ Type StatementChecker::check_range(For& loop) {
   }
   check_constant_range(loop, type);
   return type;
+}
+
+Type StatementChecker::check_elements(For& loop) {
+  const Type type = expressions_.check(loop.elements);
+  if (!type.known()) return {};
+  if (!type.is(Type::Kind::Array)) {
+    diagnostics_.error(
+        code::kNoElements, loop.elements->place,
+        fmt::format("FOR IN goes through the elements of an ARRAY; this is {}",
+                    described(*loop.elements)),
+        type.numeric() ? fmt::format("FOR {} = 1 TO n DO counts", shortened(loop.variable)) : "");
+    return {};
+  }
+  loop.turns = type.detail->length > 0;
+  return type.detail->element;
 }
 
 void StatementChecker::check_constant_range(For& loop, const Type& type) {

@@ -102,6 +102,8 @@ class StatementChecker {
   void check(While& loop);
   void check(For& loop);
   Type check_range(For& loop);
+  /// The type of an element that FOR x IN goes through.
+  Type check_elements(For& loop);
   void check_constant_range(For& loop, const Type& type);
   void check(Loop& loop) { check_body(loop.body, false); }
   void check_body(Block& body, bool unreached);

@@ -30,13 +30,14 @@ class DeclarationCompiler {
   /// Takes over a name that an earlier entry of the prompt has declared.
   void know(const Symbol& symbol, const KeptName& kept);
 
+  /// A home, wherever there is room for it.
+  Location declare(const Symbol& symbol);
   /// A home in registers, where instructions look for it.
   Location declare_in_registers(const Symbol& symbol);
   /// Gives listings the names of the registers.
   void name_home(const Symbol& symbol, const Location& home);
 
  private:
-  Location declare(const Symbol& symbol);
   void name_constant(const Symbol& symbol);
   void name_signal(const Symbol& symbol);
   void load_pose(const PoseValue& pose, Register first, Place place);

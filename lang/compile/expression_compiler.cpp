@@ -71,6 +71,11 @@ void ExpressionCompiler::call(const Expr& expression) {
   frame_.release(mark);
 }
 
+Location ExpressionCompiler::array(const Expr& expression) {
+  begin(expression);
+  return locate(expression);
+}
+
 /// The value first, then the place: an index is computed after it.
 void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
   const Type& type = target.type;

@@ -33,6 +33,8 @@ class ExpressionCompiler {
   /// A call that is a statement of its own.
   void call(const Expr& expression);
 
+  /// Where an array lies; what is no variable is computed, and stays till its slots are given back.
+  Location array(const Expr& expression);
   /// Gives a variable or a part of one, wherever it lives, the value of an expression.
   void assign(const Expr& target, const Expr& value);
   /// Gives a variable, or a part of one, the value of a register.

@@ -414,6 +414,7 @@ void StatementCompiler::compile(const While& loop) {
 
 /// The registers are laid out as opcodes.def says.
 void StatementCompiler::compile(const For& loop) {
+  if (loop.elements != nullptr) return compile_elements(loop);
   const Place place = place_;
   const auto mark = frame_.mark();
   const bool real = loop.symbol->type.kind == Type::Kind::Real;
@@ -435,6 +436,33 @@ void StatementCompiler::compile(const For& loop) {
   compile_body(loop.body);
   if (!real) code_.join_turns(top, value);
   code_.emit(real ? Opcode::for_next_real : Opcode::for_next_int, place, value);
+  code_.loop(top, place);
+  code_.land(none);
+  blocks_.leave_loop();
+  frame_.release(mark);
+}
+
+/// A FOR that counts, in registers that no statement can name; each turn begins with a copy of the
+/// element.
+void StatementCompiler::compile_elements(const For& loop) {
+  const Place place = place_;
+  const auto mark = frame_.mark();
+  const Location whole = expressions_.array(*loop.elements);
+  const Elements elements = *elements_of(loop.elements->type);
+  const Location own = declarations_.declare(*loop.symbol);
+  const Register which = frame_.number_registers(3);
+  code_.load_integer(which, 1, place);
+  code_.load_integer(behind(which, 1), elements.count, place);
+  code_.load_integer(behind(which, 2), 1, place);
+  code_.emit(Opcode::for_prepare_int, place, which);
+  const CodeBuilder::Jump none = code_.jump(place);
+  const std::size_t top = code_.here();
+  const auto turn = frame_.mark();
+  const Location element = variables_.element(whole, which, elements, loop.elements->place);
+  variables_.copy(element, own, elements.type, place);
+  frame_.release(turn);
+  compile_body(loop.body);
+  code_.emit(Opcode::for_next_int, place, which);
   code_.loop(top, place);
   code_.land(none);
   blocks_.leave_loop();

@@ -86,6 +86,7 @@ class StatementCompiler {
   void compile(const Select& select);
   void compile(const While& loop);
   void compile(const For& loop);
+  void compile_elements(const For& loop);
   void compile(const Loop& loop);
   /// Code for the body; NEXT arrives after it.
   void compile_body(const Block& body);

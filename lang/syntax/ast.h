@@ -144,6 +144,7 @@ struct For {
   std::string variable;
   Place variable_place;
   const Symbol* symbol = nullptr;  ///< set by the checker
+  ExprPtr elements{};              ///< of FOR x IN a; null in one that counts
   ExprPtr from;
   ExprPtr to;
   ExprPtr step;  ///< null: 1

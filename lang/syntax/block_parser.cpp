@@ -114,7 +114,7 @@ void BlockParser::while_statement(Block& block) {
   tree_.add(block, open.place, std::move(loop));
 }
 
-// "FOR" IDENT "=" expr "TO" expr [ "STEP" expr ] "DO" eol block "ENDFOR" eol
+// "FOR" IDENT ( "=" expr "TO" expr [ "STEP" expr ] | "IN" expr ) "DO" eol block "ENDFOR" eol
 void BlockParser::for_statement(Block& block) {
   const OpenBlock open{Keyword::Endfor, tokens_.place()};
   For loop;
@@ -124,6 +124,7 @@ void BlockParser::for_statement(Block& block) {
   } catch (const SyntaxError&) {
     tokens_.recover_until(Keyword::Do);
     const NumberLiteral one{.value = 1, .integer = 1, .is_integer = true, .dimension = {}};
+    loop.elements = nullptr;
     if (!loop.from) loop.from = TreeBuilder::stand_in(open.place, one);
     if (!loop.to) loop.to = TreeBuilder::stand_in(open.place, one);
   }
@@ -136,6 +137,11 @@ void BlockParser::for_header(For& loop) {
   Declaration::Declared variable = names_.declared("FOR");
   loop.variable = std::move(variable.name);
   loop.variable_place = variable.place;
+  if (tokens_.at(Keyword::In)) {
+    tokens_.advance();
+    loop.elements = expressions_.expression();
+    return blocks_.header_word(Keyword::Do, "what FOR goes through");
+  }
   if (!tokens_.accept(TokenKind::Assign)) {
     tokens_.fail_here(code::kAssignExpected,
                       fmt::format("'=' expected after {}", shortened(loop.variable)));
