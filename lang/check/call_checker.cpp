@@ -58,6 +58,11 @@ void fold_length(const Call& call, Expr& expression) {
   if (!calls_routine(array)) expression.constant = array.type.detail->length;
 }
 
+void fold_ordinal(const Call& call, Expr& expression) {
+  const auto* const value = std::get_if<std::int64_t>(&call.arguments.front()->constant);
+  if (value != nullptr) expression.constant = *value + 1;
+}
+
 std::size_t index_of(const TypeDetail& record, std::string_view field) {
   const auto found = std::ranges::find_if(
       record.fields, [&](const TypeDetail::Field& each) { return same_word(each.name, field); });
@@ -130,6 +135,8 @@ Type BuiltinChecker::type_of(const Builtin& builtin, const Call& call, Place pla
       return Type::string();
     case BuiltinRule::ArrayLength:
       return Type::integer();
+    case BuiltinRule::Ordinal:
+      return check_ordinal(first());
     case BuiltinRule::Random:
       return call.arguments.empty() ? Type::real() : common_dimension(call);
     case BuiltinRule::ToFrame:
@@ -183,6 +190,13 @@ Type BuiltinChecker::check_root(const Call& call) {
   diagnostics_.error(
       code::kDimensionMismatch, call.arguments.front()->place,
       fmt::format("{} has no root: SQRT halves the exponents of the unit", in_words(type)));
+  return {};
+}
+
+Type BuiltinChecker::check_ordinal(const Expr& value) {
+  if (value.type.is(Type::Kind::Enum)) return Type::integer();
+  diagnostics_.error(code::kTypeMismatch, value.place,
+                     fmt::format("ORD needs a value of an ENUM; this is {}", described(value)));
   return {};
 }
 
@@ -400,6 +414,7 @@ bool BuiltinChecker::check_unit(const Expr& value, const Expr& unit_text) {
 
 void BuiltinChecker::fold_known(const Builtin& builtin, const Call& call, Expr& expression) {
   if (builtin.rule == BuiltinRule::ArrayLength) return fold_length(call, expression);
+  if (builtin.rule == BuiltinRule::Ordinal) return fold_ordinal(call, expression);
   const bool computes = builtin.real != nullptr || builtin.rule == BuiltinRule::AnyToText;
   if (!computes) return;
   if (builtin.rule == BuiltinRule::AnyToText) {

@@ -33,6 +33,7 @@ class BuiltinChecker {
   Type type_of(const Builtin& builtin, const Call& call, Place place);
   Type common_dimension(const Call& call);
   Type check_root(const Call& call);
+  Type check_ordinal(const Expr& value);
   Type check_vectors(const Builtin& builtin, const Call& call);
   Type check_poses(const Builtin& builtin, const Call& call);
   bool accept_pose(const Builtin& builtin, const Expr& argument, const Expr*& first, Type& frame);

@@ -101,7 +101,9 @@ struct WaysOf {
     bool complete = select.has_else;
     for (const Select::Case& one : select.cases) ways.join(ways_of(one.body, one.place.line));
     if (select.has_else) ways.join(block(select.otherwise));
-    if (!complete && !is_faulty(select.selector)) complete = takes_both_truths(select);
+    if (!complete && !is_faulty(select.selector)) {
+      complete = takes_both_truths(select) || takes_all_names(select);
+    }
     if (!complete) ways.join({.end = without_else("SELECT")});
     return ways;
   }
@@ -112,6 +114,18 @@ struct WaysOf {
     for (const Select::Case& one : select.cases)
       truths += std::ranges::count_if(one.values, constant_truth);
     return truths == 2;
+  }
+  /// The same of an ENUM.
+  static bool takes_all_names(const Select& select) {
+    const Type& type = select.selector->type;
+    if (!type.is(Type::Kind::Enum)) return false;
+    std::ptrdiff_t names = 0;
+    for (const Select::Case& one : select.cases) {
+      names += std::ranges::count_if(one.values, [](const ExprPtr& value) {
+        return value != nullptr && std::holds_alternative<std::int64_t>(value->constant);
+      });
+    }
+    return names == std::ssize(type.detail->names);
   }
   Ways operator()(const Try& guarded) const {
     Ways ways = block(guarded.body);

@@ -150,6 +150,25 @@ void DeclarationChecker::check(RecordDeclaration& record) {
   detail.faulty = detail.faulty || !record.sound;
 }
 
+void DeclarationChecker::check(EnumDeclaration& enumeration) {
+  TypeDetail& detail = *enumeration.detail;
+  const Declaration::Declared& declared = enumeration.declared;
+  declarations_.declare(Symbol::Kind::Enum, declared.name, declared.place,
+                        {Type::Kind::Enum, {}, &detail}, {});
+  if (detail.complete) return;  // declared twice
+  for (const Declaration::Declared& name : enumeration.names) {
+    if (value_of(detail, name.name)) {
+      diagnostics_.error(
+          code::kDeclaredTwice, name.place,
+          fmt::format("{} has {} already", shortened(detail.name), shortened(name.name)),
+          "give one of them another name");
+    } else {
+      detail.names.push_back(name.name);
+    }
+  }
+  detail.complete = true;
+}
+
 void DeclarationChecker::add_field(TypeDetail& detail, const Declaration::Declared& field,
                                    const Type& type) {
   detail.height = std::max(detail.height, height_of(type) + 1);

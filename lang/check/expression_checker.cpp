@@ -230,7 +230,33 @@ Type ExpressionChecker::check(const Tuple& tuple, Expr& expression) {
   return Type::vec(common.dimension);
 }
 
+Type ExpressionChecker::check_enumerator(Member& member, Name& name, Expr& expression) {
+  if (names_.report_ambiguous(name.text, member.object->place)) return {};
+  const Symbol& symbol = *names_.find(name.text);
+  const TypeDetail& detail = *symbol.type.detail;
+  const auto value = value_of(detail, member.field);
+  if (value) {
+    name.symbol = &symbol;
+    expression.constant = *value;
+    return symbol.type;
+  }
+  if (detail.faulty) return {};
+  const std::vector<std::string_view> names(detail.names.begin(), detail.names.end());
+  std::string help = did_you_mean(suggest(member.field, names));
+  if (help.empty()) help = fmt::format("it has {}", fmt::join(names, ", "));
+  diagnostics_.error(
+      code::kNoSuchField, member.field_place,
+      fmt::format("the ENUM {} has no {}", shortened(detail.name), shortened(member.field)), help);
+  return {};
+}
+
 Type ExpressionChecker::check(Member& member, Expr& expression) {
+  if (auto* const name = std::get_if<Name>(&member.object->node)) {
+    const Symbol* const symbol = names_.find(name->text);
+    if (symbol != nullptr && symbol->kind == Symbol::Kind::Enum) {
+      return check_enumerator(member, *name, expression);
+    }
+  }
   const Type whole = check(member.object);
   if (!whole.known()) return {};
   if (const auto angle = angle_of(whole, member.field)) {
@@ -331,11 +357,12 @@ bool ExpressionChecker::fits_memory(const Type& element, std::int64_t count, Pla
 }
 
 bool ExpressionChecker::complete(const Type& type, Place place) {
-  if (type.is(Type::Kind::Record) && !type.detail->complete) {
+  if ((type.is(Type::Kind::Record) || type.is(Type::Kind::Enum)) && !type.detail->complete) {
     const auto declared = names_.declaration_of(type.detail->name, place.file);
     diagnostics_.error(
         code::kUnknownName, place,
-        fmt::format("the record {} is not known here", shortened(type.detail->name)),
+        fmt::format("the {} {} is not known here", type.is(Type::Kind::Enum) ? "ENUM" : "record",
+                    shortened(type.detail->name)),
         declared
             ? fmt::format("it is declared in line {}: declare it before using it", declared->line)
             : "");

@@ -78,6 +78,8 @@ class ExpressionChecker {
   Type check(Member& member, Expr& expression);
   Type check(Index& index, Expr& expression);
   Type check(List& list, Expr& expression);
+  /// `colour.red`.
+  Type check_enumerator(Member& member, Name& name, Expr& expression);
   Type check_logical(Binary& binary, Expr& expression);
 
   Type element_type(const Type& a, const Type& b);

@@ -148,7 +148,7 @@ std::vector<Slot> to_slots(const Constant& constant) {
 std::string text_of(const Constant& constant, const Type& type) {
   if (const auto* const truth = std::get_if<bool>(&constant)) return text_of(*truth);
   if (const auto* const integer = std::get_if<std::int64_t>(&constant)) {
-    return std::to_string(*integer);
+    return type.is(Type::Kind::Enum) ? enum_text(*type.detail, *integer) : std::to_string(*integer);
   }
   if (const auto* const real = std::get_if<double>(&constant)) {
     return number_text(*real, type.dimension);

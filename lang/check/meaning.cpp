@@ -84,8 +84,11 @@ const Builtin* find_builtin(const Call& call) {
   if (plain == nullptr || call.arguments.empty()) return plain;
   const Type& first = call.arguments.front()->type;
   const bool array = first.is(Type::Kind::Array);
-  if (!array && !first.is_place()) return plain;
-  const BuiltinRule rule = array ? BuiltinRule::ArrayLength : BuiltinRule::Places;
+  const bool enumeration = first.is(Type::Kind::Enum);
+  if (!array && !enumeration && !first.is_place()) return plain;
+  const BuiltinRule rule = array         ? BuiltinRule::ArrayLength
+                           : enumeration ? BuiltinRule::Ordinal
+                                         : BuiltinRule::Places;
   for (const Builtin& builtin : builtins()) {
     if (builtin.name == plain->name && builtin.rule == rule &&
         builtin.least == call.arguments.size()) {

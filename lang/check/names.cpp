@@ -42,6 +42,10 @@ struct Search {
   Found operator()(const RecordDeclaration& record) const {
     return to_upper(record.declared.name) == key ? Found(record.declared.place) : std::nullopt;
   }
+  Found operator()(const EnumDeclaration& enumeration) const {
+    const Declaration::Declared& declared = enumeration.declared;
+    return to_upper(declared.name) == key ? Found(declared.place) : std::nullopt;
+  }
   Found operator()(const If& conditional) const {
     for (const If::Branch& branch : conditional.branches) {
       if (const Found found = search(branch.body, key)) return found;
@@ -92,7 +96,8 @@ const Block* top_level_of(std::uint32_t file, const Block& statements) {
 }
 
 bool is_definition(Symbol::Kind kind) {
-  return kind == Symbol::Kind::Routine || kind == Symbol::Kind::Record;
+  return kind == Symbol::Kind::Routine || kind == Symbol::Kind::Record ||
+         kind == Symbol::Kind::Enum;
 }
 
 }  // namespace
@@ -130,6 +135,13 @@ const Symbol* Names::resolve(std::string_view name, Place place) {
     diagnostics_.error(code::kNotAFunction, place,
                        fmt::format("{} is a record, not a value", shortened(name)),
                        fmt::format("build one: {}(…)", shortened(name)));
+    return nullptr;
+  } else if (symbol->kind == Symbol::Kind::Enum) {
+    const auto& names = symbol->type.detail->names;
+    diagnostics_.error(
+        code::kNotAFunction, place, fmt::format("{} is an ENUM, not a value", shortened(name)),
+        names.empty() ? ""
+                      : fmt::format("name a value of it: {}.{}", shortened(name), names.front()));
     return nullptr;
   } else {
     uses_.used(*symbol);
@@ -341,7 +353,8 @@ void Declarations::report_twice(Symbol::Kind kind, const std::string& name, Plac
 bool Declarations::may_be_anew(Symbol::Kind kind, const Symbol& earlier) const {
   using Kind = Symbol::Kind;
   const bool alike = (kind == Kind::Routine) == (earlier.kind == Kind::Routine);
-  const bool types = kind == Kind::Record || earlier.kind == Kind::Record;
+  const auto is_type = [](Kind one) { return one == Kind::Record || one == Kind::Enum; };
+  const bool types = is_type(kind) || is_type(earlier.kind);
   return entry_ != 0 && scopes_.at_top_level() && alike && !types;
 }
 

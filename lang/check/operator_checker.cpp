@@ -157,6 +157,11 @@ Type OperatorChecker::check_comparison(const Binary& binary, const Expr& express
     diagnostics_.error(code::kTypeMismatch, expression.place,
                        fmt::format("'{}' has no meaning for TRUE and FALSE", symbol_of(binary.op)),
                        "use ==, <>, AND, OR or NOT");
+  } else if (common.is(Type::Kind::Enum) && binary.op > BinaryOp::NotEqual) {
+    diagnostics_.error(code::kTypeMismatch, expression.place,
+                       fmt::format("'{}' has no meaning for {}: its names have no order",
+                                   symbol_of(binary.op), in_words(common)),
+                       "compare with == or <>, or what ORD counts");
   } else if (!common.scalar() && binary.op > BinaryOp::NotEqual) {
     diagnostics_.error(code::kTypeMismatch, expression.place,
                        fmt::format("'{}' has no meaning here: left and right are {}",

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "lang/check/control_flow.h"
 #include "lang/check/fold.h"
@@ -47,6 +47,8 @@ bool assignable(const Symbol& symbol, Place place, Diagnostics& diagnostics) {
       return refuse("is a routine, not a variable", "");
     case Symbol::Kind::Record:
       return refuse("is a record, not a variable", "");
+    case Symbol::Kind::Enum:
+      return refuse("is an ENUM, not a variable", "");
     case Symbol::Kind::BuiltIn:
     case Symbol::Kind::Reading:
       return refuse("belongs to the language and cannot be changed", "");
@@ -354,6 +356,29 @@ void StatementChecker::check(Select& select) {
     check(one.body);
   }
   check(select.otherwise);
+  if (select.selector && select.selector->type.is(Type::Kind::Enum)) {
+    warn_of_missing_cases(select, lines);
+  }
+}
+
+/// Without ELSE, the SELECT of an ENUM does nothing for the names that it leaves out.
+void StatementChecker::warn_of_missing_cases(const Select& select, const CaseLines& lines) {
+  const bool all_known = std::ranges::all_of(select.cases, [](const Select::Case& one) {
+    return std::ranges::all_of(one.values, [](const ExprPtr& value) {
+      return value != nullptr && known(value->constant);
+    });
+  });
+  if (select.has_else || !all_known) return;
+  const TypeDetail& detail = *select.selector->type.detail;
+  std::vector<std::string> missing;
+  for (std::size_t i = 0; i < detail.names.size(); ++i) {
+    const auto value = static_cast<std::int64_t>(i);
+    if (!lines.contains(value)) missing.push_back(enum_text(detail, value));
+  }
+  if (missing.empty()) return;
+  diagnostics_.warning(code::kCaseMissing, select.selector->place,
+                       fmt::format("this SELECT leaves out {}", fmt::join(missing, ", ")),
+                       "a CASE for it, or ELSE, says what is done then");
 }
 
 /// The value must be of the selector's kind, and may not stand in a CASE above it.

@@ -75,6 +75,7 @@ class StatementChecker {
   // Names and values
   void check(Declaration& declaration) { declared_.check(declaration); }
   void check(RecordDeclaration& record) { declared_.check(record); }
+  void check(EnumDeclaration& enumeration) { declared_.check(enumeration); }
   void check(PointDeclaration& points) { declared_.check(points); }
   void check(Teach& teach);
   void check(SignalDeclaration& signal) { signals_.check(signal); }
@@ -99,6 +100,7 @@ class StatementChecker {
   /// The line of each constant value of a SELECT.
   using CaseLines = std::map<Constant, std::uint32_t>;
   void check_case(const Type& wanted, const Expr& value, CaseLines& lines);
+  void warn_of_missing_cases(const Select& select, const CaseLines& lines);
   void check(While& loop);
   void check(For& loop);
   Type check_range(For& loop);

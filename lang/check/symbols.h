@@ -27,6 +27,7 @@ struct Symbol {
     Reading,        ///< CLOCK: read from the robot
     Routine,        ///< PROC or FUNC
     Record,         ///< a type; called, it builds a value
+    Enum,           ///< a type; its names are values
     Point           ///< POINT: changed by TEACH alone; without one its value is known
   };
 

@@ -23,7 +23,8 @@ std::uint32_t begin_of(const Program& program) {
 /// Routines, records and signals can stand nowhere else.
 bool is_of_top_level(const Symbol& symbol) {
   return symbol.global || symbol.kind == Symbol::Kind::Routine ||
-         symbol.kind == Symbol::Kind::Record || symbol.kind == Symbol::Kind::Signal;
+         symbol.kind == Symbol::Kind::Record || symbol.kind == Symbol::Kind::Enum ||
+         symbol.kind == Symbol::Kind::Signal;
 }
 
 KeptName kept(const Symbol& symbol, const std::vector<Location>& homes) {

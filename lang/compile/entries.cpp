@@ -21,6 +21,7 @@ DeclaredName::Kind kind_of(const Symbol& symbol) {
     case Symbol::Kind::Routine:
       return DeclaredName::Kind::Routine;
     case Symbol::Kind::Record:
+    case Symbol::Kind::Enum:
       return DeclaredName::Kind::Record;
     default:
       return DeclaredName::Kind::Variable;
@@ -239,7 +240,8 @@ void Entries::remove(const Entry& entry) {
     const std::string key = to_upper(kept.symbol.name);
     erase(known_[key], [&](const Known& one) { return one.name == &kept; });
     erase(safe_, [&](const KeptName* one) { return one == &kept; });
-    if (kept.symbol.kind == Symbol::Kind::Record) types_.records.erase({0, key});
+    const Symbol::Kind kind = kept.symbol.kind;
+    if (kind == Symbol::Kind::Record || kind == Symbol::Kind::Enum) types_.records.erase({0, key});
   }
 }
 

@@ -453,6 +453,11 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
     locate(array);
     return code_.load_integer(target, array.type.detail->length, expression.place);
   }
+  if (builtin.rule == BuiltinRule::Ordinal) {
+    const Register value = operand(*call.arguments.front(), false);
+    code_.load_integer(target, 1, expression.place);
+    return code_.emit(Opcode::add_int, expression.place, target, value, target);
+  }
   if (builtin.rule == BuiltinRule::Random) return draw(call, expression, target);
   if (builtin.rule == BuiltinRule::Texts) return call_on_texts(builtin, call, expression, target);
   call_on_numbers(builtin, call, expression, target);

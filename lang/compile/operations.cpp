@@ -132,6 +132,8 @@ void append_register(CodeBuilder& code, Register value, const Type& type, bool r
       return code.emit(Opcode::append_int, place, text, value);
     case Type::Kind::Real:
       return code.append_real(text, value, type.dimension, place);
+    case Type::Kind::Enum:
+      return code.append_value(text, value, type, place);
     default:
       return code.emit(Opcode::append_text, place, text, value);
   }

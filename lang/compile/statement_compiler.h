@@ -62,6 +62,7 @@ class StatementCompiler {
   void compile(const SignalDeclaration& signal) { declarations_.compile(signal); }
   void compile(const PointDeclaration& points) { declarations_.compile(points, place_); }
   void compile(const RecordDeclaration&) {}
+  void compile(const EnumDeclaration&) {}
   void compile(const Use& use) {
     for (const Statement& statement : use.declarations) compile(statement);
   }

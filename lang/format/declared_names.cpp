@@ -43,6 +43,7 @@ void DeclaredNames::begin_statement(const Token& token) {
   if (token.kind == TokenKind::Word) {
     const bool declares = same_word(token.text, "TOOL") || same_word(token.text, "FRAME");
     if (declares) expected_ = Expected::OneName;
+    if (same_word(token.text, "ENUM")) expected_ = Expected::Enum;
     if (in_record_) {
       expected_ = Expected::Fields;
       declare_label(token.text);
@@ -95,6 +96,8 @@ void DeclaredNames::read(const Token& token) {
     case Expected::Names:
     case Expected::Fields:
       return read_list(token);
+    case Expected::Enum:
+      return read_enum(token);
   }
 }
 
@@ -118,6 +121,18 @@ void DeclaredNames::read_list(const Token& token) {
     declare_label(token.text);
   } else {
     names_.emplace(to_upper(token.text), token.text);
+  }
+}
+
+/// name: name, name, …; reserved words, too, after the colon.
+void DeclaredNames::read_enum(const Token& token) {
+  const bool list = previous_.kind == TokenKind::Colon || previous_.kind == TokenKind::Comma;
+  if (list && (token.kind == TokenKind::Word || token.kind == TokenKind::Reserved)) {
+    declare_label(token.text);
+  } else if (token.kind == TokenKind::Word) {
+    names_.emplace(to_upper(token.text), token.text);
+  } else if (token.kind != TokenKind::Colon && token.kind != TokenKind::Comma) {
+    expected_ = Expected::Nothing;
   }
 }
 

@@ -24,13 +24,14 @@ class DeclaredNames {
 
  private:
   /// Kinds of names that the next tokens declare.
-  enum class Expected { Nothing, OneName, Names, Parameters, Fields };
+  enum class Expected { Nothing, OneName, Names, Parameters, Fields, Enum };
   using Spellings = std::map<std::string, std::string_view, std::less<>>;
 
   void begin_statement(const Token& token);
   void read(const Token& token);
   void read_parameter(const Token& token);
   void read_list(const Token& token);
+  void read_enum(const Token& token);
   void declare_label(std::string_view word);
 
   Spellings names_;

@@ -219,8 +219,9 @@ std::string Layout::spelled(const Token& token, WordUse use) const {
     return std::string(found.empty() ? token.text : found);
   };
   if (use == WordUse::Unit || use == WordUse::Kept) return std::string(token.text);
-  if (token.kind == TokenKind::Reserved) return std::string(spelling(token.keyword));
-  if (token.kind != TokenKind::Word) return std::string(token.text);
+  const bool reserved = token.kind == TokenKind::Reserved;
+  if (reserved && use != WordUse::Member) return std::string(spelling(token.keyword));
+  if (!reserved && token.kind != TokenKind::Word) return std::string(token.text);
   if (use == WordUse::Clause) return to_upper(token.text);
   if (use == WordUse::Label || use == WordUse::Member) {
     return or_as_written(names_.label(token.text));

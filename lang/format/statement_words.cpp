@@ -90,6 +90,9 @@ WordUse StatementWords::use_of(std::span<const Token> rest) {
   if (all_units_) return token.kind == TokenKind::Comma ? WordUse::Other : WordUse::Unit;
   const bool type_follows = previous_.kind == TokenKind::Colon || follows_clause("OF");
   if (token.kind == TokenKind::LeftBracket && type_follows) unit_words_ = unit_between(rest);
+  const bool reserved = token.kind == TokenKind::Reserved;
+  if (enum_ && (reserved || token.kind == TokenKind::Word)) return WordUse::Kept;
+  if (reserved && previous_.kind == TokenKind::Dot) return WordUse::Member;
   if (token.kind == TokenKind::Word) return use_of_word(token, behind);
   return is_unary(token) ? WordUse::UnarySign : WordUse::Other;
 }
@@ -163,6 +166,7 @@ void StatementWords::go_on(const Token& token, WordUse use) {
   if (clause && at_begin_) {
     trigger_ = is_among(kEventWords, token.text);
     all_units_ = same_word(token.text, "UNITS");
+    enum_ = same_word(token.text, "ENUM");
   }
   if (at_begin_ && token.kind == TokenKind::Reserved && token.keyword == Keyword::When) {
     trigger_ = true;

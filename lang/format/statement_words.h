@@ -58,6 +58,7 @@ class StatementWords {
   bool trigger_ = false;     ///< WHEN, AFTER, BEFORE: a ':' stands before the action
   bool all_units_ = false;   ///< UNITS
   bool with_block_ = false;  ///< its last WITH begins a block
+  bool enum_ = false;        ///< ENUM: what follows are names
   int depth_ = 0;
   std::size_t unit_words_ = 0;  ///< tokens that still belong to a unit between brackets
 };

@@ -76,6 +76,12 @@ struct RecordDeclaration {
   TypeDetail* detail = nullptr;  ///< what values of it have as their detail
   bool sound = true;             ///< could be read
 };
+/// ENUM colour: red, green, blue
+struct EnumDeclaration {
+  Declaration::Declared declared;
+  std::vector<Declaration::Declared> names;
+  TypeDetail* detail = nullptr;  ///< what values of it have as their detail
+};
 /// SIGNAL part_here = DIN[1] · SIGNAL wire: SPEED = AOUT[1] SCALE 0mm/s TO 300mm/s
 struct SignalDeclaration {
   std::string name;
@@ -230,7 +236,7 @@ struct Statement {
                Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
                Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use,
                PathBlock, WayPoint, Press, With, SetOverride, Load, RecordDeclaration, Halt, Ask,
-               Start, Defaults>
+               Start, Defaults, EnumDeclaration>
       node;
 };
 

@@ -10,8 +10,8 @@ inline constexpr std::array<std::string_view, 8> kMotionClauseWords{
     "AT", "OVER", "ACCEL", "JERK", "ZONE", "FINE", "PROFILE", "EULER"};
 
 /// Words that begin a statement by their place at the beginning of a line. They are not reserved.
-inline constexpr std::array<std::string_view, 12> kPlacedWords{
-    "DEFAULT", "FRAME", "LAW",   "LOAD", "OVERRIDE", "PATH",
-    "PRESS",   "ROBOT", "START", "TOOL", "UNITS",    "ZERO"};
+inline constexpr std::array<std::string_view, 13> kPlacedWords{
+    "DEFAULT", "ENUM",  "FRAME", "LAW",  "LOAD",  "OVERRIDE", "PATH",
+    "PRESS",   "ROBOT", "START", "TOOL", "UNITS", "ZERO"};
 
 }  // namespace rob::lang

@@ -10,6 +10,11 @@
 #include "lang/text/codes.h"
 
 namespace rob::lang {
+namespace {
+
+constexpr std::size_t kMostEnumNames = 256;
+
+}  // namespace
 
 // decl = "CONST" IDENT [ ":" type ] "=" expr eol
 //      | "VAR" names ( ":" type [ "=" expr ] | "=" expr ) eol .
@@ -248,6 +253,52 @@ RecordDeclaration::Fields DeclarationParser::record_group() {
   }
   group.type = types_.type();
   return group;
+}
+
+// decl = "ENUM" NAME ":" WORD { "," WORD } eol .
+void DeclarationParser::enumeration(Block& block) {
+  const Place place = tokens_.place();
+  blocks_.check_declaration("ENUM");
+  EnumDeclaration node;
+  tokens_.advance();
+  node.declared = names_.declared("ENUM");
+  if (named_type(node.declared.name) != nullptr) {
+    tokens_.fail(code::kReservedName, node.declared.place,
+                 fmt::format("{} is a type of the language", shortened(node.declared.name)),
+                 "choose another name");
+  }
+  node.detail = &names_.own_enum(node.declared.name);
+  try {
+    enum_names(node);
+  } catch (const SyntaxError&) {
+    node.detail->faulty = true;
+    tree_.add(block, place, std::move(node));
+    throw;
+  }
+  tree_.add(block, place, std::move(node));
+}
+
+/// After ENUM and its point a reserved word is a name like any other.
+void DeclarationParser::enum_names(EnumDeclaration& enumeration) {
+  if (!tokens_.accept(TokenKind::Colon)) {
+    tokens_.fail_behind(
+        code::kWordExpected, "':' and the names of the ENUM expected",
+        fmt::format("ENUM {}: red, green, blue", shortened(enumeration.declared.name)));
+  }
+  do {
+    if (!tokens_.at(TokenKind::Word) && !tokens_.at(TokenKind::Reserved)) {
+      tokens_.fail_here(code::kNameExpected, fmt::format("a name of the ENUM expected, not {}",
+                                                         described(tokens_.current())));
+    }
+    if (enumeration.names.size() == kMostEnumNames) {
+      tokens_.fail_here(code::kEnumTooLong,
+                        fmt::format("an ENUM has at most {} names", kMostEnumNames),
+                        "what is counted is an INT");
+    }
+    tree_.count(tokens_.place());
+    enumeration.names.push_back({std::string(tokens_.text()), tokens_.place()});
+    tokens_.advance();
+  } while (tokens_.accept(TokenKind::Comma));
 }
 
 // decl = "USE" IDENT eol .

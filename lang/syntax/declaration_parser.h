@@ -29,6 +29,7 @@ class DeclarationParser {
   void point(Block& block);
   void frame_or_tool(Block& block);
   void record(Block& block);
+  void enumeration(Block& block);
   void use(Block& block);
   /// The names in a list, of a declaration that is written in another way.
   void unknown(Block& block);
@@ -37,6 +38,7 @@ class DeclarationParser {
   void declared_names(Declaration& declaration);
   void declared_type_and_value(Declaration& declaration);
   void scale(SignalDeclaration& signal);
+  void enum_names(EnumDeclaration& enumeration);
   void record_fields(RecordDeclaration& record);
   RecordDeclaration::Fields record_group();
 

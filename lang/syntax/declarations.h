@@ -13,6 +13,7 @@ inline bool is_declaration(const Statement& statement) {
          std::holds_alternative<PointDeclaration>(statement.node) ||
          std::holds_alternative<RecordDeclaration>(statement.node) ||
          std::holds_alternative<Defaults>(statement.node) ||
+         std::holds_alternative<EnumDeclaration>(statement.node) ||
          std::holds_alternative<Use>(statement.node);
 }
 

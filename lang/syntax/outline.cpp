@@ -49,7 +49,7 @@ Outline outline_of(std::string_view source, std::uint32_t file, TextParts parts)
     if (same_word(word, "USE")) {
       const auto length = static_cast<std::uint32_t>(name.size());
       outline.uses.push_back({std::string(name), {count.line(), column, length, file}});
-    } else if (same_word(word, "FRAME") || same_word(word, "RECORD")) {
+    } else if (same_word(word, "FRAME") || same_word(word, "RECORD") || same_word(word, "ENUM")) {
       outline.types.insert(to_upper(name));
     }
   }

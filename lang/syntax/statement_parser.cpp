@@ -169,6 +169,7 @@ void StatementParser::word_statement(Block& block) {
     return default_statement(block);
   }
   if (at_placed_word("FRAME") || at_placed_word("TOOL")) return declarations_.frame_or_tool(block);
+  if (at_placed_word("ENUM")) return declarations_.enumeration(block);
   if (at_placed_word("PATH")) return block_statements_.path_statement(block);
   if (at_placed_word("PRESS")) return block_statements_.press_statement(block);
   if (at_placed_word("OVERRIDE")) return actions_.override_statement(block);

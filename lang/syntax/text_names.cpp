@@ -76,9 +76,16 @@ void TextNames::resolve(Use& use) const {
 
 const TypeDetail* TextNames::record(const Token& name) {
   if (const TypeDetail* const record = imported(name, types_.records)) return record;
-  const bool own = defined().records.contains(to_upper(name.text)) ||
-                   types_.records.contains({file_, to_upper(name.text)});
+  const std::string key = to_upper(name.text);
+  if (defined().enums.contains(key)) return &own_enum(name.text);
+  const bool own = defined().records.contains(key) || types_.records.contains({file_, key});
   return own ? &own_record(name.text) : nullptr;
+}
+
+TypeDetail& TextNames::own_enum(std::string_view name) {
+  TypeDetail& detail = own_record(name);
+  detail.enumeration = true;
+  return detail;
 }
 
 const TypeDetail* TextNames::frame(const Token& name) {
@@ -110,9 +117,14 @@ const TextNames::Defined& TextNames::defined() {
   defined_.emplace();
   Lexer lexer = tokens_.from_beginning();
   std::set<std::string>* names = nullptr;
+  bool at_begin = true;  // of a line
   for (Token token = lexer.next(); token.kind != TokenKind::EndOfFile; token = lexer.next()) {
     if (names != nullptr && token.kind == TokenKind::Word) names->insert(to_upper(token.text));
     names = nullptr;
+    const bool first = std::exchange(at_begin, token.kind == TokenKind::EndOfLine);
+    if (first && token.kind == TokenKind::Word && same_word(token.text, "ENUM")) {
+      names = &defined_->enums;
+    }
     if (token.kind != TokenKind::Reserved) continue;
     const bool routine = token.keyword == Keyword::Proc || token.keyword == Keyword::Func ||
                          token.keyword == Keyword::Task;

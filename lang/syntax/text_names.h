@@ -22,6 +22,7 @@ class TextNames {
   struct Defined {
     std::set<std::string> routines;  ///< PROC, FUNC and TASK
     std::set<std::string> records;
+    std::set<std::string> enums;
   };
 
   /// All that `context` points to must outlive it.
@@ -40,11 +41,12 @@ class TextNames {
   const Defined& defined();
   /// Whether a PROC, FUNC or TASK is called so, anywhere in the text or in a file that it USEs.
   bool names_routine(std::string_view name);
-  /// The RECORD of this name, of the text or of a file that it USEs; null if there is none.
+  /// The RECORD or ENUM of this name, of the text or of a file that it USEs; null if there is none.
   const TypeDetail* record(const Token& name);
   /// The FRAME of this name, which may not be declared yet.
   const TypeDetail* frame(const Token& name);
   TypeDetail& own_record(std::string_view name) { return types_.record(file_, name); }
+  TypeDetail& own_enum(std::string_view name);
   TypeDetail& own_frame(std::string_view name) { return types_.frame(file_, name); }
 
   /// Says which file a USE means. The declarations of the file go to its first USE.

@@ -19,9 +19,10 @@ namespace rob::lang {
 
 namespace {
 
-std::string type_help(std::string_view word, const std::set<std::string>& records) {
+std::string type_help(std::string_view word, const TextNames::Defined& defined) {
   if (same_word(word, "REF")) return "REF stands before the name, as in REF n: INT";
-  std::vector<std::string_view> names(records.begin(), records.end());
+  std::vector<std::string_view> names(defined.records.begin(), defined.records.end());
+  names.insert(names.end(), defined.enums.begin(), defined.enums.end());
   std::ranges::transform(named_types(), std::back_inserter(names), &NamedType::name);
   const std::string help = did_you_mean(suggest(word, names));
   if (!help.empty() || !find_unit(word)) return help;
@@ -52,7 +53,7 @@ Type TypeParser::type() {
   if (tokens_.at(Keyword::Array)) return array_type();
   if (!tokens_.at(TokenKind::Word)) {
     tokens_.fail_here(code::kUnknownType, fmt::format("a type expected, not {}", described(word)),
-                      type_help(word.text, names_.defined().records));
+                      type_help(word.text, names_.defined()));
   }
   if (const NamedType* const known = named_type(word.text)) {
     tokens_.advance();
@@ -62,10 +63,10 @@ Type TypeParser::type() {
   }
   if (const TypeDetail* const record = names_.record(word)) {
     tokens_.advance();
-    return {Type::Kind::Record, {}, record};
+    return {record->enumeration ? Type::Kind::Enum : Type::Kind::Record, {}, record};
   }
   tokens_.fail_here(code::kUnknownType, fmt::format("{} is no type", described(word)),
-                    type_help(word.text, names_.defined().records));
+                    type_help(word.text, names_.defined()));
 }
 
 // type = "ARRAY" "[" expr "]" "OF" type .

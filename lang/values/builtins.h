@@ -37,6 +37,7 @@ enum class BuiltinRule : std::uint8_t {
   Joints,   ///< none, one value an axis, or pose [, JOINTS] → JOINTS; the robot computes it
   Forward,  ///< JOINTS → pose in the world; the same
   Wrench,   ///< none → WRENCH; read from the robot
+  Ordinal,  ///< a value of an ENUM → INT, counted from 1; compiled in line, so it has no function
   Places,   ///< of poses, as its signature says
   Texts     ///< as its signature says
 };

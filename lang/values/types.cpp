@@ -58,6 +58,8 @@ std::string in_words(const Type& type) {
       return "a whole number";
     case Type::Kind::Real:
       return in_words(type.dimension);
+    case Type::Kind::Enum:
+      return "a value of the ENUM " + type.detail->name;
     case Type::Kind::String:
       return "a text";
     case Type::Kind::Vec:
@@ -145,6 +147,7 @@ Slots slots_of(const Type& type) {
     case Type::Kind::Bool:
     case Type::Kind::Int:
     case Type::Kind::Real:
+    case Type::Kind::Enum:
       return {.numbers = 1};
     case Type::Kind::String:
       return {.texts = 1};
@@ -225,6 +228,13 @@ std::vector<std::string_view> field_names(const Type& type) {
   if (!type.is(Type::Kind::Record)) return names;
   for (const TypeDetail::Field& field : type.detail->fields) names.push_back(field.name);
   return names;
+}
+
+std::optional<std::int64_t> value_of(const TypeDetail& enumeration, std::string_view name) {
+  const auto& names = enumeration.names;
+  const auto found =
+      std::ranges::find_if(names, [&](const std::string& each) { return same_word(each, name); });
+  return found == names.end() ? std::nullopt : std::optional(found - names.begin());
 }
 
 std::optional<Elements> elements_of(const Type& type) {

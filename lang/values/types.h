@@ -45,6 +45,7 @@ struct Type {
     Bool,
     Int,
     Real,
+    Enum,  ///< which of its names, counted from 0
     String,
     Vec,     ///< three REALs of one dimension
     Pose,    ///< x y z in m, then the unit quaternion w i j k of the orientation
@@ -58,7 +59,7 @@ struct Type {
 
   Kind kind = Kind::Unknown;
   Dimension dimension{};               ///< of Real and Vec only
-  const TypeDetail* detail = nullptr;  ///< of Joints, Array, Record, and Pose
+  const TypeDetail* detail = nullptr;  ///< of Joints, Array, Record, Enum, and Pose
 
   bool operator==(const Type& other) const;
   bool known() const { return kind != Kind::Unknown; }
@@ -94,11 +95,13 @@ struct TypeDetail {
   std::int64_t length = 0;      ///< of Array; 0 while it is not known, or where it is faulty
   int written = -1;             ///< of an Array with a length in the text: its TypeTable index
   int height = 1;               ///< of Array and Record: levels of them inside each other
-  bool complete = false;        ///< of Record: all its fields are known
+  bool complete = false;        ///< of Record and Enum: all its fields, or names, are known
   bool faulty = false;          ///< of Record: it could not be read, and may have further fields
-  std::string name;             ///< of Record; of Pose: the frame
+  std::string name;             ///< of Record and Enum; of Pose: the frame
   std::vector<Field> fields;    ///< of Record, in the order of their slots
   std::vector<Dimension> axes;  ///< of Joints
+  bool enumeration = false;     ///< it is an Enum, not a Record
+  std::vector<std::string> names{};  ///< of Enum, in the order of their values
 };
 
 /// The details of all types of one program. They keep their addresses.
@@ -123,7 +126,7 @@ struct TypeTable {
   /// All of a program are of one robot, whose axes the checker puts in.
   std::shared_ptr<TypeDetail> joints = std::make_shared<TypeDetail>();
   Named frames;
-  Named records;
+  Named records;  ///< and ENUMs: no two types share a name
 
  private:
   TypeDetail& named(Named& types, std::uint32_t file, std::string_view name);
@@ -168,6 +171,9 @@ struct Elements {
   Type type;  ///< of JOINTS that of the first axis; the others may be of another dimension
   std::int64_t count = 0;
 };
+/// The value of an ENUM's name, in any case; nothing if it has no such name.
+std::optional<std::int64_t> value_of(const TypeDetail& enumeration, std::string_view name);
+
 /// Nothing if values of this type have no elements.
 std::optional<Elements> elements_of(const Type& type);
 

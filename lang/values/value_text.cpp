@@ -22,6 +22,8 @@ class Writer {
         return put(std::to_string((numbers_++)->integer));
       case Type::Kind::Real:
         return put(number_text((numbers_++)->real, type.dimension));
+      case Type::Kind::Enum:
+        return put(enum_text(*type.detail, (numbers_++)->integer));
       case Type::Kind::String:
         return quoted(*texts_++);
       case Type::Kind::Vec:
@@ -122,6 +124,10 @@ class Writer {
 }  // namespace
 
 std::string text_of(bool value) { return value ? "TRUE" : "FALSE"; }
+
+std::string enum_text(const TypeDetail& enumeration, std::int64_t value) {
+  return enumeration.name + "." + enumeration.names[static_cast<std::size_t>(value)];
+}
 
 bool append_value_text(std::string& out, const Type& type, const Slot* numbers,
                        const std::string* texts, std::size_t most) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "lang/values/arithmetic.h"
@@ -10,6 +11,9 @@ namespace rob::lang {
 
 /// TRUE or FALSE.
 std::string text_of(bool value);
+
+/// "colour.red".
+std::string enum_text(const TypeDetail& enumeration, std::int64_t value);
 
 /// Appends a value as PRINT writes it, from its slots: `20mm`, `(1mm, 2mm, 3mm)`. A text alone is
 /// written as it is; inside a compound value between quotes, so that it reads back.

@@ -36,6 +36,12 @@ bool read_truth(const Token& token, Slot& value) {
   return true;
 }
 
+bool read_name(const Token& token, const TypeDetail& enumeration, Slot& value) {
+  const auto named = value_of(enumeration, token.text);
+  if (named) value.integer = *named;
+  return named.has_value();
+}
+
 bool read_answer(std::string_view line, const Type& type, Slot& value) {
   if (!is_text(line)) return false;
   Diagnostics unread;
@@ -45,6 +51,7 @@ bool read_answer(std::string_view line, const Type& type, Slot& value) {
   const bool sign = negative || token.kind == TokenKind::Plus;
   if (sign) token = lexer.next();
   if (lexer.next().kind != TokenKind::EndOfLine) return false;
+  if (type.is(Type::Kind::Enum)) return !sign && read_name(token, *type.detail, value);
   if (!type.numeric()) return !sign && read_truth(token, value);
   return token.kind == TokenKind::Number && read_number(token.number, negative, type, value);
 }
@@ -58,6 +65,9 @@ bool read_answer(std::string_view line, std::string& value) {
 /// "'7' is not a length, such as 5mm": for one who has to try again.
 std::string misread_answer(std::string_view line, const Type& type) {
   if (!is_text(line)) return "that is no text";
+  if (type.is(Type::Kind::Enum)) {
+    return fmt::format("'{}' is none of {}", shortened(line), fmt::join(type.detail->names, ", "));
+  }
   const std::string example = type.is(Type::Kind::Int)    ? "7"
                               : type.is(Type::Kind::Real) ? example_of(type.dimension)
                                                           : "TRUE";

@@ -102,6 +102,11 @@ TEST_CASE("a routine that is called like a word of a place is spelled as declare
       "PROC Path(n: INT)\nENDPROC\nPath(1)\nIF TRUE THEN Path(2)\nPATH AT 50% DO\nENDPATH\n");
 }
 
+TEST_CASE("the names of an ENUM stay as they are written, reserved words too") {
+  CHECK(laid_out("enum Mode:off,On , Auto\nvar m=mode.OFF\nprint m,mode.auto") ==
+        "ENUM Mode: off, On, Auto\nVAR m = Mode.off\nPRINT m, Mode.Auto\n");
+}
+
 TEST_CASE("a unit stays as it is written, whatever else its letters could mean") {
   CHECK(laid_out("var s: [ in ]\nVAR v:[N * m / s^2]\nvar f: [1 / s]\n") ==
         "VAR s: [in]\nVAR v: [N*m/s^2]\nVAR f: [1/s]\n");

@@ -69,6 +69,19 @@ TEST_CASE("variables keep their values from one entry to the next") {
   CHECK(prompt.last() == "print pin21");
 }
 
+TEST_CASE("an ENUM is known to later entries, and not declared anew") {
+  Prompt prompt;
+  CHECK(prompt.enter("ENUM colour: red, green, off") == "");
+  CHECK(prompt.enter("VAR c: colour") == "");
+  CHECK(prompt.enter("c = colour.off") == "");
+  CHECK(prompt.enter("FUNC f(x: colour): INT\n  RETURN ORD(x)\nENDFUNC") == "");
+  CHECK(prompt.enter("PRINT c, f(c)") == "");
+  CHECK(prompt.last() == "print colour.off3");
+  CHECK(prompt.enter("ENUM colour: black") == "E202");
+  CHECK(prompt.enter("PRINT c == colour.red") == "");
+  CHECK(prompt.last() == "print FALSE");
+}
+
 TEST_CASE("arrays and records stay where they are when entries bring further ones") {
   Prompt prompt;
   CHECK(prompt.enter("VAR a: ARRAY[3] OF INT = [1, 2, 3]") == "");
