@@ -100,6 +100,7 @@ set(rob_lang_sources
   lang/vm/move_text.cpp
   lang/vm/observations.cpp
   lang/vm/printing_machine.cpp
+  lang/vm/rows.cpp
   lang/vm/scripted_robot.cpp
   lang/vm/stack.cpp
   lang/vm/turns.cpp

@@ -55,7 +55,9 @@ std::string axis_names(const RobotSignature& robot) {
 /// LEN(a): known from the type, unless a routine must be called for a.
 void fold_length(const Call& call, Expr& expression) {
   const Expr& array = *call.arguments.front();
-  if (!calls_routine(array)) expression.constant = array.type.detail->length;
+  if (!array.type.is_row() && !calls_routine(array)) {
+    expression.constant = array.type.detail->length;
+  }
 }
 
 void fold_ordinal(const Call& call, Expr& expression) {
@@ -69,7 +71,45 @@ std::size_t index_of(const TypeDetail& record, std::string_view field) {
   return static_cast<std::size_t>(found - record.fields.begin());
 }
 
+/// Whether a variable can be given to a REF parameter.
+bool fits_reference(const Type& variable, const Type& parameter) {
+  if (variable == parameter) return true;
+  return parameter.is_open() && variable.is(Type::Kind::Array) &&
+         variable.detail->element == parameter.detail->element;
+}
+
+/// Built-in functions that change what they are given, and have no value.
+bool is_procedure(const Builtin& builtin) { return builtin.rule == BuiltinRule::RowSort; }
+
+std::optional<std::size_t> reference_of(const Call& call) {
+  const auto found = std::ranges::find(call.references, true);
+  if (found == call.references.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - call.references.begin());
+}
+
 }  // namespace
+
+bool BuiltinChecker::stands_wrong(const Builtin& builtin, const Call& call, bool statement,
+                                  Place place) {
+  const bool procedure = is_procedure(builtin);
+  if (const auto reference = reference_of(call); reference && (!procedure || *reference > 0)) {
+    place = call.arguments[*reference]->place;
+    diagnostics_.error(code::kReferenceArgument, place,
+                       fmt::format("{} does not change what it is given here", builtin.name),
+                       "leave REF out");
+    return true;
+  }
+  if (statement == procedure) return false;
+  if (procedure) {
+    diagnostics_.error(code::kRoutineMisused, place, fmt::format("{} has no value", builtin.name),
+                       "write it on a line of its own");
+  } else {
+    diagnostics_.error(code::kRoutineMisused, place,
+                       fmt::format("{} gives a value, which is not used here", builtin.name),
+                       "a statement calls a PROC");
+  }
+  return true;
+}
 
 Type BuiltinChecker::check(const Builtin& builtin, const Call& call, bool sound, Expr& expression) {
   if (builtin.rule == BuiltinRule::Joints) {
@@ -137,6 +177,10 @@ Type BuiltinChecker::type_of(const Builtin& builtin, const Call& call, Place pla
       return Type::integer();
     case BuiltinRule::Ordinal:
       return check_ordinal(first());
+    case BuiltinRule::RowNumber:
+      return check_row_number(builtin, first());
+    case BuiltinRule::RowSort:
+      return accept_changed(builtin, first()) ? check_sort(first()) : Type{};
     case BuiltinRule::Random:
       return call.arguments.empty() ? Type::real() : common_dimension(call);
     case BuiltinRule::ToFrame:
@@ -197,6 +241,43 @@ Type BuiltinChecker::check_ordinal(const Expr& value) {
   if (value.type.is(Type::Kind::Enum)) return Type::integer();
   diagnostics_.error(code::kTypeMismatch, value.place,
                      fmt::format("ORD needs a value of an ENUM; this is {}", described(value)));
+  return {};
+}
+
+/// SUM, MIN and MAX of all elements.
+Type BuiltinChecker::check_row_number(const Builtin& builtin, const Expr& row) {
+  const auto elements = row.type.is(Type::Kind::Array) ? elements_of(row.type) : std::nullopt;
+  if (elements && elements->type.numeric()) return elements->type;
+  diagnostics_.error(
+      code::kTypeMismatch, row.place,
+      fmt::format("{} needs an ARRAY of numbers; this is {}", builtin.name, described(row)),
+      row.type.numeric() && builtin.name != "SUM"
+          ? fmt::format("or several: {}(a, b)", builtin.name)
+          : "");
+  return {};
+}
+
+/// A variable, or a part of one, that a built-in function changes.
+bool BuiltinChecker::accept_changed(const Builtin& builtin, const Expr& variable) {
+  const Name* const root = root_of(variable);
+  const bool changes =
+      root != nullptr && root->symbol != nullptr && root->symbol->kind == Symbol::Kind::Variable;
+  if (changes) {
+    uses_.referred(*root->symbol, variable.place);
+    return true;
+  }
+  diagnostics_.error(code::kReferenceArgument, variable.place,
+                     fmt::format("{} changes a variable, and this is none", builtin.name),
+                     "declare one with VAR, and give its name");
+  return false;
+}
+
+Type BuiltinChecker::check_sort(const Expr& row) {
+  const auto elements = row.type.is(Type::Kind::Array) ? elements_of(row.type) : std::nullopt;
+  if (elements && (elements->type.numeric() || elements->type.text())) return {};
+  diagnostics_.error(
+      code::kNotSortable, row.place,
+      fmt::format("SORT needs an ARRAY of numbers or texts; this is {}", described(row)));
   return {};
 }
 
@@ -496,6 +577,12 @@ bool CallChecker::bind(Call& call, Place place, const Routine& routine) {
             did_you_mean(suggest(name, names)));
       }
     }
+    if (at < parameters.size() && call.references[i] && !parameters[at].group->by_reference) {
+      return refuse(code::kReferenceArgument, argument.place,
+                    fmt::format("{} of {} is no REF parameter",
+                                shortened(parameters[at].declared->name), shortened(routine.name)),
+                    "leave REF out");
+    }
     if (at >= parameters.size()) {
       return refuse(
           code::kArgumentCount, place,
@@ -533,7 +620,8 @@ bool CallChecker::check_argument(const Expr& argument, const Routine& routine,
   }
   const Name* const variable = root_of(argument);
   const bool fits = variable != nullptr && variable->symbol != nullptr &&
-                    variable->symbol->kind == Symbol::Kind::Variable && argument.type == group.type;
+                    variable->symbol->kind == Symbol::Kind::Variable &&
+                    fits_reference(argument.type, group.type);
   if (fits) {
     uses_.referred(*variable->symbol, argument.place);
     return true;

@@ -16,10 +16,13 @@ namespace rob::lang {
 class BuiltinChecker {
  public:
   /// `joints`: the type JOINTS of the robot.
-  BuiltinChecker(ValueChecker& values, const RobotSignature& robot, Type joints,
+  BuiltinChecker(ValueChecker& values, RoutineUses& uses, const RobotSignature& robot, Type joints,
                  Diagnostics& diagnostics)
-      : values_(values), robot_(robot), joints_(joints), diagnostics_(diagnostics) {}
+      : values_(values), uses_(uses), robot_(robot), joints_(joints), diagnostics_(diagnostics) {}
 
+  /// True, and a message, for one that has a value in place of a statement, or the other way
+  /// round, and for a REF where nothing is changed.
+  bool stands_wrong(const Builtin& builtin, const Call& call, bool statement, Place place);
   /// `sound`: all arguments have a type.
   Type check(const Builtin& builtin, const Call& call, bool sound, Expr& expression);
   /// The type of `j[i]`: it must be known which axis is meant, unless all take values of one
@@ -34,6 +37,9 @@ class BuiltinChecker {
   Type common_dimension(const Call& call);
   Type check_root(const Call& call);
   Type check_ordinal(const Expr& value);
+  Type check_row_number(const Builtin& builtin, const Expr& row);
+  Type check_sort(const Expr& row);
+  bool accept_changed(const Builtin& builtin, const Expr& variable);
   Type check_vectors(const Builtin& builtin, const Call& call);
   Type check_poses(const Builtin& builtin, const Call& call);
   bool accept_pose(const Builtin& builtin, const Expr& argument, const Expr*& first, Type& frame);
@@ -45,6 +51,7 @@ class BuiltinChecker {
   void fold_known(const Builtin& builtin, const Call& call, Expr& expression);
 
   ValueChecker& values_;
+  RoutineUses& uses_;
   const RobotSignature& robot_;
   Type joints_;
   Diagnostics& diagnostics_;

@@ -57,7 +57,10 @@ void DeclarationChecker::check(Declaration& declaration) {
 
 /// The type that was written, or that of the value. `accepted`: the value fits it.
 Type DeclarationChecker::settle_type(Declaration& declaration, Type given, bool& accepted) {
-  if (!declaration.type) return settled(given);
+  if (!declaration.type) {
+    const bool open = given.known() && values_.refuse_open(*declaration.value);
+    return open ? Type{} : settled(given);
+  }
   const Declaration::Declared& first = declaration.names.front();
   Type& type = *declaration.type;
   if (!expressions_.complete(type, first.place)) type = Type{};

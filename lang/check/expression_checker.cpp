@@ -192,12 +192,7 @@ Type ExpressionChecker::check(Call& call, Expr& expression) {
   }
   const Builtin* const builtin = names_.resolve_function(call, expression.place);
   if (builtin == nullptr) return {};
-  if (statement) {
-    diagnostics_.error(code::kRoutineMisused, expression.place,
-                       fmt::format("{} gives a value, which is not used here", builtin->name),
-                       "a statement calls a PROC");
-    return {};
-  }
+  if (builtins_.stands_wrong(*builtin, call, statement, expression.place)) return {};
   if (reading_of(call)) uses_.met_robot(expression.place);
   return builtins_.check(*builtin, call, sound, expression);
 }
@@ -293,7 +288,7 @@ Type ExpressionChecker::check(Index& index, Expr& expression) {
   }
   const Type element = whole.is(Type::Kind::Joints) ? builtins_.axis_type(index) : elements->type;
   const auto* const number = std::get_if<std::int64_t>(&index.index->constant);
-  if (number == nullptr || elements->count == 0) return element;
+  if (number == nullptr || elements->count <= 0) return element;
   if (*number >= 1 && *number <= elements->count) {
     const int size = slots_of(elements->type).numbers;
     expression.constant =
@@ -323,6 +318,7 @@ Type ExpressionChecker::check(List& list, Expr& expression) {
     common = next;
   }
   common = settled(common);
+  if (values_.refuse_open(*list.elements.front())) return {};
   const auto count = static_cast<std::int64_t>(list.elements.size());
   for (const ExprPtr& element : list.elements) {
     if (!values_.accept(*element, common, "the list needs")) return {};
@@ -370,6 +366,12 @@ bool ExpressionChecker::complete(const Type& type, Place place) {
   }
   if (!type.is(Type::Kind::Array)) return true;
   const bool sound = complete(type.detail->element, place);
+  if (type.is_open()) {
+    diagnostics_.error(code::kOpenArray, place,
+                       "only a REF parameter can be an ARRAY of any length",
+                       "write the length, as in ARRAY[3] OF, or REF before the parameter");
+    return false;
+  }
   if (type.detail->written < 0) return sound;
   auto& written = program_.array_lengths[static_cast<std::size_t>(type.detail->written)];
   if (!written.settled) {
@@ -406,7 +408,9 @@ void ExpressionChecker::complete_header(const Routine& routine) {
   Routine& header = program_.routines[routine.index];
   scopes_.look_from_top(true);
   for (Routine::Parameters& group : header.parameters) {
-    if (!complete(group.type, group.names.front().place)) group.type = Type{};
+    const bool open = group.by_reference && group.type.is_open();
+    const Type& type = open ? group.type.detail->element : group.type;
+    if (!complete(type, group.names.front().place)) group.type = Type{};
   }
   if (!complete(header.result, header.name_place)) header.result = Type{};
   scopes_.look_from_top(false);

@@ -32,7 +32,7 @@ class ExpressionChecker {
         missing_(missing),
         diagnostics_(diagnostics),
         operators_(values, diagnostics),
-        builtins_(values, robot, Type::joints(program.types->joints.get()), diagnostics),
+        builtins_(values, uses, robot, Type::joints(program.types->joints.get()), diagnostics),
         calls_(values, uses, diagnostics) {}
 
   /// `expression` may be null: what could not be read is Unknown.

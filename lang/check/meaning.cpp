@@ -86,11 +86,13 @@ const Builtin* find_builtin(const Call& call) {
   const bool array = first.is(Type::Kind::Array);
   const bool enumeration = first.is(Type::Kind::Enum);
   if (!array && !enumeration && !first.is_place()) return plain;
-  const BuiltinRule rule = array         ? BuiltinRule::ArrayLength
-                           : enumeration ? BuiltinRule::Ordinal
-                                         : BuiltinRule::Places;
+  const auto is_for = [&](BuiltinRule rule) {
+    if (enumeration) return rule == BuiltinRule::Ordinal;
+    if (!array) return rule == BuiltinRule::Places;
+    return rule == BuiltinRule::ArrayLength || rule == BuiltinRule::RowNumber;
+  };
   for (const Builtin& builtin : builtins()) {
-    if (builtin.name == plain->name && builtin.rule == rule &&
+    if (builtin.name == plain->name && is_for(builtin.rule) &&
         builtin.least == call.arguments.size()) {
       return &builtin;
     }

@@ -167,7 +167,7 @@ const Symbol* Names::resolve_channel(const Name& name, Place place) {
 }
 
 const Builtin* Names::resolve_function(const Call& call, Place place) {
-  if (scopes_.find(call.callee) != nullptr) {
+  if (scopes_.find(call.callee) != nullptr && !is_common_name(call.callee)) {
     diagnostics_.error(code::kNotAFunction, place,
                        fmt::format("{} is a value, not a function", shortened(call.callee)),
                        find_builtin(call.callee, 0) == nullptr
@@ -266,7 +266,8 @@ void Declarations::warn_of_name(Symbol::Kind kind, const std::string& name, Plac
   } else if (const auto files = scopes_.files_with(name);
              scopes_.at_top_level() && !files.empty()) {
     warn_of_hiding(name, place, files.front());
-  } else if (scopes_.provided(name) || find_builtin(name, 0) != nullptr) {
+  } else if (scopes_.provided(name) ||
+             (find_builtin(name, 0) != nullptr && !is_common_name(name))) {
     diagnostics_.warning(
         code::kHidesBuiltIn, place,
         fmt::format("{} hides what the language or the robot calls so", shortened(name)),

@@ -144,6 +144,9 @@ Type OperatorChecker::check_comparison(const Binary& binary, const Expr& express
         "for example DIST(p, q) < 0.1mm AND TURN(p, q) < 0.1deg");
     return Type::boolean();
   }
+  if (values_.refuse_open(*binary.left) || values_.refuse_open(*binary.right)) {
+    return Type::boolean();
+  }
   const Type common = common_type(binary.left->type, binary.right->type);
   const bool left_list = std::holds_alternative<List>(binary.left->node);
   if (!common.known() && left_list != std::holds_alternative<List>(binary.right->node) &&

@@ -269,7 +269,7 @@ void StatementChecker::check(Assign& assign) {
   if (root->symbol == nullptr || !assignable(*root->symbol, assign.target->place, diagnostics_))
     return;
   uses_.written(*root->symbol);
-  if (assign.value == nullptr) return;
+  if (assign.value == nullptr || values_.refuse_open(*assign.target)) return;
   values_.accept(*assign.value, assign.target->type,
                  fmt::format("{} needs", shortened(root->symbol->name)));
 }

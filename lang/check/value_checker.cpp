@@ -67,6 +67,7 @@ std::string_view symbol_of(BinaryOp op) {
 bool ValueChecker::accept(const Expr& expression, const Type& wanted, std::string_view needed) {
   const Type& type = expression.type;
   if (type.kind == Type::Kind::Unknown || wanted.kind == Type::Kind::Unknown) return true;
+  if (refuse_open(expression)) return false;
   if (type == wanted || (type == Type::integer() && wanted == Type::real())) return true;
   if (type.is_place() && wanted.is_place()) {
     if (fits_place(expression, wanted)) return true;
@@ -97,6 +98,15 @@ bool ValueChecker::accept(const Expr& expression, const Type& wanted, std::strin
       quantities ? code::kDimensionMismatch : code::kTypeMismatch, expression.place,
       fmt::format("this is {}; {} {} here", described(expression), needed, in_words(wanted)), help);
   return false;
+}
+
+bool ValueChecker::refuse_open(const Expr& expression) {
+  if (!expression.type.is_open()) return false;
+  diagnostics_.error(code::kOpenArray, expression.place,
+                     "an ARRAY of any length is given to REF parameters alone: it is neither "
+                     "copied nor compared as a whole",
+                     "go through its elements: FOR x IN a DO");
+  return true;
 }
 
 /// A list takes the type that is wanted, element by element.

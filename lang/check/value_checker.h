@@ -30,6 +30,9 @@ class ValueChecker {
   /// Checks that an expression can be given where `wanted` is needed: the same type, or an INT for
   /// a REAL. `needed` is the subject of the message: "the variable x needs".
   bool accept(const Expr& expression, const Type& wanted, std::string_view needed);
+  /// True, and a message, for a value of any number of elements as a whole: only its elements can
+  /// be used, and what goes through all of them.
+  bool refuse_open(const Expr& expression);
   /// Checks a number that is known: above zero, or a time of 0s or more.
   bool require_positive(const Expr& value, std::string_view word);
   void require_time(const Expr& time, std::string_view word);

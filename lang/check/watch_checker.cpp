@@ -129,6 +129,12 @@ bool WatchChecker::check_call(const Call& call, Place place, std::string_view wo
   const bool axes =
       rule == BuiltinRule::Forward || (rule == BuiltinRule::Joints && !call.arguments.empty() &&
                                        call.arguments.front()->type.is_place());
+  const bool row = rule == BuiltinRule::RowNumber ||
+                   (rule == BuiltinRule::ArrayLength && call.arguments.front()->type.is_row());
+  if (row) {
+    return refuse(code::kNotWatchable, place, word, "it cannot go through all elements",
+                  "give the answer a variable before, and watch that");
+  }
   if (rule == BuiltinRule::Random || axes) {
     return refuse(code::kNotWatchable, place, word,
                   axes ? "it cannot compute axes from a pose, or a pose from axes"
@@ -142,7 +148,9 @@ bool WatchChecker::check_call(const Call& call, Place place, std::string_view wo
 /// An element of a variable is fixed as a whole, and its index computed with it.
 bool WatchChecker::check_element(const Expr& expression, const Index& index,
                                  std::string_view word) {
-  if (known(index.index->constant)) return check_watchable(*index.object, word);
+  if (known(index.index->constant) && !index.object->type.is_row()) {
+    return check_watchable(*index.object, word);
+  }
   if (calls_routine(expression)) {
     return refuse(code::kWatchCallsRoutine, expression.place, word,
                   "it cannot call a routine of the program",

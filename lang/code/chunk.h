@@ -117,6 +117,10 @@ struct WatchForm {
   std::uint8_t values = 0;  ///< registers that hold the values of variables, from 0 on
 };
 
+/// What `row_int` and `row_real` compute.
+
+enum class RowNumber : std::uint8_t { Sum, Least, Greatest };
+
 /// Where a variable lives; for listings and, later, for looking at a halted program.
 struct NamedRegister {
   std::string name;

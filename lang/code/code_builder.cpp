@@ -89,6 +89,11 @@ void CodeBuilder::append_memory(Register text, Register places, const Type& type
   emit(operand_word(tables_.type(type)), place);
 }
 
+void CodeBuilder::append_row(Register text, Register row, const Type& element, Place place) {
+  emit(Opcode::append_row, place, text, row);
+  emit(operand_word(tables_.type(element)), place);
+}
+
 void CodeBuilder::ask(Register text, Register answer, const Type& type, Place place) {
   emit(Opcode::ask, place, text, answer);
   emit(operand_word(tables_.type(type)), place);

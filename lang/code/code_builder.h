@@ -50,6 +50,8 @@ class CodeBuilder {
   void ask(Register text, Register answer, const Type& type, Place place);
   /// A compound value whose slots begin at a register.
   void append_value(Register text, Register first, const Type& type, Place place);
+  /// The elements of a row, each of that type.
+  void append_row(Register text, Register row, const Type& element, Place place);
   /// A value whose numbers and texts begin at the places in two registers.
   void append_memory(Register text, Register places, const Type& type, Place place);
   void move(Register first, const MoveForm& form, Place place);

@@ -32,9 +32,10 @@ struct SlotsAt {
 struct Location {
   SlotsAt numbers;
   SlotsAt texts;
+  Register count = 0;  ///< of an ARRAY of any length: the register that holds it
 
   Location behind(Slots slots) const {
-    return {numbers.behind(slots.numbers), texts.behind(slots.texts)};
+    return {numbers.behind(slots.numbers), texts.behind(slots.texts), count};
   }
 };
 

@@ -19,6 +19,7 @@ CallLayout layout_of(const Routine& routine) {
     Location home;
     if (parameter.group->by_reference || !parameter.group->type.in_registers()) {
       home = places(slots);
+      if (parameter.group->type.is_open()) home.count = static_cast<Register>(layout.registers++);
     } else {
       home.numbers.offset = static_cast<std::uint32_t>(layout.registers);
       home.texts.offset = static_cast<std::uint32_t>(layout.text_registers);

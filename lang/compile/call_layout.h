@@ -11,7 +11,7 @@ namespace rob::lang {
 /// them and for the value, which is left where they begin.
 struct CallLayout {
   /// One for each parameter. Arrays and records are given by their places, which the routine
-  /// copies.
+  /// copies; one of any length with its length.
   std::vector<Location> homes;
   Location result;  ///< where the routine puts an array or record that it returns
   int registers = 0;

@@ -67,7 +67,12 @@ void ExpressionCompiler::append_value(const Expr& expression, Register text) {
 void ExpressionCompiler::call(const Expr& expression) {
   begin(expression);
   const auto mark = frame_.mark();
-  call_routine(std::get<Call>(expression.node), expression);
+  const auto& called = std::get<Call>(expression.node);
+  if (called.routine != nullptr) {
+    call_routine(called, expression);
+  } else {
+    call_procedure(called, expression.place);
+  }
   frame_.release(mark);
 }
 
@@ -198,7 +203,10 @@ void ExpressionCompiler::into_as_it_is(const Expr& expression, Register target, 
 
 void ExpressionCompiler::append(const Expr& expression, Register text) {
   const auto mark = frame_.mark();
-  if (!expression.type.in_registers()) {
+  if (expression.type.is_row()) {
+    const Register first = row(expression);
+    code_.append_row(text, first, expression.type.detail->element, expression.place);
+  } else if (!expression.type.in_registers()) {
     const Register places = frame_.number_registers(2);
     variables_.refer_both(locate(expression), expression.type, places, behind(places, 1),
                           expression.place);
@@ -450,13 +458,15 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
   if (builtin.rule == BuiltinRule::Forward) return compile_forward(call, expression, target);
   if (builtin.rule == BuiltinRule::ArrayLength) {
     const Expr& array = *call.arguments.front();
-    locate(array);
-    return code_.load_integer(target, array.type.detail->length, expression.place);
+    return variables_.count(locate(array), array.type, target, expression.place);
   }
   if (builtin.rule == BuiltinRule::Ordinal) {
     const Register value = operand(*call.arguments.front(), false);
     code_.load_integer(target, 1, expression.place);
     return code_.emit(Opcode::add_int, expression.place, target, value, target);
+  }
+  if (builtin.rule == BuiltinRule::RowNumber) {
+    return compile_row_number(builtin, *call.arguments.front(), target, expression.place);
   }
   if (builtin.rule == BuiltinRule::Random) return draw(call, expression, target);
   if (builtin.rule == BuiltinRule::Texts) return call_on_texts(builtin, call, expression, target);
@@ -480,6 +490,35 @@ void ExpressionCompiler::call_on_numbers(const Builtin& builtin, const Call& cal
   code_.emit(whole ? Opcode::call_int : Opcode::call_real, expression.place, first, index,
              static_cast<unsigned>(given));
   variables_.copy_registers(target, first, results, expression.place);
+}
+
+Register ExpressionCompiler::row(const Expr& expression) {
+  const Location at = locate(expression);
+  const Register first = frame_.number_registers(3);
+  variables_.refer_both(at, expression.type, first, behind(first, 1), expression.place);
+  variables_.count(at, expression.type, behind(first, 2), expression.place);
+  return first;
+}
+
+void ExpressionCompiler::compile_row_number(const Builtin& builtin, const Expr& row,
+                                            Register target, Place place) {
+  const bool real = row.type.detail->element.is(Type::Kind::Real);
+  const RowNumber which = builtin.name == "SUM"   ? RowNumber::Sum
+                          : builtin.name == "MIN" ? RowNumber::Least
+                                                  : RowNumber::Greatest;
+  code_.emit(real ? Opcode::row_real : Opcode::row_int, place, target, this->row(row),
+             static_cast<unsigned>(which));
+}
+
+/// SORT: what it sorts lies where `row` says.
+void ExpressionCompiler::call_procedure(const Call& call, Place place) {
+  const Expr& changed = *call.arguments.front();
+  const Type& element = changed.type.detail->element;
+  const Register first = row(changed);
+  const Opcode sort = element.text()                ? Opcode::sort_texts
+                      : element.is(Type::Kind::Int) ? Opcode::sort_ints
+                                                    : Opcode::sort_reals;
+  code_.emit(sort, place, first);
 }
 
 void ExpressionCompiler::draw(const Call& call, const Expr& expression, Register target) {
@@ -542,7 +581,11 @@ void ExpressionCompiler::pass(const Call& call, std::size_t parameter, const Loc
   const Expr& argument = call.bound[parameter] != nullptr ? *call.bound[parameter] : *group.value;
   if (group.by_reference) {
     const auto mark = frame_.mark();
-    refer_parameter(locate(argument), group.type, home, first, argument.place);
+    const Location at = locate(argument);
+    refer_parameter(at, group.type, home, first, argument.place);
+    if (group.type.is_open()) {
+      variables_.count(at, argument.type, behind(first, home.count), argument.place);
+    }
     frame_.release(mark);
   } else if (!group.type.in_registers()) {
     // A routine that a later argument calls may change the variable, so its value is kept.
@@ -608,7 +651,8 @@ Location ExpressionCompiler::element(const Index& index) {
   const Elements elements = *elements_of(index.object->type);
   const Slots size = slots_of(elements.type);
   const Location whole = locate(*index.object);
-  if (const auto* const number = std::get_if<std::int64_t>(&index.index->constant)) {
+  if (const auto* const number = std::get_if<std::int64_t>(&index.index->constant);
+      number != nullptr && elements.count != kAnyLength) {
     const int before = static_cast<int>(*number) - 1;
     return whole.behind({before * size.numbers, before * size.texts});
   }

@@ -101,6 +101,10 @@ class ExpressionCompiler {
                        Register target);
   void call_on_texts(const Builtin& builtin, const Call& call, const Expr& expression,
                      Register target);
+  void compile_row_number(const Builtin& builtin, const Expr& row, Register target, Place place);
+  void call_procedure(const Call& call, Place place);
+  /// Where the elements of an array lie, and how many they are, in three registers (opcodes.def).
+  Register row(const Expr& expression);
   void draw(const Call& call, const Expr& expression, Register target);
   Location call_routine(const Call& call, const Expr& expression);
   void pass(const Call& call, std::size_t parameter, const Location& home, Register first,

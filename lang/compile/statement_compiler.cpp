@@ -16,7 +16,8 @@ int captures_of(const Routine& handler) {
   int count = 0;
   for (const Symbol* const symbol : handler.captured) {
     const Slots slots = slots_of(symbol->type);
-    count += (slots.numbers > 0 ? 1 : 0) + (slots.texts > 0 ? 1 : 0);
+    count +=
+        (slots.numbers > 0 ? 1 : 0) + (slots.texts > 0 ? 1 : 0) + (symbol->type.is_open() ? 1 : 0);
   }
   return count;
 }
@@ -452,7 +453,7 @@ void StatementCompiler::compile_elements(const For& loop) {
   const Location own = declarations_.declare(*loop.symbol);
   const Register which = frame_.number_registers(3);
   code_.load_integer(which, 1, place);
-  code_.load_integer(behind(which, 1), elements.count, place);
+  variables_.count(whole, loop.elements->type, behind(which, 1), place);
   code_.load_integer(behind(which, 2), 1, place);
   code_.emit(Opcode::for_prepare_int, place, which);
   const CodeBuilder::Jump none = code_.jump(place);
@@ -615,6 +616,9 @@ Register StatementCompiler::capture(const Routine& handler) {
     const Slots slots = slots_of(symbol->type);
     if (slots.numbers > 0) variables_.refer(*symbol, false, next++, place_);
     if (slots.texts > 0) variables_.refer(*symbol, true, next++, place_);
+    if (symbol->type.is_open()) {
+      variables_.count(variables_.home(*symbol), symbol->type, next++, place_);
+    }
   }
   return first;
 }
@@ -627,6 +631,7 @@ void StatementCompiler::settle_captured(const Routine& handler) {
     Location home{{SlotsAt::Base::Place}, {SlotsAt::Base::Place}};
     if (slots.numbers > 0) home.numbers.place = next++;
     if (slots.texts > 0) home.texts.place = next++;
+    if (symbol->type.is_open()) home.count = next++;
     variables_.settle(*symbol, home);
   }
 }

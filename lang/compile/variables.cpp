@@ -52,7 +52,7 @@ bool Variables::is_number_element(const Expr& expression) const {
   if (watching_) return false;  // it was fixed before
   const auto* const index = std::get_if<Index>(&expression.node);
   return index != nullptr && index->object->type.is(Type::Kind::Array) &&
-         expression.type.scalar() && !expression.type.text() &&
+         !index->object->type.is_row() && expression.type.scalar() && !expression.type.text() &&
          !std::holds_alternative<std::int64_t>(index->index->constant);
 }
 
@@ -89,13 +89,19 @@ SlotsAt Variables::reached(SlotsAt at, bool text, Place place) {
 Location Variables::reached(const Location& home, const Type& type, Place place) {
   const Slots slots = slots_of(type);
   return {slots.numbers > 0 ? reached(home.numbers, false, place) : SlotsAt{},
-          slots.texts > 0 ? reached(home.texts, true, place) : SlotsAt{}};
+          slots.texts > 0 ? reached(home.texts, true, place) : SlotsAt{}, home.count};
+}
+
+void Variables::count(const Location& whole, const Type& type, Register target, Place place) {
+  if (type.is_open()) return code_.emit(Opcode::copy, place, target, whole.count);
+  code_.load_integer(target, type.detail->length, place);
 }
 
 Location Variables::element(const Location& whole, Register which, const Elements& elements,
                             Place place) {
   const Slots size = slots_of(elements.type);
   Location result = whole;
+  if (elements.count == kAnyLength) code_.emit(Opcode::check_index, place, which, whole.count);
   if (size.numbers > 0) {
     result.numbers = element_at(whole.numbers, false, which, elements.count, size.numbers, place);
   }

@@ -45,6 +45,8 @@ class Variables {
   Location memory(Slots slots, Place place);
   /// Where a value lies that is reached from the current frame.
   Location reached(const Location& home, const Type& type, Place place);
+  /// The number of elements, into a register.
+  void count(const Location& whole, const Type& type, Register target, Place place);
   /// An element of what lies at `whole`, by the register of its index.
   Location element(const Location& whole, Register which, const Elements& elements, Place place);
 

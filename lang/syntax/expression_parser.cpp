@@ -343,7 +343,10 @@ ExprPtr ExpressionParser::call(const Place& place, std::string callee) {
     } else {
       node.names.emplace_back();
     }
-    node.arguments.push_back(expression());
+    const bool reference = tokens_.at_word("REF") && tokens_.next().kind == TokenKind::Word;
+    if (reference) tokens_.advance();
+    node.references.push_back(reference);
+    node.arguments.push_back(reference ? postfix() : expression());
     height = std::max(height, node.arguments.back()->height);
     if (!tokens_.accept(TokenKind::Comma)) break;
     if (tokens_.at(TokenKind::RightParen)) fail_value();

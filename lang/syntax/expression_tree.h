@@ -75,6 +75,7 @@ struct Call {
   std::string callee;
   std::vector<ExprPtr> arguments;
   std::vector<std::string> names;    ///< of the arguments; empty where one was not named
+  std::vector<bool> references{};    ///< of the arguments: REF stands before one
   const Routine* routine = nullptr;  ///< set by the checker; null for a built-in function
   /// Of a routine, set by the checker: one a parameter; of a record one a field, null where its
   /// default stands in.

@@ -12,6 +12,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 #include "lang/text/suggest.h"
+#include "lang/values/builtins.h"
 
 namespace rob::lang {
 
@@ -213,7 +214,8 @@ void StatementParser::default_statement(Block& block) {
 
 /// MOVE( or PRINT(, nearly, where no routine is called so.
 bool StatementParser::looks_misspelt() {
-  return !suggest(tokens_.text(), statement_words()).empty() &&
+  return find_builtin(tokens_.text(), 1) == nullptr &&
+         !suggest(tokens_.text(), statement_words()).empty() &&
          !names_.names_routine(tokens_.text());
 }
 

@@ -46,7 +46,7 @@ void TypeParser::finish(Program& program) {
 }
 
 // type = ( IDENT | "FRAME" | "TOOL" ) [ "IN" IDENT ] | "[" unit "]"
-//      | "ARRAY" "[" expr "]" "OF" type .
+//      | "ARRAY" [ "[" expr "]" ] "OF" type .
 Type TypeParser::type() {
   if (tokens_.at(TokenKind::LeftBracket)) return unit_type();
   const Token word = tokens_.current();
@@ -69,11 +69,15 @@ Type TypeParser::type() {
                     type_help(word.text, names_.defined()));
 }
 
-// type = "ARRAY" "[" expr "]" "OF" type .
+// type = "ARRAY" [ "[" expr "]" ] "OF" type .
 Type TypeParser::array_type() {
   const TreeBuilder::Level level(tree_);
   const Place place = tokens_.place();
   tokens_.advance();
+  if (tokens_.at_word("OF")) {
+    tokens_.advance();
+    return table_.array(type(), kAnyLength);
+  }
   if (!tokens_.at(TokenKind::LeftBracket)) {
     tokens_.fail_behind(code::kBracketExpected, "'[' and the length expected after ARRAY",
                         "ARRAY[3] OF LENGTH");

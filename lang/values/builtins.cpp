@@ -209,6 +209,11 @@ const Builtin* find_builtin(std::string_view name, std::size_t arguments) {
   return first;
 }
 
+bool is_common_name(std::string_view name) {
+  static constexpr std::array<std::string_view, 3> kNames{"ORD", "SORT", "SUM"};
+  return std::ranges::any_of(kNames, [&](std::string_view each) { return same_word(each, name); });
+}
+
 std::vector<std::string_view> builtin_names() {
   std::vector<std::string_view> names;
   for (const Builtin& builtin : kBuiltins) {

@@ -38,8 +38,10 @@ enum class BuiltinRule : std::uint8_t {
   Forward,  ///< JOINTS → pose in the world; the same
   Wrench,   ///< none → WRENCH; read from the robot
   Ordinal,  ///< a value of an ENUM → INT, counted from 1; compiled in line, so it has no function
-  Places,   ///< of poses, as its signature says
-  Texts     ///< as its signature says
+  RowNumber,  ///< a row of numbers of D → D; the Vm's own, so it has no function
+  RowSort,    ///< a row of numbers or texts, which it changes; no value; the same
+  Places,     ///< of poses, as its signature says
+  Texts       ///< as its signature says
 };
 
 /// Pure; takes no memory. The slots of all arguments in a row; all are INT, or all are REAL, as the
@@ -75,6 +77,8 @@ struct Builtin {
 std::span<const Builtin> builtins();
 /// The one that takes so many arguments, or the first of that name, or null. `name` in any case.
 const Builtin* find_builtin(std::string_view name, std::size_t arguments);
+/// Whether programs from before this function call other things so: it is hidden without a word.
+bool is_common_name(std::string_view name);
 /// Each name once, for "did you mean".
 std::vector<std::string_view> builtin_names();
 

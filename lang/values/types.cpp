@@ -75,6 +75,7 @@ std::string in_words(const Type& type) {
     case Type::Kind::Tool:
       return "a tool";
     case Type::Kind::Array:
+      if (type.is_open()) return "an ARRAY of any length, each " + in_words(type.detail->element);
       return "an ARRAY[" + std::to_string(type.detail->length) + "], each " +
              in_words(type.detail->element);
     case Type::Kind::Record:
@@ -99,7 +100,7 @@ Type TypeTable::array(const Type& element, std::int64_t length) {
   detail.length = length;
   detail.height = height_of(element) + 1;
   const Slots slots = slots_of(element);
-  const auto count = static_cast<int>(length);
+  const auto count = length == kAnyLength ? 1 : static_cast<int>(length);
   detail.slots = {.numbers = slots.numbers * count, .texts = slots.texts * count};
   return {Type::Kind::Array, {}, &detail};
 }
@@ -160,8 +161,9 @@ Slots slots_of(const Type& type) {
       return {.numbers = 7};
     case Type::Kind::Tool:
       return {.numbers = 11};
-    case Type::Kind::Joints:
     case Type::Kind::Array:
+      return type.is_open() ? slots_of(type.detail->element) : type.detail->slots;
+    case Type::Kind::Joints:
     case Type::Kind::Record:
       return type.detail->slots;
   }

@@ -66,6 +66,10 @@ struct Type {
   bool numeric() const { return kind == Kind::Int || kind == Kind::Real; }
   bool text() const { return kind == Kind::String; }
   bool is(Kind other) const { return kind == other; }
+  /// An ARRAY of any length, as a REF parameter may be: its length is known while the program runs.
+  bool is_open() const;
+  /// Elements in a row whose number is known only while the program runs.
+  bool is_row() const { return is_open(); }
   /// Whether the type takes one slot.
   bool scalar() const { return kind <= Kind::String; }
   /// Lies in registers of a row; all else lies in the memory of a frame.
@@ -84,15 +88,19 @@ struct Type {
   bool is_place() const { return kind == Kind::Pose || kind == Kind::Frame || kind == Kind::Tool; }
 };
 
+/// The length of an ARRAY of any length.
+inline constexpr std::int64_t kAnyLength = -1;
+
 /// The parts of a compound type.
 struct TypeDetail {
   struct Field {
     std::string name;
     Type type;
   };
-  Slots slots;                  ///< of a whole value
-  Type element;                 ///< of Array
-  std::int64_t length = 0;      ///< of Array; 0 while it is not known, or where it is faulty
+  Slots slots;   ///< of a whole value; where there is any number of elements, of one
+  Type element;  ///< of Array
+  /// Of Array: kAnyLength, or 0 while it is not known, or where it is faulty.
+  std::int64_t length = 0;
   int written = -1;             ///< of an Array with a length in the text: its TypeTable index
   int height = 1;               ///< of Array and Record: levels of them inside each other
   bool complete = false;        ///< of Record and Enum: all its fields, or names, are known
@@ -103,6 +111,8 @@ struct TypeDetail {
   bool enumeration = false;     ///< it is an Enum, not a Record
   std::vector<std::string> names{};  ///< of Enum, in the order of their values
 };
+
+inline bool Type::is_open() const { return kind == Kind::Array && detail->length == kAnyLength; }
 
 /// The details of all types of one program. They keep their addresses.
 struct TypeTable {
@@ -169,7 +179,7 @@ std::vector<std::string_view> field_names(const Type& type);
 /// The set that an index chooses from: elements of one type in a row.
 struct Elements {
   Type type;  ///< of JOINTS that of the first axis; the others may be of another dimension
-  std::int64_t count = 0;
+  std::int64_t count = 0;  ///< kAnyLength where it is known only while the program runs
 };
 /// The value of an ENUM's name, in any case; nothing if it has no such name.
 std::optional<std::int64_t> value_of(const TypeDetail& enumeration, std::string_view name);

@@ -129,6 +129,11 @@ std::string enum_text(const TypeDetail& enumeration, std::int64_t value) {
   return enumeration.name + "." + enumeration.names[static_cast<std::size_t>(value)];
 }
 
+bool append_part_text(std::string& out, const Type& type, const Slot* numbers,
+                      const std::string* texts, std::size_t most) {
+  return Writer(out, numbers, texts, most).value(type);
+}
+
 bool append_value_text(std::string& out, const Type& type, const Slot* numbers,
                        const std::string* texts, std::size_t most) {
   if (!type.is(Type::Kind::String)) return Writer(out, numbers, texts, most).value(type);

@@ -21,4 +21,8 @@ std::string enum_text(const TypeDetail& enumeration, std::int64_t value);
 bool append_value_text(std::string& out, const Type& type, const Slot* numbers,
                        const std::string* texts, std::size_t most);
 
+/// The same of a part of a value: a text stands between quotes.
+bool append_part_text(std::string& out, const Type& type, const Slot* numbers,
+                      const std::string* texts, std::size_t most);
+
 }  // namespace rob::lang

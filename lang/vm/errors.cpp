@@ -52,6 +52,12 @@ Refusal tries_too_deep() {
           .help = "a routine that calls itself needs a way that does not"};
 }
 
+Refusal text_too_long() {
+  return {.code = std::string(code::kTextTooLong),
+          .message = fmt::format("a text of more than {} bytes", kMostText),
+          .help = ""};
+}
+
 Refusal refusal_of(ArithmeticError error) {
   const ArithmeticErrorText text = describe(error);
   return {.code = std::string(text.code),

@@ -93,4 +93,11 @@ class TryBlocks {
   bool rescuing_ = false;
 };
 
+/// The longest text that a program can build, in bytes. [choice] far more than a line to be read,
+/// and with at most kTextStack text registers and kMemory.texts in arrays and records a program
+/// never holds more than 320 MiB of text, and those of kMostTries errors.
+inline constexpr std::size_t kMostText = 65536;
+
+Refusal text_too_long();
+
 }  // namespace rob::lang

@@ -12,16 +12,12 @@
 #include "lang/values/number_text.h"
 #include "lang/values/pose_functions.h"
 #include "lang/values/value_text.h"
+#include "lang/vm/rows.h"
 
 namespace rob::lang {
 namespace {
 
 using Code = const Instruction*;
-
-/// The longest text that a program can build, in bytes. [choice] far more than a line to be read,
-/// and with at most kTextStack text registers and kMemory.texts in arrays and records a program
-/// never holds more than 320 MiB of text, and those of kMostTries errors.
-constexpr std::size_t kMostText = 65536;
 
 bool equal_slots(const Slot* a, const Slot* b, std::size_t count) {
   return std::memcmp(a, b, count * sizeof(Slot)) == 0;
@@ -51,12 +47,6 @@ bool join(std::string& target, const std::string& left, const std::string& right
     target = left + right;
   }
   return true;
-}
-
-Refusal text_too_long() {
-  return {.code = std::string(code::kTextTooLong),
-          .message = fmt::format("a text of more than {} bytes", kMostText),
-          .help = ""};
 }
 
 Objection objection(ArithmeticError error) {
@@ -204,8 +194,10 @@ const Instruction* step_value(const Instruction* pc, const Chunk& chunk, Stack& 
     case Opcode::equal_block:
       n[pc->a()].integer = equal_slots(&n[pc->b()], &n[pc->c()], (pc + 1)->word) ? 1 : 0;
       return pc + 2;
-    default:
-      return step_text(pc, chunk, stack, budget, why);
+    default: {
+      const Code next = step_text(pc, chunk, stack, budget, why);
+      return next != pc ? next : step_row(pc, chunk, stack, budget, why);
+    }
   }
 }
 

@@ -201,6 +201,12 @@ element : {
       n[pc->c()].integer + (pc + 1)->word + static_cast<std::int64_t>(which) * (pc + 3)->word;
   ROB_NEXT(4);
 }
+check_index : {
+  const auto which = static_cast<std::uint64_t>(n[pc->a()].integer) - 1;
+  if (which >= static_cast<std::uint64_t>(n[pc->b()].integer)) [[unlikely]]
+    goto out_of_row;
+  ROB_NEXT(1);
+}
 load_element : {
   ROB_ELEMENT();
   n[pc->a()] = *element;
@@ -320,6 +326,9 @@ too_deep:
 out_of_range:
   budget_.set_limit(limit);
   return fail_index(pc, n[pc->b()].integer, (pc + 2)->word);
+out_of_row:
+  budget_.set_limit(limit);
+  return fail_index(pc, n[pc->a()].integer, n[pc->b()].integer);
 }
 
 #undef ROB_GO

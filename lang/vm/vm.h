@@ -155,7 +155,7 @@ class Vm {
   State fail(Code pc, Refusal why);
   State fail(Code pc, ArithmeticError error);
   State fail_calls_too_deep(Code pc);
-  State fail_index(Code pc, std::int64_t index, std::uint32_t count);
+  State fail_index(Code pc, std::int64_t index, std::int64_t count);
   State give_up(Code pc);
   bool rescue();
   Slots frame_size() const;

@@ -149,10 +149,12 @@ Vm::State Vm::fail(Code pc, ArithmeticError error) { return fail(pc, refusal_of(
 
 Vm::State Vm::fail_calls_too_deep(Code pc) { return fail(pc, calls_too_deep()); }
 
-Vm::State Vm::fail_index(Code pc, std::int64_t index, std::uint32_t count) {
+Vm::State Vm::fail_index(Code pc, std::int64_t index, std::int64_t count) {
+  std::string message =
+      fmt::format("there is no element {}: they count from 1 to {}", index, count);
+  if (count == 0) message = fmt::format("there is no element {}: it has none at all", index);
   return fail(pc, Refusal{.code = std::string(code::kIndexOutOfRange),
-                          .message = fmt::format("there is no element {}: they count from 1 to {}",
-                                                 index, count),
+                          .message = std::move(message),
                           .help = ""});
 }
 

@@ -1,0 +1,106 @@
+#include "lang/vm/rows.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+#include "lang/text/codes.h"
+#include "lang/values/value_text.h"
+
+namespace rob::lang {
+namespace {
+
+using Error = ArithmeticError;
+
+std::size_t count_of(const Slot* row) { return static_cast<std::size_t>(row[2].integer); }
+
+std::span<Slot> numbers_of(Stack& stack, const Slot* row) {
+  return {stack.place(row[0], 0), count_of(row)};
+}
+
+std::span<std::string> texts_of(Stack& stack, const Slot* row) {
+  return {stack.text_place(row[1], 0), count_of(row)};
+}
+
+Refusal nothing_in_row(RowNumber which) {
+  return {
+      .code = std::string(code::kEmptyRow),
+      .message = std::string(which == RowNumber::Least ? "MIN" : "MAX") + " of no element at all",
+      .help = "LEN tells how many there are"};
+}
+
+template <typename Number, Number Slot::*kMember>
+Objection compute(std::span<const Slot> row, RowNumber which, Slot& result) {
+  if (which == RowNumber::Sum) {
+    Number sum{};
+    for (const Slot& each : row) {
+      const Error error = arithmetic::add(sum, each.*kMember, sum);
+      if (error != Error::None) return refusal_of(error);
+    }
+    result.*kMember = sum;
+    return {};
+  }
+  if (row.empty()) return nothing_in_row(which);
+  const auto found = which == RowNumber::Least ? std::ranges::min_element(row, {}, kMember)
+                                               : std::ranges::max_element(row, {}, kMember);
+  result = *found;
+  return {};
+}
+
+/// Writes `[1, 2]`; false if the text would become too long.
+bool append_elements(std::string& text, const Type& element, Stack& stack, const Slot* row) {
+  const Slots size = slots_of(element);
+  const Slot* numbers = size.numbers > 0 ? stack.place(row[0], 0) : nullptr;
+  const std::string* texts = size.texts > 0 ? stack.text_place(row[1], 0) : nullptr;
+  text += '[';
+  for (std::size_t i = 0; i < count_of(row); ++i) {
+    if (i > 0) text += ", ";
+    if (!append_part_text(text, element, numbers, texts, kMostText)) return false;
+    if (numbers != nullptr) numbers += size.numbers;
+    if (texts != nullptr) texts += size.texts;
+  }
+  text += ']';
+  return text.size() <= kMostText;
+}
+
+}  // namespace
+
+const Instruction* step_row(const Instruction* pc, const Chunk& chunk, Stack& stack, Budget& budget,
+                            Objection& why) {
+  Slot* const n = stack.numbers();
+  const auto charged = [&](const Slot* row) {
+    budget.charge(count_of(row));
+    return row;
+  };
+  switch (pc->opcode()) {
+    case Opcode::row_int:
+      why = compute<std::int64_t, &Slot::integer>(numbers_of(stack, charged(&n[pc->b()])),
+                                                  static_cast<RowNumber>(pc->c()), n[pc->a()]);
+      return pc + 1;
+    case Opcode::row_real:
+      why = compute<double, &Slot::real>(numbers_of(stack, charged(&n[pc->b()])),
+                                         static_cast<RowNumber>(pc->c()), n[pc->a()]);
+      return pc + 1;
+    case Opcode::sort_ints:
+      std::ranges::sort(numbers_of(stack, charged(&n[pc->a()])), {}, &Slot::integer);
+      return pc + 1;
+    case Opcode::sort_reals:
+      std::ranges::sort(numbers_of(stack, charged(&n[pc->a()])), {}, &Slot::real);
+      return pc + 1;
+    case Opcode::sort_texts:  // UTF-8 sorts by bytes as by code points
+      std::ranges::sort(texts_of(stack, charged(&n[pc->a()])));
+      return pc + 1;
+    case Opcode::append_row: {
+      std::string& text = stack.texts()[pc->a()];
+      const std::size_t before = text.size();
+      const Type& element = chunk.types[(pc + 1)->word];
+      if (!append_elements(text, element, stack, charged(&n[pc->b()]))) why = text_too_long();
+      budget.charge(text.size() - std::min(before, text.size()));
+      return pc + 2;
+    }
+    default:
+      return pc;
+  }
+}
+
+}  // namespace rob::lang
