@@ -82,7 +82,9 @@ set(rob_lang_sources
   lang/text/visible.cpp
   lang/values/arithmetic.cpp
   lang/values/builtins.cpp
+  lang/values/csv.cpp
   lang/values/dimension.cpp
+  lang/values/file_name.cpp
   lang/values/number_text.cpp
   lang/values/pose_functions.cpp
   lang/values/pose_math.cpp

@@ -16,6 +16,7 @@ set(rob_runtime_sources
   runtime/command/commanded_progress.cpp
   runtime/command/entry_task.cpp
   runtime/command/errand.cpp
+  runtime/command/file_desk.cpp
   runtime/command/force_commands.cpp
   runtime/command/handler_turns.cpp
   runtime/command/loads.cpp
@@ -45,6 +46,8 @@ set(rob_runtime_sources
   runtime/command/whens.cpp
   runtime/files/archive.cpp
   runtime/files/atomic_file.cpp
+  runtime/files/data_files.cpp
+  runtime/files/data_folder.cpp
   runtime/files/files.cpp
   runtime/files/folder_sources.cpp
   runtime/files/path_file.cpp

@@ -172,7 +172,11 @@ Type BuiltinChecker::type_of(const Builtin& builtin, const Call& call, Place pla
     case BuiltinRule::RealToInt:
       return only(Type::real(), Type::integer());
     case BuiltinRule::AnyToText:
+    case BuiltinRule::AnyToCsv:
       return Type::string();
+    case BuiltinRule::FileExists:
+      values_.check_file(call.arguments.front(), "EXISTS");
+      return only(Type::string(), Type::boolean());
     case BuiltinRule::ArrayLength:
       return Type::integer();
     case BuiltinRule::Ordinal:

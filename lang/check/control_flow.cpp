@@ -277,6 +277,9 @@ class Walk {
   void visit(const Print& print) {
     for (const ExprPtr& value : print.values) look(value);
   }
+  void visit(const Write& write) {
+    for (const ExprPtr& value : write.values) look(value);
+  }
   void visit(const Assert& assertion) { look(assertion.condition); }
   void visit(const Expect& expectation) { look(expectation.condition); }
   void visit(const CallStatement& statement) { look(statement.call); }

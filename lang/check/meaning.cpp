@@ -29,6 +29,12 @@ std::optional<Reading> reading_of(const Call& call) {
   return std::nullopt;
 }
 
+bool asks_for_file(const Call& call) {
+  if (call.routine != nullptr) return false;
+  const Builtin* const builtin = find_builtin(call.callee, call.arguments.size());
+  return builtin != nullptr && builtin->rule == BuiltinRule::FileExists;
+}
+
 namespace {
 
 /// Calls `visit` for each name and each call in an expression; what is constant is not looked at.
@@ -46,7 +52,7 @@ bool is_observed(const Name& name) {
   const bool reading = name.symbol->kind == Symbol::Kind::Reading;
   return name.symbol->observed || (reading && is_observation(name.symbol->reading));
 }
-bool is_observed(const Call& call) { return reading_of(call).has_value(); }
+bool is_observed(const Call& call) { return reading_of(call) || asks_for_file(call); }
 
 const Symbol* symbol_of(const Name& name) { return name.symbol; }
 const Symbol* symbol_of(const Call& /*call*/) { return nullptr; }

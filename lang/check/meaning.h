@@ -56,6 +56,9 @@ void each_part(const Expr& expression, const Visit& visit) {
 /// The reading of the robot that a call of a built-in function makes: JOINTS(), WRENCH().
 std::optional<Reading> reading_of(const Call& call);
 
+/// Whether a call looks for a file: EXISTS("x").
+bool asks_for_file(const Call& call);
+
 /// How many observations of the world a checked expression can make; what is constant makes none.
 /// Where it is known already that a TASK changes a global, reading it is one.
 int observations(const Expr& expression);

@@ -27,13 +27,13 @@ bool fits_in_task(const Statement& statement) {
         using Node = std::decay_t<decltype(node)>;
         return (std::is_same_v<Node, Declaration> || std::is_same_v<Node, Assign> ||
                 std::is_same_v<Node, Pulse> || std::is_same_v<Node, Print> ||
-                std::is_same_v<Node, Wait> || std::is_same_v<Node, If> ||
-                std::is_same_v<Node, While> || std::is_same_v<Node, For> ||
-                std::is_same_v<Node, Loop> || std::is_same_v<Node, Select> ||
-                std::is_same_v<Node, Exit> || std::is_same_v<Node, Next> ||
-                std::is_same_v<Node, Assert> || std::is_same_v<Node, CallStatement> ||
-                std::is_same_v<Node, Return> || std::is_same_v<Node, Try> ||
-                std::is_same_v<Node, Raise>);
+                std::is_same_v<Node, Write> || std::is_same_v<Node, Wait> ||
+                std::is_same_v<Node, If> || std::is_same_v<Node, While> ||
+                std::is_same_v<Node, For> || std::is_same_v<Node, Loop> ||
+                std::is_same_v<Node, Select> || std::is_same_v<Node, Exit> ||
+                std::is_same_v<Node, Next> || std::is_same_v<Node, Assert> ||
+                std::is_same_v<Node, CallStatement> || std::is_same_v<Node, Return> ||
+                std::is_same_v<Node, Try> || std::is_same_v<Node, Raise>);
       },
       statement.node);
 }
@@ -49,6 +49,7 @@ bool stops_axes(const Statement& statement) {
 bool fits_in_path(const Statement& statement) {
   return fits_in_task(statement) && !std::holds_alternative<Pulse>(statement.node) &&
          !std::holds_alternative<Print>(statement.node) &&
+         !std::holds_alternative<Write>(statement.node) &&
          !std::holds_alternative<Wait>(statement.node);
 }
 

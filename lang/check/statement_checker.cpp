@@ -278,6 +278,12 @@ void StatementChecker::check(Print& print) {
   for (const ExprPtr& value : print.values) expressions_.check(value);
 }
 
+void StatementChecker::check(Write& write) {
+  expressions_.check_as(write.file, Type::string(), "WRITE needs");
+  values_.check_file(write.file, "WRITE");
+  for (const ExprPtr& value : write.values) expressions_.check(value);
+}
+
 // HALT, ASK, and TESTs
 
 void StatementChecker::check(Ask& ask) {

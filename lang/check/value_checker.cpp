@@ -7,6 +7,7 @@
 
 #include "lang/check/meaning.h"
 #include "lang/text/codes.h"
+#include "lang/values/file_name.h"
 
 namespace rob::lang {
 
@@ -159,6 +160,16 @@ void ValueChecker::require_time(const Expr& time, std::string_view word) {
   diagnostics_.error(
       code::kNegativeTime, time.place,
       fmt::format("{} needs a time of 0s or more; this is {}", word, described(time)));
+}
+
+void ValueChecker::check_file(const ExprPtr& name, std::string_view word) {
+  const auto* const text = name == nullptr ? nullptr : std::get_if<std::string>(&name->constant);
+  if (text == nullptr) return;
+  const std::string objection = objection_to_file(*text);
+  if (objection.empty()) return;
+  diagnostics_.error(code::kFileName, name->place,
+                     fmt::format("{} cannot use '{}': {}", word, shortened(*text), objection),
+                     "a program has the files of its own folder, such as \"log.csv\"");
 }
 
 Type ValueChecker::bounded(Dimension d, const Expr& expression) {

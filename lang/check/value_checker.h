@@ -36,6 +36,8 @@ class ValueChecker {
   /// Checks a number that is known: above zero, or a time of 0s or more.
   bool require_positive(const Expr& value, std::string_view word);
   void require_time(const Expr& time, std::string_view word);
+  /// The name of a file, where it is known already. `word`: what uses it.
+  void check_file(const ExprPtr& name, std::string_view word);
   /// REAL of a dimension; Unknown, and a message, if its exponents are too high.
   Type bounded(Dimension dimension, const Expr& expression);
   /// The frame that two poses share; a free one takes the other's. Unknown, and a message, if they

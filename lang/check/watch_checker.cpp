@@ -135,6 +135,10 @@ bool WatchChecker::check_call(const Call& call, Place place, std::string_view wo
     return refuse(code::kNotWatchable, place, word, "it cannot go through all elements",
                   "give the answer a variable before, and watch that");
   }
+  if (rule == BuiltinRule::FileExists) {
+    return refuse(code::kNotWatchable, place, word, "it cannot look for a file",
+                  "give the answer a variable before, and watch that");
+  }
   if (rule == BuiltinRule::Random || axes) {
     return refuse(code::kNotWatchable, place, word,
                   axes ? "it cannot compute axes from a pose, or a pose from axes"

@@ -94,6 +94,11 @@ void CodeBuilder::append_row(Register text, Register row, const Type& element, P
   emit(operand_word(tables_.type(element)), place);
 }
 
+void CodeBuilder::append_csv(Register text, Register places, const Type& type, Place place) {
+  emit(Opcode::append_csv, place, text, places, static_cast<unsigned>(places + 1));
+  emit(operand_word(tables_.type(type)), place);
+}
+
 void CodeBuilder::ask(Register text, Register answer, const Type& type, Place place) {
   emit(Opcode::ask, place, text, answer);
   emit(operand_word(tables_.type(type)), place);

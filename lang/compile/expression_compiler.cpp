@@ -453,6 +453,11 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
     code_.emit(Opcode::copy_text, expression.place, target, text);
     return;
   }
+  if (builtin.rule == BuiltinRule::AnyToCsv) return compile_csv(call, target, expression.place);
+  if (builtin.rule == BuiltinRule::FileExists) {
+    const Register file = operand(*call.arguments.front(), false);
+    return world_.look_for_file(file, target, expression.place);
+  }
   if (const auto reading = reading_of(call)) return world_.read(*reading, target, expression.place);
   if (builtin.rule == BuiltinRule::Joints) return compile_joints(call, expression, target);
   if (builtin.rule == BuiltinRule::Forward) return compile_forward(call, expression, target);
@@ -471,6 +476,25 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
   if (builtin.rule == BuiltinRule::Random) return draw(call, expression, target);
   if (builtin.rule == BuiltinRule::Texts) return call_on_texts(builtin, call, expression, target);
   call_on_numbers(builtin, call, expression, target);
+}
+
+/// A field, or several of a compound value, for each argument.
+void ExpressionCompiler::compile_csv(const Call& call, Register target, Place place) {
+  const Register text = frame_.text_register();
+  code_.load_text(text, "", place);
+  for (const ExprPtr& argument : call.arguments) {
+    const auto mark = frame_.mark();
+    if (argument != call.arguments.front()) {
+      const Register comma = frame_.text_register();
+      code_.load_text(comma, ",", place);
+      code_.emit(Opcode::append_text, place, text, comma);
+    }
+    const Register places = frame_.number_registers(2);
+    variables_.refer_both(locate(*argument), argument->type, places, behind(places, 1), place);
+    code_.append_csv(text, places, argument->type, place);
+    frame_.release(mark);
+  }
+  code_.emit(Opcode::copy_text, place, target, text);
 }
 
 /// Values lie side by side; the result takes their place.

@@ -93,6 +93,7 @@ class ExpressionCompiler {
   void into_other_place(const Expr& expression, Register target);
   void compile_angle(const Member& member, Register target, Place place);
   void compile_joints(const Call& call, const Expr& expression, Register target);
+  void compile_csv(const Call& call, Register target, Place place);
   void compile_forward(const Call& call, const Expr& expression, Register target);
 
   // Calls

@@ -189,10 +189,24 @@ void StatementCompiler::compile(const Pulse& pulse) {
   frame_.release(mark);
 }
 
-/// All constants between two computed values are one text.
 void StatementCompiler::compile(const Print& print) {
   const Place place = place_;
   const auto mark = frame_.mark();
+  code_.emit(Opcode::print, place, joined(print.values, place));
+  frame_.release(mark);
+}
+
+void StatementCompiler::compile(const Write& write) {
+  const Place place = place_;
+  const auto mark = frame_.mark();
+  const Register file = frame_.text_register();
+  expressions_.value_into(*write.file, file);
+  code_.emit(Opcode::write, place, file, joined(write.values, place));
+  frame_.release(mark);
+}
+
+/// All constants between two computed values are one text.
+Register StatementCompiler::joined(const std::vector<ExprPtr>& values, Place place) {
   const Register text = frame_.text_register();
   std::string pending;
   bool begun = false;
@@ -209,7 +223,7 @@ void StatementCompiler::compile(const Print& print) {
     begun = true;
     pending.clear();
   };
-  for (const ExprPtr& value : print.values) {
+  for (const ExprPtr& value : values) {
     if (known(value->constant)) {
       pending += text_of(value->constant, value->type);
     } else {
@@ -218,8 +232,7 @@ void StatementCompiler::compile(const Print& print) {
     }
   }
   flush();
-  code_.emit(Opcode::print, place, text);
-  frame_.release(mark);
+  return text;
 }
 
 // HALT, ASK, and TESTs

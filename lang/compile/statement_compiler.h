@@ -71,6 +71,9 @@ class StatementCompiler {
   void compile(const Assign& assign);
   void compile(const Pulse& pulse);
   void compile(const Print& print);
+  void compile(const Write& write);
+  /// A text of all the values, one after the other.
+  Register joined(const std::vector<ExprPtr>& values, Place place);
 
   // HALT, ASK, and TESTs
   void compile(const Halt& halt);

@@ -48,6 +48,10 @@ void WorldCode::read_signal(const Symbol& symbol, Register target, Place place) 
   code_.frame().release(mark);
 }
 
+void WorldCode::look_for_file(Register file, Register target, Place place) {
+  code_.emit(Opcode::exists, place, target, file, latched_ ? 1 : 0);
+}
+
 void WorldCode::write_signal(const Symbol& symbol, Register value, Place place) {
   code_.uses_signal(place);
   if (!symbol.analog) return code_.emit(on_channel(Opcode::write_signal, value, symbol), place);

@@ -22,6 +22,8 @@ class WorldCode {
 
   void read(Reading reading, Register target, Place place);
   void read_signal(const Symbol& symbol, Register target, Place place);
+  /// EXISTS, of the file in a text register.
+  void look_for_file(Register file, Register target, Place place);
   /// Gives an output the value of a register, in motion order.
   void write_signal(const Symbol& symbol, Register value, Place place);
   /// Switches an output ON for the time in a register.

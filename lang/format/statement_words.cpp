@@ -88,7 +88,7 @@ WordUse StatementWords::use_of(std::span<const Token> rest) {
     return WordUse::Unit;
   }
   if (all_units_) return token.kind == TokenKind::Comma ? WordUse::Other : WordUse::Unit;
-  const bool type_follows = previous_.kind == TokenKind::Colon || follows_clause("OF");
+  const bool type_follows = (previous_.kind == TokenKind::Colon && !file_) || follows_clause("OF");
   if (token.kind == TokenKind::LeftBracket && type_follows) unit_words_ = unit_between(rest);
   const bool reserved = token.kind == TokenKind::Reserved;
   if (enum_ && (reserved || token.kind == TokenKind::Word)) return WordUse::Kept;
@@ -103,14 +103,16 @@ WordUse StatementWords::use_of_word(const Token& word, TokenKind behind) {
   if (fields_ && (at_begin_ || previous_.kind == TokenKind::Comma)) return WordUse::Kept;
   if (begins_as_keyword(word, behind) || is_clause(word, behind)) return WordUse::Clause;
   if (depth_ > 0 && behind == TokenKind::Colon) return WordUse::Label;
-  const bool type = previous_.kind == TokenKind::Colon || follows_clause("OF");
+  const bool type = (previous_.kind == TokenKind::Colon && !file_) || follows_clause("OF");
   return type && !at_begin_ ? WordUse::TypeName : WordUse::Name;
 }
 
 /// A statement that is known by its place only, at the beginning of a line.
 bool StatementWords::begins_as_keyword(const Token& word, TokenKind behind) const {
   if (!at_begin_) return false;
-  if (!is_among(kPlacedWords, word.text) && !is_among(kEventWords, word.text)) return false;
+  if (!is_among(kPlacedWords, word.text) && !is_among(kEventWords, word.text) &&
+      !is_among(kFileWords, word.text))
+    return false;
   return behind != TokenKind::Assign && !goes_on(behind) && behind != TokenKind::LeftBracket &&
          behind != TokenKind::LeftParen;
 }
@@ -167,6 +169,7 @@ void StatementWords::go_on(const Token& token, WordUse use) {
     trigger_ = is_among(kEventWords, token.text);
     all_units_ = same_word(token.text, "UNITS");
     enum_ = same_word(token.text, "ENUM");
+    file_ = is_among(kFileWords, token.text);
   }
   if (at_begin_ && token.kind == TokenKind::Reserved && token.keyword == Keyword::When) {
     trigger_ = true;

@@ -59,6 +59,7 @@ class StatementWords {
   bool all_units_ = false;   ///< UNITS
   bool with_block_ = false;  ///< its last WITH begins a block
   bool enum_ = false;        ///< ENUM: what follows are names
+  bool file_ = false;        ///< WRITE: the colon is followed by values
   int depth_ = 0;
   std::size_t unit_words_ = 0;  ///< tokens that still belong to a unit between brackets
 };

@@ -73,6 +73,13 @@ Reply Signals::waited(int /*line*/) { return Reply::Done; }
 
 Reply Output::print(int /*line*/, std::string_view /*text*/) { return has_no("PRINT"); }
 
+Reply Files::write(int /*line*/, std::string_view /*file*/, std::string_view /*text*/) {
+  return has_no("WRITE");
+}
+Reply Files::exists(int /*line*/, std::string_view /*file*/, bool& /*value*/) {
+  return has_no("EXISTS");
+}
+
 Reply Operator::halt(int /*line*/, std::string_view /*text*/) { return has_no("HALT"); }
 Reply Operator::ask(int /*line*/, std::string_view /*text*/,
                     std::optional<std::string>& /*answer*/) {

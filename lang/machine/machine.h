@@ -161,6 +161,16 @@ class Output : public virtual Refuser {
   virtual Reply print(int line, std::string_view text);
 };
 
+/// The files of a program.
+class Files : public virtual Refuser {
+ public:
+  /// WRITE: appends `text` as a line to the file, in motion order. Refused where the program may
+  /// not write it, or could not write what came before.
+  virtual Reply write(int line, std::string_view file, std::string_view text);
+  /// EXISTS: whether the file is there. An observation.
+  virtual Reply exists(int line, std::string_view file, bool& value);
+};
+
 /// Questions of a program to the person beside the machine.
 class Operator : public virtual Refuser {
  public:
@@ -227,6 +237,7 @@ class Shared : public virtual Refuser {
 class Machine : public Motions,
                 public Signals,
                 public Output,
+                public Files,
                 public Operator,
                 public Force,
                 public Testing,

@@ -304,6 +304,25 @@ void ActionParser::load_statement(Block& block) {
   tree_.add(block, place, std::move(node));
 }
 
+// "WRITE" expr ":" expr { "," expr }
+void ActionParser::write_statement(Block& block) {
+  const Place place = tokens_.place();
+  tokens_.advance();
+  Write node;
+  node.file = expressions_.expression();
+  if (!tokens_.accept(TokenKind::Colon)) {
+    tokens_.fail_here(
+        code::kWriteIncomplete,
+        fmt::format("':' and what is written expected after the file of WRITE, not {}",
+                    described(tokens_.current())),
+        "for example WRITE \"log.csv\": count, \",\", t");
+  }
+  do {
+    node.values.push_back(expressions_.expression());
+  } while (tokens_.accept(TokenKind::Comma));
+  tree_.add(block, place, std::move(node));
+}
+
 // control = "SIMULATE" ( IDENT [ "." IDENT ] | channel | "GO" | "ANSWER" ) "=" expr
 //           [ "AFTER" expr ] .
 void ActionParser::simulate_statement(Block& block) {

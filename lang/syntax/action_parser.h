@@ -31,6 +31,7 @@ class ActionParser {
   void zero_statement(Block& block);
   void override_statement(Block& block);
   void load_statement(Block& block);
+  void write_statement(Block& block);
   /// In capitals.
   std::set<std::string> take_taught() { return std::move(taught_); }
 

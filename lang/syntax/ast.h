@@ -125,6 +125,11 @@ struct Pulse {
 struct Print {
   std::vector<ExprPtr> values;
 };
+/// WRITE "log.csv": count, ",", t
+struct Write {
+  ExprPtr file;
+  std::vector<ExprPtr> values;
+};
 /// WAIT 0.5s · WAIT part_here TIMEOUT 3s ELSE lift = OFF
 struct Wait {
   ExprPtr value;    ///< a time, or a condition
@@ -236,7 +241,7 @@ struct Statement {
                Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
                Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use,
                PathBlock, WayPoint, Press, With, SetOverride, Load, RecordDeclaration, Halt, Ask,
-               Start, Defaults, EnumDeclaration>
+               Write, Start, Defaults, EnumDeclaration>
       node;
 };
 

@@ -179,6 +179,7 @@ void StatementParser::word_statement(Block& block) {
     const Place place = tokens_.place();
     return tree_.add(block, place, watches_.path_event());
   }
+  if (at_file_word("WRITE")) return actions_.write_statement(block);
   if (at_placed_word("ZERO")) return actions_.zero_statement(block);
   if (at_placed_word("START")) return actions_.start_statement(block);
   switch (tokens_.next().kind) {
@@ -234,6 +235,11 @@ bool StatementParser::at_placed_word(std::string_view word) {
     default:
       return true;
   }
+}
+
+/// The same, but before a parenthesis it is a name, too.
+bool StatementParser::at_file_word(std::string_view word) {
+  return tokens_.next().kind != TokenKind::LeftParen && at_placed_word(word);
 }
 
 /// Reports the word, then goes on as if the word that was meant stood there; the line has had its

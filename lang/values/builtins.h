@@ -38,10 +38,12 @@ enum class BuiltinRule : std::uint8_t {
   Forward,  ///< JOINTS → pose in the world; the same
   Wrench,   ///< none → WRENCH; read from the robot
   Ordinal,  ///< a value of an ENUM → INT, counted from 1; compiled in line, so it has no function
-  RowNumber,  ///< a row of numbers of D → D; the Vm's own, so it has no function
-  RowSort,    ///< a row of numbers or texts, which it changes; no value; the same
-  Places,     ///< of poses, as its signature says
-  Texts       ///< as its signature says
+  RowNumber,   ///< a row of numbers of D → D; the Vm's own, so it has no function
+  RowSort,     ///< a row of numbers or texts, which it changes; no value; the same
+  FileExists,  ///< STRING → BOOL; read from the world, so it has no function
+  AnyToCsv,    ///< any → STRING; compiled in line
+  Places,      ///< of poses, as its signature says
+  Texts        ///< as its signature says
 };
 
 /// Pure; takes no memory. The slots of all arguments in a row; all are INT, or all are REAL, as the

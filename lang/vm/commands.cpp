@@ -302,6 +302,8 @@ Reply tell(Machine& machine, const Place& at, Instruction command, const Slot* n
       return machine.when_raise(at, t[command.a()]);
     case Opcode::print:
       return machine.print(line, t[command.a()]);
+    case Opcode::write:
+      return machine.write(line, t[command.a()], t[command.b()]);
     case Opcode::halt:
       return machine.halt(line, t[command.a()]);
     case Opcode::expect_failed:

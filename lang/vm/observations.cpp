@@ -49,6 +49,13 @@ Reply read_value(Machine& machine, int line, const Instruction* pc, Slot* n,
   return reply;
 }
 
+Reply exists(Machine& machine, int line, const Instruction* pc, Slot* n, const std::string* t) {
+  bool there = false;
+  const Reply reply = machine.exists(line, t[pc->b()], there);
+  if (reply == Reply::Done) n[pc->a()].integer = there ? 1 : 0;
+  return reply;
+}
+
 Reply forward(Machine& machine, int line, const Instruction* pc, Slot* n) {
   const Axes axes = load_axes(&n[pc->b()], pc->c());
   PoseValue pose;

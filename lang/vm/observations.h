@@ -17,6 +17,7 @@ Reply read_analog(Machine& machine, int line, const Instruction* pc, Slot* n);
 Reply read_value(Machine& machine, int line, const Instruction* pc, Slot* n,
                  const Setting& setting);
 
+Reply exists(Machine& machine, int line, const Instruction* pc, Slot* n, const std::string* t);
 Reply forward(Machine& machine, int line, const Instruction* pc, Slot* n);
 Reply at_joints(Machine& machine, int line, const Instruction* pc, Slot* n);
 Reply inverse(Machine& machine, int line, const Instruction* pc, Slot* n);

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +23,7 @@ namespace rob::lang {
 ///
 ///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
 ///     movel by 20 0 0 · move joints - - 90 · … zone 5mm · … fine
+///     write FILE TEXT
 ///     stop · brake · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
 ///     teach pick 40 20 0 · teach pick 40 20 0 in pallet     the place, in mm
 ///     start 1                           a TASK, counted in the order of the text
@@ -109,6 +112,9 @@ class PrintingMachine : public Machine {
   Reply settle(int line) override;
   Reply end(int line) override { return log_.note(line, "end"); }
   Reply print(int line, std::string_view text) override;
+  Reply write(int line, std::string_view file, std::string_view text) override;
+  /// Whether it has been written.
+  Reply exists(int line, std::string_view file, bool& value) override;
   Reply write_signal(int line, int signal, bool value) override;
   Reply write_analog(int line, int signal, double volts) override;
   Reply pulse(int line, int signal, double seconds) override;
@@ -129,6 +135,7 @@ class PrintingMachine : public Machine {
   std::vector<std::string> answers_;
   std::size_t next_answer_ = 0;
   int reads_ = 0;
+  std::map<std::string, std::string, std::less<>> files_;  ///< what was written
   Watch guard_;
   int whens_ = 0;
 };

@@ -9,6 +9,7 @@
 
 #include "lang/text/codes.h"
 #include "lang/values/builtins.h"
+#include "lang/values/csv.h"
 #include "lang/values/number_text.h"
 #include "lang/values/pose_functions.h"
 #include "lang/values/value_text.h"
@@ -54,15 +55,16 @@ Objection objection(ArithmeticError error) {
   return refusal_of(error);
 }
 
-bool append_memory(Code pc, const Chunk& chunk, Stack& stack, Budget& budget) {
+/// `append`: append_value_text or append_csv.
+template <typename Append>
+bool append_memory(Code pc, const Chunk& chunk, Stack& stack, Budget& budget, Append append) {
   const Slot* const n = stack.numbers();
   std::string& text = stack.texts()[pc->a()];
   const std::size_t before = text.size();
   const Type& type = chunk.types[(pc + 1)->word];
   const Slots slots = slots_of(type);
-  const bool fits =
-      append_value_text(text, type, slots.numbers > 0 ? stack.place(n[pc->b()], 0) : nullptr,
-                        slots.texts > 0 ? stack.text_place(n[pc->c()], 0) : nullptr, kMostText);
+  const bool fits = append(text, type, slots.numbers > 0 ? stack.place(n[pc->b()], 0) : nullptr,
+                           slots.texts > 0 ? stack.text_place(n[pc->c()], 0) : nullptr, kMostText);
   budget.charge(text.size() - before);
   return fits;
 }
@@ -140,7 +142,9 @@ Code step_text(Code pc, const Chunk& chunk, Stack& stack, Budget& budget, Object
       return grown(append_value_text(t[pc->a()], type, &n[pc->b()], nullptr, kMostText), 2);
     }
     case Opcode::append_memory:
-      return grown(append_memory(pc, chunk, stack, budget), 2);
+      return grown(append_memory(pc, chunk, stack, budget, append_value_text), 2);
+    case Opcode::append_csv:
+      return grown(append_memory(pc, chunk, stack, budget, append_csv), 2);
     case Opcode::call_text:
       why = objection(builtins()[pc->c()].text(&n[pc->a()], &t[pc->b()]));
       return pc + 1;

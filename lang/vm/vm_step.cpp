@@ -141,6 +141,10 @@ Vm::Step Vm::step_observation(Code pc) {
       }
       return pc + 1;
     }
+    case Opcode::exists:
+      ROB_OBSERVE(exists(*machine_, line(pc), pc, n, stack_.texts()),
+                  pc->c() != 0 ? instant_.latch() : pc);
+      return pc + 1;
     case Opcode::read_hit:
       n[pc->a()].integer = last_guard_.hit ? 1 : 0;
       return pc + 1;

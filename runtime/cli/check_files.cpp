@@ -34,7 +34,8 @@ RunResult check_one(LoadedProgram& program, const Options& options, const Signal
   if (script.diagnostics.has_errors()) return refused(script, robot);
   put_source_away(program);
   std::optional<PathFile> path = open_path(options, program);
-  ForetellOptions how{options.seed, &script, 1, path ? &*path : nullptr, options.longest};
+  ForetellOptions how{options.seed,   &script, 1, options.data, path ? &*path : nullptr,
+                      options.longest};
   Progress progress(options.longest);
   how.progress = [&](double time) { progress.show(time); };
   RunResult result = foretell(program, robot, how);

@@ -83,6 +83,12 @@ struct Parser {
     command.add_option("--signals", options.signals, "a script that drives the simulated inputs")
         ->check(check_name);
   }
+  void add_data(CLI::App& command) {
+    command
+        .add_option("--data", options.data,
+                    "the folder of the files that the program reads and writes, if not its own")
+        ->check(CLI::ExistingDirectory);
+  }
   void add_backend(CLI::App& command) {
     command
         .add_option("--backend", options.backend,
@@ -137,6 +143,7 @@ void Parser::add_run() {
   add_json(run);
   add_seed(run);
   add_signals(run);
+  add_data(run);
   add_motion(run);
 }
 
@@ -148,6 +155,7 @@ void Parser::add_check() {
   add_json(check);
   add_seed(check);
   add_signals(check);
+  add_data(check);
   add_backend(check);
   check
       .add_option("--path", options.path,
@@ -165,6 +173,7 @@ void Parser::add_test() {
   add_files(test);
   add_robot(test);
   add_seed(test);
+  add_data(test);
   add_json(test);
 }
 

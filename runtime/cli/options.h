@@ -23,6 +23,7 @@ struct Options {
   std::string trace;
   std::string path;             ///< of Check: what the planned path is written to
   std::string signals;          ///< a signal script
+  std::string data;             ///< the folder of the programs' files; empty: their own
   std::string backend = "sim";  ///< as backend_of() reads it
   bool home = false;            ///< the machine homes itself first
   double override_share = 1;

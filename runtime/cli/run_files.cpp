@@ -80,13 +80,13 @@ RunResult run_one(LoadedProgram& program, const Options& options, const SignalSc
   put_source_away(program);
   std::optional<Foretold> foretold;
   if (isatty(STDERR_FILENO) != 0 || robot.law == motion::Law::LookAhead)
-    foretold =
-        foretold_by(foretell(program, robot, {options.seed, &script, options.override_share}));
+    foretold = foretold_by(
+        foretell(program, robot, {options.seed, &script, options.override_share, options.data}));
   Progress progress(foretold ? foretold->planned : 0, options.override_share, used_names(program));
   Terminal terminal(options.fast);
   const RunOptions run_options{
-      options.fast, options.override_share,         options.trace, options.seed, &script,
-      &terminal,    foretold ? &*foretold : nullptr};
+      options.fast, options.override_share, options.trace, options.seed,
+      &script,      options.data,           &terminal,     foretold ? &*foretold : nullptr};
   const RunListener listener = listener_of(options, progress);
   StopRequests before_motion;
   const Interruption interruption(before_motion);  // from here on the mark must be taken back

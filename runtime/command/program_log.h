@@ -34,14 +34,16 @@ struct FailedExpect {
 struct Note {
   enum class Kind : std::uint8_t {
     Print,
-    Halt,   ///< shown to the operator, who lets the program go on
-    Ask,    ///< shown to the operator, who answers
-    Answer  ///< what the operator has answered; to a HALT nothing
+    Halt,    ///< shown to the operator, who lets the program go on
+    Ask,     ///< shown to the operator, who answers
+    Answer,  ///< what the operator has answered; to a HALT nothing
+    Write    ///< a line for `file`
   };
 
   Kind kind = Kind::Print;
   std::string text;
   bool typed = false;  ///< by a person, who has seen it
+  std::string file{};
 };
 
 /// The program's thread leaves here for the thread that reports: motions as they were planned,

@@ -233,6 +233,14 @@ Reply RobotMachine::print(int line, std::string_view text) {
   return parts_.outputs.note(line, {Note::Kind::Print, std::string(text)});
 }
 
+Reply RobotMachine::write(int line, std::string_view file, std::string_view text) {
+  return parts_.files.write(line, file, text);
+}
+
+Reply RobotMachine::exists(int /*line*/, std::string_view file, bool& value) {
+  return parts_.files.exists(file, value);
+}
+
 Reply RobotMachine::halt(int line, std::string_view text) { return parts_.desk.halt(line, text); }
 
 Reply RobotMachine::ask(int line, std::string_view text, std::optional<std::string>& answer) {

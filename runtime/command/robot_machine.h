@@ -75,7 +75,9 @@ class RobotMachine final : public lang::Machine {
   lang::Reply stand(int line, double& now) override;
   bool taken_as_met(int line) override;
   lang::Reply waited(int line) override;
-  // Output, Operator, Force
+  // Output, Files, Operator, Force
+  lang::Reply write(int line, std::string_view file, std::string_view text) override;
+  lang::Reply exists(int line, std::string_view file, bool& value) override;
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply halt(int line, std::string_view text) override;
   lang::Reply ask(int line, std::string_view text, std::optional<std::string>& answer) override;

@@ -18,6 +18,7 @@ RobotParts::RobotParts(const RobotLinks& links, double override_share)
       motions(links, surroundings, next, guard, press, progress, loads, plans, queue),
       waits(links, assumptions, progress, queue),
       desk(links, assumptions, progress, outputs, waits),
+      files(links, progress, outputs),
       forces(links, surroundings, progress, outputs, queue, press),
       readings(links, progress, guard, queue),
       safe(links, outputs),
@@ -25,6 +26,6 @@ RobotParts::RobotParts(const RobotLinks& links, double override_share)
       operator_stop(links, effects),
       turns(links, whens, progress, surroundings, guard, loads, queue, motions),
       errand(links, progress, loads, queue),
-      task_side{links, readings, assumptions, turns} {}
+      task_side{links, readings, assumptions, turns, files} {}
 
 }  // namespace rob::runtime

@@ -4,6 +4,7 @@
 #include "runtime/command/commanded_progress.h"
 #include "runtime/command/effect_queue.h"
 #include "runtime/command/errand.h"
+#include "runtime/command/file_desk.h"
 #include "runtime/command/force_commands.h"
 #include "runtime/command/guard.h"
 #include "runtime/command/handler_turns.h"
@@ -50,6 +51,7 @@ struct RobotParts {
   // Between motions
   Waits waits;
   OperatorDesk desk;
+  FileDesk files;
   ForceCommands forces;
   Readings readings;
   // Beside the program

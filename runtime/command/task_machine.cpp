@@ -52,6 +52,21 @@ Reply TaskMachine::print(int line, std::string_view text) {
                .id = side_.links.log.keep({Note::Kind::Print, std::string(text)})});
 }
 
+Reply TaskMachine::write(int line, std::string_view file, std::string_view text) {
+  if (channels_.immediate.full()) return Reply::Later;
+  if (auto why = objection_to_line(side_.files.files(), file, text)) return refuse(std::move(*why));
+  Note note{Note::Kind::Write, std::string(text)};
+  note.file = file;
+  return send({.tag = static_cast<motion::Tag>(line),
+               .kind = Effect::Kind::Note,
+               .id = side_.links.log.keep(std::move(note))});
+}
+
+Reply TaskMachine::exists(int /*line*/, std::string_view file, bool& value) {
+  value = side_.files.files() != nullptr && side_.files.files()->exists(std::string(file));
+  return Reply::Done;
+}
+
 Reply TaskMachine::write_signal(int line, int signal, bool value) {
   Effect effect = effect_on(side_.links.signal(signal), line);
   effect.kind = Effect::Kind::Output;

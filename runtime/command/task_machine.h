@@ -9,6 +9,7 @@
 #include "lang/machine/machine.h"
 #include "lang/vm/task_memory.h"
 #include "runtime/command/assumptions.h"
+#include "runtime/command/file_desk.h"
 #include "runtime/command/handler_turns.h"
 #include "runtime/command/readings.h"
 #include "runtime/command/robot_links.h"
@@ -21,6 +22,7 @@ struct TaskSide {
   Readings& readings;
   Assumptions& assumptions;
   HandlerTurns& turns;
+  FileDesk& files;
 };
 
 /// The machine of a TASK, and of a handler that does not stop the axes. It reads the current cycle.
@@ -35,6 +37,8 @@ class TaskMachine final : public lang::Machine {
   lang::Reply wait(int line, double seconds) override;
   lang::Reply stand(int line, double& now) override;
   lang::Reply settle(int line) override;
+  lang::Reply write(int line, std::string_view file, std::string_view text) override;
+  lang::Reply exists(int line, std::string_view file, bool& value) override;
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply write_signal(int line, int signal, bool value) override;
   lang::Reply write_analog(int line, int signal, double volts) override;

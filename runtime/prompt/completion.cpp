@@ -253,6 +253,7 @@ Completions word_of_statement(std::string_view before, const Vocabulary& known) 
   const std::vector<Token> tokens = statement_of(before.substr(0, begin));
   if (tokens.empty()) {
     choice.add_all(lang::statement_words());
+    choice.add_all(lang::kFileWords);
     choice.add_all(known.names);
     return choice.taken(true);
   }

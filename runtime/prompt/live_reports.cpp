@@ -35,6 +35,7 @@ void LiveReports::drain() {
     }
   }
   if (failed_ && over) tell_stand();
+  if (listener_.drained) listener_.drained();
 }
 
 void LiveReports::fail(int line, const Words& words) {
@@ -108,7 +109,9 @@ void LiveReports::take(const MotionEvent& event) {
 }
 
 void LiveReports::take_note(const Note& note) {
-  if (note.kind != Note::Kind::Print) {
+  if (note.kind == Note::Kind::Write) {
+    if (listener_.write) listener_.write(note);
+  } else if (note.kind != Note::Kind::Print) {
     if (listener_.consult) listener_.consult(note);
   } else if (listener_.print) {
     listener_.print(note.text);

@@ -19,6 +19,8 @@ class LiveReports {
     std::function<void(const Note& note)> consult;       ///< HALT, ASK, the answer
     std::function<void(int line, const Words& words)> fault;
     std::function<void(const Snapshot& snapshot)> snapshot;
+    std::function<void(const Note& note)> write;  ///< a line of WRITE
+    std::function<void()> drained;
   };
 
   LiveReports(Controller& controller, Listener listener)

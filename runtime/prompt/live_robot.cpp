@@ -26,7 +26,8 @@ LiveRobot::LiveRobot(motion::RobotModel robot, LiveOptions options, LiveReports:
       robot_(asked_),
       options_(std::move(options)),
       listener_(std::move(listener)),
-      person_(person) {
+      person_(person),
+      files_("", DataFiles::Keeps::OnDisk, options_.fast) {
   if (!options_.points_file.empty()) points_.emplace(options_.points_file, robot_);
   if (!options_.trace.empty()) trace_.emplace(options_.trace, robot_, std::vector<std::string>{});
   begin(open_machine(options_.backend, robot_, std::exchange(options_.home, false), true));
@@ -48,12 +49,15 @@ void LiveRobot::begin(OpenMachine machine) {
                                    std::vector<SimulationRule>{}, kRecorded);
   controller_->channels().panel.seat(person_);
   controller_->keep_points(points_ ? &*points_ : nullptr);
+  controller_->keep_files(&files_);
   entries_ = std::make_unique<EntryTask>(controller_->machine(), options_.seed);
   LiveReports::Listener listener = listener_;
   listener.snapshot = [this](const Snapshot& snapshot) {
     if (trace_) trace_->write(snapshot);
     if (listener_.snapshot) listener_.snapshot(snapshot);
   };
+  listener.write = [this](const Note& note) { files_.append(note.file, note.text); };
+  listener.drained = [this] { files_.drained(); };
   reports_ = std::make_unique<LiveReports>(*controller_, std::move(listener));
   ending_ = false;
   if (options_.fast) {

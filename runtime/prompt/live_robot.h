@@ -9,6 +9,7 @@
 
 #include "motion/robots/robot_model.h"
 #include "runtime/command/entry_task.h"
+#include "runtime/files/data_files.h"
 #include "runtime/files/points_file.h"
 #include "runtime/prompt/live_reports.h"
 #include "runtime/run/control_threads.h"
@@ -101,6 +102,7 @@ class LiveRobot {
   LiveReports::Listener listener_;
   Person* person_;
   std::optional<PointsFile> points_;
+  DataFiles files_;
   std::optional<TraceWriter> trace_;
   std::unique_ptr<Controller> controller_;
   std::unique_ptr<EntryTask> entries_;

@@ -46,6 +46,12 @@ class Controller {
     handlers_machine_.parts().desk.keep_points(keeper);
   }
 
+  /// The files that the program may use; see FileDesk.
+  void keep_files(DataFiles* files) {
+    machine_.parts().files.keep_files(files);
+    handlers_machine_.parts().files.keep_files(files);
+  }
+
   /// Plans the path ahead, where the law does; beside the program and the tick. Whether there was
   /// anything to do.
   bool plan_path() {

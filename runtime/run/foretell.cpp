@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/command/program_task.h"
+#include "runtime/files/data_files.h"
 #include "runtime/run/controller.h"
 #include "runtime/run/execution.h"
 #include "runtime/run/run_parts.h"
@@ -86,8 +87,13 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
   controller.foretell(undriven_inputs(program, robot, script));
   task.limit_turns(kForetellTurns);
+  DataFiles files(data_folder_of(program, options.data), DataFiles::Keeps::InMemory, true);
+  controller.keep_files(&files);
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
-                       names_in(program, robot), {});
+                       names_in(program, robot),
+                       {.print = {}, .snapshot = {}, .write = [&](const Note& note) {
+                          files.append(note.file, note.text);
+                        }});
 
   RunLimits limits = limits_of(options.longest);
   limits.standstill =

@@ -17,6 +17,7 @@ struct ForetellOptions {
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
   const SignalScript* script = nullptr;             ///< what drives the inputs, without errors
   double override_share = 1;                        ///< 1 = 100 %
+  std::string data{};                               ///< --data, or empty
   motion::PathListener* path = nullptr;             ///< gets the path, under the look-ahead law
   /// s of the program's time for which it is followed: for at most 100,000,000 instructions an
   /// hour, where a shorter time counts as an hour.

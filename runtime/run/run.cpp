@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "runtime/command/program_task.h"
+#include "runtime/files/data_files.h"
 #include "runtime/files/points_file.h"
 #include "runtime/run/controller.h"
 #include "runtime/run/execution.h"
@@ -57,6 +58,14 @@ void close_trace(std::optional<TraceWriter>& trace, const RunOptions& options, R
   }
 }
 
+/// A line that could not be written, and that no further WRITE has told the program of.
+void close_files(DataFiles& files, RunResult& result, const RunListener& listener) {
+  const auto why = files.finish();
+  if (!why) return;
+  if (result.exit_code == ExitCode::Done) result.exit_code = ExitCode::InputOutput;
+  if (listener.warn) listener.warn(why->message);
+}
+
 /// The first error is what the program is refused for.
 RunResult refusal(const lang::Diagnostics& diagnostics, const std::string& file,
                   const motion::RobotModel& robot) {
@@ -100,14 +109,17 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   controller.channels().panel.seat(options.person);
   PointsFile points(points_file_of(program.file), robot);
   controller.keep_points(&points);
+  DataFiles files(data_folder_of(program, options.data), DataFiles::Keeps::OnDisk, options.fast);
+  controller.keep_files(&files);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
-  RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
-                       names_in(program, robot),
-                       {listener.print,
-                        [&](const Snapshot& snapshot) {
-                          if (trace) trace->write(snapshot);
-                        },
-                        listener.consult});
+  RunRecorder recorder(
+      robot, options.override_share, controller.channels(), controller.log(),
+      names_in(program, robot),
+      {listener.print,
+       [&](const Snapshot& snapshot) {
+         if (trace) trace->write(snapshot);
+       },
+       listener.consult, [&](const Note& note) { files.append(note.file, note.text); }});
 
   if (robot.law == motion::Law::LookAhead) recorder.expect(std::move(foretold.lines));
   Channels& channels = controller.channels();
@@ -116,6 +128,7 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   int cycles = 0;
   const Attend attend = [&] {
     recorder.drain();
+    files.drained();
     // On the virtual clock this is every cycle: a question to the system would take longer.
     constexpr int kCyclesPerLook = 1000;
     if (listener.abandoned && (!options.fast || cycles++ % kCyclesPerLook == 0) &&
@@ -148,6 +161,7 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
     result.exit_code = ExitCode::InputOutput;
   }
   close_trace(trace, options, result, listener);
+  close_files(files, result, listener);
   return of_program(program, std::move(result));
 }
 

@@ -31,6 +31,7 @@ struct RunOptions {
   std::string trace;                                ///< file, or empty
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
   const SignalScript* script = nullptr;             ///< what drives the inputs, without errors
+  std::string data{};                               ///< --data, or empty
   Person* person = nullptr;                         ///< who can answer HALT and ASK
   /// Under the look-ahead law, where times are known of whole paths alone, what is planned is what
   /// foretell() says for the same override; without it (null) the run is foretold first.

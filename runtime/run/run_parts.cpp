@@ -1,5 +1,6 @@
 #include "runtime/run/run_parts.h"
 
+#include <filesystem>
 #include <utility>
 
 namespace rob::runtime {
@@ -26,6 +27,10 @@ SignalNames names_in(const LoadedProgram& program, const motion::RobotModel& rob
 
 bool has_handlers(const LoadedProgram& program) {
   return lang::has_handlers(*program.compilation.chunk);
+}
+
+std::string data_folder_of(const LoadedProgram& program, const std::string& data) {
+  return data.empty() ? std::filesystem::path(program.file).parent_path().string() : data;
 }
 
 std::vector<SimulationRule> rules_of(const SignalScript* script) {

@@ -15,6 +15,8 @@ namespace rob::runtime {
 
 SignalNames names_in(const LoadedProgram& program, const motion::RobotModel& robot);
 bool has_handlers(const LoadedProgram& program);
+/// Where the files of the program are: `data`, or its own folder where that is empty.
+std::string data_folder_of(const LoadedProgram& program, const std::string& data);
 /// None without a script.
 std::vector<SimulationRule> rules_of(const SignalScript* script);
 /// Gives the panel the operator's part of the script.

@@ -316,6 +316,9 @@ void RunRecorder::take_note(const MotionEvent& event, Note note) {
       if (listener_.print) listener_.print(note.text);
       journal_.print(std::move(note.text));
       return;
+    case Note::Kind::Write:
+      if (listener_.write) listener_.write(note);
+      return;
     case Note::Kind::Halt:
     case Note::Kind::Ask:
       if (listener_.consult) listener_.consult(note, line);

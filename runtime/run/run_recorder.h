@@ -32,6 +32,8 @@ class RunRecorder {
     std::function<void(const Snapshot& snapshot)> snapshot;
     /// HALT or ASK waits for the operator; and that it does no more.
     std::function<void(const Note& note, int line)> consult{};
+    /// A line of WRITE.
+    std::function<void(const Note& note)> write{};
   };
 
   RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,

@@ -3,8 +3,10 @@
 #include <utility>
 
 #include "runtime/command/program_task.h"
+#include "runtime/files/data_files.h"
 #include "runtime/run/controller.h"
 #include "runtime/run/execution.h"
+#include "runtime/run/run_parts.h"
 #include "runtime/run/run_recorder.h"
 #include "runtime/run/simulation.h"
 #include "runtime/words/codes.h"
@@ -17,13 +19,18 @@ namespace {
 constexpr RunLimits kTestLimits{3600, 100'000'000};
 
 TestResult run_test(const LoadedProgram& program, const motion::RobotModel& robot,
-                    std::size_t number, std::uint64_t seed) {
+                    std::size_t number, std::uint64_t seed, const std::string& data) {
   const lang::Chunk& chunk = *program.compilation.chunk;
   const lang::TestCode& test = chunk.tests[number];
   Controller controller(robot, simulation_of(robot), 1);
   ProgramTask task(chunk, controller.machine(), seed, number);
+  DataFiles files(data_folder_of(program, data), DataFiles::Keeps::InMemory, true);
+  controller.keep_files(&files);
   RunRecorder recorder(robot, 1, controller.channels(), controller.log(),
-                       {robot, chunk.named_signals}, {});
+                       {robot, chunk.named_signals},
+                       {.print = {}, .snapshot = {}, .write = [&](const Note& note) {
+                          files.append(note.file, note.text);
+                        }});
   const Timing timing = run_stepped(controller, task, kTestLimits, [&] { recorder.drain(); });
   RunResult run = recorder.finish();
 
@@ -55,10 +62,11 @@ TestResult run_test(const LoadedProgram& program, const motion::RobotModel& robo
 }  // namespace
 
 std::vector<TestResult> run_tests(const LoadedProgram& program, const motion::RobotModel& robot,
-                                  std::uint64_t seed) {
+                                  std::uint64_t seed, const std::string& data) {
   std::vector<TestResult> results;
   const std::size_t count = program.compilation.chunk->tests.size();
-  for (std::size_t i = 0; i < count; ++i) results.push_back(run_test(program, robot, i, seed));
+  for (std::size_t i = 0; i < count; ++i)
+    results.push_back(run_test(program, robot, i, seed, data));
   return results;
 }
 

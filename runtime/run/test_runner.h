@@ -31,6 +31,7 @@ struct TestResult {
 /// just been powered up, with the program's declarations executed anew and CLOCK at 0. One that
 /// does not end within an hour of its time or 100,000,000 instructions has failed.
 std::vector<TestResult> run_tests(const LoadedProgram& program, const motion::RobotModel& robot,
-                                  std::uint64_t seed = lang::Random::kDefaultSeed);
+                                  std::uint64_t seed = lang::Random::kDefaultSeed,
+                                  const std::string& data = "");
 
 }  // namespace rob::runtime

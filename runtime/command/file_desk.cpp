@@ -1,0 +1,44 @@
+#include "runtime/command/file_desk.h"
+
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lang/text/codes.h"
+
+namespace rob::runtime {
+
+using lang::Reply;
+
+std::optional<Words> objection_to_line(DataFiles* files, std::string_view file,
+                                       std::string_view text) {
+  if (files == nullptr)
+    return Words{std::string(lang::code::kMachineWithout), "there are no files here",
+                 "run the program with rob run"};
+  if (text.size() > DataFiles::kLongestLine)
+    return Words{std::string(lang::code::kFileFailed),
+                 fmt::format("a line of {} bytes is too long for a file", text.size()),
+                 fmt::format("it has {} bytes at most", DataFiles::kLongestLine)};
+  return files->admit(std::string(file));
+}
+
+Reply FileDesk::write(int line, std::string_view file, std::string_view text) {
+  if (effects_.full()) return Reply::Later;
+  if (auto why = objection_to_line(files_, file, text)) return links_.refuse(std::move(*why));
+  Note note{Note::Kind::Write, std::string(text)};
+  note.file = file;
+  return effects_.note(line, std::move(note));
+}
+
+/// In a corner what was written before may act later; at standstill it has acted.
+Reply FileDesk::exists(std::string_view file, bool& value) {
+  if (!progress_.observable()) return Reply::Later;
+  value = false;
+  if (files_ == nullptr) return Reply::Done;
+  if (progress_.stands() && !files_->reported()) return Reply::Later;
+  value = files_->exists(std::string(file));
+  return Reply::Done;
+}
+
+}  // namespace rob::runtime

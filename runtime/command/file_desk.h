@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string_view>
+
+#include "runtime/command/program_effects.h"
+#include "runtime/files/data_files.h"
+
+namespace rob::runtime {
+
+/// What a program does with files. Each line that it writes waits for its turn in motion order.
+class FileDesk {
+ public:
+  FileDesk(const RobotLinks& links, const CommandedProgress& progress, ProgramEffects& effects)
+      : links_(links), progress_(progress), effects_(effects) {}
+
+  /// Before the run; they must outlive it. Without them (null) the program has no files.
+  void keep_files(DataFiles* files) { files_ = files; }
+  DataFiles* files() const { return files_; }
+
+  lang::Reply write(int line, std::string_view file, std::string_view text);
+  lang::Reply exists(std::string_view file, bool& value);
+
+ private:
+  const RobotLinks& links_;
+  const CommandedProgress& progress_;
+  ProgramEffects& effects_;
+  DataFiles* files_ = nullptr;
+};
+
+/// A line for a file, in motion order; or why it cannot be.
+std::optional<Words> objection_to_line(DataFiles* files, std::string_view file,
+                                       std::string_view text);
+
+}  // namespace rob::runtime
