@@ -101,6 +101,7 @@ set(rob_lang_sources
   lang/vm/errors.cpp
   lang/vm/move_text.cpp
   lang/vm/observations.cpp
+  lang/vm/persistent_values.cpp
   lang/vm/printing_machine.cpp
   lang/vm/rows.cpp
   lang/vm/scripted_robot.cpp

@@ -10,6 +10,7 @@ set(rob_runtime_sources
   runtime/cli/program_files.cpp
   runtime/cli/run_files.cpp
   runtime/cli/test_files.cpp
+  runtime/cli/vars.cpp
   runtime/command/assumptions.cpp
   runtime/command/axis_targets.cpp
   runtime/command/background_tasks.cpp
@@ -50,12 +51,14 @@ set(rob_runtime_sources
   runtime/files/data_folder.cpp
   runtime/files/files.cpp
   runtime/files/folder_sources.cpp
+  runtime/files/kept_values.cpp
   runtime/files/path_file.cpp
   runtime/files/points_file.cpp
   runtime/files/points_reader.cpp
   runtime/files/run_mark.cpp
   runtime/files/signal_script.cpp
   runtime/files/state_folder.cpp
+  runtime/files/written_values.cpp
   runtime/prompt/commands.cpp
   runtime/prompt/completion.cpp
   runtime/prompt/entry_lines.cpp

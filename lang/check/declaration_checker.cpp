@@ -10,6 +10,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 #include "lang/values/pose_slots.h"
+#include "lang/values/saved_value.h"
 
 namespace rob::lang {
 namespace {
@@ -17,6 +18,19 @@ namespace {
 bool mentions(const Type& type, const TypeDetail* record) {
   if (type.is(Type::Kind::Array)) return mentions(type.detail->element, record);
   return type.is(Type::Kind::Record) && type.detail == record;
+}
+
+/// Whether values of this type can be written to a values file, and read.
+bool keeps(const Type& type) {
+  switch (type.kind) {
+    case Type::Kind::Array:
+      return keeps(type.detail->element);
+    case Type::Kind::Record:
+      return std::ranges::all_of(type.detail->fields,
+                                 [](const TypeDetail::Field& field) { return keeps(field.type); });
+    default:
+      return type.kind <= Type::Kind::Pose;
+  }
 }
 
 void report_field_twice(const TypeDetail& record, const Declaration::Declared& field,
@@ -52,7 +66,31 @@ void DeclarationChecker::check(Declaration& declaration) {
   for (Declaration::Declared& declared : declaration.names) {
     declared.symbol = declarations_.declare(kind, declared.name, declared.place, type, value);
     if (declaration.frame != nullptr) scopes_.frame(*declared.symbol, declaration.frame);
+    if (declaration.persist && may_persist(declared, type)) scopes_.persist(*declared.symbol);
   }
+}
+
+bool DeclarationChecker::may_persist(const Declaration::Declared& declared, const Type& type) {
+  if (program_.entry != 0) {
+    diagnostics_.error(code::kPersistAtPrompt, declared.place,
+                       "the prompt keeps no variables between runs: a program does",
+                       fmt::format("VAR {} = …, or a program and :run", shortened(declared.name)));
+    return false;
+  }
+  if (!keeps(type)) {
+    diagnostics_.error(code::kNotPersistent, declared.place,
+                       fmt::format("{} cannot be kept between runs: it is {}",
+                                   shortened(declared.name), in_words(type)),
+                       "numbers, BOOL, STRING, VEC and POSE can, and ARRAY and RECORD of them");
+    return false;
+  }
+  const auto bytes = static_cast<std::size_t>(slots_of(type).numbers) * sizeof(Slot);
+  if (bytes <= kMostPersistent) return true;
+  diagnostics_.error(code::kNotPersistent, declared.place,
+                     fmt::format("{} is too large to be kept between runs: it has {} KiB",
+                                 shortened(declared.name), bytes / 1024),
+                     "1 MiB can be kept; keep what the next run needs");
+  return false;
 }
 
 /// The type that was written, or that of the value. `accepted`: the value fits it.

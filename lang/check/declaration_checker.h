@@ -43,6 +43,8 @@ class DeclarationChecker {
   void know(const Symbol& symbol);
 
  private:
+  /// Whether a PERSIST variable can be one; reports why not.
+  bool may_persist(const Declaration::Declared& declared, const Type& type);
   Type settle_type(Declaration& declaration, Type given, bool& accepted);
   void check_frame(const Declaration& declaration, Constant& value, bool missed);
   Constant tool_number(const ExprPtr& value, const Type& wanted, std::string_view needed);

@@ -56,6 +56,7 @@ struct Symbol {
   const Routine* routine = nullptr;    ///< of Kind::Routine
   bool shared = false;                 ///< a global that a TASK uses
   bool observed = false;               ///< and gives a value
+  int persist = -1;                    ///< of PERSIST: its number among them
 };
 
 /// The names that may be used at one place of the program. Scopes nest; the outermost holds what
@@ -112,6 +113,7 @@ class Scopes {
     symbols_[symbol.id].shared = true;
     symbols_[symbol.id].observed = observed;
   }
+  void persist(const Symbol& symbol) { symbols_[symbol.id].persist = persistent_++; }
   /// The FRAME, of any file, that poses of this detail are in; null if it is not declared yet.
   const Symbol* frame_of(const TypeDetail* detail) const;
   /// While `only` holds, find() sees the top level and what is provided alone.
@@ -157,6 +159,7 @@ class Scopes {
   std::vector<File> files_;
   std::uint32_t file_ = 0;
   bool top_only_ = false;
+  int persistent_ = 0;  ///< PERSIST variables so far
   std::map<const TypeDetail*, const Symbol*> frames_;
   std::vector<const Symbol*> channels_;
 };

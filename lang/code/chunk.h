@@ -186,6 +186,15 @@ class PlaceTable {
   std::uint32_t size_ = 0;
 };
 
+/// A PERSIST variable, and where its slots lie on the stack.
+struct PersistCode {
+  std::string name;
+  Type type;
+  Place place;
+  std::size_t numbers = 0;
+  std::size_t texts = 0;
+};
+
 /// A TEST: what it is called, where it stands, and its routine.
 struct TestCode {
   std::string name;
@@ -222,6 +231,7 @@ struct Chunk {
   std::vector<NamedRegister> names;
   std::vector<RoutineCode> routines;
   std::vector<TestCode> tests;
+  std::vector<PersistCode> persists;
   std::uint32_t test_entry = 0;  ///< where every TEST begins: with the program's declarations
   std::vector<TaskCode> tasks;
   std::uint32_t task_entry = 0;  ///< where every TASK begins

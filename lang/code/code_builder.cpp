@@ -104,6 +104,13 @@ void CodeBuilder::ask(Register text, Register answer, const Type& type, Place pl
   emit(operand_word(tables_.type(type)), place);
 }
 
+void CodeBuilder::declare_persist(int number, PersistCode code) {
+  const auto index = static_cast<std::size_t>(number);
+  emit(Instruction::ax(Opcode::restore, 0, static_cast<std::uint16_t>(number)), code.place);
+  chunk_.persists.resize(std::max(chunk_.persists.size(), index + 1));
+  chunk_.persists[index] = std::move(code);
+}
+
 void CodeBuilder::task_entry(Place place) {
   chunk_.task_entry = static_cast<std::uint32_t>(chunk_.code.size());
   emit(Opcode::call_test, place);

@@ -104,6 +104,15 @@ class CodeBuilder {
   /// The slots of the top level from `first` on become what TASKs see.
   void refresh(std::size_t first, bool texts, int count, bool latched, Place place);
 
+  /// Declares a PERSIST variable by its number, and gives it the value of an earlier run.
+  void declare_persist(int number, PersistCode code);
+  enum class Persist : std::uint8_t { Changed, Lent, Back };
+  void persist(int number, Persist what, Place place) {
+    emit(Instruction::ax(Opcode::persist, static_cast<unsigned>(what),
+                         static_cast<std::uint16_t>(number)),
+         place);
+  }
+
   /// See Chunk::timed.
   void depends_on_time() { chunk_.timed = true; }
   /// See Chunk::first_signal.

@@ -67,12 +67,21 @@ void DeclarationCompiler::compile(const Declaration& declaration, Place place) {
   } else {
     variables_.clear(home, first.type, place);
   }
-  variables_.publish(first, place);
   for (std::size_t i = 1; i < declaration.names.size(); ++i) {
     const Location other = declare(*declaration.names[i].symbol);
     variables_.copy(home, other, first.type, place);
-    variables_.publish(*declaration.names[i].symbol, place);
   }
+  for (const Declaration::Declared& declared : declaration.names) {
+    restore(*declared.symbol);
+    variables_.publish(*declared.symbol, place);
+  }
+}
+
+/// What an earlier run has left counts, and not the value in the program.
+void DeclarationCompiler::restore(const Symbol& symbol) {
+  if (symbol.persist < 0) return;
+  const auto [numbers, texts] = variables_.places(symbol);
+  code_.declare_persist(symbol.persist, {symbol.name, symbol.type, symbol.place, numbers, texts});
 }
 
 void DeclarationCompiler::compile(const SignalDeclaration& signal) {

@@ -38,6 +38,7 @@ class DeclarationCompiler {
   void name_home(const Symbol& symbol, const Location& home);
 
  private:
+  void restore(const Symbol& symbol);
   void name_constant(const Symbol& symbol);
   void name_signal(const Symbol& symbol);
   void load_pose(const PoseValue& pose, Register first, Place place);

@@ -91,6 +91,7 @@ void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
     const SlotsAt& part = type.text() ? at.texts : at.numbers;
     if (type.in_registers() && part.in_register()) {
       value_into(value, part.reg(), as_real);
+      variables_.changed(*name->symbol, target.place);
       return variables_.publish(*name->symbol, target.place);
     }
   }
@@ -115,6 +116,7 @@ void ExpressionCompiler::assign_register(const Expr& target, Register value) {
     variables_.store(at, target.type, value, target.place);
     if (shared) variables_.publish(at, target.type, target.place);
   }
+  variables_.changed(*root_of(target)->symbol, target.place);
   frame_.release(mark);
 }
 
@@ -592,10 +594,21 @@ Location ExpressionCompiler::call_routine(const Call& call, const Expr& expressi
   if (!type.in_registers()) {
     refer_parameter(result, type, layout.result, first, expression.place);
   }
+  lend(call, CodeBuilder::Persist::Lent);
   code_.call(call.routine->index, first, first_text, expression.place);
+  lend(call, CodeBuilder::Persist::Back);
   world_.begin_again(expression.place);
   if (type.in_registers()) result = {{.offset = first}, {.offset = first_text}};
   return result;
+}
+
+/// PERSIST variables that REF parameters stand for while the routine runs.
+void ExpressionCompiler::lend(const Call& call, CodeBuilder::Persist how) {
+  const std::vector<Parameter> parameters = parameters_of(*call.routine);
+  for (std::size_t i = 0; i < call.bound.size(); ++i) {
+    if (call.bound[i] == nullptr || !parameters[i].group->by_reference) continue;
+    variables_.changed(*root_of(*call.bound[i])->symbol, call.bound[i]->place, how);
+  }
 }
 
 /// Gives a parameter its value, which will lie at `home` in the routine's frame.
@@ -708,6 +721,7 @@ bool ExpressionCompiler::assign_constant_element(const Expr& target, const Expr&
   begin_place(target);
   store_element(Opcode::store_element_constant, std::get<Index>(target.node), *constant,
                 target.place);
+  variables_.changed(*root_of(target)->symbol, target.place);
   return true;
 }
 
@@ -765,7 +779,9 @@ void ExpressionCompiler::assign_memory(const Expr& target, const Expr& value) {
   begin_place(target);
   const Location to = locate(target);
   variables_.copy_memory(to, from, slots, target.place);
-  if (root_of(target)->symbol->shared) variables_.publish(to, target.type, target.place);
+  const Symbol& root = *root_of(target)->symbol;
+  if (root.shared) variables_.publish(to, target.type, target.place);
+  variables_.changed(root, target.place);
 }
 
 }  // namespace rob::lang

@@ -108,6 +108,7 @@ class ExpressionCompiler {
   Register row(const Expr& expression);
   void draw(const Call& call, const Expr& expression, Register target);
   Location call_routine(const Call& call, const Expr& expression);
+  void lend(const Call& call, CodeBuilder::Persist how);
   void pass(const Call& call, std::size_t parameter, const Location& home, Register first,
             Register first_text);
   void refer_parameter(const Location& at, const Type& type, const Location& home, Register first,

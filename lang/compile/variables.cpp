@@ -320,6 +320,15 @@ void Variables::publish(const Location& at, const Type& type, Place place) {
   frame_.release(mark);
 }
 
+/// They are known: at the beginning of the registers, or of the memory.
+std::pair<std::size_t, std::size_t> Variables::places(const Symbol& global) const {
+  const Location& at = homes_[global.id];
+  const auto place = [](const SlotsAt& slots, std::size_t memory) {
+    return (slots.base == SlotsAt::Base::Place ? memory : 0) + slots.offset;
+  };
+  return {place(at.numbers, kNumberStack), place(at.texts, kTextStack)};
+}
+
 /// Globals lie where they are known to lie: at the beginning of the registers, or of the memory.
 void Variables::refresh(const std::vector<const Symbol*>& globals, bool latched, Place place) {
   for (const Symbol* const global : globals) {

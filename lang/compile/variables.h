@@ -77,6 +77,13 @@ class Variables {
   /// A value in registers becomes that of a point or of another variable.
   void store_variable(const Symbol& variable, Register value, Place place);
 
+  /// Where the numbers and the texts of a global lie on the stack.
+  std::pair<std::size_t, std::size_t> places(const Symbol& global) const;
+  /// A PERSIST variable has another value, or perhaps soon.
+  void changed(const Symbol& symbol, Place place,
+               CodeBuilder::Persist how = CodeBuilder::Persist::Changed) {
+    if (symbol.persist >= 0) code_.persist(symbol.persist, how, place);
+  }
   /// TASKs see the current value of a variable that they use.
   void publish(const Symbol& symbol, Place place);
   void publish(const Location& at, const Type& type, Place place);

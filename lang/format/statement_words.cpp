@@ -169,7 +169,7 @@ void StatementWords::go_on(const Token& token, WordUse use) {
     trigger_ = is_among(kEventWords, token.text);
     all_units_ = same_word(token.text, "UNITS");
     enum_ = same_word(token.text, "ENUM");
-    file_ = is_among(kFileWords, token.text);
+    file_ = same_word(token.text, "WRITE");
   }
   if (at_begin_ && token.kind == TokenKind::Reserved && token.keyword == Keyword::When) {
     trigger_ = true;

@@ -76,6 +76,9 @@ Reply Output::print(int /*line*/, std::string_view /*text*/) { return has_no("PR
 Reply Files::write(int /*line*/, std::string_view /*file*/, std::string_view /*text*/) {
   return has_no("WRITE");
 }
+Reply Files::persist(int /*line*/, std::size_t /*variable*/, std::string_view /*value*/) {
+  return has_no("PERSIST");
+}
 Reply Files::exists(int /*line*/, std::string_view /*file*/, bool& /*value*/) {
   return has_no("EXISTS");
 }

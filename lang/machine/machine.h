@@ -167,6 +167,9 @@ class Files : public virtual Refuser {
   /// WRITE: appends `text` as a line to the file, in motion order. Refused where the program may
   /// not write it, or could not write what came before.
   virtual Reply write(int line, std::string_view file, std::string_view text);
+  /// A PERSIST variable, by its number, has this value, written as the language reads it, from this
+  /// point of motion order on.
+  virtual Reply persist(int line, std::size_t variable, std::string_view value);
   /// EXISTS: whether the file is there. An observation.
   virtual Reply exists(int line, std::string_view file, bool& value);
 };

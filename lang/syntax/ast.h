@@ -58,6 +58,7 @@ struct Declaration {
     const Symbol* symbol = nullptr;  ///< set by the checker
   };
   bool constant = false;
+  bool persist = false;  ///< PERSIST VAR: keeps its values between runs
   std::vector<Declared> names;
   std::optional<Type> type;  ///< where it was written; Unknown where the parser found it faulty
   ExprPtr value;             ///< null where left out

@@ -14,8 +14,10 @@ inline constexpr std::array<std::string_view, 13> kPlacedWords{
     "DEFAULT", "ENUM",  "FRAME", "LAW",  "LOAD",  "OVERRIDE", "PATH",
     "PRESS",   "ROBOT", "START", "TOOL", "UNITS", "ZERO"};
 
-/// The same of statements on files, which are names before any sign that makes something of a
-/// name.
-inline constexpr std::array<std::string_view, 1> kFileWords{"WRITE"};
+/// The same of what outlives a run: names before any sign that makes something of a name.
+inline constexpr auto kFileWords = std::to_array<std::string_view>({
+    "PERSIST",
+    "WRITE",
+});
 
 }  // namespace rob::lang

@@ -18,9 +18,10 @@ constexpr std::size_t kMostEnumNames = 256;
 
 // decl = "CONST" IDENT [ ":" type ] "=" expr eol
 //      | "VAR" names ( ":" type [ "=" expr ] | "=" expr ) eol .
-void DeclarationParser::variables(Block& block) {
+void DeclarationParser::variables(Block& block, bool persist) {
   const Place place = tokens_.place();
   Declaration declaration;
+  declaration.persist = persist;
   declaration.constant = tokens_.at(Keyword::Const);
   tokens_.advance();
   try {
@@ -33,6 +34,19 @@ void DeclarationParser::variables(Block& block) {
     throw;
   }
   tree_.add(block, place, std::move(declaration));
+}
+
+// decl = "PERSIST" "VAR" names ( ":" type [ "=" expr ] | "=" expr ) eol .
+void DeclarationParser::persist(Block& block) {
+  blocks_.check_declaration("PERSIST");
+  tokens_.advance();
+  if (!tokens_.at(Keyword::Var)) {
+    tokens_.fail_here(
+        code::kPersistIncomplete,
+        fmt::format("VAR expected after PERSIST, not {}", described(tokens_.current())),
+        "PERSIST VAR count = 0");
+  }
+  variables(block, true);
 }
 
 // names = IDENT { "," IDENT } .

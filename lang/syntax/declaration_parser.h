@@ -24,7 +24,8 @@ class DeclarationParser {
         blocks_(blocks) {}
 
   /// VAR and CONST.
-  void variables(Block& block);
+  void variables(Block& block, bool persist = false);
+  void persist(Block& block);
   void signal(Block& block);
   void point(Block& block);
   void frame_or_tool(Block& block);

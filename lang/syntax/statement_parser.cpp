@@ -179,6 +179,7 @@ void StatementParser::word_statement(Block& block) {
     const Place place = tokens_.place();
     return tree_.add(block, place, watches_.path_event());
   }
+  if (at_file_word("PERSIST")) return declarations_.persist(block);
   if (at_file_word("WRITE")) return actions_.write_statement(block);
   if (at_placed_word("ZERO")) return actions_.zero_statement(block);
   if (at_placed_word("START")) return actions_.start_statement(block);

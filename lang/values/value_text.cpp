@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "lang/values/number_text.h"
 #include "lang/values/pose_slots.h"
 
@@ -94,13 +96,12 @@ class Writer {
   bool quoted(std::string_view text) {
     if (!put("\"")) return false;
     for (const char c : text) {
-      const std::string_view escape = escaped(c);
-      if (!put(escape.empty() ? std::string_view(&c, 1) : escape)) return false;
+      if (!put(escaped(c))) return false;
     }
     return put("\"");
   }
 
-  static std::string_view escaped(char c) {
+  static std::string escaped(char c) {
     switch (c) {
       case '"':
         return "\\\"";
@@ -110,8 +111,9 @@ class Writer {
         return "\\n";
       case '\t':
         return "\\t";
-      default:
-        return {};
+      default:  // others that no line can hold
+        if (c == '\x7F' || (c >= '\0' && c < ' ')) return fmt::format("\\u{{{:X}}}", c);
+        return {c};
     }
   }
 

@@ -21,7 +21,7 @@ std::string enum_text(const TypeDetail& enumeration, std::int64_t value);
 bool append_value_text(std::string& out, const Type& type, const Slot* numbers,
                        const std::string* texts, std::size_t most);
 
-/// The same of a part of a value: a text stands between quotes.
+/// The same as the language reads it, and as a part of a value is written: a text between quotes.
 bool append_part_text(std::string& out, const Type& type, const Slot* numbers,
                       const std::string* texts, std::size_t most);
 

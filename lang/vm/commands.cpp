@@ -276,10 +276,6 @@ Reply tell(Machine& machine, const Place& at, Instruction command, const Slot* n
            const std::string* t) {
   const int line = line_tag(at);
   switch (command.opcode()) {
-    case Opcode::begin_path:
-      return machine.begin_path(line);
-    case Opcode::end_path:
-      return machine.end_path(line);
     case Opcode::set_override:
       return machine.override_speed(line, n->real);
     case Opcode::stop:

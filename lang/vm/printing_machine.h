@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "lang/code/watch.h"
 #include "lang/machine/machine.h"
 #include "lang/machine/robot_signature.h"
@@ -23,7 +25,7 @@ namespace rob::lang {
 ///
 ///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
 ///     movel by 20 0 0 · move joints - - 90 · … zone 5mm · … fine
-///     write FILE TEXT
+///     write FILE TEXT · persist 1 7mm    a PERSIST variable, counted in the order of the text
 ///     stop · brake · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
 ///     teach pick 40 20 0 · teach pick 40 20 0 in pallet     the place, in mm
 ///     start 1                           a TASK, counted in the order of the text
@@ -113,6 +115,9 @@ class PrintingMachine : public Machine {
   Reply end(int line) override { return log_.note(line, "end"); }
   Reply print(int line, std::string_view text) override;
   Reply write(int line, std::string_view file, std::string_view text) override;
+  Reply persist(int line, std::size_t variable, std::string_view value) override {
+    return log_.note(line, fmt::format("persist {} {}", variable + 1, value));
+  }
   /// Whether it has been written.
   Reply exists(int line, std::string_view file, bool& value) override;
   Reply write_signal(int line, int signal, bool value) override;

@@ -14,6 +14,7 @@
 #include "lang/vm/budget.h"
 #include "lang/vm/errors.h"
 #include "lang/vm/instant.h"
+#include "lang/vm/persistent_values.h"
 #include "lang/vm/stack.h"
 #include "lang/vm/task_memory.h"
 #include "lang/vm/turns.h"
@@ -62,6 +63,11 @@ class Vm {
 
   /// Instead of the program: its declarations, then one of Chunk::tests. Before the first run().
   void choose_test(std::size_t test);
+
+  /// The values of PERSIST variables that an earlier run has left; they must outlive this.
+  void start_from(const SavedValues& saved) { persistent_.start_from(saved); }
+  /// Tells the machine the values of PERSIST variables that it does not know yet.
+  Reply tell_persistent();
 
   /// Lets no LOOP or WHILE turn more often than that without a motion, counted from where it was
   /// begun: circling() then is its line, and the program does not go on. A FOR ends by itself.
@@ -182,6 +188,8 @@ class Vm {
   ArmedWhens whens_;
   ActiveSettings settings_;
   Question question_;
+  PersistentValues persistent_;
+  bool in_path_ = false;  ///< a PATH is planned: its motions are not commanded yet
   LastGuard last_guard_;
   std::optional<Interrupted> interrupted_;  ///< a handler runs
 };

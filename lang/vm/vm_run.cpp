@@ -97,8 +97,16 @@ Vm::State Vm::run(std::int64_t budget) {
     const bool handled = handling();
     state_ = execute(next_);
     const bool over = handled && !handling() && state_ == State::Running;  // the handler
-    if (!tries_.rescuing() && !over) return state_;
+    if (tries_.rescuing() || over) continue;
+    if (state_ != State::Failed) tell_persistent();
+    return state_;
   }
+}
+
+/// A PATH has its motions planned when it ends: what changes in it is told after it.
+Reply Vm::tell_persistent() {
+  if (!persistent_.any() || in_path_) return Reply::Done;
+  return persistent_.tell(*machine_, line(next_), *loaded_.chunk, stack_);
 }
 
 void Vm::go_on_at(Code next) {
@@ -172,6 +180,7 @@ bool Vm::rescue() {
   if (whens_.disarm(*machine_, at, block.whens) != Reply::Done) return false;
   if (settings_.end_presses(*machine_, at, block.presses) != Reply::Done) return false;
   settings_.leave(*machine_, at, block.settings);
+  in_path_ = false;
   stack_.unwind(block.depth);
   stack_.texts()[block.why] = tries_.reason();
   tries_.rescue();

@@ -46,6 +46,35 @@ Refusal raised(const std::string& text) {
           .help = text.empty() ? "the text behind this RAISE is empty" : ""};
 }
 
+Refusal too_large_to_keep() {
+  return {.code = std::string(code::kPersistTooLarge),
+          .message = "a PERSIST variable has a value of more than 1 MiB",
+          .help = "keep what the next run needs"};
+}
+
+/// Whether what was assigned before belongs before it in motion order.
+bool follows_values(Opcode opcode) {
+  switch (opcode) {
+    case Opcode::move:
+    case Opcode::move_to:
+    case Opcode::begin_path:
+    case Opcode::press:
+    case Opcode::end_press:
+    case Opcode::stop:
+    case Opcode::brake:
+    case Opcode::wait:
+    case Opcode::waited:
+    case Opcode::halt:
+    case Opcode::ask:
+    case Opcode::zero_force:
+    case Opcode::leave_handler:
+    case Opcode::end:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// How many steps stay between 0 and `length` - 1.
 std::int64_t steps_within(std::uint64_t index, std::int64_t step, std::uint64_t length) {
   const auto by = static_cast<std::uint64_t>(step);
@@ -180,6 +209,12 @@ Vm::Step Vm::step_observation(Code pc) {
 
 /// Motions, and what else the machine is told that depends on more than registers.
 Vm::Step Vm::step_motion(Code pc) {
+  if (persistent_.any() && follows_values(pc->opcode())) {
+    next_ = pc;
+    const Reply reply = tell_persistent();
+    if (reply == Reply::Refused && persistent_.too_large()) return fail(pc, too_large_to_keep());
+    if (reply != Reply::Done) return pause(pc, pc, reply);
+  }
   const Slot* const n = stack_.numbers() + pc->a();
   std::string* const t = stack_.texts();
   switch (pc->opcode()) {
@@ -259,6 +294,29 @@ Vm::Step Vm::step_motion(Code pc) {
       ROB_ASK(machine_->teach(line(pc), taught_point(*loaded_.chunk, pc, n, setting)), pc);
       return pc + 3;
     }
+    case Opcode::persist:
+      switch (pc->a()) {
+        case 0:
+          persistent_.change(pc->x());
+          return pc + 1;
+        case 1:
+          persistent_.lend(pc->x());
+          return pc + 1;
+        default:
+          persistent_.take_back(pc->x());
+          return pc + 1;
+      }
+    case Opcode::restore:
+      persistent_.restore(loaded_.chunk->persists[pc->x()], pc->x(), stack_);
+      return pc + 1;
+    case Opcode::begin_path:
+      ROB_ASK(machine_->begin_path(line(pc)), pc);
+      in_path_ = true;
+      return pc + 1;
+    case Opcode::end_path:
+      ROB_ASK(machine_->end_path(line(pc)), pc);
+      in_path_ = false;
+      return pc + 1;
     case Opcode::start:
       ROB_ASK(machine_->start(place(pc), (pc + 1)->word), pc);
       return pc + 2;

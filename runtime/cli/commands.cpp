@@ -9,6 +9,7 @@
 #include "runtime/cli/list_machines.h"
 #include "runtime/cli/run_files.h"
 #include "runtime/cli/test_files.h"
+#include "runtime/cli/vars.h"
 #include "runtime/prompt/prompt.h"
 #include "runtime/run/console.h"
 
@@ -53,6 +54,8 @@ ExitCode carry_out(const Options& options) {
       return list_robots();
     case Options::Command::Ports:
       return list_ports();
+    case Options::Command::Vars:
+      return show_vars(options);
     case Options::Command::Help:
       put_result(options.help_text);
       return ExitCode::Done;

@@ -190,6 +190,13 @@ void Parser::add_others() {
   add_robot(format);
   format.add_flag("--check", options.check_only, "write nothing; name the files that differ");
 
+  CLI::App& vars = *app.add_subcommand("vars", "the values that a program keeps between runs");
+  vars.callback([this] { options.command = Options::Command::Vars; });
+  add_files(vars);
+  add_robot(vars);
+  vars.add_option("--reset", options.reset, "take the value of this variable out")
+      ->check(check_name);
+
   app.add_subcommand("robots", "the robots known, and what each can do")->callback([this] {
     options.command = Options::Command::Robots;
   });
@@ -315,6 +322,8 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
   if (!parser.options.trace.empty() && parser.options.files.size() > 1) {
     return usage_error("--trace records one program; run the others without it");
   }
+  if (parser.options.command == Options::Command::Vars && parser.options.files.size() > 1)
+    return usage_error("rob vars is of one program");
   if (!parser.options.path.empty() && parser.options.files.size() > 1) {
     return usage_error("--path is of one program; check the others without it");
   }

@@ -14,7 +14,19 @@ namespace rob::runtime {
 
 /// The command line of `rob`, understood (docs/cli.md).
 struct Options {
-  enum class Command { Prompt, Run, Check, Test, Compile, Format, Robots, Ports, Help, Explain };
+  enum class Command {
+    Prompt,
+    Run,
+    Check,
+    Test,
+    Compile,
+    Format,
+    Robots,
+    Ports,
+    Vars,
+    Help,
+    Explain
+  };
 
   Command command = Command::Prompt;
   std::vector<std::string> files;
@@ -24,6 +36,7 @@ struct Options {
   std::string path;             ///< of Check: what the planned path is written to
   std::string signals;          ///< a signal script
   std::string data;             ///< the folder of the programs' files; empty: their own
+  std::string reset;            ///< of Vars: the variable that loses its value
   std::string backend = "sim";  ///< as backend_of() reads it
   bool home = false;            ///< the machine homes itself first
   double override_share = 1;

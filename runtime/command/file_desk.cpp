@@ -23,12 +23,27 @@ std::optional<Words> objection_to_line(DataFiles* files, std::string_view file,
   return files->admit(std::string(file));
 }
 
+Note note_of(std::size_t variable, std::string_view value) {
+  Note note{Note::Kind::Persist, std::string(value)};
+  note.variable = variable;
+  return note;
+}
+
 Reply FileDesk::write(int line, std::string_view file, std::string_view text) {
   if (effects_.full()) return Reply::Later;
   if (auto why = objection_to_line(files_, file, text)) return links_.refuse(std::move(*why));
   Note note{Note::Kind::Write, std::string(text)};
   note.file = file;
   return effects_.note(line, std::move(note));
+}
+
+Reply FileDesk::persist(int line, std::size_t variable, std::string_view value) {
+  if (queue_.full()) return Reply::Later;
+  const Reply reply = queue_.push({.tag = static_cast<motion::Tag>(line),
+                                   .kind = motion::Effect::Kind::Note,
+                                   .id = links_.log.keep(note_of(variable, value))});
+  if (reply == Reply::Done) links_.log.queued_effect();
+  return reply;
 }
 
 /// In a corner what was written before may act later; at standstill it has acted.

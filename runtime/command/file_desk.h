@@ -10,23 +10,29 @@ namespace rob::runtime {
 /// What a program does with files. Each line that it writes waits for its turn in motion order.
 class FileDesk {
  public:
-  FileDesk(const RobotLinks& links, const CommandedProgress& progress, ProgramEffects& effects)
-      : links_(links), progress_(progress), effects_(effects) {}
+  FileDesk(const RobotLinks& links, EffectQueue& queue, const CommandedProgress& progress,
+           ProgramEffects& effects)
+      : links_(links), queue_(queue), progress_(progress), effects_(effects) {}
 
   /// Before the run; they must outlive it. Without them (null) the program has no files.
   void keep_files(DataFiles* files) { files_ = files; }
   DataFiles* files() const { return files_; }
 
   lang::Reply write(int line, std::string_view file, std::string_view text);
+  /// It is no effect that could be bound to a motion or a WHEN.
+  lang::Reply persist(int line, std::size_t variable, std::string_view value);
   lang::Reply exists(std::string_view file, bool& value);
 
  private:
   const RobotLinks& links_;
+  EffectQueue& queue_;
   const CommandedProgress& progress_;
   ProgramEffects& effects_;
   DataFiles* files_ = nullptr;
 };
 
+/// The note of a value.
+Note note_of(std::size_t variable, std::string_view value);
 /// A line for a file, in motion order; or why it cannot be.
 std::optional<Words> objection_to_line(DataFiles* files, std::string_view file,
                                        std::string_view text);

@@ -37,13 +37,15 @@ struct Note {
     Halt,    ///< shown to the operator, who lets the program go on
     Ask,     ///< shown to the operator, who answers
     Answer,  ///< what the operator has answered; to a HALT nothing
-    Write    ///< a line for `file`
+    Write,   ///< a line for `file`
+    Persist  ///< the value of `variable`
   };
 
   Kind kind = Kind::Print;
   std::string text;
   bool typed = false;  ///< by a person, who has seen it
   std::string file{};
+  std::size_t variable = 0;
 };
 
 /// The program's thread leaves here for the thread that reports: motions as they were planned,

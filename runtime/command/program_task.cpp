@@ -65,6 +65,7 @@ void ProgramTask::begin_handler() {
 /// An error takes effect in motion order: the last motion commanded before it is made exact.
 ProgramTask::State ProgramTask::finish(int line) {
   machine_.parts().turns.bar(true);
+  if (vm_.tell_persistent() == lang::Reply::Later) return State::Waiting;
   const lang::Reply reply = failure_ ? machine_.fail(line) : machine_.end(line);
   return reply == lang::Reply::Later ? State::Waiting : State::Over;
 }

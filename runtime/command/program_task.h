@@ -26,6 +26,8 @@ class ProgramTask {
               std::optional<std::size_t> test = std::nullopt);
 
   /// A loop that turns so often ends the program as its end would.
+  /// The values of PERSIST variables that an earlier run has left; they must outlive this.
+  void start_from(const lang::SavedValues& saved) { vm_.start_from(saved); }
   void limit_turns(std::uint32_t most) { vm_.limit_turns(most); }
   /// The line of that loop; 0 if there is none.
   int circling() const { return vm_.circling(); }

@@ -237,6 +237,10 @@ Reply RobotMachine::write(int line, std::string_view file, std::string_view text
   return parts_.files.write(line, file, text);
 }
 
+Reply RobotMachine::persist(int line, std::size_t variable, std::string_view value) {
+  return parts_.files.persist(line, variable, value);
+}
+
 Reply RobotMachine::exists(int /*line*/, std::string_view file, bool& value) {
   return parts_.files.exists(file, value);
 }

@@ -77,6 +77,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply waited(int line) override;
   // Output, Files, Operator, Force
   lang::Reply write(int line, std::string_view file, std::string_view text) override;
+  lang::Reply persist(int line, std::size_t variable, std::string_view value) override;
   lang::Reply exists(int line, std::string_view file, bool& value) override;
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply halt(int line, std::string_view text) override;

@@ -62,6 +62,13 @@ Reply TaskMachine::write(int line, std::string_view file, std::string_view text)
                .id = side_.links.log.keep(std::move(note))});
 }
 
+Reply TaskMachine::persist(int line, std::size_t variable, std::string_view value) {
+  if (channels_.immediate.full()) return Reply::Later;
+  return send({.tag = static_cast<motion::Tag>(line),
+               .kind = Effect::Kind::Note,
+               .id = side_.links.log.keep(note_of(variable, value))});
+}
+
 Reply TaskMachine::exists(int /*line*/, std::string_view file, bool& value) {
   value = side_.files.files() != nullptr && side_.files.files()->exists(std::string(file));
   return Reply::Done;

@@ -38,6 +38,7 @@ class TaskMachine final : public lang::Machine {
   lang::Reply stand(int line, double& now) override;
   lang::Reply settle(int line) override;
   lang::Reply write(int line, std::string_view file, std::string_view text) override;
+  lang::Reply persist(int line, std::size_t variable, std::string_view value) override;
   lang::Reply exists(int line, std::string_view file, bool& value) override;
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply write_signal(int line, int signal, bool value) override;

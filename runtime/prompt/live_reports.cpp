@@ -109,7 +109,7 @@ void LiveReports::take(const MotionEvent& event) {
 }
 
 void LiveReports::take_note(const Note& note) {
-  if (note.kind == Note::Kind::Write) {
+  if (note.kind == Note::Kind::Write || note.kind == Note::Kind::Persist) {
     if (listener_.write) listener_.write(note);
   } else if (note.kind != Note::Kind::Print) {
     if (listener_.consult) listener_.consult(note);

@@ -56,7 +56,9 @@ void LiveRobot::begin(OpenMachine machine) {
     if (trace_) trace_->write(snapshot);
     if (listener_.snapshot) listener_.snapshot(snapshot);
   };
-  listener.write = [this](const Note& note) { files_.append(note.file, note.text); };
+  listener.write = [this](const Note& note) {
+    if (note.kind == Note::Kind::Write) files_.append(note.file, note.text);
+  };
   listener.drained = [this] { files_.drained(); };
   reports_ = std::make_unique<LiveReports>(*controller_, std::move(listener));
   ending_ = false;

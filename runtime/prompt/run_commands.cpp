@@ -56,6 +56,11 @@ std::optional<LoadedProgram> compiled(Session& session, std::size_t from, bool t
     session.fail("the program has errors; nothing moves");
     return std::nullopt;
   }
+  if (!program.compilation.chunk->persists.empty()) {
+    session.fail("the program keeps variables between runs, which the prompt does not",
+                 fmt::format("rob run {}", file));
+    return std::nullopt;
+  }
   if (!suits(session, program)) return std::nullopt;
   return program;
 }

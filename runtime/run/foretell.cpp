@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,6 +86,10 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   if (options.path != nullptr) controller.tell(*options.path);
   prepare_panel(controller, script);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
+  std::optional<KeptValues> kept;
+  if (!program.compilation.chunk->persists.empty())
+    kept.emplace(values_file_of(program.file), kept_variables(program), KeptValues::For::Look);
+  if (kept) task.start_from(kept->saved());
   controller.foretell(undriven_inputs(program, robot, script));
   task.limit_turns(kForetellTurns);
   DataFiles files(data_folder_of(program, options.data), DataFiles::Keeps::InMemory, true);
@@ -92,7 +97,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
                        names_in(program, robot),
                        {.print = {}, .snapshot = {}, .write = [&](const Note& note) {
-                          files.append(note.file, note.text);
+                          take_in_memory(note, files);
                         }});
 
   RunLimits limits = limits_of(options.longest);

@@ -9,6 +9,7 @@
 
 #include "runtime/files/archive.h"
 #include "runtime/files/files.h"
+#include "runtime/files/kept_values.h"
 #include "runtime/files/points_file.h"
 #include "runtime/files/state_folder.h"
 
@@ -48,7 +49,8 @@ bool same_file(const std::string& a, const std::string& b) {
 
 std::vector<InputFile> inputs_of(const LoadedProgram& program) {
   std::vector<InputFile> inputs{{program.file, "the program"},
-                                {points_file_of(program.file), "where its points are kept"}};
+                                {points_file_of(program.file), "where its points are kept"},
+                                {values_file_of(program.file), "where its values are kept"}};
   for (const std::string& used : used_names(program))
     inputs.push_back({used, "a file that the program USEs"});
   return inputs;

@@ -66,6 +66,23 @@ void close_files(DataFiles& files, RunResult& result, const RunListener& listene
   if (listener.warn) listener.warn(why->message);
 }
 
+/// The program's PERSIST variables, locked; none if it has none. Throws FileError.
+std::unique_ptr<KeptValues> values_of(const LoadedProgram& program, const RunListener& listener) {
+  if (program.compilation.chunk->persists.empty()) return nullptr;
+  auto kept = std::make_unique<KeptValues>(values_file_of(program.file), kept_variables(program),
+                                           KeptValues::For::Run);
+  for (const std::string& warning : kept->warnings())
+    if (listener.warn) listener.warn(warning);
+  return kept;
+}
+
+void close_values(KeptValues& kept, RunResult& result, const RunListener& listener) {
+  const std::string why = kept.finish();
+  if (why.empty()) return;
+  if (result.exit_code == ExitCode::Done) result.exit_code = ExitCode::InputOutput;
+  if (listener.warn) listener.warn(why);
+}
+
 /// The first error is what the program is refused for.
 RunResult refusal(const lang::Diagnostics& diagnostics, const std::string& file,
                   const motion::RobotModel& robot) {
@@ -112,14 +129,22 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   DataFiles files(data_folder_of(program, options.data), DataFiles::Keeps::OnDisk, options.fast);
   controller.keep_files(&files);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
-  RunRecorder recorder(
-      robot, options.override_share, controller.channels(), controller.log(),
-      names_in(program, robot),
-      {listener.print,
-       [&](const Snapshot& snapshot) {
-         if (trace) trace->write(snapshot);
-       },
-       listener.consult, [&](const Note& note) { files.append(note.file, note.text); }});
+  const std::unique_ptr<KeptValues> kept = values_of(program, listener);
+  if (kept) task.start_from(kept->saved());
+  RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
+                       names_in(program, robot),
+                       {listener.print,
+                        [&](const Snapshot& snapshot) {
+                          if (trace) trace->write(snapshot);
+                        },
+                        listener.consult,
+                        [&](const Note& note) {
+                          if (note.kind == Note::Kind::Write) {
+                            files.append(note.file, note.text);
+                          } else if (kept) {
+                            kept->set(note.variable, note.text);
+                          }
+                        }});
 
   if (robot.law == motion::Law::LookAhead) recorder.expect(std::move(foretold.lines));
   Channels& channels = controller.channels();
@@ -162,6 +187,7 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   }
   close_trace(trace, options, result, listener);
   close_files(files, result, listener);
+  if (kept) close_values(*kept, result, listener);
   return of_program(program, std::move(result));
 }
 

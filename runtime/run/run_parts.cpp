@@ -33,6 +33,22 @@ std::string data_folder_of(const LoadedProgram& program, const std::string& data
   return data.empty() ? std::filesystem::path(program.file).parent_path().string() : data;
 }
 
+std::vector<KeptVariable> kept_variables(const LoadedProgram& program) {
+  std::vector<KeptVariable> variables;
+  const std::vector<std::string> used = used_names(program);
+  for (const lang::PersistCode& one : program.compilation.chunk->persists) {
+    const std::uint32_t file = one.place.file;
+    const std::string of =
+        file == 0 ? "" : std::filesystem::path(used.at(file - 1)).stem().string() + ".";
+    variables.push_back({of + one.name, one.type});
+  }
+  return variables;
+}
+
+void take_in_memory(const Note& note, DataFiles& files) {
+  if (note.kind == Note::Kind::Write) files.append(note.file, note.text);
+}
+
 std::vector<SimulationRule> rules_of(const SignalScript* script) {
   return script == nullptr ? std::vector<SimulationRule>() : script->rules;
 }

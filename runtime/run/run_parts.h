@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/files/data_files.h"
+#include "runtime/files/kept_values.h"
 #include "runtime/files/signal_script.h"
 #include "runtime/run/controller.h"
 #include "runtime/run/load.h"
@@ -17,6 +19,10 @@ SignalNames names_in(const LoadedProgram& program, const motion::RobotModel& rob
 bool has_handlers(const LoadedProgram& program);
 /// Where the files of the program are: `data`, or its own folder where that is empty.
 std::string data_folder_of(const LoadedProgram& program, const std::string& data);
+/// Its PERSIST variables, as their values file calls them.
+std::vector<KeptVariable> kept_variables(const LoadedProgram& program);
+/// A line that a program only foretold or tested has written.
+void take_in_memory(const Note& note, DataFiles& files);
 /// None without a script.
 std::vector<SimulationRule> rules_of(const SignalScript* script);
 /// Gives the panel the operator's part of the script.

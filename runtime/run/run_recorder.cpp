@@ -317,6 +317,7 @@ void RunRecorder::take_note(const MotionEvent& event, Note note) {
       journal_.print(std::move(note.text));
       return;
     case Note::Kind::Write:
+    case Note::Kind::Persist:
       if (listener_.write) listener_.write(note);
       return;
     case Note::Kind::Halt:

@@ -32,7 +32,7 @@ class RunRecorder {
     std::function<void(const Snapshot& snapshot)> snapshot;
     /// HALT or ASK waits for the operator; and that it does no more.
     std::function<void(const Note& note, int line)> consult{};
-    /// A line of WRITE.
+    /// A line of WRITE, or a value to be kept.
     std::function<void(const Note& note)> write{};
   };
 

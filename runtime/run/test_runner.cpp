@@ -29,7 +29,7 @@ TestResult run_test(const LoadedProgram& program, const motion::RobotModel& robo
   RunRecorder recorder(robot, 1, controller.channels(), controller.log(),
                        {robot, chunk.named_signals},
                        {.print = {}, .snapshot = {}, .write = [&](const Note& note) {
-                          files.append(note.file, note.text);
+                          take_in_memory(note, files);
                         }});
   const Timing timing = run_stepped(controller, task, kTestLimits, [&] { recorder.drain(); });
   RunResult run = recorder.finish();
