@@ -136,6 +136,7 @@ set(rob_runtime_sources
   runtime/tick/touch.cpp
   runtime/tick/tracks.cpp
   runtime/time/clock.cpp
+  runtime/time/wall_time.cpp
   runtime/time/periodic_task.cpp
   runtime/time/real_time.cpp
   runtime/words/arguments.cpp

@@ -193,6 +193,8 @@ Type BuiltinChecker::type_of(const Builtin& builtin, const Call& call, Place pla
       return values_.accept(first(), joints_, needs) ? Type::pose() : Type{};
     case BuiltinRule::Wrench:
       return has_sensor(Reading::Wrench, place) ? Type{Type::Kind::Wrench} : Type{};
+    case BuiltinRule::Unix:
+      return Type::real(kTime);
     case BuiltinRule::Joints:  // has been checked as a whole
       return {};
     case BuiltinRule::Places:

@@ -255,8 +255,8 @@ void DeclarationChecker::declare(PointDeclaration::Point& point,
   const PointTable::Point* const kept = points_.find(declared.name);
   if (kept != nullptr) {
     type = type_of(*kept, declared.place);
-    point.kept = kept->pose;
-    value = constant_of(kept->pose);
+    point.kept = from_si(kept->pose);
+    value = constant_of(*point.kept);
   } else if (has_value && given == type) {
     value = known_value(*declaration.value);
   }
@@ -266,7 +266,7 @@ void DeclarationChecker::declare(PointDeclaration::Point& point,
   declared.symbol = declarations_.declare(Symbol::Kind::Point, declared.name, declared.place, type,
                                           taught ? Constant{} : value);
   scopes_.keep(*declared.symbol, std::move(value));
-  if (kept != nullptr) scopes_.keep_joints(*declared.symbol, *kept);
+  if (kept != nullptr) keep_joints(*declared.symbol, *kept);
   if (taught) {
     scopes_.teach(*declared.symbol, *scopes_.hide(expressions_.joints()),
                   *scopes_.hide(Type::boolean()), program_.entry != 0);
@@ -274,6 +274,14 @@ void DeclarationChecker::declare(PointDeclaration::Point& point,
   if (kept == nullptr && !has_value && declaration.sound) {
     missing_.declare(*declared.symbol);
   }
+}
+
+void DeclarationChecker::keep_joints(const Symbol& symbol, PointTable::Point kept) {
+  const std::vector<Dimension>& axes = expressions_.joints().detail->axes;
+  for (std::size_t i = 0; i < kept.joints.size(); ++i) {
+    kept.joints[i] = from_si(kept.joints[i], axes.at(i));
+  }
+  scopes_.keep_joints(symbol, kept);
 }
 
 /// All points of a program are kept in one points file, by their names.

@@ -51,6 +51,7 @@ class DeclarationChecker {
   void add_field(TypeDetail& detail, const Declaration::Declared& field, const Type& type);
   void declare(PointDeclaration::Point& point, const PointDeclaration& declaration,
                const Type& given);
+  void keep_joints(const Symbol& symbol, PointTable::Point kept);
   bool is_of_other_file(const Declaration::Declared& point);
   Type type_of(const PointTable::Point& kept, Place place);
 

@@ -75,6 +75,16 @@ Folded fold_integers(BinaryOp op, std::int64_t a, std::int64_t b, const Type& re
       return made(arithmetic::floor_divide(a, b, whole), whole);
     case BinaryOp::Mod:
       return made(arithmetic::floor_modulo(a, b, whole), whole);
+    case BinaryOp::BitAnd:
+      return made(arithmetic::bit_and(a, b, whole), whole);
+    case BinaryOp::BitOr:
+      return made(arithmetic::bit_or(a, b, whole), whole);
+    case BinaryOp::BitXor:
+      return made(arithmetic::bit_xor(a, b, whole), whole);
+    case BinaryOp::ShiftLeft:
+      return made(arithmetic::shift_left(a, b, whole), whole);
+    case BinaryOp::ShiftRight:
+      return made(arithmetic::shift_right(a, b, whole), whole);
     case BinaryOp::Power:
       if (result.kind == Type::Kind::Int) {
         return made(arithmetic::integer_power(a, b, whole), whole);
@@ -207,6 +217,7 @@ Folded fold(UnaryOp op, const Constant& operand) {
   if (const auto* const truth = std::get_if<bool>(&operand)) return {{}, !*truth};
   if (op == UnaryOp::Plus) return {{}, operand};
   if (const auto* const integer = std::get_if<std::int64_t>(&operand)) {
+    if (op == UnaryOp::BitNot) return {{}, ~*integer};
     std::int64_t result = 0;
     return made(arithmetic::negate(*integer, result), result);
   }

@@ -26,6 +26,8 @@ std::optional<Reading> reading_of(const Call& call) {
   if (call.routine != nullptr || !call.arguments.empty()) return std::nullopt;
   if (same_word(call.callee, "JOINTS")) return Reading::Joints;
   if (same_word(call.callee, "WRENCH")) return Reading::Wrench;
+  if (same_word(call.callee, "UNIX")) return Reading::Unix;
+  if (same_word(call.callee, "NOW")) return Reading::Now;
   return std::nullopt;
 }
 
@@ -139,7 +141,7 @@ std::optional<double> bare_literal(const Expr& component, Dimension dimension,
   if (literal == nullptr || literal->has_unit) return std::nullopt;
   const std::string digits =
       literal->is_integer ? std::to_string(literal->integer) : number_text(literal->value, kNone);
-  return to_si(digits, default_unit(dimension, robot, component.place.file));
+  return quantity_of(digits, default_unit(dimension, robot, component.place.file));
 }
 
 }  // namespace
@@ -175,7 +177,9 @@ std::vector<const Tuple::Element*> by_coordinate(const Tuple& tuple,
 
 BareUnit bare_unit(Dimension dimension, const RobotSignature& robot, const Place& place) {
   const Unit unit = default_unit(dimension, robot, place.file);
-  return {.divisor = std::pow(10.0, -unit.exponent10), .factor = unit.factor};
+  const double shift = std::pow(10.0, std::abs(unit.exponent10));
+  return unit.exponent10 < 0 ? BareUnit{.divisor = shift * unit.divisor, .factor = unit.factor}
+                             : BareUnit{.divisor = unit.divisor, .factor = shift * unit.factor};
 }
 
 std::optional<double> constant_component(const Expr& component, Dimension dimension,
@@ -184,12 +188,12 @@ std::optional<double> constant_component(const Expr& component, Dimension dimens
   if (!number || !is_bare(component.type)) return number;
   if (const auto literal = bare_literal(component, dimension, robot)) return literal;
   const BareUnit unit = bare_unit(dimension, robot, component.place);
-  double si = 0;
-  if (arithmetic::divide(*number, unit.divisor, si) != ArithmeticError::None ||
-      arithmetic::multiply(si, unit.factor, si) != ArithmeticError::None) {
+  double quantity = 0;
+  if (arithmetic::divide(*number, unit.divisor, quantity) != ArithmeticError::None ||
+      arithmetic::multiply(quantity, unit.factor, quantity) != ArithmeticError::None) {
     return std::nullopt;
   }
-  return si;
+  return quantity;
 }
 
 std::optional<MoveCommand::Pace> pace_of(const Type& type) {

@@ -125,7 +125,7 @@ struct BareUnit {
 };
 BareUnit bare_unit(Dimension dimension, const RobotSignature& robot, const Place& place);
 
-/// The value of a constant component in SI. A bare literal is read as though its unit stood after
+/// The quantity of a constant component. A bare literal is read as though its unit stood after
 /// it, so that 0.3 and 0.3mm are the same bits; other bare values are converted as computed ones
 /// are. Nothing if it is not constant, or beyond the range of numbers.
 std::optional<double> constant_component(const Expr& component, Dimension dimension,

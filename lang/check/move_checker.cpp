@@ -86,9 +86,10 @@ std::optional<PlainTargets::Target> PlainTargets::of(const PlainMotion& motion,
     if (component.number.empty()) continue;
     const Unit unit = component.unit.value_or(units_[i]);
     if (unit.dimension != units_[i].dimension) return std::nullopt;
-    const auto value = to_si(component.number, unit);
-    if (!value) return std::nullopt;
-    target.values[i] = component.negative ? 0 - *value : *value;
+    const auto quantity = quantity_of(component.number, unit);
+    if (!quantity) return std::nullopt;
+    const double value = to_si(*quantity, unit.dimension);
+    target.values[i] = component.negative ? 0 - value : value;
     target.given = static_cast<std::uint8_t>(target.given | 1U << i);
   }
   return target;
@@ -531,7 +532,10 @@ void MoveChecker::judge_value(const Expr& target, const Symbol* point) {
   command.means = axes ? MoveCommand::Target::Axes : MoveCommand::Target::Pose;
   command.count = static_cast<int>(slots->size());
   command.given = given_all(command.count);
-  std::ranges::copy(*slots, command.target.begin());
+  for (std::size_t i = 0; i < slots->size(); ++i) {
+    const Dimension dimension = axes ? robot_.axes[i].dimension : i < 3 ? kLength : kNone;
+    command.target[i] = to_si((*slots)[i], dimension);
+  }
   judge(command, target.place);
 }
 
@@ -539,7 +543,7 @@ void MoveChecker::keep_component(MoveCommand& command, std::size_t i, const Expr
                                  Dimension dimension) const {
   const auto known = constant_component(value, dimension, robot_);
   if (!known) return;
-  command.target[i] = *known;
+  command.target[i] = to_si(*known, dimension);
   command.given = static_cast<std::uint8_t>(command.given | 1U << i);
 }
 

@@ -89,6 +89,11 @@ Type OperatorChecker::check(const Unary& unary, Expr& expression) {
   const Type& type = unary.operand->type;
   const bool negation = unary.op == UnaryOp::Not;
   if (type.kind == Type::Kind::Unknown) return negation ? Type::boolean() : type;
+  if (unary.op == UnaryOp::BitNot && type != Type::integer()) {
+    diagnostics_.error(code::kTypeMismatch, unary.operand->place,
+                       "BITNOT needs a whole number; this is " + described(*unary.operand));
+    return Type::integer();
+  }
   if (negation ? type == Type::boolean() : type.numeric() || type.is(Type::Kind::Vec)) {
     expression.type = type;
     if (known(unary.operand->constant))
@@ -129,9 +134,27 @@ Type OperatorChecker::type_of(const Binary& binary, const Expr& expression) {
       return check_division(binary, expression);
     case BinaryOp::Power:
       return check_power(binary, expression);
+    case BinaryOp::BitAnd:
+    case BinaryOp::BitOr:
+    case BinaryOp::BitXor:
+    case BinaryOp::ShiftLeft:
+    case BinaryOp::ShiftRight:
+      return check_bits(binary);
     default:
       return check_comparison(binary, expression);
   }
+}
+
+Type OperatorChecker::check_bits(const Binary& binary) {
+  for (const Expr* const side : {binary.left.get(), binary.right.get()}) {
+    if (side->type == Type::integer()) continue;
+    diagnostics_.error(
+        code::kTypeMismatch, side->place,
+        fmt::format("{} needs whole numbers; this is {}", symbol_of(binary.op), described(*side)),
+        side->type == Type::boolean() ? "AND, OR and XOR join TRUE and FALSE" : "");
+    break;
+  }
+  return Type::integer();
 }
 
 Type OperatorChecker::check_comparison(const Binary& binary, const Expr& expression) {

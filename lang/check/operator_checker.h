@@ -22,6 +22,7 @@ class OperatorChecker {
   Type check_comparison(const Binary& binary, const Expr& expression);
   Type check_sum(const Binary& binary, const Expr& expression);
   Type check_product(const Binary& binary, const Expr& expression);
+  Type check_bits(const Binary& binary);
   Type check_division(const Binary& binary, const Expr& expression);
   Type check_power(const Binary& binary, const Expr& expression);
   Type check_pose_sum(const Binary& binary, const Expr& expression);

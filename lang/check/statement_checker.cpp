@@ -268,6 +268,13 @@ void StatementChecker::check(Assign& assign) {
   }
   if (root->symbol == nullptr || !assignable(*root->symbol, assign.target->place, diagnostics_))
     return;
+  if (assign.compound && root->symbol->kind != Symbol::Kind::Variable) {
+    diagnostics_.error(code::kNotAssignable, assign.target->place,
+                       fmt::format("{} is no variable: only one can be changed by what it is",
+                                   shortened(root->symbol->name)),
+                       "write the whole value after '='");
+    return;
+  }
   uses_.written(*root->symbol);
   if (assign.value == nullptr || values_.refuse_open(*assign.target)) return;
   values_.accept(*assign.value, assign.target->type,

@@ -49,7 +49,7 @@ struct Symbol {
   bool output = false;                 ///< a signal that may be assigned
   int channel = 0;                     ///< n of DIN[n], DOUT[n], AIN[n] or AOUT[n]
   bool analog = false;                 ///< a signal that is a number
-  double low = 0;                      ///< of an analog signal, SI: what 0V stand for
+  double low = 0;                      ///< of an analog signal: what 0V stand for
   double high = 0;                     ///< what kMostVolts stand for
   bool global = false;                 ///< declared at the top level: routines see it
   bool by_reference = false;           ///< a REF parameter: stands for a variable of the caller

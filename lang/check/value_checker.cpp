@@ -61,6 +61,16 @@ std::string_view symbol_of(BinaryOp op) {
       return "MOD";
     case BinaryOp::Power:
       return "^";
+    case BinaryOp::BitAnd:
+      return "BITAND";
+    case BinaryOp::BitOr:
+      return "BITOR";
+    case BinaryOp::BitXor:
+      return "BITXOR";
+    case BinaryOp::ShiftLeft:
+      return "SHL";
+    case BinaryOp::ShiftRight:
+      return "SHR";
   }
   return {};
 }

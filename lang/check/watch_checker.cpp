@@ -139,6 +139,10 @@ bool WatchChecker::check_call(const Call& call, Place place, std::string_view wo
     return refuse(code::kNotWatchable, place, word, "it cannot look for a file",
                   "give the answer a variable before, and watch that");
   }
+  if (rule == BuiltinRule::Unix) {
+    return refuse(code::kNotWatchable, place, word, "it cannot read the calendar",
+                  "CLOCK counts from the start of the program");
+  }
   if (rule == BuiltinRule::Random || axes) {
     return refuse(code::kNotWatchable, place, word,
                   axes ? "it cannot compute axes from a pose, or a pose from axes"

@@ -22,6 +22,8 @@ Place PlaceTable::operator[](std::size_t word) const {
   return place;
 }
 
+std::span<const Dimension> axes_of(const Chunk& chunk) { return chunk.type_table->joints->axes; }
+
 bool takes_memory(const Chunk& chunk) {
   return std::ranges::any_of(chunk.routines,
                              [](const RoutineCode& routine) { return routine.memory != Slots{}; });

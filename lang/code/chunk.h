@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -86,6 +87,8 @@ struct MoveForm {
   bool relative = false;
   bool in_frame = false;       ///< as in MoveCommand
   bool computed_axis = false;  ///< `given` says nothing: the first register does
+  std::uint8_t lengths = 0;    ///< bit i: component i is a length, or a rate of one
+  std::uint8_t angles = 0;     ///< or an angle
   int count = 0;               ///< components that there are
   std::uint8_t given = 0;      ///< as in MoveCommand
   MoveCommand::Pace pace = MoveCommand::Pace::Unspecified;
@@ -130,7 +133,7 @@ struct NamedRegister {
   std::uint32_t to = 0;    ///< one past the last
 };
 
-/// The name that SIGNAL gives a channel, and for an analog one what its volts stand for, SI; for
+/// The name that SIGNAL gives a channel, and for an analog one what its volts stand for; for
 /// reports.
 struct NamedSignal {
   std::string name;
@@ -246,6 +249,8 @@ struct Chunk {
   std::shared_ptr<const TypeTable> type_table;  ///< where `types` point to
 };
 
+/// The dimensions of the robot's axes.
+std::span<const Dimension> axes_of(const Chunk& chunk);
 /// Whether a routine takes memory after its registers.
 bool takes_memory(const Chunk& chunk);
 /// Whether a WHEN has a handler.

@@ -139,9 +139,10 @@ PoseValue Evaluation::tool() const noexcept {
 }
 
 void Evaluation::read(Reading what) noexcept {
-  if (what == Reading::Here) return store(tool(), &a());
+  if (what == Reading::Here) return store(from_si(tool()), &a());
   world_.read(what, &a());
   turn_into_frame(what, setting_, setting_.in_tool ? tool() : PoseValue{}, &a());
+  read_in_units(what, axes_of(chunk_), &a());
 }
 
 Error Evaluation::binary() noexcept {

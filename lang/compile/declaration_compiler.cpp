@@ -38,7 +38,7 @@ Location DeclarationCompiler::declare_in_registers(const Symbol& symbol) {
 /// Reports call a TOOL by its name.
 void DeclarationCompiler::name_constant(const Symbol& symbol) {
   if (symbol.kind != Symbol::Kind::NamedConstant || !symbol.type.is(Type::Kind::Tool)) return;
-  code_.name_tool({symbol.name, lang::load_pose(to_slots(symbol.value).data())});
+  code_.name_tool({symbol.name, to_si(lang::load_pose(to_slots(symbol.value).data()))});
 }
 
 /// And a channel by that of its SIGNAL.

@@ -105,6 +105,33 @@ void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
   frame_.release(mark);
 }
 
+/// The place is found once: a routine in the value, or in an index, could move it.
+void ExpressionCompiler::change(const Expr& target, const Expr& value) {
+  const auto mark = frame_.mark();
+  const std::size_t before = settled_.size();
+  begin_place(target);
+  settle_indices(target, *std::get<Binary>(value.node).left);
+  assign(target, value);
+  settled_.resize(before);
+  frame_.release(mark);
+}
+
+/// Computes the indices of a place, from the outside in, for it and for its copy.
+void ExpressionCompiler::settle_indices(const Expr& place, const Expr& copy) {
+  if (const auto* const member = std::get_if<Member>(&place.node)) {
+    return settle_indices(*member->object, *std::get<Member>(copy.node).object);
+  }
+  const auto* const index = std::get_if<Index>(&place.node);
+  if (index == nullptr) return;
+  const auto& same = std::get<Index>(copy.node);
+  settle_indices(*index->object, *same.object);
+  if (known(index->index->constant)) return;
+  const Register value = frame_.number_registers();
+  value_into(*index->index, value);
+  settled_.push_back({index->index.get(), value});
+  settled_.push_back({same.index.get(), value});
+}
+
 void ExpressionCompiler::assign_register(const Expr& target, Register value) {
   const auto mark = frame_.mark();
   begin_place(target);
@@ -126,6 +153,9 @@ void ExpressionCompiler::initialise(const Expr& value, const Location& home, con
 }
 
 Register ExpressionCompiler::operand(const Expr& expression, bool as_real) {
+  for (const auto& [index, value] : settled_) {
+    if (index == &expression) return value;
+  }
   const bool convert = (as_real && expression.type == Type::integer()) ||
                        numbers_of(expression) > slots_of(expression.type).numbers;
   if (!convert && expression.moved_from == nullptr && variables_.is_number_element(expression)) {
@@ -253,6 +283,11 @@ void ExpressionCompiler::compile(const Unary& unary, const Expr& expression, Reg
     return;
   }
   const Register from = operand(*unary.operand, false);
+  if (unary.op == UnaryOp::BitNot) {
+    const Register all_bits = frame_.number_registers();
+    code_.load_integer(all_bits, -1, expression.place);
+    return code_.emit(Opcode::bit_xor, expression.place, target, from, all_bits);
+  }
   const Opcode op = expression.type == Type::integer() ? Opcode::neg_int : Opcode::neg_real;
   const int parts = slots_of(expression.type).numbers;
   for (int i = 0; i < parts; ++i) {
@@ -455,6 +490,7 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
     code_.emit(Opcode::copy_text, expression.place, target, text);
     return;
   }
+  if (reading_of(call) == Reading::Now) return compile_now(builtin, target, expression.place);
   if (builtin.rule == BuiltinRule::AnyToCsv) return compile_csv(call, target, expression.place);
   if (builtin.rule == BuiltinRule::FileExists) {
     const Register file = operand(*call.arguments.front(), false);
@@ -496,6 +532,16 @@ void ExpressionCompiler::compile_csv(const Call& call, Register target, Place pl
     code_.append_csv(text, places, argument->type, place);
     frame_.release(mark);
   }
+  code_.emit(Opcode::copy_text, place, target, text);
+}
+
+/// NOW(): the machine gives numbers, a function on texts writes them.
+void ExpressionCompiler::compile_now(const Builtin& builtin, Register target, Place place) {
+  const Register numbers = frame_.number_registers(slots_of(Reading::Now, 0));
+  world_.read(Reading::Now, numbers, place);
+  const Register text = frame_.text_register();
+  const auto index = static_cast<unsigned>(&builtin - builtins().data());
+  code_.emit(Opcode::call_text, place, numbers, text, index);
   code_.emit(Opcode::copy_text, place, target, text);
 }
 

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "lang/check/symbols.h"
 #include "lang/code/code_builder.h"
@@ -39,6 +41,8 @@ class ExpressionCompiler {
   void assign(const Expr& target, const Expr& value);
   /// Gives a variable, or a part of one, the value of a register.
   void assign_register(const Expr& target, Register value);
+  /// A compound assignment: `value` is a Binary with a copy of `target` on its left.
+  void change(const Expr& target, const Expr& value);
   /// Gives a new variable the value of an expression, which cannot use it.
   void initialise(const Expr& value, const Location& home, const Type& type);
 
@@ -100,6 +104,7 @@ class ExpressionCompiler {
   void compile(const Call& call, const Expr& expression, Register target);
   void call_on_numbers(const Builtin& builtin, const Call& call, const Expr& expression,
                        Register target);
+  void compile_now(const Builtin& builtin, Register target, Place place);
   void call_on_texts(const Builtin& builtin, const Call& call, const Expr& expression,
                      Register target);
   void compile_row_number(const Builtin& builtin, const Expr& row, Register target, Place place);
@@ -135,12 +140,15 @@ class ExpressionCompiler {
   void put_record(const Call& call, const Location& to, Place place);
   void assign_memory(const Expr& target, const Expr& value);
   /// An element becomes a number that is known; false if there is no such instruction for it.
+  void settle_indices(const Expr& place, const Expr& copy);
   bool assign_constant_element(const Expr& target, const Expr& value);
 
   CodeBuilder& code_;
   FrameSlots& frame_;
   Variables& variables_;
   WorldCode& world_;
+  /// Indices of the place of a compound assignment, and the registers that hold their values.
+  std::vector<std::pair<const Expr*, Register>> settled_;
 };
 
 }  // namespace rob::lang

@@ -7,6 +7,20 @@
 #include "lang/values/pose_slots.h"
 
 namespace rob::lang {
+namespace {
+
+/// Of a pose: its first three components are lengths.
+constexpr std::uint8_t kPlaceOfPose = 0b111;
+
+/// Notes which components are lengths and which are angles.
+void name_dimensions(const Coordinates& coordinates, MoveForm& form) {
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    std::uint8_t& kind = coordinates[i].dimension == kLength ? form.lengths : form.angles;
+    kind = static_cast<std::uint8_t>(kind | 1U << i);
+  }
+}
+
+}  // namespace
 
 void MotionCompiler::compile(const Move& move, Place place) {
   enter(move.clauses.surroundings, place);
@@ -100,6 +114,7 @@ Register MotionCompiler::compile_rates(const Move& move, MoveForm& form) {
   form.jog = move.jog;
   const auto elements = by_coordinate(std::get<Tuple>(move.target->node), jogged(move.jog, robot_));
   if (move.jog == JogFrame::Joint) form.means = MoveCommand::Target::Axes;
+  name_dimensions(jogged(move.jog, robot_), form);
   const Register first = registers_for(elements, form);
   Register next = first;
   for (const Tuple::Element* element : elements) {
@@ -113,6 +128,7 @@ Register MotionCompiler::compile_taught(const Symbol& point, MoveForm& form, Pla
   form.means = MoveCommand::Target::Axes;
   form.count = static_cast<int>(robot_.axes.size());
   form.given = given_all(form.count);
+  name_dimensions(robot_.axes, form);
   const Register first = frame_.number_registers(form.count);
   if (point.taught != nullptr) {
     variables_.load_variable(*point.taught, first, place);
@@ -139,6 +155,7 @@ Register MotionCompiler::registers_for(const std::vector<const Tuple::Element*>&
 Register MotionCompiler::compile_axis(const Move& move, MoveForm& form) {
   form.means = MoveCommand::Target::Axes;
   form.count = static_cast<int>(robot_.axes.size());
+  name_dimensions(robot_.axes, form);
   const Register first = frame_.number_registers();
   const auto axis = constant_number(*move.axis);
   if (axis) {
@@ -156,6 +173,7 @@ Register MotionCompiler::compile_target(const Expr& target, MoveForm& form) {
   const auto* const tuple = std::get_if<Tuple>(&target.node);
   if (tuple == nullptr) return compile_value(target, form);
   const auto elements = by_coordinate(*tuple, robot_.coordinates);
+  name_dimensions(robot_.coordinates, form);
   const Register first = registers_for(elements, form);
   Register next = first;
   for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -172,12 +190,17 @@ Register MotionCompiler::compile_value(const Expr& target, MoveForm& form) {
   form.in_frame = target.type.is_place() && is_free(as_pose(target.type));
   form.count = slots_of(target.type).numbers;
   form.given = given_all(form.count);
+  if (axes) {
+    name_dimensions(robot_.axes, form);
+  } else {
+    form.lengths = kPlaceOfPose;
+  }
   const Register first = frame_.number_registers(form.count);
   expressions_.value_into(target, first);
   return first;
 }
 
-/// A component in SI; a bare number takes the UNITS of its place.
+/// A component as a quantity; a bare number takes the UNITS of its place.
 void MotionCompiler::compile_component(const Expr& component, Dimension dimension,
                                        Register target) {
   if (const auto constant = constant_component(component, dimension, robot_)) {

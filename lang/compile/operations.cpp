@@ -38,6 +38,16 @@ Opcode whole_opcode(BinaryOp op) {
       return Opcode::div_int;
     case BinaryOp::Mod:
       return Opcode::mod_int;
+    case BinaryOp::BitAnd:
+      return Opcode::bit_and;
+    case BinaryOp::BitOr:
+      return Opcode::bit_or;
+    case BinaryOp::BitXor:
+      return Opcode::bit_xor;
+    case BinaryOp::ShiftLeft:
+      return Opcode::shift_left;
+    case BinaryOp::ShiftRight:
+      return Opcode::shift_right;
     default:
       return Opcode::pow_int;
   }

@@ -172,8 +172,8 @@ void StatementCompiler::compile(const Load& load) {
 void StatementCompiler::compile(const Assign& assign) {
   const auto* const name = std::get_if<Name>(&assign.target->node);
   if (name == nullptr || name->symbol->kind != Symbol::Kind::Signal) {
-    expressions_.assign(*assign.target, *assign.value);
-    return;
+    if (assign.compound) return expressions_.change(*assign.target, *assign.value);
+    return expressions_.assign(*assign.target, *assign.value);
   }
   const auto mark = frame_.mark();
   const Symbol& symbol = *name->symbol;

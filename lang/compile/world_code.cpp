@@ -24,7 +24,9 @@ void WorldCode::begin_again(Place place) {
 }
 
 void WorldCode::read(Reading reading, Register target, Place place) {
-  if (reading == Reading::Clock) code_.depends_on_time();
+  const bool time =
+      reading == Reading::Clock || reading == Reading::Unix || reading == Reading::Now;
+  if (time) code_.depends_on_time();
   code_.emit(Opcode::read, place, target, static_cast<unsigned>(reading), latched_ ? 1 : 0);
 }
 

@@ -41,6 +41,8 @@ bool goes_on(TokenKind kind) {
          kind == TokenKind::Slash || kind == TokenKind::Caret || kind == TokenKind::Dot;
 }
 
+bool assigns(TokenKind kind) { return kind >= TokenKind::Assign && kind <= TokenKind::SlashAssign; }
+
 bool is_literal(const Token& token) {
   if (token.kind != TokenKind::Reserved) return false;
   return token.keyword == Keyword::True || token.keyword == Keyword::False ||
@@ -113,7 +115,7 @@ bool StatementWords::begins_as_keyword(const Token& word, TokenKind behind) cons
   if (!is_among(kPlacedWords, word.text) && !is_among(kEventWords, word.text) &&
       !is_among(kFileWords, word.text))
     return false;
-  return behind != TokenKind::Assign && !goes_on(behind) && behind != TokenKind::LeftBracket &&
+  return !assigns(behind) && !goes_on(behind) && behind != TokenKind::LeftBracket &&
          behind != TokenKind::LeftParen;
 }
 

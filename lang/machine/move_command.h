@@ -79,4 +79,10 @@ constexpr std::uint8_t given_all(int count) {
   return static_cast<std::uint8_t>((1U << static_cast<unsigned>(count)) - 1);
 }
 
+constexpr Dimension dimension_of(MoveCommand::Pace pace) {
+  return pace == MoveCommand::Pace::ToolSpeed      ? kSpeed
+         : pace == MoveCommand::Pace::AngularSpeed ? kAngularSpeed
+                                                   : kNone;
+}
+
 }  // namespace rob::lang

@@ -1,5 +1,6 @@
 #include "lang/syntax/action_parser.h"
 
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,21 @@
 namespace rob::lang {
 
 namespace {
+
+std::optional<BinaryOp> compound_operation(TokenKind kind) {
+  switch (kind) {
+    case TokenKind::PlusAssign:
+      return BinaryOp::Add;
+    case TokenKind::MinusAssign:
+      return BinaryOp::Subtract;
+    case TokenKind::StarAssign:
+      return BinaryOp::Multiply;
+    case TokenKind::SlashAssign:
+      return BinaryOp::Divide;
+    default:
+      return std::nullopt;
+  }
+}
 
 constexpr const char* kSimulateExample = "SIMULATE part_here = ON AFTER 2s";
 
@@ -74,7 +90,7 @@ void ActionParser::word_alone(Block& block, decltype(Statement::node) node) {
 }
 
 /// Also a call of another file's routine, which begins like an assignment to a part.
-// assign = place "=" expr .
+// assign = place "=" expr | place ( "+=" | "-=" | "*=" | "/=" ) expr .
 void ActionParser::assignment(Block& block) {
   const Place place = tokens_.place();
   Assign assign;
@@ -82,6 +98,14 @@ void ActionParser::assignment(Block& block) {
   const bool call = std::holds_alternative<Call>(assign.target->node);
   if (call && !tokens_.at(TokenKind::Assign) && !tokens_.at(TokenKind::Equal)) {
     return tree_.add(block, place, CallStatement{std::move(assign.target)});  // of a USEd file
+  }
+  if (const auto op = compound_operation(tokens_.current().kind)) {
+    const Place sign = tokens_.place();
+    tokens_.advance();
+    ExprPtr current = tree_.copy(*assign.target);
+    assign.value = expressions_.binary(*op, sign, std::move(current), expressions_.expression());
+    assign.compound = true;
+    return tree_.add(block, place, std::move(assign));
   }
   if (!tokens_.at(TokenKind::Assign) && !tokens_.at(TokenKind::Equal)) {
     tokens_.fail_here(code::kAssignExpected,

@@ -115,7 +115,9 @@ struct Teach {
 };
 struct Assign {
   ExprPtr target;  ///< a Name, or a Member or Index of one
+  /// Of a compound assignment a Binary, with a copy of `target` on its left.
   ExprPtr value;
+  bool compound = false;  ///< +=, -=, *=, /=
 };
 /// PULSE coming 50ms
 struct Pulse {

@@ -39,7 +39,26 @@ std::optional<BinaryOp> multiplication(const Token& token) {
   if (token.kind != TokenKind::Reserved) return std::nullopt;
   if (token.keyword == Keyword::Div) return BinaryOp::Div;
   if (token.keyword == Keyword::Mod) return BinaryOp::Mod;
+  if (token.keyword == Keyword::Bitand) return BinaryOp::BitAnd;
+  if (token.keyword == Keyword::Shl) return BinaryOp::ShiftLeft;
+  if (token.keyword == Keyword::Shr) return BinaryOp::ShiftRight;
   return std::nullopt;
+}
+
+std::optional<BinaryOp> addition(const Token& token) {
+  if (token.kind == TokenKind::Plus) return BinaryOp::Add;
+  if (token.kind == TokenKind::Minus) return BinaryOp::Subtract;
+  if (token.kind != TokenKind::Reserved) return std::nullopt;
+  if (token.keyword == Keyword::Bitor) return BinaryOp::BitOr;
+  if (token.keyword == Keyword::Bitxor) return BinaryOp::BitXor;
+  return std::nullopt;
+}
+
+std::optional<UnaryOp> sign(const Token& token) {
+  if (token.kind == TokenKind::Minus) return UnaryOp::Negate;
+  if (token.kind == TokenKind::Plus) return UnaryOp::Plus;
+  const bool inverted = token.kind == TokenKind::Reserved && token.keyword == Keyword::Bitnot;
+  return inverted ? std::optional(UnaryOp::BitNot) : std::nullopt;
 }
 
 /// `tools.grip` before its arguments, whatever `tools` is; empty where nothing is called.
@@ -111,20 +130,19 @@ ExprPtr ExpressionParser::relation() {
   return binary(*op, place, std::move(left), std::move(right));
 }
 
-// sum = term { ( "+" | "-" ) term } .
+// sum = term { ( "+" | "-" | "BITOR" | "BITXOR" ) term } .
 ExprPtr ExpressionParser::sum() {
   ExprPtr left = term();
-  while (tokens_.at(TokenKind::Plus) || tokens_.at(TokenKind::Minus)) {
-    const BinaryOp op = tokens_.at(TokenKind::Plus) ? BinaryOp::Add : BinaryOp::Subtract;
+  while (const auto op = addition(tokens_.current())) {
     const Place place = tokens_.place();
     tokens_.advance();
     ExprPtr right = term();
-    left = binary(op, place, std::move(left), std::move(right));
+    left = binary(*op, place, std::move(left), std::move(right));
   }
   return left;
 }
 
-// term = unary { ( "*" | "/" | "DIV" | "MOD" ) unary } .
+// term = unary { ( "*" | "/" | "DIV" | "MOD" | "BITAND" | "SHL" | "SHR" ) unary } .
 ExprPtr ExpressionParser::term() {
   ExprPtr left = unary();
   while (const auto op = multiplication(tokens_.current())) {
@@ -136,14 +154,14 @@ ExprPtr ExpressionParser::term() {
   return left;
 }
 
-// unary = ( "-" | "+" ) unary | power .
+// unary = ( "-" | "+" | "BITNOT" ) unary | power .
 ExprPtr ExpressionParser::unary() {
-  if (!tokens_.at(TokenKind::Minus) && !tokens_.at(TokenKind::Plus)) return power();
+  const auto op = sign(tokens_.current());
+  if (!op) return power();
   const TreeBuilder::Level level(tree_);
-  const UnaryOp op = tokens_.at(TokenKind::Minus) ? UnaryOp::Negate : UnaryOp::Plus;
   const Place place = tokens_.place();
   tokens_.advance();
-  if (op == UnaryOp::Negate && at_least_int() && tokens_.next().kind != TokenKind::Caret) {
+  if (*op == UnaryOp::Negate && at_least_int() && tokens_.next().kind != TokenKind::Caret) {
     NumberLiteral number = tokens_.current().number;
     number.value = -number.value;
     ExprPtr least = literal(number);
@@ -152,7 +170,7 @@ ExprPtr ExpressionParser::unary() {
   }
   ExprPtr operand = unary();
   const int height = operand->height + 1;
-  return tree_.make(place, Unary{op, std::move(operand)}, height);
+  return tree_.make(place, Unary{*op, std::move(operand)}, height);
 }
 
 bool ExpressionParser::at_least_int() const {

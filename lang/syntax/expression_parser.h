@@ -28,6 +28,8 @@ class ExpressionParser {
   ExprPtr tuple(std::string_view what);
   void close_bracket(std::string_view what);
 
+  ExprPtr binary(BinaryOp op, const Place& place, ExprPtr left, ExprPtr right);
+
  private:
   ExprPtr conjunction();
   ExprPtr inversion();
@@ -47,7 +49,6 @@ class ExpressionParser {
   Tuple::Element element();
   ExprPtr call(const Place& place, std::string callee);
   [[noreturn]] void fail_value();
-  ExprPtr binary(BinaryOp op, const Place& place, ExprPtr left, ExprPtr right);
 
   TokenReader& tokens_;
   TreeBuilder& tree_;

@@ -17,7 +17,7 @@ struct Symbol;
 struct Routine;
 using ExprPtr = std::unique_ptr<Expr>;
 
-/// `10`, `0.5`, `20mm`: the value in SI. For a quantity the dimension is its unit's.
+/// `10`, `0.5`, `20mm`: the quantity (units.h). Its dimension is its unit's.
 struct NumberLiteral {
   double value = 0;
   /// The value where is_integer. The least INT, below 0, is that of 9223372036854775808, which
@@ -40,7 +40,7 @@ struct Name {
   ExprPtr index = nullptr;
 };
 
-enum class UnaryOp : std::uint8_t { Negate, Plus, Not };
+enum class UnaryOp : std::uint8_t { Negate, Plus, Not, BitNot };
 struct Unary {
   UnaryOp op;
   ExprPtr operand;
@@ -62,7 +62,12 @@ enum class BinaryOp : std::uint8_t {
   Divide,
   Div,
   Mod,
-  Power
+  Power,
+  BitAnd,
+  BitOr,
+  BitXor,
+  ShiftLeft,
+  ShiftRight
 };
 struct Binary {
   BinaryOp op;

@@ -19,13 +19,14 @@ namespace {
 
 /// Signs, longer ones before those they begin with, otherwise frequent ones first.
 constexpr auto kSigns = std::to_array<std::pair<std::string_view, TokenKind>>({
-    {",", TokenKind::Comma},      {"(", TokenKind::LeftParen},     {")", TokenKind::RightParen},
-    {"+", TokenKind::Plus},       {"-", TokenKind::Minus},         {"*", TokenKind::Star},
-    {"/", TokenKind::Slash},      {"==", TokenKind::Equal},        {"<>", TokenKind::NotEqual},
-    {"<=", TokenKind::LessEqual}, {">=", TokenKind::GreaterEqual}, {"=", TokenKind::Assign},
-    {"<", TokenKind::Less},       {">", TokenKind::Greater},       {":", TokenKind::Colon},
-    {".", TokenKind::Dot},        {"[", TokenKind::LeftBracket},   {"]", TokenKind::RightBracket},
-    {"^", TokenKind::Caret},      {"%", TokenKind::Percent},
+    {"+=", TokenKind::PlusAssign},  {"-=", TokenKind::MinusAssign}, {"*=", TokenKind::StarAssign},
+    {"/=", TokenKind::SlashAssign}, {",", TokenKind::Comma},        {"(", TokenKind::LeftParen},
+    {")", TokenKind::RightParen},   {"+", TokenKind::Plus},         {"-", TokenKind::Minus},
+    {"*", TokenKind::Star},         {"/", TokenKind::Slash},        {"==", TokenKind::Equal},
+    {"<>", TokenKind::NotEqual},    {"<=", TokenKind::LessEqual},   {">=", TokenKind::GreaterEqual},
+    {"=", TokenKind::Assign},       {"<", TokenKind::Less},         {">", TokenKind::Greater},
+    {":", TokenKind::Colon},        {".", TokenKind::Dot},          {"[", TokenKind::LeftBracket},
+    {"]", TokenKind::RightBracket}, {"^", TokenKind::Caret},        {"%", TokenKind::Percent},
 });
 
 struct ForeignSign {
@@ -199,9 +200,11 @@ Token Lexer::number() {
     return bad(code::kMalformedNumber, "a number begins with a digit",
                fmt::format("write 0{}", digits));
   }
-  if (at() == '0' && (to_upper(at(1)) == 'X' || to_upper(at(1)) == 'B') && in_word(at(2))) {
+  if (at() == '0' && to_upper(at(1)) == 'X' && in_word(at(2))) return hexadecimal();
+  if (at() == '0' && to_upper(at(1)) == 'B' && in_word(at(2))) {
     skip_word();
-    return bad(code::kMalformedNumber, "numbers are written in decimal digits");
+    return bad(code::kMalformedNumber, "numbers are written in decimal or hexadecimal digits",
+               "0xFF is 255");
   }
   scan_number();
   const std::string_view digits = source_.substr(begin_, offset_ - begin_);
@@ -209,6 +212,26 @@ Token Lexer::number() {
   if (at() == '.') return stray_point(digits, whole);
   const bool ends = !in_word(at()) && at() != '%' && static_cast<unsigned char>(at()) < 0x80;
   return ends ? plain_number(digits, whole) : quantity(digits);
+}
+
+/// 0xFF: an INT of at most 63 bits.
+Token Lexer::hexadecimal() {
+  skip_word();
+  const std::string_view digits = source_.substr(begin_ + 2, offset_ - begin_ - 2);
+  std::uint64_t size = 0;
+  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), size, 16);
+  if (result.ptr != digits.data() + digits.size()) {
+    return bad(code::kMalformedNumber, "hexadecimal digits are 0 to 9 and A to F",
+               "a hexadecimal number has no unit and no point");
+  }
+  if (result.ec != std::errc{} || size > static_cast<std::uint64_t>(INT64_MAX)) {
+    return too_large("hexadecimal numbers go up to 0x7FFFFFFFFFFFFFFF");
+  }
+  Token token = finish(TokenKind::Number);
+  token.number.integer = static_cast<std::int64_t>(size);
+  token.number.value = static_cast<double>(size);
+  token.number.is_integer = true;
+  return token;
 }
 
 /// A point after the digits of a number that does not go on with digits: `5.`, `1.5.2`, `1e3.`.
@@ -230,7 +253,7 @@ Token Lexer::too_large(std::string help) {
 
 Token Lexer::plain_number(std::string_view digits, bool whole) {
   Token token = finish(TokenKind::Number);
-  const auto value = to_si(digits, Unit{});
+  const auto value = quantity_of(digits, Unit{});
   if (!value) return too_large("a REAL goes up to 1.7976931348623157e308");
   token.number.value = *value;
   token.number.is_integer = whole;
@@ -251,7 +274,7 @@ Token Lexer::quantity(std::string_view digits) {
   offset_ += match->length;
   Token token = finish(TokenKind::Number);
   token.has_unit = true;
-  const auto value = to_si(digits, match->unit);
+  const auto value = quantity_of(digits, match->unit);
   if (!value) return too_large("");
   token.number.value = *value;
   token.number.dimension = match->unit.dimension;

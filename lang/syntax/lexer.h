@@ -53,6 +53,7 @@ class Lexer {
 
   void scan_digits();
   void scan_number();
+  Token hexadecimal();
   Token plain_number(std::string_view digits, bool whole);
   Token quantity(std::string_view digits);
   Token unknown_unit(std::string_view digits);

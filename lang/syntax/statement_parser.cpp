@@ -185,6 +185,10 @@ void StatementParser::word_statement(Block& block) {
   if (at_placed_word("START")) return actions_.start_statement(block);
   switch (tokens_.next().kind) {
     case TokenKind::Assign:
+    case TokenKind::PlusAssign:
+    case TokenKind::MinusAssign:
+    case TokenKind::StarAssign:
+    case TokenKind::SlashAssign:
     case TokenKind::Equal:
     case TokenKind::Dot:
     case TokenKind::LeftBracket:
@@ -227,6 +231,10 @@ bool StatementParser::at_placed_word(std::string_view word) {
   if (!tokens_.at_word(word)) return false;
   switch (tokens_.next().kind) {
     case TokenKind::Assign:
+    case TokenKind::PlusAssign:
+    case TokenKind::MinusAssign:
+    case TokenKind::StarAssign:
+    case TokenKind::SlashAssign:
     case TokenKind::Equal:
     case TokenKind::Dot:
     case TokenKind::LeftBracket:

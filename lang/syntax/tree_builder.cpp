@@ -25,6 +25,51 @@ ExprPtr TreeBuilder::stand_in(const Place& place, decltype(Expr::node) node) {
   return expr;
 }
 
+namespace {
+
+/// Copies the node of a tree, and its parts by `part`.
+template <typename Part>
+struct NodeCopy {
+  using Node = decltype(Expr::node);
+  const Part& part;
+
+  Node operator()(const Name& name) const { return Name{name.text, nullptr, part(name.index)}; }
+  Node operator()(const Unary& unary) const { return Unary{unary.op, part(unary.operand)}; }
+  Node operator()(const Binary& binary) const {
+    return Binary{binary.op, part(binary.left), part(binary.right)};
+  }
+  Node operator()(const Call& call) const {
+    Call copy{.callee = call.callee, .arguments = {}, .names = call.names};
+    for (const ExprPtr& argument : call.arguments) copy.arguments.push_back(part(argument));
+    return copy;
+  }
+  Node operator()(const Tuple& tuple) const {
+    Tuple copy;
+    for (const Tuple::Element& element : tuple.elements) {
+      copy.elements.push_back({element.name, part(element.value), element.place});
+    }
+    return copy;
+  }
+  Node operator()(const Member& member) const {
+    return Member{part(member.object), member.field, member.field_place};
+  }
+  Node operator()(const Index& index) const { return Index{part(index.object), part(index.index)}; }
+  Node operator()(const List& list) const {
+    List copy;
+    for (const ExprPtr& element : list.elements) copy.elements.push_back(part(element));
+    return copy;
+  }
+  Node operator()(const auto& literal) const { return literal; }
+};
+
+}  // namespace
+
+ExprPtr TreeBuilder::copy(const Expr& expression) {
+  const auto part = [this](const ExprPtr& one) { return one ? copy(*one) : nullptr; };
+  return make(expression.place, std::visit(NodeCopy<decltype(part)>{part}, expression.node),
+              expression.height);
+}
+
 void TreeBuilder::add(Block& block, const Place& place, decltype(Statement::node) node) {
   count(place);
   block.push_back({place, std::move(node)});

@@ -14,6 +14,8 @@ class TreeBuilder {
   TreeBuilder(TokenReader& tokens, std::size_t nodes) : tokens_(tokens), nodes_(nodes) {}
 
   ExprPtr make(const Place& place, decltype(Expr::node) node, int height = 1);
+  /// A tree that has not been checked, once more.
+  ExprPtr copy(const Expr& expression);
   void add(Block& block, const Place& place, decltype(Statement::node) node);
   /// Counts what is neither of the two as one.
   void count(const Place& place);

@@ -50,6 +50,17 @@ ArithmeticErrorText describe(ArithmeticError error) {
     case ArithmeticError::RangeReversed:
       return {code::kRangeReversed, "the lower bound of RANDOM is above the upper one",
               "the order is RANDOM(lower, upper)"};
+    case ArithmeticError::TextTooLong:
+      return {code::kTextTooLong, "a text of more than 65536 bytes", ""};
+    case ArithmeticError::NoCharacter:
+      return {code::kNoCharacter, "CHR of a number that no character has",
+              "characters have numbers from 1 to 1114111 (0x10FFFF)"};
+    case ArithmeticError::NoText:
+      return {code::kNoCharacter, "ORD of a text without a character",
+              "ask before: IF s <> \"\" …"};
+    case ArithmeticError::ShiftOutOfRange:
+      return {code::kShiftOutOfRange, "a shift by less than 0 or more than 63 places",
+              "an INT has 64 bits"};
     case ArithmeticError::ZeroVector:
       return {code::kZeroVector, "UNIT of a VEC of no length, which has no direction",
               "ask before: IF NORM(v) > …"};

@@ -33,6 +33,10 @@ enum class ArithmeticError : std::uint8_t {
   DigitsOutOfRange,
   NotANumber,
   RangeReversed,
+  ShiftOutOfRange,
+  TextTooLong,
+  NoCharacter,
+  NoText,
   ZeroQuaternion,
   OppositePoses,
   CollinearPlaces,
@@ -117,6 +121,31 @@ inline Error floor_modulo(std::int64_t a, std::int64_t b, std::int64_t& result) 
   }
   const std::int64_t remainder = a % b;
   result = remainder != 0 && (remainder < 0) != (b < 0) ? remainder + b : remainder;
+  return Error::None;
+}
+
+inline Error bit_and(std::int64_t a, std::int64_t b, std::int64_t& result) {
+  result = a & b;
+  return Error::None;
+}
+inline Error bit_or(std::int64_t a, std::int64_t b, std::int64_t& result) {
+  result = a | b;
+  return Error::None;
+}
+inline Error bit_xor(std::int64_t a, std::int64_t b, std::int64_t& result) {
+  result = a ^ b;
+  return Error::None;
+}
+/// Bits that are shifted out are lost; 0 bits come in.
+inline Error shift_left(std::int64_t a, std::int64_t b, std::int64_t& result) {
+  if (b < 0 || b > 63) return Error::ShiftOutOfRange;
+  result = static_cast<std::int64_t>(static_cast<std::uint64_t>(a) << b);
+  return Error::None;
+}
+/// Keeps the sign.
+inline Error shift_right(std::int64_t a, std::int64_t b, std::int64_t& result) {
+  if (b < 0 || b > 63) return Error::ShiftOutOfRange;
+  result = a >> b;
   return Error::None;
 }
 

@@ -68,21 +68,54 @@ Error square_root(Arguments a, Slot& r) {
 Error hypotenuse(Arguments a, Slot& r) {
   return store_finite(std::hypot(a[0].real, a[1].real), r.real);
 }
-Error sine(Arguments a, Slot& r) { return store_finite(std::sin(a[0].real), r.real); }
-Error cosine(Arguments a, Slot& r) { return store_finite(std::cos(a[0].real), r.real); }
-Error tangent(Arguments a, Slot& r) { return store_finite(std::tan(a[0].real), r.real); }
+/// Angles are in deg. With the few bits more of a long double SIN(30deg) is 0.5, and
+/// ATAN2(1, 1) 45deg.
+constexpr long double kDegree = std::numbers::pi_v<long double> / 180;
+
+/// Computed where the function is steep and symmetric, within 45 degrees of a multiple of 90, so
+/// that COS(90deg) is 0.
+struct QuarterTurns {
+  long double rest = 0;  ///< rad
+  unsigned quarter = 0;  ///< 0 to 3
+};
+QuarterTurns quarter_turns(double degrees) {
+  int quarters = 0;
+  const double rest = std::remquo(degrees, 90.0, &quarters);
+  return {static_cast<long double>(rest) * kDegree, static_cast<unsigned>(quarters) & 3U};
+}
+double sine_of(QuarterTurns angle) {
+  const long double size = (angle.quarter & 1U) != 0 ? std::cos(angle.rest) : std::sin(angle.rest);
+  return static_cast<double>((angle.quarter & 2U) != 0 ? -size : size);
+}
+Error sine(Arguments a, Slot& r) { return store_finite(sine_of(quarter_turns(a[0].real)), r.real); }
+Error cosine(Arguments a, Slot& r) {
+  QuarterTurns angle = quarter_turns(a[0].real);
+  angle.quarter = (angle.quarter + 1) & 3U;
+  return store_finite(sine_of(angle), r.real);
+}
+Error tangent(Arguments a, Slot& r) {
+  const QuarterTurns angle = quarter_turns(a[0].real);
+  const long double slope = std::tan(angle.rest);
+  const bool turned = (angle.quarter & 1U) != 0;
+  if (turned && slope == 0) return Error::NotFinite;
+  return store_finite(static_cast<double>(turned ? -1 / slope : slope), r.real);
+}
+Error store_angle(long double radians, Slot& r) {
+  return store_finite(static_cast<double>(radians / kDegree), r.real);
+}
+long double wide(const Slot& slot) { return slot.real; }
 Error arc_sine(Arguments a, Slot& r) {
   if (std::fabs(a[0].real) > 1) return Error::ArcOutOfRange;
-  return store_finite(std::asin(a[0].real), r.real);
+  return store_angle(std::asin(wide(a[0])), r);
 }
 Error arc_cosine(Arguments a, Slot& r) {
   if (std::fabs(a[0].real) > 1) return Error::ArcOutOfRange;
-  return store_finite(std::acos(a[0].real), r.real);
+  return store_angle(std::acos(wide(a[0])), r);
 }
-Error arc_tangent(Arguments a, Slot& r) { return store_finite(std::atan(a[0].real), r.real); }
+Error arc_tangent(Arguments a, Slot& r) { return store_angle(std::atan(wide(a[0])), r); }
 /// (0, 0) has no direction; std::atan2 and the language answer 0.
 Error arc_tangent2(Arguments a, Slot& r) {
-  return store_finite(std::atan2(a[0].real, a[1].real), r.real);
+  return store_angle(std::atan2(wide(a[0]), wide(a[1])), r);
 }
 Error exponential(Arguments a, Slot& r) { return store_finite(std::exp(a[0].real), r.real); }
 Error natural_logarithm(Arguments a, Slot& r) {
@@ -100,10 +133,30 @@ template <Rounding kRound>
 Error whole(Arguments a, Slot& r) {
   return to_integer(kRound(a[0].real), r.integer);
 }
+/// A step as a fraction of whole numbers, so that multiples of it are the doubles nearest to their
+/// decimals: 0.25 is 25 / 100. The step itself over 1 where it has too many decimals.
+struct Fraction {
+  double above = 1;
+  double below = 1;
+};
+Fraction fraction_of(double step) {
+  constexpr double kMostBelow = 1e9;  // [choice] finer than anything is made
+  for (double below = 1; below <= kMostBelow; below *= 10) {
+    const double above = std::round(step * below);
+    if (above / below == step && std::fabs(above) < 0x1p53) return {above, below};
+  }
+  return {step, 1};
+}
 template <Rounding kRound>
 Error multiple(Arguments a, Slot& r) {
   if (a[1].real == 0) return Error::DivisionByZero;
-  return store_finite(kRound(a[0].real / a[1].real) * a[1].real, r.real);
+  const Fraction step = fraction_of(a[1].real);
+  double steps = a[0].real * step.below / step.above;
+  // What was written as a whole number of steps is one.
+  if (const double whole = std::round(steps); whole * step.above / step.below == a[0].real) {
+    steps = whole;
+  }
+  return store_finite(kRound(steps) * step.above / step.below, r.real);
 }
 constexpr BuiltinFunction floor_whole = whole<std::floor>;
 constexpr BuiltinFunction floor_step = multiple<std::floor>;
@@ -120,8 +173,8 @@ Error same_real(Arguments a, Slot& r) {
 }
 /// Into (-180deg, 180deg].
 Error wrap(Arguments a, Slot& r) {
-  const double turned = std::remainder(a[0].real, 2 * std::numbers::pi);
-  return store_finite(turned <= -std::numbers::pi ? std::numbers::pi : turned, r.real);
+  const double turned = std::remainder(a[0].real, 360.0);
+  return store_finite(turned <= -180 ? 180 : turned, r.real);
 }
 
 /// "SII:S" taken apart.

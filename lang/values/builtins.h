@@ -37,6 +37,7 @@ enum class BuiltinRule : std::uint8_t {
   Joints,   ///< none, one value an axis, or pose [, JOINTS] → JOINTS; the robot computes it
   Forward,  ///< JOINTS → pose in the world; the same
   Wrench,   ///< none → WRENCH; read from the robot
+  Unix,     ///< none → TIME; read from the machine
   Ordinal,  ///< a value of an ENUM → INT, counted from 1; compiled in line, so it has no function
   RowNumber,   ///< a row of numbers of D → D; the Vm's own, so it has no function
   RowSort,     ///< a row of numbers or texts, which it changes; no value; the same

@@ -72,7 +72,7 @@ class CsvWriter {
     const FixedAngles angles = pose_math::to_fixed(load_pose(numbers_).rotation);
     bool fits = row(Type::real(kLength), 3);
     for (const double angle : {angles.a, angles.b, angles.c})
-      fits = fits && begin() && put(number_text(angle, kAngle));
+      fits = fits && begin() && put(si_text(angle, kAngle));
     numbers_ += slots - 3;
     return fits;
   }

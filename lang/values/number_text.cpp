@@ -4,7 +4,6 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -41,34 +40,6 @@ Decimal shortest(double value) {
   return from_scientific({text.data(), end.ptr});
 }
 
-Decimal seventeen_digits(double value) {
-  std::array<char, 32> text;
-  const auto end =
-      std::to_chars(text.begin(), text.end(), value, std::chars_format::scientific, 16);
-  Decimal decimal = from_scientific({text.data(), end.ptr});
-  while (decimal.digits.size() > 1 && decimal.digits.back() == '0') decimal.digits.pop_back();
-  return decimal;
-}
-
-/// The shortest decimal whose value times `factor` is `si`. All doubles of which that holds lie
-/// next to si / factor; each is reached by every decimal near enough, so the shortest of each is
-/// looked at. With no such double, the nearest one's 17 digits.
-Decimal shortest_before(double si, double factor) {
-  if (factor == 1) return shortest(si);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const double middle = si / factor;
-  const double below = std::nextafter(middle, 0.0);
-  const double above = std::nextafter(middle, kInfinity);
-  Decimal best;
-  for (const double candidate :
-       {middle, below, above, std::nextafter(below, 0.0), std::nextafter(above, kInfinity)}) {
-    if (candidate * factor != si) continue;
-    Decimal decimal = shortest(candidate);
-    if (best.digits.empty() || decimal.digits.size() < best.digits.size()) best = decimal;
-  }
-  return best.digits.empty() ? seventeen_digits(middle) : best;
-}
-
 std::string layout(const Decimal& decimal) {
   const std::string& digits = decimal.digits;
   const auto count = static_cast<int>(digits.size());
@@ -87,19 +58,20 @@ std::string layout(const Decimal& decimal) {
 
 }  // namespace
 
-std::string number_text(double si, Dimension dimension) {
-  assert(std::isfinite(si));
-  std::string unit_name = unit_text(dimension);
-  if (si == 0) return "0" + unit_name;
-  if (si < 0) return "-" + number_text(-si, dimension);
-  auto unit = unit_name.empty() ? Unit{} : find_unit(unit_name).value();
-  if (!std::isfinite(si / unit.factor)) {
-    unit_name.replace(unit_name.find("deg"), 3, "rad");
-    unit = find_unit(unit_name).value();
-  }
-  Decimal decimal = shortest_before(si, unit.factor);
+std::string number_text(double quantity, Dimension dimension) {
+  assert(std::isfinite(quantity));
+  const std::string unit_name = unit_text(dimension);
+  if (quantity == 0) return "0" + unit_name;
+  if (quantity < 0) return "-" + number_text(-quantity, dimension);
+  const Unit unit = unit_name.empty() ? Unit{} : find_unit(unit_name).value();
+  assert(unit.factor == 1 && unit.divisor == 1);
+  Decimal decimal = shortest(quantity);
   decimal.exponent -= unit.exponent10;
   return layout(decimal) + unit_name;
+}
+
+std::string si_text(double si, Dimension dimension) {
+  return number_text(from_si(si, dimension), dimension);
 }
 
 }  // namespace rob::lang

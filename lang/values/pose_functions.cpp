@@ -14,7 +14,7 @@ Error store_finite(const PoseValue& pose, Slot* result) {
 }  // namespace
 
 Error pose_of(Arguments a, Slot& r) {
-  const auto angle = [&](std::size_t i) { return i < a.size() ? a[i].real : 0; };
+  const auto angle = [&](std::size_t i) { return i < a.size() ? to_si(a[i].real, kAngle) : 0; };
   return store_finite(
       {load_vector(a.data()), pose_math::from_fixed({.a = angle(3), .b = angle(4), .c = angle(5)})},
       &r);
@@ -25,7 +25,8 @@ Error pose_at(Arguments a, Slot& r) {
 }
 
 Error pose_of_zyz(Arguments a, Slot& r) {
-  return store_finite({load_vector(a.data()), pose_math::from_zyz(a[3].real, a[4].real, a[5].real)},
+  const auto angle = [&](std::size_t i) { return to_si(a[i].real, kAngle); };
+  return store_finite({load_vector(a.data()), pose_math::from_zyz(angle(3), angle(4), angle(5))},
                       &r);
 }
 
@@ -45,7 +46,7 @@ Error pose_distance(Arguments a, Slot& r) {
 }
 
 Error pose_turn(Arguments a, Slot& r) {
-  r.real = pose_math::turn(load_pose(a.data()), load_pose(&a[kPoseSlots]));
+  r.real = from_si(pose_math::turn(load_pose(a.data()), load_pose(&a[kPoseSlots])), kAngle);
   return Error::None;
 }
 
@@ -76,7 +77,7 @@ Error transformed(const Slot* p, const Slot* v, Slot* result) {
 
 void angle(const Slot* p, int which, Slot& result) {
   const FixedAngles angles = pose_math::to_fixed(load_pose(p).rotation);
-  result.real = which == 0 ? angles.a : which == 1 ? angles.b : angles.c;
+  result.real = from_si(which == 0 ? angles.a : which == 1 ? angles.b : angles.c, kAngle);
 }
 
 }  // namespace rob::lang::pose_functions

@@ -3,7 +3,7 @@
 #include <optional>
 
 /// The geometry of poses: plain functions on plain values, for the checker, which folds constants,
-/// and for the Vm. Lengths in m, angles in rad. None takes memory.
+/// and for the Vm. Lengths are in one unit, mm or m, angles in rad. None takes memory.
 ///
 /// A frame B seen from A is written a_T_b; compose(a_T_b, b_T_c) is a_T_c. Angles a, b, c turn
 /// about the fixed axes x, y, z in this order: R = Rz(c)·Ry(b)·Rx(a).

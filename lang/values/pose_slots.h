@@ -3,12 +3,13 @@
 #include "lang/values/arithmetic.h"
 #include "lang/values/pose_math.h"
 #include "lang/values/setting.h"
+#include "lang/values/units.h"
 
-/// How a pose lies in the slots of the Vm: x y z in m, then w i j k.
+/// How a pose lies in the slots of the Vm: x y z in mm, then w i j k.
 namespace rob::lang {
 
 inline constexpr int kPoseSlots = 7;
-inline constexpr int kToolSlots = 11;  ///< a TOOL: its pose, mass in kg, centre of gravity in m
+inline constexpr int kToolSlots = 11;  ///< a TOOL: its pose, mass in kg, centre of gravity in mm
 
 inline Vector3 load_vector(const Slot* slots) {
   return {slots[0].real, slots[1].real, slots[2].real};
@@ -18,8 +19,25 @@ inline PoseValue load_pose(const Slot* slots) {
   return {load_vector(slots), {slots[3].real, slots[4].real, slots[5].real, slots[6].real}};
 }
 
+/// Of a place in mm: in m.
+inline Vector3 to_si(const Vector3& place) noexcept {
+  return {to_si(place.x, kLength), to_si(place.y, kLength), to_si(place.z, kLength)};
+}
+inline PoseValue to_si(const PoseValue& pose) noexcept {
+  return {to_si(pose.position), pose.rotation};
+}
+/// Of a place in m: in mm.
+inline Vector3 from_si(const Vector3& place) noexcept {
+  return {from_si(place.x, kLength), from_si(place.y, kLength), from_si(place.z, kLength)};
+}
+inline PoseValue from_si(const PoseValue& pose) noexcept {
+  return {from_si(pose.position), pose.rotation};
+}
+
+/// In SI, as a Machine takes it.
 inline ToolValue load_tool(const Slot* slots) {
-  return {load_pose(slots), slots[kPoseSlots].real, load_vector(slots + kPoseSlots + 1)};
+  return {to_si(load_pose(slots)), slots[kPoseSlots].real,
+          to_si(load_vector(slots + kPoseSlots + 1))};
 }
 
 inline void store(const Vector3& vector, Slot* slots) {

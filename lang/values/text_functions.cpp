@@ -1,7 +1,10 @@
 #include "lang/values/text_functions.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -129,14 +132,75 @@ Error trimmed(Slot*, std::string* texts) {
   return Error::None;
 }
 
+Error replaced(Slot*, std::string* texts) {
+  const std::string& part = texts[1];
+  if (part.empty()) return Error::None;
+  std::string result;
+  std::size_t from = 0;
+  for (std::size_t at = texts[0].find(part); at != std::string::npos;
+       at = texts[0].find(part, from)) {
+    result.append(texts[0], from, at - from);
+    result += texts[2];
+    from = at + part.size();
+    if (result.size() > kMostText) return Error::TextTooLong;
+  }
+  result.append(texts[0], from);
+  if (result.size() > kMostText) return Error::TextTooLong;
+  texts[0] = std::move(result);
+  return Error::None;
+}
+
+Error padded(Slot* numbers, std::string* texts) {
+  constexpr std::int64_t kMost{kMostText};
+  const std::int64_t wanted = std::clamp(numbers[0].integer, -kMost - 1, kMost + 1);
+  const std::int64_t missing = std::abs(wanted) - std::int64_t{count_code_points(texts[0])};
+  if (missing <= 0) return Error::None;
+  const auto count = static_cast<std::size_t>(missing);
+  if (texts[0].size() + count > kMostText) return Error::TextTooLong;
+  texts[0].insert(wanted < 0 ? 0 : texts[0].size(), count, ' ');
+  return Error::None;
+}
+
+Error character(Slot* numbers, std::string* texts) {
+  const std::int64_t number = numbers[0].integer;
+  const bool surrogate = number >= 0xD800 && number <= 0xDFFF;
+  if (number < 1 || number > 0x10FFFF || surrogate) return Error::NoCharacter;
+  texts[0].clear();
+  append_utf8(texts[0], static_cast<char32_t>(number));
+  return Error::None;
+}
+
+Error code_point(Slot* numbers, std::string* texts) {
+  if (texts[0].empty()) return Error::NoText;
+  numbers[0].integer = static_cast<std::int64_t>(decode_utf8(texts[0]).value);
+  return Error::None;
+}
+
 Error number(Slot* numbers, std::string* texts) {
   std::string_view text = without_blanks(texts[0]);
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
   if (!is_number(text)) return Error::NotANumber;
-  const auto value = to_si(text, Unit{});
+  const auto value = quantity_of(text, Unit{});
   if (!value) return Error::NotFinite;
   numbers[0].real = (negative ? -*value : *value) + 0.0;
+  return Error::None;
+}
+
+Error iso_time(Slot* numbers, std::string* texts) {
+  using namespace std::chrono;
+  const auto offset = static_cast<std::int64_t>(numbers[1].real);
+  const auto millis = static_cast<std::int64_t>(std::round(numbers[0].real * 1000));
+  const sys_time<milliseconds> local{milliseconds(millis + offset * 1000)};
+  const auto day = floor<days>(local);
+  const year_month_day date(day);
+  const hh_mm_ss time(local - day);
+  const std::int64_t minutes = std::abs(offset) / 60;
+  texts[0] = fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}{}{:02}:{:02}",
+                         static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                         static_cast<unsigned>(date.day()), time.hours().count(),
+                         time.minutes().count(), time.seconds().count(), time.subseconds().count(),
+                         offset < 0 ? '-' : '+', minutes / 60, minutes % 60);
   return Error::None;
 }
 
@@ -144,9 +208,7 @@ Error formatted(Slot* numbers, std::string* texts) {
   const std::int64_t digits = numbers[1].integer;
   if (digits < 0 || digits > kMostDigits) return Error::DigitsOutOfRange;
   const Unit unit = texts[0].empty() ? Unit{} : *find_unit(texts[0]);
-  const double shift = std::pow(10.0, std::abs(unit.exponent10));
-  const double units = numbers[0].real / unit.factor;
-  const double value = unit.exponent10 < 0 ? units * shift : units / shift;
+  const double value = number_in(unit, numbers[0].real);
   if (!std::isfinite(value)) return Error::NotFinite;
   texts[0] = fmt::format("{:.{}f}", value, digits);
   // A value rounded to zero has no sign.

@@ -4,9 +4,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -21,29 +23,30 @@ struct NamedUnit {
   Unit unit;
 };
 
-/// in: 25.4 mm exactly (international yard and pound agreement, 1959).
+/// in: 25.4 mm exactly (international yard and pound agreement, 1959). A newton is 1000 kg*mm/s^2.
 constexpr auto kUnits = std::to_array<NamedUnit>({
-    {"um", {kLength, -6, 1}},
-    {"mm", {kLength, -3, 1}},
-    {"cm", {kLength, -2, 1}},
-    {"m", {kLength, 0, 1}},
-    {"in", {kLength, 0, 0.0254}},
-    {"deg", {kAngle, 0, std::numbers::pi / 180}},
-    {"rad", {kAngle, 0, 1}},
-    {"rev", {kAngle, 0, 2 * std::numbers::pi}},
-    {"rpm", {kAngularSpeed, 0, 2 * std::numbers::pi / 60}},
-    {"us", {kTime, -6, 1}},
-    {"ms", {kTime, -3, 1}},
-    {"s", {kTime, 0, 1}},
+    {"um", {kLength, -3}},
+    {"mm", {kLength}},
+    {"cm", {kLength, 1}},
+    {"m", {kLength, 3}},
+    {"in", {kLength, -1, 254}},
+    {"deg", {kAngle}},
+    {"rad", {kAngle, 0, 180, std::numbers::pi}},
+    {"rev", {kAngle, 0, 360}},
+    {"rpm", {kAngularSpeed, 0, 6}},
+    {"us", {kTime, -6}},
+    {"ms", {kTime, -3}},
+    {"s", {kTime}},
     {"min", {kTime, 0, 60}},
-    {"N", {kForce, 0, 1}},
-    {"kN", {kForce, 3, 1}},
-    {"Nm", {kTorque, 0, 1}},
-    {"g", {kMass, -3, 1}},
-    {"kg", {kMass, 0, 1}},
-    {"Hz", {kFrequency, 0, 1}},
-    {"V", {kVoltage, 0, 1}},
-    {"%", {kNone, -2, 1}},
+    {"h", {kTime, 0, 3600}},
+    {"N", {kForce, 3}},
+    {"kN", {kForce, 6}},
+    {"Nm", {kTorque, 6}},
+    {"g", {kMass, -3}},
+    {"kg", {kMass}},
+    {"Hz", {kFrequency}},
+    {"V", {kVoltage}},
+    {"%", {kNone, -2}},
 });
 
 constexpr auto kUnitNames = [] {
@@ -91,10 +94,14 @@ std::optional<Unit> times_power(const Unit& base, const Unit& unit, int exponent
                       combine(a.angle, b.angle), combine(a.voltage, b.voltage)};
   result.exponent10 = base.exponent10 + unit.exponent10 * exponent;
   result.factor = base.factor;
+  result.divisor = base.divisor;
   for (int i = 0; i < std::abs(exponent); ++i) {
-    result.factor = exponent > 0 ? result.factor * unit.factor : result.factor / unit.factor;
+    result.factor *= exponent > 0 ? unit.factor : unit.divisor;
+    result.divisor *= exponent > 0 ? unit.divisor : unit.factor;
   }
-  if (!in_range || !std::isnormal(result.factor)) return std::nullopt;
+  if (!in_range || !std::isnormal(result.factor) || !std::isnormal(result.divisor)) {
+    return std::nullopt;
+  }
   return result;
 }
 
@@ -140,6 +147,56 @@ long exponent_value(std::string_view text) {
   return std::clamp(value, -kHuge, kHuge);
 }
 
+/// A factor that a row of digits can be multiplied by exactly, or 0.
+std::uint64_t digit_factor(const Unit& unit) {
+  constexpr double kMost = 1e9;  // [choice] a carry times ten is then far below 2^64
+  const bool fits = unit.divisor == 1 && unit.factor <= kMost;
+  return fits && unit.factor == std::trunc(unit.factor) ? static_cast<std::uint64_t>(unit.factor)
+                                                        : 0;
+}
+
+/// The decimal number times a whole one, digit by digit.
+std::string times(std::string_view decimal, std::uint64_t factor) {
+  std::string product;
+  std::uint64_t carry = 0;
+  for (const char c : decimal | std::views::reverse) {
+    if (c == '.') {
+      product += c;
+      continue;
+    }
+    carry += static_cast<std::uint64_t>(c - '0') * factor;
+    product += static_cast<char>('0' + carry % 10);
+    carry /= 10;
+  }
+  for (; carry > 0; carry /= 10) product += static_cast<char>('0' + carry % 10);
+  std::ranges::reverse(product);
+  return product;
+}
+
+/// "1.5", times ten to some power, times factor / divisor.
+std::from_chars_result read_scaled(std::string_view mantissa, long exponent, const Unit& unit,
+                                   double& value) {
+  const std::uint64_t factor = digit_factor(unit);
+  fmt::memory_buffer text;
+  fmt::format_to(std::back_inserter(text), "{}e{}",
+                 factor > 1 ? times(mantissa, factor) : std::string(mantissa), exponent);
+  const char* const end = text.data() + text.size();
+  if (factor > 0) return std::from_chars(text.data(), end, value);
+  long double wide = 0;
+  const auto result = std::from_chars(text.data(), end, wide);
+  value = static_cast<double>(wide * unit.factor / unit.divisor);
+  return result;
+}
+
+/// base^exponent, exactly as far as doubles reach.
+constexpr double power_of(double base, int exponent) noexcept {
+  double power = 1;
+  for (; exponent > 0; --exponent) power *= base;
+  return power;
+}
+
+constexpr double kDegree = std::numbers::pi / 180;  // rad
+
 }  // namespace
 
 std::optional<UnitMatch> match_unit(std::string_view text) {
@@ -155,27 +212,44 @@ std::optional<Unit> find_unit(std::string_view text) {
   return match->unit;
 }
 
-std::optional<double> to_si(std::string_view number, const Unit& unit) {
+std::optional<double> quantity_of(std::string_view number, const Unit& unit) {
   const std::size_t e = std::min(number.find_first_of("eE"), number.size());
   const std::string_view mantissa = number.substr(0, e);
   const long written = e < number.size() ? exponent_value(number.substr(e + 1)) : 0;
   const long exponent = written + unit.exponent10;
   double value = 0;
-  std::from_chars_result result{};
-  if (unit.exponent10 == 0) {
-    result = std::from_chars(number.data(), number.data() + number.size(), value);
-  } else {
-    fmt::memory_buffer shifted;
-    fmt::format_to(std::back_inserter(shifted), "{}e{}", mantissa, exponent);
-    result = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
-  }
+  const std::from_chars_result result = read_scaled(mantissa, exponent, unit, value);
   if (result.ec == std::errc::result_out_of_range) {
     if (magnitude(mantissa) + exponent > 0) return std::nullopt;
     value = 0;
   }
-  value *= unit.factor;
   if (!std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+double number_in(const Unit& unit, double quantity) {
+  const double shift = std::pow(10.0, std::abs(unit.exponent10));
+  const double units = quantity / unit.factor * unit.divisor;
+  return unit.exponent10 < 0 ? units * shift : units / shift;
+}
+
+double to_si(double quantity, Dimension dimension) noexcept {
+  const double millis = power_of(1000, std::abs(dimension.length));
+  const double degrees = power_of(kDegree, std::abs(dimension.angle));
+  const double in_metres = dimension.length > 0 ? quantity / millis : quantity * millis;
+  return dimension.angle < 0 ? in_metres / degrees : in_metres * degrees;
+}
+
+double from_si(double si, Dimension dimension) noexcept {
+  if (dimension.length == 0 && dimension.angle == 0) return si;
+  const Dimension inverse{.length = static_cast<std::int8_t>(-dimension.length),
+                          .angle = static_cast<std::int8_t>(-dimension.angle)};
+  const double near = to_si(si, inverse);
+  // What was written with few digits comes back with them, although it has been rounded on its way.
+  constexpr double kRound = 1e9;       // [choice] far finer than any machine
+  constexpr double kLastBits = 1e-15;  // [choice] four units in the last place, or a few more
+  const double round = std::round(near * kRound) / kRound;
+  return std::fabs(round - near) <= kLastBits * std::fabs(near) ? round + 0.0 : near;
 }
 
 std::string unit_text(Dimension dimension) {

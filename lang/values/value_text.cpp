@@ -87,7 +87,7 @@ class Writer {
     const FixedAngles angles = pose_math::to_fixed(load_pose(numbers_).rotation);
     bool fits = put("POSE(") && row(Type::real(kLength), 3);
     for (const double angle : {angles.a, angles.b, angles.c}) {
-      fits = fits && put(", ") && put(number_text(angle, kAngle));
+      fits = fits && put(", ") && put(si_text(angle, kAngle));
     }
     numbers_ += kPoseSlots - 3;
     return fits && put(")");

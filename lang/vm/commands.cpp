@@ -21,17 +21,6 @@ Refusal because(std::string_view code, std::string message, std::string help = "
   return {.code = std::string(code), .message = std::move(message), .help = std::move(help)};
 }
 
-Dimension dimension_of(MoveCommand::Pace pace) {
-  switch (pace) {
-    case MoveCommand::Pace::ToolSpeed:
-      return kSpeed;
-    case MoveCommand::Pace::AngularSpeed:
-      return kAngularSpeed;
-    default:
-      return kNone;
-  }
-}
-
 Dimension dimension_of(MoveCommand::Zone zone) {
   switch (zone) {
     case MoveCommand::Zone::Length:
@@ -48,29 +37,36 @@ Dimension dimension_of(MoveCommand::Bound bound, Dimension tool, Dimension rotar
   return bound == MoveCommand::Bound::Tool ? tool : rotary;
 }
 
+/// Of a component. That of a rate is meant without its time, which changes no number.
+Dimension dimension_of(const MoveForm& form, int component) {
+  const unsigned bit = 1U << static_cast<unsigned>(component);
+  return (form.lengths & bit) != 0 ? kLength : (form.angles & bit) != 0 ? kAngle : kNone;
+}
+
 /// The values of a motion, in the order of their registers. The first that is impossible is kept.
 class MoveValues {
  public:
   explicit MoveValues(const Slot* first) : next_(first) {}
 
-  double any() { return (next_++)->real; }
+  /// In SI.
+  double any(Dimension dimension) { return to_si((next_++)->real, dimension); }
 
   double positive(std::string_view word, Dimension dimension) {
-    const double value = any();
+    const double value = any(dimension);
     if (value > 0) return value;
     const bool pace = word == "AT" || word == "OVER";
     object(pace ? code::kPaceNotPositive : code::kClauseOutOfRange,
            fmt::format("{} turned out to be {}; it has to be above zero", word,
-                       number_text(value, dimension)));
+                       si_text(value, dimension)));
     return value;
   }
 
   double zone(Dimension dimension) {
-    const double value = any();
+    const double value = any(dimension);
     if (value >= 0) return value;
     object(code::kClauseOutOfRange,
            fmt::format("ZONE turned out to be {}; it has to be zero or more",
-                       number_text(value, dimension)));
+                       si_text(value, dimension)));
     return value;
   }
 
@@ -170,7 +166,8 @@ Objection build_move(const MoveForm& form, const Slot* n, MoveCommand& command) 
   command.count = form.count;
   command.given = form.computed_axis ? values.axis(form.count) : form.given;
   for (int i = 0; i < form.count; ++i) {
-    if (command.has(i)) command.target[static_cast<std::size_t>(i)] = values.any();
+    if (!command.has(i)) continue;
+    command.target[static_cast<std::size_t>(i)] = values.any(dimension_of(form, i));
   }
   if (form.kind == MotionKind::Spiral) {
     command.radius = values.positive("FROM", kLength);
@@ -196,12 +193,15 @@ MoveCommand plain_move(const MoveForm& form, const Instruction* components) {
 }
 
 Objection build_path_place(bool before, const Slot* n, const Place& written, PathPlace& place) {
-  place = {.before = before, .distance = n[0].real, .lead = n[1].real, .written = written};
+  place = {.before = before,
+           .distance = to_si(n[0].real, kLength),
+           .lead = n[1].real,
+           .written = written};
   if (place.distance >= 0 && std::abs(place.lead) <= kLongestLead) return {};
   return because(code::kPlaceUnsound,
                  fmt::format("a path event lies 0mm or more from the end of its motion, with at "
                              "most {}s of LEAD or LAG; this is {} and {}",
-                             kLongestLead, number_text(place.distance, kLength),
+                             kLongestLead, si_text(place.distance, kLength),
                              number_text(std::abs(place.lead), kTime)));
 }
 
@@ -219,21 +219,21 @@ Setting setting_of(unsigned named, const Slot* n, Setting around) {
     around.tool = load_tool(n);
     n += kToolSlots;
   }
-  if ((named & 2U) != 0) around.frame = load_pose(n);
+  if ((named & 2U) != 0) around.frame = to_si(load_pose(n));
   if ((named & 6U) != 0) around.in_tool = (named & 4U) != 0;
   return around;
 }
 
 Objection build_press(int axis, const Slot* n, PressCommand& command) {
-  command = {.axis = axis, .force = n[0].real, .limit = n[1].real};
+  command = {.axis = axis, .force = to_si(n[0].real, kForce), .limit = to_si(n[1].real, kSpeed)};
   if (command.limit >= 0) return {};
   return because(code::kClauseOutOfRange,
                  fmt::format("LIMIT turned out to be {}; it has to be above zero",
-                             number_text(command.limit, kSpeed)));
+                             si_text(command.limit, kSpeed)));
 }
 
 Objection build_load(bool with_cog, const Slot* n, const Setting& setting, LoadCommand& load) {
-  load = {n[0].real, with_cog ? load_vector(n + 1) : setting.tool.tip.position};
+  load = {n[0].real, with_cog ? to_si(load_vector(n + 1)) : setting.tool.tip.position};
   if (load.mass >= 0 && load.mass <= kMostLoad) return {};
   return because(code::kLoadBeyond,
                  fmt::format("LOAD turned out to be {}; it is 0kg or more and at most {}",
@@ -250,7 +250,7 @@ TaughtPoint taught_point(const Chunk& chunk, const Instruction* teach, const Slo
   return {.name = chunk.texts[(teach + 1)->word],
           .frame = chunk.texts[(teach + 2)->word],
           .tool = named ? std::string_view(tool->name) : "",
-          .pose = load_pose(n)};
+          .pose = to_si(load_pose(n))};
 }
 
 Objection check_command(Opcode opcode, const Slot* n) {
@@ -309,7 +309,8 @@ Reply tell(Machine& machine, const Place& at, Instruction command, const Slot* n
     case Opcode::simulate_analog:
       return machine.simulate(line, command.x(), n->real, n[1].real);
     case Opcode::simulate_force:
-      return machine.simulate_force(line, command.b(), n->real, n[1].real);
+      return machine.simulate_force(line, command.b(),
+                                    to_si(n->real, command.b() < 3 ? kForce : kTorque), n[1].real);
     case Opcode::simulate_go:
       return machine.simulate_go(line, n->integer != 0, n[1].real);
     case Opcode::simulate_answer:

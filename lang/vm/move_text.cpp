@@ -12,11 +12,11 @@ std::string pace_text(const MoveCommand& command) {
     case MoveCommand::Pace::Unspecified:
       return "";
     case MoveCommand::Pace::ToolSpeed:
-      return " at " + number_text(command.pace_value, kSpeed);
+      return " at " + si_text(command.pace_value, kSpeed);
     case MoveCommand::Pace::AngularSpeed:
-      return " at " + number_text(command.pace_value, kAngularSpeed);
+      return " at " + si_text(command.pace_value, kAngularSpeed);
     case MoveCommand::Pace::Share:
-      return " at " + number_text(command.pace_value * 100, kNone) + "%";
+      return " at " + si_text(command.pace_value * 100, kNone) + "%";
   }
   return "";
 }
@@ -26,25 +26,25 @@ std::string zone_text(const MoveCommand& command) {
     case MoveCommand::Zone::Unspecified:
       return "";
     case MoveCommand::Zone::Length:
-      return " zone " + number_text(command.zone_value, kLength);
+      return " zone " + si_text(command.zone_value, kLength);
     case MoveCommand::Zone::Time:
-      return " zone " + number_text(command.zone_value, kTime);
+      return " zone " + si_text(command.zone_value, kTime);
     case MoveCommand::Zone::Share:
-      return " zone " + number_text(command.zone_value * 100, kNone) + "%";
+      return " zone " + si_text(command.zone_value * 100, kNone) + "%";
   }
   return "";
 }
 
 std::string zone_angle_text(const MoveCommand& command) {
-  return command.zone_angle > 0 ? ' ' + number_text(command.zone_angle, kAngle) : "";
+  return command.zone_angle > 0 ? ' ' + si_text(command.zone_angle, kAngle) : "";
 }
 
 std::string bound_text(std::string_view word, MoveCommand::Bound bound, double value,
                        Dimension tool, Dimension rotary) {
   if (bound == MoveCommand::Bound::Unspecified) return "";
   if (bound == MoveCommand::Bound::Share)
-    return std::string(word) + number_text(value * 100, kNone) + "%";
-  return std::string(word) + number_text(value, bound == MoveCommand::Bound::Tool ? tool : rotary);
+    return std::string(word) + si_text(value * 100, kNone) + "%";
+  return std::string(word) + si_text(value, bound == MoveCommand::Bound::Tool ? tool : rotary);
 }
 
 std::string profile_text(Profile profile) {
@@ -58,7 +58,7 @@ std::string profile_text(Profile profile) {
 
 /// In mm or deg, without the unit.
 std::string plain(double value, Dimension dimension) {
-  const std::string number = number_text(value, dimension);
+  const std::string number = si_text(value, dimension);
   return ' ' + number.substr(0, number.size() - unit_text(dimension).size());
 }
 
@@ -127,22 +127,22 @@ std::string move_text(const RobotSignature& robot, const MoveCommand& command) {
   std::string text;
   for (const char c : word_of(command.kind)) text += static_cast<char>(c - 'A' + 'a');
   if (command.kind == MotionKind::Spiral) {
-    text += " from " + number_text(command.radius, kLength);
-    text += " turns " + number_text(command.turns, kNone);
+    text += " from " + si_text(command.radius, kLength);
+    text += " turns " + si_text(command.turns, kNone);
   } else if (command.kind == MotionKind::Jog) {
     text += rates_text(robot, command);
   } else {
     text += target_text(robot, command);
   }
-  if (command.lasts > 0) text += " for " + number_text(command.lasts, kTime);
+  if (command.lasts > 0) text += " for " + si_text(command.lasts, kTime);
   text += pace_text(command);
-  if (command.over > 0) text += " over " + number_text(command.over, kTime);
+  if (command.over > 0) text += " over " + si_text(command.over, kTime);
   text += bound_text(" accel ", command.accel, command.accel_value, kAcceleration,
                      kAngularAcceleration);
   text += bound_text(" jerk ", command.jerk, command.jerk_value, kJerk, kAngularJerk);
   text += zone_text(command) + zone_angle_text(command);
   if (command.fine) text += " fine";
-  if (command.fine_within > 0) text += ' ' + number_text(command.fine_within, kLength);
+  if (command.fine_within > 0) text += ' ' + si_text(command.fine_within, kLength);
   if (command.euler) text += " euler";
   return text + profile_text(command.profile);
 }
@@ -159,7 +159,7 @@ std::string setting_text(const Setting& setting) {
     text += " flange";
   } else {
     text += tip;
-    if (tool.mass != 0) text += ' ' + number_text(tool.mass, kMass);
+    if (tool.mass != 0) text += ' ' + si_text(tool.mass, kMass);
     if (const std::string cog = vector_text(tool.cog); cog != vector_text({})) text += " cog" + cog;
   }
   text += " in";
@@ -169,7 +169,7 @@ std::string setting_text(const Setting& setting) {
 }
 
 std::string load_text(const LoadCommand& load) {
-  std::string text = "load " + number_text(load.mass, kMass);
+  std::string text = "load " + si_text(load.mass, kMass);
   if (const std::string cog = vector_text(load.cog); cog != vector_text({})) text += " cog" + cog;
   return text;
 }
@@ -177,8 +177,8 @@ std::string load_text(const LoadCommand& load) {
 std::string press_text(const PressCommand& command) {
   std::string text = "press ";
   text += "xyz"[command.axis];
-  text += ' ' + number_text(command.force, kForce);
-  if (command.limit > 0) text += " limit " + number_text(command.limit, kSpeed);
+  text += ' ' + si_text(command.force, kForce);
+  if (command.limit > 0) text += " limit " + si_text(command.limit, kSpeed);
   return text;
 }
 

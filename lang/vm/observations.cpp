@@ -17,9 +17,12 @@ constexpr double kSameTurn = 1e-6;   // rad
 
 using Axes = std::array<double, kMaxCoordinates>;
 
-Axes load_axes(const Slot* slots, std::size_t count) {
+/// In SI.
+Axes load_axes(const Slot* slots, std::span<const Dimension> dimensions) {
   Axes axes{};
-  for (std::size_t i = 0; i < count; ++i) axes[i] = slots[i].real;
+  for (std::size_t i = 0; i < dimensions.size(); ++i) {
+    axes[i] = to_si(slots[i].real, dimensions[i]);
+  }
   return axes;
 }
 
@@ -36,16 +39,18 @@ Reply read_analog(Machine& machine, int line, const Instruction* pc, Slot* n) {
   return machine.read_analog(line, pc->x(), n[pc->a()].real);
 }
 
-Reply read_value(Machine& machine, int line, const Instruction* pc, Slot* n,
-                 const Setting& setting) {
+Reply read_value(Machine& machine, int line, const Instruction* pc, Slot* n, const Setting& setting,
+                 const Chunk& chunk) {
   const auto what = static_cast<Reading>(pc->b());
   Slot* const value = &n[pc->a()];
-  if (!needs_sensor(what)) return machine.read(line, what, value);
   std::array<Slot, kPoseSlots> tool{};
   Reply reply = Reply::Done;
-  if (setting.in_tool) reply = machine.read(line, Reading::Here, tool.data());
+  const bool by_tool = needs_sensor(what) && setting.in_tool;
+  if (by_tool) reply = machine.read(line, Reading::Here, tool.data());
   if (reply == Reply::Done) reply = machine.read(line, what, value);
-  if (reply == Reply::Done) turn_into_frame(what, setting, load_pose(tool.data()), value);
+  if (reply != Reply::Done) return reply;
+  turn_into_frame(what, setting, load_pose(tool.data()), value);
+  read_in_units(what, axes_of(chunk), value);
   return reply;
 }
 
@@ -56,19 +61,19 @@ Reply exists(Machine& machine, int line, const Instruction* pc, Slot* n, const s
   return reply;
 }
 
-Reply forward(Machine& machine, int line, const Instruction* pc, Slot* n) {
-  const Axes axes = load_axes(&n[pc->b()], pc->c());
+Reply forward(Machine& machine, int line, const Instruction* pc, Slot* n, const Chunk& chunk) {
+  const Axes axes = load_axes(&n[pc->b()], axes_of(chunk));
   PoseValue pose;
   const Reply reply = machine.forward(line, {axes.data(), pc->c()}, pose);
-  if (reply == Reply::Done) store(pose, &n[pc->a()]);
+  if (reply == Reply::Done) store(from_si(pose), &n[pc->a()]);
   return reply;
 }
 
-Reply at_joints(Machine& machine, int line, const Instruction* pc, Slot* n) {
+Reply at_joints(Machine& machine, int line, const Instruction* pc, Slot* n, const Chunk& chunk) {
   using pose_math::operator-;
   const std::size_t count = (pc + 1)->word;
-  const Axes axes = load_axes(&n[pc->b()], count);
-  const PoseValue asked = load_pose(&n[pc->c()]);
+  const Axes axes = load_axes(&n[pc->b()], axes_of(chunk));
+  const PoseValue asked = to_si(load_pose(&n[pc->c()]));
   PoseValue pose;
   const Reply reply = machine.forward(line, {axes.data(), count}, pose);
   if (reply != Reply::Done) return reply;
@@ -78,15 +83,18 @@ Reply at_joints(Machine& machine, int line, const Instruction* pc, Slot* n) {
   return reply;
 }
 
-Reply inverse(Machine& machine, int line, const Instruction* pc, Slot* n) {
+Reply inverse(Machine& machine, int line, const Instruction* pc, Slot* n, const Chunk& chunk) {
   const std::size_t count = (pc + 1)->word;
   const bool near = pc->b() != pc->c();
-  const Axes from = near ? load_axes(&n[pc->c()], count) : Axes{};
+  const std::span<const Dimension> dimensions = axes_of(chunk);
+  const Axes from = near ? load_axes(&n[pc->c()], dimensions) : Axes{};
   Axes found{};
   const Reply reply =
-      machine.inverse(line, load_pose(&n[pc->b()]), std::span(from.data(), near ? count : 0),
+      machine.inverse(line, to_si(load_pose(&n[pc->b()])), std::span(from.data(), near ? count : 0),
                       std::span(found.data(), count));
-  for (std::size_t i = 0; reply == Reply::Done && i < count; ++i) n[pc->a() + i].real = found[i];
+  for (std::size_t i = 0; reply == Reply::Done && i < count; ++i) {
+    n[pc->a() + i].real = from_si(found[i], dimensions[i]);
+  }
   return reply;
 }
 

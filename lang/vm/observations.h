@@ -14,13 +14,13 @@ namespace rob::lang {
 Reply read_signal(Machine& machine, int line, const Instruction* pc, Slot* n);
 Reply read_analog(Machine& machine, int line, const Instruction* pc, Slot* n);
 /// Force and torque along the axes of the setting's frame.
-Reply read_value(Machine& machine, int line, const Instruction* pc, Slot* n,
-                 const Setting& setting);
+Reply read_value(Machine& machine, int line, const Instruction* pc, Slot* n, const Setting& setting,
+                 const Chunk& chunk);
 
 Reply exists(Machine& machine, int line, const Instruction* pc, Slot* n, const std::string* t);
-Reply forward(Machine& machine, int line, const Instruction* pc, Slot* n);
-Reply at_joints(Machine& machine, int line, const Instruction* pc, Slot* n);
-Reply inverse(Machine& machine, int line, const Instruction* pc, Slot* n);
+Reply forward(Machine& machine, int line, const Instruction* pc, Slot* n, const Chunk& chunk);
+Reply at_joints(Machine& machine, int line, const Instruction* pc, Slot* n, const Chunk& chunk);
+Reply inverse(Machine& machine, int line, const Instruction* pc, Slot* n, const Chunk& chunk);
 
 /// Globals that TASKs use. Many of them cost the budget as any long block does.
 Reply publish(Machine& machine, int line, const Instruction* pc, Stack& stack, Budget& budget);

@@ -79,10 +79,9 @@ Reply PrintingMachine::live_pace(int line, const Watch&, MoveCommand::Pace) {
 
 Reply PrintingMachine::simulate_force(int line, int component, double value, double after) {
   const bool force = component < 3;
-  return log_.note(
-      line,
-      fmt::format("simulate {}.{} {} after {}", force ? "force" : "torque", "xyz"[component % 3],
-                  number_text(value, force ? kForce : kTorque), number_text(after, kTime)));
+  return log_.note(line, fmt::format("simulate {}.{} {} after {}", force ? "force" : "torque",
+                                     "xyz"[component % 3], si_text(value, force ? kForce : kTorque),
+                                     number_text(after, kTime)));
 }
 
 Reply PrintingMachine::when(int line, const Watch&, int& id) {
@@ -103,7 +102,7 @@ Reply PrintingMachine::leave_handler(int line) { return log_.note(line, "leave h
 
 Reply PrintingMachine::on_the_way(int line, const PathPlace& place) {
   std::string text =
-      fmt::format("{} {}", place.before ? "before" : "after", number_text(place.distance, kLength));
+      fmt::format("{} {}", place.before ? "before" : "after", si_text(place.distance, kLength));
   if (place.lead > 0) text += " lead " + number_text(place.lead, kTime);
   if (place.lead < 0) text += " lag " + number_text(-place.lead, kTime);
   return log_.note(line, std::move(text));

@@ -49,6 +49,9 @@ bool ScriptedRobot::inverse(const PoseValue& pose, std::span<double> joints) con
 void ScriptedRobot::read(Reading what, const Setting& setting, Slot* value) {
   if (what == Reading::Clock) {
     value->real = now();
+  } else if (what == Reading::Unix || what == Reading::Now) {
+    value[0].real = kVirtualStart + now();
+    if (what == Reading::Now) value[1].real = 0;
   } else if (what == Reading::Joints) {
     for (std::size_t i = 0; i < robot_.axes.size(); ++i) value[i].real = at_[i];
   } else if (needs_sensor(what)) {

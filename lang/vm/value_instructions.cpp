@@ -12,6 +12,7 @@
 #include "lang/values/csv.h"
 #include "lang/values/number_text.h"
 #include "lang/values/pose_functions.h"
+#include "lang/values/text_functions.h"
 #include "lang/values/value_text.h"
 #include "lang/vm/rows.h"
 
@@ -19,6 +20,8 @@ namespace rob::lang {
 namespace {
 
 using Code = const Instruction*;
+
+using text_functions::kMostText;
 
 bool equal_slots(const Slot* a, const Slot* b, std::size_t count) {
   return std::memcmp(a, b, count * sizeof(Slot)) == 0;

@@ -164,9 +164,11 @@ Vm::Step Vm::step_observation(Code pc) {
       const Code resume = pc->c() != 0 ? instant_.latch() : pc;
       if (what == Reading::HitPose && !last_guard_.ended) return fail(pc, no_hit_pose());
       if (is_observation(what)) {
-        ROB_OBSERVE(read_value(*machine_, line(pc), pc, n, settings_.setting()), resume);
+        ROB_OBSERVE(read_value(*machine_, line(pc), pc, n, settings_.setting(), *loaded_.chunk),
+                    resume);
       } else {
-        ROB_ASK(machine_->read(line(pc), what, &n[pc->a()]), resume);
+        ROB_ASK(read_value(*machine_, line(pc), pc, n, settings_.setting(), *loaded_.chunk),
+                resume);
       }
       return pc + 1;
     }
@@ -184,13 +186,13 @@ Vm::Step Vm::step_observation(Code pc) {
       ROB_IF(if_elapsed, n[pc->a()].real - n[pc->b()].real >= n[pc->c()].real - kSameTime);
       ROB_IF(if_assumed, machine_->taken_as_met(line(pc)));
     case Opcode::forward:
-      ROB_ASK(forward(*machine_, line(pc), pc, n), pc);
+      ROB_ASK(forward(*machine_, line(pc), pc, n, *loaded_.chunk), pc);
       return pc + 1;
     case Opcode::at_joints:
-      ROB_ASK(at_joints(*machine_, line(pc), pc, n), pc);
+      ROB_ASK(at_joints(*machine_, line(pc), pc, n, *loaded_.chunk), pc);
       return pc + 2;
     case Opcode::inverse:
-      ROB_ASK(inverse(*machine_, line(pc), pc, n), pc);
+      ROB_ASK(inverse(*machine_, line(pc), pc, n, *loaded_.chunk), pc);
       return pc + 2;
     // The globals of a TASK are those that all TASKs see.
     case Opcode::publish:

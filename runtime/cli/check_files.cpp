@@ -36,6 +36,7 @@ RunResult check_one(LoadedProgram& program, const Options& options, const Signal
   std::optional<PathFile> path = open_path(options, program);
   ForetellOptions how{options.seed,   &script, 1, options.data, path ? &*path : nullptr,
                       options.longest};
+  how.date = options.date.value_or(WallTime{});
   Progress progress(options.longest);
   how.progress = [&](double time) { progress.show(time); };
   RunResult result = foretell(program, robot, how);

@@ -24,6 +24,7 @@ SessionOptions prompt_options(const Options& options) {
   session.fast = options.fast;
   session.override_share = options.override_share;
   session.seed = options.seed;
+  session.date = options.date;
   session.cell = options.cell;
   session.trace = options.trace;
   session.backend = *backend_of(options.backend);

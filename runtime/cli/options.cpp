@@ -34,6 +34,12 @@ std::string check_duration(const std::string& text) {
                      text);
 }
 
+std::string check_date(const std::string& text) {
+  if (wall_time_of(text)) return "";
+  return fmt::format(
+      "takes a date with time and offset, such as 2026-03-01T08:30:00+01:00, not '{}'", text);
+}
+
 /// A script whose variable is not set gives an empty name: it must not mean "none".
 std::string check_name(const std::string& name) {
   return name.empty() ? "takes a name, which must not be empty" : "";
@@ -60,6 +66,7 @@ struct Parser {
   std::string duration_text = "1h";
   std::string law;
   std::optional<std::uint64_t> seed;
+  std::string date;
   std::string topic;
 
   Parser();
@@ -78,6 +85,12 @@ struct Parser {
         .add_option("--seed", seed,
                     "where RANDOM begins, and which simulated cell: a whole number from 0")
         ->check(CLI::NonNegativeNumber);
+  }
+  void add_date(CLI::App& command) {
+    command
+        .add_option("--date", date,
+                    "when NOW() begins, such as 2026-03-01T08:30:00+01:00; else 2000-01-01, or now")
+        ->check(check_date);
   }
   void add_signals(CLI::App& command) {
     command.add_option("--signals", options.signals, "a script that drives the simulated inputs")
@@ -130,6 +143,7 @@ Parser::Parser() {
 void Parser::add_prompt() {
   add_robot(app);
   add_seed(app);
+  add_date(app);
   add_motion(app);
   app.add_flag("--keep-going", options.keep_going,
                "carry out all that comes through a pipe, whatever goes wrong in it");
@@ -142,6 +156,7 @@ void Parser::add_run() {
   add_robot(run);
   add_json(run);
   add_seed(run);
+  add_date(run);
   add_signals(run);
   add_data(run);
   add_motion(run);
@@ -154,6 +169,7 @@ void Parser::add_check() {
   add_robot(check);
   add_json(check);
   add_seed(check);
+  add_date(check);
   add_signals(check);
   add_data(check);
   add_backend(check);
@@ -174,6 +190,7 @@ void Parser::add_test() {
   add_robot(test);
   add_seed(test);
   add_data(test);
+  add_date(test);
   add_json(test);
 }
 
@@ -311,6 +328,7 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
   parser.options.longest = *duration_of(parser.duration_text);
   parser.options.seed = parser.seed.value_or(lang::Random::kDefaultSeed);
   parser.options.cell = parser.seed;
+  if (!parser.date.empty()) parser.options.date = wall_time_of(parser.date);
   if (!parser.law.empty())
     parser.options.law = parser.law == "paul" ? motion::Law::Paul : motion::Law::LookAhead;
   if (parser.options.command == Options::Command::Help) return help_on(parser);

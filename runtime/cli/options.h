@@ -9,6 +9,7 @@
 #include "lang/values/random.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/run/run_result.h"
+#include "runtime/time/wall_time.h"
 
 namespace rob::runtime {
 
@@ -44,6 +45,7 @@ struct Options {
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
   /// Which of its simulated cells the robot stands in; without it that of its file.
   std::optional<std::uint64_t> cell;
+  std::optional<WallTime> date;  ///< of NOW() and UNIX() at the start
   bool fast = false;
   bool keep_going = false;  ///< of the prompt: a pipe goes on after an error
   bool json = false;

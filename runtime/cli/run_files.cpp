@@ -70,6 +70,12 @@ void find_out_whether_points_can_be_kept(const LoadedProgram& program) {
   }
 }
 
+ForetellOptions foretell_options(const Options& options, const SignalScript& script) {
+  ForetellOptions how{options.seed, &script, options.override_share, options.data};
+  how.date = options.date.value_or(options.fast ? WallTime{} : wall_time_now());
+  return how;
+}
+
 RunResult run_one(LoadedProgram& program, const Options& options, const SignalScript& script) {
   const bool starts = program.runnable() && !script.diagnostics.has_errors();
   OpenMachine machine = starts ? machine_for(program, options) : OpenMachine{};
@@ -80,13 +86,13 @@ RunResult run_one(LoadedProgram& program, const Options& options, const SignalSc
   put_source_away(program);
   std::optional<Foretold> foretold;
   if (isatty(STDERR_FILENO) != 0 || robot.law == motion::Law::LookAhead)
-    foretold = foretold_by(
-        foretell(program, robot, {options.seed, &script, options.override_share, options.data}));
+    foretold = foretold_by(foretell(program, robot, foretell_options(options, script)));
   Progress progress(foretold ? foretold->planned : 0, options.override_share, used_names(program));
   Terminal terminal(options.fast);
   const RunOptions run_options{
       options.fast, options.override_share, options.trace, options.seed,
-      &script,      options.data,           &terminal,     foretold ? &*foretold : nullptr};
+      &script,      options.data,           &terminal,     foretold ? &*foretold : nullptr,
+      options.date};
   const RunListener listener = listener_of(options, progress);
   StopRequests before_motion;
   const Interruption interruption(before_motion);  // from here on the mark must be taken back

@@ -19,6 +19,10 @@ bool CommandedProgress::effects_have_acted() const {
   return links_.progress.effects_done.load(std::memory_order_acquire) >= effects_.pushed();
 }
 
+bool CommandedProgress::changes_have_acted() const {
+  return links_.progress.effects_done.load(std::memory_order_acquire) >= effects_.changing();
+}
+
 bool CommandedProgress::stands() const {
   return links_.progress.settled.load(std::memory_order_acquire) >= awaited();
 }
@@ -30,11 +34,12 @@ bool CommandedProgress::decided() const {
   return links_.progress.decidable.load(std::memory_order_acquire) >= awaited() && !interrupted();
 }
 
-/// At standstill what was written before acts first; in a corner it acts after the decision point.
+/// At standstill outputs that were set before act first, so that what they change is read; in a
+/// corner it acts after the decision point.
 bool CommandedProgress::observable() const {
   if (!decided()) return false;
   const bool standing = exact_ || links_.progress.standing.load(std::memory_order_relaxed);
-  return !standing || effects_have_acted();
+  return !standing || changes_have_acted();
 }
 
 bool CommandedProgress::interrupted() const {

@@ -51,6 +51,7 @@ class CommandedProgress {
   /// Number of the last segment that is waited for: marks after it are not.
   std::uint32_t awaited() const;
   bool effects_have_acted() const;
+  bool changes_have_acted() const;
 
   const RobotLinks& links_;
   const EffectQueue& effects_;

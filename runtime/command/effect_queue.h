@@ -19,14 +19,18 @@ class EffectQueue {
     effect.generation = links_.planner.generation();
     if (!links_.buffer.push(effect)) return lang::Reply::Later;
     ++pushed_;
+    if (effect.kind != motion::Effect::Kind::Note) changing_ = pushed_;
     return lang::Reply::Done;
   }
   /// How many since the beginning; MotionProgress::effects_done counts those that have acted.
   std::int64_t pushed() const { return pushed_; }
+  /// The number of the last one that could change what is read: a text changes nothing.
+  std::int64_t changing() const { return changing_; }
 
  private:
   const RobotLinks& links_;
   std::int64_t pushed_ = 0;
+  std::int64_t changing_ = 0;
 };
 
 }  // namespace rob::runtime

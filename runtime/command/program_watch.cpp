@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "lang/values/pose_slots.h"
+#include "lang/values/units.h"
 #include "runtime/words/pose_values.h"
 
 namespace rob::runtime {
@@ -67,9 +68,11 @@ motion::WatchAnswer ProgramWatch::test(const void* self, const motion::CycleView
 }
 
 double ProgramWatch::value(const void* self, const motion::CycleView& view) noexcept {
-  const lang::WatchResult result = static_cast<const ProgramWatch*>(self)->evaluate(view);
+  const auto& watch = *static_cast<const ProgramWatch*>(self);
+  const lang::WatchResult result = watch.evaluate(view);
   const bool none = result.error != lang::ArithmeticError::None;
-  return none ? std::numeric_limits<double>::quiet_NaN() : result.value.real;
+  return none ? std::numeric_limits<double>::quiet_NaN()
+              : lang::to_si(result.value.real, watch.dimension_);
 }
 
 }  // namespace rob::runtime

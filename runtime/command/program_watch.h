@@ -26,12 +26,16 @@ class ProgramWatch {
                const motion::RobotModel& robot)
       : signals_(signals), robot_(robot) {}
 
-  void set(const lang::Watch& watch) { watch_ = watch; }
+  /// `dimension`: of a number that it computes.
+  void set(const lang::Watch& watch, lang::Dimension dimension = {}) {
+    watch_ = watch;
+    dimension_ = dimension;
+  }
   /// Where it stands in the program.
   lang::Place written() const { return watch_.chunk->places[watch_.form.end - 1]; }
   /// Stays valid as long as this object.
   motion::Watch handle() const { return {&ProgramWatch::test, this}; }
-  /// The same of what computes a number.
+  /// The same of what computes a number, in SI.
   motion::LivePace pace() const { return {&ProgramWatch::value, this}; }
   /// Why it could not be computed; to be read when the Rest that says so has been taken.
   lang::ArithmeticError error() const { return error_; }
@@ -44,6 +48,7 @@ class ProgramWatch {
   const std::vector<lang::RobotSignature::Signal>& signals_;
   const motion::RobotModel& robot_;
   lang::Watch watch_;
+  lang::Dimension dimension_;
   mutable lang::ArithmeticError error_ = lang::ArithmeticError::None;
 };
 

@@ -29,6 +29,15 @@ Reply Readings::current(Reading what, const lang::Setting& setting, lang::Slot* 
       value->real = motion::cycle_instant(cycle, links_.robot.reference_period);
       return Reply::Done;
     }
+    case Reading::Now:
+      value[1].real = links_.channels.begun.offset;
+      [[fallthrough]];
+    case Reading::Unix: {
+      const std::int64_t cycle = links_.channels.cycle.load(std::memory_order_relaxed);
+      value->real =
+          links_.channels.begun.unix + motion::cycle_instant(cycle, links_.robot.reference_period);
+      return Reply::Done;
+    }
     case Reading::Joints:
       for (const double axis : q) (value++)->real = axis + 0.0;
       return Reply::Done;

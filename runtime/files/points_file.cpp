@@ -34,18 +34,18 @@ std::string pose_text(const lang::PoseValue& pose) {
   const lang::FixedAngles angles = lang::pose_math::to_fixed(q);
   std::string text = "POSE(";
   for (const double length : {p.x, p.y, p.z}) {
-    text += lang::number_text(length, lang::kLength) + ", ";
+    text += lang::si_text(length, lang::kLength) + ", ";
   }
-  return text + fmt::format("{}, {}, {})", lang::number_text(angles.a, lang::kAngle),
-                            lang::number_text(angles.b, lang::kAngle),
-                            lang::number_text(angles.c, lang::kAngle));
+  return text + fmt::format("{}, {}, {})", lang::si_text(angles.a, lang::kAngle),
+                            lang::si_text(angles.b, lang::kAngle),
+                            lang::si_text(angles.c, lang::kAngle));
 }
 
 /// With a blank before it; empty where there are none.
 std::string joints_text(const std::vector<double>& joints, const lang::RobotSignature& robot) {
   std::string text;
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    text += (i == 0 ? " JOINTS(" : ", ") + lang::number_text(joints[i], robot.axes[i].dimension);
+    text += (i == 0 ? " JOINTS(" : ", ") + lang::si_text(joints[i], robot.axes[i].dimension);
   }
   return joints.empty() ? text : text + ")";
 }

@@ -10,6 +10,7 @@
 #include "lang/text/ascii.h"
 #include "lang/text/source_text.h"
 #include "lang/values/number_text.h"
+#include "lang/values/units.h"
 #include "runtime/files/line_reader.h"
 #include "runtime/files/points_file.h"
 #include "runtime/files/text_lines.h"
@@ -253,7 +254,7 @@ double PointsReader::quantity(lang::Dimension dimension) {
   if (!fits || !std::isfinite(token_.number.value)) {
     expected(dimension == lang::kLength ? "a length such as 20mm" : "an angle such as 90deg");
   }
-  const double value = token_.number.value;
+  const double value = lang::to_si(token_.number.value, dimension);
   advance();
   return negative ? 0.0 - value : value;
 }

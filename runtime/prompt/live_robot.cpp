@@ -47,6 +47,8 @@ void LiveRobot::begin(OpenMachine machine) {
   controller_ =
       std::make_unique<Controller>(robot_, std::move(machine.backend), options_.override_share,
                                    std::vector<SimulationRule>{}, kRecorded);
+  controller_->channels().begun =
+      options_.date.value_or(options_.fast ? WallTime{} : wall_time_now());
   controller_->channels().panel.seat(person_);
   controller_->keep_points(points_ ? &*points_ : nullptr);
   controller_->keep_files(&files_);

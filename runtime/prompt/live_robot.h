@@ -25,10 +25,11 @@ struct LiveOptions {
   bool fast = false;  ///< on the virtual clock, where time passes in let_pass() only
   double override_share = 1;
   std::uint64_t seed = lang::Random::kDefaultSeed;
-  std::string points_file;  ///< where TEACH keeps points; empty: nowhere
-  std::string trace;        ///< empty: none
-  BackendName backend;      ///< what moves
-  bool home = false;        ///< it homes itself first
+  std::optional<WallTime> date{};  ///< as in SessionOptions
+  std::string points_file;         ///< where TEACH keeps points; empty: nowhere
+  std::string trace;               ///< empty: none
+  BackendName backend;             ///< what moves
+  bool home = false;               ///< it homes itself first
   /// What signals of the system ask for. Null: nothing.
   const StopRequests* requests = nullptr;
 };

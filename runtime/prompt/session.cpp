@@ -59,6 +59,7 @@ std::unique_ptr<LiveRobot> Session::live(const motion::RobotModel& robot) {
   options.fast = options_.fast;
   options.override_share = options_.override_share;
   options.seed = options_.seed;
+  options.date = options_.date;
   options.points_file = options_.points_file;
   options.trace = options_.trace;
   options.backend = options_.backend;

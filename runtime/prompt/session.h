@@ -24,6 +24,8 @@ struct SessionOptions {
   bool fast = false;
   double override_share = 1;
   std::uint64_t seed = lang::Random::kDefaultSeed;
+  std::optional<WallTime>
+      date{};  ///< when the session begins; without it now, or that of the virtual clock
   std::optional<std::uint64_t>
       cell;  ///< which simulated cell the robot stands in; none: its file's
   std::string trace;

@@ -85,6 +85,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
                         has_handlers(program));
   if (options.path != nullptr) controller.tell(*options.path);
   prepare_panel(controller, script);
+  controller.channels().begun = options.date;
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
   std::optional<KeptValues> kept;
   if (!program.compilation.chunk->persists.empty())

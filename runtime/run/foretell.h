@@ -9,6 +9,7 @@
 #include "runtime/files/signal_script.h"
 #include "runtime/run/load.h"
 #include "runtime/run/run_result.h"
+#include "runtime/time/wall_time.h"
 
 namespace rob::runtime {
 
@@ -22,6 +23,7 @@ struct ForetellOptions {
   /// s of the program's time for which it is followed: for at most 100,000,000 instructions an
   /// hour, where a shorter time counts as an hour.
   double longest = 3600;
+  WallTime date{};                              ///< when it begins
   std::function<void(double time)> progress{};  ///< in every cycle: how far it is, s
 };
 

@@ -111,18 +111,29 @@ void compare(RunResult& result, const Foretold& foretold) {
   });
 }
 
+/// The virtual clock begins at a fixed date, so that runs repeat to the bit.
+WallTime begin_of(const RunOptions& options) {
+  return options.date.value_or(options.fast ? WallTime{} : wall_time_now());
+}
+
+ForetellOptions foretell_as(const RunOptions& options) {
+  ForetellOptions how{options.seed, options.script, options.override_share, options.data};
+  how.date = begin_of(options);
+  return how;
+}
+
 RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMachine machine,
                  const RunOptions& options, const RunListener& listener) {
   std::optional<TraceWriter> trace = open_trace(options, program, robot);
   Foretold own;
   Foretold& foretold = options.foretold != nullptr ? *options.foretold : own;
   if (robot.law == motion::Law::LookAhead && options.foretold == nullptr)
-    own = foretold_by(
-        foretell(program, robot, {options.seed, options.script, options.override_share}));
+    own = foretold_by(foretell(program, robot, foretell_as(options)));
   robot.servo_period = machine.period;
   Controller controller(robot, std::move(machine.backend), options.override_share,
                         rules_of(options.script), 0, has_handlers(program));
   prepare_panel(controller, options.script);
+  controller.channels().begun = begin_of(options);
   controller.channels().panel.seat(options.person);
   PointsFile points(points_file_of(program.file), robot);
   controller.keep_points(&points);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "lang/values/random.h"
@@ -13,6 +14,7 @@
 #include "runtime/run/machine.h"
 #include "runtime/run/run_result.h"
 #include "runtime/tick/operator_panel.h"
+#include "runtime/time/wall_time.h"
 
 namespace rob::runtime {
 
@@ -37,6 +39,7 @@ struct RunOptions {
   /// foretell() says for the same override; without it (null) the run is foretold first.
   /// It is used up.
   Foretold* foretold = nullptr;
+  std::optional<WallTime> date{};  ///< when it begins; without it now, or that of the virtual clock
 };
 
 /// How far a run is: source line, s, what motion is doing.

@@ -19,10 +19,12 @@ namespace {
 constexpr RunLimits kTestLimits{3600, 100'000'000};
 
 TestResult run_test(const LoadedProgram& program, const motion::RobotModel& robot,
-                    std::size_t number, std::uint64_t seed, const std::string& data) {
+                    std::size_t number, std::uint64_t seed, const std::string& data,
+                    const WallTime& date) {
   const lang::Chunk& chunk = *program.compilation.chunk;
   const lang::TestCode& test = chunk.tests[number];
   Controller controller(robot, simulation_of(robot), 1);
+  controller.channels().begun = date;
   ProgramTask task(chunk, controller.machine(), seed, number);
   DataFiles files(data_folder_of(program, data), DataFiles::Keeps::InMemory, true);
   controller.keep_files(&files);
@@ -62,11 +64,12 @@ TestResult run_test(const LoadedProgram& program, const motion::RobotModel& robo
 }  // namespace
 
 std::vector<TestResult> run_tests(const LoadedProgram& program, const motion::RobotModel& robot,
-                                  std::uint64_t seed, const std::string& data) {
+                                  std::uint64_t seed, const std::string& data,
+                                  const WallTime& date) {
   std::vector<TestResult> results;
   const std::size_t count = program.compilation.chunk->tests.size();
   for (std::size_t i = 0; i < count; ++i)
-    results.push_back(run_test(program, robot, i, seed, data));
+    results.push_back(run_test(program, robot, i, seed, data, date));
   return results;
 }
 

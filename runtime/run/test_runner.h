@@ -11,6 +11,7 @@
 #include "runtime/command/program_log.h"
 #include "runtime/run/load.h"
 #include "runtime/run/run_result.h"
+#include "runtime/time/wall_time.h"
 
 namespace rob::runtime {
 
@@ -32,6 +33,6 @@ struct TestResult {
 /// does not end within an hour of its time or 100,000,000 instructions has failed.
 std::vector<TestResult> run_tests(const LoadedProgram& program, const motion::RobotModel& robot,
                                   std::uint64_t seed = lang::Random::kDefaultSeed,
-                                  const std::string& data = "");
+                                  const std::string& data = "", const WallTime& date = {});
 
 }  // namespace rob::runtime

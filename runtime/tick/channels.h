@@ -22,6 +22,7 @@
 #include "runtime/tick/scripted_operator.h"
 #include "runtime/tick/stop_requests.h"
 #include "runtime/tick/way_back.h"
+#include "runtime/time/wall_time.h"
 
 namespace rob::runtime {
 
@@ -98,6 +99,7 @@ enum class AfterHandler : std::uint8_t {
 /// Everything through which the tasks of one run talk: rings and atomics with one writer each, so
 /// that no tick ever waits for another. Memory is taken by the constructor alone.
 struct Channels {
+  WallTime begun;  ///< when the run began; set before it, then constant
   // [choice] At 1 kHz half a second of references and servo samples, more than twice what a thread
   // may be late before the run ends; 2 s of rows and 4 s of events.
   static constexpr std::size_t kReferences = 512;

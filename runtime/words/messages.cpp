@@ -8,6 +8,7 @@
 #include "lang/check/fold.h"
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
+#include "lang/values/pose_slots.h"
 #include "motion/plan/motion_planner.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/tick/simulated_inputs.h"
@@ -194,11 +195,10 @@ Words words_for_condition(lang::ArithmeticError error) {
 
 Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose,
                             const motion::Shortfall& shortfall) {
-  const auto& [p, q] = pose;
-  const lang::Constant value = std::vector<double>{p.x, p.y, p.z, q.w, q.i, q.j, q.k};
   return {std::string(lang::code::kUnreachable),
           fmt::format("{} cannot bring its tool to {}{}", robot.name,
-                      lang::text_of(value, lang::Type::pose()), by_how_much(shortfall)),
+                      lang::text_of(lang::constant_of(lang::from_si(pose)), lang::Type::pose()),
+                      by_how_much(shortfall)),
           fmt::format("{} {}", robot.name, robot.kinematics->reach())};
 }
 

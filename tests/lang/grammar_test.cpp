@@ -64,13 +64,25 @@ bool is_list_as_target(const Diagnostic& found, std::string_view text) {
   return found.code == code::kTargetExpected && text[found.place.column - 1] == '[';
 }
 
+/// Nor that JOINT and BY before a plus are names that something is added to.
+bool is_sum_of_placed_word(const Diagnostic& found, std::string_view text) {
+  for (std::uint32_t line = 1; line < found.place.line; ++line) {
+    text.remove_prefix(text.find('\n') + 1);
+  }
+  text = text.substr(0, text.find('\n'));
+  return text.find("MOVE JOINT +") != std::string_view::npos ||
+         text.find(" BY +") != std::string_view::npos;
+}
+
 std::string refused(const std::string& text) {
   Diagnostics diagnostics;
   parse(text, diagnostics);
   for (const Diagnostic& found : diagnostics.all()) {
     const bool error = found.severity == Severity::Error;
-    if (error && !is_side_condition(found.code) && !is_list_as_target(found, text))
+    if (error && !is_side_condition(found.code) && !is_list_as_target(found, text) &&
+        !is_sum_of_placed_word(found, text)) {
       return render(found, "sentence", text) + text;
+    }
   }
   return "";
 }

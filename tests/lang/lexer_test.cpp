@@ -139,16 +139,16 @@ TEST_CASE("a number without point and exponent is an INT, any other a REAL") {
   CHECK(one("9223372036854775807").number.integer == INT64_MAX);
 }
 
-TEST_CASE("a quantity is a number with its unit, in SI") {
+TEST_CASE("a quantity is a number with its unit, in mm and deg") {
   const Token length = one("9mm");
-  CHECK(length.number.value == 0.009);
+  CHECK(length.number.value == 9);
   CHECK(length.number.dimension == kLength);
   CHECK_FALSE(length.number.is_integer);
   CHECK(length.has_unit);
   CHECK(one("50mm/s").number.dimension == kSpeed);
   CHECK(one("2m/s^2").number.dimension == kAcceleration);
   CHECK(one("50%").number.value == 0.5);
-  CHECK(one("1e-6mm").number.value == 1e-9);
+  CHECK(one("1e-6mm").number.value == 1e-6);
   CHECK(one("3in").number.dimension == kLength);  // a unit, though IN is reserved
 }
 
@@ -174,9 +174,18 @@ TEST_CASE("a number too large for its type is refused") {
   CHECK(one("9223372036854775808.0").number.value == 9223372036854775808.0);
 }
 
-TEST_CASE("hexadecimal digits, bare points and grouped digits are refused") {
-  CHECK(lex("0x10").only().message == "numbers are written in decimal digits");
-  CHECK(lex("0b101").only().message == "numbers are written in decimal digits");
+TEST_CASE("hexadecimal numbers are INTs of 63 bits at most") {
+  CHECK(one("0xFF").number.integer == 255);
+  CHECK(one("0XaB").number.integer == 171);
+  CHECK(one("0x10").number.is_integer);
+  CHECK(one("0x7FFFFFFFFFFFFFFF").number.integer == INT64_MAX);
+  CHECK(lex("0x8000000000000000").only().code == "E110");
+  CHECK(lex("0xFFmm").only().code == "E109");
+}
+
+TEST_CASE("binary digits, bare points and grouped digits are refused") {
+  CHECK(lex("0x1G").only().message == "hexadecimal digits are 0 to 9 and A to F");
+  CHECK(lex("0b101").only().message == "numbers are written in decimal or hexadecimal digits");
   CHECK(lex(".5").only().help == "write 0.5");
   CHECK(lex("5.").only().help == "write 5 or 5.0");
   CHECK(lex("1.5.").only().help == "write 1.5");

@@ -55,7 +55,7 @@ TEST_CASE("a motion in numbers alone is read straight from the text") {
   CHECK(motion->length == 17);
   CHECK(motion->components[0].negative);
   CHECK(motion->components[0].number == "2.5");
-  CHECK(motion->components[0].unit->exponent10 == -2);
+  CHECK(motion->components[0].unit->exponent10 == 1);
   CHECK(motion->components[1].number.empty());
   CHECK(motion->components[2].number == "7");
   CHECK_FALSE(motion->components[2].unit);

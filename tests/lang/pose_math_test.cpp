@@ -23,7 +23,9 @@ using namespace pose_math;
 
 constexpr double kDeg = std::numbers::pi / 180;
 
-double degrees(const char* number) { return *to_si(number, *find_unit("deg")); }
+double degrees(const char* number) {
+  return to_si(*quantity_of(number, *find_unit("deg")), kAngle);
+}
 
 Eigen::Quaterniond eigen(const Quaternion& q) { return {q.w, q.i, q.j, q.k}; }
 Eigen::Vector3d eigen(const Vector3& v) { return {v.x, v.y, v.z}; }

@@ -60,6 +60,13 @@ TEST_CASE("a repeated call reads the world again in the next cycle, a statement 
   CHECK(result.output == Lines{"0s", "10"});
 }
 
+TEST_CASE("readings at one standstill belong to one cycle, prints between them or not") {
+  const RunResult result =
+      run("MOVE(10,0,0)\nSTOP\nVAR t = CLOCK\nPRINT CLOCK == t\nPRINT CLOCK == t\n"
+          "DOUT[1] = ON\nPRINT CLOCK > t\nWAIT 0s\nPRINT CLOCK == t");
+  CHECK(result.output == Lines{"TRUE", "TRUE", "TRUE", "FALSE"});
+}
+
 TEST_CASE("a million instructions without a wait take a cycle of virtual time") {
   const auto clock_behind = [](const std::string& turns) {
     const RunResult result = run("VAR n = 0\nFOR i = 1 TO " + turns +
