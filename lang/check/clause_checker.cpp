@@ -22,6 +22,12 @@ bool only_bare_literals(const Expr& expression) {
     bool operator()(const Binary& binary) const {
       return only_bare_literals(*binary.left) && only_bare_literals(*binary.right);
     }
+    bool operator()(const Chain& chain) const {
+      return only_bare_literals(*chain.first) &&
+             std::ranges::all_of(chain.steps, [](const Chain::Step& step) {
+               return only_bare_literals(*step.term);
+             });
+    }
     bool operator()(const Call& call) const {
       return call.routine == nullptr &&
              std::ranges::all_of(call.arguments, [](const ExprPtr& argument) {

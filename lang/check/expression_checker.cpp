@@ -147,6 +147,34 @@ Type ExpressionChecker::check(Binary& binary, Expr& expression) {
   return operators_.check(binary, expression);
 }
 
+/// Each step is a Binary of what stands for the sum so far, and of the next term.
+Type ExpressionChecker::check(Chain& chain, Expr& expression) {
+  auto sum = std::make_unique<Expr>();
+  sum->type = check(chain.first);
+  sum->place = chain.first->place;
+  sum->constant = chain.first->constant;
+  for (Chain::Step& step : chain.steps) {
+    check(step.term);
+    Expr next;
+    next.place = step.place;
+    next.node = Binary{step.op, std::move(sum), std::move(step.term)};
+    auto& binary = std::get<Binary>(next.node);
+    step.type = operators_.check(binary, next);
+    step.term = std::move(binary.right);
+    sum = std::move(binary.left);
+    sum->type = step.type;
+    sum->constant = std::move(next.constant);
+    if (step.type.known() && !step.type.numeric() && !step.type.text()) {
+      diagnostics_.error(code::kTooDeep, step.place,
+                         "only sums of numbers, and texts that are joined, are that long",
+                         "compute parts of it before, in variables");
+      return {};
+    }
+  }
+  expression.constant = sum->constant;
+  return sum->type;
+}
+
 /// The right side of AND is not executed where the left is FALSE, that of OR where it is TRUE.
 Type ExpressionChecker::check_logical(Binary& binary, Expr& expression) {
   const auto check_side = [&](const ExprPtr& side) {

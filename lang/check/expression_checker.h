@@ -80,6 +80,7 @@ class ExpressionChecker {
   Type check(List& list, Expr& expression);
   /// `colour.red`.
   Type check_enumerator(Member& member, Name& name, Expr& expression);
+  Type check(Chain& chain, Expr& expression);
   Type check_logical(Binary& binary, Expr& expression);
 
   Type element_type(const Type& a, const Type& b);

@@ -45,6 +45,9 @@ void each_part(const Expr& expression, const Visit& visit) {
           for (const ExprPtr& element : node.elements) go(element);
         } else if constexpr (std::is_same_v<Node, Member>) {
           go(node.object);
+        } else if constexpr (std::is_same_v<Node, Chain>) {
+          go(node.first);
+          for (const Chain::Step& step : node.steps) go(step.term);
         } else if constexpr (std::is_same_v<Node, Index>) {
           go(node.object);
           go(node.index);

@@ -37,7 +37,9 @@ void SignalChecker::check(SignalDeclaration& signal) {
   symbol.name = signal.name;
   symbol.place = signal.name_place;
   const std::size_t found = diagnostics_.all().size();
-  if (channel->analog) {
+  if (signal.last != nullptr) {
+    check_group(signal, *channel, symbol);
+  } else if (channel->analog) {
     check_analog(signal, symbol);
   } else {
     check_digital(signal, *channel);
@@ -45,6 +47,47 @@ void SignalChecker::check(SignalDeclaration& signal) {
   const bool sound = diagnostics_.all().size() == found;
   if (signal.safe != nullptr && sound) check_safe(signal, symbol);
   signal.symbol = scopes_.declare(std::move(symbol));
+}
+
+/// SIGNAL code: INT = DIN[1..8]: the first channel is the lowest bit.
+void SignalChecker::check_group(const SignalDeclaration& signal, const Symbol& first,
+                                Symbol& symbol) {
+  constexpr std::int64_t kMostBits = 63;  // of an INT that is not negative
+  const Type type = expressions_.check(signal.last);
+  symbol.type = Type::integer();
+  if (!type.known()) return;
+  const auto* const last = std::get_if<std::int64_t>(&signal.last->constant);
+  const auto refuse = [&](Place place, std::string message, std::string help = "") {
+    diagnostics_.error(code::kGroup, place, std::move(message), std::move(help));
+  };
+  if (last == nullptr)
+    return refuse(signal.last->place, "the numbers of a group are constant whole numbers");
+  const std::int64_t count = *last - first.channel + 1;
+  if (count < 2 || count > kMostBits) {
+    return refuse(signal.last->place, fmt::format("a group has 2 to {} channels", kMostBits),
+                  "the lower number comes first: DIN[1..8]");
+  }
+  if (first.analog) {
+    return refuse(signal.channel_place, "the channels of a group are digital: DIN or DOUT");
+  }
+  if (signal.low != nullptr || signal.safe != nullptr) {
+    return refuse((signal.low != nullptr ? signal.low : signal.safe)->place,
+                  "a group has neither SCALE nor SAFE", "SAFE stands at a single channel");
+  }
+  if (signal.type && *signal.type != Type::integer()) {
+    return refuse(signal.type_place, "a group of channels is an INT",
+                  "SIGNAL code: INT = DIN[1..8]");
+  }
+  for (std::int64_t number = first.channel; number <= *last; ++number) {
+    const Symbol* const channel = scopes_.channel(signal.channel.text, number);
+    if (channel == nullptr) {
+      return refuse(signal.last->place,
+                    fmt::format("the robot has no {}[{}]", signal.channel.text, number),
+                    fmt::format("it has {0}[1] to {0}[{1}]", signal.channel.text,
+                                scopes_.channels(signal.channel.text)));
+    }
+  }
+  symbol.group = static_cast<int>(count);
 }
 
 void SignalChecker::check_digital(const SignalDeclaration& signal, const Symbol& channel) {
@@ -191,7 +234,9 @@ void SignalChecker::check(Pulse& pulse) {
     }
   }
   if (symbol == nullptr || symbol->type.kind == Type::Kind::Unknown) return;
-  if (symbol->kind == Symbol::Kind::Signal && symbol->output && !symbol->analog) return;
+  if (symbol->kind == Symbol::Kind::Signal && symbol->output && !symbol->analog &&
+      symbol->group == 0)
+    return;
   diagnostics_.error(code::kNotPulsable, pulse.target_place,
                      fmt::format("{} is no digital output; PULSE switches one ON for a time",
                                  shortened(symbol->name)),

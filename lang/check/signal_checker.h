@@ -32,6 +32,7 @@ class SignalChecker {
 
  private:
   const Symbol* resolve(Name& name, Place place);
+  void check_group(const SignalDeclaration& signal, const Symbol& first, Symbol& symbol);
   void check_digital(const SignalDeclaration& signal, const Symbol& channel);
   void check_analog(const SignalDeclaration& signal, Symbol& symbol);
   void check_scale(const SignalDeclaration& signal, Symbol& symbol);

@@ -48,6 +48,7 @@ struct Symbol {
   int signal = 0;                      ///< its index in the RobotSignature
   bool output = false;                 ///< a signal that may be assigned
   int channel = 0;                     ///< n of DIN[n], DOUT[n], AIN[n] or AOUT[n]
+  int group = 0;                       ///< channels of a group, from `signal` on; 0: it is none
   bool analog = false;                 ///< a signal that is a number
   double low = 0;                      ///< of an analog signal: what 0V stand for
   double high = 0;                     ///< what kMostVolts stand for

@@ -63,7 +63,7 @@ void WatchChecker::check_action(const Statement& action, std::string_view word) 
   if (const auto* const assign = std::get_if<Assign>(&action.node)) {
     const auto* const name = std::get_if<Name>(&assign->target->node);
     const Symbol* const target = name != nullptr ? name->symbol : nullptr;
-    sound = target == nullptr || target->kind == Symbol::Kind::Signal;
+    sound = target == nullptr || (target->kind == Symbol::Kind::Signal && target->group == 0);
     value = assign->value.get();
   } else if (const auto* const pulse = std::get_if<Pulse>(&action.node)) {
     sound = true;

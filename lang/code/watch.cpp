@@ -85,6 +85,12 @@ Error Evaluation::step() noexcept {
     case Opcode::read_signal:
       a().integer = world_.signal(pc_->x()) ? 1 : 0;
       return next(1);
+    case Opcode::read_group:
+      a().integer = 0;
+      for (std::uint32_t i = 0; i < (pc_ + 1)->word; ++i) {
+        a().integer |= std::int64_t{world_.signal(pc_->x() + static_cast<int>(i))} << i;
+      }
+      return next(2);
     case Opcode::read_analog:
       a().real = world_.analog(pc_->x());
       return next(1);
@@ -177,6 +183,7 @@ bool is_watchable(Opcode opcode) {
     case Opcode::copy:
     case Opcode::int_to_real:
     case Opcode::read_signal:
+    case Opcode::read_group:
     case Opcode::read_analog:
     case Opcode::read:
     case Opcode::copy_block:

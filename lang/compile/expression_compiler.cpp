@@ -228,6 +228,8 @@ void ExpressionCompiler::into_as_it_is(const Expr& expression, Register target, 
     compile_truth(expression, target);
   } else if (const auto* const unary = std::get_if<Unary>(&expression.node)) {
     compile(*unary, expression, target);
+  } else if (const auto* const chain = std::get_if<Chain>(&expression.node)) {
+    compile(*chain, expression, target);
   } else {
     compile(std::get<Binary>(expression.node), expression, target);
   }
@@ -314,6 +316,28 @@ void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, R
   const Register right = operand(*binary.right, !whole);
   code_.emit(whole ? whole_opcode(binary.op) : real_opcode(binary.op), expression.place, target,
              left, right);
+}
+
+/// In a register of its own: a term may read the variable that the target is.
+void ExpressionCompiler::compile(const Chain& chain, const Expr& expression, Register target) {
+  const bool text = expression.type.text();
+  const Register sum = variables_.registers_for(expression.type);
+  bool real = chain.first->type.is(Type::Kind::Real);
+  into(*chain.first, sum, real);
+  for (const Chain::Step& step : chain.steps) {
+    const auto mark = frame_.mark();
+    const bool becomes_real = step.type.is(Type::Kind::Real);
+    if (becomes_real && !real) code_.emit(Opcode::int_to_real, step.place, sum, sum);
+    real = becomes_real;
+    const Opcode op = text   ? Opcode::join_text
+                      : real ? real_opcode(step.op)
+                             : whole_opcode(step.op);
+    const Register term = operand(*step.term, real);
+    code_.emit(op, step.place, sum, sum, term);
+    frame_.release(mark);
+  }
+  if (text) return code_.emit(Opcode::copy_text, expression.place, target, sum);
+  variables_.copy_registers(target, sum, 1, expression.place);
 }
 
 /// An operation with a constant, where there is one: what is on its left may stand on its right

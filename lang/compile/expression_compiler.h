@@ -85,6 +85,7 @@ class ExpressionCompiler {
   // Operations
   void compile(const Unary& unary, const Expr& expression, Register target);
   void compile(const Binary& binary, const Expr& expression, Register target);
+  void compile(const Chain& chain, const Expr& expression, Register target);
   bool compile_by_constant(const Binary& binary, const Expr& expression, Register target);
   /// A sum or difference with a product in one instruction; false if it is no such thing.
   bool compile_with_product(const Binary& binary, const Expr& expression, Register target);

@@ -32,6 +32,10 @@ void WorldCode::read(Reading reading, Register target, Place place) {
 
 void WorldCode::read_signal(const Symbol& symbol, Register target, Place place) {
   code_.uses_signal(place);
+  if (symbol.group > 0) {
+    return on_group(latched_ ? Opcode::read_group_latched : Opcode::read_group, target, symbol,
+                    place);
+  }
   if (!symbol.analog) {
     const Opcode op = latched_ ? Opcode::read_latched : Opcode::read_signal;
     return code_.emit(on_channel(op, target, symbol), place);
@@ -54,8 +58,14 @@ void WorldCode::look_for_file(Register file, Register target, Place place) {
   code_.emit(Opcode::exists, place, target, file, latched_ ? 1 : 0);
 }
 
+void WorldCode::on_group(Opcode op, Register value, const Symbol& symbol, Place place) {
+  code_.emit(on_channel(op, value, symbol), place);
+  code_.emit(Instruction{static_cast<std::uint32_t>(symbol.group)}, place);
+}
+
 void WorldCode::write_signal(const Symbol& symbol, Register value, Place place) {
   code_.uses_signal(place);
+  if (symbol.group > 0) return on_group(Opcode::write_group, value, symbol, place);
   if (!symbol.analog) return code_.emit(on_channel(Opcode::write_signal, value, symbol), place);
   if (in_volts(symbol)) return code_.emit(on_channel(Opcode::write_analog, value, symbol), place);
   const auto mark = code_.frame().mark();
@@ -71,6 +81,7 @@ void WorldCode::pulse(const Symbol& symbol, Register time, Place place) {
 }
 
 void WorldCode::simulate(const Symbol& symbol, Register value, Place place) {
+  if (symbol.group > 0) return on_group(Opcode::simulate_group, value, symbol, place);
   if (symbol.analog && !in_volts(symbol)) to_volts(symbol, value, value, place);
   code_.emit(on_channel(symbol.analog ? Opcode::simulate_analog : Opcode::simulate, value, symbol),
              place);

@@ -34,6 +34,7 @@ class WorldCode {
   void simulate_force(int component, Register value, Place place);
 
  private:
+  void on_group(Opcode op, Register value, const Symbol& symbol, Place place);
   void to_volts(const Symbol& symbol, Register value, Register volts, Place place);
 
   CodeBuilder& code_;

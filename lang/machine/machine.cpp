@@ -50,6 +50,16 @@ Reply Signals::write_analog(int /*line*/, int /*signal*/, double /*volts*/) {
   return has_no("analog outputs");
 }
 Reply Signals::pulse(int /*line*/, int /*signal*/, double /*seconds*/) { return has_no("PULSE"); }
+Reply Signals::read_group(int line, int signal, int count, std::int64_t& value) {
+  value = 0;
+  for (int i = 0; i < count; ++i) {
+    bool bit = false;
+    const Reply reply = read_signal(line, signal + i, bit);
+    if (reply != Reply::Done) return reply;
+    value |= std::int64_t{bit} << i;
+  }
+  return Reply::Done;
+}
 Reply Signals::read_signal(int /*line*/, int /*signal*/, bool& /*value*/) {
   return has_no("signals");
 }

@@ -122,6 +122,8 @@ class Signals : public virtual Refuser {
   /// Reads a signal at the decision point of the motion commanded before. An observation:
   /// `Later` until that instant has come.
   virtual Reply read_signal(int line, int signal, bool& value);
+  /// Reads `count` digital channels from `signal` on in one cycle; the first is the lowest bit.
+  virtual Reply read_group(int line, int signal, int count, std::int64_t& value);
   virtual Reply read_analog(int line, int signal, double& volts);
   /// UNTIL: the motion that is commanded next ends early, in the first control cycle in which the
   /// condition holds; else it is exact. ended() must follow it.

@@ -94,6 +94,7 @@ struct SignalDeclaration {
   ExprPtr safe;           ///< SAFE; null where left out
   double safe_value = 0;  ///< set by the checker: 1 for ON, V
   Name channel;
+  ExprPtr last;  ///< of a group: the number of its last channel; null where left out
   Place channel_place;
   const Symbol* symbol = nullptr;  ///< set by the checker
 };

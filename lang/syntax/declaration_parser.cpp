@@ -116,7 +116,7 @@ void DeclarationParser::signal(Block& block) {
                         "SIGNAL part_here = DIN[1]");
     }
     signal.channel_place = tokens_.place();
-    signal.channel = expressions_.channel("'='");
+    signal.channel = expressions_.channel("'='", &signal.last);
     if (tokens_.at_word("SCALE")) scale(signal);
     if (tokens_.at_word("SAFE")) {
       tokens_.advance();

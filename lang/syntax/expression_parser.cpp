@@ -14,6 +14,9 @@ namespace rob::lang {
 
 namespace {
 
+/// A sum of up to so many terms is a tree. [choice] half of what a tree may be deep
+constexpr int kMostDeepTerms = 100;
+
 std::optional<BinaryOp> comparison(TokenKind kind) {
   switch (kind) {
     case TokenKind::Equal:
@@ -133,13 +136,30 @@ ExprPtr ExpressionParser::relation() {
 // sum = term { ( "+" | "-" | "BITOR" | "BITXOR" ) term } .
 ExprPtr ExpressionParser::sum() {
   ExprPtr left = term();
+  int terms = 1;
   while (const auto op = addition(tokens_.current())) {
+    if (++terms > kMostDeepTerms) return chain(std::move(left));
     const Place place = tokens_.place();
     tokens_.advance();
     ExprPtr right = term();
     left = binary(*op, place, std::move(left), std::move(right));
   }
   return left;
+}
+
+/// The rest of a long sum: a tree of it would be too deep.
+ExprPtr ExpressionParser::chain(ExprPtr first) {
+  const Place place = tokens_.place();
+  Chain sum;
+  int height = first->height;
+  sum.first = std::move(first);
+  while (const auto op = addition(tokens_.current())) {
+    const Place sign = tokens_.place();
+    tokens_.advance();
+    sum.steps.push_back({*op, sign, term()});
+    height = std::max(height, sum.steps.back().term->height);
+  }
+  return tree_.make(place, std::move(sum), height + 1);
 }
 
 // term = unary { ( "*" | "/" | "DIV" | "MOD" | "BITAND" | "SHL" | "SHR" ) unary } .
@@ -395,7 +415,7 @@ bool ExpressionParser::at_channel() const {
 }
 
 // channel = ( "DIN" | "DOUT" | "AIN" | "AOUT" ) "[" expr "]" .
-Name ExpressionParser::channel(std::string_view behind) {
+Name ExpressionParser::channel(std::string_view behind, ExprPtr* last) {
   if (!at_channel()) {
     tokens_.fail_here(code::kValueExpected,
                       fmt::format("DIN[n], DOUT[n], AIN[n] or AOUT[n] expected after {}, not {}",
@@ -408,6 +428,14 @@ Name ExpressionParser::channel(std::string_view behind) {
   tokens_.advance();
   tokens_.advance();
   name.index = expression();
+  if (tokens_.at(TokenKind::Range)) {
+    if (last == nullptr) {
+      tokens_.fail_here(code::kBracketExpected, "several channels have one value in a SIGNAL only",
+                        "SIGNAL code: INT = DIN[1..8]");
+    }
+    tokens_.advance();
+    *last = expression();
+  }
   if (!tokens_.accept(TokenKind::RightBracket)) {
     tokens_.fail_behind(code::kBracketExpected,
                         fmt::format("']' expected after the number of {}", name.text),

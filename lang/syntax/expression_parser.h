@@ -22,7 +22,8 @@ class ExpressionParser {
   ExprPtr primary();
   bool at_channel() const;
   /// `behind` is what stands before it, for the message.
-  Name channel(std::string_view behind);
+  /// `last`: where the number of a group's last channel goes, DIN[1..8], if there may be one.
+  Name channel(std::string_view behind, ExprPtr* last = nullptr);
   /// "(" element { "," element } ")" as a tuple, one element too; `what` is what they make up, for
   /// the message.
   ExprPtr tuple(std::string_view what);
@@ -35,6 +36,7 @@ class ExpressionParser {
   ExprPtr inversion();
   ExprPtr relation();
   ExprPtr sum();
+  ExprPtr chain(ExprPtr first);
   ExprPtr term();
   ExprPtr unary();
   bool at_least_int() const;

@@ -116,6 +116,18 @@ struct List {
   std::vector<ExprPtr> elements;
 };
 
+/// A sum, or texts joined, of very many terms, from left to right: what is long need not be deep.
+struct Chain {
+  struct Step {
+    BinaryOp op;
+    Place place;  ///< of the sign
+    ExprPtr term;
+    Type type{};  ///< of the sum up to here; set by the checker
+  };
+  ExprPtr first;
+  std::vector<Step> steps;
+};
+
 /// Any constant expression's value; settled by the checker. The last is the slots of a compound
 /// value of nothing but REALs. Arrays and records have none: they are computed where they stand.
 using Constant =
@@ -124,7 +136,7 @@ using Constant =
 struct Expr {
   Place place;  ///< of the token a message should point at
   std::variant<NumberLiteral, BoolLiteral, StringLiteral, Name, Unary, Binary, Call, Tuple, Member,
-               Index, List>
+               Index, List, Chain>
       node;
   Type type;  ///< set by the checker
   /// Set by the checker: a pose in this FRAME that stands where one in the world is wanted.

@@ -19,14 +19,15 @@ namespace {
 
 /// Signs, longer ones before those they begin with, otherwise frequent ones first.
 constexpr auto kSigns = std::to_array<std::pair<std::string_view, TokenKind>>({
-    {"+=", TokenKind::PlusAssign},  {"-=", TokenKind::MinusAssign}, {"*=", TokenKind::StarAssign},
-    {"/=", TokenKind::SlashAssign}, {",", TokenKind::Comma},        {"(", TokenKind::LeftParen},
-    {")", TokenKind::RightParen},   {"+", TokenKind::Plus},         {"-", TokenKind::Minus},
-    {"*", TokenKind::Star},         {"/", TokenKind::Slash},        {"==", TokenKind::Equal},
-    {"<>", TokenKind::NotEqual},    {"<=", TokenKind::LessEqual},   {">=", TokenKind::GreaterEqual},
-    {"=", TokenKind::Assign},       {"<", TokenKind::Less},         {">", TokenKind::Greater},
-    {":", TokenKind::Colon},        {".", TokenKind::Dot},          {"[", TokenKind::LeftBracket},
-    {"]", TokenKind::RightBracket}, {"^", TokenKind::Caret},        {"%", TokenKind::Percent},
+    {"..", TokenKind::Range},        {"+=", TokenKind::PlusAssign},  {"-=", TokenKind::MinusAssign},
+    {"*=", TokenKind::StarAssign},   {"/=", TokenKind::SlashAssign}, {",", TokenKind::Comma},
+    {"(", TokenKind::LeftParen},     {")", TokenKind::RightParen},   {"+", TokenKind::Plus},
+    {"-", TokenKind::Minus},         {"*", TokenKind::Star},         {"/", TokenKind::Slash},
+    {"==", TokenKind::Equal},        {"<>", TokenKind::NotEqual},    {"<=", TokenKind::LessEqual},
+    {">=", TokenKind::GreaterEqual}, {"=", TokenKind::Assign},       {"<", TokenKind::Less},
+    {">", TokenKind::Greater},       {":", TokenKind::Colon},        {".", TokenKind::Dot},
+    {"[", TokenKind::LeftBracket},   {"]", TokenKind::RightBracket}, {"^", TokenKind::Caret},
+    {"%", TokenKind::Percent},
 });
 
 struct ForeignSign {
@@ -209,7 +210,7 @@ Token Lexer::number() {
   scan_number();
   const std::string_view digits = source_.substr(begin_, offset_ - begin_);
   const bool whole = digits.find_first_of(".eE") == std::string_view::npos;
-  if (at() == '.') return stray_point(digits, whole);
+  if (at() == '.' && at(1) != '.') return stray_point(digits, whole);
   const bool ends = !in_word(at()) && at() != '%' && static_cast<unsigned char>(at()) < 0x80;
   return ends ? plain_number(digits, whole) : quantity(digits);
 }

@@ -25,6 +25,7 @@ enum class TokenKind : std::uint8_t {
   Comma,
   Colon,
   Dot,
+  Range,  ///< ..
   Assign,
   PlusAssign,
   MinusAssign,

@@ -59,6 +59,13 @@ struct NodeCopy {
     for (const ExprPtr& element : list.elements) copy.elements.push_back(part(element));
     return copy;
   }
+  Node operator()(const Chain& chain) const {
+    Chain copy{part(chain.first), {}};
+    for (const Chain::Step& step : chain.steps) {
+      copy.steps.push_back({step.op, step.place, part(step.term)});
+    }
+    return copy;
+  }
   Node operator()(const auto& literal) const { return literal; }
 };
 

@@ -253,6 +253,28 @@ TaughtPoint taught_point(const Chunk& chunk, const Instruction* teach, const Slo
           .pose = to_si(load_pose(n))};
 }
 
+Objection check_group(Instruction command, std::uint32_t count, const Slot* n) {
+  const std::int64_t most = (std::int64_t{1} << (count - 1)) - 1 + (std::int64_t{1} << (count - 1));
+  if (n->integer < 0 || n->integer > most) {
+    return because(code::kGroupBeyond,
+                   fmt::format("{} does not fit into {} channels", n->integer, count),
+                   fmt::format("they hold 0 to {}", most));
+  }
+  return command.opcode() == Opcode::simulate_group ? check_after(n[1].real) : Objection{};
+}
+
+Reply set_group(Machine& machine, int line, Instruction command, int count, const Slot* n) {
+  for (int i = 0; i < count; ++i) {
+    const bool bit = (n->integer >> i & 1) != 0;
+    const int signal = command.x() + i;
+    const Reply reply = command.opcode() == Opcode::write_group
+                            ? machine.write_signal(line, signal, bit)
+                            : machine.simulate(line, signal, bit ? 1 : 0, n[1].real);
+    if (reply != Reply::Done) return reply;
+  }
+  return Reply::Done;
+}
+
 Objection check_command(Opcode opcode, const Slot* n) {
   switch (opcode) {
     case Opcode::set_override:

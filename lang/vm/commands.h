@@ -32,6 +32,9 @@ TaughtPoint taught_point(const Chunk& chunk, const Instruction* teach, const Slo
                          const Setting& setting);
 
 /// All other commands: they take everything from their registers, and the texts `t` of the frame.
+/// Whether a group of `count` channels holds the value of write_group or simulate_group.
+Objection check_group(Instruction command, std::uint32_t count, const Slot* n);
+Reply set_group(Machine& machine, int line, Instruction command, int count, const Slot* n);
 Objection check_command(Opcode opcode, const Slot* n);
 Reply tell(Machine& machine, const Place& at, Instruction command, const Slot* n,
            const std::string* t);

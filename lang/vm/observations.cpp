@@ -35,6 +35,10 @@ Reply read_signal(Machine& machine, int line, const Instruction* pc, Slot* n) {
   return reply;
 }
 
+Reply read_group(Machine& machine, int line, const Instruction* pc, Slot* n) {
+  return machine.read_group(line, pc->x(), static_cast<int>((pc + 1)->word), n[pc->a()].integer);
+}
+
 Reply read_analog(Machine& machine, int line, const Instruction* pc, Slot* n) {
   return machine.read_analog(line, pc->x(), n[pc->a()].real);
 }

@@ -12,6 +12,7 @@
 namespace rob::lang {
 
 Reply read_signal(Machine& machine, int line, const Instruction* pc, Slot* n);
+Reply read_group(Machine& machine, int line, const Instruction* pc, Slot* n);
 Reply read_analog(Machine& machine, int line, const Instruction* pc, Slot* n);
 /// Force and torque along the axes of the setting's frame.
 Reply read_value(Machine& machine, int line, const Instruction* pc, Slot* n, const Setting& setting,

@@ -153,6 +153,18 @@ Vm::Step Vm::step_observation(Code pc) {
     case Opcode::read_latched:
       ROB_OBSERVE(read_signal(*machine_, line(pc), pc, n), instant_.latch());
       return pc + 1;
+    case Opcode::read_group:
+      ROB_OBSERVE(read_group(*machine_, line(pc), pc, n), pc);
+      return pc + 2;
+    case Opcode::read_group_latched:
+      ROB_OBSERVE(read_group(*machine_, line(pc), pc, n), instant_.latch());
+      return pc + 2;
+    case Opcode::write_group:
+    case Opcode::simulate_group:
+      ROB_SOUND(check_group(*pc, (pc + 1)->word, &n[pc->a()]));
+      ROB_ASK(set_group(*machine_, line(pc), *pc, static_cast<int>((pc + 1)->word), &n[pc->a()]),
+              pc);
+      return pc + 2;
     case Opcode::read_analog:
       ROB_OBSERVE(read_analog(*machine_, line(pc), pc, n), pc);
       return pc + 1;

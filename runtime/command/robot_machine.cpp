@@ -193,6 +193,13 @@ Reply RobotMachine::read_signal(int line, int signal, bool& value) {
   return Reply::Done;
 }
 
+Reply RobotMachine::read_group(int line, int signal, int count, std::int64_t& value) {
+  if (!parts_.progress.observable()) return Reply::Later;
+  value = group_value(links_.channels, links_.signal(signal), count);
+  for (int i = 0; i < count; ++i) parts_.waits.note_read(line, signal + i);
+  return Reply::Done;
+}
+
 Reply RobotMachine::read_analog(int line, int signal, double& volts) {
   if (!parts_.progress.observable()) return Reply::Later;
   volts = analog_value(links_.channels, links_.signal(signal));

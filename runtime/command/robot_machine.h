@@ -64,6 +64,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply write_analog(int line, int signal, double volts) override;
   lang::Reply pulse(int line, int signal, double seconds) override;
   lang::Reply read_signal(int line, int signal, bool& value) override;
+  lang::Reply read_group(int line, int signal, int count, std::int64_t& value) override;
   lang::Reply read_analog(int line, int signal, double& volts) override;
   lang::Reply guard(int line, const lang::Watch& condition) override;
   lang::Reply ended(int line, bool& hit) override;

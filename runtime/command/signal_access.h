@@ -22,6 +22,14 @@ inline bool digital_value(const Channels& channels, const lang::RobotSignature::
                                            : channels.inputs.load(std::memory_order_relaxed);
   return (bits >> (signal.channel - 1) & 1U) != 0;
 }
+/// Of `count` channels from `first` on, in one look; the first is the lowest bit.
+inline std::int64_t group_value(const Channels& channels, const lang::RobotSignature::Signal& first,
+                                int count) {
+  const std::uint64_t bits = first.output ? channels.outputs.load(std::memory_order_relaxed)
+                                          : channels.inputs.load(std::memory_order_relaxed);
+  const std::uint64_t mask = (std::uint64_t{1} << count) - 1;
+  return static_cast<std::int64_t>(bits >> (first.channel - 1) & mask);
+}
 inline double analog_value(const Channels& channels, const lang::RobotSignature::Signal& signal) {
   const AnalogCells& cells = signal.output ? channels.analog_outputs : channels.analog_inputs;
   return cells.at(signal.channel - 1);

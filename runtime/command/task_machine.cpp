@@ -101,6 +101,12 @@ Reply TaskMachine::read_signal(int line, int signal, bool& value) {
   return Reply::Done;
 }
 
+Reply TaskMachine::read_group(int line, int signal, int count, std::int64_t& value) {
+  value = group_value(channels_, side_.links.signal(signal), count);
+  for (int i = 0; i < count; ++i) side_.assumptions.note_read(line, signal + i);
+  return Reply::Done;
+}
+
 Reply TaskMachine::read_analog(int line, int signal, double& volts) {
   volts = analog_value(channels_, side_.links.signal(signal));
   side_.assumptions.note_read(line, signal);

@@ -45,6 +45,7 @@ class TaskMachine final : public lang::Machine {
   lang::Reply write_analog(int line, int signal, double volts) override;
   lang::Reply pulse(int line, int signal, double seconds) override;
   lang::Reply read_signal(int line, int signal, bool& value) override;
+  lang::Reply read_group(int line, int signal, int count, std::int64_t& value) override;
   lang::Reply read_analog(int line, int signal, double& volts) override;
   lang::Reply read(int line, lang::Reading what, lang::Slot* value) override;
   lang::Reply forward(int line, std::span<const double> joints, lang::PoseValue& pose) override;
