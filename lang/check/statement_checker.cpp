@@ -383,10 +383,14 @@ void StatementChecker::warn_of_missing_cases(const Select& select, const CaseLin
   });
   if (select.has_else || !all_known) return;
   const TypeDetail& detail = *select.selector->type.detail;
+  std::vector<bool> named(detail.names.size());
+  for (const auto& [value, line] : lines) {
+    const auto* const number = std::get_if<std::int64_t>(&value);
+    if (number != nullptr) named.at(static_cast<std::size_t>(*number)) = true;
+  }
   std::vector<std::string> missing;
-  for (std::size_t i = 0; i < detail.names.size(); ++i) {
-    const auto value = static_cast<std::int64_t>(i);
-    if (!lines.contains(value)) missing.push_back(enum_text(detail, value));
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    if (!named[i]) missing.push_back(enum_text(detail, static_cast<std::int64_t>(i)));
   }
   if (missing.empty()) return;
   diagnostics_.warning(code::kCaseMissing, select.selector->place,
