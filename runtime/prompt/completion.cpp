@@ -108,7 +108,7 @@ Completions argument_of(const Command& command, std::string_view before, const V
       choice.add_all(lang::help_topics());
       for (const CodeText& code : all_codes()) choice.add(code.code);
     } else if (word == "POINT") {
-      choice.add_all(known.names);
+      choice.add_all(known.points);
     } else if (word == "NAME" && std::string_view(command.name) == "robot") {
       choice.add_all(known.robots);
     } else if (std::ranges::all_of(word, [](char c) { return c >= 'a' && c <= 'z'; })) {

@@ -10,7 +10,8 @@ namespace rob::runtime {
 
 /// What there is to be named at a prompt, beside the words of the language.
 struct Vocabulary {
-  std::vector<std::string> names;  ///< declared ones, and the robot's signals
+  std::vector<std::string> names;   ///< declared ones, and the robot's signals
+  std::vector<std::string> points;  ///< those of `names` that are points
   std::vector<std::string> robots;
   /// What lies in a folder ("": the present one, else with its '/'); folders end in '/'.
   std::function<std::vector<std::string>(const std::string& folder)> files;

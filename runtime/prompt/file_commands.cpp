@@ -99,7 +99,7 @@ void load(Session& session, const Words& words) {
   const std::string text = loaded.load(file);
   session.follow_points(points_file_of(file));
   workshop.file = loaded;
-  workshop.program.set(text);
+  workshop.program.set(text, fmt::format("'{}' loaded", file));
   workshop.breakpoints.clear();
   session.screen().message(fmt::format("loaded '{}', {} lines\n", file, workshop.program.size()));
 }
@@ -124,7 +124,12 @@ void compare(Session& session, const Words& words) {
 }
 
 void restore(Session& session, const Words& words) {
-  if (const auto text = named_version(session, words)) session.workshop().program.set(*text);
+  const auto text = named_version(session, words);
+  if (!text) return;
+  ProgramText& program = session.workshop().program;
+  program.set(*text, fmt::format("version {} restored", words[0]));
+  session.screen().message(
+      fmt::format("version {} is the program in memory, {} lines\n", words[0], program.size()));
 }
 
 }  // namespace rob::runtime::command

@@ -146,8 +146,10 @@ LineEditor::~LineEditor() {
   living = nullptr;
 }
 
-void LineEditor::begin(const std::string& prompt, const std::string& indent) {
+void LineEditor::begin(const std::string& prompt, const std::string& indent,
+                       const std::string& text) {
   indent_ = indent;
+  text_ = indent + text;
   line_.reset();
   editing_ = true;
   hidden_ = false;
@@ -168,7 +170,7 @@ int LineEditor::enter(int count, int key) {
 }
 
 int LineEditor::put_in() {
-  if (!living->indent_.empty()) rl_insert_text(living->indent_.c_str());
+  if (!living->text_.empty()) rl_insert_text(living->text_.c_str());
   return 0;
 }
 

@@ -23,8 +23,9 @@ class LineEditor {
   LineEditor(const LineEditor&) = delete;
   LineEditor& operator=(const LineEditor&) = delete;
 
-  /// A new line, behind the prompt; `indent` stands in it already.
-  void begin(const std::string& prompt, const std::string& indent = "");
+  /// A new line, behind the prompt; `indent` and `text` stand in it already.
+  void begin(const std::string& prompt, const std::string& indent = "",
+             const std::string& text = "");
   /// Of the line under way; what has been typed and the cursor stay.
   void change_prompt(const std::string& prompt);
   /// Takes what has been typed until there is no more, or a line is complete.
@@ -55,6 +56,7 @@ class LineEditor {
   Completer completer_;
   std::string history_;
   std::string indent_;
+  std::string text_;    ///< that stands in the line at first
   std::string pasted_;  ///< text that is too long for the screen; it stands before the line
   std::optional<std::string> line_;
   bool editing_ = false;

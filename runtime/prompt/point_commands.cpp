@@ -80,9 +80,13 @@ void rename(Session& session, const Words& words) {
     return session.fail(":rename takes a point and its new name", "", ExitCode::Usage);
   PointsFile* const points = kept_points(session);
   if (points == nullptr || !session.stands(":rename")) return;
-  if (!points->rename(words[0], words[1]))
+  ProgramText& program = session.workshop().program;
+  if (program.has_name(words[1]))
+    return session.fail(fmt::format("the program in memory has the name {} already", words[1]));
+  if (!session.rename_point(words[0], words[1]))
     return session.fail(fmt::format("there is no point {}", words[0]), ":points lists them");
-  session.take_points();
+  program.rename({words[0], words[1]});
+  session.screen().message(fmt::format("{} is {} now; :undo takes it back\n", words[0], words[1]));
 }
 
 void forget(Session& session, const Words& words) {
@@ -93,6 +97,7 @@ void forget(Session& session, const Words& words) {
   if (!points->forget(words[0]))
     return session.fail(fmt::format("there is no point {}", words[0]), ":points lists them");
   session.take_points();
+  session.screen().message(fmt::format("{} is forgotten; :points undo brings it back\n", words[0]));
 }
 
 }  // namespace rob::runtime::command

@@ -37,6 +37,8 @@ std::optional<Span> named_span(Session& session, const Words& words) {
   return Span{*first, std::max(*first, *last)};
 }
 
+void tell(Session& session, const std::string& what) { session.screen().message(what + "\n"); }
+
 void show_lines(Session& session, Span span) {
   const Workshop& workshop = session.workshop();
   for (std::size_t i = span.first; i <= span.last; ++i) {
@@ -70,35 +72,47 @@ void list(Session& session, const Words& words) {
 void edit(Session& session, const Words& words) {
   if (words.empty()) return session.fail(":edit takes a line and its text", "", ExitCode::Usage);
   const auto line = named_line(session, words[0]);
-  if (line) session.workshop().program.replace(*line, words.size() > 1 ? words[1] : "");
+  if (!line) return;
+  ProgramText& program = session.workshop().program;
+  if (words.size() > 1) return tell(session, program.replace(*line, words[1]));
+  session.propose(fmt::format(":edit {} {}", *line, program.line(*line)));
 }
 
 void insert(Session& session, const Words& words) {
   if (words.empty()) return session.fail(":insert takes a line and its text", "", ExitCode::Usage);
   const auto line = named_line(session, words[0], 1);
-  if (line) session.workshop().program.insert(*line, words.size() > 1 ? words[1] : "");
+  if (line)
+    tell(session, session.workshop().program.insert(*line, words.size() > 1 ? words[1] : ""));
 }
 
 void erase(Session& session, const Words& words) {
   if (words.empty())
     return session.fail(":delete takes a line, or the first and the last", "", ExitCode::Usage);
   if (const auto span = named_span(session, words))
-    session.workshop().program.erase(span->first, span->last);
+    tell(session, session.workshop().program.erase(span->first, span->last));
 }
 
 void undo(Session& session, const Words&) {
-  if (!session.workshop().program.undo())
-    session.fail("nothing of the program is left to undo", ":points undo takes back a point");
+  const auto done = session.workshop().program.undo();
+  if (!done)
+    return session.fail("nothing of the program is left to undo",
+                        ":points undo takes back a point");
+  if (done->renaming) session.rename_point(done->renaming->to, done->renaming->from);
+  tell(session, "undone: " + done->what);
 }
 
 void redo(Session& session, const Words&) {
-  if (!session.workshop().program.redo()) session.fail("there is nothing to do again");
+  const auto done = session.workshop().program.redo();
+  if (!done) return session.fail("there is nothing to do again");
+  if (done->renaming) session.rename_point(done->renaming->from, done->renaming->to);
+  tell(session, "done again: " + done->what);
 }
 
 void begin_new(Session& session, const Words&) {
-  session.workshop().program.set("");
+  session.workshop().program.set("", "another program begun");
   session.workshop().file.close();
   session.workshop().breakpoints.clear();
+  tell(session, "the program in memory is empty");
 }
 
 namespace {

@@ -180,6 +180,9 @@ ExitCode run_prompt(SessionOptions options) {
   }
   if (!options.trace.empty()) {
     std::vector<InputFile> inputs{{options.points_file, "where the prompt keeps points"}};
+    const std::string robot = load_robot(options.robot.empty() ? "gantry" : options.robot).name;
+    inputs.push_back(
+        {points_at_prompt(options.points_file, robot), "where the prompt keeps points"});
     if (options.robot.ends_with(".toml")) inputs.push_back({options.robot, "the robot file"});
     refuse_overwriting("--trace", options.trace, inputs);
   }

@@ -38,9 +38,11 @@ bool is_incomplete(const std::string& entry, const LoadedProgram& compiled) {
 
 Session::Session(SessionOptions options, Screen& screen)
     : options_(std::move(options)),
+      prompt_points_(options_.points_file),
       screen_(&screen),
       workshop_(options_.archive.empty() ? Archive::default_folder() : options_.archive) {
   const motion::RobotModel robot = chosen(options_);
+  options_.points_file = points_at_prompt(prompt_points_, robot.name);
   forget_unusable_points(robot);
   begin_text(robot);
   robot_ = live(robot);
@@ -249,6 +251,8 @@ void Session::choose_robot(const std::string& robot, std::optional<motion::Law> 
   options.robot = robot;
   options.law = law;
   motion::RobotModel model = chosen(options);  // throws before anything is lost
+  if (model.name != robot_->robot().name)
+    options.points_file = points_at_prompt(prompt_points_, model.name);
   if (options.robot == options_.robot) model.start = robot_->channels().joints.load();
   if (!text_->names().empty()) screen_->message("what was declared at the prompt is gone\n");
   if (!options_.trace.empty())
@@ -371,6 +375,17 @@ void Session::follow_points(const std::string& file) {
   text_->use_points(file);
   robot_->points()->move_to(file);
   take_points();
+}
+
+bool Session::rename_point(const std::string& name, const std::string& new_name) {
+  if (robot_->points() == nullptr || !robot_->points()->rename(name, new_name)) return false;
+  take_points();
+  return true;
+}
+
+void Session::propose(const std::string& line) {
+  if (options_.waits) return fail("nobody can change the line here", line + " …", ExitCode::Usage);
+  proposed_ = line;
 }
 
 bool Session::traces_to(const std::string& file) const {

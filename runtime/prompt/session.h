@@ -98,6 +98,9 @@ class Session {
   Screen& write_to(Screen& screen) { return *std::exchange(screen_, &screen); }
   void quit() { over_ = true; }
   void ask_for_pendant() { pendant_ = true; }
+  /// A line for whoever types to change and enter.
+  void propose(const std::string& line);
+  std::string take_proposed() { return std::exchange(proposed_, ""); }
   /// Of the jogs of this session.
   DeadMan& dead_man() { return dead_man_; }
   /// "error: …" and the way out; counts as one of the session.
@@ -138,6 +141,8 @@ class Session {
   void follow_points(const std::string& file);
   /// Points that have changed in the file are so at the prompt.
   void take_points();
+  /// False if there is no such point where points are kept. Throws FileError.
+  bool rename_point(const std::string& name, const std::string& new_name);
   /// TEACH, of a point that need not be declared.
   void teach(const std::string& point);
 
@@ -157,6 +162,7 @@ class Session {
   void note(ExitCode error);
 
   SessionOptions options_;
+  std::string prompt_points_;  ///< the name from which each robot's own points file has its name
   Screen* screen_;
   std::optional<SessionText> text_;
   DeadMan dead_man_;
@@ -169,6 +175,7 @@ class Session {
   std::size_t errors_ = 0;
   bool over_ = false;
   bool pendant_ = false;
+  std::string proposed_;
   bool interrupted_ = false;  ///< and the robot has not come to rest yet
 };
 

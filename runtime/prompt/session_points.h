@@ -9,6 +9,10 @@
 
 namespace rob::runtime {
 
+/// Where a prompt keeps the points of a robot: `prompt.gantry.points` for `prompt.points`, or that
+/// file itself if it is there alone, and for this robot. Empty for an empty name. Throws FileError.
+std::string points_at_prompt(const std::string& name, const std::string& robot);
+
 /// Which points of the points file a prompt has declared, so that they can be used as if each had
 /// been written behind POINT.
 class SessionPoints {

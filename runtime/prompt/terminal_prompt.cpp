@@ -137,10 +137,14 @@ TerminalPrompt::TerminalPrompt(SessionOptions options)
       fast_(options.fast),
       session_(with(std::move(options), requests_), screen_) {}
 
+void add_name(const lang::DeclaredName& declared, Vocabulary& known) {
+  known.names.push_back(declared.name);
+  if (declared.kind == lang::DeclaredName::Kind::Point) known.points.push_back(declared.name);
+}
+
 Vocabulary TerminalPrompt::vocabulary() const {
   Vocabulary known;
-  for (const lang::DeclaredName& declared : session_.text().names())
-    known.names.push_back(declared.name);
+  for (const lang::DeclaredName& declared : session_.text().names()) add_name(declared, known);
   for (const auto& signal : signature_of(session_.robot().robot()).signals) {
     if (!signal.name.empty()) known.names.push_back(signal.name);
   }
@@ -167,7 +171,8 @@ void TerminalPrompt::begin_line() {
   width_ = 0;
   prompt_ = prompt_text();
   shown_ = SteadyClock::now();
-  editor_.begin(prompt_, entry_.empty() || session_.asks() ? "" : indent_after(entry_.text()));
+  editor_.begin(prompt_, entry_.empty() || session_.asks() ? "" : indent_after(entry_.text()),
+                session_.take_proposed());
 }
 
 /// For a key, but not longer than until the robot may have something to report. False when the

@@ -106,8 +106,8 @@ TEST_CASE("the prompt's trace overwrites neither its robot file nor its points")
   const std::string before = read_whole_file(robot);
   CHECK(run_process({ROB_BINARY, "--fast", "--robot", robot, "--trace", robot}).exit_code == 64);
   CHECK(read_whole_file(robot) == before);
-  CHECK(run_process({ROB_BINARY, "--fast", "--trace", "prompt.points"}).exit_code == 64);
-  CHECK_FALSE(fs::exists("prompt.points"));
+  CHECK(run_process({ROB_BINARY, "--fast", "--trace", "prompt.gantry.points"}).exit_code == 64);
+  CHECK_FALSE(fs::exists("prompt.gantry.points"));
 }
 
 TEST_CASE("an empty name of a file is a usage error, and not none") {

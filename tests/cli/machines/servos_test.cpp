@@ -69,7 +69,7 @@ TEST_CASE("a prompt on a machine: guided by hand, a point is taught, and driven 
   CAPTURE(result.err);
   CHECK(contains(result.err, without_force));
   CHECK(contains(result.err, ":guide off takes the robot under control again"));
-  const std::string points = rob::test::read_whole_file(rob.file("prompt.points"));
+  const std::string points = rob::test::read_whole_file(rob.file("prompt.gantry.points"));
   CHECK(contains(points, "pick"));
   CHECK(contains(points, "47.5"));
   CHECK(contains(points, "31.25"));

@@ -17,6 +17,7 @@ using Offers = std::vector<std::string>;
 Vocabulary known() {
   Vocabulary known;
   known.names = {"pick", "pallet", "vacuum"};
+  known.points = {"pick", "pallet"};
   known.robots = {"gantry", "irb120"};
   known.files = [](const std::string& folder) {
     if (folder == "lib/") return Offers{"tools.rob", "notes.txt", ".hidden.rob"};

@@ -12,7 +12,7 @@ using rob::test::ScratchFolder;
 namespace {
 
 std::string kept(const ScratchFolder& folder) {
-  return read_file(folder.file("prompt.points"), 1'000'000);
+  return read_file(folder.file("prompt.gantry.points"), 1'000'000);
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ TEST_CASE("what others have written into the points file since is not undone") {
   const ScratchFolder folder;
   PipedPrompt prompt(folder);
   prompt.enter({"MOVE(40,20,0)", ":teach pick"});
-  std::ofstream(folder.file("prompt.points"), std::ios::app) << "// by hand\n";
+  std::ofstream(folder.file("prompt.gantry.points"), std::ios::app) << "// by hand\n";
   prompt.enter({":points undo"});
   CHECK(prompt.said().find("has been changed by others since") != std::string::npos);
   CHECK(kept(folder).ends_with("// by hand\n"));
@@ -102,7 +102,7 @@ TEST_CASE("what others have written into the points file since is not undone") {
 
 TEST_CASE("points of another robot leave the prompt usable, without points") {
   const ScratchFolder folder;
-  std::ofstream(folder.file("prompt.points")) << "ROBOT \"ums7\"\n";
+  std::ofstream(folder.file("prompt.gantry.points")) << "ROBOT \"ums7\"\n";
   PipedPrompt prompt(folder);
   CHECK(prompt.said().find("points are not kept at this prompt") != std::string::npos);
   CHECK(prompt.enter({"PRINT 1"}) == "1\n");
@@ -134,4 +134,56 @@ TEST_CASE("a points file that has become empty is any robot's") {
   gantry.enter({":teach c"});
   CHECK(gantry.said().empty());
   CHECK(gantry.enter({":points"}).starts_with("c = "));
+}
+
+TEST_CASE("each robot has its own points in a folder, and :robot brings them") {
+  const ScratchFolder folder;
+  {
+    PipedPrompt prompt(folder);
+    prompt.enter({"MOVE(40,20,0)", ":teach pick", ":robot irb120", ":teach home", ":robot gantry",
+                  "MOVE pick"});
+    CHECK(prompt.session.worst() == ExitCode::Done);
+    CHECK(prompt.session.state_text() == "gantry idle (40, 20, 0)");
+    CHECK(prompt.session.points_file() == folder.file("prompt.gantry.points"));
+    prompt.enter({":robot irb120"});
+    CHECK(prompt.enter({":points"}).starts_with("home = "));
+  }
+  PipedPrompt arm(folder, "irb120");
+  CHECK(arm.enter({":points"}).starts_with("home = "));
+}
+
+TEST_CASE("an old points file belongs to the robot that its first line names") {
+  const ScratchFolder folder;
+  const std::string old =
+      "// by hand\nROBOT \"gantry\"\n"
+      "pick = POSE(30mm, 40mm, 0mm, 0deg, 0deg, 0deg) IN world TAUGHT \"by hand\"\n";
+  std::ofstream(folder.file("prompt.points")) << old;
+  PipedPrompt arm(folder, "irb120");
+  CHECK(arm.said() == "");
+  CHECK(arm.session.points_file() == folder.file("prompt.irb120.points"));
+  PipedPrompt gantry(folder);
+  gantry.enter({"MOVE pick"});
+  CHECK(gantry.session.state_text() == "gantry idle (30, 40, 0)");
+  CHECK(gantry.session.points_file() == folder.file("prompt.points"));
+}
+
+TEST_CASE(":rename renames in the program in memory, too, and :undo takes both back") {
+  const ScratchFolder folder;
+  PipedPrompt prompt(folder);
+  prompt.enter({"MOVE(40,20,0)", ":teach pick", "MOVE(0,0,0)", ":insert 1 POINT pick",
+                ":insert 2 MOVE pick // pick", ":rename pick place"});
+  CHECK(prompt.said().ends_with("pick is place now; :undo takes it back\n"));
+  CHECK(prompt.session.workshop().program.text() == "POINT place\nMOVE place // pick\n");
+  prompt.enter({":run"});
+  CHECK(prompt.session.state_text() == "gantry idle (40, 20, 0)");
+  prompt.said();
+  prompt.enter({":undo"});
+  CHECK(prompt.said() == "undone: pick renamed to place\n");
+  CHECK(prompt.session.workshop().program.text() == "POINT pick\nMOVE pick // pick\n");
+  CHECK(kept(folder).find("place = ") == std::string::npos);
+  CHECK(kept(folder).find("pick = ") != std::string::npos);
+  prompt.enter({":redo"});
+  CHECK(kept(folder).find("place = ") != std::string::npos);
+  prompt.enter({":insert 1 VAR bin = 1", ":rename place bin"});
+  CHECK(prompt.said().ends_with("error: the program in memory has the name bin already\n"));
 }

@@ -9,7 +9,7 @@ using rob::runtime::ProgramText;
 
 TEST_CASE("edits change the lines that they name, and no others") {
   ProgramText program;
-  program.set("a\nb\nc\n");
+  program.set("a\nb\nc\n", "");
   program.replace(2, "B");
   CHECK(program.text() == "a\nB\nc\n");
   program.insert(1, "0");
@@ -23,24 +23,24 @@ TEST_CASE("edits change the lines that they name, and no others") {
 TEST_CASE("every edit can be undone and done again, until the next edit") {
   ProgramText program;
   CHECK(!program.undo());
-  program.set("a\n");
+  program.set("a\n", "");
   program.insert(2, "b");
   program.erase(1, 1);
-  CHECK(program.undo());
+  CHECK(program.undo().has_value());
   CHECK(program.text() == "a\nb\n");
-  CHECK(program.undo());
+  CHECK(program.undo().has_value());
   CHECK(program.text() == "a\n");
-  CHECK(program.redo());
+  CHECK(program.redo().has_value());
   CHECK(program.text() == "a\nb\n");
   program.replace(1, "A");
   CHECK(!program.redo());
-  CHECK(program.undo());
+  CHECK(program.undo().has_value());
   CHECK(program.text() == "a\nb\n");
 }
 
 TEST_CASE("what was recorded of entries that failed is taken back, and nothing else") {
   ProgramText program;
-  program.set("typed\n");
+  program.set("typed\n", "");
   program.record("one\n  more", 3);
   program.record("two", 5);
   program.record("three", 6);
@@ -48,4 +48,32 @@ TEST_CASE("what was recorded of entries that failed is taken back, and nothing e
   CHECK(program.text() == "typed\none\n  more\n");
   program.take_back(4, 9);
   CHECK(program.text() == "typed\none\n  more\n");
+}
+
+TEST_CASE("each edit says what it did, and so does who takes it back") {
+  ProgramText program;
+  program.set("a\nb\nc\n", "loaded");
+  CHECK(program.replace(2, "B") == "line 2 changed: B");
+  CHECK(program.insert(4, "d") == "line 4 inserted: d");
+  CHECK(program.erase(1, 1) == "line 1 deleted: a");
+  CHECK(program.erase(1, 2) == "lines 1 to 2 deleted");
+  CHECK(program.undo()->what == "lines 1 to 2 deleted");
+  CHECK(program.undo()->what == "line 1 deleted: a");
+  CHECK(program.text() == "a\nB\nc\nd\n");
+  CHECK(program.redo()->what == "line 1 deleted: a");
+}
+
+TEST_CASE("a name is another one wherever it stands, but in texts, comments and fields") {
+  ProgramText program;
+  program.set("POINT pick\nMOVE Pick // pick\nPRINT \"pick\", part.pick, pick.x, pickup\n", "");
+  CHECK(program.has_name("PICK"));
+  CHECK_FALSE(program.has_name("up"));
+  program.rename({"pick", "place"});
+  CHECK(program.text() ==
+        "POINT place\nMOVE place // pick\nPRINT \"pick\", part.pick, place.x, pickup\n");
+  const auto undone = program.undo();
+  REQUIRE(undone->renaming.has_value());
+  CHECK(undone->renaming->to == "place");
+  CHECK(program.text() ==
+        "POINT pick\nMOVE Pick // pick\nPRINT \"pick\", part.pick, pick.x, pickup\n");
 }

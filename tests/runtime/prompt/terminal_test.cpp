@@ -227,6 +227,19 @@ TEST_CASE("a paste of 50 lines is shown once, and Enter executes it") {
   CHECK(terminal.expect("1176\r\n"));  // 48 * 49 / 2
 }
 
+TEST_CASE(":edit with a line alone opens the old text") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send(":insert 1 PRINT 41\r");
+  REQUIRE(terminal.expect("line 1 inserted: PRINT 41"));
+  terminal.send(":edit 1\r");
+  REQUIRE(terminal.expect(":edit 1 PRINT 41"));
+  terminal.send("\b2\r");
+  CHECK(terminal.expect("line 1 changed: PRINT 42"));
+}
+
 TEST_CASE("Tab completes what may stand there, and lists what is ambiguous") {
   const Desk desk;
   PseudoTerminal terminal({ROB_BINARY}, desk.options());
