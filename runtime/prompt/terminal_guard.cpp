@@ -17,6 +17,7 @@ constexpr int kCrashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SI
 // A signal handler can reach nothing but these.
 termios found{};
 volatile std::sig_atomic_t changed = 0;
+volatile std::sig_atomic_t ctrl_z = 0;
 std::atomic<const char*> parting{nullptr};
 
 void send(std::string_view text) {
@@ -42,7 +43,32 @@ void give_back_and_die(int signal) {
   raise(signal);
 }
 
+void note_ctrl_z() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { ctrl_z = 1; };
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGTSTP, &action, nullptr);
+}
+
 }  // namespace
+
+bool TerminalGuard::take_suspension() {
+  const bool asked = ctrl_z != 0;
+  ctrl_z = 0;
+  return asked;
+}
+
+void TerminalGuard::suspend() {
+  termios now{};
+  const bool known = tcgetattr(STDIN_FILENO, &now) == 0;
+  send("\033[?2004l");
+  tcsetattr(STDIN_FILENO, TCSADRAIN, &found);
+  std::signal(SIGTSTP, SIG_DFL);
+  raise(SIGTSTP);
+  note_ctrl_z();
+  if (known) tcsetattr(STDIN_FILENO, TCSADRAIN, &now);
+  send("\033[?2004h");
+}
 
 void TerminalGuard::send_at_end(const char* text) { parting = text; }
 
@@ -54,7 +80,7 @@ TerminalGuard::TerminalGuard() {
   action.sa_handler = give_back_and_die;
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_NODEFER;
   for (const int signal : kCrashes) sigaction(signal, &action, nullptr);
-  std::signal(SIGTSTP, SIG_IGN);
+  note_ctrl_z();
 }
 
 TerminalGuard::~TerminalGuard() {

@@ -108,6 +108,7 @@ class TerminalPrompt {
   void look_at_last_lines();
   void show_state();
   void stop_or_drop();
+  void suspend();
   void come_to_rest();
 
   StopRequests requests_;
@@ -284,6 +285,18 @@ void TerminalPrompt::stop_or_drop() {
   begin_line();
 }
 
+/// Ctrl-Z
+void TerminalPrompt::suspend() {
+  const LiveRobot& robot = session_.robot();
+  if (!robot.simulated())
+    return screen_.message("Ctrl-Z does nothing: nobody would look after the robot\n");
+  if (!robot.idle())
+    return screen_.message("Ctrl-Z does nothing while the robot is under way; :stop it first\n");
+  editor_.hide();
+  TerminalGuard::suspend();
+  editor_.show();
+}
+
 void TerminalPrompt::come_to_rest() {
   const bool moves = session_.robot().reports().moves();
   if (!session_.interrupt()) return;
@@ -302,6 +315,7 @@ ExitCode TerminalPrompt::run() {
   while (!session_.over()) {
     if (Interruption::requested()) break;
     if (Interruption::ctrl_c_pressed()) stop_or_drop();
+    if (TerminalGuard::take_suspension()) suspend();
     if (!wait()) {
       requests_.hold = true;
       return Interruption::requested() ? Interruption::exit_code() : ExitCode::HungUp;

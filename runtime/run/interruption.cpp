@@ -20,7 +20,8 @@ static_assert(std::atomic<StopRequests*>::is_always_lock_free);
 
 void remember(int signal) {
   StopRequests* const requests = innermost.load();
-  if (signal == SIGINT) {
+  const bool by_key = signal == SIGINT || (signal == SIGQUIT && tells_ctrl_c != 0);
+  if (by_key) {
     const bool again = ctrl_c_count > 0;
     ctrl_c_count = again ? 2 : 1;
     if (tells_ctrl_c != 0) return;

@@ -20,7 +20,7 @@ class Interruption {
  public:
   enum class CtrlC : std::uint8_t {
     Ends,   ///< as the others do
-    IsTold  ///< by ctrl_c_pressed(), and changes nothing else
+    IsTold  ///< by ctrl_c_pressed(), as Ctrl-\ is, and changes nothing else
   };
   explicit Interruption(StopRequests& requests, CtrlC ctrl_c = CtrlC::Ends);
   ~Interruption();

@@ -240,6 +240,40 @@ TEST_CASE(":edit with a line alone opens the old text") {
   CHECK(terminal.expect("line 1 changed: PRINT 42"));
 }
 
+TEST_CASE("Ctrl-\\ brakes as Ctrl-C does, and the prompt stays") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("MOVE(100,0,0)\r");
+  REQUIRE(terminal.expect("gantry moving"));
+  terminal.send("\x1c");
+  REQUIRE(terminal.expect("stopped by the operator"));
+  REQUIRE(terminal.expect("idle"));
+  terminal.send(kCtrlD);
+  CHECK(terminal.wait() == 0);
+}
+
+TEST_CASE("Ctrl-Z suspends at rest, and says why it does not while the robot is under way") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("MOVE(30,0,0)\r");
+  REQUIRE(terminal.expect("gantry moving"));
+  terminal.send("\x1a");
+  REQUIRE(terminal.expect("Ctrl-Z does nothing while the robot is under way; :stop it first"));
+  REQUIRE(terminal.expect("idle (30, 0, 0)"));
+  terminal.send("\x1a");
+  terminal.watch(700ms);
+  terminal.signal(SIGCONT);
+  terminal.send("PRINT 40 + 2\r");
+  REQUIRE(terminal.expect("42\r\n"));
+  terminal.send("MOVE(31,0,0)\r");
+  REQUIRE(terminal.expect("idle (31, 0, 0)"));
+  CHECK(terminal.raw().find("fault") == std::string::npos);
+}
+
 TEST_CASE("Tab completes what may stand there, and lists what is ambiguous") {
   const Desk desk;
   PseudoTerminal terminal({ROB_BINARY}, desk.options());
@@ -356,8 +390,8 @@ TEST_CASE("whatever ends the prompt, the exit code tells it and the terminal is 
     int signal;
     int exit_code;
   };
-  for (const End end : {End{SIGTERM, 143}, End{SIGHUP, 129}, End{SIGQUIT, 131}, End{SIGUSR1, 138},
-                        End{SIGSEGV, 128 + SIGSEGV}}) {
+  for (const End end :
+       {End{SIGTERM, 143}, End{SIGHUP, 129}, End{SIGUSR1, 138}, End{SIGSEGV, 128 + SIGSEGV}}) {
     CAPTURE(end.signal);
     const Desk desk;
     PseudoTerminal terminal({ROB_BINARY}, desk.options());
