@@ -56,6 +56,7 @@ set(rob_lang_sources
   lang/syntax/clause_parser.cpp
   lang/syntax/declaration_parser.cpp
   lang/syntax/expression_parser.cpp
+  lang/syntax/foreign_hints.cpp
   lang/syntax/header_parser.cpp
   lang/syntax/keywords.cpp
   lang/syntax/lexer.cpp

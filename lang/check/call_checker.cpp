@@ -632,6 +632,17 @@ bool CallChecker::check_argument(const Expr& argument, const Routine& routine,
     uses_.referred(*variable->symbol, argument.place);
     return true;
   }
+  const bool is_variable = variable != nullptr && variable->symbol != nullptr &&
+                           variable->symbol->kind == Symbol::Kind::Variable;
+  if (is_variable) {
+    diagnostics_.error(code::kReferenceArgument, argument.place,
+                       fmt::format("{} is {}; {} of {} is REF {}", shortened(place_text(argument)),
+                                   as_written(argument.type), shortened(name),
+                                   shortened(routine.name), as_written(group.type)),
+                       fmt::format("a REF parameter takes a variable of its own type: VAR {}: {}",
+                                   shortened(variable->text), as_written(group.type)));
+    return false;
+  }
   diagnostics_.error(
       code::kReferenceArgument, argument.place,
       fmt::format("{} a variable here, {}, since it is REF", needs, in_words(group.type)),

@@ -6,12 +6,37 @@
 #include <fmt/core.h>
 
 #include "lang/check/meaning.h"
+#include "lang/syntax/named_types.h"
 #include "lang/text/codes.h"
 #include "lang/values/file_name.h"
+#include "lang/values/units.h"
 
 namespace rob::lang {
 
 std::string frame_in_words(const Type& pose) { return fmt::format("IN {}", frame_name(pose)); }
+
+std::string as_written(const Type& type) {
+  if (type.is(Type::Kind::Record)) return type.detail->name;
+  if (type.is(Type::Kind::Array)) {
+    return fmt::format("ARRAY[{}] OF {}", type.detail->length, as_written(type.detail->element));
+  }
+  if (type.is(Type::Kind::Pose) && type.detail != nullptr) return "POSE " + frame_in_words(type);
+  for (const NamedType& named : named_types()) {
+    const bool joints = type.is(Type::Kind::Joints) && named.type.is(Type::Kind::Joints);
+    if (joints || named.type == type) return std::string(named.name);
+  }
+  if (type.is(Type::Kind::Vec)) return "VEC OF " + as_written(Type::real(type.dimension));
+  return fmt::format("[{}]", unit_text(type.dimension));
+}
+
+std::string place_text(const Expr& place) {
+  if (const auto* const name = std::get_if<Name>(&place.node)) return name->text;
+  if (const auto* const member = std::get_if<Member>(&place.node))
+    return fmt::format("{}.{}", place_text(*member->object), member->field);
+  if (const auto* const index = std::get_if<Index>(&place.node))
+    return place_text(*index->object) + "[…]";
+  return "this";
+}
 
 std::string described(const Expr& expression) {
   const std::string words = in_words(expression.type);

@@ -10,6 +10,10 @@
 
 namespace rob::lang {
 
+/// A type as programs write it: "INT", "LENGTH", "ARRAY[3] OF REAL", the name of a RECORD.
+std::string as_written(const Type& type);
+/// A variable, or a part of one, as programs write it: "k", "part.size", "a[…]".
+std::string place_text(const Expr& place);
 /// "a length, 5mm": type and, where it is known, value; for messages.
 std::string described(const Expr& expression);
 /// "IN pallet": the frame of a pose.

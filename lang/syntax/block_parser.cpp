@@ -1,6 +1,8 @@
 #include "lang/syntax/block_parser.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -56,6 +58,22 @@ void BlockParser::if_statement(Block& block) {
     behind_then(body);
   }
   tree_.add(block, open.place, std::move(node));
+}
+
+/// A statement on the line of a CASE. Where it cannot be read the next lines are.
+void BlockParser::on_line_of(std::string_view word, Block& body) {
+  try {
+    if (tokens_.at(TokenKind::Reserved) && takes_lines(tokens_.current().keyword)) {
+      tokens_.fail_here(
+          code::kLineEndExpected,
+          fmt::format("{} cannot stand on the line of {}", described(tokens_.current()), word),
+          "begin a new line before it");
+    }
+    statements_.simple(body);
+    tokens_.end_of_line();
+  } catch (const SyntaxError&) {
+    tokens_.skip_line();
+  }
 }
 
 /// The one statement on the line of THEN.
@@ -171,7 +189,8 @@ void BlockParser::loop_statement(Block& block) {
   tree_.add(block, open.place, std::move(loop));
 }
 
-// "SELECT" expr eol { "CASE" expr { "," expr } ":" eol block } [ "ELSE" eol block ] "ENDSELECT" eol
+// "SELECT" expr eol { "CASE" expr { "," expr } ":" [ simple ] eol block } [ "ELSE" eol block ]
+// "ENDSELECT" eol
 void BlockParser::select_statement(Block& block) {
   const OpenBlock open{Keyword::Endselect, tokens_.place()};
   Select node;
@@ -206,7 +225,8 @@ void BlockParser::select_branches(Select& node, const OpenBlock& open) {
       Select::Case& branch = node.cases.back();
       tokens_.advance();
       case_values(branch);
-      branch.body = blocks_.read(open);
+      if (!tokens_.at_line_end()) on_line_of("CASE", branch.body);
+      std::ranges::move(blocks_.read(open), std::back_inserter(branch.body));
     } else {
       tokens_.advance();
       tokens_.accept(TokenKind::Colon);  // as after CASE; it changes nothing
@@ -226,7 +246,6 @@ void BlockParser::case_values(Select::Case& branch) {
       tokens_.fail_behind(code::kWordExpected, "':' expected after the values of CASE",
                           tokens_.remedy());
     }
-    blocks_.header_end("CASE");
   } catch (const SyntaxError&) {
     tokens_.skip_line();
   }

@@ -36,6 +36,7 @@ class BlockParser {
 
  private:
   void behind_then(Block& body);
+  void on_line_of(std::string_view word, Block& body);
   void further_branches(If& node, const OpenBlock& open);
   void for_header(For& loop);
   void select_branches(Select& node, const OpenBlock& open);

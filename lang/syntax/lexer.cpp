@@ -1,5 +1,6 @@
 #include "lang/syntax/lexer.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -114,9 +115,30 @@ char Lexer::at(std::size_t ahead) const {
 /// Blanks and a comment up to the end of the line.
 void Lexer::skip_blanks() {
   while (at() == ' ' || at() == '\t') ++offset_;
+  while (at() == '/' && at(1) == '*') {
+    skip_foreign_comment();
+    while (at() == ' ' || at() == '\t') ++offset_;
+  }
   if (source_.substr(offset_).starts_with("//")) {
     while (offset_ < source_.size() && at() != '\n' && at() != '\r') ++offset_;
   }
+}
+
+/// A comment of other languages, up to its end, which may stand some lines on.
+void Lexer::skip_foreign_comment() {
+  begin_token();
+  offset_ += 2;
+  report(code::kForeignComment, begin_, "'/*' begins no comment in Rob",
+         "a comment begins with // and ends with its line");
+  while (offset_ < source_.size() && !(at() == '*' && at(1) == '/')) {
+    if (at() == '\n') {
+      begin_ = offset_ + 1;
+      count_.next(begin_);
+      begin_column_ = 1;
+    }
+    ++offset_;
+  }
+  offset_ = std::min(offset_ + 2, source_.size());
 }
 
 /// Line ends and what is blank between them; false if there is none.
@@ -434,7 +456,7 @@ Token Lexer::bad(std::string_view code, std::string message, std::string help) {
 /// Reports about the source from `begin` to what has been read.
 void Lexer::report(std::string_view code, std::size_t begin, std::string message,
                    std::string help) {
-  if (diagnostics_ == nullptr) return;
+  if (diagnostics_ == nullptr || muted_) return;
   diagnostics_->error(code, place(begin, offset_), std::move(message), std::move(help));
 }
 

@@ -35,6 +35,8 @@ class Lexer {
   /// Goes on after what has been read otherwise, on the line of the last token.
   void skip_to(std::size_t offset);
 
+  /// Whether nothing is reported from here on.
+  void mute(bool muted) { muted_ = muted; }
   /// A copy that goes on from here and reports nothing.
   Lexer quiet_copy() const;
 
@@ -43,6 +45,7 @@ class Lexer {
 
  private:
   void skip_blanks();
+  void skip_foreign_comment();
   bool skip_line_ends();
   Token read();
   Token word();
@@ -72,6 +75,7 @@ class Lexer {
 
   std::string_view source_;
   Diagnostics* diagnostics_;  ///< null: nothing is reported
+  bool muted_ = false;
   std::size_t offset_ = 0;
   std::size_t begin_ = 0;  ///< of the token that is being read
   LineCount count_;

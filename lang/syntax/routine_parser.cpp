@@ -47,7 +47,7 @@ void RoutineParser::routine() {
     blocks_.header_end(word);
   } catch (const SyntaxError&) {
     routine.sound = false;
-    tokens_.skip_line();
+    keep_named_parameters(routine);
   }
   routine.body = blocks_.read(open);
   routine.end = tokens_.place();
@@ -97,7 +97,8 @@ void RoutineParser::proc_or_func_header(Routine& routine) {
   tokens_.advance();
   if (!tokens_.at(TokenKind::RightParen)) {
     do {
-      routine.parameters.push_back(parameters());
+      Routine::Parameters group = parameters(routine);
+      if (!group.names.empty()) routine.parameters.push_back(std::move(group));
     } while (tokens_.accept(TokenKind::Comma));
   }
   expressions_.close_bracket("the parameters");
@@ -114,9 +115,10 @@ void RoutineParser::proc_or_func_header(Routine& routine) {
 }
 
 // parameter = [ "REF" ] NAME { "," NAME } ":" type [ "=" expr ] .
-Routine::Parameters RoutineParser::parameters() {
-  Routine::Parameters group;
-  group.by_reference = tokens_.at_word("REF") && tokens_.next().kind == TokenKind::Word;
+void RoutineParser::read_parameters(Routine::Parameters& group) {
+  const TokenKind next = tokens_.next().kind;
+  group.by_reference =
+      tokens_.at_word("REF") && (next == TokenKind::Word || next == TokenKind::Reserved);
   if (group.by_reference) tokens_.advance();
   do {
     tree_.count(tokens_.place());
@@ -128,7 +130,54 @@ Routine::Parameters RoutineParser::parameters() {
   }
   group.type = types_.type();
   if (tokens_.accept(TokenKind::Assign)) group.value = expressions_.expression();
+}
+
+/// Where a parameter cannot be read its name is known all the same, with any type.
+Routine::Parameters RoutineParser::parameters(Routine& routine) {
+  Routine::Parameters group;
+  try {
+    read_parameters(group);
+  } catch (const SyntaxError&) {
+    routine.sound = false;
+    group.type = {};
+    group.value = nullptr;
+    tokens_.misname();
+    skip_parameters();
+  }
   return group;
+}
+
+/// To the comma or the bracket after a faulty parameter, or to the end of the line.
+void RoutineParser::skip_parameters() {
+  int open = 0;
+  for (; !tokens_.at_line_end(); tokens_.advance()) {
+    const bool opens = tokens_.at(TokenKind::LeftParen) || tokens_.at(TokenKind::LeftBracket);
+    const bool closes = tokens_.at(TokenKind::RightParen) || tokens_.at(TokenKind::RightBracket);
+    if (open == 0 && (closes || tokens_.at(TokenKind::Comma))) return;
+    open += opens ? 1 : closes ? -1 : 0;
+  }
+}
+
+/// The rest of a header that could not be read: its parameters are known, with any type.
+void RoutineParser::keep_named_parameters(Routine& routine) {
+  for (; !tokens_.at_line_end(); tokens_.advance()) {
+    const bool named = tokens_.at(TokenKind::Word) && tokens_.next().kind == TokenKind::Colon;
+    if (!named || routine.name.empty()) continue;
+    Routine::Parameters group;
+    group.names.push_back({.name = std::string(tokens_.text()), .place = tokens_.place()});
+    routine.parameters.push_back(std::move(group));
+  }
+  tokens_.skip_line();
+}
+
+void RoutineParser::add_unread(const Place& place, const Token& name) {
+  Routine routine;
+  routine.place = place;
+  routine.end = place;
+  routine.name = std::string(name.text);
+  routine.name_place = name.place;
+  routine.sound = routine.whole = false;
+  keep(std::move(routine));
 }
 
 void RoutineParser::add_handler(const Place& place, const Place& end) {

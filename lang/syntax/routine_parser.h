@@ -28,6 +28,8 @@ class RoutineParser {
   void routine();
   /// The handler of a WHEN.
   void add_handler(const Place& place, const Place& end);
+  /// One that is written as in another language, and is not read: it is called all the same.
+  void add_unread(const Place& place, const Token& name);
   /// All that were read.
   std::vector<Routine> take() { return std::move(routines_); }
 
@@ -36,7 +38,10 @@ class RoutineParser {
   void test_header(Routine& test);
   void task_header();
   void proc_or_func_header(Routine& routine);
-  Routine::Parameters parameters();
+  Routine::Parameters parameters(Routine& routine);
+  void read_parameters(Routine::Parameters& group);
+  void skip_parameters();
+  void keep_named_parameters(Routine& routine);
   void keep(Routine routine);
 
   TokenReader& tokens_;

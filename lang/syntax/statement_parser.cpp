@@ -31,7 +31,8 @@ StatementParser::StatementParser(TokenReader& tokens, TreeBuilder& tree, TextNam
       motions_(tokens, tree, expressions, clauses_),
       block_statements_(tokens, tree, names, expressions, clauses_, blocks_, *this),
       watches_(tokens, tree, expressions, blocks_, routines_, *this),
-      actions_(tokens, tree, names, expressions) {}
+      actions_(tokens, tree, names, expressions),
+      hints_(tokens, names, routines_) {}
 
 void StatementParser::finish(Program& program) {
   program.header = header_.read();
@@ -59,6 +60,7 @@ void StatementParser::value_alone(Block& block) {
 
 // statement = simple eol | compound .   block = { decl | statement } .
 void StatementParser::any_statement(Block& block) {
+  if (hints_.skip()) return;
   if (tokens_.at(TokenKind::Reserved) && tokens_.next().kind == TokenKind::Assign) {
     tokens_.fail_reserved();
   }

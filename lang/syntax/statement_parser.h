@@ -8,6 +8,7 @@
 #include "lang/syntax/clause_parser.h"
 #include "lang/syntax/declaration_parser.h"
 #include "lang/syntax/expression_parser.h"
+#include "lang/syntax/foreign_hints.h"
 #include "lang/syntax/header_parser.h"
 #include "lang/syntax/motion_parser.h"
 #include "lang/syntax/open_blocks.h"
@@ -63,6 +64,7 @@ class StatementParser final : public StatementReader {
   BlockParser block_statements_;
   WatchParser watches_;
   ActionParser actions_;
+  ForeignHints hints_;
 };
 
 }  // namespace rob::lang

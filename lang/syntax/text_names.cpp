@@ -125,6 +125,9 @@ const TextNames::Defined& TextNames::defined() {
     if (first && token.kind == TokenKind::Word && same_word(token.text, "ENUM")) {
       names = &defined_->enums;
     }
+    // That of another language has its message; its calls are none of their own.
+    if (token.first_on_line && token.kind == TokenKind::Word && same_word(token.text, "SUB"))
+      names = &defined_->routines;
     if (token.kind != TokenKind::Reserved) continue;
     const bool routine = token.keyword == Keyword::Proc || token.keyword == Keyword::Func ||
                          token.keyword == Keyword::Task;

@@ -1,5 +1,6 @@
 #include "lang/syntax/token_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -123,7 +124,9 @@ Lexer TokenReader::from_beginning() const { return Lexer(source_, diagnostics_).
 
 void TokenReader::report(std::string_view code, const Place& place, std::string message,
                          std::string help) {
-  if (place.line == muted_line_) return;
+  const bool misnamed = at(TokenKind::Reserved) && place == current_.place &&
+                        std::ranges::find(misnamed_, current_.keyword) != misnamed_.end();
+  if (place.line == muted_line_ || misnamed) return;
   diagnostics_.error(code, place, std::move(message), std::move(help));
 }
 
@@ -198,6 +201,13 @@ void TokenReader::recover_until(Keyword keyword) {
 void TokenReader::skip_line() {
   brackets_ = 0;
   while (!at_line_end()) shift();
+}
+
+void TokenReader::skip_over(std::size_t end) {
+  brackets_ = 0;
+  lexer_.mute(true);
+  while (!at(TokenKind::EndOfFile) && (current_.offset < end || !at(TokenKind::EndOfLine))) shift();
+  lexer_.mute(false);
 }
 
 /// Skips the rest of the line, which opens a block, and all lines to the one that closes it.

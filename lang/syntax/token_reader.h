@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lang/syntax/lexer.h"
 #include "lang/syntax/token.h"
@@ -91,6 +92,11 @@ class TokenReader {
   [[noreturn]] void fail_behind(std::string_view code, std::string message, std::string help = "");
   /// A reserved word stands where a name should.
   [[noreturn]] void fail_reserved();
+  /// The reserved word here was meant for a name, if it is one: where it stands again as one,
+  /// nothing is reported.
+  void misname() {
+    if (at(TokenKind::Reserved)) misnamed_.push_back(current_.keyword);
+  }
   /// Nothing more is reported about the current line.
   void mute_line() { muted_line_ = current_.place.line; }
   bool line_muted() const { return current_.place.line == muted_line_; }
@@ -100,6 +106,8 @@ class TokenReader {
   void recover();
   void recover_until(Keyword keyword);
   void skip_line();
+  /// To the end of the line that the byte `end` lies on. What stands there is not looked at.
+  void skip_over(std::size_t end);
   void skip_block(std::string_view opener, std::string_view closer);
 
  private:
@@ -112,8 +120,9 @@ class TokenReader {
   Token previous_;
   Token current_;
   Token next_;
-  int brackets_ = 0;              ///< that are open
-  std::uint32_t muted_line_ = 0;  ///< has had its message
+  std::vector<Keyword> misnamed_;  ///< reserved words that stood where a parameter's name should
+  int brackets_ = 0;               ///< that are open
+  std::uint32_t muted_line_ = 0;   ///< has had its message
 };
 
 }  // namespace rob::lang

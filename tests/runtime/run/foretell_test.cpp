@@ -163,3 +163,13 @@ TEST_CASE("an AT above 100% is told once: by the compiler if it is constant, els
   CHECK(findings(foretold("VAR share = 150%\nMOVE(200, 0, 0) AT share")) ==
         Texts{"2 W601 AT asks for more than the axes can do"});
 }
+
+TEST_CASE(
+    "a default beyond a maximum is told once, at its own line, and the motions are foretold") {
+  const RunResult result = foretold(
+      "DEFAULT AT 5000mm/s\n"
+      "MOVE(200, 0, 0)\nMOVE(100, 0, 0)\nMOVE(150, 0, 0)\n"
+      "WITH AT 4000mm/s DO\n  MOVE(40, 0, 0)\n  MOVE(60, 0, 0) AT 5mm/s FINE\nENDWITH");
+  CHECK(findings(result) == Texts{"1 W601 AT asks for more than the axes can do, first in line 2",
+                                  "5 W601 AT asks for more than the axes can do, first in line 6"});
+}
