@@ -99,6 +99,7 @@ set(rob_lang_sources
   lang/vm/answer.cpp
   lang/vm/call_log.cpp
   lang/vm/commands.cpp
+  lang/vm/csv_rows.cpp
   lang/vm/errors.cpp
   lang/vm/move_text.cpp
   lang/vm/observations.cpp

@@ -268,6 +268,7 @@ class Walk {
   void visit(const Teach&) { settle(0); }
   void visit(const Halt&) { settle(0); }
   void visit(const Ask&) { settle(0); }
+  void visit(const Read&) { settle(0); }
   void visit(const Wait& wait) {
     settle(0);
     block(wait.otherwise);

@@ -30,6 +30,7 @@ struct BarrierWord {
   std::string_view operator()(const Wait&) const { return "WAIT"; }
   std::string_view operator()(const Halt&) const { return "HALT"; }
   std::string_view operator()(const Ask&) const { return "ASK"; }
+  std::string_view operator()(const Read&) const { return "READ"; }
   std::string_view operator()(const Teach&) const { return "TEACH"; }
   std::string_view operator()(const ZeroForce&) const { return "ZERO"; }
   std::string_view operator()(const Move& move) const {  // one with a profile begins at rest

@@ -56,6 +56,21 @@ bool assignable(const Symbol& symbol, Place place, Diagnostics& diagnostics) {
   return false;
 }
 
+bool is_csv_field(const Type& type) {
+  if (type.is(Type::Kind::Record)) {
+    return std::ranges::all_of(type.detail->fields, [](const TypeDetail::Field& field) {
+      return is_csv_field(field.type);
+    });
+  }
+  return type.kind <= Type::Kind::Pose;
+}
+
+/// Whether READ can fill a value of this type.
+bool reads_from_csv(const Type& type) {
+  return type.is(Type::Kind::Array) && type.detail->element.is(Type::Kind::Record) &&
+         is_csv_field(type.detail->element);
+}
+
 /// Where a line could not be read it may have been the RETURN.
 void check_returns(const Routine& routine, Diagnostics& diagnostics) {
   if (!routine.whole) return;
@@ -289,6 +304,21 @@ void StatementChecker::check(Write& write) {
   expressions_.check_as(write.file, Type::string(), "WRITE needs");
   values_.check_file(write.file, "WRITE");
   for (const ExprPtr& value : write.values) expressions_.check(value);
+}
+
+void StatementChecker::check(Read& read) {
+  expressions_.check_as(read.file, Type::string(), "READ needs");
+  values_.check_file(read.file, "READ");
+  const Type type = expressions_.check(read.target);
+  if (read.target == nullptr) return;
+  const Name* const root = root_of(*read.target);
+  if (root != nullptr && root->symbol == nullptr) return;
+  if (root != nullptr && !assignable(*root->symbol, read.target->place, diagnostics_)) return;
+  if (root != nullptr) uses_.written(*root->symbol);
+  if (!type.known() || (root != nullptr && reads_from_csv(type))) return;
+  diagnostics_.error(code::kNotReadable, read.target->place,
+                     fmt::format("READ fills an ARRAY OF a RECORD; this is {}", in_words(type)),
+                     "the record has a field for each column: numbers, BOOL, STRING, VEC, POSE");
 }
 
 // HALT, ASK, and TESTs

@@ -87,6 +87,7 @@ class StatementChecker {
 
   // HALT, ASK, and TESTs
   void check(Write& write);
+  void check(Read& read);
   void check(Halt& halt) { expressions_.check_as(halt.text, Type::string(), "HALT needs"); }
   void check(Ask& ask);
   void check(Assert& assertion) { expressions_.check_condition(assertion.condition, "ASSERT"); }

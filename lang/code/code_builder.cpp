@@ -99,6 +99,11 @@ void CodeBuilder::append_csv(Register text, Register places, const Type& type, P
   emit(operand_word(tables_.type(type)), place);
 }
 
+void CodeBuilder::read_rows(Register file, Register places, const Type& type, Place place) {
+  emit(Opcode::read_rows, place, file, places, static_cast<unsigned>(places + 1));
+  emit(operand_word(tables_.type(type)), place);
+}
+
 void CodeBuilder::ask(Register text, Register answer, const Type& type, Place place) {
   emit(Opcode::ask, place, text, answer);
   emit(operand_word(tables_.type(type)), place);

@@ -54,6 +54,8 @@ class CodeBuilder {
   void append_row(Register text, Register row, const Type& element, Place place);
   /// A value whose numbers and texts begin at the places in two registers.
   void append_memory(Register text, Register places, const Type& type, Place place);
+  /// READ: a file into an array of records at these places.
+  void read_rows(Register file, Register places, const Type& type, Place place);
   /// The same as fields of CSV.
   void append_csv(Register text, Register places, const Type& type, Place place);
   void move(Register first, const MoveForm& form, Place place);

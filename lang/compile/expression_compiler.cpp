@@ -147,6 +147,19 @@ void ExpressionCompiler::assign_register(const Expr& target, Register value) {
   frame_.release(mark);
 }
 
+void ExpressionCompiler::read_rows(const Expr& target, Register file, Place place) {
+  const auto mark = frame_.mark();
+  begin_place(target);
+  const Location at = locate(target);
+  const Register places = frame_.number_registers(2);
+  variables_.refer_both(at, target.type, places, behind(places, 1), place);
+  code_.read_rows(file, places, target.type, place);
+  const Symbol& root = *root_of(target)->symbol;
+  if (root.shared) variables_.publish(at, target.type, place);
+  variables_.changed(root, place);
+  frame_.release(mark);
+}
+
 void ExpressionCompiler::initialise(const Expr& value, const Location& home, const Type& type) {
   begin(value);
   put(value, home, type);

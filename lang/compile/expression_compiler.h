@@ -39,6 +39,8 @@ class ExpressionCompiler {
   Location array(const Expr& expression);
   /// Gives a variable or a part of one, wherever it lives, the value of an expression.
   void assign(const Expr& target, const Expr& value);
+  /// READ: the file in a text register fills a variable.
+  void read_rows(const Expr& target, Register file, Place place);
   /// Gives a variable, or a part of one, the value of a register.
   void assign_register(const Expr& target, Register value);
   /// A compound assignment: `value` is a Binary with a copy of `target` on its left.

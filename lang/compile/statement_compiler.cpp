@@ -205,6 +205,14 @@ void StatementCompiler::compile(const Write& write) {
   frame_.release(mark);
 }
 
+void StatementCompiler::compile(const Read& read) {
+  const auto mark = frame_.mark();
+  const Register file = frame_.text_register();
+  expressions_.value_into(*read.file, file);
+  expressions_.read_rows(*read.target, file, place_);
+  frame_.release(mark);
+}
+
 /// All constants between two computed values are one text.
 Register StatementCompiler::joined(const std::vector<ExprPtr>& values, Place place) {
   const Register text = frame_.text_register();

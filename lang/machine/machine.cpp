@@ -89,6 +89,10 @@ Reply Files::write(int /*line*/, std::string_view /*file*/, std::string_view /*t
 Reply Files::persist(int /*line*/, std::size_t /*variable*/, std::string_view /*value*/) {
   return has_no("PERSIST");
 }
+Reply Files::read_file(int /*line*/, std::string_view /*file*/, std::string& /*text*/) {
+  return has_no("READ");
+}
+void Files::warn(int /*line*/, Refusal /*warning*/) {}
 Reply Files::exists(int /*line*/, std::string_view /*file*/, bool& /*value*/) {
   return has_no("EXISTS");
 }

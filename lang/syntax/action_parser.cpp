@@ -347,6 +347,23 @@ void ActionParser::write_statement(Block& block) {
   tree_.add(block, place, std::move(node));
 }
 
+// "READ" expr "INTO" place
+void ActionParser::read_statement(Block& block) {
+  const Place place = tokens_.place();
+  Read node;
+  tokens_.advance();
+  node.file = expressions_.expression();
+  if (!tokens_.at_word("INTO")) {
+    tokens_.fail_here(
+        code::kWordExpected,
+        fmt::format("INTO and a variable expected, not {}", described(tokens_.current())),
+        "for example READ \"parts.csv\" INTO parts");
+  }
+  tokens_.advance();
+  node.target = expressions_.postfix();
+  tree_.add(block, place, std::move(node));
+}
+
 // control = "SIMULATE" ( IDENT [ "." IDENT ] | channel | "GO" | "ANSWER" ) "=" expr
 //           [ "AFTER" expr ] .
 void ActionParser::simulate_statement(Block& block) {

@@ -134,6 +134,11 @@ struct Write {
   ExprPtr file;
   std::vector<ExprPtr> values;
 };
+/// READ "parts.csv" INTO rows
+struct Read {
+  ExprPtr file;
+  ExprPtr target;  ///< a Name, or a Member or Index of one
+};
 /// WAIT 0.5s · WAIT part_here TIMEOUT 3s ELSE lift = OFF
 struct Wait {
   ExprPtr value;    ///< a time, or a condition
@@ -245,7 +250,7 @@ struct Statement {
                Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
                Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use,
                PathBlock, WayPoint, Press, With, SetOverride, Load, RecordDeclaration, Halt, Ask,
-               Write, Start, Defaults, EnumDeclaration>
+               Write, Read, Start, Defaults, EnumDeclaration>
       node;
 };
 

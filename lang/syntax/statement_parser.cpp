@@ -182,6 +182,7 @@ void StatementParser::word_statement(Block& block) {
     return tree_.add(block, place, watches_.path_event());
   }
   if (at_file_word("PERSIST")) return declarations_.persist(block);
+  if (at_file_word("READ")) return actions_.read_statement(block);
   if (at_file_word("WRITE")) return actions_.write_statement(block);
   if (at_placed_word("ZERO")) return actions_.zero_statement(block);
   if (at_placed_word("START")) return actions_.start_statement(block);

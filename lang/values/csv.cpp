@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "lang/text/utf8.h"
 #include "lang/values/number_text.h"
 #include "lang/values/pose_slots.h"
 #include "lang/values/value_text.h"
@@ -12,7 +13,6 @@ namespace {
 /// Whether a field would be read as something else without quotes. An empty line is no line.
 bool needs_quotes(std::string_view text) {
   if (text.empty() || text.front() == ' ' || text.back() == ' ') return true;
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   return text.find_first_of(",\"\r\n\t") != std::string_view::npos ||
          text.starts_with(kByteOrderMark);
 }

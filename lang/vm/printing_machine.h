@@ -25,12 +25,12 @@ namespace rob::lang {
 ///
 ///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
 ///     movel by 20 0 0 · move joints - - 90 · … zone 5mm · … fine
-///     write FILE TEXT · persist 1 7mm    a PERSIST variable, counted in the order of the text
-///     stop · brake · end · print TEXT · lift on · AOUT[1] 2.5V · pulse lift 0.05s · wait 0.5s
-///     teach pick 40 20 0 · teach pick 40 20 0 in pallet     the place, in mm
-///     start 1                           a TASK, counted in the order of the text
-///     halt TEXT · ask TEXT · simulate go after 2s · simulate answer TEXT after 0s
-///     guard · ended hit · ended reached
+///     read FILE · warned MESSAGE · write FILE TEXT · persist 1 7mm    a PERSIST variable, counted
+///     in the order of the text stop · brake · end · print TEXT · lift on · AOUT[1] 2.5V · pulse
+///     lift 0.05s · wait 0.5s teach pick 40 20 0 · teach pick 40 20 0 in pallet     the place, in
+///     mm start 1                           a TASK, counted in the order of the text halt TEXT ·
+///     ask TEXT · simulate go after 2s · simulate answer TEXT after 0s guard · ended hit · ended
+///     reached
 ///                                       UNTIL; the condition is looked at behind its motion, until
 ///                                       it holds or the scripted signals change no more
 ///     zero force · live pace            ZERO force; AT LIVE, before its motion
@@ -118,6 +118,9 @@ class PrintingMachine : public Machine {
   Reply persist(int line, std::size_t variable, std::string_view value) override {
     return log_.note(line, fmt::format("persist {} {}", variable + 1, value));
   }
+  /// What has been written.
+  Reply read_file(int line, std::string_view file, std::string& text) override;
+  void warn(int line, Refusal warning) override;
   /// Whether it has been written.
   Reply exists(int line, std::string_view file, bool& value) override;
   Reply write_signal(int line, int signal, bool value) override;

@@ -147,6 +147,7 @@ class Vm {
   Step fill(Code pc, Slot value);
   Step go(Code end, Code next);
   Step end_guard(Code pc);
+  Step read_rows(Code pc);
   Step arm(Code pc);
   Step open_try(Code pc);
   Watch watch(Code pc) const;

@@ -8,6 +8,7 @@
 
 #include "lang/text/codes.h"
 #include "lang/vm/commands.h"
+#include "lang/vm/csv_rows.h"
 #include "lang/vm/observations.h"
 #include "lang/vm/value_instructions.h"
 #include "lang/vm/vm.h"
@@ -66,6 +67,7 @@ bool follows_values(Opcode opcode) {
     case Opcode::waited:
     case Opcode::halt:
     case Opcode::ask:
+    case Opcode::read_rows:
     case Opcode::zero_force:
     case Opcode::leave_handler:
     case Opcode::end:
@@ -308,6 +310,8 @@ Vm::Step Vm::step_motion(Code pc) {
       ROB_ASK(machine_->teach(line(pc), taught_point(*loaded_.chunk, pc, n, setting)), pc);
       return pc + 3;
     }
+    case Opcode::read_rows:
+      return read_rows(pc);
     case Opcode::persist:
       switch (pc->a()) {
         case 0:
@@ -444,6 +448,24 @@ Vm::Step Vm::end_guard(Code pc) {
   if (reply != Reply::Done) return pause(pc, pc, reply);
   stack_.numbers()[pc->a()].integer = hit ? 1 : 0;
   return pc + 1;
+}
+
+/// All of the file is read before anything of the array changes.
+Vm::Step Vm::read_rows(Code pc) {
+  const std::string& file = stack_.texts()[pc->a()];
+  std::string text;
+  ROB_ASK(machine_->read_file(line(pc), file, text), pc);
+  const Type& type = loaded_.chunk->types[(pc + 1)->word];
+  auto read =
+      read_csv(file, text, type.detail->element, static_cast<std::size_t>(type.detail->length));
+  if (Refusal* const why = std::get_if<Refusal>(&read)) return fail(pc, std::move(*why));
+  CsvRows& rows = std::get<CsvRows>(read);
+  for (Refusal& warning : rows.warnings) machine_->warn(line(pc), std::move(warning));
+  budget_.charge(text.size());
+  const Slot* const n = stack_.numbers();
+  if (!rows.numbers.empty()) std::ranges::copy(rows.numbers, stack_.place(n[pc->b()], 0));
+  if (!rows.texts.empty()) std::ranges::move(rows.texts, stack_.text_place(n[pc->c()], 0));
+  return pc + 2;
 }
 
 Vm::Step Vm::arm(Code pc) {

@@ -11,11 +11,18 @@ namespace rob::runtime {
 
 using lang::Reply;
 
+namespace {
+
+Words no_files() {
+  return {std::string(lang::code::kMachineWithout), "there are no files here",
+          "run the program with rob run"};
+}
+
+}  // namespace
+
 std::optional<Words> objection_to_line(DataFiles* files, std::string_view file,
                                        std::string_view text) {
-  if (files == nullptr)
-    return Words{std::string(lang::code::kMachineWithout), "there are no files here",
-                 "run the program with rob run"};
+  if (files == nullptr) return no_files();
   if (text.size() > DataFiles::kLongestLine)
     return Words{std::string(lang::code::kFileFailed),
                  fmt::format("a line of {} bytes is too long for a file", text.size()),
@@ -44,6 +51,19 @@ Reply FileDesk::persist(int line, std::size_t variable, std::string_view value) 
                                    .id = links_.log.keep(note_of(variable, value))});
   if (reply == Reply::Done) links_.log.queued_effect();
   return reply;
+}
+
+Reply FileDesk::read(int line, std::string_view file, std::string& text) {
+  if (files_ == nullptr) return links_.refuse(no_files());
+  double now = 0;
+  if (waits_.stand(line, now) != Reply::Done || !progress_.settled()) return Reply::Later;
+  if (links_.buffer.full() || !files_->reported()) return Reply::Later;
+  std::optional<Words> why;
+  auto read = files_->read(std::string(file), why);
+  waits_.waited(line);
+  if (why) return links_.refuse(std::move(*why));
+  text = std::move(*read);
+  return Reply::Done;
 }
 
 /// In a corner what was written before may act later; at standstill it has acted.

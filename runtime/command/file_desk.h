@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "runtime/command/program_effects.h"
+#include "runtime/command/waits.h"
 #include "runtime/files/data_files.h"
 
 namespace rob::runtime {
@@ -11,8 +12,8 @@ namespace rob::runtime {
 class FileDesk {
  public:
   FileDesk(const RobotLinks& links, EffectQueue& queue, const CommandedProgress& progress,
-           ProgramEffects& effects)
-      : links_(links), queue_(queue), progress_(progress), effects_(effects) {}
+           ProgramEffects& effects, Waits& waits)
+      : links_(links), queue_(queue), progress_(progress), effects_(effects), waits_(waits) {}
 
   /// Before the run; they must outlive it. Without them (null) the program has no files.
   void keep_files(DataFiles* files) { files_ = files; }
@@ -21,6 +22,8 @@ class FileDesk {
   lang::Reply write(int line, std::string_view file, std::string_view text);
   /// It is no effect that could be bound to a motion or a WHEN.
   lang::Reply persist(int line, std::size_t variable, std::string_view value);
+  /// At standstill, when all lines that were written before are there.
+  lang::Reply read(int line, std::string_view file, std::string& text);
   lang::Reply exists(std::string_view file, bool& value);
 
  private:
@@ -28,6 +31,7 @@ class FileDesk {
   EffectQueue& queue_;
   const CommandedProgress& progress_;
   ProgramEffects& effects_;
+  Waits& waits_;
   DataFiles* files_ = nullptr;
 };
 

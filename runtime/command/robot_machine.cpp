@@ -248,6 +248,15 @@ Reply RobotMachine::persist(int line, std::size_t variable, std::string_view val
   return parts_.files.persist(line, variable, value);
 }
 
+Reply RobotMachine::read_file(int line, std::string_view file, std::string& text) {
+  return parts_.files.read(line, file, text);
+}
+
+void RobotMachine::warn(int line, lang::Refusal warning) {
+  links_.log.found({lang::Severity::Warning, std::move(warning.code), lang::tagged_place(line),
+                    std::move(warning.message), std::move(warning.help)});
+}
+
 Reply RobotMachine::exists(int /*line*/, std::string_view file, bool& value) {
   return parts_.files.exists(file, value);
 }

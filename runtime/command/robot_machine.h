@@ -79,6 +79,8 @@ class RobotMachine final : public lang::Machine {
   // Output, Files, Operator, Force
   lang::Reply write(int line, std::string_view file, std::string_view text) override;
   lang::Reply persist(int line, std::size_t variable, std::string_view value) override;
+  lang::Reply read_file(int line, std::string_view file, std::string& text) override;
+  void warn(int line, lang::Refusal warning) override;
   lang::Reply exists(int line, std::string_view file, bool& value) override;
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply halt(int line, std::string_view text) override;

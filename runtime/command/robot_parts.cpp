@@ -18,7 +18,7 @@ RobotParts::RobotParts(const RobotLinks& links, double override_share)
       motions(links, surroundings, next, guard, press, progress, loads, plans, queue),
       waits(links, assumptions, progress, queue),
       desk(links, assumptions, progress, outputs, waits),
-      files(links, effects, progress, outputs),
+      files(links, effects, progress, outputs, waits),
       forces(links, surroundings, progress, outputs, queue, press),
       readings(links, progress, guard, queue),
       safe(links, outputs),
