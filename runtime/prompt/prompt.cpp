@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -46,7 +47,7 @@ class InputLines {
     while (end == std::string::npos) {
       bytes_.erase(0, std::exchange(begin_, 0));
       if (bytes_.size() > kMostLine) {
-        trouble_ = fmt::format("a line of more than {} bytes", kMostLine);
+        refuse_line();
         return std::nullopt;
       }
       const std::size_t before = bytes_.size();
@@ -55,6 +56,10 @@ class InputLines {
         return std::exchange(bytes_, "");
       }
       end = bytes_.find('\n', before);
+    }
+    if (end - begin_ > kMostLine) {
+      refuse_line();
+      return std::nullopt;
     }
     std::string line = bytes_.substr(begin_, end - begin_);
     begin_ = end + 1;
@@ -66,6 +71,22 @@ class InputLines {
   const std::string& trouble() const { return trouble_; }
 
  private:
+  /// With its length, as far as that is worth reading.
+  void refuse_line() {
+    constexpr std::size_t kMostCounted = std::size_t{64} << 20U;  // [choice]
+    std::size_t length = 0;
+    std::size_t end = bytes_.find('\n', begin_);
+    while (end == std::string::npos && length + bytes_.size() - begin_ < kMostCounted) {
+      length += bytes_.size() - std::exchange(begin_, 0);
+      bytes_.clear();
+      if (!read_more()) break;
+      end = bytes_.find('\n');
+    }
+    length += std::min(end, bytes_.size()) - begin_;
+    trouble_ = fmt::format("a line of {}{} bytes; at most {} are read",
+                           length < kMostCounted ? "" : "more than ", length, kMostLine);
+  }
+
   bool read_more() {
     std::array<char, 65536> bytes;
     for (;;) {

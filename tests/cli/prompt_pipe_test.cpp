@@ -90,7 +90,13 @@ TEST_CASE("what is no text of statements is refused, and ends nothing but the pr
   const ProcessResult endless =
       run_process({"/bin/sh", "-c", "exec \"" ROB_BINARY "\" --fast < /dev/zero"});
   CHECK(endless.exit_code == 74);
-  CHECK(endless.err == "error: a line of more than 1048576 bytes\n");
+  CHECK(endless.err == "error: a line of more than 67108864 bytes; at most 1048576 are read\n");
+  for (const std::size_t size : {std::size_t{1'048'577}, std::size_t{3'000'000}}) {
+    const ProcessResult longer = piped("PRINT 1\n" + std::string(size, ' ') + "\nPRINT 2\n");
+    CHECK(longer.exit_code == 74);
+    CHECK(longer.out == "1\n");
+    CHECK(longer.err.find("a line of " + std::to_string(size) + " bytes") != std::string::npos);
+  }
   const ProcessResult folder = run_process({"/bin/sh", "-c", "exec \"" ROB_BINARY "\" --fast < /"});
   CHECK(folder.exit_code == 74);
   CHECK(folder.err.starts_with("error: standard input cannot be read: "));
