@@ -70,7 +70,7 @@ void resume(Session& session, const Words&) {
     return session.robot().pause(false);
   }
   if (!session.asks()) return session.screen().message("nothing is held\n");
-  session.go_on();
+  session.answer("");
 }
 
 void stop(Session& session, const Words&) { session.stop(); }

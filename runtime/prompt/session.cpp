@@ -293,10 +293,6 @@ void Session::home() {
   read_points();
 }
 
-void Session::go_on() {
-  if (asks()) answer("");
-}
-
 bool Session::stands(const char* command) {
   if (options_.waits) finish();
   if (robot_->over()) {

@@ -115,8 +115,6 @@ class Session {
   void guide(bool on);
   /// The machine homes itself.
   void home();
-  /// Enter, where HALT waits.
-  void go_on();
 
   // For the commands that build programs and points.
   Workshop& workshop() { return workshop_; }
