@@ -101,6 +101,7 @@ set(rob_lang_sources
   lang/vm/commands.cpp
   lang/vm/csv_rows.cpp
   lang/vm/errors.cpp
+  lang/vm/lists.cpp
   lang/vm/move_text.cpp
   lang/vm/observations.cpp
   lang/vm/persistent_values.cpp

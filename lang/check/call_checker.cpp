@@ -74,12 +74,22 @@ std::size_t index_of(const TypeDetail& record, std::string_view field) {
 /// Whether a variable can be given to a REF parameter.
 bool fits_reference(const Type& variable, const Type& parameter) {
   if (variable == parameter) return true;
-  return parameter.is_open() && variable.is(Type::Kind::Array) &&
+  return parameter.is_open() && variable.has_row() &&
          variable.detail->element == parameter.detail->element;
 }
 
 /// Built-in functions that change what they are given, and have no value.
-bool is_procedure(const Builtin& builtin) { return builtin.rule == BuiltinRule::RowSort; }
+bool is_procedure(const Builtin& builtin) {
+  switch (builtin.rule) {
+    case BuiltinRule::RowSort:
+    case BuiltinRule::ListAppend:
+    case BuiltinRule::ListRemove:
+    case BuiltinRule::ListClear:
+      return true;
+    default:
+      return false;
+  }
+}
 
 std::optional<std::size_t> reference_of(const Call& call) {
   const auto found = std::ranges::find(call.references, true);
@@ -183,6 +193,13 @@ Type BuiltinChecker::type_of(const Builtin& builtin, const Call& call, Place pla
       return check_ordinal(first());
     case BuiltinRule::RowNumber:
       return check_row_number(builtin, first());
+    case BuiltinRule::ListAppend:
+    case BuiltinRule::ListRemove:
+    case BuiltinRule::ListClear:
+      return accept_changed(builtin, first()) ? check_list(builtin, call) : Type{};
+    case BuiltinRule::Split:
+    case BuiltinRule::Join:
+      return check_parts(builtin, call);
     case BuiltinRule::RowSort:
       return accept_changed(builtin, first()) ? check_sort(first()) : Type{};
     case BuiltinRule::Random:
@@ -252,11 +269,11 @@ Type BuiltinChecker::check_ordinal(const Expr& value) {
 
 /// SUM, MIN and MAX of all elements.
 Type BuiltinChecker::check_row_number(const Builtin& builtin, const Expr& row) {
-  const auto elements = row.type.is(Type::Kind::Array) ? elements_of(row.type) : std::nullopt;
+  const auto elements = row.type.has_row() ? elements_of(row.type) : std::nullopt;
   if (elements && elements->type.numeric()) return elements->type;
   diagnostics_.error(
       code::kTypeMismatch, row.place,
-      fmt::format("{} needs an ARRAY of numbers; this is {}", builtin.name, described(row)),
+      fmt::format("{} needs an ARRAY or LIST of numbers; this is {}", builtin.name, described(row)),
       row.type.numeric() && builtin.name != "SUM"
           ? fmt::format("or several: {}(a, b)", builtin.name)
           : "");
@@ -279,11 +296,43 @@ bool BuiltinChecker::accept_changed(const Builtin& builtin, const Expr& variable
 }
 
 Type BuiltinChecker::check_sort(const Expr& row) {
-  const auto elements = row.type.is(Type::Kind::Array) ? elements_of(row.type) : std::nullopt;
+  const auto elements = row.type.has_row() ? elements_of(row.type) : std::nullopt;
   if (elements && (elements->type.numeric() || elements->type.text())) return {};
   diagnostics_.error(
       code::kNotSortable, row.place,
-      fmt::format("SORT needs an ARRAY of numbers or texts; this is {}", described(row)));
+      fmt::format("SORT needs an ARRAY or LIST of numbers or texts; this is {}", described(row)));
+  return {};
+}
+
+/// APPEND, REMOVE, CLEAR.
+Type BuiltinChecker::check_list(const Builtin& builtin, const Call& call) {
+  const Expr& list = *call.arguments.front();
+  if (!list.type.is(Type::Kind::List)) {
+    diagnostics_.error(
+        code::kTypeMismatch, list.place,
+        fmt::format("{} changes a LIST; this is {}", builtin.name, described(list)),
+        list.type.is(Type::Kind::Array) ? "VAR l: LIST OF INT = [1, 2] declares one" : "");
+    return {};
+  }
+  if (builtin.rule == BuiltinRule::ListClear) return {};
+  const bool append = builtin.rule == BuiltinRule::ListAppend;
+  const Type wanted = append ? list.type.detail->element : Type::integer();
+  values_.accept(*call.arguments.back(), wanted, fmt::format("{} needs", builtin.name));
+  return {};
+}
+
+/// SPLIT and JOIN.
+Type BuiltinChecker::check_parts(const Builtin& builtin, const Call& call) {
+  const std::string needs = fmt::format("{} needs", builtin.name);
+  const Expr& first = *call.arguments.front();
+  if (!values_.accept(*call.arguments.back(), Type::string(), needs)) return {};
+  if (builtin.rule == BuiltinRule::Split) {
+    return values_.accept(first, Type::string(), needs) ? text_list_ : Type{};
+  }
+  if (first.type.has_row() && first.type.detail->element.text()) return Type::string();
+  diagnostics_.error(
+      code::kTypeMismatch, first.place,
+      fmt::format("JOIN needs an ARRAY or LIST of texts; this is {}", described(first)));
   return {};
 }
 

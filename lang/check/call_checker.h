@@ -15,10 +15,15 @@ namespace rob::lang {
 /// Settles calls of built-in functions whose arguments have been checked.
 class BuiltinChecker {
  public:
-  /// `joints`: the type JOINTS of the robot.
+  /// `joints`: the type JOINTS of the robot; `text_list`: LIST OF STRING.
   BuiltinChecker(ValueChecker& values, RoutineUses& uses, const RobotSignature& robot, Type joints,
-                 Diagnostics& diagnostics)
-      : values_(values), uses_(uses), robot_(robot), joints_(joints), diagnostics_(diagnostics) {}
+                 Type text_list, Diagnostics& diagnostics)
+      : values_(values),
+        uses_(uses),
+        robot_(robot),
+        joints_(joints),
+        text_list_(text_list),
+        diagnostics_(diagnostics) {}
 
   /// True, and a message, for one that has a value in place of a statement, or the other way
   /// round, and for a REF where nothing is changed.
@@ -39,6 +44,8 @@ class BuiltinChecker {
   Type check_ordinal(const Expr& value);
   Type check_row_number(const Builtin& builtin, const Expr& row);
   Type check_sort(const Expr& row);
+  Type check_list(const Builtin& builtin, const Call& call);
+  Type check_parts(const Builtin& builtin, const Call& call);
   bool accept_changed(const Builtin& builtin, const Expr& variable);
   Type check_vectors(const Builtin& builtin, const Call& call);
   Type check_poses(const Builtin& builtin, const Call& call);
@@ -54,6 +61,7 @@ class BuiltinChecker {
   RoutineUses& uses_;
   const RobotSignature& robot_;
   Type joints_;
+  Type text_list_;
   Diagnostics& diagnostics_;
 };
 

@@ -16,7 +16,7 @@ namespace rob::lang {
 namespace {
 
 bool mentions(const Type& type, const TypeDetail* record) {
-  if (type.is(Type::Kind::Array)) return mentions(type.detail->element, record);
+  if (type.has_row()) return mentions(type.detail->element, record);
   return type.is(Type::Kind::Record) && type.detail == record;
 }
 
@@ -96,8 +96,9 @@ bool DeclarationChecker::may_persist(const Declaration::Declared& declared, cons
 /// The type that was written, or that of the value. `accepted`: the value fits it.
 Type DeclarationChecker::settle_type(Declaration& declaration, Type given, bool& accepted) {
   if (!declaration.type) {
-    const bool open = given.known() && values_.refuse_open(*declaration.value);
-    return open ? Type{} : settled(given);
+    const bool refused = given.known() && (values_.refuse_open(*declaration.value) ||
+                                           values_.refuse_empty(*declaration.value));
+    return refused ? Type{} : settled(given);
   }
   const Declaration::Declared& first = declaration.names.front();
   Type& type = *declaration.type;
@@ -172,6 +173,10 @@ void DeclarationChecker::check(RecordDeclaration& record) {
                          "keep an index into an ARRAY of them instead");
       group.type = Type{};
     } else if (!expressions_.complete(group.type, place)) {
+      group.type = Type{};
+    }
+    if (group.type.is(Type::Kind::List)) {
+      expressions_.refuse_list_inside(place);
       group.type = Type{};
     }
     for (const Declaration::Declared& field : group.names) {

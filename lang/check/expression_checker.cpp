@@ -56,6 +56,7 @@ Type ExpressionChecker::check(const ExprPtr& expression) {
   expression->type =
       std::visit([&](auto& node) { return check(node, *expression); }, expression->node);
   memory_use_ = memory_use_ || !expression->type.in_registers();
+  if (expression->type.is(Type::Kind::List)) uses_.met_list(expression->place);
   return expression->type;
 }
 
@@ -330,9 +331,14 @@ Type ExpressionChecker::check(Index& index, Expr& expression) {
 }
 
 Type ExpressionChecker::check(List& list, Expr& expression) {
+  if (list.elements.empty()) return program_.types->list(Type{});
   bool sound = true;
   for (const ExprPtr& element : list.elements) sound = check(element).known() && sound;
   if (!sound) return {};
+  if (list.elements.front()->type.is(Type::Kind::List)) {
+    refuse_list_inside(list.elements.front()->place);
+    return {};
+  }
   Type common = as_pose(list.elements.front()->type);
   for (const ExprPtr& element : list.elements) {
     const Type next = element_type(common, element->type);
@@ -392,8 +398,13 @@ bool ExpressionChecker::complete(const Type& type, Place place) {
             : "");
     return false;
   }
-  if (!type.is(Type::Kind::Array)) return true;
+  if (!type.has_row()) return true;
   const bool sound = complete(type.detail->element, place);
+  if (type.detail->element.is(Type::Kind::List)) {
+    refuse_list_inside(place);
+    return false;
+  }
+  if (type.is(Type::Kind::List)) return sound;
   if (type.is_open()) {
     diagnostics_.error(code::kOpenArray, place,
                        "only a REF parameter can be an ARRAY of any length",
@@ -407,6 +418,12 @@ bool ExpressionChecker::complete(const Type& type, Place place) {
     if (sound) settle_length(written);
   }
   return type.detail->length > 0;
+}
+
+void ExpressionChecker::refuse_list_inside(Place place) {
+  diagnostics_.error(code::kListInside, place,
+                     "a LIST is no part of an ARRAY, of a RECORD or of another LIST",
+                     "an ARRAY has a place there; or keep several LISTs side by side");
 }
 
 void ExpressionChecker::settle_length(Program::ArrayLength& written) {

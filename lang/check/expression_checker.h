@@ -32,7 +32,8 @@ class ExpressionChecker {
         missing_(missing),
         diagnostics_(diagnostics),
         operators_(values, diagnostics),
-        builtins_(values, uses, robot, Type::joints(program.types->joints.get()), diagnostics),
+        builtins_(values, uses, robot, Type::joints(program.types->joints.get()),
+                  program.types->list(Type::string()), diagnostics),
         calls_(values, uses, diagnostics) {}
 
   /// `expression` may be null: what could not be read is Unknown.
@@ -59,6 +60,8 @@ class ExpressionChecker {
   /// Computes the length of an ARRAY in a written type; false, and a message at `place`, where that
   /// is faulty, or a record in it is not known yet.
   bool complete(const Type& type, Place place);
+  /// The message that a LIST is no part of another value.
+  void refuse_list_inside(Place place);
   /// The same for all types in the head of a routine.
   void complete_header(const Routine& routine);
   /// Whether a value was met that does not lie in registers, since it was last asked.

@@ -91,7 +91,7 @@ const Builtin* find_builtin(const Call& call) {
   const Builtin* const plain = find_builtin(call.callee, call.arguments.size());
   if (plain == nullptr || call.arguments.empty()) return plain;
   const Type& first = call.arguments.front()->type;
-  const bool array = first.is(Type::Kind::Array);
+  const bool array = first.has_row();
   const bool enumeration = first.is(Type::Kind::Enum);
   if (!array && !enumeration && !first.is_place()) return plain;
   const auto is_for = [&](BuiltinRule rule) {

@@ -84,6 +84,10 @@ void RoutineUses::statement(const Statement& statement) {
   if (!fits_in_path(statement)) robots_.try_emplace(inside_->index, statement.place);
 }
 
+void RoutineUses::met_list(Place place) {
+  if (inside_ != nullptr) listed_.try_emplace(inside_->index, place);
+}
+
 void RoutineUses::written(const Symbol& symbol) {
   if (inside_ != nullptr && symbol.global) writers_[&symbol].insert(inside_->index);
 }
@@ -217,6 +221,11 @@ void RoutineUses::gather_tasks(const std::vector<Routine>& routines) {
 
 void RoutineUses::report_tasks(const std::vector<Routine>& routines, Diagnostics& diagnostics) {
   gather_tasks(routines);
+  for (const auto& [routine, place] : listed_) {
+    if (task_of_[routine] == nullptr) continue;
+    diagnostics.error(code::kListInTask, place, "a TASK has no LIST, which might have to grow",
+                      "an ARRAY has the same room from the beginning");
+  }
   for (const auto& [routine, place] : barred_) {
     const Routine* const task = task_of_[routine];
     if (task == nullptr) continue;

@@ -49,6 +49,7 @@ class RoutineUses {
   void referred(const Symbol& symbol, Place place);
   /// To be called when all is checked: what TASKs, and what they call, must not do is an error.
   void report_tasks(const std::vector<Routine>& routines, Diagnostics& diagnostics);
+  void met_list(Place place);
   // PATHs
   /// A signal or something of the robot is looked at, or set.
   void met_robot(Place place);
@@ -101,6 +102,7 @@ class RoutineUses {
   std::set<std::size_t> stopping_;         ///< routines that the axes have to stand for
   std::map<std::size_t, Place> watching_;  ///< routines that have a WHEN
 
+  std::map<std::size_t, Place> listed_;  ///< by routine: the first LIST that it uses
   std::map<std::size_t, Place> barred_;  ///< by routine: the first statement that no TASK can have
   std::vector<const Routine*> task_of_;  ///< of each routine: a TASK that it is or that calls it
 

@@ -493,10 +493,11 @@ Type StatementChecker::check_range(For& loop) {
 Type StatementChecker::check_elements(For& loop) {
   const Type type = expressions_.check(loop.elements);
   if (!type.known()) return {};
-  if (!type.is(Type::Kind::Array)) {
+  if (values_.refuse_empty(*loop.elements)) return {};
+  if (!type.has_row()) {
     diagnostics_.error(
         code::kNoElements, loop.elements->place,
-        fmt::format("FOR IN goes through the elements of an ARRAY; this is {}",
+        fmt::format("FOR IN goes through the elements of an ARRAY or LIST; this is {}",
                     described(*loop.elements)),
         type.numeric() ? fmt::format("FOR {} = 1 TO n DO counts", shortened(loop.variable)) : "");
     return {};

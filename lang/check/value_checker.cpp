@@ -104,6 +104,8 @@ bool ValueChecker::accept(const Expr& expression, const Type& wanted, std::strin
   const Type& type = expression.type;
   if (type.kind == Type::Kind::Unknown || wanted.kind == Type::Kind::Unknown) return true;
   if (refuse_open(expression)) return false;
+  const bool literal = std::holds_alternative<List>(expression.node);
+  if (literal && wanted.is(Type::Kind::List) && type.is(Type::Kind::List)) return true;
   if (type == wanted || (type == Type::integer() && wanted == Type::real())) return true;
   if (type.is_place() && wanted.is_place()) {
     if (fits_place(expression, wanted)) return true;
@@ -115,9 +117,10 @@ bool ValueChecker::accept(const Expr& expression, const Type& wanted, std::strin
             : "");
     return false;
   }
-  if (const auto* const list = std::get_if<List>(&expression.node);
-      list != nullptr && wanted.is(Type::Kind::Array)) {
-    return accept_list(expression, *list, wanted, needed);
+  if (const auto* const list = std::get_if<List>(&expression.node); list != nullptr) {
+    if (wanted.is(Type::Kind::List)) return accept_elements(*list, wanted, needed);
+    if (refuse_empty(expression)) return false;
+    if (wanted.is(Type::Kind::Array)) return accept_list(expression, *list, wanted, needed);
   }
   std::string help;
   if (wanted == Type::integer() && type == Type::real()) {
@@ -145,6 +148,21 @@ bool ValueChecker::refuse_open(const Expr& expression) {
   return true;
 }
 
+bool ValueChecker::refuse_empty(const Expr& expression) {
+  const auto* const list = std::get_if<List>(&expression.node);
+  if (list == nullptr || !list->elements.empty()) return false;
+  diagnostics_.error(
+      code::kListEmpty, expression.place, "there is nothing between the brackets",
+      "an ARRAY has at least one element; a LIST needs its type: VAR l: LIST OF INT");
+  return true;
+}
+
+bool ValueChecker::accept_elements(const List& list, const Type& wanted, std::string_view needed) {
+  return std::ranges::all_of(list.elements, [&](const ExprPtr& element) {
+    return accept(*element, wanted.detail->element, needed);
+  });
+}
+
 /// A list takes the type that is wanted, element by element.
 bool ValueChecker::accept_list(const Expr& expression, const List& list, const Type& wanted,
                                std::string_view needed) {
@@ -155,9 +173,7 @@ bool ValueChecker::accept_list(const Expr& expression, const List& list, const T
         fmt::format("the length of this list is {}; {} {}", count, needed, wanted.detail->length));
     return false;
   }
-  return std::ranges::all_of(list.elements, [&](const ExprPtr& element) {
-    return accept(*element, wanted.detail->element, needed);
-  });
+  return accept_elements(list, wanted, needed);
 }
 
 /// Whether a place may stand where another kind of place is wanted; a pose in a frame is brought

@@ -37,6 +37,8 @@ class ValueChecker {
   /// True, and a message, for a value of any number of elements as a whole: only its elements can
   /// be used, and what goes through all of them.
   bool refuse_open(const Expr& expression);
+  /// The same for [], where it is no LIST.
+  bool refuse_empty(const Expr& expression);
   /// Checks a number that is known: above zero, or a time of 0s or more.
   bool require_positive(const Expr& value, std::string_view word);
   void require_time(const Expr& time, std::string_view word);
@@ -61,6 +63,7 @@ class ValueChecker {
  private:
   bool accept_list(const Expr& expression, const List& list, const Type& wanted,
                    std::string_view needed);
+  bool accept_elements(const List& list, const Type& wanted, std::string_view needed);
   bool fits_place(const Expr& expression, const Type& wanted) const;
 
   const Scopes& scopes_;

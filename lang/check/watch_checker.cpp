@@ -108,6 +108,10 @@ bool WatchChecker::check_watchable(const Expr& expression, std::string_view word
     return refuse(code::kNotWatchable, expression.place, word, "it cannot work with texts",
                   "give the answer a variable before, and watch that");
   }
+  if (expression.type.is_row()) {
+    return refuse(code::kNotWatchable, expression.place, word, "it cannot work with a whole LIST",
+                  "give the answer a variable before, and watch that");
+  }
   if (const auto* const call = std::get_if<Call>(&expression.node)) {
     return check_call(*call, expression.place, word);
   }
@@ -129,7 +133,8 @@ bool WatchChecker::check_call(const Call& call, Place place, std::string_view wo
   const bool axes =
       rule == BuiltinRule::Forward || (rule == BuiltinRule::Joints && !call.arguments.empty() &&
                                        call.arguments.front()->type.is_place());
-  const bool row = rule == BuiltinRule::RowNumber ||
+  const bool row = rule == BuiltinRule::RowNumber || rule == BuiltinRule::Split ||
+                   rule == BuiltinRule::Join ||
                    (rule == BuiltinRule::ArrayLength && call.arguments.front()->type.is_row());
   if (row) {
     return refuse(code::kNotWatchable, place, word, "it cannot go through all elements",

@@ -18,7 +18,9 @@ void DeclarationCompiler::know(const Symbol& symbol, const KeptName& kept) {
 Location DeclarationCompiler::declare(const Symbol& symbol) {
   const Slots slots = slots_of(symbol.type);
   if (!symbol.type.in_registers() || (frame_.has_memory() && !frame_.has_room(slots))) {
-    const Location home = variables_.memory(slots, symbol.place);
+    const Location home = symbol.type.in_registers()
+                              ? variables_.memory(slots, symbol.place)
+                              : variables_.temporary(symbol.type, symbol.place);
     variables_.settle(symbol, home);
     return home;
   }

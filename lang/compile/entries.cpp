@@ -119,7 +119,7 @@ void Entries::select(std::vector<std::string> words, Selection& selection) const
 /// The names of the FRAMEs that poses of the type are in.
 void Entries::add_frames(const Type& type, std::vector<std::string>& words) const {
   if (type.detail == nullptr) return;
-  if (type.is(Type::Kind::Array)) return add_frames(type.detail->element, words);
+  if (type.has_row()) return add_frames(type.detail->element, words);
   for (const TypeDetail::Field& field : type.detail->fields) add_frames(field.type, words);
   const auto frame = frames_.find(type.detail);
   if (frame != frames_.end()) words.push_back(frame->second);

@@ -545,6 +545,11 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
     code_.load_integer(target, 1, expression.place);
     return code_.emit(Opcode::add_int, expression.place, target, value, target);
   }
+  if (builtin.rule == BuiltinRule::Join) {
+    const Register between = operand(*call.arguments[1], false);
+    const Register parts = row(*call.arguments[0]);
+    return code_.emit(Opcode::join_row, expression.place, target, parts, between);
+  }
   if (builtin.rule == BuiltinRule::RowNumber) {
     return compile_row_number(builtin, *call.arguments.front(), target, expression.place);
   }
@@ -603,9 +608,21 @@ void ExpressionCompiler::call_on_numbers(const Builtin& builtin, const Call& cal
 
 Register ExpressionCompiler::row(const Expr& expression) {
   const Location at = locate(expression);
-  const Register first = frame_.number_registers(3);
-  variables_.refer_both(at, expression.type, first, behind(first, 1), expression.place);
+  if (expression.type.is(Type::Kind::List)) return variables_.list_row(at, expression.place);
+  const Register first = row_at(at, slots_of(expression.type), expression.place);
   variables_.count(at, expression.type, behind(first, 2), expression.place);
+  return first;
+}
+
+/// Its first two registers; where there are no such slots, any place will do.
+Register ExpressionCompiler::row_at(const Location& at, Slots slots, Place place) {
+  const Register first = frame_.number_registers(3);
+  const auto refer = [&](const SlotsAt& from, bool text, int count, Register target) {
+    if (count == 0) return code_.load_integer(target, 0, place);
+    variables_.refer(from, text, target, place);
+  };
+  refer(at.numbers, false, slots.numbers, first);
+  refer(at.texts, true, slots.texts, behind(first, 1));
   return first;
 }
 
@@ -619,15 +636,42 @@ void ExpressionCompiler::compile_row_number(const Builtin& builtin, const Expr& 
              static_cast<unsigned>(which));
 }
 
-/// SORT: what it sorts lies where `row` says.
+/// SORT, and what changes a LIST; the value, or the index, is computed first.
 void ExpressionCompiler::call_procedure(const Call& call, Place place) {
   const Expr& changed = *call.arguments.front();
+  const BuiltinRule rule = find_builtin(call)->rule;
+  if (rule != BuiltinRule::RowSort) return change_list(rule, call, place);
   const Type& element = changed.type.detail->element;
   const Register first = row(changed);
   const Opcode sort = element.text()                ? Opcode::sort_texts
                       : element.is(Type::Kind::Int) ? Opcode::sort_ints
                                                     : Opcode::sort_reals;
   code_.emit(sort, place, first);
+}
+
+void ExpressionCompiler::change_list(BuiltinRule rule, const Call& call, Place place) {
+  const Expr& list = *call.arguments.front();
+  const Expr& last = *call.arguments.back();
+  const Type& element = list.type.detail->element;
+  Register value = 0;
+  if (rule == BuiltinRule::ListRemove) {
+    value = operand(last, false);
+    code_.emit(Opcode::check_index, last.place, value,
+               behind(variables_.list_row(locate(list), place), 2));
+  } else if (rule == BuiltinRule::ListAppend) {
+    const Location fresh = variables_.temporary(element, place);
+    put(last, fresh, element);
+    value = row_at(fresh, slots_of(element), place);
+  }
+  const Register home = frame_.number_registers();
+  variables_.refer(locate(list).numbers, false, home, place);
+  if (rule == BuiltinRule::ListAppend) {
+    code_.emit(Opcode::append_list, place, home, value, behind(value, 1));
+  } else if (rule == BuiltinRule::ListRemove) {
+    code_.emit(Opcode::remove_list, place, home, value);
+  } else {
+    code_.emit(Opcode::clear_list, place, home);
+  }
 }
 
 void ExpressionCompiler::draw(const Call& call, const Expr& expression, Register target) {
@@ -668,11 +712,12 @@ Location ExpressionCompiler::call_routine(const Call& call, const Expr& expressi
   const Type& type = call.routine->result;
   const CallLayout layout = layout_of(*call.routine);
   Location result;
-  if (!type.in_registers()) result = variables_.memory(slots_of(type), expression.place);
+  if (!type.in_registers()) result = variables_.temporary(type, expression.place);
   const Register first = frame_.number_registers(layout.registers);
   const Register first_text = frame_.text_registers(layout.text_registers);
+  int held = 0;
   for (std::size_t i = 0; i < layout.homes.size(); ++i) {
-    pass(call, i, layout.homes[i], first, first_text);
+    held += pass(call, i, layout.homes[i], first, first_text);
   }
   if (!type.in_registers()) {
     refer_parameter(result, type, layout.result, first, expression.place);
@@ -680,6 +725,7 @@ Location ExpressionCompiler::call_routine(const Call& call, const Expr& expressi
   lend(call, CodeBuilder::Persist::Lent);
   code_.call(call.routine->index, first, first_text, expression.place);
   lend(call, CodeBuilder::Persist::Back);
+  if (held > 0) code_.emit(Opcode::release_lists, expression.place, static_cast<unsigned>(held));
   world_.begin_again(expression.place);
   if (type.in_registers()) result = {{.offset = first}, {.offset = first_text}};
   return result;
@@ -695,18 +741,28 @@ void ExpressionCompiler::lend(const Call& call, CodeBuilder::Persist how) {
 }
 
 /// Gives a parameter its value, which will lie at `home` in the routine's frame.
-void ExpressionCompiler::pass(const Call& call, std::size_t parameter, const Location& home,
-                              Register first, Register first_text) {
+int ExpressionCompiler::pass(const Call& call, std::size_t parameter, const Location& home,
+                             Register first, Register first_text) {
   const Routine::Parameters& group = *parameters_of(*call.routine)[parameter].group;
   const Expr& argument = call.bound[parameter] != nullptr ? *call.bound[parameter] : *group.value;
   if (group.by_reference) {
     const auto mark = frame_.mark();
-    const Location at = locate(argument);
+    const bool list_as_array = group.type.is_open() && argument.type.is(Type::Kind::List);
+    Location at = locate(argument);
+    if (list_as_array) {
+      const Register row = variables_.list_row(at, argument.place);
+      at = {{SlotsAt::Base::Place, 0, row},
+            {SlotsAt::Base::Place, 0, behind(row, 1)},
+            behind(row, 2)};
+    }
     refer_parameter(at, group.type, home, first, argument.place);
     if (group.type.is_open()) {
-      variables_.count(at, argument.type, behind(first, home.count), argument.place);
+      const Type& type = list_as_array ? group.type : argument.type;
+      variables_.count(at, type, behind(first, home.count), argument.place);
     }
+    const int held = hold_list(argument, list_as_array);
     frame_.release(mark);
+    return held;
   } else if (!group.type.in_registers()) {
     // A routine that a later argument calls may change the variable, so its value is kept.
     const bool keep = std::any_of(
@@ -720,6 +776,17 @@ void ExpressionCompiler::pass(const Call& call, std::size_t parameter, const Loc
     into(argument, static_cast<Register>(first + home.numbers.offset),
          group.type.is(Type::Kind::Real));
   }
+  return 0;
+}
+
+int ExpressionCompiler::hold_list(const Expr& argument, bool whole) {
+  const Symbol& symbol = *root_of(argument)->symbol;
+  const bool element = symbol.type.is(Type::Kind::List) && !argument.type.is(Type::Kind::List);
+  if (!element && !whole) return 0;
+  const Register home = frame_.number_registers();
+  variables_.refer(symbol, false, home, argument.place);
+  code_.emit(Opcode::hold_list, argument.place, home);
+  return 1;
 }
 
 /// The places of a value where the routine will look for them.
@@ -762,7 +829,7 @@ Location ExpressionCompiler::locate(const Expr& expression) {
 /// Where a value lies that a type is wanted of: lists take it.
 Location ExpressionCompiler::located_as(const Expr& expression, const Type& type, bool keep) {
   if (variables_.is_variable(expression) && !keep) return locate(expression);
-  const Location fresh = variables_.memory(slots_of(type), expression.place);
+  const Location fresh = variables_.temporary(type, expression.place);
   put(expression, fresh, type);
   return fresh;
 }
@@ -819,6 +886,8 @@ void ExpressionCompiler::put(const Expr& value, const Location& to, const Type& 
     } else {
       variables_.store(to, type, operand(value, as_real), place);
     }
+  } else if (type.is(Type::Kind::List)) {
+    put_list(value, to, type);
   } else if (const auto* const list = std::get_if<List>(&value.node)) {
     const Type& element = type.detail->element;
     Location next = to;
@@ -833,6 +902,34 @@ void ExpressionCompiler::put(const Expr& value, const Location& to, const Type& 
     variables_.copy_memory(to, locate(value), slots_of(type), place);
   }
   frame_.release(mark);
+}
+
+/// Into a LIST. The elements of a literal are gathered in memory first.
+void ExpressionCompiler::put_list(const Expr& value, const Location& to, const Type& type) {
+  const Place place = value.place;
+  const auto* const list = std::get_if<List>(&value.node);
+  const auto* const call = std::get_if<Call>(&value.node);
+  if (list == nullptr && (call == nullptr || call->routine != nullptr)) {
+    return variables_.fill_list(to, locate(value), place);
+  }
+  const Register home = frame_.number_registers();
+  variables_.refer(to.numbers, false, home, place);
+  if (list == nullptr) {  // SPLIT
+    const Register text = operand_before(*call->arguments[1], *call->arguments[0], false);
+    const Register between = operand(*call->arguments[1], false);
+    return code_.emit(Opcode::split_text, place, home, text, between);
+  }
+  const Type& element = type.detail->element;
+  const auto count = static_cast<int>(list->elements.size());
+  const Slots size = slots_of(element);
+  Location at = variables_.memory({size.numbers * count, size.texts * count}, place);
+  const Register row = row_at(at, size, place);
+  code_.load_integer(behind(row, 2), count, place);
+  for (const ExprPtr& each : list->elements) {
+    put(*each, at, element);
+    at = at.behind(size);
+  }
+  code_.emit(Opcode::fill_list, place, home, row);
 }
 
 void ExpressionCompiler::put_record(const Call& call, const Location& to, Place place) {
@@ -850,18 +947,17 @@ void ExpressionCompiler::put_record(const Call& call, const Location& to, Place 
 
 /// A whole array or record. One that is built of parts may use the old value, so it is built apart.
 void ExpressionCompiler::assign_memory(const Expr& target, const Expr& value) {
-  const Slots slots = slots_of(target.type);
   Location from;
   begin(value);
   if (variables_.is_variable(value) && !calls_routine(target)) {
     from = locate(value);
   } else {
-    from = variables_.memory(slots, value.place);
+    from = variables_.temporary(target.type, value.place);
     put(value, from, target.type);
   }
   begin_place(target);
   const Location to = locate(target);
-  variables_.copy_memory(to, from, slots, target.place);
+  variables_.copy(from, to, target.type, target.place);
   const Symbol& root = *root_of(target)->symbol;
   if (root.shared) variables_.publish(to, target.type, target.place);
   variables_.changed(root, target.place);

@@ -112,13 +112,19 @@ class ExpressionCompiler {
                      Register target);
   void compile_row_number(const Builtin& builtin, const Expr& row, Register target, Place place);
   void call_procedure(const Call& call, Place place);
+  void change_list(BuiltinRule rule, const Call& call, Place place);
   /// Where the elements of an array lie, and how many they are, in three registers (opcodes.def).
   Register row(const Expr& expression);
+  Register row_at(const Location& at, Slots slots, Place place);
+  /// A LIST whose element is given by REF, or that stands for an array, keeps its length during
+  /// the call; returns how many lists do so.
+  int hold_list(const Expr& argument, bool whole);
   void draw(const Call& call, const Expr& expression, Register target);
   Location call_routine(const Call& call, const Expr& expression);
   void lend(const Call& call, CodeBuilder::Persist how);
-  void pass(const Call& call, std::size_t parameter, const Location& home, Register first,
-            Register first_text);
+  /// Returns how many lists are held then.
+  int pass(const Call& call, std::size_t parameter, const Location& home, Register first,
+           Register first_text);
   void refer_parameter(const Location& at, const Type& type, const Location& home, Register first,
                        Place place);
 
@@ -140,6 +146,7 @@ class ExpressionCompiler {
   void store_element(Opcode opcode, const Index& index, std::uint8_t value, Place place);
   /// A value into slots, wherever they lie, that hold nothing which it needs.
   void put(const Expr& value, const Location& to, const Type& type);
+  void put_list(const Expr& value, const Location& to, const Type& type);
   void put_record(const Call& call, const Location& to, Place place);
   void assign_memory(const Expr& target, const Expr& value);
   /// An element becomes a number that is known; false if there is no such instruction for it.

@@ -139,6 +139,12 @@ CodeBuilder::Jumps ExpressionCompiler::jumps_of_memory(const Binary& binary, boo
   const Register places = frame_.number_registers(3);
   const auto other = static_cast<Register>(places + 1);
   const auto truth = static_cast<Register>(places + 2);
+  if (type.is(Type::Kind::List)) {
+    variables_.refer(left.numbers, false, places, place);
+    variables_.refer(right.numbers, false, other, place);
+    code_.emit(Opcode::equal_lists, place, truth, places, other);
+    return {jump_if(code_, truth, when == (binary.op == BinaryOp::Equal), place)};
+  }
   CodeBuilder::Jumps settled;
   const auto compare = [&](Opcode opcode, const SlotsAt& a, const SlotsAt& b, int count) {
     const bool text = opcode == Opcode::equal_texts;

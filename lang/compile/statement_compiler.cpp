@@ -571,9 +571,8 @@ void StatementCompiler::settle_parameters(const Routine& routine) {
     Location home = layout.homes[i];
     const bool by_reference = parameters[i].group->by_reference;
     if (!by_reference && !symbol.type.in_registers()) {
-      const Slots slots = slots_of(symbol.type);
-      home = variables_.memory(slots, routine.place);
-      variables_.copy_memory(home, layout.homes[i], slots, routine.place);
+      home = variables_.temporary(symbol.type, routine.place);
+      variables_.copy(layout.homes[i], home, symbol.type, routine.place);
     } else if (!by_reference) {
       declarations_.name_home(symbol, home);
     }

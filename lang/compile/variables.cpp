@@ -58,11 +58,40 @@ bool Variables::is_number_element(const Expr& expression) const {
 
 Location Variables::temporary(const Type& type, Place place) {
   const Slots slots = slots_of(type);
-  if (!type.in_registers()) return memory(slots, place);
   Location fresh;
+  if (!type.in_registers()) fresh = memory(slots, place);
+  if (type.is(Type::Kind::List)) open_list(fresh, type, place);
+  if (!type.in_registers()) return fresh;
   if (slots.numbers > 0) fresh.numbers.offset = frame_.number_registers(slots.numbers);
   if (slots.texts > 0) fresh.texts.offset = frame_.text_registers(slots.texts);
   return fresh;
+}
+
+void Variables::open_list(const Location& at, const Type& type, Place place) {
+  const auto mark = frame_.mark();
+  const Register home = frame_.number_registers();
+  const Slots size = slots_of(type.detail->element);
+  refer(at.numbers, false, home, place);
+  code_.emit(Opcode::open_list, place, home);
+  code_.emit(operand_word(size.numbers), place);
+  code_.emit(operand_word(size.texts), place);
+  frame_.release(mark);
+}
+
+void Variables::fill_list(const Location& to, const Location& from, Place place) {
+  const auto mark = frame_.mark();
+  const Register row = list_row(from, place);
+  const Register home = frame_.number_registers();
+  refer(to.numbers, false, home, place);
+  code_.emit(Opcode::fill_list, place, home, row);
+  frame_.release(mark);
+}
+
+Register Variables::list_row(const Location& list, Place place) {
+  const Register row = frame_.number_registers(3);
+  refer(list.numbers, false, row, place);
+  code_.emit(Opcode::list_row, place, row, row);
+  return row;
 }
 
 Register Variables::registers_for(const Type& type) {
@@ -94,19 +123,27 @@ Location Variables::reached(const Location& home, const Type& type, Place place)
 
 void Variables::count(const Location& whole, const Type& type, Register target, Place place) {
   if (type.is_open()) return code_.emit(Opcode::copy, place, target, whole.count);
+  if (type.is(Type::Kind::List)) {
+    return code_.emit(Opcode::copy, place, target, behind(list_row(whole, place), 2));
+  }
   code_.load_integer(target, type.detail->length, place);
 }
 
 Location Variables::element(const Location& whole, Register which, const Elements& elements,
                             Place place) {
   const Slots size = slots_of(elements.type);
-  Location result = whole;
-  if (elements.count == kAnyLength) code_.emit(Opcode::check_index, place, which, whole.count);
+  Location row = whole;
+  if (elements.list) {
+    const Register first = list_row(whole, place);
+    row = {{Base::Place, 0, first}, {Base::Place, 0, behind(first, 1)}, behind(first, 2)};
+  }
+  Location result = row;
+  if (elements.count == kAnyLength) code_.emit(Opcode::check_index, place, which, row.count);
   if (size.numbers > 0) {
-    result.numbers = element_at(whole.numbers, false, which, elements.count, size.numbers, place);
+    result.numbers = element_at(row.numbers, false, which, elements.count, size.numbers, place);
   }
   if (size.texts > 0) {
-    result.texts = element_at(whole.texts, true, which, elements.count, size.texts, place);
+    result.texts = element_at(row.texts, true, which, elements.count, size.texts, place);
   }
   return result;
 }
@@ -243,7 +280,9 @@ void Variables::store_text(SlotsAt to, Register value, Place place) {
 
 void Variables::copy(const Location& from, const Location& to, const Type& type, Place place) {
   const auto mark = frame_.mark();
-  if (!type.in_registers()) {
+  if (type.is(Type::Kind::List)) {
+    fill_list(to, from, place);
+  } else if (!type.in_registers()) {
     copy_memory(to, from, slots_of(type), place);
   } else {
     const SlotsAt& part = type.text() ? from.texts : from.numbers;
@@ -272,6 +311,7 @@ void Variables::copy_memory(const Location& to, const Location& from, Slots slot
 /// 0, FALSE, 0.0 have the same bits; texts become "".
 void Variables::clear(const Location& home, const Type& type, Place place) {
   const Slots slots = slots_of(type);
+  if (type.is(Type::Kind::List)) return;  // it is empty from its declaration on
   if (slots.numbers > 0 && home.numbers.in_register()) {
     for (int i = 0; i < slots.numbers; ++i) {
       code_.load_integer(home.numbers.behind(i).reg(), 0, place);

@@ -39,6 +39,12 @@ class Variables {
 
   /// Registers for a value; memory where it does not lie in registers.
   Location temporary(const Type& type, Place place);
+  /// The slot at a place becomes an empty LIST of this type.
+  void open_list(const Location& at, const Type& type, Place place);
+  /// The elements of a LIST become those of another.
+  void fill_list(const Location& to, const Location& from, Place place);
+  /// Where the elements of a LIST lie now, in three registers (opcodes.def).
+  Register list_row(const Location& list, Place place);
   /// New registers for a value that lies in them.
   Register registers_for(const Type& type);
   /// Slots of the memory of the current frame.

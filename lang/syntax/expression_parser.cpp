@@ -290,10 +290,7 @@ ExprPtr ExpressionParser::list() {
   List list;
   int height = 0;
   tokens_.advance();
-  if (tokens_.at(TokenKind::RightBracket)) {
-    tokens_.fail(code::kListEmpty, place, "there is nothing between the brackets",
-                 "an ARRAY has at least one element: VAR a: ARRAY[3] OF INT fills it with 0");
-  }
+  if (tokens_.accept(TokenKind::RightBracket)) return tree_.make(place, std::move(list));
   do {
     list.elements.push_back(expression());
     height = std::max(height, list.elements.back()->height);

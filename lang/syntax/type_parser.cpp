@@ -55,6 +55,7 @@ Type TypeParser::type() {
     tokens_.fail_here(code::kUnknownType, fmt::format("a type expected, not {}", described(word)),
                       type_help(word.text, names_.defined()));
   }
+  if (tokens_.at_word("LIST") && same_word(tokens_.next().text, "OF")) return list_type();
   if (const NamedType* const known = named_type(word.text)) {
     tokens_.advance();
     if (known->type.is(Type::Kind::Pose)) return pose_type();
@@ -101,6 +102,14 @@ Type TypeParser::array_type() {
   detail.written = static_cast<int>(first_array_length_ + array_lengths_.size());
   array_lengths_.push_back({.array = &detail, .length = std::move(length), .place = place});
   return {Type::Kind::Array, {}, &detail};
+}
+
+// type = "LIST" "OF" type .
+Type TypeParser::list_type() {
+  const TreeBuilder::Level level(tree_);
+  tokens_.advance();
+  tokens_.advance();
+  return table_.list(type());
 }
 
 /// [ "IN" IDENT ] after POSE.

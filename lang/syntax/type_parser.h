@@ -26,6 +26,7 @@ class TypeParser {
 
  private:
   Type array_type();
+  Type list_type();
   Type pose_type();
   Type vec_type();
   Type unit_type();

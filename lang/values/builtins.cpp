@@ -263,7 +263,8 @@ const Builtin* find_builtin(std::string_view name, std::size_t arguments) {
 }
 
 bool is_common_name(std::string_view name) {
-  static constexpr std::array<std::string_view, 3> kNames{"ORD", "SORT", "SUM"};
+  static constexpr std::array<std::string_view, 8> kNames{"APPEND", "CLEAR", "JOIN",  "ORD",
+                                                          "REMOVE", "SORT",  "SPLIT", "SUM"};
   return std::ranges::any_of(kNames, [&](std::string_view each) { return same_word(each, name); });
 }
 

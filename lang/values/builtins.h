@@ -40,6 +40,11 @@ enum class BuiltinRule : std::uint8_t {
   Unix,     ///< none → TIME; read from the machine
   Ordinal,  ///< a value of an ENUM → INT, counted from 1; compiled in line, so it has no function
   RowNumber,   ///< a row of numbers of D → D; the Vm's own, so it has no function
+  ListAppend,  ///< LIST of t, t; no value: it changes the list; the same
+  ListRemove,  ///< LIST, INT; so does it
+  ListClear,   ///< LIST; so does it
+  Split,       ///< STRING, STRING → LIST OF STRING; the same
+  Join,        ///< a row of texts, STRING → STRING; the same
   RowSort,     ///< a row of numbers or texts, which it changes; no value; the same
   FileExists,  ///< STRING → BOOL; read from the world, so it has no function
   AnyToCsv,    ///< any → STRING; compiled in line

@@ -78,6 +78,9 @@ std::string in_words(const Type& type) {
       if (type.is_open()) return "an ARRAY of any length, each " + in_words(type.detail->element);
       return "an ARRAY[" + std::to_string(type.detail->length) + "], each " +
              in_words(type.detail->element);
+    case Type::Kind::List:
+      if (!type.detail->element.known()) return "a LIST without elements";
+      return "a LIST, each " + in_words(type.detail->element);
     case Type::Kind::Record:
       return "a record " + type.detail->name;
   }
@@ -87,6 +90,11 @@ std::string in_words(const Type& type) {
 bool Type::operator==(const Type& other) const {
   if (kind != other.kind || dimension != other.dimension) return false;
   if (detail == other.detail) return true;
+  if (kind == Kind::List) {
+    const Type& element = detail->element;
+    const bool empty = !element.known() || !other.detail->element.known();
+    return empty || element == other.detail->element;
+  }
   if (kind != Kind::Array) return false;
   // A faulty type fits everywhere.
   const bool faulty = detail->length == 0 || other.detail->length == 0;
@@ -103,6 +111,14 @@ Type TypeTable::array(const Type& element, std::int64_t length) {
   const auto count = length == kAnyLength ? 1 : static_cast<int>(length);
   detail.slots = {.numbers = slots.numbers * count, .texts = slots.texts * count};
   return {Type::Kind::Array, {}, &detail};
+}
+
+Type TypeTable::list(const Type& element) {
+  TypeDetail& detail = details.emplace_back();
+  detail.element = element;
+  detail.height = height_of(element) + 1;
+  detail.slots = {.numbers = 1};
+  return {Type::Kind::List, {}, &detail};
 }
 
 TypeDetail& TypeTable::named(Named& types, std::uint32_t file, std::string_view name) {
@@ -164,6 +180,7 @@ Slots slots_of(const Type& type) {
     case Type::Kind::Array:
       return type.is_open() ? slots_of(type.detail->element) : type.detail->slots;
     case Type::Kind::Joints:
+    case Type::Kind::List:
     case Type::Kind::Record:
       return type.detail->slots;
   }
@@ -191,7 +208,7 @@ bool has_default(const Type& type) {
 int height_of(const Type& type) { return type.in_registers() ? 0 : type.detail->height; }
 
 bool holds_place(const Type& type) {
-  if (type.is(Type::Kind::Array)) return holds_place(type.detail->element);
+  if (type.has_row()) return holds_place(type.detail->element);
   if (!type.is(Type::Kind::Record)) return type.is_place();
   return std::ranges::any_of(
       type.detail->fields, [](const TypeDetail::Field& field) { return holds_place(field.type); });
@@ -242,6 +259,7 @@ std::optional<std::int64_t> value_of(const TypeDetail& enumeration, std::string_
 std::optional<Elements> elements_of(const Type& type) {
   if (type.is(Type::Kind::Vec)) return Elements{Type::real(type.dimension), 3};
   if (type.is(Type::Kind::Array)) return Elements{type.detail->element, type.detail->length};
+  if (type.is(Type::Kind::List)) return Elements{type.detail->element, kAnyLength, true};
   if (type.is(Type::Kind::Joints)) {
     const std::vector<Dimension>& axes = type.detail->axes;
     return Elements{Type::real(axes.front()), static_cast<std::int64_t>(axes.size())};

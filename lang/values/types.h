@@ -54,12 +54,13 @@ struct Type {
     Frame,   ///< as Pose
     Tool,    ///< as Pose, then the mass, and x y z of its centre of gravity
     Array,
+    List,  ///< one slot, which tells the Vm where its elements are
     Record
   };
 
   Kind kind = Kind::Unknown;
   Dimension dimension{};               ///< of Real and Vec only
-  const TypeDetail* detail = nullptr;  ///< of Joints, Array, Record, Enum, and Pose
+  const TypeDetail* detail = nullptr;  ///< of Joints, Array, List, Record, Enum, and Pose
 
   bool operator==(const Type& other) const;
   bool known() const { return kind != Kind::Unknown; }
@@ -69,7 +70,8 @@ struct Type {
   /// An ARRAY of any length, as a REF parameter may be: its length is known while the program runs.
   bool is_open() const;
   /// Elements in a row whose number is known only while the program runs.
-  bool is_row() const { return is_open(); }
+  bool is_row() const { return is_open() || is(Kind::List); }
+  bool has_row() const { return is(Kind::Array) || is(Kind::List); }
   /// Whether the type takes one slot.
   bool scalar() const { return kind <= Kind::String; }
   /// Lies in registers of a row; all else lies in the memory of a frame.
@@ -98,7 +100,7 @@ struct TypeDetail {
     Type type;
   };
   Slots slots;   ///< of a whole value; where there is any number of elements, of one
-  Type element;  ///< of Array
+  Type element;  ///< of Array and List
   /// Of Array: kAnyLength, or 0 while it is not known, or where it is faulty.
   std::int64_t length = 0;
   int written = -1;             ///< of an Array with a length in the text: its TypeTable index
@@ -126,6 +128,7 @@ struct TypeTable {
 
   /// The type of a list of `length` such elements.
   Type array(const Type& element, std::int64_t length);
+  Type list(const Type& element);
   /// One detail for each name, so that types are equal where their frames or records are.
   TypeDetail& frame(std::uint32_t file, std::string_view name) { return named(frames, file, name); }
   TypeDetail& record(std::uint32_t file, std::string_view name) {
@@ -180,6 +183,7 @@ std::vector<std::string_view> field_names(const Type& type);
 struct Elements {
   Type type;  ///< of JOINTS that of the first axis; the others may be of another dimension
   std::int64_t count = 0;  ///< kAnyLength where it is known only while the program runs
+  bool list = false;
 };
 /// The value of an ENUM's name, in any case; nothing if it has no such name.
 std::optional<std::int64_t> value_of(const TypeDetail& enumeration, std::string_view name);

@@ -10,6 +10,7 @@
 #include "lang/machine/machine.h"
 #include "lang/text/diagnostic.h"
 #include "lang/values/arithmetic.h"
+#include "lang/vm/objection.h"
 #include "lang/vm/stack.h"
 
 namespace rob::lang {
@@ -36,8 +37,6 @@ struct RuntimeError {
   std::vector<CallSite> calls{};  ///< the routines it happened in, the innermost first
 };
 
-/// Why something that the program asks for cannot be; nothing if it can.
-using Objection = std::optional<Refusal>;
 Refusal refusal_of(ArithmeticError error);
 
 /// TRY blocks that can be open, those whose RESCUE runs included. [choice] one a call.

@@ -1,5 +1,8 @@
 #include "lang/vm/stack.h"
 
+#include <algorithm>
+#include <functional>
+
 #include <fmt/core.h>
 
 #include "lang/text/codes.h"
@@ -64,6 +67,7 @@ Stack::Stack(TaskMemory& memory, std::size_t task)
 
 void Stack::unwind(std::size_t depth) {
   while (this->depth() > depth) leave();
+  lists_.release_from(depth);
 }
 
 Slots Stack::room() const {
@@ -72,12 +76,32 @@ Slots Stack::room() const {
 }
 
 bool Stack::reserve(Slots slots, Slot* place) {
+  // Lists of frames as deep are of calls that have been left. Those of the top level stay.
+  lists_.drop(std::max<std::size_t>(depth(), 1));
   const Slots end = memory_ + slots;
   if (end.numbers > room().numbers || end.texts > room().texts) return false;
   place[0].integer = registers_.numbers + memory_.numbers;
   place[1].integer = registers_.texts + memory_.texts;
   memory_ = end;
   return true;
+}
+
+void Stack::open_list(Slot home, Slots size) {
+  place(home, 0)->integer = lists_.open(home.integer, depth(), size);
+}
+
+void Stack::locate_list(Slot home, Slot* row) {
+  const ListElements& list = list_at(home);  // `home` may be of the row itself
+  row[0].integer = list.numbers.empty() ? 0 : reference_to(list.numbers.data());
+  row[1].integer = list.texts.empty() ? 0 : reference_to(list.texts.data());
+  row[2].integer = static_cast<std::int64_t>(list.count);
+}
+
+Objection Stack::weigh(const std::string* at, std::size_t before, std::size_t now) {
+  const std::less<> less;
+  const std::string* const begin = text_stack_.data();
+  const bool own = !less(at, begin) && less(at, begin + text_stack_.size());
+  return own ? Objection{} : lists_.weigh(before, now);
 }
 
 Refusal calls_too_deep() {

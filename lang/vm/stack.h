@@ -10,6 +10,7 @@
 #include "lang/code/chunk.h"
 #include "lang/machine/machine.h"
 #include "lang/values/arithmetic.h"
+#include "lang/vm/lists.h"
 #include "lang/vm/task_memory.h"
 
 namespace rob::lang {
@@ -90,6 +91,16 @@ class Stack {
   /// The calls that are open, the innermost last.
   std::span<const Frame> calls() const { return {frames_.data(), depth()}; }
 
+  /// The LISTs of all frames. Their elements have places, too, which lead out of the stack.
+  Lists& lists() { return lists_; }
+  ListElements& list_at(Slot home) { return lists_[place(home, 0)->integer]; }
+  /// Gives the slot at a place a list of the innermost frame.
+  void open_list(Slot home, Slots size);
+  /// Where the elements of a list lie, and how many they are, into three registers.
+  void locate_list(Slot home, Slot* row);
+  /// Texts of lists have become larger, or smaller, by as much; others do not count.
+  Objection weigh(const std::string* at, std::size_t before, std::size_t now);
+
   /// Memory for the innermost frame; its places go to `place`. False if so much is not left.
   bool reserve(Slots slots, Slot* place);
   /// The top level begins anew.
@@ -101,7 +112,7 @@ class Stack {
   Stack(Slots registers, Slots memory, std::size_t calls);
 
   std::vector<Slot> own_numbers_;  ///< of a TASK: none
-  std::vector<std::string> own_texts_;
+  TextRow own_texts_;
   std::span<Slot> number_stack_;
   std::span<std::string> text_stack_;
   Slots registers_;      ///< where registers end
@@ -112,6 +123,7 @@ class Stack {
   Frame* frame_;   ///< the next one that is free
   Slot* numbers_;  ///< the registers of the innermost frame
   std::string* texts_;
+  Lists lists_;
 };
 
 // In every call: here, so that the dispatch loop has them in line.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <string>
 #include <string_view>
 
@@ -27,12 +28,19 @@ bool equal_slots(const Slot* a, const Slot* b, std::size_t count) {
   return std::memcmp(a, b, count * sizeof(Slot)) == 0;
 }
 
-void copy_texts(std::string* to, const std::string* from, std::size_t count) {
+std::size_t letters(const std::string* texts, std::size_t count) {
+  return std::accumulate(texts, texts + count, std::size_t{0},
+                         [](std::size_t sum, const std::string& one) { return sum + one.size(); });
+}
+
+Objection copy_texts(Stack& stack, std::string* to, const std::string* from, std::size_t count) {
+  if (Objection why = stack.weigh(to, letters(to, count), letters(from, count))) return why;
   if (to < from) {
     std::copy(from, from + count, to);
   } else if (to > from) {
     std::copy_backward(from, from + count, to + count);
   }
+  return {};
 }
 
 /// False, and the text stays as it is, if it would become too long.
@@ -73,7 +81,7 @@ bool append_memory(Code pc, const Chunk& chunk, Stack& stack, Budget& budget, Ap
 }
 
 /// Texts that do not lie in registers of the frame.
-Code step_text_memory(Code pc, Stack& stack, Budget& budget) {
+Code step_text_memory(Code pc, Stack& stack, Budget& budget, Objection& why) {
   Slot* const n = stack.numbers();
   std::string* const t = stack.texts();
   switch (pc->opcode()) {
@@ -89,17 +97,20 @@ Code step_text_memory(Code pc, Stack& stack, Budget& budget) {
     case Opcode::load_reference_text:
       t[pc->a()] = *stack.text_place(n[pc->b()], (pc + 1)->word);
       return pc + 2;
-    case Opcode::store_reference_text:
-      *stack.text_place(n[pc->b()], (pc + 1)->word) = t[pc->a()];
+    case Opcode::store_reference_text: {
+      std::string& text = *stack.text_place(n[pc->b()], (pc + 1)->word);
+      why = stack.weigh(&text, text.size(), t[pc->a()].size());
+      if (!why) text = t[pc->a()];
       return pc + 2;
+    }
     case Opcode::clear_texts:
       budget.charge((pc + 2)->word);
       std::fill_n(stack.text_place(n[pc->a()], (pc + 1)->word), (pc + 2)->word, std::string());
       return pc + 3;
     case Opcode::copy_texts:
       budget.charge((pc + 3)->word);
-      copy_texts(stack.text_place(n[pc->a()], (pc + 1)->word),
-                 stack.text_place(n[pc->b()], (pc + 2)->word), (pc + 3)->word);
+      why = copy_texts(stack, stack.text_place(n[pc->a()], (pc + 1)->word),
+                       stack.text_place(n[pc->b()], (pc + 2)->word), (pc + 3)->word);
       return pc + 4;
     case Opcode::equal_texts: {
       budget.charge((pc + 1)->word);
@@ -161,7 +172,7 @@ Code step_text(Code pc, const Chunk& chunk, Stack& stack, Budget& budget, Object
       n[pc->a()].integer = t[pc->b()] <= t[pc->c()] ? 1 : 0;
       return pc + 1;
     default:
-      return step_text_memory(pc, stack, budget);
+      return step_text_memory(pc, stack, budget, why);
   }
 }
 

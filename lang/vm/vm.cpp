@@ -201,6 +201,9 @@ element : {
       n[pc->c()].integer + (pc + 1)->word + static_cast<std::int64_t>(which) * (pc + 3)->word;
   ROB_NEXT(4);
 }
+list_row:
+  stack_.locate_list(n[pc->b()], &n[pc->a()]);
+  ROB_NEXT(1);
 check_index : {
   const auto which = static_cast<std::uint64_t>(n[pc->a()].integer) - 1;
   if (which >= static_cast<std::uint64_t>(n[pc->b()].integer)) [[unlikely]]

@@ -50,14 +50,22 @@ inline std::string shown(const ExprPtr& expr) {
     std::string operator()(const StringLiteral& s) const { return "\"" + s.value + "\""; }
     std::string operator()(const Name& n) const { return n.text; }
     std::string operator()(const Unary& u) const {
-      constexpr const char* kSigns[] = {"-", "+", "NOT "};
+      constexpr const char* kSigns[] = {"-", "+", "NOT ", "BITNOT "};
       return "(" + std::string(kSigns[static_cast<int>(u.op)]) + shown(u.operand) + ")";
     }
+    static std::string sign(BinaryOp op) {
+      constexpr const char* kSigns[] = {
+          "OR", "XOR", "AND", "==",  "<>", "<",      "<=",    ">",      ">=",  "+",  "-",
+          "*",  "/",   "DIV", "MOD", "^",  "BITAND", "BITOR", "BITXOR", "SHL", "SHR"};
+      return std::string(" ") + kSigns[static_cast<int>(op)] + " ";
+    }
     std::string operator()(const Binary& b) const {
-      constexpr const char* kSigns[] = {"OR", "XOR", "AND", "==", "<>", "<",   "<=",  ">",
-                                        ">=", "+",   "-",   "*",  "/",  "DIV", "MOD", "^"};
-      return "(" + shown(b.left) + " " + kSigns[static_cast<int>(b.op)] + " " + shown(b.right) +
-             ")";
+      return "(" + shown(b.left) + sign(b.op) + shown(b.right) + ")";
+    }
+    std::string operator()(const Chain& c) const {
+      std::string text = "{" + shown(c.first);
+      for (const Chain::Step& step : c.steps) text += sign(step.op) + shown(step.term);
+      return text + "}";
     }
     std::string operator()(const Call& c) const {
       std::string text = c.callee + "(";
