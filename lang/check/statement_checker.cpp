@@ -71,6 +71,49 @@ bool reads_from_csv(const Type& type) {
          is_csv_field(type.detail->element);
 }
 
+/// Without ELSE, the SELECT of an ENUM does nothing for the names that it leaves out.
+void warn_of_missing_cases(const Select& select, const std::map<Constant, std::uint32_t>& lines,
+                           Diagnostics& diagnostics) {
+  const bool all_known = std::ranges::all_of(select.cases, [](const Select::Case& one) {
+    return std::ranges::all_of(one.values, [](const ExprPtr& value) {
+      return value != nullptr && known(value->constant);
+    });
+  });
+  if (select.has_else || !all_known) return;
+  const TypeDetail& detail = *select.selector->type.detail;
+  std::vector<bool> named(detail.names.size());
+  for (const auto& [value, line] : lines) {
+    const auto* const number = std::get_if<std::int64_t>(&value);
+    if (number != nullptr) named.at(static_cast<std::size_t>(*number)) = true;
+  }
+  std::vector<std::string> missing;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    if (!named[i]) missing.push_back(enum_text(detail, static_cast<std::int64_t>(i)));
+  }
+  if (missing.empty()) return;
+  diagnostics.warning(code::kCaseMissing, select.selector->place,
+                      fmt::format("this SELECT leaves out {}", fmt::join(missing, ", ")),
+                      "a CASE for it, or ELSE, says what is done then");
+}
+
+/// The type of an element that FOR x IN goes through; it has been checked.
+Type check_elements(For& loop, ValueChecker& values, Diagnostics& diagnostics) {
+  if (loop.elements == nullptr) return {};
+  const Type type = loop.elements->type;
+  if (!type.known()) return {};
+  if (values.refuse_empty(*loop.elements)) return {};
+  if (!type.has_row()) {
+    diagnostics.error(
+        code::kNoElements, loop.elements->place,
+        fmt::format("FOR IN goes through the elements of an ARRAY or LIST; this is {}",
+                    described(*loop.elements)),
+        type.numeric() ? fmt::format("FOR {} = 1 TO n DO counts", shortened(loop.variable)) : "");
+    return {};
+  }
+  loop.turns = type.detail->length > 0;
+  return type.detail->element;
+}
+
 /// Where a line could not be read it may have been the RETURN.
 void check_returns(const Routine& routine, Diagnostics& diagnostics) {
   if (!routine.whole) return;
@@ -400,32 +443,8 @@ void StatementChecker::check(Select& select) {
   }
   check(select.otherwise);
   if (select.selector && select.selector->type.is(Type::Kind::Enum)) {
-    warn_of_missing_cases(select, lines);
+    warn_of_missing_cases(select, lines, diagnostics_);
   }
-}
-
-/// Without ELSE, the SELECT of an ENUM does nothing for the names that it leaves out.
-void StatementChecker::warn_of_missing_cases(const Select& select, const CaseLines& lines) {
-  const bool all_known = std::ranges::all_of(select.cases, [](const Select::Case& one) {
-    return std::ranges::all_of(one.values, [](const ExprPtr& value) {
-      return value != nullptr && known(value->constant);
-    });
-  });
-  if (select.has_else || !all_known) return;
-  const TypeDetail& detail = *select.selector->type.detail;
-  std::vector<bool> named(detail.names.size());
-  for (const auto& [value, line] : lines) {
-    const auto* const number = std::get_if<std::int64_t>(&value);
-    if (number != nullptr) named.at(static_cast<std::size_t>(*number)) = true;
-  }
-  std::vector<std::string> missing;
-  for (std::size_t i = 0; i < named.size(); ++i) {
-    if (!named[i]) missing.push_back(enum_text(detail, static_cast<std::int64_t>(i)));
-  }
-  if (missing.empty()) return;
-  diagnostics_.warning(code::kCaseMissing, select.selector->place,
-                       fmt::format("this SELECT leaves out {}", fmt::join(missing, ", ")),
-                       "a CASE for it, or ELSE, says what is done then");
 }
 
 /// The value must be of the selector's kind, and may not stand in a CASE above it.
@@ -452,7 +471,10 @@ void StatementChecker::check(While& loop) {
 }
 
 void StatementChecker::check(For& loop) {
-  const Type type = loop.elements != nullptr ? check_elements(loop) : check_range(loop);
+  const bool elements = expressions_.check(loop.elements).known();
+  const Type type = loop.elements == nullptr ? check_range(loop)
+                    : elements               ? check_elements(loop, values_, diagnostics_)
+                                             : Type{};
   const Declarations::OpenScope scope(declarations_);
   loop.symbol = declarations_.declare(Symbol::Kind::LoopVariable, loop.variable,
                                       loop.variable_place, type, {});
@@ -488,22 +510,6 @@ Type StatementChecker::check_range(For& loop) {
   }
   check_constant_range(loop, type);
   return type;
-}
-
-Type StatementChecker::check_elements(For& loop) {
-  const Type type = expressions_.check(loop.elements);
-  if (!type.known()) return {};
-  if (values_.refuse_empty(*loop.elements)) return {};
-  if (!type.has_row()) {
-    diagnostics_.error(
-        code::kNoElements, loop.elements->place,
-        fmt::format("FOR IN goes through the elements of an ARRAY or LIST; this is {}",
-                    described(*loop.elements)),
-        type.numeric() ? fmt::format("FOR {} = 1 TO n DO counts", shortened(loop.variable)) : "");
-    return {};
-  }
-  loop.turns = type.detail->length > 0;
-  return type.detail->element;
 }
 
 void StatementChecker::check_constant_range(For& loop, const Type& type) {

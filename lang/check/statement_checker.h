@@ -102,12 +102,9 @@ class StatementChecker {
   /// The line of each constant value of a SELECT.
   using CaseLines = std::map<Constant, std::uint32_t>;
   void check_case(const Type& wanted, const Expr& value, CaseLines& lines);
-  void warn_of_missing_cases(const Select& select, const CaseLines& lines);
   void check(While& loop);
   void check(For& loop);
   Type check_range(For& loop);
-  /// The type of an element that FOR x IN goes through.
-  Type check_elements(For& loop);
   void check_constant_range(For& loop, const Type& type);
   void check(Loop& loop) { check_body(loop.body, false); }
   void check_body(Block& body, bool unreached);

@@ -23,6 +23,28 @@ int numbers_of(const Expr& expression) {
   return expression.place_slots != 0 ? expression.place_slots : slots_of(expression.type).numbers;
 }
 
+void compute_from_row(CodeBuilder& code, const Builtin& builtin, const Type& element, Register row,
+                      Register target, Place place) {
+  const bool real = element.is(Type::Kind::Real);
+  const RowNumber which = builtin.name == "SUM"   ? RowNumber::Sum
+                          : builtin.name == "MIN" ? RowNumber::Least
+                                                  : RowNumber::Greatest;
+  code.emit(real ? Opcode::row_real : Opcode::row_int, place, target, row,
+            static_cast<unsigned>(which));
+}
+
+/// A LIST whose element is given by REF, or that stands for an array, keeps its length during the
+/// call; returns how many lists do so.
+int hold_list(CodeBuilder& code, Variables& variables, const Expr& argument, bool whole) {
+  const Symbol& symbol = *root_of(argument)->symbol;
+  const bool element = symbol.type.is(Type::Kind::List) && !argument.type.is(Type::Kind::List);
+  if (!element && !whole) return 0;
+  const Register home = code.frame().number_registers();
+  variables.refer(symbol, false, home, argument.place);
+  code.emit(Opcode::hold_list, argument.place, home);
+  return 1;
+}
+
 }  // namespace
 
 void ExpressionCompiler::begin(const Expr& expression) {
@@ -551,7 +573,8 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
     return code_.emit(Opcode::join_row, expression.place, target, parts, between);
   }
   if (builtin.rule == BuiltinRule::RowNumber) {
-    return compile_row_number(builtin, *call.arguments.front(), target, expression.place);
+    return compute_from_row(code_, builtin, call.arguments.front()->type.detail->element,
+                            row(*call.arguments.front()), target, expression.place);
   }
   if (builtin.rule == BuiltinRule::Random) return draw(call, expression, target);
   if (builtin.rule == BuiltinRule::Texts) return call_on_texts(builtin, call, expression, target);
@@ -609,31 +632,9 @@ void ExpressionCompiler::call_on_numbers(const Builtin& builtin, const Call& cal
 Register ExpressionCompiler::row(const Expr& expression) {
   const Location at = locate(expression);
   if (expression.type.is(Type::Kind::List)) return variables_.list_row(at, expression.place);
-  const Register first = row_at(at, slots_of(expression.type), expression.place);
+  const Register first = variables_.row_at(at, slots_of(expression.type), expression.place);
   variables_.count(at, expression.type, behind(first, 2), expression.place);
   return first;
-}
-
-/// Its first two registers; where there are no such slots, any place will do.
-Register ExpressionCompiler::row_at(const Location& at, Slots slots, Place place) {
-  const Register first = frame_.number_registers(3);
-  const auto refer = [&](const SlotsAt& from, bool text, int count, Register target) {
-    if (count == 0) return code_.load_integer(target, 0, place);
-    variables_.refer(from, text, target, place);
-  };
-  refer(at.numbers, false, slots.numbers, first);
-  refer(at.texts, true, slots.texts, behind(first, 1));
-  return first;
-}
-
-void ExpressionCompiler::compile_row_number(const Builtin& builtin, const Expr& row,
-                                            Register target, Place place) {
-  const bool real = row.type.detail->element.is(Type::Kind::Real);
-  const RowNumber which = builtin.name == "SUM"   ? RowNumber::Sum
-                          : builtin.name == "MIN" ? RowNumber::Least
-                                                  : RowNumber::Greatest;
-  code_.emit(real ? Opcode::row_real : Opcode::row_int, place, target, this->row(row),
-             static_cast<unsigned>(which));
 }
 
 /// SORT, and what changes a LIST; the value, or the index, is computed first.
@@ -661,7 +662,7 @@ void ExpressionCompiler::change_list(BuiltinRule rule, const Call& call, Place p
   } else if (rule == BuiltinRule::ListAppend) {
     const Location fresh = variables_.temporary(element, place);
     put(last, fresh, element);
-    value = row_at(fresh, slots_of(element), place);
+    value = variables_.row_at(fresh, slots_of(element), place);
   }
   const Register home = frame_.number_registers();
   variables_.refer(locate(list).numbers, false, home, place);
@@ -760,7 +761,7 @@ int ExpressionCompiler::pass(const Call& call, std::size_t parameter, const Loca
       const Type& type = list_as_array ? group.type : argument.type;
       variables_.count(at, type, behind(first, home.count), argument.place);
     }
-    const int held = hold_list(argument, list_as_array);
+    const int held = hold_list(code_, variables_, argument, list_as_array);
     frame_.release(mark);
     return held;
   } else if (!group.type.in_registers()) {
@@ -777,16 +778,6 @@ int ExpressionCompiler::pass(const Call& call, std::size_t parameter, const Loca
          group.type.is(Type::Kind::Real));
   }
   return 0;
-}
-
-int ExpressionCompiler::hold_list(const Expr& argument, bool whole) {
-  const Symbol& symbol = *root_of(argument)->symbol;
-  const bool element = symbol.type.is(Type::Kind::List) && !argument.type.is(Type::Kind::List);
-  if (!element && !whole) return 0;
-  const Register home = frame_.number_registers();
-  variables_.refer(symbol, false, home, argument.place);
-  code_.emit(Opcode::hold_list, argument.place, home);
-  return 1;
 }
 
 /// The places of a value where the routine will look for them.
@@ -923,7 +914,7 @@ void ExpressionCompiler::put_list(const Expr& value, const Location& to, const T
   const auto count = static_cast<int>(list->elements.size());
   const Slots size = slots_of(element);
   Location at = variables_.memory({size.numbers * count, size.texts * count}, place);
-  const Register row = row_at(at, size, place);
+  const Register row = variables_.row_at(at, size, place);
   code_.load_integer(behind(row, 2), count, place);
   for (const ExprPtr& each : list->elements) {
     put(*each, at, element);

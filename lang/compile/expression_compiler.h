@@ -110,15 +110,10 @@ class ExpressionCompiler {
   void compile_now(const Builtin& builtin, Register target, Place place);
   void call_on_texts(const Builtin& builtin, const Call& call, const Expr& expression,
                      Register target);
-  void compile_row_number(const Builtin& builtin, const Expr& row, Register target, Place place);
   void call_procedure(const Call& call, Place place);
   void change_list(BuiltinRule rule, const Call& call, Place place);
   /// Where the elements of an array lie, and how many they are, in three registers (opcodes.def).
   Register row(const Expr& expression);
-  Register row_at(const Location& at, Slots slots, Place place);
-  /// A LIST whose element is given by REF, or that stands for an array, keeps its length during
-  /// the call; returns how many lists do so.
-  int hold_list(const Expr& argument, bool whole);
   void draw(const Call& call, const Expr& expression, Register target);
   Location call_routine(const Call& call, const Expr& expression);
   void lend(const Call& call, CodeBuilder::Persist how);

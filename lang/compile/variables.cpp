@@ -94,6 +94,18 @@ Register Variables::list_row(const Location& list, Place place) {
   return row;
 }
 
+/// Its first two registers; where there are no such slots, any place will do.
+Register Variables::row_at(const Location& at, Slots slots, Place place) {
+  const Register first = frame_.number_registers(3);
+  const auto refer = [&](const SlotsAt& from, bool text, int count, Register target) {
+    if (count == 0) return code_.load_integer(target, 0, place);
+    this->refer(from, text, target, place);
+  };
+  refer(at.numbers, false, slots.numbers, first);
+  refer(at.texts, true, slots.texts, behind(first, 1));
+  return first;
+}
+
 Register Variables::registers_for(const Type& type) {
   const Location fresh = temporary(type, {});
   return type.kind == Type::Kind::String ? fresh.texts.reg() : fresh.numbers.reg();

@@ -45,6 +45,8 @@ class Variables {
   void fill_list(const Location& to, const Location& from, Place place);
   /// Where the elements of a LIST lie now, in three registers (opcodes.def).
   Register list_row(const Location& list, Place place);
+  /// Three registers, the first two of them for elements that begin at a place.
+  Register row_at(const Location& at, Slots slots, Place place);
   /// New registers for a value that lies in them.
   Register registers_for(const Type& type);
   /// Slots of the memory of the current frame.
