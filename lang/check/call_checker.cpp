@@ -24,7 +24,7 @@ std::string count_of_arguments(const Builtin& builtin) {
   std::size_t least = builtin.least;
   std::size_t most = builtin.most;
   for (const Builtin& other : builtins()) {
-    if (other.name != builtin.name) continue;
+    if (other.name != builtin.name || other.rule == BuiltinRule::RowNumber) continue;
     least = std::min(least, other.least);
     most = std::max<std::size_t>(most, other.most);
   }
@@ -271,12 +271,16 @@ Type BuiltinChecker::check_ordinal(const Expr& value) {
 Type BuiltinChecker::check_row_number(const Builtin& builtin, const Expr& row) {
   const auto elements = row.type.has_row() ? elements_of(row.type) : std::nullopt;
   if (elements && elements->type.numeric()) return elements->type;
-  diagnostics_.error(
-      code::kTypeMismatch, row.place,
-      fmt::format("{} needs an ARRAY or LIST of numbers; this is {}", builtin.name, described(row)),
-      row.type.numeric() && builtin.name != "SUM"
-          ? fmt::format("or several: {}(a, b)", builtin.name)
-          : "");
+  if (row.type.numeric() && builtin.name != "SUM") {
+    diagnostics_.error(
+        code::kArgumentCount, row.place,
+        fmt::format("{} needs 2 to {} arguments; here are 1", builtin.name, kMostArguments),
+        "or one: an ARRAY or LIST of numbers");
+    return {};
+  }
+  diagnostics_.error(code::kTypeMismatch, row.place,
+                     fmt::format("{} needs an ARRAY or LIST of numbers; this is {}", builtin.name,
+                                 described(row)));
   return {};
 }
 
