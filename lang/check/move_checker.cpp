@@ -395,6 +395,8 @@ bool MoveChecker::settle(PlainMotions& motions, PlainMotions::Written& motion) {
   for (std::size_t i = 0; i < command.target.size(); ++i) {
     if (command.has(static_cast<int>(i))) motions.values.push_back(command.target[i]);
   }
+  if (motion.pace != MoveCommand::Pace::Unspecified) motions.values.push_back(read->pace_value);
+  if (motion.zone != MoveCommand::Zone::Unspecified) motions.values.push_back(read->zone_value);
   return true;
 }
 
@@ -458,6 +460,10 @@ void MoveChecker::remember_features(const Move& move, Place place) {
 
 void MoveChecker::warn_of_zones(const Block& block) {
   for (std::size_t i = 0; i < block.size(); ++i) {
+    if (const auto* const plain = std::get_if<PlainMotions>(&block[i].node)) {
+      if (i + 1 < block.size()) warn_of_last_zone(*plain, block[i + 1]);
+      continue;
+    }
     const auto* const watched = std::get_if<WatchedMotion>(&block[i].node);
     const bool guarded = watched != nullptr && watched->until != nullptr;
     const Statement& statement = watched != nullptr ? watched->motion.front() : block[i];
@@ -467,18 +473,30 @@ void MoveChecker::warn_of_zones(const Block& block) {
     const Statement* const next = i + 1 < block.size() ? &block[i + 1] : nullptr;
     if (constant_number(zone) == 0.0) continue;
     if (guarded) {
-      warn_of_zone(zone, "UNTIL", statement.place);
+      warn_of_zone(zone.place, "UNTIL", statement.place);
     } else if (move->clauses.profile != Profile::Unspecified) {
-      warn_of_zone(zone, "PROFILE", statement.place);
+      warn_of_zone(zone.place, "PROFILE", statement.place);
     } else if (next != nullptr && !barrier(*next).empty()) {
-      warn_of_zone(zone, barrier(*next), next->place);
+      warn_of_zone(zone.place, barrier(*next), next->place);
     }
   }
 }
 
-void MoveChecker::warn_of_zone(const Expr& zone, std::string_view word, Place place) {
+void MoveChecker::warn_of_last_zone(const PlainMotions& motions, const Statement& next) {
+  const PlainMotions::Written& last = motions.motions.back();
+  if (last.zone == MoveCommand::Zone::Unspecified || barrier(next).empty()) return;
+  const auto read =
+      read_plain_motion(motions.source.substr(last.offset), word_of(last.kind).size());
+  const auto column = static_cast<std::uint32_t>(last.column + read->zone_offset);
+  const std::string_view number = motions.source.substr(last.offset + read->zone_offset);
+  const std::size_t length = std::min(number.find_first_of(" \t\r\n/"), number.size());
+  warn_of_zone({last.line, column, static_cast<std::uint32_t>(length), motions.file}, barrier(next),
+               next.place);
+}
+
+void MoveChecker::warn_of_zone(Place zone, std::string_view word, Place place) {
   diagnostics_.warning(
-      code::kZoneWithoutCorner, zone.place,
+      code::kZoneWithoutCorner, zone,
       fmt::format("the {} of line {} makes this target exact: ZONE has no corner to bound", word,
                   place.line),
       "leave ZONE out, or write FINE");

@@ -91,7 +91,8 @@ class MoveChecker {
   bool check_clauses_of(const Move& move);
   bool check_clauses_of_jog(const Move& move);
   bool refuse_clause(std::string_view clause, Place place, std::string message, std::string help);
-  void warn_of_zone(const Expr& zone, std::string_view word, Place place);
+  void warn_of_last_zone(const PlainMotions& motions, const Statement& next);
+  void warn_of_zone(Place zone, std::string_view word, Place place);
   void remember_features(const Move& move, Place place);
 
   // Whether the robot can go there

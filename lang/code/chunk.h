@@ -107,6 +107,12 @@ struct MoveForm {
   bool operator==(const MoveForm&) const = default;
 };
 
+/// The number of values after a `move_to`: the given components, AT, ZONE.
+constexpr int plain_values(const MoveForm& form) {
+  return std::popcount(form.given) + (form.pace != MoveCommand::Pace::Unspecified ? 1 : 0) +
+         (form.zone != MoveCommand::Zone::Unspecified ? 1 : 0);
+}
+
 /// A watch, which is evaluated in every control cycle, takes at most so many instructions. [choice:
 /// about a microsecond each sixteenth of it]
 inline constexpr std::size_t kLongestWatch = 256;

@@ -195,7 +195,7 @@ void Line::add_move(std::size_t index) {
 
 void Line::add_components(const MoveForm& form) {
   std::string values;
-  for (int i = std::popcount(form.given); i > 0; --i, words_ += 2) {
+  for (int i = plain_values(form); i > 0; --i, words_ += 2) {
     values += fmt::format("{}{}", values.empty() ? "" : " ",
                           number_text(real_at(&chunk_.code[offset_ + words_]), kNone));
   }

@@ -85,8 +85,10 @@ void MotionCompiler::compile(const PlainMotions& motions) {
   for (const PlainMotions::Written& motion : motions.motions) {
     const MoveForm form{.kind = motion.kind,
                         .count = static_cast<int>(robot_.coordinates.size()),
-                        .given = motion.given};
-    const auto end = values + std::popcount(motion.given);
+                        .given = motion.given,
+                        .pace = motion.pace,
+                        .zone = motion.zone};
+    const auto end = values + plain_values(form);
     code_.move_to(form, {values, end}, motions.place(motion));
     values = end;
   }

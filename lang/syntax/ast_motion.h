@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lang/machine/motion_words.h"
+#include "lang/machine/move_command.h"
 #include "lang/text/diagnostic.h"
 
 /// The part of the syntax tree (lang/syntax/ast.h) that is motions and what lies around them.
@@ -71,11 +72,15 @@ struct PlainMotions {
     std::uint32_t column = 0;
     MotionKind kind = MotionKind::Joint;
     std::uint8_t given = 0;  ///< set by the checker: as in MoveCommand
+    MoveCommand::Pace pace = MoveCommand::Pace::Unspecified;
+    MoveCommand::Zone zone = MoveCommand::Zone::Unspecified;
   };
   std::string_view source;  ///< that all of them stand in
   std::uint32_t file = 0;   ///< its number
   std::vector<Written> motions;
-  std::vector<double> values{};  ///< set by the checker: the given components of all, SI, in order
+  /// Set by the checker: the given components of all, SI, in order, after those of each its AT and
+  /// its ZONE.
+  std::vector<double> values{};
 
   Place place(const Written& motion) const {
     return {motion.line, motion.column, static_cast<std::uint32_t>(word_of(motion.kind).size()),

@@ -63,7 +63,9 @@ bool MotionParser::plain_motion(Block& block) {
       .motions.push_back({.offset = static_cast<std::uint32_t>(tokens_.current().offset),
                           .line = tokens_.place().line,
                           .column = tokens_.place().column,
-                          .kind = motion_kind(tokens_.current().keyword)});
+                          .kind = motion_kind(tokens_.current().keyword),
+                          .pace = motion->pace,
+                          .zone = motion->zone});
   tokens_.skip_to(tokens_.current().offset + motion->length);
   return true;
 }

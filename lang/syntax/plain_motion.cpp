@@ -32,9 +32,11 @@ class LineReader {
     return now() == '\n' || text_.substr(at_).starts_with("//") ||
            text_.substr(at_).starts_with("\r\n");
   }
-  bool component(PlainMotion::Component& component);
+  bool component(PlainMotion::Component& component, bool percent = false);
+  bool clause(PlainMotion& motion);
 
  private:
+  bool accept_word(std::string_view word);
   bool digits() {
     const std::size_t begin = at_;
     while (is_digit(now())) ++at_;
@@ -46,7 +48,7 @@ class LineReader {
 };
 
 /// [ "-" ] digits [ "." digits ] [ unit ]
-bool LineReader::component(PlainMotion::Component& component) {
+bool LineReader::component(PlainMotion::Component& component, bool percent) {
   skip_blanks();
   if (now() == ',' || now() == ')') return true;
   component.negative = accept('-');
@@ -58,12 +60,57 @@ bool LineReader::component(PlainMotion::Component& component) {
     if (!digits()) return false;
   }
   component.number = text_.substr(begin, at_ - begin);
-  if (!begins_word(now())) return true;
+  if (!begins_word(now()) && !(percent && now() == '%')) return true;
   const auto unit = match_unit(text_.substr(at_));
   if (!unit) return false;  // an exponent, too
   component.unit = unit->unit;
   at_ += unit->length;
   return true;
+}
+
+bool LineReader::accept_word(std::string_view word) {
+  skip_blanks();
+  if (!same_word(text_.substr(at_, word.size()), word)) return false;
+  at_ += word.size();
+  return now() == ' ' || now() == '\t';
+}
+
+bool is_share(const Unit& unit, double value) { return unit.dimension == kNone && value <= 1; }
+
+bool take_pace(const Unit& unit, double value, PlainMotion& motion) {
+  using Pace = MoveCommand::Pace;
+  motion.pace = unit.dimension == kSpeed          ? Pace::ToolSpeed
+                : unit.dimension == kAngularSpeed ? Pace::AngularSpeed
+                : is_share(unit, value)           ? Pace::Share
+                                                  : Pace::Unspecified;
+  motion.pace_value = value;
+  return motion.pace != Pace::Unspecified;
+}
+
+bool take_zone(const Unit& unit, double value, PlainMotion& motion) {
+  using Zone = MoveCommand::Zone;
+  motion.zone = unit.dimension == kLength ? Zone::Length
+                : unit.dimension == kTime ? Zone::Time
+                : unit.dimension == kNone ? Zone::Share
+                                          : Zone::Unspecified;
+  motion.zone_value = value;
+  return motion.zone != Zone::Unspecified;
+}
+
+/// ( "AT" | "ZONE" ) digits [ "." digits ] unit. What is not above zero, or above 100 %, is none:
+/// it has a meaning, or a message, of its own.
+bool LineReader::clause(PlainMotion& motion) {
+  const bool pace = motion.pace == MoveCommand::Pace::Unspecified && accept_word("AT");
+  const bool zone = !pace && motion.zone == MoveCommand::Zone::Unspecified && accept_word("ZONE");
+  if (!pace && !zone) return false;
+  skip_blanks();
+  if (zone) motion.zone_offset = at_;
+  PlainMotion::Component number;
+  if (!component(number, true) || number.number.empty() || number.negative || !number.unit)
+    return false;
+  const auto value = to_si(number.number, *number.unit);
+  if (!value || *value <= 0) return false;
+  return pace ? take_pace(*number.unit, *value, motion) : take_zone(*number.unit, *value, motion);
 }
 
 }  // namespace
@@ -80,7 +127,11 @@ std::optional<PlainMotion> read_plain_motion(std::string_view text, std::size_t 
   const bool nothing = motion.count == 1 && motion.components.front().number.empty();
   if (nothing || !reader.accept(')')) return std::nullopt;
   motion.length = reader.at();
-  return reader.at_line_end() ? std::optional(motion) : std::nullopt;
+  while (!reader.at_line_end()) {
+    if (!reader.clause(motion)) return std::nullopt;
+    motion.length = reader.at();
+  }
+  return motion;
 }
 
 }  // namespace rob::lang

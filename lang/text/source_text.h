@@ -12,7 +12,7 @@ namespace rob::lang {
 
 /// [choice] a million lines and more; what is larger was not written by a person, and the memory
 /// that its tree would take is no longer bounded sensibly.
-inline constexpr std::size_t kMaxSourceBytes = std::size_t{32} << 20U;
+inline constexpr std::size_t kMaxSourceBytes = std::size_t{64} << 20U;
 
 /// [choice] hundreds of screen widths; bounds every loop that works within one line.
 inline constexpr std::size_t kMaxLineBytes = std::size_t{64} << 10U;

@@ -189,6 +189,13 @@ MoveCommand plain_move(const MoveForm& form, const Instruction* components) {
     command.target[static_cast<std::size_t>(i)] = real_at(components);
     components += 2;
   }
+  command.pace = form.pace;
+  command.zone = form.zone;
+  if (form.pace != MoveCommand::Pace::Unspecified) {
+    command.pace_value = real_at(components);
+    components += 2;
+  }
+  if (form.zone != MoveCommand::Zone::Unspecified) command.zone_value = real_at(components);
   return command;
 }
 

@@ -243,11 +243,12 @@ Vm::Step Vm::step_motion(Code pc) {
       return pc + 1;
     }
     case Opcode::move_to: {
-      MoveCommand command = plain_move(loaded_.chunk->moves[pc->x()], pc + 1);
+      const MoveForm& form = loaded_.chunk->moves[pc->x()];
+      MoveCommand command = plain_move(form, pc + 1);
       take_defaults(settings_.defaults(), command);
       ROB_ASK(machine_->move(line(pc), command), pc);
       turns_.moved();
-      return pc + 1 + 2 * std::popcount(command.given);
+      return pc + 1 + 2 * plain_values(form);
     }
     case Opcode::via: {
       MoveCommand point;

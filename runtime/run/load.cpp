@@ -29,7 +29,7 @@ namespace rob::runtime {
 
 namespace {
 
-constexpr std::size_t kMostSource = std::size_t{32} << 20U;  // bytes, the language's own limit
+constexpr std::size_t kMostSource = std::size_t{64} << 20U;  // bytes, the language's own limit
 constexpr std::size_t kMostScript = std::size_t{1} << 20U;   // bytes [choice] for 1000 lines
 
 /// [choice] A shorter text takes less than a tenth of the memory of a run.

@@ -47,14 +47,14 @@ TEST_CASE("a file that cannot be USEd is told with the reason, where it is USEd"
   shop.file("lib/tools.rob", "CONST a = 1\n");
   std::filesystem::create_directory(shop.rob().file("lib.rob"));
   shop.file("huge.rob", "");
-  std::filesystem::resize_file(shop.rob().file("huge.rob"), std::size_t{33} << 20U);
+  std::filesystem::resize_file(shop.rob().file("huge.rob"), std::size_t{65} << 20U);
   const ProcessResult result = shop.rob()("check");
   CHECK(result.exit_code == 65);
   CHECK(contains(result.err, "test.rob:1:5: error[E180]: there is no tool.rob in"));
   CHECK(contains(result.err, "help: did you mean tools?"));
   CHECK(contains(result.err, "test.rob:2:5: error[E180]: cannot read"));
   CHECK(contains(result.err, "it is a folder"));
-  CHECK(contains(result.err, "at most 32 MiB are read"));
+  CHECK(contains(result.err, "at most 64 MiB are read"));
 }
 
 TEST_CASE("a program USEs 31 files and no more") {

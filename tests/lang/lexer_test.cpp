@@ -269,7 +269,7 @@ TEST_CASE("a carriage return alone is named with its offset") {
   CHECK(readable("STOP\r\nEND\r\n"));
 }
 
-TEST_CASE("a line may be 65536 bytes long and a file 32 MiB, no more") {
+TEST_CASE("a line may be 65536 bytes long and a file 64 MiB, no more") {
   const std::string longest(kMaxLineBytes, ' ');
   CHECK(readable("STOP\n" + longest + "\nSTOP"));
   const Diagnostic too_long = unreadable("STOP\n" + longest + " \nSTOP");

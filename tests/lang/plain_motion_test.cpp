@@ -59,13 +59,61 @@ TEST_CASE("a motion in numbers alone is read straight from the text") {
   CHECK(motion->components[1].number.empty());
   CHECK(motion->components[2].number == "7");
   CHECK_FALSE(motion->components[2].unit);
+  const auto paced = read_plain_motion("MOVE(1,2,3) zone 2mm  At 50% // both", 4);
+  REQUIRE(paced);
+  CHECK(paced->pace == MoveCommand::Pace::Share);
+  CHECK(paced->pace_value == 0.5);
+  CHECK(paced->zone == MoveCommand::Zone::Length);
+  CHECK(paced->zone_value == 0.002);
+  CHECK(paced->length == 28);
+}
+
+TEST_CASE("AT and ZONE of literals go with a motion in numbers, and mean the same as in a tree") {
+  static constexpr std::array kClauses = std::to_array<std::string_view>(
+      {" AT 20mm/s", " AT 5deg/s", " AT 50%", " AT 100%", " AT 150%", " AT 0.5", " AT 5mm",
+       " ZONE 1.5mm", " ZONE 0.2s", " ZONE 30%", " ZONE 200%", " ZONE 0mm", " ZONE 1mm 2deg",
+       " FINE", " ACCEL 20%", " OVER 2s", " AT 0mm/s", " ZONE 5mm/s"});
+  std::mt19937 random(2);
+  for (int i = 0; i < 1000; ++i) {
+    std::string motion = random() % 3 == 0 ? "MOVEL(1, 2, 3)" : "MOVE(4, , 6)";
+    for (auto n = random() % 4; n > 0; --n) motion += kClauses[random() % kClauses.size()];
+    const std::string_view tail = random() % 2 == 0 ? "\nSTOP\n" : "\nMOVE(7, 8, 9)\n";
+    // A parenthesis around a component makes a tree of it.
+    std::string tree = motion;
+    tree.replace(tree.find('(') + 1, 1, tree.starts_with("MOVEL") ? "(1)" : "(4)");
+    CAPTURE(motion);
+    CHECK(outcome(motion + std::string(tail)) == outcome(tree + std::string(tail)));
+  }
 }
 
 TEST_CASE("what is written in any other way is left to the parser") {
-  for (const char* const text :
-       {"MOVE(1,2,3", "MOVE(1,2,\n3)", "MOVE(1,2,3) AT 50%", "MOVE(x: 1)", "MOVE(1+1,2,3)",
-        "MOVE p", "MOVE(1,2,3) STOP", "MOVE(1e3,2,3)", "MOVE(50%,2,3)", "MOVE(1 mm,2,3)",
-        "MOVE(1,2,3)\r", "MOVE BY (1,2,3)", "MOVE(+1,2,3)", "MOVE(--1,2,3)", "MOVE()", "MOVE"}) {
+  for (const char* const text : {"MOVE(1,2,3",
+                                 "MOVE(1,2,\n3)",
+                                 "MOVE(1,2,3) AT 50",
+                                 "MOVE(1,2,3) AT v",
+                                 "MOVE(1,2,3) AT 150%",
+                                 "MOVE(1,2,3) AT 0mm/s",
+                                 "MOVE(1,2,3) AT -1mm/s",
+                                 "MOVE(1,2,3) AT 5mm",
+                                 "MOVE(1,2,3) AT 5mm/s * 2",
+                                 "MOVE(1,2,3) AT 5mm/s AT 5mm/s",
+                                 "MOVE(1,2,3) ZONE 0mm",
+                                 "MOVE(1,2,3) ZONE 1mm 2deg",
+                                 "MOVE(1,2,3) FINE",
+                                 "MOVE(1,2,3) ATE 5mm/s",
+                                 "MOVE(x: 1)",
+                                 "MOVE(1+1,2,3)",
+                                 "MOVE p",
+                                 "MOVE(1,2,3) STOP",
+                                 "MOVE(1e3,2,3)",
+                                 "MOVE(50%,2,3)",
+                                 "MOVE(1 mm,2,3)",
+                                 "MOVE(1,2,3)\r",
+                                 "MOVE BY (1,2,3)",
+                                 "MOVE(+1,2,3)",
+                                 "MOVE(--1,2,3)",
+                                 "MOVE()",
+                                 "MOVE"}) {
     CAPTURE(text);
     CHECK_FALSE(is_plain(text));
   }

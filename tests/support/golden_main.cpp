@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
     std::fputs("usage: golden FILE.rob\n", stderr);
     return 64;
   }
-  const std::string source = rob::runtime::read_file(argv[1], std::size_t{32} << 20U);
+  const std::string source = rob::runtime::read_file(argv[1], std::size_t{64} << 20U);
   const auto program = rob::runtime::compile_program("", source, std::string());
   auto [differences, expected] =
       rob::test::check_golden(source, rob::runtime::signature_of(program.robot));
