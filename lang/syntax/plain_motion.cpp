@@ -108,9 +108,10 @@ bool LineReader::clause(PlainMotion& motion) {
   PlainMotion::Component number;
   if (!component(number, true) || number.number.empty() || number.negative || !number.unit)
     return false;
-  const auto value = to_si(number.number, *number.unit);
-  if (!value || *value <= 0) return false;
-  return pace ? take_pace(*number.unit, *value, motion) : take_zone(*number.unit, *value, motion);
+  const auto quantity = quantity_of(number.number, *number.unit);
+  if (!quantity || *quantity <= 0) return false;
+  const double value = to_si(*quantity, number.unit->dimension);
+  return pace ? take_pace(*number.unit, value, motion) : take_zone(*number.unit, value, motion);
 }
 
 }  // namespace
