@@ -93,9 +93,10 @@ const Builtin* find_builtin(const Call& call) {
   const Type& first = call.arguments.front()->type;
   const bool array = first.has_row();
   const bool enumeration = first.is(Type::Kind::Enum);
-  if (!array && !enumeration && !first.is_place()) return plain;
+  if (!array && !enumeration && !first.text() && !first.is_place()) return plain;
   const auto is_for = [&](BuiltinRule rule) {
     if (enumeration) return rule == BuiltinRule::Ordinal;
+    if (first.text()) return rule == BuiltinRule::Texts;
     if (!array) return rule == BuiltinRule::Places;
     return rule == BuiltinRule::ArrayLength || rule == BuiltinRule::RowNumber;
   };
