@@ -108,10 +108,17 @@ void MoveChecker::check(const Move& move, Place place, bool guarded) {
 
 /// A faulty one is read once more, as a tree, which reports its mistakes.
 void MoveChecker::check(PlainMotions& motions) {
-  motions.values.reserve(motions.motions.size() * robot_.coordinates.size());
+  motions.values.reserve(motions.motions.size() * robot_.coordinates.size() +
+                         motions.paces_and_zones.size());
+  auto clause = motions.paces_and_zones.cbegin();
   bool leads = false;  // there may be a million: the first is named
   for (PlainMotions::Written& motion : motions.motions) {
-    if (settle(motions, motion)) {
+    const bool settled = settle(motions, motion);
+    const int clauses = (motion.pace != MoveCommand::Pace::Unspecified ? 1 : 0) +
+                        (motion.zone != MoveCommand::Zone::Unspecified ? 1 : 0);
+    motions.values.insert(motions.values.end(), clause, clause + clauses);
+    clause += clauses;
+    if (settled) {
       if (motion.kind != MotionKind::Joint && !std::exchange(leads, true))
         checked_.features.push_back({motions.place(motion), MotionFeature::Lead});
       continue;
@@ -383,7 +390,7 @@ void MoveChecker::report_no_target(const Move& move, const Expr& target) {
 
 bool MoveChecker::settle(PlainMotions& motions, PlainMotions::Written& motion) {
   const auto read =
-      read_plain_motion(motions.source.substr(motion.offset), word_of(motion.kind).size());
+      read_plain_target(motions.source.substr(motion.offset), word_of(motion.kind).size());
   const auto target = read ? plain_.of(*read, motions.file) : std::nullopt;
   if (!target) return false;
   const MoveCommand command{.kind = motion.kind,
@@ -395,8 +402,6 @@ bool MoveChecker::settle(PlainMotions& motions, PlainMotions::Written& motion) {
   for (std::size_t i = 0; i < command.target.size(); ++i) {
     if (command.has(static_cast<int>(i))) motions.values.push_back(command.target[i]);
   }
-  if (motion.pace != MoveCommand::Pace::Unspecified) motions.values.push_back(read->pace_value);
-  if (motion.zone != MoveCommand::Zone::Unspecified) motions.values.push_back(read->zone_value);
   return true;
 }
 

@@ -78,6 +78,7 @@ struct PlainMotions {
   std::string_view source;  ///< that all of them stand in
   std::uint32_t file = 0;   ///< its number
   std::vector<Written> motions;
+  std::vector<double> paces_and_zones{};  ///< of those that have them, in order, SI
   /// Set by the checker: the given components of all, SI, in order, after those of each its AT and
   /// its ZONE.
   std::vector<double> values{};

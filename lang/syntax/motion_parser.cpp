@@ -59,13 +59,17 @@ bool MotionParser::plain_motion(Block& block) {
         block, tokens_.place(),
         PlainMotions{.source = tokens_.source(), .file = tokens_.place().file, .motions = {}});
   }
-  std::get<PlainMotions>(block.back().node)
-      .motions.push_back({.offset = static_cast<std::uint32_t>(tokens_.current().offset),
-                          .line = tokens_.place().line,
-                          .column = tokens_.place().column,
-                          .kind = motion_kind(tokens_.current().keyword),
-                          .pace = motion->pace,
-                          .zone = motion->zone});
+  auto& plain = std::get<PlainMotions>(block.back().node);
+  if (motion->pace != MoveCommand::Pace::Unspecified)
+    plain.paces_and_zones.push_back(motion->pace_value);
+  if (motion->zone != MoveCommand::Zone::Unspecified)
+    plain.paces_and_zones.push_back(motion->zone_value);
+  plain.motions.push_back({.offset = static_cast<std::uint32_t>(tokens_.current().offset),
+                           .line = tokens_.place().line,
+                           .column = tokens_.place().column,
+                           .kind = motion_kind(tokens_.current().keyword),
+                           .pace = motion->pace,
+                           .zone = motion->zone});
   tokens_.skip_to(tokens_.current().offset + motion->length);
   return true;
 }

@@ -116,7 +116,7 @@ bool LineReader::clause(PlainMotion& motion) {
 
 }  // namespace
 
-std::optional<PlainMotion> read_plain_motion(std::string_view text, std::size_t word) {
+std::optional<PlainMotion> read_plain_target(std::string_view text, std::size_t word) {
   LineReader reader(text, word);
   PlainMotion motion;
   if (!reader.accept('(')) return std::nullopt;
@@ -128,9 +128,16 @@ std::optional<PlainMotion> read_plain_motion(std::string_view text, std::size_t 
   const bool nothing = motion.count == 1 && motion.components.front().number.empty();
   if (nothing || !reader.accept(')')) return std::nullopt;
   motion.length = reader.at();
+  return motion;
+}
+
+std::optional<PlainMotion> read_plain_motion(std::string_view text, std::size_t word) {
+  auto motion = read_plain_target(text, word);
+  if (!motion) return std::nullopt;
+  LineReader reader(text, motion->length);
   while (!reader.at_line_end()) {
-    if (!reader.clause(motion)) return std::nullopt;
-    motion.length = reader.at();
+    if (!reader.clause(*motion)) return std::nullopt;
+    motion->length = reader.at();
   }
   return motion;
 }

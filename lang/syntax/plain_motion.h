@@ -36,5 +36,7 @@ struct PlainMotion {
 /// The motion that `text` begins with, at its bracket (`word` bytes after its first letter). None
 /// where it is written in any other way, or wrongly: then the parser reports it.
 std::optional<PlainMotion> read_plain_motion(std::string_view text, std::size_t word);
+/// The same up to its closing bracket, of one that has been read before.
+std::optional<PlainMotion> read_plain_target(std::string_view text, std::size_t word);
 
 }  // namespace rob::lang
