@@ -12,6 +12,7 @@ set(rob_lang_sources
   lang/check/move_checker.cpp
   lang/check/names.cpp
   lang/check/operator_checker.cpp
+  lang/check/outlet_checker.cpp
   lang/check/routine_uses.cpp
   lang/check/signal_checker.cpp
   lang/check/statement_checker.cpp
@@ -106,6 +107,7 @@ set(rob_lang_sources
   lang/vm/observations.cpp
   lang/vm/persistent_values.cpp
   lang/vm/printing_machine.cpp
+  lang/vm/printing_outlets.cpp
   lang/vm/rows.cpp
   lang/vm/scripted_robot.cpp
   lang/vm/stack.cpp

@@ -15,6 +15,7 @@ set(rob_runtime_sources
   runtime/command/axis_targets.cpp
   runtime/command/background_tasks.cpp
   runtime/command/commanded_progress.cpp
+  runtime/command/device_desk.cpp
   runtime/command/entry_task.cpp
   runtime/command/errand.cpp
   runtime/command/file_desk.cpp
@@ -37,6 +38,7 @@ set(rob_runtime_sources
   runtime/command/program_watch.cpp
   runtime/command/readings.cpp
   runtime/command/robot_machine.cpp
+  runtime/command/robot_outlets.cpp
   runtime/command/robot_parts.cpp
   runtime/command/safe_outputs.cpp
   runtime/command/task_machine.cpp
@@ -45,6 +47,9 @@ set(rob_runtime_sources
   runtime/command/waits.cpp
   runtime/command/when_pool.cpp
   runtime/command/whens.cpp
+  runtime/devices/device_connection.cpp
+  runtime/devices/device_lines.cpp
+  runtime/devices/text_devices.cpp
   runtime/files/archive.cpp
   runtime/files/atomic_file.cpp
   runtime/files/data_files.cpp

@@ -278,6 +278,13 @@ class Walk {
   void visit(const Print& print) {
     for (const ExprPtr& value : print.values) look(value);
   }
+  void visit(const Send& send) {
+    for (const ExprPtr& value : send.values) look(value);
+  }
+  void visit(const Receive& receive) {
+    settle(0);
+    block(receive.otherwise);
+  }
   void visit(const Write& write) {
     for (const ExprPtr& value : write.values) look(value);
   }

@@ -215,6 +215,40 @@ void DeclarationChecker::check(EnumDeclaration& enumeration) {
   detail.complete = true;
 }
 
+/// Both texts are known before the program runs: it connects before anything moves.
+void DeclarationChecker::check(DeviceDeclaration& device) {
+  const Declaration::Declared& declared = device.declared;
+  const auto refuse = [&](Place place, std::string message) {
+    diagnostics_.error(code::kNotADevice, place, std::move(message),
+                       "DEVICE scale = \"tcp://192.168.1.30:4001\" ENDING \"\\r\\n\"");
+  };
+  const auto text_of = [&](const ExprPtr& expression, std::string_view what) {
+    std::string text;
+    if (!expressions_.check_as(expression, Type::string(), what)) return text;
+    const auto* const known = std::get_if<std::string>(&expression->constant);
+    if (known != nullptr) return *known;
+    refuse(expression->place, fmt::format("{} a text that is written out", what));
+    return text;
+  };
+  const std::size_t told = diagnostics_.error_count();
+  const std::string address = text_of(device.address, "DEVICE needs");
+  if (device.address != nullptr && diagnostics_.error_count() == told &&
+      !address.starts_with("tcp://"))
+    refuse(device.address->place,
+           fmt::format("'{}' is no address of a device", shortened(address)));
+  if (device.ending != nullptr) {
+    const std::size_t before = diagnostics_.error_count();
+    const std::string ending = text_of(device.ending, "ENDING needs");
+    constexpr std::size_t kLongestEnding = 8;  // [choice]
+    if (diagnostics_.error_count() == before && (ending.empty() || ending.size() > kLongestEnding))
+      refuse(device.ending->place, fmt::format("an ENDING has 1 to {} characters", kLongestEnding));
+  }
+  if (program_.entry != 0) refuse(declared.place, "the prompt has no devices: a program has");
+  device.declared.symbol = declarations_.declare(Symbol::Kind::Device, declared.name,
+                                                 declared.place, Type::boolean(), {});
+  scopes_.device(*device.declared.symbol);
+}
+
 void DeclarationChecker::add_field(TypeDetail& detail, const Declaration::Declared& field,
                                    const Type& type) {
   detail.height = std::max(detail.height, height_of(type) + 1);

@@ -36,6 +36,7 @@ class DeclarationChecker {
   void check(Declaration& declaration);
   void check(RecordDeclaration& record);
   void check(EnumDeclaration& enumeration);
+  void check(DeviceDeclaration& device);
   void check(PointDeclaration& declaration);
   /// `surely`: the statement is executed before those after it.
   void check(Teach& teach, bool surely);

@@ -39,6 +39,9 @@ struct Search {
   Found operator()(const SignalDeclaration& signal) const {
     return to_upper(signal.name) == key ? Found(signal.name_place) : std::nullopt;
   }
+  Found operator()(const DeviceDeclaration& device) const {
+    return to_upper(device.declared.name) == key ? Found(device.declared.place) : std::nullopt;
+  }
   Found operator()(const RecordDeclaration& record) const {
     return to_upper(record.declared.name) == key ? Found(record.declared.place) : std::nullopt;
   }
@@ -142,11 +145,25 @@ const Symbol* Names::resolve(std::string_view name, Place place) {
         code::kNotAFunction, place, fmt::format("{} is an ENUM, not a value", shortened(name)),
         names.empty() ? ""
                       : fmt::format("name a value of it: {}.{}", shortened(name), names.front()));
+  } else if (symbol->kind == Symbol::Kind::Device) {
+    diagnostics_.error(code::kNotADevice, place,
+                       fmt::format("{} is a device, not a value", shortened(name)),
+                       fmt::format("SEND {0}: …, RECEIVE {0} INTO …", shortened(name)));
     return nullptr;
   } else {
     uses_.used(*symbol);
   }
   return symbol;
+}
+
+const Symbol* Names::resolve_device(std::string_view name, Place place) {
+  const Symbol* const symbol = scopes_.find(name);
+  if (symbol != nullptr && report_ambiguous(name, place)) return nullptr;
+  if (symbol == nullptr) report_unknown(name, place);
+  if (symbol == nullptr || symbol->kind == Symbol::Kind::Device) return symbol;
+  diagnostics_.error(code::kNotADevice, place, fmt::format("{} is no DEVICE", shortened(name)),
+                     "DEVICE scale = \"tcp://192.168.1.30:4001\" declares one");
+  return nullptr;
 }
 
 const Symbol* Names::resolve_channel(const Name& name, Place place) {

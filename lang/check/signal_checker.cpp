@@ -252,6 +252,9 @@ void SignalChecker::check(Simulate& simulation) {
   expressions_.check(simulation.after);
   const bool input = simulation.what == Simulate::What::Input;
   if (!input) check_operator(simulation);
+  if (input && simulation.target.index == nullptr && is_device(simulation.target.text)) {
+    return check_device(simulation);
+  }
   const Symbol* const symbol =
       input ? resolve(simulation.target, simulation.target_place) : nullptr;
   simulation.target.symbol = symbol;
@@ -302,6 +305,22 @@ void SignalChecker::check_force(Simulate& simulation, const Symbol& symbol) {
     values_.accept(*simulation.value, part->type,
                    fmt::format("{}.{} needs", symbol.name, simulation.part));
   }
+}
+
+bool SignalChecker::is_device(std::string_view name) const {
+  const Symbol* const symbol = scopes_.find(name);
+  return symbol != nullptr && symbol->kind == Symbol::Kind::Device;
+}
+
+/// SIMULATE scale = "12.5 g": a line that it sends.
+void SignalChecker::check_device(Simulate& simulation) {
+  simulation.what = Simulate::What::Device;
+  simulation.target.symbol = names_.resolve_device(simulation.target.text, simulation.target_place);
+  if (simulation.value != nullptr)
+    values_.accept(*simulation.value, Type::string(), "SIMULATE of a device needs");
+  if (simulation.after == nullptr) return;
+  values_.accept(*simulation.after, Type::real(kTime), "AFTER needs");
+  values_.require_time(*simulation.after, "AFTER");
 }
 
 void SignalChecker::check_operator(const Simulate& simulation) {

@@ -39,6 +39,8 @@ class SignalChecker {
   std::optional<double> constant_end(const Expr& end);
   void check_safe(SignalDeclaration& signal, const Symbol& symbol);
   std::optional<double> safe_value(const Expr& safe, const Symbol& symbol);
+  bool is_device(std::string_view name) const;
+  void check_device(Simulate& simulation);
   void check_operator(const Simulate& simulation);
   void check_input(Simulate& simulation, const Symbol& symbol);
   void check_force(Simulate& simulation, const Symbol& symbol);

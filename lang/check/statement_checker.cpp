@@ -23,54 +23,6 @@ bool is_constant(const ExprPtr& condition, bool value) {
   return constant != nullptr && *constant == value;
 }
 
-bool assignable(const Symbol& symbol, Place place, Diagnostics& diagnostics) {
-  const auto refuse = [&](std::string_view what, std::string help) {
-    diagnostics.error(code::kNotAssignable, place,
-                      fmt::format("{} {}", shortened(symbol.name), what), std::move(help));
-    return false;
-  };
-  switch (symbol.kind) {
-    case Symbol::Kind::Variable:
-      return true;
-    case Symbol::Kind::NamedConstant:
-      return refuse("is a constant", fmt::format("declare it with VAR in {} to change it",
-                                                 diagnostics.line_of(symbol.place, place)));
-    case Symbol::Kind::LoopVariable:
-      return refuse("is the variable of a FOR, which alone changes it",
-                    "use a variable of its own, or WHILE");
-    case Symbol::Kind::Signal:
-      return symbol.output || refuse("is an input of the robot and can only be read", "");
-    case Symbol::Kind::Point:
-      return refuse("is a point, which TEACH alone changes",
-                    "give the value to a variable, or TEACH it where the robot stands");
-    case Symbol::Kind::Routine:
-      return refuse("is a routine, not a variable", "");
-    case Symbol::Kind::Record:
-      return refuse("is a record, not a variable", "");
-    case Symbol::Kind::Enum:
-      return refuse("is an ENUM, not a variable", "");
-    case Symbol::Kind::BuiltIn:
-    case Symbol::Kind::Reading:
-      return refuse("belongs to the language and cannot be changed", "");
-  }
-  return false;
-}
-
-bool is_csv_field(const Type& type) {
-  if (type.is(Type::Kind::Record)) {
-    return std::ranges::all_of(type.detail->fields, [](const TypeDetail::Field& field) {
-      return is_csv_field(field.type);
-    });
-  }
-  return type.kind <= Type::Kind::Pose;
-}
-
-/// Whether READ can fill a value of this type.
-bool reads_from_csv(const Type& type) {
-  return type.is(Type::Kind::Array) && type.detail->element.is(Type::Kind::Record) &&
-         is_csv_field(type.detail->element);
-}
-
 /// Without ELSE, the SELECT of an ENUM does nothing for the names that it leaves out.
 void warn_of_missing_cases(const Select& select, const std::map<Constant, std::uint32_t>& lines,
                            Diagnostics& diagnostics) {
@@ -142,6 +94,7 @@ StatementChecker::StatementChecker(CheckedProgram& checked, Scopes& scopes,
       features_(checked.features),
       routines_(checked.program.routines),
       moves_(robot, names, expressions, values, judge, diagnostics, checked),
+      outlets_(names, expressions, values, uses, diagnostics),
       paths_(diagnostics),
       clauses_(expressions, values, diagnostics),
       watches_(expressions, values, diagnostics),
@@ -341,27 +294,6 @@ void StatementChecker::check(Assign& assign) {
 
 void StatementChecker::check(Print& print) {
   for (const ExprPtr& value : print.values) expressions_.check(value);
-}
-
-void StatementChecker::check(Write& write) {
-  expressions_.check_as(write.file, Type::string(), "WRITE needs");
-  values_.check_file(write.file, "WRITE");
-  for (const ExprPtr& value : write.values) expressions_.check(value);
-}
-
-void StatementChecker::check(Read& read) {
-  expressions_.check_as(read.file, Type::string(), "READ needs");
-  values_.check_file(read.file, "READ");
-  const Type type = expressions_.check(read.target);
-  if (read.target == nullptr) return;
-  const Name* const root = root_of(*read.target);
-  if (root != nullptr && root->symbol == nullptr) return;
-  if (root != nullptr && !assignable(*root->symbol, read.target->place, diagnostics_)) return;
-  if (root != nullptr) uses_.written(*root->symbol);
-  if (!type.known() || (root != nullptr && reads_from_csv(type))) return;
-  diagnostics_.error(code::kNotReadable, read.target->place,
-                     fmt::format("READ fills an ARRAY OF a RECORD; this is {}", in_words(type)),
-                     "the record has a field for each column: numbers, BOOL, STRING, VEC, POSE");
 }
 
 // HALT, ASK, and TESTs

@@ -11,6 +11,7 @@
 #include "lang/check/expression_checker.h"
 #include "lang/check/move_checker.h"
 #include "lang/check/names.h"
+#include "lang/check/outlet_checker.h"
 #include "lang/check/routine_uses.h"
 #include "lang/check/signal_checker.h"
 #include "lang/check/symbols.h"
@@ -86,8 +87,13 @@ class StatementChecker {
   void check(Print& print);
 
   // HALT, ASK, and TESTs
-  void check(Write& write);
-  void check(Read& read);
+  /// WRITE, READ, SEND and RECEIVE.
+  template <IsOutlet Outlet>
+  void check(Outlet& outlet) {
+    outlets_.check(outlet);
+    if constexpr (std::is_same_v<Outlet, Receive>) check(outlet.otherwise);
+  }
+  void check(DeviceDeclaration& device) { declared_.check(device); }
   void check(Halt& halt) { expressions_.check_as(halt.text, Type::string(), "HALT needs"); }
   void check(Ask& ask);
   void check(Assert& assertion) { expressions_.check_condition(assertion.condition, "ASSERT"); }
@@ -132,6 +138,7 @@ class StatementChecker {
   std::vector<FeatureUse>& features_;
   std::vector<Routine>& routines_;
   MoveChecker moves_;
+  OutletChecker outlets_;
   PathChecker paths_;
   ClauseChecker clauses_;
   WatchChecker watches_;

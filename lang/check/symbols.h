@@ -28,6 +28,7 @@ struct Symbol {
     Routine,        ///< PROC or FUNC
     Record,         ///< a type; called, it builds a value
     Enum,           ///< a type; its names are values
+    Device,         ///< DEVICE: for SEND and RECEIVE
     Point           ///< POINT: changed by TEACH alone; without one its value is known
   };
 
@@ -57,6 +58,7 @@ struct Symbol {
   const Routine* routine = nullptr;    ///< of Kind::Routine
   bool shared = false;                 ///< a global that a TASK uses
   bool observed = false;               ///< and gives a value
+  int device = -1;                     ///< of Kind::Device: its number among them
   int persist = -1;                    ///< of PERSIST: its number among them
 };
 
@@ -115,6 +117,7 @@ class Scopes {
     symbols_[symbol.id].observed = observed;
   }
   void persist(const Symbol& symbol) { symbols_[symbol.id].persist = persistent_++; }
+  void device(const Symbol& symbol) { symbols_[symbol.id].device = devices_++; }
   /// The FRAME, of any file, that poses of this detail are in; null if it is not declared yet.
   const Symbol* frame_of(const TypeDetail* detail) const;
   /// While `only` holds, find() sees the top level and what is provided alone.
@@ -160,6 +163,7 @@ class Scopes {
   std::vector<File> files_;
   std::uint32_t file_ = 0;
   bool top_only_ = false;
+  int devices_ = 0;     ///< so far
   int persistent_ = 0;  ///< PERSIST variables so far
   std::map<const TypeDetail*, const Symbol*> frames_;
   std::vector<const Symbol*> channels_;

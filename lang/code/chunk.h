@@ -195,6 +195,14 @@ class PlaceTable {
   std::uint32_t size_ = 0;
 };
 
+/// A DEVICE: what SEND and RECEIVE name by its number.
+struct DeviceCode {
+  std::string name;
+  std::string address;
+  std::string ending;
+  Place place;
+};
+
 /// A PERSIST variable, and where its slots lie on the stack.
 struct PersistCode {
   std::string name;
@@ -241,6 +249,7 @@ struct Chunk {
   std::vector<RoutineCode> routines;
   std::vector<TestCode> tests;
   std::vector<PersistCode> persists;
+  std::vector<DeviceCode> devices;
   std::uint32_t test_entry = 0;  ///< where every TEST begins: with the program's declarations
   std::vector<TaskCode> tasks;
   std::uint32_t task_entry = 0;  ///< where every TASK begins

@@ -116,6 +116,22 @@ void CodeBuilder::declare_persist(int number, PersistCode code) {
   chunk_.persists[index] = std::move(code);
 }
 
+void CodeBuilder::declare_device(int number, DeviceCode code) {
+  const auto index = static_cast<std::size_t>(number);
+  chunk_.devices.resize(std::max(chunk_.devices.size(), index + 1));
+  chunk_.devices[index] = std::move(code);
+}
+
+void CodeBuilder::receive(Register text, Register timeout, Register came, int device, Place place) {
+  emit(Opcode::receive, place, text, timeout, came);
+  emit({static_cast<std::uint32_t>(device)}, place);
+}
+
+void CodeBuilder::simulate_line(Register after, Register text, int device, Place place) {
+  emit(Opcode::simulate_line, place, after, text);
+  emit({static_cast<std::uint32_t>(device)}, place);
+}
+
 void CodeBuilder::task_entry(Place place) {
   chunk_.task_entry = static_cast<std::uint32_t>(chunk_.code.size());
   emit(Opcode::call_test, place);

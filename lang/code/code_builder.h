@@ -115,6 +115,11 @@ class CodeBuilder {
          place);
   }
 
+  /// By its number.
+  void declare_device(int number, DeviceCode code);
+  void receive(Register text, Register timeout, Register came, int device, Place place);
+  void simulate_line(Register after, Register text, int device, Place place);
+
   /// See Chunk::timed.
   void depends_on_time() { chunk_.timed = true; }
   /// See Chunk::first_signal.

@@ -177,6 +177,7 @@ void ProgramCompiler::compile_variables(const Block& statements) {
     if (const Use* const use = std::get_if<Use>(&statement.node)) {
       compile_variables(use->declarations);
     } else if (std::holds_alternative<Declaration>(statement.node) ||
+               std::holds_alternative<DeviceDeclaration>(statement.node) ||
                std::holds_alternative<PointDeclaration>(statement.node) ||
                std::holds_alternative<Defaults>(statement.node)) {
       statements_.compile(statement);

@@ -205,6 +205,44 @@ void StatementCompiler::compile(const Write& write) {
   frame_.release(mark);
 }
 
+void StatementCompiler::compile(const DeviceDeclaration& device) {
+  const auto* const ending =
+      device.ending == nullptr ? nullptr : std::get_if<std::string>(&device.ending->constant);
+  code_.declare_device(device.declared.symbol->device,
+                       {device.declared.name, std::get<std::string>(device.address->constant),
+                        ending == nullptr ? "\n" : *ending, device.declared.place});
+}
+
+void StatementCompiler::compile(const Send& send) {
+  const Place place = place_;
+  const auto mark = frame_.mark();
+  const Register text = joined(send.values, place);
+  code_.emit(
+      Instruction::ax(Opcode::send, text, static_cast<std::uint16_t>(send.device.symbol->device)),
+      place);
+  frame_.release(mark);
+}
+
+void StatementCompiler::compile(const Receive& receive) {
+  const Place place = place_;
+  const auto mark = frame_.mark();
+  const Register line = frame_.text_register();
+  const Register limit = frame_.number_registers(2);
+  const auto came = static_cast<Register>(limit + 1);
+  expressions_.value_into(*receive.timeout, limit);
+  code_.depends_on_time();
+  code_.receive(line, limit, came, receive.device.symbol->device, place);
+  code_.emit(Opcode::if_bool, place, came, 0);
+  const CodeBuilder::Jump late = code_.jump(place);
+  expressions_.assign_register(*receive.target, line);
+  const CodeBuilder::Jump done = code_.jump(place);
+  code_.land(late);
+  if (!receive.has_else) code_.emit(Opcode::fail_timeout, place, 1);
+  compile(receive.otherwise);
+  code_.land(done);
+  frame_.release(mark);
+}
+
 void StatementCompiler::compile(const Read& read) {
   const auto mark = frame_.mark();
   const Register file = frame_.text_register();
@@ -324,6 +362,10 @@ void StatementCompiler::simulate(const Simulate& simulation, Register value) {
   if (simulation.what == Simulate::What::Answer) {
     const Register answer = expressions_.value(*simulation.value);
     return code_.emit(Opcode::simulate_answer, place_, value, answer);
+  }
+  if (simulation.what == Simulate::What::Device) {
+    const Register line = expressions_.value(*simulation.value);
+    return code_.simulate_line(value, line, simulation.target.symbol->device, place_);
   }
   const Symbol& symbol = *simulation.target.symbol;
   const bool force = symbol.kind == Symbol::Kind::Reading;

@@ -72,6 +72,9 @@ class StatementCompiler {
   void compile(const Pulse& pulse);
   void compile(const Print& print);
   void compile(const Write& write);
+  void compile(const DeviceDeclaration& device);
+  void compile(const Send& send);
+  void compile(const Receive& receive);
   void compile(const Read& read);
   /// A text of all the values, one after the other.
   Register joined(const std::vector<ExprPtr>& values, Place place);

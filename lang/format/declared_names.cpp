@@ -41,7 +41,8 @@ std::string_view DeclaredNames::label(std::string_view word) const { return find
 void DeclaredNames::begin_statement(const Token& token) {
   expected_ = Expected::Nothing;
   if (token.kind == TokenKind::Word) {
-    const bool declares = same_word(token.text, "TOOL") || same_word(token.text, "FRAME");
+    const bool declares = same_word(token.text, "TOOL") || same_word(token.text, "FRAME") ||
+                          same_word(token.text, "DEVICE");
     if (declares) expected_ = Expected::OneName;
     if (same_word(token.text, "ENUM")) expected_ = Expected::Enum;
     if (in_record_) {

@@ -19,10 +19,10 @@ constexpr std::array<std::string_view, 2> kEventWords{"AFTER", "BEFORE"};
 constexpr std::array<std::string_view, 2> kWholeClauses{"FINE", "EULER"};
 
 /// Words that stand after a value: no expression goes on with a name there.
-constexpr std::array<std::string_view, 25> kClauseWords{
-    "AT",  "OVER", "ACCEL", "JERK",  "PROFILE", "ZONE",    "FINE", "BY",    "VIA",
-    "TO",  "FROM", "OF",    "TURNS", "STEP",    "TIMEOUT", "INTO", "LIMIT", "LEAD",
-    "LAG", "MASS", "COG",   "SCALE", "SAFE",    "AFTER",   "EULER"};
+constexpr std::array<std::string_view, 26> kClauseWords{
+    "AT",  "OVER", "ACCEL", "JERK",  "PROFILE", "ZONE",    "FINE",  "BY",    "VIA",
+    "TO",  "FROM", "OF",    "TURNS", "STEP",    "TIMEOUT", "INTO",  "LIMIT", "LEAD",
+    "LAG", "MASS", "COG",   "SCALE", "SAFE",    "AFTER",   "EULER", "ENDING"};
 
 bool is_among(std::span<const std::string_view> words, std::string_view word) {
   return std::ranges::any_of(words, [&](std::string_view each) { return same_word(each, word); });
@@ -171,7 +171,7 @@ void StatementWords::go_on(const Token& token, WordUse use) {
     trigger_ = is_among(kEventWords, token.text);
     all_units_ = same_word(token.text, "UNITS");
     enum_ = same_word(token.text, "ENUM");
-    file_ = same_word(token.text, "WRITE");
+    file_ = same_word(token.text, "WRITE") || same_word(token.text, "SEND");
   }
   if (at_begin_ && token.kind == TokenKind::Reserved && token.keyword == Keyword::When) {
     trigger_ = true;

@@ -97,6 +97,18 @@ Reply Files::exists(int /*line*/, std::string_view /*file*/, bool& /*value*/) {
   return has_no("EXISTS");
 }
 
+Reply Devices::send(int /*line*/, std::size_t /*device*/, std::string_view /*text*/) {
+  return has_no("SEND");
+}
+Reply Devices::receive(int /*line*/, std::size_t /*device*/, double /*timeout*/,
+                       std::string& /*text*/, bool& /*came*/) {
+  return has_no("RECEIVE");
+}
+Reply Devices::simulate_line(int /*line*/, std::size_t /*device*/, std::string_view /*text*/,
+                             double /*after*/) {
+  return has_no("SIMULATE");
+}
+
 Reply Operator::halt(int /*line*/, std::string_view /*text*/) { return has_no("HALT"); }
 Reply Operator::ask(int /*line*/, std::string_view /*text*/,
                     std::optional<std::string>& /*answer*/) {

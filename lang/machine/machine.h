@@ -180,6 +180,19 @@ class Files : public virtual Refuser {
   virtual Reply exists(int line, std::string_view file, bool& value);
 };
 
+/// Devices that exchange lines of text with a program. A device is named by its number.
+class Devices : public virtual Refuser {
+ public:
+  /// SEND, in motion order. Lines that have come before and were not received are dropped.
+  virtual Reply send(int line, std::size_t device, std::string_view text);
+  /// RECEIVE: an observation. `came`: a line is there; a line that is not there at the decision
+  /// point is waited for at standstill, for `timeout` seconds from the first look on.
+  virtual Reply receive(int line, std::size_t device, double timeout, std::string& text,
+                        bool& came);
+  /// SIMULATE: it sends this line, `after` seconds after this point of motion order.
+  virtual Reply simulate_line(int line, std::size_t device, std::string_view text, double after);
+};
+
 /// Questions of a program to the person beside the machine.
 class Operator : public virtual Refuser {
  public:
@@ -247,6 +260,7 @@ class Machine : public Motions,
                 public Signals,
                 public Output,
                 public Files,
+                public Devices,
                 public Operator,
                 public Force,
                 public Testing,

@@ -347,6 +347,25 @@ void ActionParser::write_statement(Block& block) {
   tree_.add(block, place, std::move(node));
 }
 
+// "SEND" foreign ":" expr { "," expr }
+void ActionParser::send_statement(Block& block) {
+  const Place place = tokens_.place();
+  tokens_.advance();
+  Send node;
+  node.device_place = tokens_.place();
+  node.device.text = device_name(tokens_, names_, "SEND");
+  if (!tokens_.accept(TokenKind::Colon)) {
+    tokens_.fail_here(code::kSendIncomplete,
+                      fmt::format("':' and a text expected after the device of SEND, not {}",
+                                  described(tokens_.current())),
+                      "for example SEND scale: \"W\"");
+  }
+  do {
+    node.values.push_back(expressions_.expression());
+  } while (tokens_.accept(TokenKind::Comma));
+  tree_.add(block, place, std::move(node));
+}
+
 // "READ" expr "INTO" place
 void ActionParser::read_statement(Block& block) {
   const Place place = tokens_.place();

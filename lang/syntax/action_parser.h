@@ -32,6 +32,7 @@ class ActionParser {
   void override_statement(Block& block);
   void load_statement(Block& block);
   void write_statement(Block& block);
+  void send_statement(Block& block);
   void read_statement(Block& block);
   /// In capitals.
   std::set<std::string> take_taught() { return std::move(taught_); }

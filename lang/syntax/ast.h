@@ -139,6 +139,27 @@ struct Read {
   ExprPtr file;
   ExprPtr target;  ///< a Name, or a Member or Index of one
 };
+/// DEVICE scale = "tcp://192.168.1.30:4001" ENDING "\r\n"
+struct DeviceDeclaration {
+  Declaration::Declared declared;
+  ExprPtr address;  ///< null where it could not be read
+  ExprPtr ending;   ///< null where left out
+};
+/// SEND scale: "W"
+struct Send {
+  Name device;
+  Place device_place;
+  std::vector<ExprPtr> values;
+};
+/// RECEIVE scale INTO line TIMEOUT 2s ELSE line = ""
+struct Receive {
+  Name device;
+  Place device_place;
+  ExprPtr target;  ///< a Name, or a Member or Index of one
+  ExprPtr timeout;
+  bool has_else = false;
+  Block otherwise;  ///< of ELSE: one statement
+};
 /// WAIT 0.5s · WAIT part_here TIMEOUT 3s ELSE lift = OFF
 struct Wait {
   ExprPtr value;    ///< a time, or a condition
@@ -206,7 +227,7 @@ struct Start {
 /// SIMULATE part_here = ON AFTER 2s
 /// SIMULATE GO = ON AFTER 2s · SIMULATE ANSWER = "7"
 struct Simulate {
-  enum class What : std::uint8_t { Input, Go, Answer };
+  enum class What : std::uint8_t { Input, Go, Answer, Device };
 
   What what = What::Input;
   Name target;  ///< of Input
@@ -250,7 +271,7 @@ struct Statement {
                Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
                Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use,
                PathBlock, WayPoint, Press, With, SetOverride, Load, RecordDeclaration, Halt, Ask,
-               Write, Read, Start, Defaults, EnumDeclaration>
+               Write, Read, DeviceDeclaration, Send, Receive, Start, Defaults, EnumDeclaration>
       node;
 };
 

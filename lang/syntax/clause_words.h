@@ -16,8 +16,11 @@ inline constexpr std::array<std::string_view, 13> kPlacedWords{
 
 /// The same of what outlives a run: names before any sign that makes something of a name.
 inline constexpr auto kFileWords = std::to_array<std::string_view>({
+    "DEVICE",
     "PERSIST",
     "READ",
+    "RECEIVE",
+    "SEND",
     "WRITE",
 });
 

@@ -144,6 +144,33 @@ void DeclarationParser::scale(SignalDeclaration& signal) {
   signal.high = expressions_.expression();
 }
 
+// decl = "DEVICE" IDENT "=" expr [ "ENDING" expr ] eol .
+void DeclarationParser::device(Block& block) {
+  const Place place = tokens_.place();
+  blocks_.check_declaration("DEVICE");
+  tokens_.advance();
+  DeviceDeclaration device;
+  device.declared = names_.declared("DEVICE");
+  try {
+    if (!tokens_.accept(TokenKind::Assign)) {
+      tokens_.fail_here(
+          code::kAssignExpected,
+          fmt::format("'=' and an address expected after {}", shortened(device.declared.name)),
+          "DEVICE scale = \"tcp://192.168.1.30:4001\"");
+    }
+    device.address = expressions_.expression();
+    if (tokens_.at_word("ENDING")) {
+      tokens_.advance();
+      device.ending = expressions_.expression();
+    }
+  } catch (const SyntaxError&) {
+    device.address = nullptr;
+    tree_.add(block, place, std::move(device));
+    throw;
+  }
+  tree_.add(block, place, std::move(device));
+}
+
 // decl = "POINT" names [ "=" expr ] eol .
 void DeclarationParser::point(Block& block) {
   const Place place = tokens_.place();

@@ -26,6 +26,7 @@ class DeclarationParser {
   /// VAR and CONST.
   void variables(Block& block, bool persist = false);
   void persist(Block& block);
+  void device(Block& block);
   void signal(Block& block);
   void point(Block& block);
   void frame_or_tool(Block& block);

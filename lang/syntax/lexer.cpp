@@ -340,7 +340,7 @@ Token Lexer::string() {
       const std::size_t begin = offset_;
       if (!escape(text) && std::exchange(sound, false)) {
         report(code::kUnknownEscape, begin, "this escape is unknown",
-               R"(there are \" \\ \n \t and \u{20AC} with one to six hexadecimal digits)");
+               R"(there are \" \\ \n \r \t and \u{20AC} with one to six hexadecimal digits)");
       }
     }
   }
@@ -352,8 +352,8 @@ Token Lexer::string() {
 
 /// A backslash and what belongs to it; false if it means nothing.
 bool Lexer::escape(std::string& text) {
-  constexpr auto kEscapes =
-      std::to_array<std::pair<char, char>>({{'"', '"'}, {'\\', '\\'}, {'n', '\n'}, {'t', '\t'}});
+  constexpr auto kEscapes = std::to_array<std::pair<char, char>>(
+      {{'"', '"'}, {'\\', '\\'}, {'n', '\n'}, {'r', '\r'}, {'t', '\t'}});
   const char letter = at(1);
   if (letter == 'u' && at(2) == '{') return unicode_escape(text);
   for (const auto& [written, meant] : kEscapes) {

@@ -30,7 +30,7 @@ StatementParser::StatementParser(TokenReader& tokens, TreeBuilder& tree, TextNam
       clauses_(tokens, tree, expressions),
       motions_(tokens, tree, expressions, clauses_),
       block_statements_(tokens, tree, names, expressions, clauses_, blocks_, *this),
-      watches_(tokens, tree, expressions, blocks_, routines_, *this),
+      watches_(tokens, tree, names, expressions, blocks_, routines_, *this),
       actions_(tokens, tree, names, expressions),
       hints_(tokens, names, routines_) {}
 
@@ -182,6 +182,9 @@ void StatementParser::word_statement(Block& block) {
     return tree_.add(block, place, watches_.path_event());
   }
   if (at_file_word("PERSIST")) return declarations_.persist(block);
+  if (at_file_word("DEVICE")) return declarations_.device(block);
+  if (at_file_word("SEND")) return actions_.send_statement(block);
+  if (at_file_word("RECEIVE")) return watches_.receive(block);
   if (at_file_word("READ")) return actions_.read_statement(block);
   if (at_file_word("WRITE")) return actions_.write_statement(block);
   if (at_placed_word("ZERO")) return actions_.zero_statement(block);

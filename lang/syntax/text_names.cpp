@@ -147,4 +147,17 @@ bool TextNames::names_routine(std::string_view name) {
          });
 }
 
+std::string device_name(TokenReader& tokens, TextNames& names, std::string_view word) {
+  if (!tokens.at(TokenKind::Word)) {
+    tokens.fail_here(code::kNameExpected,
+                     fmt::format("the name of a DEVICE expected after {}, not {}", word,
+                                 described(tokens.current())),
+                     "DEVICE scale = \"tcp://192.168.1.30:4001\" declares one");
+  }
+  if (tokens.next().kind == TokenKind::Dot) return names.foreign();
+  std::string name(tokens.text());
+  tokens.advance();
+  return name;
+}
+
 }  // namespace rob::lang

@@ -42,6 +42,33 @@ void WatchParser::wait(Block& block) {
   tree_.add(block, place, std::move(wait));
 }
 
+// "RECEIVE" foreign "INTO" place "TIMEOUT" expr [ "ELSE" simple ]
+void WatchParser::receive(Block& block) {
+  const Place place = tokens_.place();
+  tokens_.advance();
+  Receive node;
+  node.device_place = tokens_.place();
+  node.device.text = device_name(tokens_, names_, "RECEIVE");
+  const auto word = [&](std::string_view expected) {
+    if (!tokens_.at_word(expected)) {
+      tokens_.fail_here(code::kReceiveIncomplete,
+                        fmt::format("{} expected, not {}", expected, described(tokens_.current())),
+                        "for example RECEIVE scale INTO line TIMEOUT 2s");
+    }
+    tokens_.advance();
+  };
+  word("INTO");
+  node.target = expressions_.postfix();
+  word("TIMEOUT");
+  node.timeout = expressions_.expression();
+  if (tokens_.at(Keyword::Else) && !tokens_.current().first_on_line) {
+    node.has_else = true;
+    tokens_.advance();
+    alternative(node.otherwise);
+  }
+  tree_.add(block, place, std::move(node));
+}
+
 /// The one statement after the ELSE of a WAIT.
 void WatchParser::alternative(Block& block) {
   if (tokens_.at_line_end()) {

@@ -6,6 +6,7 @@
 #include "lang/syntax/expression_parser.h"
 #include "lang/syntax/open_blocks.h"
 #include "lang/syntax/routine_parser.h"
+#include "lang/syntax/text_names.h"
 #include "lang/syntax/token_reader.h"
 #include "lang/syntax/tree_builder.h"
 
@@ -14,16 +15,19 @@ namespace rob::lang {
 /// The rules for what is looked at in every control cycle: WAIT, UNTIL, path events and WHEN.
 class WatchParser {
  public:
-  WatchParser(TokenReader& tokens, TreeBuilder& tree, ExpressionParser& expressions,
-              OpenBlocks& blocks, RoutineParser& routines, StatementReader& statements)
+  WatchParser(TokenReader& tokens, TreeBuilder& tree, TextNames& names,
+              ExpressionParser& expressions, OpenBlocks& blocks, RoutineParser& routines,
+              StatementReader& statements)
       : tokens_(tokens),
         tree_(tree),
+        names_(names),
         expressions_(expressions),
         blocks_(blocks),
         routines_(routines),
         statements_(statements) {}
 
   void wait(Block& block);
+  void receive(Block& block);
   /// UNTIL and DO after the motion that `block` ends with.
   void behind_motion(Block& block, bool may_open_block);
   WayPoint path_event();
@@ -36,6 +40,7 @@ class WatchParser {
 
   TokenReader& tokens_;
   TreeBuilder& tree_;
+  TextNames& names_;
   ExpressionParser& expressions_;
   OpenBlocks& blocks_;
   RoutineParser& routines_;

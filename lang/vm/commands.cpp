@@ -295,6 +295,7 @@ Objection check_command(Opcode opcode, const Slot* n) {
     case Opcode::simulate_force:
     case Opcode::simulate_go:
     case Opcode::simulate_answer:
+    case Opcode::simulate_line:
       return check_after(n[1].real);
     default:
       return {};

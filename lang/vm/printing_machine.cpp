@@ -162,32 +162,6 @@ Reply PrintingMachine::print(int line, std::string_view text) {
   return log_.note(line, fmt::format("print {}", text));
 }
 
-Reply PrintingMachine::write(int line, std::string_view file, std::string_view text) {
-  const Reply reply = log_.note(line, fmt::format("write {} {}", file, text));
-  if (reply == Reply::Done) files_[std::string(file)] += std::string(text) + "\n";
-  return reply;
-}
-
-Reply PrintingMachine::read_file(int line, std::string_view file, std::string& text) {
-  const auto found = files_.find(file);
-  if (found == files_.end()) {
-    return refuse({std::string(code::kFileFailed), fmt::format("cannot read '{}'", file), ""});
-  }
-  const Reply reply = log_.note(line, fmt::format("read {}", file));
-  if (reply == Reply::Done) text = found->second;
-  return reply;
-}
-
-void PrintingMachine::warn(int line, Refusal warning) {
-  log_.note(line, fmt::format("warned {}", warning.message));
-}
-
-Reply PrintingMachine::exists(int, std::string_view file, bool& value) {
-  const Reply reply = log_.answer();
-  if (reply == Reply::Done) value = files_.contains(file);
-  return reply;
-}
-
 Reply PrintingMachine::write_signal(int line, int signal, bool value) {
   const Reply reply =
       log_.note(line, fmt::format("{} {}", name_of(robot_, signal), value ? "on" : "off"));

@@ -2,8 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,12 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
-
 #include "lang/code/watch.h"
 #include "lang/machine/machine.h"
 #include "lang/machine/robot_signature.h"
 #include "lang/vm/call_log.h"
+#include "lang/vm/printing_outlets.h"
 #include "lang/vm/scripted_robot.h"
 
 namespace rob::lang {
@@ -25,6 +22,7 @@ namespace rob::lang {
 ///
 ///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
 ///     movel by 20 0 0 · move joints - - 90 · … zone 5mm · … fine
+///     send 1 TEXT · receive 1 · simulate line 1 TEXT after 0s     a DEVICE, counted likewise
 ///     read FILE · warned MESSAGE · write FILE TEXT · persist 1 7mm    a PERSIST variable, counted
 ///     in the order of the text stop · brake · end · print TEXT · lift on · AOUT[1] 2.5V · pulse
 ///     lift 0.05s · wait 0.5s teach pick 40 20 0 · teach pick 40 20 0 in pallet     the place, in
@@ -52,7 +50,7 @@ namespace rob::lang {
 /// one moves x, 1 m for 1 rad. A force sensor tells 0 where nothing is scripted.
 ///
 /// Everything is taken at once, unless a test asks for something else.
-class PrintingMachine : public Machine {
+class PrintingMachine : public PrintingOutlets {
  public:
   /// `robot` must outlive it.
   explicit PrintingMachine(const RobotSignature& robot);
@@ -114,15 +112,6 @@ class PrintingMachine : public Machine {
   Reply settle(int line) override;
   Reply end(int line) override { return log_.note(line, "end"); }
   Reply print(int line, std::string_view text) override;
-  Reply write(int line, std::string_view file, std::string_view text) override;
-  Reply persist(int line, std::size_t variable, std::string_view value) override {
-    return log_.note(line, fmt::format("persist {} {}", variable + 1, value));
-  }
-  /// What has been written.
-  Reply read_file(int line, std::string_view file, std::string& text) override;
-  void warn(int line, Refusal warning) override;
-  /// Whether it has been written.
-  Reply exists(int line, std::string_view file, bool& value) override;
   Reply write_signal(int line, int signal, bool value) override;
   Reply write_analog(int line, int signal, double volts) override;
   Reply pulse(int line, int signal, double seconds) override;
@@ -138,12 +127,10 @@ class PrintingMachine : public Machine {
 
  private:
   const RobotSignature& robot_;
-  CallLog log_;
   ScriptedRobot scripted_;
   std::vector<std::string> answers_;
   std::size_t next_answer_ = 0;
   int reads_ = 0;
-  std::map<std::string, std::string, std::less<>> files_;  ///< what was written
   Watch guard_;
   int whens_ = 0;
 };

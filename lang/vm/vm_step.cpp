@@ -29,9 +29,10 @@ Refusal no_hit_pose() {
           .help = "MOVE(140, 40, 0) UNTIL touched comes first"};
 }
 
-Refusal timeout() {
+Refusal timeout(bool of_receive) {
   return {.code = std::string(code::kTimeout),
-          .message = "timeout: what this WAIT waits for did not come in time",
+          .message = of_receive ? "timeout: the device has sent no line in time"
+                                : "timeout: what this WAIT waits for did not come in time",
           .help = "an ELSE behind TIMEOUT says what to do then"};
 }
 
@@ -311,6 +312,23 @@ Vm::Step Vm::step_motion(Code pc) {
       ROB_ASK(machine_->teach(line(pc), taught_point(*loaded_.chunk, pc, n, setting)), pc);
       return pc + 3;
     }
+    case Opcode::send:
+      ROB_ASK(machine_->send(line(pc), pc->x(), t[pc->a()]), pc);
+      return pc + 1;
+    case Opcode::receive: {
+      bool came = false;
+      std::string& text = stack_.texts()[pc->a()];
+      turns_.forget(pc);  // it waits, and is no loop
+      ROB_OBSERVE(
+          machine_->receive(line(pc), (pc + 1)->word, stack_.numbers()[pc->b()].real, text, came),
+          pc);
+      stack_.numbers()[pc->c()].integer = came ? 1 : 0;
+      return pc + 2;
+    }
+    case Opcode::simulate_line:
+      ROB_SOUND(check_command(pc->opcode(), n));
+      ROB_ASK(machine_->simulate_line(line(pc), (pc + 1)->word, t[pc->b()], n[1].real), pc);
+      return pc + 2;
     case Opcode::read_rows:
       return read_rows(pc);
     case Opcode::persist:
@@ -382,7 +400,7 @@ Vm::Step Vm::step_control(Code pc) {
       tries_.fail_again();
       return give_up(pc);
     case Opcode::fail_timeout:
-      return fail(pc, timeout());
+      return fail(pc, timeout(pc->a() != 0));
     case Opcode::fail_assertion:
       return fail(pc, assertion_failed(loaded_.chunk->texts[(pc + 1)->word]));
     case Opcode::call_test:  // or a TASK

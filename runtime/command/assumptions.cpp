@@ -37,4 +37,10 @@ void Assumptions::note_answer(int line, std::string_view what) {
                     "a signal script (--signals) says what the operator does"});
 }
 
+void Assumptions::note_line(int line) {
+  links_.log.found({lang::Severity::Note, code::kAssumed, lang::tagged_place(line),
+                    "assumed: this RECEIVE gets an empty line at once",
+                    "a signal script (--signals) says what the device sends"});
+}
+
 }  // namespace rob::runtime

@@ -30,6 +30,8 @@ class Assumptions {
   void note_read_in_condition(int signal);
   bool taken_as_met(int line);
   /// `what`: HALT or ASK.
+  /// RECEIVE has got an empty line.
+  void note_line(int line);
   void note_answer(int line, std::string_view what);
 
  private:

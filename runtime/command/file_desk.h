@@ -18,6 +18,7 @@ class FileDesk {
   /// Before the run; they must outlive it. Without them (null) the program has no files.
   void keep_files(DataFiles* files) { files_ = files; }
   DataFiles* files() const { return files_; }
+  ProgramLog& log() const { return links_.log; }
 
   lang::Reply write(int line, std::string_view file, std::string_view text);
   /// It is no effect that could be bound to a motion or a WHEN.

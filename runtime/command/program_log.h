@@ -34,11 +34,13 @@ struct FailedExpect {
 struct Note {
   enum class Kind : std::uint8_t {
     Print,
-    Halt,    ///< shown to the operator, who lets the program go on
-    Ask,     ///< shown to the operator, who answers
-    Answer,  ///< what the operator has answered; to a HALT nothing
-    Write,   ///< a line for `file`
-    Persist  ///< the value of `variable`
+    Halt,     ///< shown to the operator, who lets the program go on
+    Ask,      ///< shown to the operator, who answers
+    Answer,   ///< what the operator has answered; to a HALT nothing
+    Write,    ///< a line for `file`
+    Persist,  ///< the value of `variable`
+    Send,     ///< to the device `variable`
+    Line      ///< from it, simulated
   };
 
   Kind kind = Kind::Print;
@@ -46,6 +48,7 @@ struct Note {
   bool typed = false;  ///< by a person, who has seen it
   std::string file{};
   std::size_t variable = 0;
+  double after = 0;  ///< s, of Line
 };
 
 /// The program's thread leaves here for the thread that reports: motions as they were planned,

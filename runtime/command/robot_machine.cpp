@@ -18,6 +18,7 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
              channels, progress,   log,     [this](Words why) { return refuse(std::move(why)); }},
       parts_(links_, override_share),
       handlers_(handlers) {
+  lead_to(parts_.files, parts_.devices);
   if (handlers == nullptr) parts_.queue.keep_nothing();
 }
 
@@ -31,6 +32,7 @@ void RobotMachine::run_beside(BackgroundTasks& tasks) {
 void RobotMachine::drop_statement() {
   parts_.waits.drop();
   parts_.desk.drop();
+  parts_.devices.drop();
   parts_.guard.switch_to(false);
   parts_.whens.drop();
   parts_.next.drop();
@@ -238,27 +240,6 @@ Reply RobotMachine::waited(int line) { return parts_.waits.waited(line); }
 
 Reply RobotMachine::print(int line, std::string_view text) {
   return parts_.outputs.note(line, {Note::Kind::Print, std::string(text)});
-}
-
-Reply RobotMachine::write(int line, std::string_view file, std::string_view text) {
-  return parts_.files.write(line, file, text);
-}
-
-Reply RobotMachine::persist(int line, std::size_t variable, std::string_view value) {
-  return parts_.files.persist(line, variable, value);
-}
-
-Reply RobotMachine::read_file(int line, std::string_view file, std::string& text) {
-  return parts_.files.read(line, file, text);
-}
-
-void RobotMachine::warn(int line, lang::Refusal warning) {
-  links_.log.found({lang::Severity::Warning, std::move(warning.code), lang::tagged_place(line),
-                    std::move(warning.message), std::move(warning.help)});
-}
-
-Reply RobotMachine::exists(int /*line*/, std::string_view file, bool& value) {
-  return parts_.files.exists(file, value);
 }
 
 Reply RobotMachine::halt(int line, std::string_view text) { return parts_.desk.halt(line, text); }

@@ -7,6 +7,7 @@
 
 #include "lang/machine/machine.h"
 #include "runtime/command/robot_links.h"
+#include "runtime/command/robot_outlets.h"
 #include "runtime/command/robot_parts.h"
 
 namespace rob::runtime {
@@ -14,7 +15,7 @@ namespace rob::runtime {
 /// The program's side of a robot: completes and checks what is asked, puts it into the buffer,
 /// and answers Later while the buffer is full or a decision point has not come. Its parts do the
 /// work; what concerns all of them is done here. All calls come from the program's thread.
-class RobotMachine final : public lang::Machine {
+class RobotMachine final : public RobotOutlets {
  public:
   /// `progress`: the reports of the motions in `buffer`; one of those of `channels`.
   /// `handlers`: commands what handlers do, into a buffer of its own; null: there are none. It must
@@ -76,12 +77,7 @@ class RobotMachine final : public lang::Machine {
   lang::Reply stand(int line, double& now) override;
   bool taken_as_met(int line) override;
   lang::Reply waited(int line) override;
-  // Output, Files, Operator, Force
-  lang::Reply write(int line, std::string_view file, std::string_view text) override;
-  lang::Reply persist(int line, std::size_t variable, std::string_view value) override;
-  lang::Reply read_file(int line, std::string_view file, std::string& text) override;
-  void warn(int line, lang::Refusal warning) override;
-  lang::Reply exists(int line, std::string_view file, bool& value) override;
+  // Output, Operator, Force
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply halt(int line, std::string_view text) override;
   lang::Reply ask(int line, std::string_view text, std::optional<std::string>& answer) override;

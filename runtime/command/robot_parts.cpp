@@ -19,6 +19,7 @@ RobotParts::RobotParts(const RobotLinks& links, double override_share)
       waits(links, assumptions, progress, queue),
       desk(links, assumptions, progress, outputs, waits),
       files(links, effects, progress, outputs, waits),
+      devices(links, assumptions, progress, outputs, waits),
       forces(links, surroundings, progress, outputs, queue, press),
       readings(links, progress, guard, queue),
       safe(links, outputs),

@@ -2,6 +2,7 @@
 
 #include "runtime/command/assumptions.h"
 #include "runtime/command/commanded_progress.h"
+#include "runtime/command/device_desk.h"
 #include "runtime/command/effect_queue.h"
 #include "runtime/command/errand.h"
 #include "runtime/command/file_desk.h"
@@ -52,6 +53,7 @@ struct RobotParts {
   Waits waits;
   OperatorDesk desk;
   FileDesk files;
+  DeviceDesk devices;
   ForceCommands forces;
   Readings readings;
   // Beside the program

@@ -77,11 +77,13 @@ Comparison reversed(Comparison comparison) {
 class ScriptReader : LineReader {
  public:
   ScriptReader(SignalScript& script, const motion::RobotModel& robot,
-               const std::vector<lang::NamedSignal>& named)
+               const std::vector<lang::NamedSignal>& named,
+               const std::vector<lang::DeviceCode>& devices)
       : LineReader(script.source, script.diagnostics, code::kScriptLine,
                    "a line is: at 2.5s part_here = ON, or: when lift_up == ON after 0.3s : "
                    "part_here = ON"),
-        script_(script) {
+        script_(script),
+        devices_(devices) {
     know(robot, named);
   }
 
@@ -106,7 +108,10 @@ class ScriptReader : LineReader {
   bool truth(std::string_view name);
   double quantity(const Known& known);
 
+  bool line_of_device(double time);
+
   SignalScript& script_;
+  const std::vector<lang::DeviceCode>& devices_;
   std::vector<Known> known_;
 };
 
@@ -145,6 +150,7 @@ void ScriptReader::rule() {
   if (at_word("at")) {
     advance();
     rule.time = time("at");
+    if (line_of_device(rule.time)) return;
   } else if (at_word("when")) {
     advance();
     rule.timed = false;
@@ -163,6 +169,19 @@ void ScriptReader::rule() {
     fail(code::kScriptLine, place, fmt::format("a script has at most {} lines", kMostRules));
   }
   script_.rules.push_back(rule);
+}
+
+/// "at" TIME device "=" STRING
+bool ScriptReader::line_of_device(double time) {
+  const auto device = std::ranges::find_if(
+      devices_, [&](const lang::DeviceCode& one) { return at_word(one.name); });
+  if (device == devices_.end()) return false;
+  advance();
+  take(TokenKind::Assign, "'='");
+  script_.lines.push_back({static_cast<std::size_t>(device - devices_.begin()), time,
+                           take_text("a text such as \"12.5 g\"")});
+  end_of_line();
+  return true;
 }
 
 void ScriptReader::condition(SimulationRule& rule) {
@@ -330,12 +349,13 @@ double ScriptReader::quantity(const Known& known) {
 
 SignalScript parse_signal_script(std::string file, std::string source,
                                  const motion::RobotModel& robot,
-                                 const std::vector<lang::NamedSignal>& named) {
+                                 const std::vector<lang::NamedSignal>& named,
+                                 const std::vector<lang::DeviceCode>& devices) {
   SignalScript script;
   script.file = std::move(file);
   script.source = std::move(source);
   if (!lang::check_source(script.source, script.diagnostics)) return script;
-  ScriptReader(script, robot, named).read();
+  ScriptReader(script, robot, named, devices).read();
   return script;
 }
 

@@ -20,10 +20,18 @@ namespace rob::runtime {
 ///     at 5s ANSWER = "7"
 ///     at 6s HOLD = ON
 ///     at 7s OVERRIDE = 30%
+///     at 8s scale = "12.5 g"
 struct SignalScript {
   std::string file;
   std::string source;
   std::vector<SimulationRule> rules;
+  /// What a DEVICE sends, by its number.
+  struct Line {
+    std::size_t device = 0;
+    double time = 0;  ///< s
+    std::string text;
+  };
+  std::vector<Line> lines;
   std::vector<std::string> answers;  ///< texts of ANSWER, by SimulatedSetting::answer
   lang::Diagnostics diagnostics;     ///< all errors of the script; with one it must not be used
 };
@@ -32,6 +40,7 @@ struct SignalScript {
 /// the channels themselves.
 SignalScript parse_signal_script(std::string file, std::string source,
                                  const motion::RobotModel& robot,
-                                 const std::vector<lang::NamedSignal>& named);
+                                 const std::vector<lang::NamedSignal>& named,
+                                 const std::vector<lang::DeviceCode>& devices = {});
 
 }  // namespace rob::runtime

@@ -56,8 +56,8 @@ std::optional<LoadedProgram> compiled(Session& session, std::size_t from, bool t
     session.fail("the program has errors; nothing moves");
     return std::nullopt;
   }
-  if (!program.compilation.chunk->persists.empty()) {
-    session.fail("the program keeps variables between runs, which the prompt does not",
+  if (!program.compilation.chunk->persists.empty() || !program.compilation.chunk->devices.empty()) {
+    session.fail("the program keeps variables between runs, or has devices; the prompt has neither",
                  fmt::format("rob run {}", file));
     return std::nullopt;
   }

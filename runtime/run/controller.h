@@ -52,6 +52,12 @@ class Controller {
     handlers_machine_.parts().files.keep_files(files);
   }
 
+  /// The devices of the program; see DeviceDesk.
+  void connect(TextDevices* devices) {
+    machine_.parts().devices.connect(devices);
+    handlers_machine_.parts().devices.connect(devices);
+  }
+
   /// Plans the path ahead, where the law does; beside the program and the tick. Whether there was
   /// anything to do.
   bool plan_path() {

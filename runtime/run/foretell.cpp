@@ -95,10 +95,13 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   task.limit_turns(kForetellTurns);
   DataFiles files(data_folder_of(program, options.data), DataFiles::Keeps::InMemory, true);
   controller.keep_files(&files);
+  TextDevices devices(program.compilation.chunk->devices);
+  give_lines(script, devices);
+  controller.connect(&devices);
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
                        names_in(program, robot),
-                       {.print = {}, .snapshot = {}, .write = [&](const Note& note) {
-                          take_in_memory(note, files);
+                       {.print = {}, .snapshot = {}, .write = [&](const Note& note, double time) {
+                          hand_over(note, time, files, devices);
                         }});
 
   RunLimits limits = limits_of(options.longest);

@@ -202,7 +202,8 @@ SignalScript load_signal_script(const std::string& file, const LoadedProgram& pr
   std::string text = read_file(file, kMostScript);
   if (!program.runnable()) return {};  // its SIGNALs are not known
   return parse_signal_script(file, std::move(text), program.robot,
-                             program.compilation.chunk->named_signals);
+                             program.compilation.chunk->named_signals,
+                             program.compilation.chunk->devices);
 }
 
 LoadedProgram compile_program(std::string file, std::string source, const motion::RobotModel& robot,

@@ -139,6 +139,10 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   controller.keep_points(&points);
   DataFiles files(data_folder_of(program, options.data), DataFiles::Keeps::OnDisk, options.fast);
   controller.keep_files(&files);
+  TextDevices devices(program.compilation.chunk->devices);
+  give_lines(options.script, devices);
+  if (!options.fast) devices.connect();
+  controller.connect(&devices);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
   const std::unique_ptr<KeptValues> kept = values_of(program, listener);
   if (kept) task.start_from(kept->saved());
@@ -149,12 +153,10 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
                           if (trace) trace->write(snapshot);
                         },
                         listener.consult,
-                        [&](const Note& note) {
-                          if (note.kind == Note::Kind::Write) {
-                            files.append(note.file, note.text);
-                          } else if (kept) {
+                        [&](const Note& note, double time) {
+                          hand_over(note, time, files, devices);
+                          if (note.kind == Note::Kind::Persist && kept)
                             kept->set(note.variable, note.text);
-                          }
                         }});
 
   if (robot.law == motion::Law::LookAhead) recorder.expect(std::move(foretold.lines));
@@ -165,6 +167,8 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   const Attend attend = [&] {
     recorder.drain();
     files.drained();
+    if (listener.warn)
+      for (const std::string& event : devices.take_events()) listener.warn(event);
     // On the virtual clock this is every cycle: a question to the system would take longer.
     constexpr int kCyclesPerLook = 1000;
     if (listener.abandoned && (!options.fast || cycles++ % kCyclesPerLook == 0) &&

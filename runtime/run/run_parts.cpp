@@ -45,8 +45,16 @@ std::vector<KeptVariable> kept_variables(const LoadedProgram& program) {
   return variables;
 }
 
-void take_in_memory(const Note& note, DataFiles& files) {
+void hand_over(const Note& note, double time, DataFiles& files, TextDevices& devices) {
   if (note.kind == Note::Kind::Write) files.append(note.file, note.text);
+  if (note.kind == Note::Kind::Send) devices.send(note.variable, note.text);
+  if (note.kind == Note::Kind::Line) devices.give(note.variable, time + note.after, note.text);
+}
+
+void give_lines(const SignalScript* script, TextDevices& devices) {
+  if (script == nullptr) return;
+  for (const SignalScript::Line& line : script->lines)
+    devices.give(line.device, line.time, line.text);
 }
 
 std::vector<SimulationRule> rules_of(const SignalScript* script) {

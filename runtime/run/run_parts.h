@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/devices/text_devices.h"
 #include "runtime/files/data_files.h"
 #include "runtime/files/kept_values.h"
 #include "runtime/files/signal_script.h"
@@ -21,8 +22,10 @@ bool has_handlers(const LoadedProgram& program);
 std::string data_folder_of(const LoadedProgram& program, const std::string& data);
 /// Its PERSIST variables, as their values file calls them.
 std::vector<KeptVariable> kept_variables(const LoadedProgram& program);
-/// A line that a program only foretold or tested has written.
-void take_in_memory(const Note& note, DataFiles& files);
+/// Gives what a program has written or sent to whom it is for.
+void hand_over(const Note& note, double time, DataFiles& files, TextDevices& devices);
+/// The lines that a script says devices send.
+void give_lines(const SignalScript* script, TextDevices& devices);
 /// None without a script.
 std::vector<SimulationRule> rules_of(const SignalScript* script);
 /// Gives the panel the operator's part of the script.

@@ -318,7 +318,9 @@ void RunRecorder::take_note(const MotionEvent& event, Note note) {
       return;
     case Note::Kind::Write:
     case Note::Kind::Persist:
-      if (listener_.write) listener_.write(note);
+    case Note::Kind::Send:
+    case Note::Kind::Line:
+      if (listener_.write) listener_.write(note, event.time);
       return;
     case Note::Kind::Halt:
     case Note::Kind::Ask:

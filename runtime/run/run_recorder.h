@@ -32,8 +32,8 @@ class RunRecorder {
     std::function<void(const Snapshot& snapshot)> snapshot;
     /// HALT or ASK waits for the operator; and that it does no more.
     std::function<void(const Note& note, int line)> consult{};
-    /// A line of WRITE, or a value to be kept.
-    std::function<void(const Note& note)> write{};
+    /// A line of WRITE, a value to be kept, what is sent to a device or simulated of it.
+    std::function<void(const Note& note, double time)> write{};
   };
 
   RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,

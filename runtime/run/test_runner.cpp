@@ -28,10 +28,12 @@ TestResult run_test(const LoadedProgram& program, const motion::RobotModel& robo
   ProgramTask task(chunk, controller.machine(), seed, number);
   DataFiles files(data_folder_of(program, data), DataFiles::Keeps::InMemory, true);
   controller.keep_files(&files);
+  TextDevices devices(program.compilation.chunk->devices);
+  controller.connect(&devices);
   RunRecorder recorder(robot, 1, controller.channels(), controller.log(),
                        {robot, chunk.named_signals},
-                       {.print = {}, .snapshot = {}, .write = [&](const Note& note) {
-                          take_in_memory(note, files);
+                       {.print = {}, .snapshot = {}, .write = [&](const Note& note, double time) {
+                          hand_over(note, time, files, devices);
                         }});
   const Timing timing = run_stepped(controller, task, kTestLimits, [&] { recorder.drain(); });
   RunResult run = recorder.finish();

@@ -28,7 +28,7 @@ using rob::test::ScratchFolder;
 
 namespace {
 
-std::string text_in(const std::string& file) {
+std::string content_of(const std::string& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
   return text.str();
@@ -102,10 +102,10 @@ TEST_CASE("a variable goes on where the run before has left it; unknown ones are
       "PERSIST VAR n = 10\nPERSIST VAR s = \"a\"\nPRINT n, s\nn = n + 1\n"
       "MOVE(10, 10, 0)\ns = s + \"b\"\n";
   CHECK(kept.run(text).output.front() == "10a");
-  CHECK(text_in(kept.values) == "n = 11\ns = \"ab\"\n");
+  CHECK(content_of(kept.values) == "n = 11\ns = \"ab\"\n");
   std::ofstream(kept.values) << "z = 1mm\ns = \"ab\"\nn = 11\na.b = \"kept\"\n";
   CHECK(kept.run(text).output.front() == "11ab");
-  CHECK(text_in(kept.values) == "a.b = \"kept\"\nn = 12\ns = \"abb\"\nz = 1mm\n");
+  CHECK(content_of(kept.values) == "a.b = \"kept\"\nn = 12\ns = \"abb\"\nz = 1mm\n");
 }
 
 TEST_CASE("an assignment counts when the motion before it is done, and is dropped with it") {
@@ -115,7 +115,7 @@ TEST_CASE("an assignment counts when the motion before it is done, and is droppe
       "PERSIST VAR n = 0\nn = 1\nMOVE(10, 10, 0)\nn = 2\n"
       "MOVE(n * 9000mm, 0, 0)\nn = 3\n");
   CHECK(failed.exit_code == runtime::ExitCode::Fault);
-  CHECK(text_in(kept.values) == "n = 2\n");
+  CHECK(content_of(kept.values) == "n = 2\n");
 }
 
 TEST_CASE("rob check begins with the saved values and writes none; a TEST with the initial ones") {
@@ -124,7 +124,7 @@ TEST_CASE("rob check begins with the saved values and writes none; a TEST with t
   const auto loaded = runtime::compile_program(
       kept.program, "PERSIST VAR n = 0\nMOVE(n * 10mm, 0, 0)\nn = 7\n", kept.robot, "");
   CHECK(runtime::foretell(loaded, kept.robot).final_joints.at(0) == doctest::Approx(50));
-  CHECK(text_in(kept.values) == "n = 5\n");
+  CHECK(content_of(kept.values) == "n = 5\n");
 }
 
 TEST_CASE("two runs at a time, a bad line, and a folder that cannot be written refuse the start") {
@@ -136,7 +136,7 @@ TEST_CASE("two runs at a time, a bad line, and a folder that cannot be written r
   }
   std::ofstream(kept.values) << "n = 1s\n";
   CHECK(message_of([&] { kept.run(text); }).find("cell.values:1:5: E370") != std::string::npos);
-  CHECK(text_in(kept.values) == "n = 1s\n");
+  CHECK(content_of(kept.values) == "n = 1s\n");
 }
 
 TEST_CASE("what a REF changes is kept while its routine runs") {
@@ -144,5 +144,5 @@ TEST_CASE("what a REF changes is kept while its routine runs") {
   kept.run(
       "PERSIST VAR n = 0\nPROC count(REF k: INT)\nk = k + 1\nMOVE(10, 10, 0)\nk = k + 1\n"
       "MOVE(9000mm * k, 0, 0)\nENDPROC\ncount(n)\n");
-  CHECK(text_in(kept.values) == "n = 2\n");
+  CHECK(content_of(kept.values) == "n = 2\n");
 }
