@@ -42,6 +42,10 @@ class CsvWriter {
         return true;
       case Type::Kind::Array:
         return row(type.detail->element, type.detail->length);
+      case Type::Kind::Enum: {
+        const auto name = static_cast<std::size_t>((numbers_++)->integer);
+        return text(type.detail->names.at(name));
+      }
       case Type::Kind::Record:
         for (const TypeDetail::Field& field : type.detail->fields)
           if (!value(field.type)) return false;

@@ -302,16 +302,23 @@ void CsvReader::row(const CsvLine& line) {
   put(record_, line, next);
 }
 
+std::optional<Slot> csv_slot(std::string_view text, const Type& type) {
+  if (type.is(Type::Kind::Bool)) return csv_truth(text);
+  if (!type.is(Type::Kind::Enum)) return csv_number(text, type);
+  const auto value = value_of(*type.detail, text);
+  return value ? std::optional(Slot{.integer = *value}) : std::nullopt;
+}
+
 Slot CsvReader::number(const CsvColumn& column, const CsvField& field) const {
   const std::string_view text = without_blanks_around(field.text);
-  std::optional<Slot> slot =
-      column.type.is(Type::Kind::Bool) ? csv_truth(text) : csv_number(text, column.type);
+  std::optional<Slot> slot = csv_slot(text, column.type);
   if (!slot && !column.unit.empty())
     slot = csv_number(std::string(text) + column.unit, column.type);
   if (slot) return *slot;
-  const std::string example = column.type.is(Type::Kind::Int) ? "7"
-                              : column.type.is(Type::Kind::Bool)
-                                  ? "TRUE"
+  const std::string example = column.type.is(Type::Kind::Int)    ? "7"
+                              : column.type.is(Type::Kind::Bool) ? "TRUE"
+                              : column.type.is(Type::Kind::Enum)
+                                  ? column.type.detail->names.front()
                                   : example_of(column.type.dimension);
   throw CsvWrong{code::kCsvValue, field.place,
                  fmt::format("'{}' is not {}, such as {}: {} needs one", shortened(field.text),
