@@ -399,8 +399,9 @@ bool ExpressionChecker::complete(const Type& type, Place place) {
     return false;
   }
   if (!type.has_row()) return true;
-  const bool sound = complete(type.detail->element, place);
-  if (type.detail->element.is(Type::Kind::List)) {
+  const TypeDetail& detail = *type.detail;  // a length that calls its own FUNC makes `type` unknown
+  const bool sound = complete(detail.element, place);
+  if (detail.element.is(Type::Kind::List)) {
     refuse_list_inside(place);
     return false;
   }
@@ -411,13 +412,13 @@ bool ExpressionChecker::complete(const Type& type, Place place) {
                        "write the length, as in ARRAY[3] OF, or REF before the parameter");
     return false;
   }
-  if (type.detail->written < 0) return sound;
-  auto& written = program_.array_lengths[static_cast<std::size_t>(type.detail->written)];
+  if (detail.written < 0) return sound;
+  auto& written = program_.array_lengths[static_cast<std::size_t>(detail.written)];
   if (!written.settled) {
     written.settled = true;
     if (sound) settle_length(written);
   }
-  return type.detail->length > 0;
+  return detail.length > 0;
 }
 
 void ExpressionChecker::refuse_list_inside(Place place) {
@@ -428,7 +429,8 @@ void ExpressionChecker::refuse_list_inside(Place place) {
 
 void ExpressionChecker::settle_length(Program::ArrayLength& written) {
   const Type type = check(written.length);
-  if (!type.known()) return;
+  // Of a FUNC whose own head this is, no type is known yet, and nothing is reported so far.
+  if (!type.known() && (written.length == nullptr || !calls_routine(*written.length))) return;
   const auto* const number = std::get_if<std::int64_t>(&written.length->constant);
   if (number == nullptr || *number < 1) {
     diagnostics_.error(code::kArrayLength, written.length->place,
