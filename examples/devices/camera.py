@@ -1,4 +1,4 @@
-"""Plays the camera of 17_camera_and_scale.rob: answers LOOK with a place. Usage: camera.py [PORT]"""
+"""Plays the camera of 19_camera_and_scale.rob: answers LOOK with a place. Usage: camera.py [PORT]"""
 import socket
 import sys
 

@@ -1,4 +1,4 @@
-"""Plays the scale of 17_camera_and_scale.rob: answers W with a weight. Usage: scale.py [PORT]"""
+"""Plays the scale of 19_camera_and_scale.rob: answers W with a weight. Usage: scale.py [PORT]"""
 import socket
 import sys
 
