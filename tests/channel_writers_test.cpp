@@ -33,6 +33,8 @@ const std::map<std::string, std::string, std::less<>>& tasks_of_modules() {
       {"runtime/tick/servo_task", "servo"},
       {"runtime/command/", "program"},
       {"runtime/run/controller", "set-up"},
+      {"runtime/run/foretell", "set-up"},
+      {"runtime/run/test_runner", "set-up"},
       {"runtime/run/run", "set-up"},
       {"runtime/run/run_parts", "set-up"},
       {"runtime/run/run_stepped", "program"},  // one thread for all, which lets the program write

@@ -199,6 +199,7 @@ TEST_CASE("a package that belongs in one place is seen by one file") {
 
 TEST_CASE("fault 17: no source asks for the time of day, so that setting it moves nothing") {
   for (const SourceFile& file : layers()) {
+    if (file.path == "runtime/time/wall_time.cpp") continue;  // once, at the start, for NOW()
     for (const char* asking : {"CLOCK_REALTIME", "system_clock", "gettimeofday", "localtime"}) {
       CHECK_MESSAGE(file.text.find(asking) == std::string::npos, file.path << " uses " << asking);
     }

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "lang/check/checked_program.h"
@@ -16,6 +17,11 @@
 #include "lang/text/diagnostic.h"
 
 namespace rob::lang {
+
+template <typename Node>
+concept IsDeclaration = std::is_same_v<Node, Declaration> ||
+    std::is_same_v<Node, RecordDeclaration> || std::is_same_v<Node, EnumDeclaration> ||
+    std::is_same_v<Node, PointDeclaration> || std::is_same_v<Node, DeviceDeclaration>;
 
 /// Checks VAR, CONST, FRAME, TOOL, RECORD and POINT, and TEACH, which changes a point.
 class DeclarationChecker {

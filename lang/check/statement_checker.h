@@ -74,10 +74,10 @@ class StatementChecker {
   void check(Brake&) {}
 
   // Names and values
-  void check(Declaration& declaration) { declared_.check(declaration); }
-  void check(RecordDeclaration& record) { declared_.check(record); }
-  void check(EnumDeclaration& enumeration) { declared_.check(enumeration); }
-  void check(PointDeclaration& points) { declared_.check(points); }
+  template <IsDeclaration Declared>
+  void check(Declared& declared) {
+    declared_.check(declared);
+  }
   void check(Teach& teach);
   void check(SignalDeclaration& signal) { signals_.check(signal); }
   void check(Pulse& pulse) { signals_.check(pulse); }
@@ -93,7 +93,6 @@ class StatementChecker {
     outlets_.check(outlet);
     if constexpr (std::is_same_v<Outlet, Receive>) check(outlet.otherwise);
   }
-  void check(DeviceDeclaration& device) { declared_.check(device); }
   void check(Halt& halt) { expressions_.check_as(halt.text, Type::string(), "HALT needs"); }
   void check(Ask& ask);
   void check(Assert& assertion) { expressions_.check_condition(assertion.condition, "ASSERT"); }

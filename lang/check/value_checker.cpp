@@ -18,13 +18,17 @@ std::string frame_in_words(const Type& pose) { return fmt::format("IN {}", frame
 std::string as_written(const Type& type) {
   if (type.is(Type::Kind::Record)) return type.detail->name;
   if (type.is(Type::Kind::Array)) {
-    return fmt::format("ARRAY[{}] OF {}", type.detail->length, as_written(type.detail->element));
+    return type.is_open() ? "ARRAY OF " + as_written(type.detail->element)
+                          : fmt::format("ARRAY[{}] OF {}", type.detail->length,
+                                        as_written(type.detail->element));
   }
   if (type.is(Type::Kind::Pose) && type.detail != nullptr) return "POSE " + frame_in_words(type);
   for (const NamedType& named : named_types()) {
     const bool joints = type.is(Type::Kind::Joints) && named.type.is(Type::Kind::Joints);
     if (joints || named.type == type) return std::string(named.name);
   }
+  if (type.is(Type::Kind::List)) return "LIST OF " + as_written(type.detail->element);
+  if (type.is(Type::Kind::Enum)) return type.detail->name;
   if (type.is(Type::Kind::Vec)) return "VEC OF " + as_written(Type::real(type.dimension));
   return fmt::format("[{}]", unit_text(type.dimension));
 }

@@ -127,31 +127,41 @@ void ExpressionCompiler::assign(const Expr& target, const Expr& value) {
   frame_.release(mark);
 }
 
+namespace {
+
+using SameIndices = std::vector<std::pair<const Expr*, const Expr*>>;
+
+/// The indices of a place that are computed, from the outside in, and those of its copy.
+SameIndices indices(const Expr& place, const Expr& copy) {
+  if (const auto* const member = std::get_if<Member>(&place.node)) {
+    return indices(*member->object, *std::get<Member>(copy.node).object);
+  }
+  const auto* const index = std::get_if<Index>(&place.node);
+  if (index == nullptr) return {};
+  const auto& same = std::get<Index>(copy.node);
+  SameIndices found = indices(*index->object, *same.object);
+  if (!known(index->index->constant)) {
+    found.push_back({index->index.get(), same.index.get()});
+  }
+  return found;
+}
+
+}  // namespace
+
 /// The place is found once: a routine in the value, or in an index, could move it.
 void ExpressionCompiler::change(const Expr& target, const Expr& value) {
   const auto mark = frame_.mark();
   const std::size_t before = settled_.size();
   begin_place(target);
-  settle_indices(target, *std::get<Binary>(value.node).left);
+  for (const auto& [index, same] : indices(target, *std::get<Binary>(value.node).left)) {
+    const Register number = frame_.number_registers();
+    value_into(*index, number);
+    settled_.push_back({index, number});
+    settled_.push_back({same, number});
+  }
   assign(target, value);
   settled_.resize(before);
   frame_.release(mark);
-}
-
-/// Computes the indices of a place, from the outside in, for it and for its copy.
-void ExpressionCompiler::settle_indices(const Expr& place, const Expr& copy) {
-  if (const auto* const member = std::get_if<Member>(&place.node)) {
-    return settle_indices(*member->object, *std::get<Member>(copy.node).object);
-  }
-  const auto* const index = std::get_if<Index>(&place.node);
-  if (index == nullptr) return;
-  const auto& same = std::get<Index>(copy.node);
-  settle_indices(*index->object, *same.object);
-  if (known(index->index->constant)) return;
-  const Register value = frame_.number_registers();
-  value_into(*index->index, value);
-  settled_.push_back({index->index.get(), value});
-  settled_.push_back({same.index.get(), value});
 }
 
 void ExpressionCompiler::assign_register(const Expr& target, Register value) {
@@ -249,7 +259,9 @@ void ExpressionCompiler::into_as_it_is(const Expr& expression, Register target, 
     compile(*name, expression, target);
   } else if (const auto* const member = std::get_if<Member>(&expression.node);
              member != nullptr && angle_of(member->object->type, member->field)) {
-    compile_angle(*member, target, expression.place);
+    const Register pose = operand(*member->object, false);
+    code_.emit(Opcode::pose_angle, expression.place, target, pose,
+               static_cast<unsigned>(*angle_of(member->object->type, member->field)));
   } else if (variables_.is_number_element(expression)) {
     load_element(std::get<Index>(expression.node), target, expression.place);
   } else if (std::holds_alternative<Member>(expression.node) ||
@@ -504,12 +516,6 @@ void ExpressionCompiler::into_other_place(const Expr& expression, Register targe
   }
 }
 
-void ExpressionCompiler::compile_angle(const Member& member, Register target, Place place) {
-  const Register pose = operand(*member.object, false);
-  code_.emit(Opcode::pose_angle, place, target, pose,
-             static_cast<unsigned>(*angle_of(member.object->type, member.field)));
-}
-
 /// JOINTS(q1, …, qn), into registers of its own first, as a tuple; or JOINTS of a pose.
 void ExpressionCompiler::compile_joints(const Call& call, const Expr& expression, Register target) {
   const int count = slots_of(expression.type).numbers;
@@ -527,13 +533,6 @@ void ExpressionCompiler::compile_joints(const Call& call, const Expr& expression
   variables_.copy_registers(target, values, count, expression.place);
 }
 
-void ExpressionCompiler::compile_forward(const Call& call, const Expr& expression,
-                                         Register target) {
-  const Expr& joints = *call.arguments.front();
-  code_.emit(Opcode::forward, expression.place, target, operand(joints, false),
-             static_cast<unsigned>(slots_of(joints.type).numbers));
-}
-
 // Calls
 
 void ExpressionCompiler::compile(const Call& call, const Expr& expression, Register target) {
@@ -549,7 +548,7 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
     code_.emit(Opcode::copy_text, expression.place, target, text);
     return;
   }
-  if (reading_of(call) == Reading::Now) return compile_now(builtin, target, expression.place);
+  if (reading_of(call) == Reading::Now) return world_.now(builtin, target, expression.place);
   if (builtin.rule == BuiltinRule::AnyToCsv) return compile_csv(call, target, expression.place);
   if (builtin.rule == BuiltinRule::FileExists) {
     const Register file = operand(*call.arguments.front(), false);
@@ -557,7 +556,11 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
   }
   if (const auto reading = reading_of(call)) return world_.read(*reading, target, expression.place);
   if (builtin.rule == BuiltinRule::Joints) return compile_joints(call, expression, target);
-  if (builtin.rule == BuiltinRule::Forward) return compile_forward(call, expression, target);
+  if (builtin.rule == BuiltinRule::Forward) {
+    const Expr& joints = *call.arguments.front();
+    return code_.emit(Opcode::forward, expression.place, target, operand(joints, false),
+                      static_cast<unsigned>(slots_of(joints.type).numbers));
+  }
   if (builtin.rule == BuiltinRule::ArrayLength) {
     const Expr& array = *call.arguments.front();
     return variables_.count(locate(array), array.type, target, expression.place);
@@ -597,16 +600,6 @@ void ExpressionCompiler::compile_csv(const Call& call, Register target, Place pl
     code_.append_csv(text, places, argument->type, place);
     frame_.release(mark);
   }
-  code_.emit(Opcode::copy_text, place, target, text);
-}
-
-/// NOW(): the machine gives numbers, a function on texts writes them.
-void ExpressionCompiler::compile_now(const Builtin& builtin, Register target, Place place) {
-  const Register numbers = frame_.number_registers(slots_of(Reading::Now, 0));
-  world_.read(Reading::Now, numbers, place);
-  const Register text = frame_.text_register();
-  const auto index = static_cast<unsigned>(&builtin - builtins().data());
-  code_.emit(Opcode::call_text, place, numbers, text, index);
   code_.emit(Opcode::copy_text, place, target, text);
 }
 
@@ -707,6 +700,25 @@ void ExpressionCompiler::call_on_texts(const Builtin& builtin, const Call& call,
              expression.type.text() ? texts : numbers);
 }
 
+namespace {
+
+/// PERSIST variables that REF parameters stand for while the routine runs.
+void lend(Variables& variables, const Call& call, CodeBuilder::Persist how) {
+  const std::vector<Parameter> parameters = parameters_of(*call.routine);
+  for (std::size_t i = 0; i < call.bound.size(); ++i) {
+    if (call.bound[i] == nullptr || !parameters[i].group->by_reference) continue;
+    variables.changed(*root_of(*call.bound[i])->symbol, call.bound[i]->place, how);
+  }
+}
+
+void refer_parameter(Variables& variables, const Location& at, const Type& type,
+                     const Location& home, Register first, Place place) {
+  variables.refer_both(at, type, static_cast<Register>(first + home.numbers.place),
+                       static_cast<Register>(first + home.texts.place), place);
+}
+
+}  // namespace
+
 /// The arguments lie where the routine's registers will begin, and there its value is left. All
 /// that the caller still needs lies below.
 Location ExpressionCompiler::call_routine(const Call& call, const Expr& expression) {
@@ -721,24 +733,15 @@ Location ExpressionCompiler::call_routine(const Call& call, const Expr& expressi
     held += pass(call, i, layout.homes[i], first, first_text);
   }
   if (!type.in_registers()) {
-    refer_parameter(result, type, layout.result, first, expression.place);
+    refer_parameter(variables_, result, type, layout.result, first, expression.place);
   }
-  lend(call, CodeBuilder::Persist::Lent);
+  lend(variables_, call, CodeBuilder::Persist::Lent);
   code_.call(call.routine->index, first, first_text, expression.place);
-  lend(call, CodeBuilder::Persist::Back);
+  lend(variables_, call, CodeBuilder::Persist::Back);
   if (held > 0) code_.emit(Opcode::release_lists, expression.place, static_cast<unsigned>(held));
   world_.begin_again(expression.place);
   if (type.in_registers()) result = {{.offset = first}, {.offset = first_text}};
   return result;
-}
-
-/// PERSIST variables that REF parameters stand for while the routine runs.
-void ExpressionCompiler::lend(const Call& call, CodeBuilder::Persist how) {
-  const std::vector<Parameter> parameters = parameters_of(*call.routine);
-  for (std::size_t i = 0; i < call.bound.size(); ++i) {
-    if (call.bound[i] == nullptr || !parameters[i].group->by_reference) continue;
-    variables_.changed(*root_of(*call.bound[i])->symbol, call.bound[i]->place, how);
-  }
 }
 
 /// Gives a parameter its value, which will lie at `home` in the routine's frame.
@@ -756,7 +759,7 @@ int ExpressionCompiler::pass(const Call& call, std::size_t parameter, const Loca
             {SlotsAt::Base::Place, 0, behind(row, 1)},
             behind(row, 2)};
     }
-    refer_parameter(at, group.type, home, first, argument.place);
+    refer_parameter(variables_, at, group.type, home, first, argument.place);
     if (group.type.is_open()) {
       const Type& type = list_as_array ? group.type : argument.type;
       variables_.count(at, type, behind(first, home.count), argument.place);
@@ -769,7 +772,7 @@ int ExpressionCompiler::pass(const Call& call, std::size_t parameter, const Loca
     const bool keep = std::any_of(
         call.bound.begin() + static_cast<std::ptrdiff_t>(parameter) + 1, call.bound.end(),
         [](const Expr* later) { return later != nullptr && calls_routine(*later); });
-    refer_parameter(located_as(argument, group.type, keep), group.type, home, first,
+    refer_parameter(variables_, located_as(argument, group.type, keep), group.type, home, first,
                     argument.place);
   } else if (group.type.text()) {
     into(argument, static_cast<Register>(first_text + home.texts.offset), false);
@@ -778,13 +781,6 @@ int ExpressionCompiler::pass(const Call& call, std::size_t parameter, const Loca
          group.type.is(Type::Kind::Real));
   }
   return 0;
-}
-
-/// The places of a value where the routine will look for them.
-void ExpressionCompiler::refer_parameter(const Location& at, const Type& type, const Location& home,
-                                         Register first, Place place) {
-  variables_.refer_both(at, type, static_cast<Register>(first + home.numbers.place),
-                        static_cast<Register>(first + home.texts.place), place);
 }
 
 // Arrays, records, and parts of variables

@@ -98,16 +98,13 @@ class ExpressionCompiler {
   void compile(const Tuple& tuple, Register target);
   void into_world(const Expr& expression, Register target);
   void into_other_place(const Expr& expression, Register target);
-  void compile_angle(const Member& member, Register target, Place place);
   void compile_joints(const Call& call, const Expr& expression, Register target);
   void compile_csv(const Call& call, Register target, Place place);
-  void compile_forward(const Call& call, const Expr& expression, Register target);
 
   // Calls
   void compile(const Call& call, const Expr& expression, Register target);
   void call_on_numbers(const Builtin& builtin, const Call& call, const Expr& expression,
                        Register target);
-  void compile_now(const Builtin& builtin, Register target, Place place);
   void call_on_texts(const Builtin& builtin, const Call& call, const Expr& expression,
                      Register target);
   void call_procedure(const Call& call, Place place);
@@ -116,12 +113,9 @@ class ExpressionCompiler {
   Register row(const Expr& expression);
   void draw(const Call& call, const Expr& expression, Register target);
   Location call_routine(const Call& call, const Expr& expression);
-  void lend(const Call& call, CodeBuilder::Persist how);
   /// Returns how many lists are held then.
   int pass(const Call& call, std::size_t parameter, const Location& home, Register first,
            Register first_text);
-  void refer_parameter(const Location& at, const Type& type, const Location& home, Register first,
-                       Place place);
 
   // Conditions (expression_conditions.cpp)
   CodeBuilder::Jumps jumps(const Expr& condition, bool when);
@@ -145,7 +139,6 @@ class ExpressionCompiler {
   void put_record(const Call& call, const Location& to, Place place);
   void assign_memory(const Expr& target, const Expr& value);
   /// An element becomes a number that is known; false if there is no such instruction for it.
-  void settle_indices(const Expr& place, const Expr& copy);
   bool assign_constant_element(const Expr& target, const Expr& value);
 
   CodeBuilder& code_;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <type_traits>
 
 #include "lang/check/checked_program.h"
 #include "lang/code/code_builder.h"
@@ -15,6 +16,14 @@
 #include "lang/syntax/ast.h"
 
 namespace rob::lang {
+
+template <typename Node>
+concept IsTypeDeclaration =
+    std::is_same_v<Node, RecordDeclaration> || std::is_same_v<Node, EnumDeclaration>;
+/// A statement that is one instruction.
+template <typename Node>
+concept IsWordAlone =
+    std::is_same_v<Node, Stop> || std::is_same_v<Node, Brake> || std::is_same_v<Node, ZeroForce>;
 
 /// Code for statements, one compile() for each kind, and for routines.
 class StatementCompiler {
@@ -54,20 +63,24 @@ class StatementCompiler {
   void compile(const Press& press);
   void compile(const SetOverride& statement);
   void compile(const Load& load);
-  void compile(const Stop&) { code_.emit(Opcode::stop, place_); }
-  void compile(const Brake&) { code_.emit(Opcode::brake, place_); }
+  template <IsWordAlone Node>
+  void compile(const Node& /*word*/) {
+    code_.emit(std::is_same_v<Node, Stop>    ? Opcode::stop
+               : std::is_same_v<Node, Brake> ? Opcode::brake
+                                             : Opcode::zero_force,
+               place_);
+  }
 
   // Names and values
   void compile(const Declaration& declaration) { declarations_.compile(declaration, place_); }
   void compile(const SignalDeclaration& signal) { declarations_.compile(signal); }
   void compile(const PointDeclaration& points) { declarations_.compile(points, place_); }
-  void compile(const RecordDeclaration&) {}
-  void compile(const EnumDeclaration&) {}
+  template <IsTypeDeclaration Node>
+  void compile(const Node& /*type*/) {}
   void compile(const Use& use) {
     for (const Statement& statement : use.declarations) compile(statement);
   }
   void compile(const Teach& teach) { declarations_.compile(teach, place_); }
-  void compile(const ZeroForce&) { code_.emit(Opcode::zero_force, place_); }
   void compile(const Assign& assign);
   void compile(const Pulse& pulse);
   void compile(const Print& print);

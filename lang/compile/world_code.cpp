@@ -30,6 +30,17 @@ void WorldCode::read(Reading reading, Register target, Place place) {
   code_.emit(Opcode::read, place, target, static_cast<unsigned>(reading), latched_ ? 1 : 0);
 }
 
+void WorldCode::now(const Builtin& function, Register target, Place place) {
+  const auto mark = code_.frame().mark();
+  const Register numbers = code_.frame().number_registers(slots_of(Reading::Now, 0));
+  read(Reading::Now, numbers, place);
+  const Register text = code_.frame().text_register();
+  const auto index = static_cast<unsigned>(&function - builtins().data());
+  code_.emit(Opcode::call_text, place, numbers, text, index);
+  code_.emit(Opcode::copy_text, place, target, text);
+  code_.frame().release(mark);
+}
+
 void WorldCode::read_signal(const Symbol& symbol, Register target, Place place) {
   code_.uses_signal(place);
   if (symbol.group > 0) {

@@ -2,6 +2,7 @@
 
 #include "lang/check/symbols.h"
 #include "lang/code/code_builder.h"
+#include "lang/values/builtins.h"
 
 namespace rob::lang {
 
@@ -21,6 +22,8 @@ class WorldCode {
   bool latched() const { return latched_; }
 
   void read(Reading reading, Register target, Place place);
+  /// NOW(): the machine gives numbers, the function writes them into a text register.
+  void now(const Builtin& function, Register target, Place place);
   void read_signal(const Symbol& symbol, Register target, Place place);
   /// EXISTS, of the file in a text register.
   void look_for_file(Register file, Register target, Place place);

@@ -30,10 +30,10 @@ ProgramEffects::ProgramEffects(const RobotLinks& links, EffectQueue& effects, Ne
   links.planner.set_override(override_share);
 }
 
-Reply ProgramEffects::queue(const Effect& effect) {
+Reply ProgramEffects::queue(const Effect& effect, bool changes) {
   if (next_.takes(effect)) return Reply::Done;
   if (whens_.in_the_making()) return whens_.act(effect);
-  const Reply reply = effects_.push(effect);
+  const Reply reply = effects_.push(effect, changes);
   if (reply == Reply::Done) links_.log.queued_effect();
   return reply;
 }
@@ -43,8 +43,9 @@ Reply ProgramEffects::note(int line, Note note) {
   Effect effect;
   effect.tag = static_cast<motion::Tag>(line);
   effect.kind = Effect::Kind::Note;
+  const bool printed = note.kind == Note::Kind::Print;
   effect.id = links_.log.keep(std::move(note));
-  return queue(effect);
+  return queue(effect, !printed);
 }
 
 Reply ProgramEffects::write_signal(int line, int signal, bool value) {

@@ -19,7 +19,8 @@ class ProgramEffects {
                  double override_share);
 
   bool full() const { return effects_.full(); }
-  lang::Reply queue(const motion::Effect& effect);
+  /// `changes`: it could change what the program reads.
+  lang::Reply queue(const motion::Effect& effect, bool changes = true);
   /// A text of the program.
   lang::Reply note(int line, Note note);
   lang::Reply write_signal(int line, int signal, bool value);
