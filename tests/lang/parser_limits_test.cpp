@@ -32,12 +32,18 @@ TEST_CASE("signs, NOTs, powers and calls are nested 200 deep and no deeper") {
 TEST_CASE("a long chain of operators is refused, since its tree is as high as it is long") {
   const auto chain = [](int operators) {
     std::string text = "v = (1";
-    for (int i = 0; i < operators; ++i) text += "\n+1";
+    for (int i = 0; i < operators; ++i) text += "\n*1";
     return text + ")";
   };
   CHECK(sound(chain(199)).statement<Assign>().value->height == 200);
   CHECK(only_error(chain(200)).code == "E141");
   CHECK(errors(chain(100000) + "\nMOV(1,2,3)").size() == 2);
+}
+
+TEST_CASE("a sum is long, not deep: its tree ends at 100 terms") {
+  std::string text = "v = (1";
+  for (int i = 1; i < 100000; ++i) text += "\n+1";
+  CHECK(sound(text + ")").statement<Assign>().value->height == 101);
 }
 
 TEST_CASE("heights add up where chains stand inside chains") {

@@ -53,9 +53,9 @@ TEST_CASE("a prompt on a machine: guided by hand, a point is taught, and driven 
       "(echo ':guide on'; until [ -e pushed ]; do sleep 0.05; done; echo ':teach pick';"
       " echo 'MOVE(10,10,0)'; echo ':guide off'; echo 'MOVE(60,10,0)'; echo 'MOVE pick') | ";
   rob::test::Process process({"/bin/bash", "-c",
-                              "cd " + rob.file("") + " && " + typed + ROB_BINARY + " --robot " +
-                                  gantry_file(rob, kServoWires) + " --backend " +
-                                  on("feetech", bus)});
+                              "cd " + rob.file("") + " && " + typed + ROB_BINARY +
+                                  " --keep-going --robot " + gantry_file(rob, kServoWires) +
+                                  " --backend " + on("feetech", bus)});
   const std::string without_force = "the drives are without force: hold what could sink";
   REQUIRE(eventually([&] { return contains(process.err_so_far(), without_force); }));
   // A hand pushes it to x = 60 − 256/20.48, y = 320/10.24, mm.
