@@ -71,8 +71,8 @@ std::vector<const Symbol*> observed_globals(const Expr& expression);
 /// Whether it reads a variable of the top level.
 bool reads_global(const Expr& expression);
 
-/// The one that a call with checked arguments means: of those that take so many, the one for texts, poses,
-/// arrays or values of an ENUM if the first argument is one.
+/// The one that a call with checked arguments means: of those that take so many, the one for texts,
+/// poses, arrays or values of an ENUM if the first argument is one.
 const Builtin* find_builtin(const Call& call);
 /// Whether a checked call computes with INT slots: all its arguments are INT, and the function has
 /// such a case. Otherwise its arguments are converted to REAL.

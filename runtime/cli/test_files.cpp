@@ -37,8 +37,8 @@ Outcome test_file(const LoadedProgram& program, const Options& options) {
              {"error", problem_json(result.error)}},
             false};
   }
-  const std::vector<TestResult> results = run_tests(
-      program, robot, options.seed, options.data, options.date.value_or(WallTime{}));
+  const std::vector<TestResult> results =
+      run_tests(program, robot, options.seed, options.data, options.date.value_or(WallTime{}));
   if (!options.json) put_result(test_text(program.file, results));
   Json json = test_json(program.file, results);
   const bool passed = json["failed"] == 0;
