@@ -13,8 +13,9 @@ namespace {
 /// Writes one value after the other, from slots that follow one another.
 class Writer {
  public:
-  Writer(std::string& out, const Slot* numbers, const std::string* texts, std::size_t most)
-      : out_(out), numbers_(numbers), texts_(texts), most_(most) {}
+  Writer(std::string& out, const Slot* numbers, const std::string* texts, std::size_t most,
+         EnumNames names = EnumNames::WithType)
+      : out_(out), numbers_(numbers), texts_(texts), most_(most), names_(names) {}
 
   bool value(const Type& type) {
     switch (type.kind) {
@@ -25,7 +26,7 @@ class Writer {
       case Type::Kind::Real:
         return put(number_text((numbers_++)->real, type.dimension));
       case Type::Kind::Enum:
-        return put(enum_text(*type.detail, (numbers_++)->integer));
+        return enumerator(*type.detail, (numbers_++)->integer);
       case Type::Kind::String:
         return quoted(*texts_++);
       case Type::Kind::Vec:
@@ -57,6 +58,11 @@ class Writer {
     if (out_.size() + more.size() > most_) return false;
     out_ += more;
     return true;
+  }
+
+  bool enumerator(const TypeDetail& detail, std::int64_t value) {
+    const bool alone = names_ == EnumNames::Alone;
+    return put(alone ? detail.names.at(static_cast<std::size_t>(value)) : enum_text(detail, value));
   }
 
   bool row(const Type& type, std::int64_t count) {
@@ -121,6 +127,7 @@ class Writer {
   const Slot* numbers_;
   const std::string* texts_;
   std::size_t most_;
+  EnumNames names_;
 };
 
 }  // namespace
@@ -132,8 +139,8 @@ std::string enum_text(const TypeDetail& enumeration, std::int64_t value) {
 }
 
 bool append_part_text(std::string& out, const Type& type, const Slot* numbers,
-                      const std::string* texts, std::size_t most) {
-  return Writer(out, numbers, texts, most).value(type);
+                      const std::string* texts, std::size_t most, EnumNames names) {
+  return Writer(out, numbers, texts, most, names).value(type);
 }
 
 bool append_value_text(std::string& out, const Type& type, const Slot* numbers,

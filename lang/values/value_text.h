@@ -21,8 +21,11 @@ std::string enum_text(const TypeDetail& enumeration, std::int64_t value);
 bool append_value_text(std::string& out, const Type& type, const Slot* numbers,
                        const std::string* texts, std::size_t most);
 
-/// The same as the language reads it, and as a part of a value is written: a text between quotes.
+/// How a value of an ENUM is written: colour.red, or red.
+enum class EnumNames : std::uint8_t { WithType, Alone };
+/// The same as a part of a value is written, and read back: a text between quotes.
 bool append_part_text(std::string& out, const Type& type, const Slot* numbers,
-                      const std::string* texts, std::size_t most);
+                      const std::string* texts, std::size_t most,
+                      EnumNames names = EnumNames::WithType);
 
 }  // namespace rob::lang

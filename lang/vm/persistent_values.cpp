@@ -32,9 +32,9 @@ Reply PersistentValues::tell(Machine& machine, int line, const Chunk& chunk, Sta
     const auto numbers = static_cast<std::size_t>(slots.numbers);
     const auto texts = static_cast<std::size_t>(slots.texts);
     std::string text;
-    too_large_ =
-        !append_part_text(text, variable.type, stack.numbers_at(variable.numbers, numbers).data(),
-                          stack.texts_at(variable.texts, texts).data(), kMostPersistent);
+    too_large_ = !append_part_text(
+        text, variable.type, stack.numbers_at(variable.numbers, numbers).data(),
+        stack.texts_at(variable.texts, texts).data(), kMostPersistent, EnumNames::Alone);
     if (too_large_) return Reply::Refused;
     const bool known = lent_.contains(number) && told_.contains(number) && told_[number] == text;
     if (!known) {

@@ -12,8 +12,11 @@ namespace {
 
 constexpr Slots kAllRegisters{static_cast<int>(kNumberStack), static_cast<int>(kTextStack)};
 
+/// Without routines one frame is all, but for PERSIST variables, whose places in memory count from
+/// the end of all registers.
 Slots registers_of(const Chunk& chunk) {
-  return chunk.routines.empty() ? Slots{kMostRegisters, kMostRegisters} : kAllRegisters;
+  const bool one_frame = chunk.routines.empty() && chunk.persists.empty();
+  return one_frame ? Slots{kMostRegisters, kMostRegisters} : kAllRegisters;
 }
 
 /// Without memory in routines, what the top level takes is all.

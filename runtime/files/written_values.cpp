@@ -43,6 +43,7 @@ class ValuesReader : LineReader {
   void line();
   std::string name();
   void value(const Type& type, SavedValue& into);
+  void enumerator(const lang::TypeDetail& detail, SavedValue& into);
   void number(const Type& type, SavedValue& into);
   void truth(SavedValue& into);
   void row(const Type& type, std::int64_t count, SavedValue& into);
@@ -96,6 +97,8 @@ void ValuesReader::value(const Type& type, SavedValue& into) {
     case Type::Kind::Int:
     case Type::Kind::Real:
       return number(type, into);
+    case Type::Kind::Enum:
+      return enumerator(*type.detail, into);
     case Type::Kind::String:
       return into.texts.push_back(take_text("a text between quotes"));
     case Type::Kind::Vec:
@@ -111,6 +114,15 @@ void ValuesReader::value(const Type& type, SavedValue& into) {
     default:
       return record(*type.detail, into);
   }
+}
+
+/// red
+void ValuesReader::enumerator(const lang::TypeDetail& detail, SavedValue& into) {
+  const bool word = token_.kind == TokenKind::Word || token_.kind == TokenKind::Reserved;
+  const auto value = word ? lang::value_of(detail, token_.text) : std::nullopt;
+  if (!value) expected(fmt::format("a name of {}, such as {},", detail.name, detail.names.front()));
+  into.numbers.push_back({.integer = *value});
+  advance();
 }
 
 void ValuesReader::number(const Type& type, SavedValue& into) {

@@ -146,3 +146,16 @@ TEST_CASE("what a REF changes is kept while its routine runs") {
       "MOVE(9000mm * k, 0, 0)\nENDPROC\ncount(n)\n");
   CHECK(content_of(kept.values) == "n = 2\n");
 }
+
+TEST_CASE("an array in memory and a name of an ENUM are kept, without any routine") {
+  Kept kept;
+  const std::string text =
+      "ENUM colour: red, green\nPERSIST VAR sizes: ARRAY[2] OF LENGTH\n"
+      "PERSIST VAR paint = colour.red\nsizes[2] += 1.5mm\npaint = colour.green\n";
+  kept.run(text);
+  CHECK(content_of(kept.values) == "paint = green\nsizes = [0mm, 1.5mm]\n");
+  kept.run(text);
+  CHECK(content_of(kept.values) == "paint = green\nsizes = [0mm, 3mm]\n");
+  std::ofstream(kept.values) << "paint = pink\n";
+  CHECK(message_of([&] { kept.run(text); }).find("cell.values:1:9: E370") != std::string::npos);
+}
