@@ -8,7 +8,6 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
-#include <ranges>
 
 #include <fmt/format.h>
 
@@ -159,12 +158,12 @@ std::uint64_t digit_factor(const Unit& unit) {
 std::string times(std::string_view decimal, std::uint64_t factor) {
   std::string product;
   std::uint64_t carry = 0;
-  for (const char c : decimal | std::views::reverse) {
-    if (c == '.') {
-      product += c;
+  for (auto digit = decimal.rbegin(); digit != decimal.rend(); ++digit) {
+    if (*digit == '.') {
+      product += '.';
       continue;
     }
-    carry += static_cast<std::uint64_t>(c - '0') * factor;
+    carry += static_cast<std::uint64_t>(*digit - '0') * factor;
     product += static_cast<char>('0' + carry % 10);
     carry /= 10;
   }

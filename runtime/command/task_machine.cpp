@@ -39,7 +39,7 @@ Reply TaskMachine::settle(int /*line*/) {
 }
 
 /// The ring is emptied at the beginning of every cycle.
-Reply TaskMachine::send(const Effect& effect) {
+Reply TaskMachine::give(const Effect& effect) {
   if (!channels_.immediate.push(effect)) return Reply::Later;
   side_.links.log.queued_effect();
   return Reply::Done;
@@ -47,7 +47,7 @@ Reply TaskMachine::send(const Effect& effect) {
 
 Reply TaskMachine::print(int line, std::string_view text) {
   if (channels_.immediate.full()) return Reply::Later;
-  return send({.tag = static_cast<motion::Tag>(line),
+  return give({.tag = static_cast<motion::Tag>(line),
                .kind = Effect::Kind::Note,
                .id = side_.links.log.keep({Note::Kind::Print, std::string(text)})});
 }
@@ -57,14 +57,14 @@ Reply TaskMachine::write(int line, std::string_view file, std::string_view text)
   if (auto why = objection_to_line(side_.files.files(), file, text)) return refuse(std::move(*why));
   Note note{Note::Kind::Write, std::string(text)};
   note.file = file;
-  return send({.tag = static_cast<motion::Tag>(line),
+  return give({.tag = static_cast<motion::Tag>(line),
                .kind = Effect::Kind::Note,
                .id = side_.links.log.keep(std::move(note))});
 }
 
 Reply TaskMachine::persist(int line, std::size_t variable, std::string_view value) {
   if (channels_.immediate.full()) return Reply::Later;
-  return send({.tag = static_cast<motion::Tag>(line),
+  return give({.tag = static_cast<motion::Tag>(line),
                .kind = Effect::Kind::Note,
                .id = side_.links.log.keep(note_of(variable, value))});
 }
@@ -78,21 +78,21 @@ Reply TaskMachine::write_signal(int line, int signal, bool value) {
   Effect effect = effect_on(side_.links.signal(signal), line);
   effect.kind = Effect::Kind::Output;
   effect.value = value;
-  return send(effect);
+  return give(effect);
 }
 
 Reply TaskMachine::write_analog(int line, int signal, double volts) {
   Effect effect = effect_on(side_.links.signal(signal), line);
   effect.kind = Effect::Kind::Analog;
   effect.volts = volts;
-  return send(effect);
+  return give(effect);
 }
 
 Reply TaskMachine::pulse(int line, int signal, double seconds) {
   Effect effect = effect_on(side_.links.signal(signal), line);
   effect.kind = Effect::Kind::Pulse;
   effect.seconds = seconds;
-  return send(effect);
+  return give(effect);
 }
 
 Reply TaskMachine::read_signal(int line, int signal, bool& value) {

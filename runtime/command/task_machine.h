@@ -61,7 +61,7 @@ class TaskMachine final : public lang::Machine {
 
  private:
   double now() const;
-  lang::Reply send(const motion::Effect& effect);
+  lang::Reply give(const motion::Effect& effect);
 
   const TaskSide side_;
   Channels& channels_;
