@@ -76,6 +76,7 @@ set(rob_lang_sources
   lang/syntax/type_parser.cpp
   lang/syntax/used_files.cpp
   lang/syntax/watch_parser.cpp
+  lang/syntax/written_value.cpp
   lang/text/codes.cpp
   lang/text/diagnostic.cpp
   lang/text/source_text.cpp

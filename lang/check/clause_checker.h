@@ -22,7 +22,7 @@ class ClauseChecker {
 
   /// `place`: of the motion.
   bool check(const Clauses& clauses, Place place);
-  /// What motions take that do not say otherwise: after `word`, WITH or DEFAULT. Also the
+  /// Clauses of WITH or DEFAULT (`word`), for motions without their own. Also the
   /// surroundings.
   void check_defaults(const Clauses& clauses, std::string_view word, Place place);
   /// WITH names a TOOL, IN a FRAME.

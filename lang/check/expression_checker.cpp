@@ -429,7 +429,7 @@ void ExpressionChecker::refuse_list_inside(Place place) {
 
 void ExpressionChecker::settle_length(Program::ArrayLength& written) {
   const Type type = check(written.length);
-  // Of a FUNC whose own head this is, no type is known yet, and nothing is reported so far.
+  // A FUNC that its own head calls has no type yet, and nobody has reported that.
   if (!type.known() && (written.length == nullptr || !calls_routine(*written.length))) return;
   const auto* const number = std::get_if<std::int64_t>(&written.length->constant);
   if (number == nullptr || *number < 1) {

@@ -27,7 +27,7 @@ void HeaderParser::header(const Block& block, bool inside) {
   if (inside || !std::ranges::all_of(block, is_declaration)) {
     tokens_.fail(
         code::kHeaderTooLate, place,
-        fmt::format("{} holds for the whole program and has to stand before its first statement",
+        fmt::format("{} holds for the whole program and must stand before its first statement",
                     word),
         "move it to the beginning");
   }

@@ -211,7 +211,7 @@ void StatementParser::default_statement(Block& block) {
   const Place place = tokens_.place();
   if (!blocks_.none() || !std::ranges::all_of(block, is_declaration)) {
     tokens_.fail(code::kHeaderTooLate, place,
-                 "DEFAULT holds for the whole program and has to stand before its first statement",
+                 "DEFAULT holds for the whole program and must stand before its first statement",
                  "move it to the beginning; WITH … DO gives the motions of a block their own");
   }
   tokens_.advance();

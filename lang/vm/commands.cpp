@@ -56,7 +56,7 @@ class MoveValues {
     if (value > 0) return value;
     const bool pace = word == "AT" || word == "OVER";
     object(pace ? code::kPaceNotPositive : code::kClauseOutOfRange,
-           fmt::format("{} turned out to be {}; it has to be above zero", word,
+           fmt::format("{} turned out to be {}; it must be above zero", word,
                        si_text(value, dimension)));
     return value;
   }
@@ -64,9 +64,8 @@ class MoveValues {
   double zone(Dimension dimension) {
     const double value = any(dimension);
     if (value >= 0) return value;
-    object(code::kClauseOutOfRange,
-           fmt::format("ZONE turned out to be {}; it has to be zero or more",
-                       si_text(value, dimension)));
+    object(code::kClauseOutOfRange, fmt::format("ZONE turned out to be {}; it must be zero or more",
+                                                si_text(value, dimension)));
     return value;
   }
 
@@ -235,7 +234,7 @@ Objection build_press(int axis, const Slot* n, PressCommand& command) {
   command = {.axis = axis, .force = to_si(n[0].real, kForce), .limit = to_si(n[1].real, kSpeed)};
   if (command.limit >= 0) return {};
   return because(code::kClauseOutOfRange,
-                 fmt::format("LIMIT turned out to be {}; it has to be above zero",
+                 fmt::format("LIMIT turned out to be {}; it must be above zero",
                              si_text(command.limit, kSpeed)));
 }
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "lang/syntax/lexer.h"
+#include "lang/syntax/written_value.h"
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 #include "lang/text/source_text.h"
@@ -166,36 +166,6 @@ std::string_view without_blanks_around(std::string_view text) {
   return text;
 }
 
-/// A number as programs write it, with its sign.
-std::optional<Slot> csv_number(std::string_view text, const Type& type) {
-  Diagnostics unread;
-  if (!check_source(text, unread)) return std::nullopt;
-  Lexer lexer = Lexer(text, unread).quiet_copy();
-  Token token = lexer.next();
-  const bool negative = token.kind == TokenKind::Minus;
-  if (negative || token.kind == TokenKind::Plus) token = lexer.next();
-  const TokenKind after = lexer.next().kind;
-  const bool alone = after == TokenKind::EndOfLine || after == TokenKind::EndOfFile;
-  if (token.kind != TokenKind::Number || !alone) return std::nullopt;
-  const NumberLiteral& number = token.number;
-  Slot slot{.integer = 0};
-  if (type.is(Type::Kind::Int)) {
-    const bool least = number.integer < 0;
-    if (!number.is_integer || (least && !negative)) return std::nullopt;
-    slot.integer = negative && !least ? -number.integer : number.integer;
-    return slot;
-  }
-  if (number.dimension != type.dimension) return std::nullopt;
-  slot.real = (negative ? -number.value : number.value) + 0.0;
-  return slot;
-}
-
-std::optional<Slot> csv_truth(std::string_view text) {
-  const bool yes = same_word(text, "TRUE") || same_word(text, "ON");
-  if (!yes && !same_word(text, "FALSE") && !same_word(text, "OFF")) return std::nullopt;
-  return Slot{.integer = yes ? 1 : 0};
-}
-
 /// The rows of one file.
 class CsvReader {
  public:
@@ -302,27 +272,15 @@ void CsvReader::row(const CsvLine& line) {
   put(record_, line, next);
 }
 
-std::optional<Slot> csv_slot(std::string_view text, const Type& type) {
-  if (type.is(Type::Kind::Bool)) return csv_truth(text);
-  if (!type.is(Type::Kind::Enum)) return csv_number(text, type);
-  const auto value = value_of(*type.detail, text);
-  return value ? std::optional(Slot{.integer = *value}) : std::nullopt;
-}
-
 Slot CsvReader::number(const CsvColumn& column, const CsvField& field) const {
   const std::string_view text = without_blanks_around(field.text);
-  std::optional<Slot> slot = csv_slot(text, column.type);
+  std::optional<Slot> slot = read_scalar(text, column.type);
   if (!slot && !column.unit.empty())
-    slot = csv_number(std::string(text) + column.unit, column.type);
+    slot = read_scalar(std::string(text) + column.unit, column.type);
   if (slot) return *slot;
-  const std::string example = column.type.is(Type::Kind::Int)    ? "7"
-                              : column.type.is(Type::Kind::Bool) ? "TRUE"
-                              : column.type.is(Type::Kind::Enum)
-                                  ? column.type.detail->names.front()
-                                  : example_of(column.type.dimension);
   throw CsvWrong{code::kCsvValue, field.place,
                  fmt::format("'{}' is not {}, such as {}: {} needs one", shortened(field.text),
-                             in_words(column.type), example, column.name),
+                             in_words(column.type), example_of(column.type), column.name),
                  ""};
 }
 

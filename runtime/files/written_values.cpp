@@ -1,10 +1,12 @@
 #include "runtime/files/written_values.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "lang/syntax/written_value.h"
 #include "lang/text/ascii.h"
 #include "lang/text/source_text.h"
 #include "lang/text/suggest.h"
@@ -126,23 +128,12 @@ void ValuesReader::enumerator(const lang::TypeDetail& detail, SavedValue& into) 
 }
 
 void ValuesReader::number(const Type& type, SavedValue& into) {
-  const bool whole = type.is(Type::Kind::Int);
-  const std::string what = fmt::format("{}, such as {},", lang::in_words(type),
-                                       whole ? "7" : lang::example_of(type.dimension));
   const bool negative = token_.kind == TokenKind::Minus;
   if (negative) advance();
-  const lang::NumberLiteral& read = token_.number;
-  const bool least = read.is_integer && read.integer < 0;
-  if (token_.kind != TokenKind::Number || (whole && (!read.is_integer || (least && !negative))) ||
-      (!whole && read.dimension != type.dimension))
-    expected(what);
-  lang::Slot slot{.integer = 0};
-  if (whole) {
-    slot.integer = negative && !least ? -read.integer : read.integer;
-  } else {
-    slot.real = (negative ? -read.value : read.value) + 0.0;
-  }
-  into.numbers.push_back(slot);
+  const auto slot = token_.kind == TokenKind::Number ? lang::slot_of(token_.number, negative, type)
+                                                     : std::nullopt;
+  if (!slot) expected(fmt::format("{}, such as {},", lang::in_words(type), lang::example_of(type)));
+  into.numbers.push_back(*slot);
   advance();
 }
 

@@ -1,5 +1,5 @@
-// A small interpreter host: it compiles a program of Rob's language and runs it against a machine
-// of its own: a table with two axes that prints each target.
+// A small interpreter host: it compiles a program of Rob's language and runs it. Its machine is a
+// table with two axes, which prints each target.
 #include <rob/lang.h>
 
 #include <cstdio>
