@@ -78,10 +78,11 @@ bool DeclarationChecker::may_persist(const Declaration::Declared& declared, cons
     return false;
   }
   if (!keeps(type)) {
-    diagnostics_.error(code::kNotPersistent, declared.place,
-                       fmt::format("{} cannot be kept between runs: it is {}",
-                                   shortened(declared.name), in_words(type)),
-                       "numbers, BOOL, STRING, ENUM, VEC and POSE can, and ARRAY and RECORD of them");
+    diagnostics_.error(
+        code::kNotPersistent, declared.place,
+        fmt::format("{} cannot be kept between runs: it is {}", shortened(declared.name),
+                    in_words(type)),
+        "numbers, BOOL, STRING, ENUM, VEC and POSE can, and ARRAY and RECORD of them");
     return false;
   }
   const auto bytes = static_cast<std::size_t>(slots_of(type).numbers) * sizeof(Slot);
