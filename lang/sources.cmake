@@ -80,7 +80,6 @@ set(rob_lang_sources
   lang/text/codes.cpp
   lang/text/diagnostic.cpp
   lang/text/source_text.cpp
-  lang/text/suggest.cpp
   lang/text/utf8.cpp
   lang/text/visible.cpp
   lang/values/arithmetic.cpp

@@ -174,7 +174,7 @@ class Files : public virtual Refuser {
   virtual Reply persist(int line, std::size_t variable, std::string_view value);
   /// READ: all of the file. As halt(), but the answer comes by itself.
   virtual Reply read_file(int line, std::string_view file, std::string& text);
-  /// What is strange in a file that was read, and is no error.
+  /// Something strange in a file that was read, and is no error.
   virtual void warn(int line, Refusal warning);
   /// EXISTS: whether the file is there. An observation.
   virtual Reply exists(int line, std::string_view file, bool& value);

@@ -5,10 +5,13 @@
 #include <optional>
 #include <string_view>
 
+#include "base/motion_clauses.h"
 #include "lang/text/ascii.h"
 
 /// The words of motions that syntax tree, code and Machine share.
 namespace rob::lang {
+
+using rob::Profile;
 
 /// Along what a motion runs.
 enum class MotionKind : std::uint8_t {
@@ -36,9 +39,6 @@ enum class JogFrame : std::uint8_t {
 };
 
 inline constexpr std::array<std::string_view, 3> kJogWords{"JOINT", "WORLD", "TOOL"};
-
-/// PROFILE: how the speed of a motion from rest to rest rises and falls.
-enum class Profile : std::uint8_t { Unspecified, Rectangular, Trapezoidal, Parabolic, Cosine };
 
 inline constexpr std::array<std::string_view, 4> kProfileWords{"RECTANGULAR", "TRAPEZOIDAL",
                                                                "PARABOLIC", "COSINE"};

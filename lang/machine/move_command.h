@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "base/motion_clauses.h"
 #include "lang/machine/motion_words.h"
 #include "lang/machine/robot_signature.h"
 
@@ -16,22 +17,9 @@ struct MoveCommand {
     Axes,         ///< the axes themselves
     Pose          ///< of the tool in the world, x y z w i j k; BY: x y z added to its place
   };
-  enum class Pace : std::uint8_t {
-    Unspecified,   ///< no AT
-    ToolSpeed,     ///< AT 20mm/s: m/s of the tool point
-    AngularSpeed,  ///< AT 10deg/s: rad/s of every rotary axis
-    Share          ///< AT 50%: of all maxima, 1 = 100 %
-  };
-  /// ZONE: how the corner at the target is bounded.
-  enum class Zone : std::uint8_t {
-    Unspecified,  ///< no ZONE: the robot's own
-    Length,       ///< ZONE 5mm: m by which the target may be missed
-    Time,         ///< ZONE 0.5s: s, half the time that the corner takes
-    Share         ///< ZONE 50%: of the robot's own, 1 = 100 %
-  };
-  /// ACCEL and JERK bound the tool point (m/s², m/s³) or the rotary axes (rad/s², rad/s³), or are a
-  /// share of the robot's maximum of every axis, 1 = 100 %.
-  enum class Bound : std::uint8_t { Unspecified, Tool, Rotary, Share };
+  using Pace = rob::Pace;
+  using Zone = rob::Zone;
+  using Bound = rob::Bound;
 
   MotionKind kind = MotionKind::Joint;
   JogFrame jog{};  ///< of Jog

@@ -37,7 +37,7 @@ Dimension dimension_of(MoveCommand::Bound bound, Dimension tool, Dimension rotar
   return bound == MoveCommand::Bound::Tool ? tool : rotary;
 }
 
-/// Of a component. That of a rate is meant without its time, which changes no number.
+/// The dimension of a component. That of a rate is meant without its time, which changes no number.
 Dimension dimension_of(const MoveForm& form, int component) {
   const unsigned bit = 1U << static_cast<unsigned>(component);
   return (form.lengths & bit) != 0 ? kLength : (form.angles & bit) != 0 ? kAngle : kNone;
@@ -111,7 +111,7 @@ void take_clauses(const MoveForm& form, MoveValues& values, MoveCommand& command
   command.profile = form.profile;
   command.pace = form.pace;
   if (form.pace != MoveCommand::Pace::Unspecified) {
-    command.pace_value = values.positive("AT", dimension_of(form.pace));
+    command.pace_value = values.positive("AT", lang::dimension_of(form.pace));
   }
   if (form.over) command.over = values.positive("OVER", kTime);
   take_bounds(form, values, command);

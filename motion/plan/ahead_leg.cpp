@@ -109,13 +109,13 @@ Windows windows(const RobotModel& robot, const LegDemand& demand, const MotionRe
     // The axes of a tool's path follow from it: they are bounded with it, not one by one.
     const bool follows = robot.tool_coordinates && demand.path != nullptr;
     const auto kind = request.jerk == Bound::Tool ? AxisKind::Linear : AxisKind::Rotary;
-    const bool whole = request.jerk == Bound::None || request.jerk == Bound::Share;
+    const bool whole = request.jerk == Bound::Unspecified || request.jerk == Bound::Share;
     if (whole || axis.kind != kind || follows) continue;
     named = true;
     need.asked = std::max(need.asked, 2 * axis.a_max / request.jerk_value);
   }
   if (request.jerk == Bound::Share) need.asked = need.axes / request.jerk_value;
-  if (request.jerk == Bound::None || request.jerk == Bound::Share || named) return need;
+  if (request.jerk == Bound::Unspecified || request.jerk == Bound::Share || named) return need;
   need.asked = 2 * given_to(request.jerk, give) / request.jerk_value;
   return need;
 }
@@ -126,7 +126,7 @@ void bound_corner(const RobotModel& robot, const MotionRequest& request, double 
                   LegBounds& bounds) {
   bounds.turn = request.zone_angle > 0 ? request.zone_angle : robot.zone.angle;
   switch (request.zone) {
-    case MotionRequest::Zone::Robots:
+    case MotionRequest::Zone::Unspecified:
       bounds.miss = robot.zone.distance;
       return;
     case MotionRequest::Zone::Length:
@@ -165,7 +165,7 @@ AheadLeg ahead_leg(const RobotModel& robot, const LegDemand& demand, const Motio
     bounds.full = bounds.acceleration = std::min(share, 1.0);
   }
   const Windows need = windows(robot, demand, request, give);
-  if (request.jerk != Bound::None && need.asked > 0 && need.asked < need.axes * (1 - kSame))
+  if (request.jerk != Bound::Unspecified && need.asked > 0 && need.asked < need.axes * (1 - kSame))
     leg.warnings |= PlannedSegment::kBoundCut;
   const double top = std::min(give.most_rate, asked > 0 ? 1 / asked : kInfinity);
   if (const double window = std::max(need.axes, need.asked); window > 0) {

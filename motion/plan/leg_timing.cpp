@@ -49,7 +49,7 @@ Timing LegTiming::time(const MotionDraft& draft, const MotionRequest& request) c
     timing.warnings |= PlannedSegment::kPaceCut;
   if (longer(paced / boost_, timing.duration)) timing.limit = 1;
   timing.duration = std::max(timing.duration, paced / boost_);
-  if (request.profile != ProfileShape::None && !draft.no_length) {
+  if (request.profile != Profile::Unspecified && !draft.no_length) {
     time_profile(draft, request, timing);
     return timing;
   }
@@ -112,7 +112,7 @@ void LegTiming::time_profile(const MotionDraft& draft, const MotionRequest& requ
 double LegTiming::corner_time(const LegDemand& demand, double duration,
                               const MotionRequest& request) const noexcept {
   switch (request.zone) {
-    case MotionRequest::Zone::Robots:
+    case MotionRequest::Zone::Unspecified:
       return usual_t_acc_;
     case MotionRequest::Zone::Length:
       return std::min(usual_t_acc_,
@@ -166,7 +166,7 @@ void LegTiming::slow_down(const TorqueShare& most, const MotionRequest& request,
 
 std::optional<PaceLaw> LegTiming::pace(const MotionRequest& request,
                                        const LegDemand& demand) const {
-  if (robot_.law != Law::Paul || request.profile != ProfileShape::None) return std::nullopt;
+  if (robot_.law != Law::Paul || request.profile != Profile::Unspecified) return std::nullopt;
   const bool by_share = request.pace == MotionRequest::Pace::Share;
   PaceWish wish;
   wish.share = by_share ? std::min(1.0, request.pace_value * boost_) : 1;

@@ -93,7 +93,7 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& pa
 
 /// A profile has its own time under both laws.
 PlanOutcome MotionPlanner::take(const MotionRequest& request, MotionDraft draft) {
-  const bool profiled = request.profile != ProfileShape::None && !draft.no_length;
+  const bool profiled = request.profile != Profile::Unspecified && !draft.no_length;
   const bool timed = robot_.law == Law::Paul || profiled;
   if (robot_.law == Law::LookAhead && draft.demand.path == nullptr && !draft.no_length)
     tip_.measure_swing(last_.q, draft.target, draft.demand);

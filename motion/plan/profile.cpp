@@ -12,13 +12,13 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// The peak of a pulse over its mean.
-double peak_over_mean(ProfileShape shape) noexcept {
+double peak_over_mean(Profile shape) noexcept {
   switch (shape) {
-    case ProfileShape::Trapezoidal:
+    case Profile::Trapezoidal:
       return 4.0 / 3;
-    case ProfileShape::Parabolic:
+    case Profile::Parabolic:
       return 1.5;
-    case ProfileShape::Cosine:
+    case Profile::Cosine:
       return 2;
     default:
       return 1;
@@ -26,12 +26,12 @@ double peak_over_mean(ProfileShape shape) noexcept {
 }
 
 /// The steepest slope of a pulse of peak 1 over 0 … 1.
-double steepest(ProfileShape shape) noexcept {
+double steepest(Profile shape) noexcept {
   switch (shape) {
-    case ProfileShape::Trapezoidal:
-    case ProfileShape::Parabolic:
+    case Profile::Trapezoidal:
+    case Profile::Parabolic:
       return 4;
-    case ProfileShape::Cosine:
+    case Profile::Cosine:
       return kPi;
     default:
       return std::numeric_limits<double>::infinity();
@@ -55,13 +55,13 @@ Pulse trapezoidal(double x) noexcept {
   return {4 * left, 0.75 - 2 * left * left, 0.375 - 0.75 * left + 2 * left * left * left / 3};
 }
 
-Pulse pulse_at(ProfileShape shape, double x) noexcept {
+Pulse pulse_at(Profile shape, double x) noexcept {
   switch (shape) {
-    case ProfileShape::Trapezoidal:
+    case Profile::Trapezoidal:
       return trapezoidal(x);
-    case ProfileShape::Parabolic:
+    case Profile::Parabolic:
       return {4 * x * (1 - x), (2 - 4 * x / 3) * x * x, (2 - x) * x * x * x / 3};
-    case ProfileShape::Cosine: {
+    case Profile::Cosine: {
       const double turn = 2 * kPi * x;
       return {(1 - std::cos(turn)) / 2, x / 2 - std::sin(turn) / (4 * kPi),
               x * x / 4 - (1 - std::cos(turn)) / (8 * kPi * kPi)};
@@ -74,8 +74,7 @@ Pulse pulse_at(ProfileShape shape, double x) noexcept {
 }  // namespace
 
 // d = 1. Without a cruise 1 = v·t_a(v); for a time T the smaller root of 1 = v·(T − t_a(v)).
-ProfileLaw::ProfileLaw(ProfileShape shape, double rate, double acceleration,
-                       double at_least) noexcept
+ProfileLaw::ProfileLaw(Profile shape, double rate, double acceleration, double at_least) noexcept
     : shape_(shape) {
   const double k = peak_over_mean(shape) / acceleration;
   rate_ = std::min(rate, 1 / std::sqrt(k));
@@ -86,10 +85,10 @@ ProfileLaw::ProfileLaw(ProfileShape shape, double rate, double acceleration,
   duration_ = 1 / rate_ + pulse_;
 }
 
-ProfileLaw ProfileLaw::within_jerk(ProfileShape shape, double rate, double acceleration,
-                                   double jerk, double at_least) noexcept {
+ProfileLaw ProfileLaw::within_jerk(Profile shape, double rate, double acceleration, double jerk,
+                                   double at_least) noexcept {
   const ProfileLaw fastest(shape, rate, acceleration, at_least);
-  if (shape == ProfileShape::Rectangular || fastest.jerk() <= jerk) return fastest;
+  if (shape == Profile::Rectangular || fastest.jerk() <= jerk) return fastest;
   constexpr int kHalvings = 60;
   double low = 0;
   double high = 1;

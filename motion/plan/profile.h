@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstdint>
+#include "base/motion_clauses.h"
 
 namespace rob::motion {
 
-/// How the speed of a motion from rest to rest rises and falls (S2).
-enum class ProfileShape : std::uint8_t { None, Rectangular, Trapezoidal, Parabolic, Cosine };
+using rob::Profile;
 
 /// A motion from rest to rest over the share 0 … 1 of its way: a pulse of acceleration, a cruise,
 /// the pulse mirrored.
@@ -27,16 +26,16 @@ class ProfileLaw {
   ProfileLaw() = default;
   /// As fast as `rate` and the peak `acceleration` allow, above 0, but not before `at_least`: then
   /// slower.
-  ProfileLaw(ProfileShape shape, double rate, double acceleration, double at_least) noexcept;
+  ProfileLaw(Profile shape, double rate, double acceleration, double at_least) noexcept;
   /// The same with its acceleration so low that the jerk is at most `jerk`, 1/s³, above 0. No bound
   /// makes a rectangular pulse keep it.
-  static ProfileLaw within_jerk(ProfileShape shape, double rate, double acceleration, double jerk,
+  static ProfileLaw within_jerk(Profile shape, double rate, double acceleration, double jerk,
                                 double at_least) noexcept;
 
   /// The same, run at a share of its speed.
   ProfileLaw slowed(double share) const noexcept;
 
-  bool present() const noexcept { return shape_ != ProfileShape::None; }
+  bool present() const noexcept { return shape_ != Profile::Unspecified; }
   double duration() const noexcept { return duration_; }
   /// The greatest, 1/s³.
   double jerk() const noexcept;
@@ -48,7 +47,7 @@ class ProfileLaw {
  private:
   Point rising(double t) const noexcept;
 
-  ProfileShape shape_ = ProfileShape::None;
+  Profile shape_ = Profile::Unspecified;
   double rate_ = 0;   ///< of the cruise
   double pulse_ = 0;  ///< t_a
   double duration_ = 0;

@@ -8,7 +8,7 @@
 #include <memory>
 #include <system_error>
 
-#include "motion/robots/closest_name.h"
+#include "base/nearest_words.h"
 #include "motion/robots/robot_file.h"
 
 namespace rob::motion {
@@ -76,7 +76,7 @@ RobotModel embedded_robot(std::string_view name) {
     if (robot.name == name) return parse_robot_file(robot.text, std::string(name).append(".toml"));
 
   const std::vector<std::string_view> names = robot_names();
-  const std::string_view close = closest_name(name, names);
+  const std::string_view close = suggest(name, names);
   std::string message = "there is no robot '";
   message.append(name).append("'; ");
   if (!close.empty()) {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "motion/robots/closest_name.h"
+#include "base/nearest_words.h"
 #include "motion/robots/quoted.h"
 #include "motion/robots/robot_file_error.h"
 
@@ -31,7 +31,7 @@ std::string in_quotes(const std::vector<std::string_view>& words) {
 
 /// The remedy for an unknown word.
 std::string remedy(std::string_view word, const std::vector<std::string_view>& known) {
-  const std::string_view close = closest_name(word, known);
+  const std::string_view close = suggest(word, known);
   if (close.empty()) return "; known are " + in_quotes(known);
   return "; did you mean " + quoted(close) + "?";
 }

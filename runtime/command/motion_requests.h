@@ -6,8 +6,6 @@
 /// From the language's words for a motion to motion's own. SI.
 namespace rob::runtime {
 
-motion::MotionRequest::Pace pace_of(lang::MoveCommand::Pace pace);
-
 /// The MotionRequest of a MOVE; the source line is its tag.
 motion::MotionRequest request_of(int line, const lang::MoveCommand& command);
 

@@ -17,7 +17,7 @@ void NextMotion::live_pace(const lang::Watch& pace, lang::MoveCommand::Pace mean
   if (paces_.size() < most) paces_.emplace_back(links_.signature.signals, links_.robot);
   ProgramWatch& place = paces_[next_pace_++ % most];
   place.set(pace, lang::dimension_of(means));
-  live_ = ProgramPace{place.pace(), pace_of(means)};
+  live_ = ProgramPace{place.pace(), means};
 }
 
 void NextMotion::drop() {

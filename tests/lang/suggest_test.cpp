@@ -45,3 +45,12 @@ TEST_CASE("a suggestion is put as a question") {
   CHECK(did_you_mean("MOVE") == "did you mean MOVE?");
   CHECK(did_you_mean("").empty());
 }
+
+TEST_CASE("the keys of a robot file are suggested by the same rule") {
+  const std::array<std::string_view, 3> keys{"min", "v_max", "a_max"};
+  CHECK(suggest("v_maks", keys) == "v_max");
+  CHECK(suggest("a_mix", keys) == "a_max");
+  CHECK(suggest("_max", keys) == "v_max");  // as near as a_max, and first
+  CHECK(suggest("colour", keys).empty());
+  CHECK(suggest("", keys).empty());
+}

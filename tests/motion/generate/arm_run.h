@@ -52,7 +52,7 @@ inline motion::MotionRequest zoned(motion::MotionRequest request, double mm) {
   return request;
 }
 
-inline motion::MotionRequest profiled(motion::MotionRequest request, motion::ProfileShape shape) {
+inline motion::MotionRequest profiled(motion::MotionRequest request, motion::Profile shape) {
   request.profile = shape;
   return request;
 }

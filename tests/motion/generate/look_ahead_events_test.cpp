@@ -232,7 +232,7 @@ TEST_CASE("a motion with a profile takes its time between two motions that it le
   LookAheadRun run;
   run.move(20, 0);
   MotionRequest request = move_to(gantry_q(20, 60, 0));
-  request.profile = ProfileShape::Cosine;
+  request.profile = Profile::Cosine;
   const SegmentDescriptor segment = std::get<PlannedSegment>(run.planner().plan(request)).segment;
   run.push(segment);
   run.move(0, 60);

@@ -26,7 +26,7 @@ JointVector beside_start(const RobotModel& robot, std::initializer_list<double> 
 
 /// Two swings, there and back in a corner, and a halt.
 struct Swung : GantryRun {
-  Swung(const RobotModel& robot, ProfileShape shape) : GantryRun(robot) {
+  Swung(const RobotModel& robot, Profile shape) : GantryRun(robot) {
     for (const auto& degrees : {std::initializer_list<double>{60, 20, -30, 40, 30, 90},
                                 std::initializer_list<double>{-20, 30, 10, -60, -40, 0}}) {
       MotionRequest request = move_to(beside_start(robot, degrees));
@@ -54,7 +54,7 @@ double arrival(const GantryRun& run) { return run.events().back().time; }
 TEST_CASE("motions take as long as their gears need, in corners and profiles too") {
   const RobotModel strong = embedded_robot("ums7");
   const RobotModel weak = weak_arm(50);
-  for (const ProfileShape shape : {ProfileShape::None, ProfileShape::Cosine}) {
+  for (const Profile shape : {Profile::Unspecified, Profile::Cosine}) {
     const Swung fast(strong, shape);
     CHECK(most_asked(fast, weak) > 1.1);  // so the weak arm cannot do the same
     CHECK(most_asked(fast, strong) < TorqueShare::kMost);

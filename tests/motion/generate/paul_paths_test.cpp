@@ -237,7 +237,7 @@ TEST_CASE("a profile begins and ends at rest, in the axes and along a line") {
     ArmRun run("irb120");
     run.line(run.beside(0, 100, 0), at(100));
     const Vector3d before = run.here().position;
-    MotionRequest how = profiled(at(100), ProfileShape::Cosine);
+    MotionRequest how = profiled(at(100), Profile::Cosine);
     PlannedSegment profile;
     if (led) {
       profile = run.line(run.beside(-100, 0, 0), how);

@@ -44,7 +44,7 @@ TEST_CASE("ACCEL of a motion with a profile is that of the tool on its swing, no
   MotionRequest how;
   how.given = 1;  // axis 1: 3 rad
   how.target[0] = 1.5;
-  how.profile = ProfileShape::Rectangular;
+  how.profile = Profile::Rectangular;
   how.accel = MotionRequest::Bound::Tool;
   how.accel_value = 0.05;
   const PlanOutcome outcome = planner.plan(how);

@@ -186,9 +186,9 @@ TEST_CASE("a profile takes what the axes' speed and acceleration allow, a hold's
   const double v = 0.02;  // m/s of x, 0.1 m/s² at most
   const double a = 0.1 - time_scale_limits(robot).slope * v;
   for (const auto& [profile, factor] :
-       {std::pair{ProfileShape::Rectangular, 1.0}, std::pair{ProfileShape::Trapezoidal, 4.0 / 3},
-        std::pair{ProfileShape::Parabolic, 1.5}, std::pair{ProfileShape::Cosine, 2.0}}) {
-    const ProfileShape shape = profile;
+       {std::pair{Profile::Rectangular, 1.0}, std::pair{Profile::Trapezoidal, 4.0 / 3},
+        std::pair{Profile::Parabolic, 1.5}, std::pair{Profile::Cosine, 2.0}}) {
+    const Profile shape = profile;
     const double k = factor;
     CAPTURE(k);
     const auto duration = [&](double x_mm, MotionRequest how) {

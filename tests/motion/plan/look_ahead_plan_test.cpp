@@ -273,7 +273,7 @@ TEST_CASE("a motion with a profile keeps its law, and begins at rest") {
   Planned p;
   p.take(to(30, 40));
   MotionRequest request = to(30, 240);
-  request.profile = ProfileShape::Rectangular;
+  request.profile = Profile::Rectangular;
   const SegmentDescriptor segment = p.take(request).segment;
   CHECK(segment.from_rest);
   // Half of a_max is left for holding it: 200 mm at 20 mm/s and 50 mm/s².
@@ -284,7 +284,7 @@ TEST_CASE("a motion with a profile keeps its law, and begins at rest") {
 TEST_CASE("ACCEL and JERK bound a motion with a profile") {
   Planned p;
   MotionRequest request = to(100, 0);
-  request.profile = ProfileShape::Cosine;
+  request.profile = Profile::Cosine;
   // t_a = 2·v/A: 20 mm/s and 10 mm/s².
   CHECK(p.take(accelerated(request, Bound::Tool, 0.01)).segment.duration ==
         doctest::Approx(100 / 20.0 + 2 * 20 / 10.0));

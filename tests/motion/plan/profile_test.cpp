@@ -12,23 +12,23 @@ using namespace rob::motion;
 namespace {
 
 struct Shape {
-  ProfileShape shape;
+  Profile shape;
   double k;  ///< t_a = k·v/A (motion by S2's profiles)
 };
 
-const std::vector<Shape> kShapes{{ProfileShape::Rectangular, 1},
-                                 {ProfileShape::Trapezoidal, 4.0 / 3},
-                                 {ProfileShape::Parabolic, 1.5},
-                                 {ProfileShape::Cosine, 2}};
+const std::vector<Shape> kShapes{{Profile::Rectangular, 1},
+                                 {Profile::Trapezoidal, 4.0 / 3},
+                                 {Profile::Parabolic, 1.5},
+                                 {Profile::Cosine, 2}};
 
 /// The pulse as S2 names it, of peak 1.
-double pulse(ProfileShape shape, double x) {
+double pulse(Profile shape, double x) {
   switch (shape) {
-    case ProfileShape::Trapezoidal:
+    case Profile::Trapezoidal:
       return std::min({4 * x, 1.0, 4 * (1 - x)});
-    case ProfileShape::Parabolic:
+    case Profile::Parabolic:
       return 4 * x * (1 - x);
-    case ProfileShape::Cosine:
+    case Profile::Cosine:
       return (1 - std::cos(2 * std::numbers::pi * x)) / 2;
     default:
       return 1;
@@ -57,13 +57,13 @@ TEST_CASE("a profile takes d/v + t_a with a cruise, and 2·√(k·d/A) without")
 TEST_CASE("a bound on jerk lowers a profile's acceleration just so far") {
   // Its steepest slope: 4·A/t_a of the ramps and of the parabola, π·A/t_a of the cosine.
   struct Steep {
-    ProfileShape shape;
+    Profile shape;
     double k;
     double slope;
   };
   for (const auto& [shape, factor, slope] :
-       {Steep{ProfileShape::Trapezoidal, 4.0 / 3, 4}, Steep{ProfileShape::Parabolic, 1.5, 4},
-        Steep{ProfileShape::Cosine, 2, std::numbers::pi}}) {
+       {Steep{Profile::Trapezoidal, 4.0 / 3, 4}, Steep{Profile::Parabolic, 1.5, 4},
+        Steep{Profile::Cosine, 2, std::numbers::pi}}) {
     const double k = factor;
     CAPTURE(k);
     // slope·A/t_a = slope·A²/(k·v) = 1 at v = 0.5.

@@ -44,7 +44,7 @@ TEST_CASE("two corners need the time of both halves") {
   const RobotModel robot = embedded_robot("gantry");
   MotionPlanner planner(robot, robot.start);
   CHECK(planned_leg(planner, to(1, 0, Zone::Time, 0.5)).segment.duration == 1.375 + 0.5);
-  CHECK(planned_leg(planner, to(2, 0, Zone::Robots, 0)).segment.duration == 0.5 + 1.375);
+  CHECK(planned_leg(planner, to(2, 0, Zone::Unspecified, 0)).segment.duration == 0.5 + 1.375);
 }
 
 TEST_CASE("a ZONE length is missed by no more at the worst that may follow") {
@@ -91,7 +91,7 @@ TEST_CASE("a stop takes twice the half transition of the target that it makes ex
 TEST_CASE("a relative target counts from the last one, and its limits are those of the sum") {
   const RobotModel robot = embedded_robot("gantry");
   MotionPlanner planner(robot, robot.start);
-  planned_leg(planner, to(300, 20, Zone::Robots, 0));
+  planned_leg(planner, to(300, 20, Zone::Unspecified, 0));
   MotionRequest by;
   by.relative = true;
   by.given = 1;
