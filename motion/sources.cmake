@@ -21,6 +21,9 @@ set(rob_motion_sources
   motion/ahead/rehearsal.cpp
   motion/ahead/run_mean.cpp
   motion/ahead/speed_plan.cpp
+  motion/collision/clearance.cpp
+  motion/collision/distance.cpp
+  motion/collision/path_proof.cpp
   motion/dynamics/ums7_dynamics.cpp
   motion/force/constant_force.cpp
   motion/force/press.cpp
@@ -87,13 +90,13 @@ set(rob_motion_sources
   motion/robots/arm_file.cpp
   motion/robots/cell_file.cpp
   motion/robots/chain_file.cpp
-  motion/robots/closest_name.cpp
   motion/robots/mechanics_file.cpp
   motion/robots/pulse_file.cpp
   motion/robots/quantity.cpp
   motion/robots/quoted.cpp
   motion/robots/robot_file.cpp
   motion/robots/robot_library.cpp
+  motion/robots/shapes_file.cpp
   motion/robots/signal_channel.cpp
   motion/robots/table_reader.cpp
   motion/robots/time_scaling.cpp

@@ -56,18 +56,19 @@ const std::vector<LayerRule>& layer_rules() {
     }
     // The facade, for programs that embed the language.
     made.push_back({"lang", {"lang"}});
-    // Inside motion: space → kinematics, dynamics, cell → robots → path → plan → ahead →
-    // generate → force.
+    // Inside motion: space → kinematics → collision; with dynamics, cell → robots → path → plan →
+    // ahead → generate → force.
     const std::vector<LayerRule> of_motion = {
         {"motion/space", {}},
         {"motion/kinematics", {"motion/space"}},
         {"motion/cell", {"motion/space"}},
+        {"motion/collision", {"motion/space", "motion/kinematics"}},
         {"motion/dynamics", {"motion/space"}},
         {"motion/servo", {"motion/space", "motion/dynamics"}},
     };
     made.insert(made.end(), of_motion.begin(), of_motion.end());
     std::vector<std::string_view> below = {"motion/space", "motion/cell", "motion/kinematics",
-                                           "motion/dynamics"};
+                                           "motion/dynamics", "motion/collision"};
     for (const char* folder : {"motion/robots", "motion/path", "motion/plan", "motion/ahead",
                                "motion/generate", "motion/force"}) {
       made.push_back({folder, below});

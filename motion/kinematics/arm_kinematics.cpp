@@ -112,6 +112,22 @@ Pose ArmKinematics::forward(const JointVector& q) const noexcept {
   return pose;
 }
 
+LinkFrames ArmKinematics::frames(const JointVector& q) const noexcept {
+  const Angles theta = angles_of(q);
+  LinkFrames frames;
+  frames[0].orientation = about_z(theta[0]);
+  frames[1].position = place_of({p_.a1, p_.b, p_.c1}, frames[0]);
+  frames[1].orientation = frames[0].orientation * about_y(theta[1]);
+  frames[2].position = place_of({0, 0, p_.c2}, frames[1]);
+  frames[2].orientation = frames[1].orientation * about_y(theta[2]);
+  frames[3].position = place_of({p_.a2, 0, p_.c3}, frames[2]);
+  frames[3].orientation = frames[2].orientation * about_z(theta[3]);
+  frames[4] = {frames[3].position, frames[3].orientation * about_y(theta[4])};
+  frames[5] = {frames[3].position, frames[4].orientation * about_z(theta[5])};
+  frames[6] = {place_of({0, 0, p_.c4}, frames[5]), frames[5].orientation};
+  return frames;
+}
+
 ArmKinematics::Wrist ArmKinematics::wrist_of(const Pose& pose) const noexcept {
   Wrist wrist;
   // Not normalized(), which takes a quaternion of no length for no rotation.

@@ -72,6 +72,8 @@ class ArmKinematics final : public Kinematics {
                                      const JointVector& near) const noexcept override;
   Shortfall shortfall(const Pose& pose) const noexcept override;
   double lever(int axis, const Eigen::Vector3d& tip) const noexcept override;
+  /// Those of the picture above, with axes 4, 5 and 6 in the wrist.
+  LinkFrames frames(const JointVector& q) const noexcept override;
   SingularPlace nearest_singularity(
       const JointVector& q,
       double within = std::numeric_limits<double>::infinity()) const noexcept override;

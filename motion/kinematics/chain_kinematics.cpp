@@ -1,5 +1,6 @@
 #include "motion/kinematics/chain_kinematics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -9,15 +10,24 @@ ChainKinematics::ChainKinematics(std::vector<Pose> joints, const Pose& flange, i
     : joints_(std::move(joints)), flange_(flange), axes_(axes) {}
 
 Pose ChainKinematics::forward(const JointVector& q) const noexcept {
+  Pose flange = frames(q)[static_cast<std::size_t>(axes_)];
+  flange.orientation.normalize();
+  return flange;
+}
+
+/// Axes after the chain carry nothing that is known: they stand in the flange.
+LinkFrames ChainKinematics::frames(const JointVector& q) const noexcept {
+  LinkFrames frames;
   Pose pose;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const double half = q[static_cast<Eigen::Index>(i)] / 2;
     pose = composed(pose, joints_[i]);
     pose.orientation = pose.orientation * Eigen::Quaterniond(std::cos(half), 0, 0, std::sin(half));
+    frames[i] = pose;
   }
-  pose = composed(pose, flange_);
-  pose.orientation.normalize();
-  return pose;
+  std::fill(frames.begin() + static_cast<std::ptrdiff_t>(joints_.size()), frames.end(),
+            composed(pose, flange_));
+  return frames;
 }
 
 InverseSolutions ChainKinematics::solutions(const Pose& /*pose*/,

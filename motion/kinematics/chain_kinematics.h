@@ -20,6 +20,7 @@ class ChainKinematics final : public Kinematics {
   InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept override;
   /// The chain stretched out from there.
   double lever(int axis, const Eigen::Vector3d& tip) const noexcept override;
+  LinkFrames frames(const JointVector& q) const noexcept override;
   const char* reach() const noexcept override;
 
  private:

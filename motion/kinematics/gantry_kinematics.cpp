@@ -1,5 +1,6 @@
 #include "motion/kinematics/gantry_kinematics.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/unit_factors.h"
@@ -14,6 +15,14 @@ Pose GantryKinematics::forward(const JointVector& q) const noexcept {
   pose.orientation.w() = std::cos(half);
   pose.orientation.vec()[static_cast<int>(turn_)] = std::sin(half);
   return pose;
+}
+
+LinkFrames GantryKinematics::frames(const JointVector& q) const noexcept {
+  LinkFrames frames;
+  for (int i = 0; i < linear_; ++i)
+    frames[static_cast<std::size_t>(i)].position.head(i + 1) = q.head(i + 1);
+  std::fill(frames.begin() + linear_, frames.end(), forward(q));
+  return frames;
 }
 
 InverseSolutions GantryKinematics::solutions(const Pose& pose,

@@ -24,6 +24,8 @@ class GantryKinematics final : public Kinematics {
   int coordinate(int axis) const noexcept override {
     return axis < linear_ ? axis : 3 + static_cast<int>(turn_);
   }
+  bool shifts(int axis) const noexcept override { return axis < linear_; }
+  LinkFrames frames(const JointVector& q) const noexcept override;
   const char* reach() const noexcept override;
 
  private:

@@ -10,6 +10,9 @@
 
 namespace rob::motion {
 
+/// What each axis moves, from the first on, then the flange, all as seen from the base.
+using LinkFrames = std::array<Pose, kMaxJoints + 1>;
+
 /// All axis values that bring a tool to one pose; of those that differ by whole turns one.
 struct InverseSolutions {
   static constexpr int kMost = 8;
@@ -63,6 +66,10 @@ class Kinematics {
   /// How far the tip of a tool, seen from the flange (m), can be from the rotary axis `axis` at
   /// most, m; 0 of a linear axis.
   virtual double lever(int axis, const Eigen::Vector3d& tip) const noexcept = 0;
+  /// For a robot of linear axes: whether `axis` is one.
+  virtual bool shifts(int /*axis*/) const noexcept { return false; }
+  /// Neighbouring frames keep their distance, but for the travel of a linear axis.
+  virtual LinkFrames frames(const JointVector& q) const noexcept = 0;
   /// For a robot whose coordinates are its axes: which of x, y, z, a, b, c, from 0 on, `axis`
   /// moves.
   virtual int coordinate(int axis) const noexcept { return axis; }

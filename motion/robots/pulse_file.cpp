@@ -43,7 +43,7 @@ void check_lag(const TableReader& table, const Axis& axis) {
   if (lag <= axis.drive.following_limit) return;
   const bool linear = axis.kind == AxisKind::Linear;
   char text[96];
-  std::snprintf(text, sizeof text, "%.3g %s behind at v_max, beyond following_limit", lag,
+  std::snprintf(text, sizeof text, "%.3g %s late at v_max, beyond following_limit", lag,
                 linear ? "m" : "rad");
   table.fail("v_max", "under \"pulse_train\" the axis is " + std::string(text) +
                           "; lower it, or close the loop");

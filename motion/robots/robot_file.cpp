@@ -12,6 +12,7 @@
 #include "motion/robots/chain_file.h"
 #include "motion/robots/mechanics_file.h"
 #include "motion/robots/pulse_file.h"
+#include "motion/robots/shapes_file.h"
 #include "motion/robots/signal_channel.h"
 #include "motion/robots/table_reader.h"
 #include "motion/robots/time_scaling.h"
@@ -189,7 +190,7 @@ void check_settling(const TableReader& file, const RobotModel& robot) {
 std::vector<TableReader> read_axes(const TableReader& file, RobotModel& robot) {
   std::vector<TableReader> tables =
       file.tables("axis", {"name", "kind", "min", "max", "start", "v_max", "a_max", "j_max",
-                           "drive", "motor", "pulse_drive", "wire", "joint"});
+                           "drive", "motor", "pulse_drive", "wire", "joint", "link", "shape"});
   if (tables.empty()) file.fail("axis", "is missing; write a table [[axis]] for each");
   if (tables.size() > static_cast<std::size_t>(kMaxJoints))
     file.fail("axis", "more than " + std::to_string(kMaxJoints) + " axes");
@@ -343,7 +344,9 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
                                                 "simulation",   "axis",          "signal",
                                                 "actuator",     "wire",          "force",
                                                 "cell",         "chain",         "settle_distance",
-                                                "settle_angle", "settle_time"});
+                                                "settle_angle", "settle_time",   "base",
+                                                "flange",       "obstacle",      "apart",
+                                                "clearance"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");
@@ -364,6 +367,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
   read_wire(file, axes, robot);
   read_force(file, robot);
   read_cell(file, robot);
+  read_shapes(file, axes, robot);
   if (robot.t_acc > 0) check_paul(file, axes, robot);
   return robot;
 }

@@ -11,6 +11,7 @@
 
 #include "base/unit_factors.h"
 #include "motion/cell/cell_data.h"
+#include "motion/collision/collision_data.h"
 #include "motion/dynamics/arm_mechanics.h"
 #include "motion/kinematics/kinematics.h"
 #include "motion/robots/settle_window.h"
@@ -128,6 +129,7 @@ struct RobotModel {
   std::optional<ArmMechanics> mechanics;
   SimulatedDeviation deviation;  ///< only with mechanics
   WireData wire;
+  CollisionData collision;
 
   int axis_count() const { return static_cast<int>(axes.size()); }
 };

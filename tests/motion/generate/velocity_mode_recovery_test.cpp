@@ -25,6 +25,7 @@ class LosingKinematics final : public Kinematics {
   double lever(int axis, const Eigen::Vector3d& tip) const noexcept override {
     return whole_->lever(axis, tip);
   }
+  LinkFrames frames(const JointVector& q) const noexcept override { return whole_->frames(q); }
   const char* reach() const noexcept override { return whole_->reach(); }
 
   bool lost = false;

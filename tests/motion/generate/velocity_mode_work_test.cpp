@@ -33,6 +33,7 @@ class CountingKinematics final : public Kinematics {
     return whole_->lever(axis, tip);
   }
   double stretch(const JointVector& q) const noexcept override { return whole_->stretch(q); }
+  LinkFrames frames(const JointVector& q) const noexcept override { return whole_->frames(q); }
   const char* reach() const noexcept override { return whole_->reach(); }
 
   mutable int count = 0;

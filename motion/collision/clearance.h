@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "motion/collision/collision_data.h"
+#include "motion/kinematics/kinematics.h"
+
+namespace rob::motion {
+
+/// What of a robot can hit what, and how far the two are apart. Bodies that hang together are left
+/// out: those of one frame or of neighbouring ones, and the base among the obstacles. A robot
+/// without bodies has no pairs.
+class Clearance {
+ public:
+  /// A body and a body, or a body and an obstacle.
+  struct Pair {
+    int body = 0;
+    int other = 0;  ///< the number of a body that is farther from the base, or an obstacle's
+    bool obstacle = false;  ///< the other is one
+  };
+
+  Clearance() = default;
+  /// `travel`: of each axis, m, for a linear one the way from 0 to its farthest end; 0 for others.
+  Clearance(std::shared_ptr<const Kinematics> kinematics, const JointVector& travel,
+            CollisionData data);
+
+  const std::vector<Pair>& pairs() const noexcept { return pairs_; }
+  const std::string& name_of_body(const Pair& pair) const {
+    return data_.bodies[static_cast<std::size_t>(pair.body)].name;
+  }
+  const std::string& name_of_other(const Pair& pair) const;
+
+  LinkFrames frames(const JointVector& q) const noexcept { return kinematics_->frames(q); }
+  /// m; 0 or less where they touch.
+  double distance(const Pair& pair, const LinkFrames& frames) const noexcept;
+  /// How much nearer a pair comes at most where the axes go so far, m: `way`, m or rad of each.
+  double approach(std::size_t pair, const JointVector& way) const noexcept {
+    return levers_[pair].dot(way);
+  }
+
+ private:
+  Capsule placed(const Capsule& shape, int frame, const LinkFrames& frames) const noexcept;
+  void find_levers(const JointVector& travel);
+  bool may_touch(const Body& a, const Body& b) const;
+  bool may_touch(const Body& body, const Obstacle& obstacle) const;
+
+  std::shared_ptr<const Kinematics> kinematics_;
+  CollisionData data_;
+  std::vector<Pair> pairs_;
+  std::vector<JointVector> levers_;  // of each pair: m a rad, or 1, of each axis
+};
+
+}  // namespace rob::motion

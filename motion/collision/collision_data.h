@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "motion/collision/shapes.h"
+
+namespace rob::motion {
+
+/// A part of a robot that can hit something: its base, a link, its flange with what that carries.
+struct Body {
+  std::string name;
+  int frame = 0;                ///< 0: the base; k: what axis k moves, from 1; axes + 1: the flange
+  std::vector<Capsule> shapes;  ///< seen from that frame, m
+};
+
+/// A thing that stands in the world.
+struct Obstacle {
+  std::string name;
+  std::variant<Sphere, Capsule, Box, HalfSpace> shape;
+  bool hand_may_touch = false;  ///< the flange and what it carries work at it
+};
+
+/// Two bodies, or a body and an obstacle, that may always touch.
+using Apart = std::pair<std::string, std::string>;
+
+/// All of a robot that can hit something, and what there is to be hit. Without bodies nothing is
+/// looked for.
+struct CollisionData {
+  std::vector<Body> bodies{};
+  std::vector<Obstacle> obstacles{};
+  std::vector<Apart> apart{};
+  double clearance = 0.010;  ///< m: obstacles that are passed more closely are a warning
+};
+
+}  // namespace rob::motion

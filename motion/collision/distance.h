@@ -1,0 +1,16 @@
+#pragma once
+
+#include "motion/collision/collision_data.h"
+
+/// How far a capsule is from another body, m, both in one frame: 0 or less where they touch. While
+/// the capsule's segment is outside the body it is exact; where the segment enters it, minus the
+/// radii. Closed forms without memory.
+namespace rob::motion {
+
+double distance(const Capsule& capsule, const Sphere& sphere) noexcept;
+double distance(const Capsule& a, const Capsule& b) noexcept;
+double distance(const Capsule& capsule, const Box& box) noexcept;
+double distance(const Capsule& capsule, const HalfSpace& below) noexcept;
+double distance(const Capsule& capsule, const Obstacle& obstacle) noexcept;
+
+}  // namespace rob::motion

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/collision/clearance.h"
+#include "motion/robots/robot_model.h"
+
+namespace rob::motion {
+
+/// What the robot can hit, as its file says. The robot has a kinematics.
+inline Clearance clearance_of(const RobotModel& robot) {
+  JointVector travel = JointVector::Zero(robot.axis_count());
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const Axis& axis = robot.axes[static_cast<std::size_t>(i)];
+    if (axis.kind == AxisKind::Linear)
+      travel[i] = std::max(std::fabs(axis.min), std::fabs(axis.max));
+  }
+  return {robot.kinematics, travel, robot.collision};
+}
+
+}  // namespace rob::motion

@@ -1,0 +1,148 @@
+#include "motion/robots/shapes_file.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "base/unit_factors.h"
+
+namespace rob::motion {
+
+namespace {
+
+// [choice] From a microscope's stage to a port crane; a slip in a unit is out of it.
+constexpr Range kPlace{-100, 100};
+constexpr Range kTurn{-kFullTurn, kFullTurn};
+constexpr Range kMeasure{1e-5, 100};
+constexpr Range kClearance{0, 1};
+constexpr std::size_t kMostShapes = 3;
+constexpr std::size_t kMostObstacles = 1000;  // [choice] each costs time at every look
+
+Eigen::Vector3d three(const TableReader& table, std::string_view key, Range range) {
+  const std::vector<double> values = table.quantities(key, Quantity::Length, range, 3);
+  return {values[0], values[1], values[2]};
+}
+
+Capsule read_capsule(const TableReader& table) {
+  return {three(table, "from", kPlace), three(table, "to", kPlace),
+          table.quantity("radius", Quantity::Length, kMeasure)};
+}
+
+/// `name`: where the file gives none.
+void read_body(const TableReader& owner, std::string name, int frame, CollisionData& data) {
+  Body body{owner.has("link") ? owner.text("link") : std::move(name), frame, {}};
+  for (const TableReader& table : owner.tables("shape", {"kind", "from", "to", "radius"})) {
+    table.choice("kind", {"capsule"});
+    body.shapes.push_back(read_capsule(table));
+  }
+  if (body.shapes.size() > kMostShapes) owner.fail("shape", "more than three capsules");
+  if (body.shapes.empty()) return;
+  const bool taken =
+      std::ranges::any_of(data.bodies, [&](const Body& other) { return other.name == body.name; });
+  if (taken) owner.fail("link", "there is another body of this name");
+  data.bodies.push_back(std::move(body));
+}
+
+/// Where the box stands, and how it is turned; both may be left out.
+Pose read_pose(const TableReader& table) {
+  Pose pose;
+  if (table.has("place")) pose.position = three(table, "place", kPlace);
+  if (table.has("turn")) {
+    const std::vector<double> turn = table.quantities("turn", Quantity::Angle, kTurn, 3);
+    pose.orientation = orientation_from({turn[0], turn[1], turn[2]});
+  }
+  return pose;
+}
+
+/// Each kind has its own keys; others would be a slip.
+void refuse_others(const TableReader& table, const std::vector<std::string_view>& own) {
+  for (const std::string_view key : {"place", "turn", "size", "radius", "from", "to", "height"})
+    if (table.has(key) && std::ranges::find(own, key) == own.end())
+      table.fail(key, "does not belong to an obstacle of this kind");
+}
+
+Obstacle read_obstacle(const TableReader& table) {
+  Obstacle obstacle{.name = table.name("name"), .shape = HalfSpace{}};
+  switch (table.choice("kind", {"box", "sphere", "capsule", "table"})) {
+    case 0:
+      refuse_others(table, {"place", "turn", "size"});
+      obstacle.shape = Box{read_pose(table), three(table, "size", kMeasure) / 2};
+      break;
+    case 1:
+      refuse_others(table, {"place", "radius"});
+      obstacle.shape = Sphere{three(table, "place", kPlace),
+                              table.quantity("radius", Quantity::Length, kMeasure)};
+      break;
+    case 2:
+      refuse_others(table, {"from", "to", "radius"});
+      obstacle.shape = read_capsule(table);
+      break;
+    default:
+      refuse_others(table, {"height"});
+      obstacle.shape = HalfSpace{table.quantity("height", Quantity::Length, kPlace)};
+  }
+  return obstacle;
+}
+
+void read_obstacles(const TableReader& file, CollisionData& data) {
+  const std::vector<TableReader> tables = file.tables(
+      "obstacle", {"name", "kind", "place", "turn", "size", "radius", "from", "to", "height"});
+  if (tables.size() > kMostObstacles)
+    file.fail("obstacle", "more than " + std::to_string(kMostObstacles) + " of them");
+  for (const TableReader& table : tables) {
+    Obstacle obstacle = read_obstacle(table);
+    const bool taken = std::ranges::any_of(
+        data.obstacles, [&](const Obstacle& other) { return other.name == obstacle.name; });
+    if (taken) table.fail("name", "there is another obstacle of this name");
+    data.obstacles.push_back(std::move(obstacle));
+  }
+}
+
+void read_apart(const TableReader& file, CollisionData& data) {
+  const auto known = [&](const std::string& name) {
+    const auto same = [&](const auto& thing) { return thing.name == name; };
+    return std::ranges::any_of(data.bodies, same) || std::ranges::any_of(data.obstacles, same);
+  };
+  for (const TableReader& table : file.tables("apart", {"first", "second"})) {
+    for (const std::string_view key : {"first", "second"})
+      if (!known(table.text(key))) table.fail(key, "no body or obstacle has this name");
+    data.apart.emplace_back(table.text("first"), table.text("second"));
+  }
+}
+
+/// The table, and each rack as the body that its holes are in. Tubes and caps are there to be
+/// taken.
+void add_cell(const CellData& cell, CollisionData& data) {
+  data.obstacles.push_back({.name = "table", .shape = HalfSpace{cell.table}});
+  int number = 0;
+  for (const RackData& rack : cell.racks) {
+    // The middle of the outer holes, and half a pitch of wall around them.
+    const Eigen::Vector3d size(rack.columns * rack.pitch, rack.rows * rack.pitch,
+                               rack.face - cell.table);
+    const Eigen::Vector3d middle(rack.x + (rack.columns - 1) * rack.pitch / 2,
+                                 rack.y + (rack.rows - 1) * rack.pitch / 2,
+                                 cell.table + size.z() / 2);
+    data.obstacles.push_back({.name = "rack_" + std::to_string(++number),
+                              .shape = Box{{middle, Eigen::Quaterniond::Identity()}, size / 2},
+                              .hand_may_touch = true});
+  }
+}
+
+}  // namespace
+
+void read_shapes(const TableReader& file, const std::vector<TableReader>& axes, RobotModel& robot) {
+  CollisionData& data = robot.collision;
+  if (file.has("base")) read_body(file.table("base", {"link", "shape"}), "base", 0, data);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    read_body(axes[i], robot.axes[i].name, static_cast<int>(i) + 1, data);
+  }
+  if (file.has("flange"))
+    read_body(file.table("flange", {"link", "shape"}), "flange", robot.axis_count() + 1, data);
+  if (robot.cell && !data.bodies.empty()) add_cell(*robot.cell, data);
+  read_obstacles(file, data);
+  read_apart(file, data);
+  if (file.has("clearance"))
+    data.clearance = file.quantity("clearance", Quantity::Length, kClearance);
+}
+
+}  // namespace rob::motion

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/robots/robot_model.h"
+#include "motion/robots/table_reader.h"
+
+namespace rob::motion {
+
+/// What the robot can hit and what with: [[base.shape]], [[axis.shape]], [[flange.shape]],
+/// [[obstacle]], [[apart]], `clearance`, and the table and racks of a simulated cell. After the
+/// axes and the cell have been read. Throws RobotFileError.
+void read_shapes(const TableReader& file, const std::vector<TableReader>& axes, RobotModel& robot);
+
+}  // namespace rob::motion
