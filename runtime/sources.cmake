@@ -95,6 +95,7 @@ set(rob_runtime_sources
   runtime/prompt/workshop.cpp
   runtime/run/console.cpp
   runtime/run/control_threads.cpp
+  runtime/run/contact_watch.cpp
   runtime/run/controller.cpp
   runtime/run/corner_meter.cpp
   runtime/run/foretell.cpp

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "runtime/command/program_task.h"
 #include "runtime/files/data_files.h"
+#include "runtime/run/contact_watch.h"
 #include "runtime/run/controller.h"
 #include "runtime/run/execution.h"
 #include "runtime/run/run_parts.h"
@@ -71,6 +73,16 @@ std::vector<std::string> undriven_inputs(const LoadedProgram& program,
   return names;
 }
 
+/// A contact comes before anything that would have happened after it.
+void add_contacts(ContactWatch& contacts, const std::string& file, RunResult& result) {
+  std::ranges::move(contacts.finish(), std::back_inserter(result.findings));
+  if (!contacts.contact()) return;
+  result.contact = contacts.contact();
+  result.error = problem_of(*result.contact, file);
+  result.status = "program-error";
+  result.exit_code = ExitCode::ProgramError;
+}
+
 /// An error that stops the program is also a finding, as the errors of the compiler are.
 lang::Diagnostic finding_of(const Problem& problem) {
   return {lang::Severity::Error, problem.code, problem.place, problem.message, problem.help};
@@ -98,11 +110,13 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   TextDevices devices(program.compilation.chunk->devices);
   give_lines(script, devices);
   controller.connect(&devices);
-  RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
-                       names_in(program, robot),
-                       {.print = {}, .snapshot = {}, .write = [&](const Note& note, double time) {
-                          hand_over(note, time, files, devices);
-                        }});
+  ContactWatch contacts(robot);
+  RunRecorder recorder(
+      robot, options.override_share, controller.channels(), controller.log(),
+      names_in(program, robot),
+      {.print = {},
+       .snapshot = [&](const Snapshot& snapshot) { contacts.take(snapshot, recorder.line()); },
+       .write = [&](const Note& note, double time) { hand_over(note, time, files, devices); }});
 
   RunLimits limits = limits_of(options.longest);
   limits.standstill =
@@ -144,6 +158,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   } else if (timing.gave_up) {
     result.findings.push_back(cut_short(result.measured));
   }
+  add_contacts(contacts, program.file, result);
   if (result.error) result.findings.push_back(finding_of(*result.error));
   return of_program(program, std::move(result));
 }

@@ -125,6 +125,13 @@ const char* name_of(lang::Severity severity) {
                                                : "note";
 }
 
+void put_contact(Json& json, const Contact& contact) {
+  json["link"] = contact.body;
+  json["obstacle"] = contact.other;
+  json["at_s"] = contact.at;
+  json["joints"] = contact.joints;
+}
+
 Json findings_json(const RunResult& result) {
   Json findings = Json::array();
   for (const lang::Diagnostic& finding : result.findings) {
@@ -133,6 +140,8 @@ Json findings_json(const RunResult& result) {
     json["column"] = finding.place.column;
     json["message"] = finding.message;
     json["help"] = finding.help;
+    if (result.contact && finding.severity == lang::Severity::Error)
+      put_contact(json, *result.contact);
     findings.push_back(std::move(json));
   }
   return findings;

@@ -58,7 +58,7 @@ void close_trace(std::optional<TraceWriter>& trace, const RunOptions& options, R
   }
 }
 
-/// A line that could not be written, and that no further WRITE has told the program of.
+/// A line that could not be written, and that no further WRITE has reported to the program.
 void close_files(DataFiles& files, RunResult& result, const RunListener& listener) {
   const auto why = files.finish();
   if (!why) return;

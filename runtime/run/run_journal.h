@@ -35,7 +35,7 @@ class RunJournal {
   void take_output(const motion::MotionEvent& event);
   void end_pulse(const motion::MotionEvent& event) { add_digital(event, false); }
 
-  /// Of several the first is the one to mend.
+  /// If there are several, mend the first.
   void fail(double time, const char* kind, Words words, int line);
   /// Somebody stops the run.
   void interrupt();

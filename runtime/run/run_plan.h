@@ -18,7 +18,7 @@ struct RunningMotion : LoggedSegment {
   bool cut = false;  ///< it came to rest before its target
 };
 
-/// What was planned of the motions of a run. Under Paul's law a motion is queued with its time.
+/// The plan of the motions of a run. Under Paul's law a motion is queued with its time.
 /// Under the look-ahead law the times come with the whole path: the plan is what was foretold of
 /// the run (run.cpp), the miss at a corner is that of the references, and motion itself reports
 /// when its decision points come.
@@ -30,7 +30,7 @@ class RunPlan {
   bool comes_timed() const { return robot_.law == motion::Law::Paul; }
   /// The motion begins at `time`, s.
   void begin(RunningMotion& motion, double time, LineTotal& line);
-  /// What follows a motion has to be known now. It may come before the motion begins.
+  /// The successor of a motion must be known now. It may come before the motion begins.
   void take_decision(const motion::MotionEvent& event, const RunningMotion* running,
                      LineTotal* line);
   /// The motion has been made exact for the next one, which begins at rest.

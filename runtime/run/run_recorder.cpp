@@ -291,7 +291,7 @@ void RunRecorder::end_handler(const MotionEvent& event) {
   interrupted_.reset();
 }
 
-/// What is programmed from here on: a further point, or rates.
+/// The target that is programmed from here on: a further point, or rates.
 void RunRecorder::programmed(const LoggedSegment& planned) {
   if (planned.jog->present()) return path_.unprogrammed(planned.tip);
   if (path_.is_unprogrammed() && last_) reached_ = last_->sample.reference.q;

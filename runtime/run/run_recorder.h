@@ -48,9 +48,9 @@ class RunRecorder {
   motion::MotionState state() const {
     return last_ ? last_->sample.state : motion::MotionState::Idle;
   }
-  /// Of the last snapshot, s.
+  /// The time of the last snapshot, s.
   double time() const { return last_ ? last_->sample.reference.time : 0; }
-  /// After the last drain(): closes the books. What the program did wrong is the caller's to add.
+  /// After the last drain(): closes the books. The caller adds what the program did wrong.
   RunResult finish();
 
  private:
@@ -62,7 +62,7 @@ class RunRecorder {
     motion::JointVector from;  ///< where it was then; empty until it is known
     std::optional<double> rest;
   };
-  /// What a handler has interrupted.
+  /// The motion that a handler has interrupted.
   struct Interrupted {
     double time;  ///< s
     int line;     ///< of the WHEN
@@ -92,7 +92,7 @@ class RunRecorder {
   void take_note(const motion::MotionEvent& event, Note note);
   void change_override(double time, double share);
   void take_stand();
-  /// Of the motion that runs.
+  /// The clock of the motion that runs.
   void fail(double time, const char* kind, Words words) {
     journal_.fail(time, kind, std::move(words), line());
   }

@@ -1,0 +1,104 @@
+// What `rob check` finds in the way of a robot.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "motion/robots/robot_library.h"
+#include "runtime/run/foretell.h"
+
+using namespace rob::motion;
+using rob::runtime::Contact;
+using rob::runtime::ExitCode;
+using rob::runtime::RunResult;
+
+namespace {
+
+/// S1's gantry with a round tool of 10 mm, among these things.
+RobotModel gantry_among(std::vector<Obstacle> things) {
+  RobotModel robot = embedded_robot("gantry");
+  robot.collision.bodies = {{"tool", 4, {Capsule{.radius = 0.005}}}};
+  robot.collision.obstacles = std::move(things);
+  return robot;
+}
+
+RunResult foretold_on(const RobotModel& robot, const std::string& text) {
+  const auto program = rob::runtime::compile_program("t.rob", text, robot);
+  REQUIRE(program.runnable());
+  return rob::runtime::foretell(program, robot);
+}
+
+std::vector<std::string> found_in(const RunResult& result) {
+  std::vector<std::string> texts;
+  for (const auto& found : result.findings)
+    texts.push_back(std::to_string(found.place.line) + " " + found.code + " " + found.message);
+  return texts;
+}
+
+const Obstacle kBall{.name = "ball", .shape = Sphere{{0.1, 0.04, 0}, 0.01}};
+
+}  // namespace
+
+TEST_CASE("a motion that hits something is an error, with the time and the axes") {
+  // From (40, 40) along x at 20 mm/s. Paul's start from rest takes 2.75 s and 27.5 mm, so that
+  // after t seconds x = 40 + 20·(t − 1.375). The tool's middle comes within 15 + 0.5 mm of the
+  // ball's at x = 84.5, after 2.225 + 1.375 = 3.6 s.
+  const RunResult result =
+      foretold_on(gantry_among({kBall}), "MOVE(40, 40, 0) FINE\nMOVE(140, 40, 0)\nMOVE(40, 40, 0)");
+  REQUIRE(result.contact.has_value());
+  const Contact& contact = *result.contact;
+  CHECK(contact.line == 2);
+  CHECK(contact.body == "tool");
+  CHECK(contact.other == "ball");
+  CHECK(contact.at == doctest::Approx(3.6).epsilon(0.01));
+  CHECK(contact.joints.at(0) == doctest::Approx(84.5).epsilon(0.005));
+  CHECK(result.exit_code == ExitCode::ProgramError);
+  REQUIRE(result.error.has_value());
+  CHECK(result.error->code == "E580");
+  CHECK(result.error->message.starts_with("tool hits ball 3.6"));
+  CHECK(result.error->message.find(" s after the start of line 2, at JOINTS(84.") !=
+        std::string::npos);
+}
+
+TEST_CASE("what is passed closely is a warning, once a line") {
+  Obstacle beside = kBall;
+  beside.shape = Sphere{{0.1, 0.063, 0}, 0.01};  // 8 mm beside the way
+  const RobotModel robot = gantry_among({beside});
+  CHECK(found_in(foretold_on(robot, "MOVE(40, 40, 0) FINE\nMOVE(140, 40, 0)")) ==
+        std::vector<std::string>{"2 W680 tool passes ball at a distance of 8 mm"});
+  CHECK(found_in(foretold_on(robot, "MOVE(40, 40, 0) FINE\nMOVE(140, 36, 0)")).empty());
+}
+
+TEST_CASE("a rounded corner is part of the way") {
+  // The corner at (140, 40) misses its point by some millimetres: a ball just outside of it is
+  // passed, and is hit where the robot stops in the corner.
+  Obstacle outside = kBall;
+  outside.shape = Sphere{{0.1455, 0.0345, 0}, 0.003};
+  const RobotModel robot = gantry_among({outside});
+  const std::string ends = "MOVE(140, 140, 0)";
+  CHECK_FALSE(foretold_on(robot, "MOVE(40, 40, 0) FINE\nMOVE(140, 40, 0)\n" + ends).contact);
+  CHECK(foretold_on(robot, "MOVE(40, 40, 0) FINE\nMOVE(140, 40, 0) FINE\n" + ends).contact);
+}
+
+TEST_CASE("who begins in contact may leave, and not press on") {
+  Obstacle here = kBall;
+  here.shape = Sphere{{0.005, 0, 0}, 0.005};
+  const RobotModel robot = gantry_among({here});
+  REQUIRE(robot.start.isZero());
+  CHECK_FALSE(foretold_on(robot, "MOVE(0, 20, 0)").contact);
+  const RunResult pressed = foretold_on(robot, "MOVE(60, 0, 0)");
+  REQUIRE(pressed.error.has_value());
+  CHECK(pressed.error->code == "E581");
+}
+
+TEST_CASE("the elbow of the capping arm must stay above the table") {
+  // θ2 = 140°: the elbow is at 205 + 350·cos 140° = −63 mm.
+  const RobotModel& robot = embedded_robot("lwa4p");
+  const RunResult result =
+      foretold_on(robot, "MOVE JOINTS(-150deg, 140deg, 140deg, 0deg, 0deg, 0deg)");
+  REQUIRE(result.error.has_value());
+  CHECK(result.error->code == "E580");
+  REQUIRE(result.contact.has_value());
+  CHECK(result.contact->other == "table");
+  CHECK_FALSE(foretold_on(robot, "MOVE JOINTS(30deg, 40deg, -80deg, 0deg, -60deg, 0deg)").error);
+}
