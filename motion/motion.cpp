@@ -28,7 +28,7 @@ RobotModel placed(const RobotModel& robot, Law law, const JointVector& start) {
   placed.start = start;
   if (!robot.kinematics)
     throw std::invalid_argument("how the axes of the robot '" + robot.name +
-                                "' move its tool is not known; load_robot() tells it");
+                                "' move its tool is not known; load_robot() finds it");
   if (!can(placed, law))
     throw std::invalid_argument("the robot '" + robot.name +
                                 "' has no t_acc, which Paul's law needs; use Law::LookAhead, or" +

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,21 +16,9 @@
 
 namespace {
 
-constexpr const char* kPage = "docs/architecture.md";
+using rob::test::prose_of;
 
-/// The lines of a page, without its shown programs and commands.
-std::vector<std::string> prose_of(const std::string& page) {
-  std::vector<std::string> lines;
-  std::istringstream all(page);
-  bool shown = false;
-  for (std::string line; std::getline(all, line);) {
-    const std::size_t text = line.find_first_not_of(' ');
-    const bool fence = text != std::string::npos && line.compare(text, 3, "```") == 0;
-    if (!fence && !shown) lines.push_back(line);
-    shown = shown != fence;
-  }
-  return lines;
-}
+constexpr const char* kPage = "docs/architecture.md";
 
 std::vector<std::string> in_backticks(const std::string& line) {
   static const std::regex span("`([^`]+)`");

@@ -29,7 +29,7 @@ class Names {
   const Symbol* resolve(std::string_view name, Place place);
   /// DIN[n], DOUT[n], AIN[n] or AOUT[n], whose index has been checked; null, and a message, if it
   /// is no constant or the robot has no such channel.
-  /// Of a DEVICE; reports where there is none of that name.
+  /// The number of a DEVICE; reports where there is none of that name.
   const Symbol* resolve_device(std::string_view name, Place place);
   const Symbol* resolve_channel(const Name& name, Place place);
   /// The built-in function that a call with checked arguments means; null, and a message, if there

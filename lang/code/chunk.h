@@ -126,7 +126,7 @@ struct WatchForm {
   std::uint8_t values = 0;  ///< registers that hold the values of variables, from 0 on
 };
 
-/// What `row_int` and `row_real` compute.
+/// The operations of `row_int` and `row_real`.
 
 enum class RowNumber : std::uint8_t { Sum, Least, Greatest };
 

@@ -79,7 +79,7 @@ void DeclarationCompiler::compile(const Declaration& declaration, Place place) {
   }
 }
 
-/// What an earlier run has left counts, and not the value in the program.
+/// The value that an earlier run has left counts, and not that in the program.
 void DeclarationCompiler::restore(const Symbol& symbol) {
   if (symbol.persist < 0) return;
   const auto [numbers, texts] = variables_.places(symbol);

@@ -9,7 +9,7 @@
 namespace rob::lang {
 namespace {
 
-/// Of a pose: its first three components are lengths.
+/// In a pose the first three components are lengths.
 constexpr std::uint8_t kPlaceOfPose = 0b111;
 
 /// Notes which components are lengths and which are angles.

@@ -97,8 +97,8 @@ bool take_zone(const Unit& unit, double value, PlainMotion& motion) {
   return motion.zone != Zone::Unspecified;
 }
 
-/// ( "AT" | "ZONE" ) digits [ "." digits ] unit. What is not above zero, or above 100 %, is none:
-/// it has a meaning, or a message, of its own.
+/// ( "AT" | "ZONE" ) digits [ "." digits ] unit. A value that is not above zero, or above 100 %, is
+/// none: it has a meaning, or a message, of its own.
 bool LineReader::clause(PlainMotion& motion) {
   const bool pace = motion.pace == MoveCommand::Pace::Unspecified && accept_word("AT");
   const bool zone = !pace && motion.zone == MoveCommand::Zone::Unspecified && accept_word("ZONE");

@@ -31,7 +31,7 @@ struct SourceContext {
   std::size_t array_lengths = 0;  ///< the same
   /// From this line on expressions stand alone, and are printed; 0: they do nowhere.
   std::uint32_t printed_from = 0;
-  /// Of all of them.
+  /// The number of all of them.
   std::shared_ptr<TypeTable> types = std::make_shared<TypeTable>();
 };
 

@@ -65,7 +65,7 @@ class TextNames {
   std::optional<Defined> defined_;  ///< once asked for
 };
 
-/// The device behind SEND or RECEIVE, perhaps of a USEd file.
+/// The device after SEND or RECEIVE, perhaps of a USEd file.
 std::string device_name(TokenReader& tokens, TextNames& names, std::string_view word);
 
 }  // namespace rob::lang

@@ -106,7 +106,7 @@ class TokenReader {
   void recover();
   void recover_until(Keyword keyword);
   void skip_line();
-  /// To the end of the line that the byte `end` lies on. What stands there is not looked at.
+  /// To the end of the line that the byte `end` lies on. Nothing there is looked at.
   void skip_over(std::size_t end);
   void skip_block(std::string_view opener, std::string_view closer);
 

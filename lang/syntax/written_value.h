@@ -12,7 +12,7 @@
 /// what is kept between runs.
 namespace rob::lang {
 
-/// What a number, after a '-' if `negative`, is as an INT or a REAL of this type; nothing where it
+/// The INT or REAL of this type that a number is, after a '-' if `negative`; nothing where it
 /// is none.
 std::optional<Slot> slot_of(const NumberLiteral& number, bool negative, const Type& type);
 

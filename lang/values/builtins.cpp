@@ -152,7 +152,7 @@ Error multiple(Arguments a, Slot& r) {
   if (a[1].real == 0) return Error::DivisionByZero;
   const Fraction step = fraction_of(a[1].real);
   double steps = a[0].real * step.below / step.above;
-  // What was written as a whole number of steps is one.
+  // A value that was written as a whole number of steps is one.
   if (const double whole = std::round(steps); whole * step.above / step.below == a[0].real) {
     steps = whole;
   }

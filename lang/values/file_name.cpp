@@ -10,7 +10,7 @@
 namespace rob::lang {
 namespace {
 
-/// What programs are made of, and what Rob keeps for them.
+/// Files that programs are made of, or that Rob keeps for them.
 constexpr std::array<std::string_view, 4> kOwnEndings{".ROB", ".POINTS", ".VALUES", ".TOML"};
 
 bool leaves_folder(std::string_view name) {

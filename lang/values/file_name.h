@@ -6,7 +6,7 @@
 namespace rob::lang {
 
 /// Why a program may not read or write a file of this name, whatever there is on the disk: "it is
-/// no name of a file"; empty if it may. What the name leads to is not looked at.
+/// no name of a file"; empty if it may. The file itself is not looked at.
 std::string objection_to_file(std::string_view name);
 
 }  // namespace rob::lang

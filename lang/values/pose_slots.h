@@ -19,14 +19,14 @@ inline PoseValue load_pose(const Slot* slots) {
   return {load_vector(slots), {slots[3].real, slots[4].real, slots[5].real, slots[6].real}};
 }
 
-/// Of a place in mm: in m.
+/// A place in mm, in m.
 inline Vector3 to_si(const Vector3& place) noexcept {
   return {to_si(place.x, kLength), to_si(place.y, kLength), to_si(place.z, kLength)};
 }
 inline PoseValue to_si(const PoseValue& pose) noexcept {
   return {to_si(pose.position), pose.rotation};
 }
-/// Of a place in m: in mm.
+/// A place in m, in mm.
 inline Vector3 from_si(const Vector3& place) noexcept {
   return {from_si(place.x, kLength), from_si(place.y, kLength), from_si(place.z, kLength)};
 }

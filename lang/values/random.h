@@ -27,7 +27,7 @@ class Random {
         static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) + 1;
     std::uint64_t drawn = next();
     if (count != 0) {  // 0: all of INT
-      // What is left over above the last whole multiple of count would make some more likely.
+      // Numbers above the last whole multiple of count would make some more likely.
       const std::uint64_t leftover = (0 - count) % count;
       while (drawn < leftover) drawn = next();
       drawn %= count;

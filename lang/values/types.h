@@ -54,7 +54,7 @@ struct Type {
     Frame,   ///< as Pose
     Tool,    ///< as Pose, then the mass, and x y z of its centre of gravity
     Array,
-    List,  ///< one slot, which tells the Vm where its elements are
+    List,  ///< one slot, by which the Vm finds its elements
     Record
   };
 

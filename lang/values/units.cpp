@@ -244,7 +244,8 @@ double from_si(double si, Dimension dimension) noexcept {
   const Dimension inverse{.length = static_cast<std::int8_t>(-dimension.length),
                           .angle = static_cast<std::int8_t>(-dimension.angle)};
   const double near = to_si(si, inverse);
-  // What was written with few digits comes back with them, although it has been rounded on its way.
+  // A value that was written with few digits comes back with them, although it has been rounded on
+  // its way.
   constexpr double kRound = 1e9;       // [choice] far finer than any machine
   constexpr double kLastBits = 1e-15;  // [choice] four units in the last place, or a few more
   const double round = std::round(near * kRound) / kRound;

@@ -8,7 +8,7 @@
 namespace rob::lang {
 
 /// The WITHs and PRESSes that are open. When a block is left, by its end, EXIT, RETURN or
-/// an error, the machine is told what held before it.
+/// an error, the machine gets what held before it.
 class ActiveSettings {
  public:
   /// That of the innermost WITH; without one the flange in the world.
@@ -21,10 +21,10 @@ class ActiveSettings {
   void enter_as_of(Machine& machine, int line, std::size_t open);
   /// Leaves all beyond the first `kept`.
   void leave(Machine& machine, int line, std::size_t kept);
-  /// The same where another machine has been told of them.
+  /// The same where another machine knows of them.
   void drop(std::size_t kept) { settings_.resize(kept); }
 
-  /// What motions take that do not say otherwise: DEFAULT, and the WITHs around them.
+  /// The clauses of motions that have none of their own: DEFAULT, and the WITHs around them.
   const MoveCommand& defaults() const { return around(settings_.size()).defaults; }
   /// WITH: those of `clauses` come before those around it.
   void enter(MoveCommand clauses);

@@ -9,7 +9,7 @@
 
 namespace rob::lang {
 
-/// An ASK. What the operator answers is read as a value of its type: a literal of the language with
+/// An ASK. The operator's answer is read as a value of its type: a literal of the language with
 /// its unit, perhaps with a sign, and nothing else; or, for a STRING, the line as it is. What
 /// cannot be read is asked again, and said why.
 class Question {

@@ -14,7 +14,8 @@
 
 namespace rob::lang {
 
-/// What all LISTs of a program may hold together, in bytes: 8 a number, 32 a text and its letters.
+/// The most that all LISTs of a program may hold together, in bytes: 8 a number, 32 a text and its
+/// letters.
 inline constexpr std::size_t kMostListBytes = std::size_t{64} << 20;
 
 /// Lies at a multiple of its own size. So a text of a list is a whole number of texts away from
@@ -33,7 +34,7 @@ struct AtMultiples {
 };
 using TextRow = std::vector<std::string, AtMultiples<std::string>>;
 
-/// The elements of a LIST, one behind the other.
+/// The elements of a LIST, one after the other.
 struct ListElements {
   std::int64_t home = 0;  ///< place of the slot that holds its number
   std::size_t depth = 0;  ///< of the frame that it is of

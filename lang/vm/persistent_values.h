@@ -13,7 +13,8 @@
 namespace rob::lang {
 
 /// The PERSIST variables whose values the machine does not know yet. Between two motions only the
-/// last value of a variable counts, so it is told before the next motion, and when a run is left.
+/// last value of a variable counts, so the machine gets it before the next motion, and when a run
+/// is left.
 class PersistentValues {
  public:
   /// Before the run: what an earlier one has left. It must outlive this.
@@ -27,7 +28,7 @@ class PersistentValues {
   void take_back(std::size_t number);
   bool any() const { return !changed_.empty() || !lent_.empty(); }
 
-  /// Tells the machine. `Later`: what it could not take is told the next time.
+  /// Hands the values to the machine. `Later`: it gets the next time what it could not take.
   Reply tell(Machine& machine, int line, const Chunk& chunk, Stack& stack);
   /// Of the last tell() that was Refused; else the machine's own counts.
   bool too_large() const { return too_large_; }

@@ -18,7 +18,7 @@
 
 namespace rob::lang {
 
-/// A Machine that writes down what it is told, a line for each call, and moves nothing: for tests.
+/// A Machine that writes down each call in a line, and moves nothing: for tests.
 ///
 ///     move 40 - 0 at 20mm/s over 3s     mm and deg; - was left out
 ///     movel by 20 0 0 · move joints - - 90 · … zone 5mm · … fine
@@ -29,12 +29,12 @@ namespace rob::lang {
 ///     mm start 1                           a TASK, counted in the order of the text halt TEXT ·
 ///     ask TEXT · simulate go after 2s · simulate answer TEXT after 0s guard · ended hit · ended
 ///     reached
-///                                       UNTIL; the condition is looked at behind its motion, until
+///                                       UNTIL; the condition is looked at after its motion, until
 ///                                       it holds or the scripted signals change no more
 ///     zero force · live pace            ZERO force; AT LIVE, before its motion
 ///     via 10 20 - · movec … · moves … · spiral from 4mm turns 5 · jog world 5 - - for 2s
 ///     with flange in world · with 0 0 120 0 0 0 0.8kg cog 0 0 60 in tool
-///                                       WITH and IN, and what holds again behind them
+///                                       WITH and IN, and what holds again after them
 ///     path · end path · press z 10N limit 5mm/s · end press · override 30%
 ///     load 2kg cog 0 0 150              the place in mm, seen from the flange
 ///     failed TEXT · simulate lift_up 1 after 2s · simulate force.z 5N after 0s
@@ -47,7 +47,7 @@ namespace rob::lang {
 ///
 /// The robot is where the last motion was to bring it, from 0 on every coordinate at the beginning;
 /// its kinematics is that of cartesian_axes.h. Axes are taken for coordinates: of an arm the first
-/// one moves x, 1 m for 1 rad. A force sensor tells 0 where nothing is scripted.
+/// one moves x, 1 m for 1 rad. A force sensor says 0 where nothing is scripted.
 ///
 /// Everything is taken at once, unless a test asks for something else.
 class PrintingMachine : public PrintingOutlets {
@@ -55,12 +55,12 @@ class PrintingMachine : public PrintingOutlets {
   /// `robot` must outlive it.
   explicit PrintingMachine(const RobotSignature& robot);
 
-  /// What the following reads of a signal answer, one after another (1 is ON, V); the last stays.
-  /// Without a script an output answers what was written last, an input FALSE.
+  /// The answers of the following reads of a signal, one after another (1 is ON, V); the last
+  /// stays. Without a script an output answers what was written last, an input FALSE.
   void script(int signal, std::vector<double> values) {
     scripted_.script(signal, std::move(values));
   }
-  /// What an operator answers, one after another; then an ASK leaves its variable as it is.
+  /// The answers of an operator, one after another; then an ASK leaves its variable as it is.
   void answer(std::vector<std::string> answers) { answers_ = std::move(answers); }
   /// The next `times` calls are answered Later.
   void answer_later(int times) { log_.answer_later(times); }

@@ -20,11 +20,11 @@ class PrintingOutlets : public Machine {
   Reply send(int line, std::size_t device, std::string_view text) override {
     return log_.note(line, fmt::format("send {} {}", device + 1, text));
   }
-  /// What was simulated, one line after the other; then its time is over.
+  /// The lines that were simulated, one after the other; then its time is over.
   Reply receive(int line, std::size_t device, double timeout, std::string& text,
                 bool& came) override;
   Reply simulate_line(int line, std::size_t device, std::string_view text, double after) override;
-  /// What has been written.
+  /// The lines that have been written.
   Reply read_file(int line, std::string_view file, std::string& text) override;
   void warn(int line, Refusal warning) override;
   Reply write(int line, std::string_view file, std::string_view text) override;

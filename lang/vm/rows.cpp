@@ -28,7 +28,7 @@ Refusal nothing_in_row(RowNumber which) {
   return {
       .code = std::string(code::kEmptyRow),
       .message = std::string(which == RowNumber::Least ? "MIN" : "MAX") + " of no element at all",
-      .help = "LEN tells how many there are"};
+      .help = "LEN says how many there are"};
 }
 
 template <typename Number, Number Slot::*kMember>

@@ -25,7 +25,7 @@ class ScriptedRobot {
   /// `robot` must outlive it.
   explicit ScriptedRobot(const RobotSignature& robot) : robot_(robot) {}
 
-  /// What the following looks at a signal find, one after another; the last stays.
+  /// The answers that the following looks at a signal find, one after another; the last stays.
   void script(int signal, std::vector<double> values);
   /// Sets what is found without a script.
   void write(int signal, double value) { written_[signal] = value; }
@@ -69,7 +69,7 @@ class ScriptedRobot {
   bool standing_ = false;
 };
 
-/// What script() calls a part of the force sensor's: force x y z, torque x y z.
+/// The name that script() has for a part of the force sensor's: force x y z, torque x y z.
 constexpr int force_part(int component) { return -1 - component; }
 
 }  // namespace rob::lang

@@ -66,7 +66,7 @@ class Vm {
 
   /// The values of PERSIST variables that an earlier run has left; they must outlive this.
   void start_from(const SavedValues& saved) { persistent_.start_from(saved); }
-  /// Tells the machine the values of PERSIST variables that it does not know yet.
+  /// Hands the machine the values of PERSIST variables that it does not know yet.
   Reply tell_persistent();
 
   /// Lets no LOOP or WHILE turn more often than that without a motion, counted from where it was

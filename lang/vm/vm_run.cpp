@@ -103,7 +103,7 @@ Vm::State Vm::run(std::int64_t budget) {
   }
 }
 
-/// A PATH has its motions planned when it ends: what changes in it is told after it.
+/// A PATH has its motions planned when it ends: the machine gets what changes in it after it.
 Reply Vm::tell_persistent() {
   if (!persistent_.any() || in_path_) return Reply::Done;
   return persistent_.tell(*machine_, line(next_), *loaded_.chunk, stack_);

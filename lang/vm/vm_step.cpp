@@ -33,7 +33,7 @@ Refusal timeout(bool of_receive) {
   return {.code = std::string(code::kTimeout),
           .message = of_receive ? "timeout: the device has sent no line in time"
                                 : "timeout: what this WAIT waits for did not come in time",
-          .help = "an ELSE behind TIMEOUT says what to do then"};
+          .help = "an ELSE after TIMEOUT says what to do then"};
 }
 
 Refusal assertion_failed(std::string_view condition) {
@@ -45,7 +45,7 @@ Refusal assertion_failed(std::string_view condition) {
 Refusal raised(const std::string& text) {
   return {.code = std::string(code::kRaised),
           .message = text,
-          .help = text.empty() ? "the text behind this RAISE is empty" : ""};
+          .help = text.empty() ? "the text after this RAISE is empty" : ""};
 }
 
 Refusal too_large_to_keep() {
@@ -224,7 +224,7 @@ Vm::Step Vm::step_observation(Code pc) {
   }
 }
 
-/// Motions, and what else the machine is told that depends on more than registers.
+/// Motions, and what else the machine gets that depends on more than registers.
 Vm::Step Vm::step_motion(Code pc) {
   if (persistent_.any() && follows_values(pc->opcode())) {
     next_ = pc;

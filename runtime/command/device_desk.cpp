@@ -49,7 +49,7 @@ Reply DeviceDesk::simulate(int line, std::size_t device, std::string_view text, 
 }
 
 /// A line that comes before what is sent to the device is none for it: there is no look until that
-/// is sent. What is only foretold hears an empty line, where no other will come.
+/// is sent. A program that is only foretold hears an empty line, where no other will come.
 std::optional<std::string> DeviceDesk::look(int line, std::size_t device) {
   if (devices_->sends_pending(device)) return std::nullopt;
   if (!first_look_) first_look_ = now();

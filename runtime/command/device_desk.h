@@ -10,7 +10,7 @@
 
 namespace rob::runtime {
 
-/// What a program says to its devices, and hears from them.
+/// The lines between a program and its devices.
 class DeviceDesk {
  public:
   DeviceDesk(const RobotLinks& links, Assumptions& assumptions, const CommandedProgress& progress,

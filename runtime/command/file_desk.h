@@ -8,7 +8,7 @@
 
 namespace rob::runtime {
 
-/// What a program does with files. Each line that it writes waits for its turn in motion order.
+/// The files of a program. Each line that it writes waits for its turn in motion order.
 class FileDesk {
  public:
   FileDesk(const RobotLinks& links, EffectQueue& queue, const CommandedProgress& progress,

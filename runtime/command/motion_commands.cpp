@@ -199,7 +199,7 @@ std::optional<Words> MotionCommands::plan_one_anew(Commanded& commanded) {
     links_.planner.carry(commanded.carried == nullptr ? motion::ArmLoad{}
                                                       : commanded.carried->all());
     if (auto words = plans_.plan(line, commanded)) {
-      words->message = fmt::format("the motion of line {} starts from elsewhere behind BRAKE: {}",
+      words->message = fmt::format("the motion of line {} starts from elsewhere after BRAKE: {}",
                                    lang::tagged_place(line).line, words->message);
       return words;
     }

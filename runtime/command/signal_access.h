@@ -22,7 +22,7 @@ inline bool digital_value(const Channels& channels, const lang::RobotSignature::
                                            : channels.inputs.load(std::memory_order_relaxed);
   return (bits >> (signal.channel - 1) & 1U) != 0;
 }
-/// Of `count` channels from `first` on, in one look; the first is the lowest bit.
+/// The values of `count` channels from `first` on, in one look; the first is the lowest bit.
 inline std::int64_t group_value(const Channels& channels, const lang::RobotSignature::Signal& first,
                                 int count) {
   const std::uint64_t bits = first.output ? channels.outputs.load(std::memory_order_relaxed)

@@ -72,7 +72,7 @@ void DeviceConnection::run() {
   }
 }
 
-/// As long as the connection lasts. What was to be sent over one that is gone is not sent later.
+/// As long as the connection lasts. A line for one that is gone is not sent later.
 void DeviceConnection::serve() {
   const std::unique_ptr<drivers::WirePort> port = drivers::open_port(address_, 0);
   {

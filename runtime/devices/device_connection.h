@@ -24,7 +24,7 @@ class DeviceConnection {
   bool connected() const { return connected_.load(std::memory_order_acquire); }
   /// Why it is not.
   std::string trouble() const;
-  /// What waits to be received is dropped; then the text goes out, with the device's ending.
+  /// Drops the lines that wait to be received; then the text goes out, with the device's ending.
   void send(std::string_view text);
   std::optional<std::string> take();
   std::size_t take_dropped();

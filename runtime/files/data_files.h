@@ -16,7 +16,7 @@
 
 namespace rob::runtime {
 
-/// What programs WRITE, and what they READ. Three threads meet here: the program asks; the thread
+/// The files that programs WRITE and READ. Three threads meet here: the program asks; the thread
 /// that reports hands over each line when its turn has come in motion order; and a thread of its
 /// own writes them, and brings them to the disk each second and at the end.
 class DataFiles {

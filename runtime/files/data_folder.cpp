@@ -28,7 +28,7 @@ constexpr unsigned kNewDataFile = S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH;
 /// Below the folder, whatever links say.
 int open_beneath(int folder, const std::string& name, int flags) {
   open_how how{};
-  // What is no regular file is not waited for.
+  // Nothing waits for a file that is not regular.
   how.flags = static_cast<unsigned>(flags | O_CLOEXEC | ((flags & O_PATH) != 0 ? 0 : O_NONBLOCK));
   if ((flags & O_CREAT) != 0) how.mode = kNewDataFile;
   how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
@@ -51,7 +51,7 @@ Words failed_file(const std::string& name, std::string_view doing, int error) {
           remedy};
 }
 
-/// Of what an open that has failed with this error says.
+/// The message of an open that has failed with this error.
 Words words_of(const std::string& name, std::string_view doing, int error) {
   if (error == EXDEV || error == ELOOP || error == EEXIST)
     return refused_file(name, "it leads out of the program's folder");
@@ -59,7 +59,7 @@ Words words_of(const std::string& name, std::string_view doing, int error) {
   return failed_file(name, doing, error);
 }
 
-/// What an open file is called where all links are followed; the name of a file that is gone.
+/// The name of an open file where all links are followed; the name of a file that is gone.
 std::string true_name(int fd, const std::string& name) {
   std::array<char, PATH_MAX> path{};
   const std::string link = fmt::format("/proc/self/fd/{}", fd);

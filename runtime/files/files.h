@@ -23,7 +23,7 @@ class UsageError : public std::runtime_error {
 /// folders, pipes and devices, which might never end.
 std::string read_file(const std::string& path, std::size_t most);
 
-/// What a command line calls standard input.
+/// Standard input, on a command line.
 inline constexpr const char* kStandardInput = "-";
 /// Standard input to its end, at most `most` bytes. Throws FileError.
 std::string read_input(std::size_t most);

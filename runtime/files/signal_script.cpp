@@ -292,7 +292,7 @@ const Known& ScriptReader::signal() {
 
 double ScriptReader::time(std::string_view behind) {
   if (token_.kind != TokenKind::Number || token_.number.dimension != lang::kTime) {
-    expected(fmt::format("a time such as 2.5s behind {}", behind));
+    expected(fmt::format("a time such as 2.5s after {}", behind));
   }
   const double seconds = token_.number.value;
   if (seconds > kLatest) {

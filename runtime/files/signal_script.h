@@ -25,7 +25,7 @@ struct SignalScript {
   std::string file;
   std::string source;
   std::vector<SimulationRule> rules;
-  /// What a DEVICE sends, by its number.
+  /// The lines that a DEVICE sends, by its number.
   struct Line {
     std::size_t device = 0;
     double time = 0;  ///< s

@@ -70,7 +70,7 @@ std::string ValuesReader::name() {
   return name;
 }
 
-/// What no variable asks for may be anything, to the end of its line.
+/// A value that no variable asks for may be anything, to the end of its line.
 void ValuesReader::line() {
   const lang::Place place = token_.place;
   const std::string name = this->name();

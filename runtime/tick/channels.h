@@ -26,7 +26,7 @@
 
 namespace rob::runtime {
 
-/// What the servo tells of one of its cycles.
+/// The servo's report of one of its cycles.
 struct ServoSample {
   double time = 0;  ///< of the cycle; that of what was measured may lie before it
   motion::JointMeasurement measured;
@@ -52,7 +52,7 @@ struct ServoSample {
   bool settled = true;
 };
 
-/// What is known of one reference period, for the trace and the report: the reference and what
+/// All that is known of one reference period, for the trace and the report: the reference and what
 /// was measured at the same instant.
 struct Snapshot {
   motion::GeneratorSample sample;
@@ -71,28 +71,28 @@ struct ServoNotice {
   motion::FollowingFinding finding;
 };
 
-/// What the side that commands is told of the motions that it has queued: the program, and beside
+/// The news of the queued motions for the side that commands: the program, and beside
 /// it the handlers of its WHENs, whose motions go through a buffer and a generator of their own.
 /// motion → program.
 struct MotionProgress {
   /// How what was guarded or braked has ended, one for each that is waited for.
   motion::SpscRing<motion::Rest> rests{16};
-  /// The axes stand behind this segment, and its effects have acted.
+  /// The axes stand at the end of this segment, and its effects have acted.
   std::atomic<std::uint32_t> settled{0};
   std::atomic<std::uint32_t> decidable{0};    ///< see TrajectoryGenerator
   std::atomic<bool> standing{true};           ///< nothing is under way
   std::atomic<std::int64_t> effects_done{0};  ///< effects that have acted
 };
 
-/// Motions of handlers are told by their own numbers and this. [choice] no program gets that far.
+/// Motions of handlers are known by their own numbers and this. [choice] no program gets that far.
 inline constexpr std::uint32_t kHandlerNumbers = 1'000'000'000;
 
-/// What becomes of the motion that a handler has interrupted.
+/// The fate of the motion that a handler has interrupted.
 enum class AfterHandler : std::uint8_t {
   None,     ///< nothing has been asked for
   GoOn,     ///< the axes are back on its path
   Decline,  ///< the handler has not begun
-  Leave,    ///< it is over; what was queued behind it is queued anew
+  Leave,    ///< it is over; what was queued after it is queued anew
   LeaveAll  ///< it is over, with all that was queued
 };
 
@@ -139,8 +139,8 @@ struct Channels {
   AnalogCells analog_inputs;              ///< V, as inputs
   /// motion → servo, program: what the arm carries in this cycle; null: nothing
   std::atomic<const motion::CarriedLoad*> carried{nullptr};
-  std::atomic<std::int64_t> cycle{0};  ///< motion → program: number of the present one
-  LatestValues joints;                 ///< motion → program: the references of the present cycle
+  std::atomic<std::int64_t> cycle{0};  ///< motion → program: number of the current one
+  LatestValues joints;                 ///< motion → program: the references of the current cycle
   LatestValues wrench;  ///< motion → program: N, then Nm, as CycleView; none without a sensor
   std::atomic<std::int64_t> simulations_done{0};  ///< motion → program: SIMULATEs that have acted
   OperatorPanel panel;  ///< motion → program: what a signal script does in the operator's place
@@ -154,7 +154,7 @@ struct Channels {
   PressDesk press;
   std::atomic<bool> stop_requested{false};  ///< brake, and drop all that was commanded
   std::atomic<double> override_asked{0};    ///< once each; 0: none
-  /// What the machine says about a finding: its trouble, or what explains that an axis is not where
+  /// The machine's words about a finding: its trouble, or what explains that an axis is not where
   /// it should be. Not for the ticks.
   std::function<std::string(const motion::FollowingFinding&)> of_machine =
       [](const motion::FollowingFinding&) { return std::string(); };

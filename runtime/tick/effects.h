@@ -17,7 +17,7 @@ class Effects {
 
   void act(const motion::Effect& effect, double now) noexcept;
   bool locked(const motion::Effect& effect) const noexcept { return outputs_.locked(effect); }
-  /// What TASKs have done in the cycle before; `dropped`: it does not act.
+  /// All that TASKs have done in the cycle before; `dropped`: it does not act.
   void take_immediate(double now, bool dropped) noexcept;
   void take_safe_values(double now) noexcept;
   /// Switches off what was on for a PULSE that is over at `until`, s.

@@ -6,11 +6,11 @@ using motion::FollowingFinding;
 
 namespace {
 
-/// Of the robot's limit, for a program that brakes by itself when that is passed. [choice] what is
-/// gone until the axes stand, at S4's 5 mm/s against its stiffest cell, is a third
+/// The share of the robot's limit, for a program that brakes by itself when that is passed.
+/// [choice] what is gone until the axes stand, at S4's 5 mm/s against its stiffest cell, is a third
 constexpr double kForPrograms = 1.5;
 
-/// s in which a sensor must tell something new (fault 21).
+/// s in which a sensor must say something new (fault 21).
 constexpr double kInsensible = 0.1;
 
 }  // namespace

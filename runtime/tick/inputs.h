@@ -12,15 +12,15 @@
 
 namespace rob::runtime {
 
-/// What the program sees of the world in one cycle: the inputs and the force as the machine says,
+/// The world as the program sees it in one cycle: the inputs and the force as the machine says,
 /// and what is simulated in their place. Every call but the constructor may be used in the tick;
-/// `now`: of the present cycle, s.
+/// `now`: of the current cycle, s.
 class Inputs {
  public:
   Inputs(const motion::RobotModel& robot, const std::vector<SimulationRule>& script,
          const Outputs& outputs, const ServoHistory& history, Channels& channels);
 
-  /// What the machine said when it was enabled is there until the first sample.
+  /// The values that the machine had when it was enabled are there until the first sample.
   void prepare(double now) noexcept;
   void take(const ServoSample& sample) noexcept;
   /// From here on the program sees what is known now.
@@ -29,7 +29,7 @@ class Inputs {
   void simulate(const SimulatedSetting& setting, double time, double now) noexcept;
   void zero_force(double now) noexcept;
 
-  /// What the watches look at; `reference`: of this cycle.
+  /// The values that the watches look at; `reference`: of this cycle.
   motion::CycleView view(double now, const motion::JointVector& reference) const noexcept;
   /// Along the world.
   const motion::Wrench& wrench() const noexcept { return wrench_; }

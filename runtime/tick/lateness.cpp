@@ -36,7 +36,7 @@ Lateness::Lateness(const motion::RobotModel& robot)
 
 /// The whole process was stopped for a while, and this thread came back before the one that makes
 /// the references: what it lacks, or the instant from which it holds, is about to come. Until then
-/// the drives go on as they were told; but not for long, since that thread may be late again.
+/// the drives go on as they were commanded; but not for long, since that thread may be late again.
 bool Lateness::references_are_coming(double now, double gap) noexcept {
   const bool missing =
       !bridged(gap) && gap <= longest_ && std::abs(now - newest_) > reference_period_;

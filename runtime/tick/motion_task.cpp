@@ -60,7 +60,7 @@ void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   lateness_ = lateness;
 }
 
-/// Hands out the reference of cycle `number`, the one after the present one.
+/// Hands out the reference of cycle `number`, the one after the current one.
 void MotionTask::lead(std::int64_t number) noexcept {
   const double stamp = motion::cycle_instant(number, period_);
   tracks_.advance(number);
@@ -147,7 +147,7 @@ void MotionTask::collect_events() noexcept {
   }
 }
 
-/// What WHENs have done in this cycle comes before what is due in it by the clock.
+/// Anything that WHENs have done in this cycle comes before what is due in it by the clock.
 void MotionTask::release_actions() noexcept {
   MotionEvent event;
   for (Track* const track : tracks_.both()) {

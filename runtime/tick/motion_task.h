@@ -77,7 +77,7 @@ class MotionTask {
   Stopping stopping_;
 
   bool started_ = false;
-  double now_ = 0;  ///< of the present cycle, s
+  double now_ = 0;  ///< of the current cycle, s
   double lateness_ = 0;
   bool finished_ = false;              ///< motion is over; pulses may still be under way
   std::optional<double> finished_at_;  ///< s

@@ -32,7 +32,7 @@ class Person {
 /// the tick, all else belongs to the program's thread.
 class OperatorPanel {
  public:
-  /// What will still be given by itself.
+  /// The answers that will still be given by themselves.
   struct Promise {
     std::int64_t times = 0;
     bool whenever = false;  ///< and again whenever some condition comes true
@@ -51,7 +51,7 @@ class OperatorPanel {
   void go() noexcept { given_.fetch_add(1, std::memory_order_release); }
   /// A GO that has ended a hold: no HALT gets it.
   void spend_go() noexcept { spent_.fetch_add(1, std::memory_order_release); }
-  /// What finds the ring full is lost: nobody asks so many questions ahead.
+  /// A question that finds the ring full is lost: nobody asks so many questions ahead.
   void answer(std::uint32_t text) noexcept {
     answers_.push(text);
     answered_.fetch_add(1, std::memory_order_release);

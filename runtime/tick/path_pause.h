@@ -16,7 +16,7 @@ class PathPause {
     asked_.store(said(turn_of(asked_.load(std::memory_order_relaxed)) + 1, on),
                  std::memory_order_relaxed);
   }
-  /// What was said last, even if the tick has not seen it.
+  /// The last word, even if the tick has not seen it.
   bool on() const noexcept {
     const std::uint32_t asked = asked_.load(std::memory_order_relaxed);
     const std::uint32_t known = known_.load(std::memory_order_relaxed);

@@ -16,7 +16,7 @@ class Pressing {
   Pressing(const motion::RobotModel& robot, Channels& channels);
 
   /// Takes up what the program asks for, and shifts the reference of the track that has the axes.
-  /// `felt`: along the world; `held`: the axes shall stand; `now`: of the present cycle, s.
+  /// `felt`: along the world; `held`: the axes shall stand; `now`: of the current cycle, s.
   void follow(Tracks& tracks, const motion::Wrench& felt, bool held, double now) noexcept;
 
   bool active() const noexcept { return press_.active(); }

@@ -8,7 +8,7 @@
 
 namespace rob::runtime {
 
-/// What outputs become when a run goes wrong: program → motion. Of two for one output the later one
+/// The values of outputs when a run goes wrong: program → motion. For one output the later of two
 /// holds. At a prompt more are declared while the robot moves.
 class SafeValues {
  public:

@@ -9,7 +9,7 @@
 
 namespace rob::runtime {
 
-/// What somebody who watches a run has done to it, for the report. motion → main.
+/// Orders of somebody who watches a run, for the report. motion → main.
 struct Intervention {
   enum class Kind : std::uint8_t {
     Hold,      ///< the robot slows down on its path and stands there
@@ -24,14 +24,14 @@ struct Intervention {
   double share = 1;  ///< of Override
 };
 
-/// What a signal script, or SIMULATE, does in the operator's place: it answers HALT and ASK through
+/// A signal script, or SIMULATE, in the operator's place: it answers HALT and ASK through
 /// the OperatorPanel, and holds, stops and overrides the run. A GO ends a hold where there is one,
 /// else it is for a HALT.
 ///
 /// All calls belong to the tick.
 class ScriptedOperator {
  public:
-  /// What has been asked for since the last take().
+  /// The questions since the last take().
   struct Request {
     std::optional<bool> hold{};  ///< hold, or go on
     bool stop = false;

@@ -11,7 +11,7 @@ namespace rob::runtime {
 /// call may be used in the tick.
 class ServoHistory {
  public:
-  /// What is kept of a ServoSample.
+  /// The part of a ServoSample that is kept.
   struct Seen {
     motion::JointMeasurement measured;
     motion::JointVector drive;
@@ -20,7 +20,7 @@ class ServoHistory {
   };
 
   void take(const ServoSample& sample) noexcept;
-  /// What was measured at `stamp`, s; null before the first servo cycle.
+  /// The measurement of `stamp`, s; null before the first servo cycle.
   const Seen* at(double stamp) const noexcept;
   /// Null before the first servo cycle.
   const Seen* newest() const noexcept;

@@ -29,11 +29,12 @@ class ServoTask {
   ServoTask(const motion::RobotModel& robot, motion::ServoBackend& backend, Channels& channels);
 
   /// Takes the robot as it stands, its inputs too: call once, before the first cycle and before the
-  /// program's first step. What the machine answers is judged by the cycles that follow.
+  /// program's first step. The cycles that follow judge the machine's
+  /// answer.
   void enable(double now) noexcept;
   /// The drives stay without force, and a hand may move the axes: where they are is only read.
   void guide(double now) noexcept;
-  /// `due` is when this cycle was to begin. A machine that follows references is told where to be
+  /// `due` is when this cycle was to begin. A machine that follows references gets its position
   /// at that instant, for which the reference has been there for a period; what is computed here is
   /// computed for `now`.
   void cycle(double now, double due) noexcept {

@@ -12,8 +12,8 @@
 
 namespace rob::runtime {
 
-/// What a signal script and SIMULATE look at and set. `channel` counts from 0; of Force they are x,
-/// y, z of the force along the world, then of the torque.
+/// The inputs that a signal script and SIMULATE look at and set. `channel` counts from 0; of Force
+/// they are x, y, z of the force along the world, then of the torque.
 struct WorldSignal {
   enum class Kind : std::uint8_t {
     Input,
@@ -21,7 +21,7 @@ struct WorldSignal {
     Output,
     AnalogOutput,
     Force,
-    // What the operator does
+    // Orders of the operator
     Go,
     Answer,
     Hold,
@@ -84,7 +84,7 @@ class SimulatedInputs {
   bool feels() const noexcept {
     return std::ranges::any_of(force_driven_, [](bool driven) { return driven; });
   }
-  /// What acts in the operator's place.
+  /// It acts in the operator's place.
   ScriptedOperator& scripted_operator() noexcept { return operator_; }
   /// Puts what is simulated into `image`, which holds what the machine says.
   void latch(double now, WorldImage& image) noexcept;

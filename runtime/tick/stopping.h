@@ -12,7 +12,7 @@ namespace rob::runtime {
 
 /// How the axes come to rest before what was commanded is done: paused on their path, until that is
 /// withdrawn; held there for good, where the outputs take their SAFE values at once; or off it, by
-/// LastStop. Every call but the constructor may be used in the tick; `now`: of the present cycle,
+/// LastStop. Every call but the constructor may be used in the tick; `now`: of the current cycle,
 /// s.
 class Stopping {
  public:

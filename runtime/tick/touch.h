@@ -22,7 +22,7 @@ class Touch {
   /// `gap`: how long nobody has looked after the machine.
   void lose(double now, double gap) noexcept;
   double gap() const noexcept { return gap_; }
-  /// Whether this tells where the machine was after the gap.
+  /// Whether this says where the machine was after the gap.
   bool finds(const motion::ServoState& state) const noexcept;
   /// It stands at `found`, and moves with `velocity`; from there the axes brake.
   void brake(motion::JointReference found, const motion::JointVector& velocity) noexcept;

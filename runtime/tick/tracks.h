@@ -19,7 +19,7 @@ struct Track {
 
 /// The motions of the program and those of the handlers of its WHENs. One of the two has the axes:
 /// a handler gets them at rest, and gives them back. Every call but the constructor may be used in
-/// the tick; `now`: of the present cycle, s.
+/// the tick; `now`: of the current cycle, s.
 class Tracks {
  public:
   Tracks(motion::TrajectoryGenerator& program, motion::TrajectoryGenerator& handlers,
@@ -47,7 +47,7 @@ class Tracks {
   /// How a motion of `track` has ended; `barred`: no handler may begin.
   void hand_over_rest(Track& track, const motion::MotionEvent& event, double now,
                       bool barred) noexcept;
-  /// What the program has decided about the motion that a handler interrupted. `q`: where the axes
+  /// The program's decision about the motion that a handler interrupted. `q`: where the axes
   /// are on their path.
   void take_after_handler(const motion::JointVector& q, double now, bool barred) noexcept;
 

@@ -34,7 +34,7 @@ Explained explained(MotionFeature feature) {
       return {
           Capability::Path, "PATH", "under Paul's law each corner is planned by itself",
           "LAW LOOKAHEAD has PATH; without it leave PATH and ENDPATH out: AFTER and BEFORE stand "
-          "behind MOVE … DO"};
+          "after MOVE … DO"};
     case MotionFeature::Press:
       return {Capability::Force, "PRESS", "it has no force sensor",
               "MOVE … UNTIL touched stops where something is met"};
@@ -44,7 +44,7 @@ Explained explained(MotionFeature feature) {
   return {
       Capability::Lead, "leading the tool", "it is commanded in its axes alone",
       "MOVE (…) with a value for each axis, MOVE JOINT, MOVE to a taught point and JOG JOINT are "
-      "there; FORWARD(j) tells where joints bring the tool"};
+      "there; FORWARD(j) says where joints bring the tool"};
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Words words_for_press_at_end(bool again) {
 Words words_for_no_contact(double reach, bool again) {
   return {code::kNoContact,
           fmt::format("PRESS {} within {}", in_vain(again), shown(reach, motion::AxisKind::Linear)),
-          "begin it nearer, for example behind MOVEL … UNTIL force.z > 3N; or the force has the "
+          "begin it nearer, for example after MOVEL … UNTIL force.z > 3N; or the force has the "
           "other sign: it is the reaction on the tool"};
 }
 
@@ -64,7 +64,7 @@ Words words_for_press_in_press() {
 
 Words words_for_press_in_handler() {
   return {code::kNotPossible, "PRESS is not possible in the handler of a WHEN",
-          "let the handler RAISE, and PRESS in the RESCUE behind it"};
+          "let the handler RAISE, and PRESS in the RESCUE after it"};
 }
 
 Words words_for_oblique_force() {
@@ -75,7 +75,7 @@ Words words_for_oblique_force() {
 
 Words words_for_no_sensor(const motion::RobotModel& robot) {
   return {code::kNotPossible,
-          fmt::format("the force sensor of {} has told nothing yet", robot.name),
+          fmt::format("the force sensor of {} has said nothing yet", robot.name),
           "check its power and its cable; a signal can tell of a contact, as in UNTIL DIN[1]"};
 }
 
@@ -88,7 +88,7 @@ Words words_for_no_pace() {
 Words words_for_force(const motion::FollowingFinding& finding, const motion::RobotModel& robot) {
   if (finding.cause == motion::FollowingFinding::Cause::Insensible)
     return {code::kInsensible,
-            fmt::format("the force sensor of {} has told nothing new for {:.2f} s", robot.name,
+            fmt::format("the force sensor of {} has said nothing new for {:.2f} s", robot.name,
                         finding.value),
             "check its cable; the robot has stopped, and what it was doing has not succeeded"};
   return {code::kForceLimit,

@@ -4,7 +4,7 @@
 #include "motion/servo/following_supervisor.h"
 #include "runtime/words/words.h"
 
-/// What has to do with forces, in words for people.
+/// Texts about forces, for people.
 namespace rob::runtime {
 
 /// PRESS where nothing was met within its reach, m; or, `again`, where what was pressed on is gone.
@@ -23,7 +23,7 @@ Words words_for_press_in_press();
 Words words_for_press_in_handler();
 /// SIMULATE of a force along what is no axis of the world.
 Words words_for_oblique_force();
-/// force or torque of a machine whose sensor has told nothing.
+/// force or torque of a machine whose sensor has said nothing.
 Words words_for_no_sensor(const motion::RobotModel& robot);
 /// AT LIVE whose computation has no result.
 Words words_for_no_pace();

@@ -34,7 +34,7 @@ Words beyond(const Refusal& refusal, const motion::RobotModel& robot) {
                       shown(axis.min, axis.kind), shown(axis.max, axis.kind))};
 }
 
-/// What a machine's own words say is wrong, up to the last semicolon, and the remedy after it.
+/// The fault in a machine's own words, up to the last semicolon, and the remedy after it.
 struct MachineWords {
   explicit MachineWords(const std::string& text) {
     const std::size_t cut = text.rfind("; ");

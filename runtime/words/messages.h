@@ -10,14 +10,14 @@
 #include "motion/servo/following_supervisor.h"
 #include "runtime/words/words.h"
 
-/// Everything motion tells by numbers, in words for people: motion knows neither lines nor texts.
+/// Everything motion reports by numbers, in words for people: motion knows neither lines nor texts.
 namespace rob::runtime {
 
 /// "axis x: 9000 mm is beyond 400 mm".
 Words words_for(const motion::Refusal& refusal, const motion::RobotModel& robot);
 /// A WAIT for a time that motion control does not count to.
 Words words_for_long_wait(double seconds);
-/// What a program looks at in every control cycle could not be computed.
+/// A condition that is looked at in every control cycle could not be computed.
 Words words_for_condition(lang::ArithmeticError error);
 /// A pose that the robot cannot bring its tool to.
 /// `shortfall`: by how much.

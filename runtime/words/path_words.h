@@ -7,7 +7,7 @@
 #include "motion/robots/robot_model.h"
 #include "runtime/words/words.h"
 
-/// What is wrong with the way of a tool, in words for people.
+/// Texts about faults of a tool's way, for people.
 namespace rob::runtime {
 
 /// A way that the axes cannot follow: what, where on it, what to do.

@@ -22,7 +22,7 @@ inline motion::Pose to_motion(const lang::PoseValue& pose) {
           Eigen::Quaterniond(turn.w, turn.i, turn.j, turn.k)};
 }
 
-/// What force, torque and WRENCH() read, N and Nm.
+/// The values that force, torque and WRENCH() read, N and Nm.
 inline void store_wrench(lang::Reading what, const Eigen::Vector3d& force,
                          const Eigen::Vector3d& torque, lang::Slot* value) noexcept {
   if (what != lang::Reading::Torque)

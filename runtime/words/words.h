@@ -6,7 +6,7 @@
 
 namespace rob::runtime {
 
-/// Code, what is wrong, and the remedy. What a program's commands are refused with.
+/// Code, what is wrong, and the remedy. A program's commands are refused with it.
 using Words = lang::Refusal;
 
 /// The same words about this place of the program.

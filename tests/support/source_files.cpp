@@ -33,6 +33,19 @@ std::string text_of(const std::string& path) {
   return text.str();
 }
 
+std::vector<std::string> prose_of(const std::string& page) {
+  std::vector<std::string> lines;
+  std::istringstream all(page);
+  bool shown = false;
+  for (std::string line; std::getline(all, line);) {
+    const std::size_t text = line.find_first_not_of(' ');
+    const bool fence = text != std::string::npos && line.compare(text, 3, "```") == 0;
+    if (!fence && !shown) lines.push_back(line);
+    shown = shown != fence;
+  }
+  return lines;
+}
+
 std::vector<SourceFile> sources_in(const std::vector<std::string>& folders) {
   std::vector<SourceFile> files;
   for (const std::string& folder : folders) {

@@ -21,6 +21,9 @@ struct Include {
 /// std::runtime_error where it cannot be read.
 std::string text_of(const std::string& path);
 
+/// The lines of a page of the manual, without its shown programs and commands.
+std::vector<std::string> prose_of(const std::string& page);
+
 /// What is compiled in these folders of the root and below them: .h, .cpp, and what these include
 /// in pieces, .def and .inc. In the order of their paths.
 std::vector<SourceFile> sources_in(const std::vector<std::string>& folders);

@@ -103,9 +103,9 @@ TEST_CASE("the robot's own inputs can be driven too") {
 TEST_CASE("mistakes of a script are all told, with their place") {
   CHECK(script_error("part_here = ON") == "1:1 E541 at or when expected, not 'part_here'");
   CHECK(script_error("\nat 5 part_here = ON") ==
-        "2:4 E541 a time such as 2.5s behind at expected, not '5'");
+        "2:4 E541 a time such as 2.5s after at expected, not '5'");
   CHECK(script_error("at 5mm part_here = ON") ==
-        "1:4 E541 a time such as 2.5s behind at expected, not '5mm'");
+        "1:4 E541 a time such as 2.5s after at expected, not '5mm'");
   CHECK(script_error("at 5s part_her = ON") ==
         "1:7 E542 neither the program nor the robot has a signal part_her");
   CHECK(script_error("at 5s DIN[17] = ON") ==
