@@ -24,6 +24,7 @@ bool mentions(const Type& type, const TypeDetail* record) {
 bool keeps(const Type& type) {
   switch (type.kind) {
     case Type::Kind::Array:
+    case Type::Kind::List:
       return keeps(type.detail->element);
     case Type::Kind::Record:
       return std::ranges::all_of(type.detail->fields,
@@ -82,7 +83,7 @@ bool DeclarationChecker::may_persist(const Declaration::Declared& declared, cons
         code::kNotPersistent, declared.place,
         fmt::format("{} cannot be kept between runs: it is {}", shortened(declared.name),
                     in_words(type)),
-        "numbers, BOOL, STRING, ENUM, VEC and POSE can, and ARRAY and RECORD of them");
+        "numbers, BOOL, STRING, ENUM, VEC and POSE can, and ARRAY, LIST and RECORD of them");
     return false;
   }
   const auto bytes = static_cast<std::size_t>(slots_of(type).numbers) * sizeof(Slot);

@@ -23,7 +23,7 @@ bool is_csv_field(const Type& type) {
 
 /// Whether READ can fill a value of this type.
 bool reads_from_csv(const Type& type) {
-  return type.is(Type::Kind::Array) && type.detail->element.is(Type::Kind::Record) &&
+  return type.has_row() && type.detail->element.is(Type::Kind::Record) &&
          is_csv_field(type.detail->element);
 }
 
@@ -80,9 +80,10 @@ void OutletChecker::check(Read& read) {
   if (root != nullptr && !assignable(*root->symbol, read.target->place, diagnostics_)) return;
   if (root != nullptr) uses_.written(*root->symbol);
   if (!type.known() || (root != nullptr && reads_from_csv(type))) return;
-  diagnostics_.error(code::kNotReadable, read.target->place,
-                     fmt::format("READ fills an ARRAY OF a RECORD; this is {}", in_words(type)),
-                     "the record has a field for each column: numbers, BOOL, STRING, VEC, POSE");
+  diagnostics_.error(
+      code::kNotReadable, read.target->place,
+      fmt::format("READ fills a LIST or an ARRAY OF a RECORD; this is {}", in_words(type)),
+      "the record has a field for each column: numbers, BOOL, STRING, VEC, POSE");
 }
 
 void OutletChecker::check(Send& send) {

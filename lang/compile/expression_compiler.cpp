@@ -94,6 +94,7 @@ void ExpressionCompiler::call(const Expr& expression) {
     call_routine(called, expression);
   } else {
     call_procedure(called, expression.place);
+    variables_.changed(*root_of(*called.arguments.front())->symbol, expression.place);
   }
   frame_.release(mark);
 }

@@ -16,6 +16,7 @@ inline constexpr std::size_t kMostPersistent = std::size_t{1} << 20U;
 struct SavedValue {
   std::vector<Slot> numbers;
   std::vector<std::string> texts;
+  std::size_t count = 0;  ///< elements of a LIST
 };
 /// By the number of the variable; nothing where it begins as the program says.
 using SavedValues = std::vector<std::optional<SavedValue>>;

@@ -45,12 +45,16 @@ class Writer {
       case Type::Kind::Joints:
         return put("JOINTS(") && joints(type.detail->axes) && put(")");
       case Type::Kind::Array:
-        return put("[") && row(type.detail->element, type.detail->length) && put("]");
+        return elements(type.detail->element, type.detail->length);
       case Type::Kind::Record:
         return record(*type.detail);
       default:
         return true;
     }
+  }
+
+  bool elements(const Type& type, std::int64_t count) {
+    return put("[") && row(type, count) && put("]");
   }
 
  private:
@@ -141,6 +145,12 @@ std::string enum_text(const TypeDetail& enumeration, std::int64_t value) {
 bool append_part_text(std::string& out, const Type& type, const Slot* numbers,
                       const std::string* texts, std::size_t most, EnumNames names) {
   return Writer(out, numbers, texts, most, names).value(type);
+}
+
+bool append_row_text(std::string& out, const Type& element, std::size_t count, const Slot* numbers,
+                     const std::string* texts, std::size_t most, EnumNames names) {
+  return Writer(out, numbers, texts, most, names)
+      .elements(element, static_cast<std::int64_t>(count));
 }
 
 bool append_value_text(std::string& out, const Type& type, const Slot* numbers,

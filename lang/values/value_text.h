@@ -27,5 +27,9 @@ enum class EnumNames : std::uint8_t { WithType, Alone };
 bool append_part_text(std::string& out, const Type& type, const Slot* numbers,
                       const std::string* texts, std::size_t most,
                       EnumNames names = EnumNames::WithType);
+/// The same of elements in a row, as of a LIST: `[1, 2]`.
+bool append_row_text(std::string& out, const Type& element, std::size_t count, const Slot* numbers,
+                     const std::string* texts, std::size_t most,
+                     EnumNames names = EnumNames::WithType);
 
 }  // namespace rob::lang

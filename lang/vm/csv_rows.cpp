@@ -169,7 +169,7 @@ std::string_view without_blanks_around(std::string_view text) {
 /// The rows of one file.
 class CsvReader {
  public:
-  CsvReader(std::string_view text, const Type& record, std::size_t rows)
+  CsvReader(std::string_view text, const Type& record, std::optional<std::size_t> rows)
       : text_(text), record_(record), rows_(rows) {
     add_columns("", record, columns_);
   }
@@ -180,12 +180,13 @@ class CsvReader {
   void header();
   void find(const CsvField& title, std::size_t at, std::vector<bool>& found);
   void row(const CsvLine& line);
+  [[noreturn]] void fail_length(const CsvPlace& place, std::string_view found) const;
   void put(const Type& type, const CsvLine& line, std::size_t& next);
   Slot number(const CsvColumn& column, const CsvField& field) const;
 
   CsvText text_;
   const Type& record_;
-  std::size_t rows_;
+  std::optional<std::size_t> rows_;  ///< how many there must be
   std::vector<CsvColumn> columns_;
   std::size_t width_ = 0;
   CsvRows result_;
@@ -246,20 +247,21 @@ void CsvReader::header() {
 
 CsvRows CsvReader::read() {
   header();
-  std::size_t count = 0;
+  std::size_t& count = result_.count;
   while (const std::optional<CsvLine> line = text_.line()) {
-    const CsvPlace place = line->front().place;
-    if (++count > rows_)
-      throw CsvWrong{code::kCsvLength, place,
-                     fmt::format("the variable has {} elements, and this is row {}", rows_, count),
-                     "give the array the length of the file"};
+    ++count;
+    if (rows_ && count > *rows_)
+      fail_length(line->front().place, fmt::format("this is row {}", count));
     row(*line);
   }
-  if (count < rows_)
-    throw CsvWrong{code::kCsvLength, text_.place(),
-                   fmt::format("the variable has {} elements, and the file {} rows", rows_, count),
-                   "give the array the length of the file"};
+  if (rows_ && count < *rows_) fail_length(text_.place(), fmt::format("the file {} rows", count));
   return std::move(result_);
+}
+
+void CsvReader::fail_length(const CsvPlace& place, std::string_view found) const {
+  throw CsvWrong{code::kCsvLength, place,
+                 fmt::format("the variable has {} elements, and {}", *rows_, found),
+                 "give the array the length of the file, or read into a LIST"};
 }
 
 void CsvReader::row(const CsvLine& line) {
@@ -318,7 +320,7 @@ void CsvReader::put(const Type& type, const CsvLine& line, std::size_t& next) {
 }  // namespace
 
 std::variant<CsvRows, Refusal> read_csv(std::string_view file, std::string_view text,
-                                        const Type& record, std::size_t rows) {
+                                        const Type& record, std::optional<std::size_t> rows) {
   try {
     CsvRows read = CsvReader(text, record, rows).read();
     for (Refusal& warning : read.warnings)

@@ -19,8 +19,8 @@ class PersistentValues {
  public:
   /// Before the run: what an earlier one has left. It must outlive this.
   void start_from(const SavedValues& saved) { saved_ = &saved; }
-  /// `restore`, of a variable.
-  void restore(const PersistCode& variable, std::size_t number, Stack& stack) const;
+  /// `restore`, of a variable. Fails where its LIST finds no room.
+  Objection restore(const PersistCode& variable, std::size_t number, Stack& stack) const;
 
   void change(std::size_t number) { changed_.insert(number); }
   /// A REF to it is out: it may change at any time.

@@ -52,17 +52,9 @@ Objection compute(std::span<const Slot> row, RowNumber which, Slot& result) {
 /// Writes `[1, 2]`; false if the text would become too long.
 bool append_elements(std::string& text, const Type& element, Stack& stack, const Slot* row) {
   const Slots size = slots_of(element);
-  const Slot* numbers = size.numbers > 0 ? stack.place(row[0], 0) : nullptr;
-  const std::string* texts = size.texts > 0 ? stack.text_place(row[1], 0) : nullptr;
-  text += '[';
-  for (std::size_t i = 0; i < count_of(row); ++i) {
-    if (i > 0) text += ", ";
-    if (!append_part_text(text, element, numbers, texts, kMostText)) return false;
-    if (numbers != nullptr) numbers += size.numbers;
-    if (texts != nullptr) texts += size.texts;
-  }
-  text += ']';
-  return text.size() <= kMostText;
+  return append_row_text(text, element, count_of(row),
+                         size.numbers > 0 ? stack.place(row[0], 0) : nullptr,
+                         size.texts > 0 ? stack.text_place(row[1], 0) : nullptr, kMostText);
 }
 
 Objection join(std::span<const std::string> parts, const std::string& between,

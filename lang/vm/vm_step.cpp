@@ -344,7 +344,7 @@ Vm::Step Vm::step_motion(Code pc) {
           return pc + 1;
       }
     case Opcode::restore:
-      persistent_.restore(loaded_.chunk->persists[pc->x()], pc->x(), stack_);
+      ROB_SOUND(persistent_.restore(loaded_.chunk->persists[pc->x()], pc->x(), stack_));
       return pc + 1;
     case Opcode::begin_path:
       ROB_ASK(machine_->begin_path(line(pc)), pc);
@@ -469,19 +469,26 @@ Vm::Step Vm::end_guard(Code pc) {
   return pc + 1;
 }
 
-/// All of the file is read before anything of the array changes.
+/// All of the file is read before anything of the variable changes.
 Vm::Step Vm::read_rows(Code pc) {
   const std::string& file = stack_.texts()[pc->a()];
   std::string text;
   ROB_ASK(machine_->read_file(line(pc), file, text), pc);
   const Type& type = loaded_.chunk->types[(pc + 1)->word];
-  auto read =
-      read_csv(file, text, type.detail->element, static_cast<std::size_t>(type.detail->length));
+  const bool list = type.is(Type::Kind::List);
+  auto read = read_csv(file, text, type.detail->element,
+                       list ? std::nullopt : std::optional<std::size_t>(type.detail->length));
   if (Refusal* const why = std::get_if<Refusal>(&read)) return fail(pc, std::move(*why));
   CsvRows& rows = std::get<CsvRows>(read);
   for (Refusal& warning : rows.warnings) machine_->warn(line(pc), std::move(warning));
   budget_.charge(text.size());
   const Slot* const n = stack_.numbers();
+  if (list) {
+    Objection why = stack_.lists().fill(stack_.list_at(n[pc->b()]), rows.numbers.data(),
+                                        rows.texts.data(), rows.count);
+    if (why) return fail(pc, std::move(*why));
+    return pc + 2;
+  }
   if (!rows.numbers.empty()) std::ranges::copy(rows.numbers, stack_.place(n[pc->b()], 0));
   if (!rows.texts.empty()) std::ranges::move(rows.texts, stack_.text_place(n[pc->c()], 0));
   return pc + 2;

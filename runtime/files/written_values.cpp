@@ -49,6 +49,7 @@ class ValuesReader : LineReader {
   void number(const Type& type, SavedValue& into);
   void truth(SavedValue& into);
   void row(const Type& type, std::int64_t count, SavedValue& into);
+  void list(const Type& element, SavedValue& into);
   void pose(SavedValue& into);
   void record(const lang::TypeDetail& detail, SavedValue& into);
 
@@ -113,6 +114,8 @@ void ValuesReader::value(const Type& type, SavedValue& into) {
       take(TokenKind::LeftBracket, "'['");
       row(type.detail->element, type.detail->length, into);
       return take(TokenKind::RightBracket, "']' after so many elements as the variable has");
+    case Type::Kind::List:
+      return list(type.detail->element, into);
     default:
       return record(*type.detail, into);
   }
@@ -149,6 +152,16 @@ void ValuesReader::row(const Type& type, std::int64_t count, SavedValue& into) {
     if (i > 0) take(TokenKind::Comma, "','");
     value(type, into);
   }
+}
+
+/// [1mm, 2mm], with any number of elements
+void ValuesReader::list(const Type& element, SavedValue& into) {
+  take(TokenKind::LeftBracket, "'['");
+  for (; token_.kind != TokenKind::RightBracket; ++into.count) {
+    if (into.count > 0) take(TokenKind::Comma, "',' or ']'");
+    value(element, into);
+  }
+  advance();
 }
 
 /// POSE(x, y, z, a, b, c)

@@ -159,3 +159,34 @@ TEST_CASE("an array in memory and a name of an ENUM are kept, without any routin
   std::ofstream(kept.values) << "paint = pink\n";
   CHECK(message_of([&] { kept.run(text); }).find("cell.values:1:9: E370") != std::string::npos);
 }
+
+TEST_CASE("a LIST is kept with all its elements, whatever has changed it") {
+  Kept kept;
+  const std::string text =
+      "RECORD bolt\nname: STRING\nsize: LENGTH\nENDRECORD\n"
+      "PERSIST VAR l: LIST OF bolt\nPERSIST VAR n: LIST OF INT = [9]\nPRINT l, n\n"
+      "APPEND(REF l, bolt(name: \"M\\\"6\", size: 2mm * (LEN(l) + 1)))\n"
+      "APPEND(REF n, 3)\nSORT(REF n)\nMOVE(10, 10, 0)\n"
+      "IF LEN(l) == 3 THEN\nREMOVE(REF l, 1)\nCLEAR(REF n)\nENDIF\n";
+  CHECK(kept.run(text).output.front() == "[][9]");
+  CHECK(content_of(kept.values) == "l = [bolt(name: \"M\\\"6\", size: 2mm)]\nn = [3, 9]\n");
+  CHECK(kept.run(text).output.front() == "[bolt(name: \"M\\\"6\", size: 2mm)][3, 9]");
+  CHECK(kept.run(text).exit_code == runtime::ExitCode::Done);
+  CHECK(content_of(kept.values) ==
+        "l = [bolt(name: \"M\\\"6\", size: 4mm), bolt(name: \"M\\\"6\", size: 6mm)]\nn = []\n");
+  std::ofstream(kept.values) << "n = [1, 2mm]\n";
+  CHECK(message_of([&] { kept.run(text); }).find("cell.values:1:9: E370") != std::string::npos);
+  std::ofstream(kept.values) << "n = [1,]\n";
+  CHECK(message_of([&] { kept.run(text); }).find("cell.values:1:8: E370") != std::string::npos);
+  std::ofstream(kept.values) << "n = [1 2]\n";
+  CHECK(message_of([&] { kept.run(text); }).find("cell.values:1:8: E370") != std::string::npos);
+}
+
+TEST_CASE("a LIST that is larger than 1 MiB as text is an error of the program") {
+  Kept kept;
+  const auto run = kept.run(
+      "PERSIST VAR l: LIST OF INT\nFOR i = 1 TO 400000 DO\nAPPEND(REF l, 12)\nENDFOR\n"
+      "MOVE(10, 10, 0)\n");
+  CHECK(run.exit_code == runtime::ExitCode::Fault);
+  CHECK(content_of(kept.values).empty());
+}
