@@ -239,10 +239,10 @@ Type BuiltinChecker::common_dimension(const Call& call) {
     }
     const Type next = common_type(common, argument->type);
     if (!next.numeric()) {
-      diagnostics_.error(
-          code::kDimensionMismatch, argument->place,
-          fmt::format("this is {}; {} needs {} here, as before", described(*argument),
-                      to_upper(call.callee), in_words(common)));
+      diagnostics_.error(code::kDimensionMismatch, argument->place,
+                         fmt::format("this is {}; {} needs {} here, as before{}",
+                                     described(*argument), to_upper(call.callee), in_words(common),
+                                     not_as_written(argument->type, common)));
       return {};
     }
     common = next;
@@ -289,6 +289,10 @@ bool BuiltinChecker::accept_changed(const Builtin& builtin, const Expr& variable
   const Name* const root = root_of(variable);
   const bool changes =
       root != nullptr && root->symbol != nullptr && root->symbol->kind == Symbol::Kind::Variable;
+  if (changes && root->symbol->type.is(Type::Kind::List)) {
+    uses_.met_list(variable.place);
+    return true;
+  }
   if (changes) {
     uses_.referred(*root->symbol, variable.place);
     return true;
@@ -673,6 +677,7 @@ bool CallChecker::refuse(std::string_view code, Place place, std::string message
 bool CallChecker::check_argument(const Expr& argument, const Routine& routine,
                                  const Routine::Parameters& group, std::string_view name) {
   const std::string needs = fmt::format("{} of {} needs", shortened(name), shortened(routine.name));
+  if (!group.by_reference && group.type.is(Type::Kind::List)) uses_.met_list(argument.place);
   if (!group.by_reference) return values_.accept(argument, group.type, needs);
   if (argument.type.kind == Type::Kind::Unknown || group.type.kind == Type::Kind::Unknown) {
     return false;
@@ -698,7 +703,8 @@ bool CallChecker::check_argument(const Expr& argument, const Routine& routine,
   }
   diagnostics_.error(
       code::kReferenceArgument, argument.place,
-      fmt::format("{} a variable here, {}, since it is REF", needs, in_words(group.type)),
+      fmt::format("this is {}; {} a variable here, {}, since it is REF {}", described(argument),
+                  needs, in_words(group.type), as_written(group.type)),
       "declare one with VAR and its type, and give its name");
   return false;
 }

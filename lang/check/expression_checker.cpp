@@ -49,6 +49,20 @@ std::optional<std::string> too_large(Slots element, std::int64_t count) {
   return std::nullopt;
 }
 
+/// Whether it has a LIST that is no global, or turns a literal into one to compare it.
+bool makes_list(const Expr& expression) {
+  if (const auto* const binary = std::get_if<Binary>(&expression.node)) {
+    const auto literal = [](const Expr& side, const Expr& other) {
+      return std::holds_alternative<List>(side.node) && other.type.is(Type::Kind::List);
+    };
+    return binary->left != nullptr && binary->right != nullptr &&
+           (literal(*binary->left, *binary->right) || literal(*binary->right, *binary->left));
+  }
+  const auto* const name = std::get_if<Name>(&expression.node);
+  const bool global = name != nullptr && name->symbol != nullptr && name->symbol->global;
+  return expression.type.is(Type::Kind::List) && !global;
+}
+
 }  // namespace
 
 Type ExpressionChecker::check(const ExprPtr& expression) {
@@ -56,7 +70,7 @@ Type ExpressionChecker::check(const ExprPtr& expression) {
   expression->type =
       std::visit([&](auto& node) { return check(node, *expression); }, expression->node);
   memory_use_ = memory_use_ || !expression->type.in_registers();
-  if (expression->type.is(Type::Kind::List)) uses_.met_list(expression->place);
+  if (makes_list(*expression)) uses_.met_list(expression->place);
   return expression->type;
 }
 
@@ -343,10 +357,10 @@ Type ExpressionChecker::check(List& list, Expr& expression) {
   for (const ExprPtr& element : list.elements) {
     const Type next = element_type(common, element->type);
     if (!next.known()) {
-      diagnostics_.error(
-          code::kListMixed, element->place,
-          fmt::format("this is {}; the list began with {}", described(*element), in_words(common)),
-          "all elements of an ARRAY are of one type");
+      diagnostics_.error(code::kListMixed, element->place,
+                         fmt::format("this is {}; the list began with {}{}", described(*element),
+                                     in_words(common), not_as_written(element->type, common)),
+                         "all elements of an ARRAY are of one type");
       return {};
     }
     common = next;

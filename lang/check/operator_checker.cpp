@@ -342,8 +342,9 @@ Type OperatorChecker::unlike(const Binary& binary, const Expr& expression) {
   const std::string remedy = quantities ? unit_remedy(left, right) : text_remedy(left, right);
   diagnostics_.error(
       quantities ? code::kDimensionMismatch : code::kTypeMismatch, expression.place,
-      fmt::format("'{}' needs two values of one kind; left is {}, right is {}",
-                  symbol_of(binary.op), described(*binary.left), described(*binary.right)),
+      fmt::format("'{}' needs two values of one kind; left is {}, right is {} ({} and {})",
+                  symbol_of(binary.op), described(*binary.left), described(*binary.right),
+                  as_written(left), as_written(right)),
       remedy);
   return {};
 }

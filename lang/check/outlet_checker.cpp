@@ -78,21 +78,24 @@ void OutletChecker::check(Read& read) {
   const Name* const root = root_of(*read.target);
   if (root != nullptr && root->symbol == nullptr) return;
   if (root != nullptr && !assignable(*root->symbol, read.target->place, diagnostics_)) return;
-  if (root != nullptr) uses_.written(*root->symbol);
+  if (root != nullptr) uses_.written(*root->symbol, read.target->place);
   if (!type.known() || (root != nullptr && reads_from_csv(type))) return;
-  diagnostics_.error(
-      code::kNotReadable, read.target->place,
-      fmt::format("READ fills a LIST or an ARRAY OF a RECORD; this is {}", in_words(type)),
-      "the record has a field for each column: numbers, BOOL, STRING, VEC, POSE");
+  diagnostics_.error(code::kNotReadable, read.target->place,
+                     fmt::format("READ fills a LIST or an ARRAY OF a RECORD; this is {} ({})",
+                                 in_words(type), as_written(type)),
+                     "the record has a field for each column: numbers, BOOL, STRING, VEC, POSE");
 }
 
 void OutletChecker::check(Send& send) {
   send.device.symbol = names_.resolve_device(send.device.text, send.device_place);
+  if (send.device.symbol != nullptr) uses_.spoke_with(*send.device.symbol, send.device_place);
   for (const ExprPtr& value : send.values) expressions_.check(value);
 }
 
 void OutletChecker::check(Receive& receive) {
   receive.device.symbol = names_.resolve_device(receive.device.text, receive.device_place);
+  if (receive.device.symbol != nullptr)
+    uses_.spoke_with(*receive.device.symbol, receive.device_place);
   if (expressions_.check_as(receive.timeout, Type::real(kTime), "TIMEOUT needs"))
     values_.require_time(*receive.timeout, "TIMEOUT");
   const Type type = expressions_.check(receive.target);
@@ -100,11 +103,12 @@ void OutletChecker::check(Receive& receive) {
   const Name* const root = root_of(*receive.target);
   if (root != nullptr && root->symbol == nullptr) return;
   if (root != nullptr && !assignable(*root->symbol, receive.target->place, diagnostics_)) return;
-  if (root != nullptr) uses_.written(*root->symbol);
+  if (root != nullptr) uses_.written(*root->symbol, receive.target->place);
   if (!type.known() || (root != nullptr && type == Type::string())) return;
-  diagnostics_.error(code::kNotReceivable, receive.target->place,
-                     fmt::format("RECEIVE fills a STRING; this is {}", in_words(type)),
-                     "VAR line = \"\", and NUM(line) makes a number of it");
+  diagnostics_.error(
+      code::kNotReceivable, receive.target->place,
+      fmt::format("RECEIVE fills a STRING; this is {} ({})", in_words(type), as_written(type)),
+      "VAR line = \"\", and NUM(line) makes a number of it");
 }
 
 }  // namespace rob::lang

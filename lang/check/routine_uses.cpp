@@ -28,6 +28,7 @@ bool fits_in_task(const Statement& statement) {
         return (std::is_same_v<Node, Declaration> || std::is_same_v<Node, Assign> ||
                 std::is_same_v<Node, Pulse> || std::is_same_v<Node, Print> ||
                 std::is_same_v<Node, Write> || std::is_same_v<Node, Wait> ||
+                std::is_same_v<Node, Send> || std::is_same_v<Node, Receive> ||
                 std::is_same_v<Node, If> || std::is_same_v<Node, While> ||
                 std::is_same_v<Node, For> || std::is_same_v<Node, Loop> ||
                 std::is_same_v<Node, Select> || std::is_same_v<Node, Exit> ||
@@ -38,16 +39,23 @@ bool fits_in_task(const Statement& statement) {
       statement.node);
 }
 
+/// With a device.
+bool speaks(const Statement& statement) {
+  return std::holds_alternative<Send>(statement.node) ||
+         std::holds_alternative<Receive>(statement.node);
+}
+
 /// Whether it needs the axes at rest, or takes them: a handler with such a statement must stop
 /// them before.
 bool stops_axes(const Statement& statement) {
   return !fits_in_task(statement) || std::holds_alternative<Wait>(statement.node) ||
-         std::holds_alternative<Raise>(statement.node);
+         speaks(statement) || std::holds_alternative<Raise>(statement.node);
 }
 
 /// Whether it computes, and does nothing else.
 bool fits_in_path(const Statement& statement) {
-  return fits_in_task(statement) && !std::holds_alternative<Pulse>(statement.node) &&
+  return fits_in_task(statement) && !speaks(statement) &&
+         !std::holds_alternative<Pulse>(statement.node) &&
          !std::holds_alternative<Print>(statement.node) &&
          !std::holds_alternative<Write>(statement.node) &&
          !std::holds_alternative<Wait>(statement.node);
@@ -88,8 +96,13 @@ void RoutineUses::met_list(Place place) {
   if (inside_ != nullptr) listed_.try_emplace(inside_->index, place);
 }
 
-void RoutineUses::written(const Symbol& symbol) {
+void RoutineUses::written(const Symbol& symbol, Place place) {
+  if (symbol.type.is(Type::Kind::List)) return met_list(place);
   if (inside_ != nullptr && symbol.global) writers_[&symbol].insert(inside_->index);
+}
+
+void RoutineUses::spoke_with(const Symbol& device, Place place) {
+  talks_.push_back({&device, inside_, place});
 }
 
 void RoutineUses::referred(const Symbol& symbol, Place place) {
@@ -223,7 +236,9 @@ void RoutineUses::report_tasks(const std::vector<Routine>& routines, Diagnostics
   gather_tasks(routines);
   for (const auto& [routine, place] : listed_) {
     if (task_of_[routine] == nullptr) continue;
-    diagnostics.error(code::kListInTask, place, "a TASK has no LIST, which might have to grow",
+    diagnostics.error(code::kListInTask, place,
+                      "a TASK only looks at the LISTs of the program: it changes none, and has "
+                      "none of its own",
                       "an ARRAY has the same room from the beginning");
   }
   for (const auto& [routine, place] : barred_) {
@@ -238,6 +253,48 @@ void RoutineUses::report_tasks(const std::vector<Routine>& routines, Diagnostics
                       "a TASK can set a variable that the program looks at, or RAISE an error");
   }
   report_references(diagnostics);
+  report_devices(routines, diagnostics);
+}
+
+/// From the statements of the program on, and from its handlers and TESTs.
+std::set<std::size_t> RoutineUses::reached_by_program(const std::vector<Routine>& routines) const {
+  std::set<std::size_t> reached;
+  const auto begin_at = [&](const Routine& routine) {
+    if (!routine.task) reached.merge(reached_from(routine.index));
+  };
+  for (const TopLevelCall& call : calls_) begin_at(*call.routine);
+  for (const Routine& routine : routines) {
+    if (routine.handler || routine.test) begin_at(routine);
+  }
+  return reached;
+}
+
+/// A line is for one reader, so a device belongs to the program or to one TASK.
+void RoutineUses::report_devices(const std::vector<Routine>& routines,
+                                 Diagnostics& diagnostics) const {
+  const std::set<std::size_t> by_program = reached_by_program(routines);
+  std::map<const Symbol*, std::set<const Routine*>> users;  // null: the program
+  for (const Talk& talk : talks_) {
+    std::set<const Routine*>& known = users[talk.device];
+    const bool alone = known.size() < 2;
+    if (talk.inside == nullptr || by_program.contains(talk.inside->index)) known.insert(nullptr);
+    for (const Routine& task : routines) {
+      const bool calls = task.task && talk.inside != nullptr &&
+                         reached_from(task.index).contains(talk.inside->index);
+      if (calls) known.insert(&task);
+    }
+    if (!alone || known.size() < 2) continue;
+    std::string names;
+    for (const Routine* const user : known) {
+      names += names.empty() ? "" : " and ";
+      names += user == nullptr ? "the program" : "TASK " + shortened(user->name);
+    }
+    diagnostics.error(code::kNotInTask, talk.place,
+                      fmt::format("{} belongs to the program or to one TASK; {} use it",
+                                  shortened(talk.device->name), names),
+                      "let one of them speak with it, and give the other what it needs in a "
+                      "variable");
+  }
 }
 
 void RoutineUses::report_references(Diagnostics& diagnostics) const {

@@ -44,11 +44,14 @@ class RoutineUses {
 
   // TASKs
   void statement(const Statement& statement);
-  void written(const Symbol& symbol);
+  void written(const Symbol& symbol, Place place);
   /// Given to a REF parameter.
   void referred(const Symbol& symbol, Place place);
+  /// By SEND or RECEIVE.
+  void spoke_with(const Symbol& device, Place place);
   /// To be called when all is checked: what TASKs, and what they call, must not do is an error.
   void report_tasks(const std::vector<Routine>& routines, Diagnostics& diagnostics);
+  /// A LIST is there that is no global, or one changes: TASKs only look at those of the program.
   void met_list(Place place);
   // PATHs
   /// A signal or something of the robot is looked at, or set.
@@ -77,6 +80,11 @@ class RoutineUses {
     const Symbol* symbol;
     Place place;
   };
+  struct Talk {
+    const Symbol* device;
+    const Routine* inside;
+    Place place;
+  };
   struct PathCall {
     const Routine* routine;
     Place place;
@@ -86,6 +94,8 @@ class RoutineUses {
   std::vector<const Symbol*> latest_needs() const;
   void gather_tasks(const std::vector<Routine>& routines);
   void report_references(Diagnostics& diagnostics) const;
+  std::set<std::size_t> reached_by_program(const std::vector<Routine>& routines) const;
+  void report_devices(const std::vector<Routine>& routines, Diagnostics& diagnostics) const;
   bool any_in_task(const std::set<std::size_t>& routines) const;
 
   const Routine* inside_ = nullptr;
@@ -94,6 +104,7 @@ class RoutineUses {
   std::map<const Symbol*, std::set<std::size_t>> users_;  ///< routines by index
   std::map<const Symbol*, std::set<std::size_t>> writers_;
   std::vector<Reference> references_;
+  std::vector<Talk> talks_;
   std::vector<std::set<std::size_t>> callers_;  ///< of each routine
   std::vector<TopLevelCall> calls_;
 

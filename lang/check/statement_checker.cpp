@@ -286,7 +286,7 @@ void StatementChecker::check(Assign& assign) {
                        "write the whole value after '='");
     return;
   }
-  uses_.written(*root->symbol);
+  uses_.written(*root->symbol, assign.target->place);
   if (assign.value == nullptr || values_.refuse_open(*assign.target)) return;
   values_.accept(*assign.value, assign.target->type,
                  fmt::format("{} needs", shortened(root->symbol->name)));
@@ -426,10 +426,10 @@ Type StatementChecker::check_range(For& loop) {
     }
     const Type common = common_type(type, next);
     if (!common.numeric()) {
-      diagnostics_.error(
-          code::kDimensionMismatch, (*part)->place,
-          fmt::format("this is {}; the FOR began with {}", described(**part), in_words(type)),
-          "first value, last value and STEP need the same unit");
+      diagnostics_.error(code::kDimensionMismatch, (*part)->place,
+                         fmt::format("this is {}; the FOR began with {}{}", described(**part),
+                                     in_words(type), not_as_written((*part)->type, type)),
+                         "first value, last value and STEP need the same unit");
       return {};
     }
     type = common;

@@ -33,6 +33,10 @@ std::string as_written(const Type& type) {
   return fmt::format("[{}]", unit_text(type.dimension));
 }
 
+std::string not_as_written(const Type& given, const Type& wanted) {
+  return fmt::format(" ({}, not {})", as_written(given), as_written(wanted));
+}
+
 std::string place_text(const Expr& place) {
   if (const auto* const name = std::get_if<Name>(&place.node)) return name->text;
   if (const auto* const member = std::get_if<Member>(&place.node))
@@ -137,9 +141,10 @@ bool ValueChecker::accept(const Expr& expression, const Type& wanted, std::strin
     help = "STR(x) makes a text of any value";
   }
   const bool quantities = type.numeric() && wanted.numeric() && type.dimension != wanted.dimension;
-  diagnostics_.error(
-      quantities ? code::kDimensionMismatch : code::kTypeMismatch, expression.place,
-      fmt::format("this is {}; {} {} here", described(expression), needed, in_words(wanted)), help);
+  diagnostics_.error(quantities ? code::kDimensionMismatch : code::kTypeMismatch, expression.place,
+                     fmt::format("this is {}; {} {} here{}", described(expression), needed,
+                                 in_words(wanted), not_as_written(type, wanted)),
+                     help);
   return false;
 }
 

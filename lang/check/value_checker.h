@@ -12,6 +12,8 @@ namespace rob::lang {
 
 /// A type as programs write it: "INT", "LENGTH", "ARRAY[3] OF REAL", the name of a RECORD.
 std::string as_written(const Type& type);
+/// " (INT, not REAL)": two types that differ, as programs write them.
+std::string not_as_written(const Type& given, const Type& wanted);
 /// A variable, or a part of one, as programs write it: "k", "part.size", "a[…]".
 std::string place_text(const Expr& place);
 /// "a length, 5mm": type and, where it is known, value; for messages.

@@ -94,7 +94,9 @@ void ExpressionCompiler::call(const Expr& expression) {
     call_routine(called, expression);
   } else {
     call_procedure(called, expression.place);
-    variables_.changed(*root_of(*called.arguments.front())->symbol, expression.place);
+    const Symbol& changed = *root_of(*called.arguments.front())->symbol;
+    variables_.publish(changed, expression.place);
+    variables_.changed(changed, expression.place);
   }
   frame_.release(mark);
 }
@@ -174,7 +176,7 @@ void ExpressionCompiler::assign_register(const Expr& target, Register value) {
   } else {
     const Location at = locate(target);
     variables_.store(at, target.type, value, target.place);
-    if (shared) variables_.publish(at, target.type, target.place);
+    variables_.publish_part(*root_of(target)->symbol, at, target.type, target.place);
   }
   variables_.changed(*root_of(target)->symbol, target.place);
   frame_.release(mark);
@@ -188,7 +190,7 @@ void ExpressionCompiler::read_rows(const Expr& target, Register file, Place plac
   variables_.refer_both(at, target.type, places, behind(places, 1), place);
   code_.read_rows(file, places, target.type, place);
   const Symbol& root = *root_of(target)->symbol;
-  if (root.shared) variables_.publish(at, target.type, place);
+  variables_.publish_part(root, at, target.type, place);
   variables_.changed(root, place);
   frame_.release(mark);
 }
@@ -947,7 +949,7 @@ void ExpressionCompiler::assign_memory(const Expr& target, const Expr& value) {
   const Location to = locate(target);
   variables_.copy(from, to, target.type, target.place);
   const Symbol& root = *root_of(target)->symbol;
-  if (root.shared) variables_.publish(to, target.type, target.place);
+  variables_.publish_part(root, to, target.type, target.place);
   variables_.changed(root, target.place);
 }
 

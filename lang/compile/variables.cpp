@@ -357,10 +357,22 @@ void Variables::publish(const Symbol& symbol, Place place) {
   if (symbol.shared) publish(home(symbol), symbol.type, place);
 }
 
+void Variables::publish_part(const Symbol& root, const Location& at, const Type& type,
+                             Place place) {
+  if (!root.shared) return;
+  if (root.type.is(Type::Kind::List)) return publish(root, place);
+  publish(at, type, place);
+}
+
 void Variables::publish(const Location& at, const Type& type, Place place) {
   const Slots slots = slots_of(type);
   const auto mark = frame_.mark();
   const Register first = frame_.number_registers();
+  if (type.is(Type::Kind::List)) {
+    refer(at.numbers, false, first, place);
+    code_.emit(Opcode::publish_list, place, first);
+    return frame_.release(mark);
+  }
   if (slots.numbers > 0) {
     refer(at.numbers, false, first, place);
     code_.publish(first, false, slots.numbers, place);

@@ -95,6 +95,8 @@ class Variables {
   /// TASKs see the current value of a variable that they use.
   void publish(const Symbol& symbol, Place place);
   void publish(const Location& at, const Type& type, Place place);
+  /// The same of the part of a variable that has its home `at`; of a LIST all is published.
+  void publish_part(const Symbol& root, const Location& at, const Type& type, Place place);
   /// Globals become what TASKs see; `latched`: at the instant of the latch.
   void refresh(const std::vector<const Symbol*>& globals, bool latched, Place place);
 

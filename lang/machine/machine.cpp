@@ -143,6 +143,9 @@ Reply Shared::publish(int /*line*/, std::size_t /*first*/, std::span<const Slot>
 Reply Shared::publish(int /*line*/, std::size_t /*first*/, std::span<const std::string> /*texts*/) {
   return has_no("TASKs");
 }
+Reply Shared::publish_list(int /*line*/, std::size_t /*home*/, const ListContent& /*list*/) {
+  return has_no("TASKs");
+}
 Reply Shared::refresh(int /*line*/, std::size_t /*first*/, std::span<Slot> /*values*/) {
   return has_no("TASKs");
 }

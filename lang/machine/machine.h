@@ -236,6 +236,14 @@ class Testing : public virtual Refuser {
   virtual Reply simulate_answer(int line, std::string_view text, double after);
 };
 
+/// The elements of a LIST, one behind the other.
+struct ListContent {
+  Slots size;  ///< of an element
+  std::size_t count = 0;
+  std::span<const Slot> numbers;
+  std::span<const std::string> texts;
+};
+
 /// The state that a program shares with its TASKs.
 class Shared : public virtual Refuser {
  public:
@@ -245,6 +253,8 @@ class Shared : public virtual Refuser {
   /// `first` on have these values; or, an observation, what they are.
   virtual Reply publish(int line, std::size_t first, std::span<const Slot> values);
   virtual Reply publish(int line, std::size_t first, std::span<const std::string> texts);
+  /// The same of a LIST, by the place of its slot; TASKs only look at it.
+  virtual Reply publish_list(int line, std::size_t home, const ListContent& list);
   virtual Reply refresh(int line, std::size_t first, std::span<Slot> values);
   virtual Reply refresh(int line, std::size_t first, std::span<std::string> texts);
 };

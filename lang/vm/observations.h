@@ -25,6 +25,7 @@ Reply inverse(Machine& machine, int line, const Instruction* pc, Slot* n, const 
 
 /// Globals that TASKs use. Many of them cost the budget as any long block does.
 Reply publish(Machine& machine, int line, const Instruction* pc, Stack& stack, Budget& budget);
+Reply publish_list(Machine& machine, int line, const Instruction* pc, Stack& stack, Budget& budget);
 Reply refresh(Machine& machine, int line, const Instruction* pc, Stack& stack, Budget& budget);
 
 }  // namespace rob::lang

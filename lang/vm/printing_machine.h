@@ -102,6 +102,7 @@ class PrintingMachine : public PrintingOutlets {
   Reply start(const Place& place, std::uint32_t task) override;
   Reply publish(int, std::size_t, std::span<const Slot>) override { return log_.answer(); }
   Reply publish(int, std::size_t, std::span<const std::string>) override { return log_.answer(); }
+  Reply publish_list(int, std::size_t, const ListContent&) override { return log_.answer(); }
   Reply refresh(int, std::size_t, std::span<Slot>) override { return log_.answer(); }
   Reply refresh(int, std::size_t, std::span<std::string>) override { return log_.answer(); }
   Reply teach(int line, const TaughtPoint& point) override;

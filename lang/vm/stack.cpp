@@ -66,11 +66,12 @@ Stack::Stack(TaskMemory& memory, std::size_t task)
       frames_(kMostCalls),
       frame_(frames_.data()),
       numbers_(number_stack_.data() + memory.stack_begin(task).numbers),
-      texts_(text_stack_.data() + memory.stack_begin(task).texts) {}
+      texts_(text_stack_.data() + memory.stack_begin(task).texts),
+      lists_(&memory.lists()) {}
 
 void Stack::unwind(std::size_t depth) {
   while (this->depth() > depth) leave();
-  lists_.release_from(depth);
+  lists_->release_from(depth);
 }
 
 Slots Stack::room() const {
@@ -80,7 +81,7 @@ Slots Stack::room() const {
 
 bool Stack::reserve(Slots slots, Slot* place) {
   // Lists of frames as deep are of calls that have been left. Those of the top level stay.
-  lists_.drop(std::max<std::size_t>(depth(), 1));
+  lists_->drop(std::max<std::size_t>(depth(), 1));
   const Slots end = memory_ + slots;
   if (end.numbers > room().numbers || end.texts > room().texts) return false;
   place[0].integer = registers_.numbers + memory_.numbers;
@@ -90,7 +91,7 @@ bool Stack::reserve(Slots slots, Slot* place) {
 }
 
 void Stack::open_list(Slot home, Slots size) {
-  place(home, 0)->integer = lists_.open(home.integer, depth(), size);
+  place(home, 0)->integer = lists_->open(home.integer, depth(), size);
 }
 
 void Stack::locate_list(Slot home, Slot* row) {
@@ -104,7 +105,7 @@ Objection Stack::weigh(const std::string* at, std::size_t before, std::size_t no
   const std::less<> less;
   const std::string* const begin = text_stack_.data();
   const bool own = !less(at, begin) && less(at, begin + text_stack_.size());
-  return own ? Objection{} : lists_.weigh(before, now);
+  return own ? Objection{} : lists_->weigh(before, now);
 }
 
 Refusal calls_too_deep() {

@@ -92,8 +92,8 @@ class Stack {
   std::span<const Frame> calls() const { return {frames_.data(), depth()}; }
 
   /// The LISTs of all frames. Their elements have places, too, which lead out of the stack.
-  Lists& lists() { return lists_; }
-  ListElements& list_at(Slot home) { return lists_[place(home, 0)->integer]; }
+  Lists& lists() { return *lists_; }
+  ListElements& list_at(Slot home) { return (*lists_)[place(home, 0)->integer]; }
   /// Gives the slot at a place a list of the innermost frame.
   void open_list(Slot home, Slots size);
   /// Where the elements of a list lie, and how many they are, into three registers.
@@ -123,7 +123,8 @@ class Stack {
   Frame* frame_;   ///< the next one that is free
   Slot* numbers_;  ///< the registers of the innermost frame
   std::string* texts_;
-  Lists lists_;
+  Lists own_lists_;  ///< of a TASK: none
+  Lists* lists_ = &own_lists_;
 };
 
 // In every call: here, so that the dispatch loop has them in line.

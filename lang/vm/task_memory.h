@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "lang/code/chunk.h"
+#include "lang/machine/machine.h"
 #include "lang/values/arithmetic.h"
+#include "lang/vm/lists.h"
 
 namespace rob::lang {
 
@@ -47,6 +49,14 @@ class TaskMemory {
   void store(std::size_t first, std::span<const std::string> values) {
     std::ranges::copy(values, texts_.begin() + static_cast<std::ptrdiff_t>(first));
   }
+  /// All of them have room together: the program has no more.
+  void store_list(std::size_t home, const ListContent& list) {
+    const auto place = static_cast<std::int64_t>(home);
+    numbers_[home].integer = lists_.open(place, 0, list.size);
+    lists_.fill(lists_[numbers_[home].integer], list.numbers.data(), list.texts.data(), list.count);
+  }
+  /// Those of the top level. TASKs look at them, and have none of their own.
+  Lists& lists() { return lists_; }
   void load(std::size_t first, std::span<Slot> values) const {
     std::copy_n(numbers_.begin() + static_cast<std::ptrdiff_t>(first), values.size(),
                 values.begin());
@@ -62,7 +72,8 @@ class TaskMemory {
   Slots stack_;  ///< of each TASK
   std::size_t tasks_;
   std::vector<Slot> numbers_;
-  std::vector<std::string> texts_;
+  TextRow texts_;
+  Lists lists_;
 };
 
 }  // namespace rob::lang

@@ -214,6 +214,9 @@ Vm::Step Vm::step_observation(Code pc) {
       if (role_ == Role::Task) return pc + 2;
       ROB_ASK(publish(*machine_, line(pc), pc, stack_, budget_), pc);
       return pc + 2;
+    case Opcode::publish_list:
+      ROB_ASK(publish_list(*machine_, line(pc), pc, stack_, budget_), pc);
+      return pc + 1;
     case Opcode::refresh:
       if (role_ == Role::Task) return pc + 3;
       ROB_OBSERVE(refresh(*machine_, line(pc), pc, stack_, budget_),

@@ -9,11 +9,24 @@
 
 namespace rob::runtime {
 
+namespace {
+
+std::size_t bytes_of_list(const BackgroundTasks::Due& due) {
+  const auto* const list = std::get_if<BackgroundTasks::StoreList>(&due);
+  if (list == nullptr) return 0;
+  std::size_t bytes = list->numbers.size() * sizeof(lang::Slot);
+  for (const std::string& text : list->texts) bytes += sizeof(std::string) + text.size();
+  return bytes;
+}
+
+}  // namespace
+
 BackgroundTasks::BackgroundTasks(const lang::Chunk& chunk, const TaskSide& side, std::uint64_t seed)
     : chunk_(chunk), side_(side), channels_(side.links.channels), seed_(seed), memory_(chunk) {}
 
 std::uint32_t BackgroundTasks::keep(Due due) {
   if (const auto* const start = std::get_if<Start>(&due)) started_.insert(start->task);
+  bytes_of_lists_ += bytes_of_list(due);
   kept_.emplace(next_, std::move(due));
   return next_++;
 }
@@ -22,6 +35,7 @@ void BackgroundTasks::take_due() {
   Channels::Report report;
   while (channels_.reports.take(report)) {
     auto kept = kept_.extract(report.id);
+    bytes_of_lists_ -= bytes_of_list(kept.mapped());
     if (report.dropped) continue;
     std::visit([&](const auto& due) { carry_out(due); }, kept.mapped());
   }
@@ -33,6 +47,10 @@ void BackgroundTasks::carry_out(const Start& start) {
   running.vm = std::make_unique<lang::Vm>(chunk_, *running.machine, start.task, memory_,
                                           seed_ + 1 + start.task);
   running_.push_back(std::move(running));
+}
+
+void BackgroundTasks::carry_out(const StoreList& store) {
+  memory_.store_list(store.home, {store.size, store.count, store.numbers, store.texts});
 }
 
 bool BackgroundTasks::busy(std::uint32_t task) const {

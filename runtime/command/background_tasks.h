@@ -27,6 +27,9 @@ class BackgroundTasks {
  public:
   /// Instructions that a TASK is given in a cycle.
   static constexpr std::int64_t kInstructions = 10'000;
+  /// What LISTs on their way may take, in bytes. [choice] as much as those of the program; when it
+  /// is reached, the program waits.
+  static constexpr std::size_t kMostOfLists = lang::kMostListBytes;
 
   /// `seed`: of RANDOM; each TASK draws numbers of its own.
   BackgroundTasks(const lang::Chunk& chunk, const TaskSide& side, std::uint64_t seed);
@@ -41,14 +44,24 @@ class BackgroundTasks {
     std::size_t first;
     std::vector<Value> values;
   };
-  using Due = std::variant<Start, Store<lang::Slot>, Store<std::string>>;
+  /// A LIST, by the place of its slot, with all its elements.
+  struct StoreList {
+    std::size_t home;
+    lang::Slots size;
+    std::size_t count;
+    std::vector<lang::Slot> numbers;
+    std::vector<std::string> texts;
+  };
+  using Due = std::variant<Start, Store<lang::Slot>, Store<std::string>, StoreList>;
   std::uint32_t keep(Due due);
   bool was_started(std::uint32_t task) const { return started_.contains(task); }
   /// Whether it runs, or its START is on its way.
   bool busy(std::uint32_t task) const;
   lang::Refusal runs_already(std::uint32_t task) const;
   /// Whether motion can be given a further one.
-  bool full() const { return kept_.size() >= Channels::kReports; }
+  bool full() const {
+    return kept_.size() >= Channels::kReports || bytes_of_lists_ >= kMostOfLists;
+  }
 
   /// Carries out what is due.
   void take_due();
@@ -74,6 +87,7 @@ class BackgroundTasks {
   void carry_out(const Store<Value>& store) {
     memory_.store(store.first, std::span<const Value>(store.values));
   }
+  void carry_out(const StoreList& store);
   void fail(lang::RuntimeError error);
 
   const lang::Chunk& chunk_;
@@ -83,6 +97,7 @@ class BackgroundTasks {
   lang::TaskMemory memory_;
   std::vector<Running> running_;  ///< in the order of their START
   std::map<std::uint32_t, Due> kept_;
+  std::size_t bytes_of_lists_ = 0;
   std::uint32_t next_ = 0;
   std::set<std::uint32_t> started_;
   std::optional<lang::RuntimeError> error_;

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kSameTime = 1e-9;  // s
 
+}  // namespace
+
 Words no_devices() {
   return {std::string(lang::code::kMachineWithout), "there are no devices here",
           "run the program with rob run"};
@@ -23,8 +25,6 @@ Note note_for(Note::Kind kind, std::size_t device, std::string_view text) {
   note.variable = device;
   return note;
 }
-
-}  // namespace
 
 double DeviceDesk::now() const {
   return motion::cycle_instant(links_.channels.cycle.load(std::memory_order_relaxed),

@@ -10,7 +10,12 @@
 
 namespace rob::runtime {
 
-/// The lines between a program and its devices.
+/// Why SEND and RECEIVE are refused where there are no devices.
+Words no_devices();
+/// A text that goes to a device, or comes from it.
+Note note_for(Note::Kind kind, std::size_t device, std::string_view text);
+
+/// What a program says to its devices, and hears from them.
 class DeviceDesk {
  public:
   DeviceDesk(const RobotLinks& links, Assumptions& assumptions, const CommandedProgress& progress,
@@ -23,6 +28,7 @@ class DeviceDesk {
 
   /// Before the run; they must outlive it. Without them (null) there are none.
   void connect(TextDevices* devices) { devices_ = devices; }
+  TextDevices* devices() const { return devices_; }
 
   lang::Reply send(int line, std::size_t device, std::string_view text);
   lang::Reply receive(int line, std::size_t device, double timeout, std::string& text, bool& came);

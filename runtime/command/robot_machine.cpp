@@ -299,6 +299,10 @@ Reply RobotMachine::publish(int line, std::size_t first, std::span<const std::st
   return parts_.reports.publish(line, first, texts);
 }
 
+Reply RobotMachine::publish_list(int line, std::size_t home, const lang::ListContent& list) {
+  return parts_.reports.publish_list(line, home, list);
+}
+
 Reply RobotMachine::refresh(int /*line*/, std::size_t first, std::span<lang::Slot> values) {
   return parts_.reports.refresh(first, values);
 }

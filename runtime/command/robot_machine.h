@@ -95,6 +95,7 @@ class RobotMachine final : public RobotOutlets {
   lang::Reply start(const lang::Place& place, std::uint32_t task) override;
   lang::Reply publish(int line, std::size_t first, std::span<const lang::Slot> values) override;
   lang::Reply publish(int line, std::size_t first, std::span<const std::string> texts) override;
+  lang::Reply publish_list(int line, std::size_t home, const lang::ListContent& list) override;
   lang::Reply refresh(int line, std::size_t first, std::span<lang::Slot> values) override;
   lang::Reply refresh(int line, std::size_t first, std::span<std::string> texts) override;
   // Machine

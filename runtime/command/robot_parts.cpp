@@ -27,6 +27,6 @@ RobotParts::RobotParts(const RobotLinks& links, double override_share)
       operator_stop(links, effects),
       turns(links, whens, progress, surroundings, guard, loads, queue, motions),
       errand(links, progress, loads, queue),
-      task_side{links, readings, assumptions, turns, files} {}
+      task_side{links, readings, assumptions, turns, files, devices} {}
 
 }  // namespace rob::runtime

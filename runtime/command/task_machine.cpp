@@ -69,6 +69,34 @@ Reply TaskMachine::persist(int line, std::size_t variable, std::string_view valu
                .id = side_.links.log.keep(note_of(variable, value))});
 }
 
+Reply TaskMachine::send(int line, std::size_t device, std::string_view text) {
+  TextDevices* const devices = side_.devices.devices();
+  if (devices == nullptr) return refuse(no_devices());
+  if (channels_.immediate.full()) return Reply::Later;
+  if (auto why = devices->objection(device)) return refuse(std::move(*why));
+  devices->sending(device);
+  return give({.tag = static_cast<motion::Tag>(line),
+               .kind = Effect::Kind::Note,
+               .id = side_.links.log.keep(note_for(Note::Kind::Send, device, text))});
+}
+
+/// It looks in every cycle, from when all is sent that was to be sent before.
+Reply TaskMachine::receive(int /*line*/, std::size_t device, double timeout, std::string& text,
+                           bool& came) {
+  TextDevices* const devices = side_.devices.devices();
+  if (devices == nullptr) return refuse(no_devices());
+  if (devices->sends_pending(device)) return Reply::Later;
+  if (!waiting_since_) waiting_since_ = now();
+  std::optional<std::string> heard = devices->take(device, now());
+  came = heard.has_value();
+  auto why = came ? std::nullopt : devices->objection(device);
+  const bool late = now() >= *waiting_since_ + timeout - motion::kSameInstant;
+  if (!came && !why && !late) return Reply::Later;
+  waiting_since_.reset();
+  if (came) text = std::move(*heard);
+  return why ? refuse(std::move(*why)) : Reply::Done;
+}
+
 Reply TaskMachine::exists(int /*line*/, std::string_view file, bool& value) {
   value = side_.files.files() != nullptr && side_.files.files()->exists(std::string(file));
   return Reply::Done;
@@ -134,6 +162,11 @@ Reply TaskMachine::publish(int /*line*/, std::size_t first, std::span<const lang
 
 Reply TaskMachine::publish(int /*line*/, std::size_t first, std::span<const std::string> texts) {
   memory_->store(first, texts);
+  return Reply::Done;
+}
+
+Reply TaskMachine::publish_list(int /*line*/, std::size_t home, const lang::ListContent& list) {
+  memory_->store_list(home, list);
   return Reply::Done;
 }
 

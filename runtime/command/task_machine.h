@@ -9,6 +9,7 @@
 #include "lang/machine/machine.h"
 #include "lang/vm/task_memory.h"
 #include "runtime/command/assumptions.h"
+#include "runtime/command/device_desk.h"
 #include "runtime/command/file_desk.h"
 #include "runtime/command/handler_turns.h"
 #include "runtime/command/readings.h"
@@ -23,6 +24,7 @@ struct TaskSide {
   Assumptions& assumptions;
   HandlerTurns& turns;
   FileDesk& files;
+  DeviceDesk& devices;
 };
 
 /// The machine of a TASK, and of a handler that does not stop the axes. It reads the current cycle.
@@ -40,6 +42,9 @@ class TaskMachine final : public lang::Machine {
   lang::Reply write(int line, std::string_view file, std::string_view text) override;
   lang::Reply persist(int line, std::size_t variable, std::string_view value) override;
   lang::Reply exists(int line, std::string_view file, bool& value) override;
+  lang::Reply send(int line, std::size_t device, std::string_view text) override;
+  lang::Reply receive(int line, std::size_t device, double timeout, std::string& text,
+                      bool& came) override;
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply write_signal(int line, int signal, bool value) override;
   lang::Reply write_analog(int line, int signal, double volts) override;
@@ -55,6 +60,7 @@ class TaskMachine final : public lang::Machine {
   // A TASK works on its globals directly; a handler of the program must publish them.
   lang::Reply publish(int line, std::size_t first, std::span<const lang::Slot> values) override;
   lang::Reply publish(int line, std::size_t first, std::span<const std::string> texts) override;
+  lang::Reply publish_list(int line, std::size_t home, const lang::ListContent& list) override;
   lang::Reply refresh(int line, std::size_t first, std::span<lang::Slot> values) override;
   lang::Reply refresh(int line, std::size_t first, std::span<std::string> texts) override;
   lang::Reply leave_handler(int line) override;
@@ -68,7 +74,7 @@ class TaskMachine final : public lang::Machine {
   lang::TaskMemory* const memory_;
   const Refuse refuse_;
   const lang::Setting outside_{};        ///< of all WITH and IN
-  std::optional<double> waiting_since_;  ///< s
+  std::optional<double> waiting_since_;  ///< s; of a RECEIVE its first look
 };
 
 }  // namespace rob::runtime

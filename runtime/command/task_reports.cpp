@@ -12,6 +12,16 @@ Reply TaskReports::report(int line, BackgroundTasks::Due due) {
   return effects_.push(effect);
 }
 
+Reply TaskReports::publish_list(int line, std::size_t home, const lang::ListContent& list) {
+  if (effects_.full() || tasks_->full()) return Reply::Later;
+  return report(line,
+                BackgroundTasks::StoreList{.home = home,
+                                           .size = list.size,
+                                           .count = list.count,
+                                           .numbers = {list.numbers.begin(), list.numbers.end()},
+                                           .texts = {list.texts.begin(), list.texts.end()}});
+}
+
 /// A TASK that was started before may run still: that is seen at the decision point, and nothing
 /// after its START is commanded before.
 Reply TaskReports::start(const lang::Place& place, std::uint32_t task) {

@@ -26,6 +26,7 @@ class TaskReports {
   lang::Reply publish(int line, std::size_t first, std::span<const Value> values) {
     return report(line, BackgroundTasks::Store<Value>{first, {values.begin(), values.end()}});
   }
+  lang::Reply publish_list(int line, std::size_t home, const lang::ListContent& list);
   /// Their current values.
   template <typename Value>
   lang::Reply refresh(std::size_t first, std::span<Value> values) {

@@ -70,6 +70,7 @@ void TextDevices::send(std::size_t device, std::string_view text) {
 }
 
 void TextDevices::give(std::size_t device, double time, std::string line) {
+  if (real_) return;
   std::deque<Line>& lines = devices_[device].simulated;
   const auto later = std::ranges::find_if(lines, [&](const Line& one) { return one.time > time; });
   lines.insert(later, {time, std::move(line)});

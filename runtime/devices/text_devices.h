@@ -35,12 +35,16 @@ class TextDevices {
   /// The next line; `now`: s of the run.
   std::optional<std::string> take(std::size_t device, double now);
   /// Whether any is still to come, on the virtual clock.
-  bool any_left(std::size_t device) const { return !devices_[device].simulated.empty(); }
+  bool any_left(std::size_t device) const {
+    return devices_[device].promised || !devices_[device].simulated.empty();
+  }
 
   // The thread that reports
   void send(std::size_t device, std::string_view text);
   /// On the virtual clock: it sends this line at that time of the run, s.
   void give(std::size_t device, double time, std::string line);
+  /// On the virtual clock: it will send lines at times that nobody knows yet. Before the run.
+  void promise(std::size_t device) { devices_[device].promised = true; }
   /// For people: what devices have sent in vain.
   std::vector<std::string> take_events();
 
@@ -53,7 +57,8 @@ class TextDevices {
     lang::DeviceCode code;
     std::unique_ptr<DeviceConnection> connection{};
     std::deque<Line> simulated{};  ///< by time
-    std::int64_t asked = 0;        ///< SENDs of the program
+    bool promised = false;
+    std::int64_t asked = 0;  ///< SENDs of the program
     std::atomic<std::int64_t> sent{0};
   };
 

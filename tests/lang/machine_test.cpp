@@ -74,6 +74,7 @@ std::vector<Order> all_orders() {
       {"TASKs", [](Machine& m) { return m.start(Place{}, 0); }},
       {"TASKs", [](Machine& m) { return m.publish(1, 0, std::span<const Slot>(slots)); }},
       {"TASKs", [](Machine& m) { return m.publish(1, 0, std::span<const std::string>(texts)); }},
+      {"TASKs", [](Machine& m) { return m.publish_list(1, 0, {}); }},
       {"TASKs", [](Machine& m) { return m.refresh(1, 0, std::span<Slot>(slots)); }},
       {"TASKs", [](Machine& m) { return m.refresh(1, 0, std::span<std::string>(texts)); }},
       {"HERE", [](Machine& m) { return m.read(1, Reading::Here, slots.data()); }},
