@@ -77,12 +77,13 @@ ForetellOptions foretell_options(const Options& options, const SignalScript& scr
 }
 
 RunResult run_one(LoadedProgram& program, const Options& options, const SignalScript& script) {
-  const bool starts = program.runnable() && !script.diagnostics.has_errors();
-  OpenMachine machine = starts ? machine_for(program, options) : OpenMachine{};
   const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
   find_out_whether_points_can_be_kept(program);
+  RunOutlets outlets = open_outlets(program, options.fast);
+  OpenMachine machine = machine_for(program, options);
+  if (!program.runnable()) return refused(program, robot);
   put_source_away(program);
   std::optional<Foretold> foretold;
   if (isatty(STDERR_FILENO) != 0 || robot.law == motion::Law::LookAhead)
@@ -98,7 +99,7 @@ RunResult run_one(LoadedProgram& program, const Options& options, const SignalSc
   const Interruption interruption(before_motion);  // from here on the mark must be taken back
   std::optional<RunMark> running;
   if (!options.fast) mark(running, program, listener);
-  RunResult result = run(program, std::move(machine), run_options, listener);
+  RunResult result = run(program, std::move(machine), std::move(outlets), run_options, listener);
   progress.clear();
   return result;
 }

@@ -108,7 +108,7 @@ class ScriptReader : LineReader {
   bool truth(std::string_view name);
   double quantity(const Known& known);
 
-  bool line_of_device(double time);
+  std::optional<SignalScript::Line> line_of_device(double time);
 
   SignalScript& script_;
   const std::vector<lang::DeviceCode>& devices_;
@@ -150,7 +150,10 @@ void ScriptReader::rule() {
   if (at_word("at")) {
     advance();
     rule.time = time("at");
-    if (line_of_device(rule.time)) return;
+    if (auto line = line_of_device(rule.time)) {
+      script_.lines.push_back(std::move(*line));
+      return end_of_line();
+    }
   } else if (at_word("when")) {
     advance();
     rule.timed = false;
@@ -171,17 +174,15 @@ void ScriptReader::rule() {
   script_.rules.push_back(rule);
 }
 
-/// "at" TIME device "=" STRING
-bool ScriptReader::line_of_device(double time) {
+/// device "=" STRING
+std::optional<SignalScript::Line> ScriptReader::line_of_device(double time) {
   const auto device = std::ranges::find_if(
       devices_, [&](const lang::DeviceCode& one) { return at_word(one.name); });
-  if (device == devices_.end()) return false;
+  if (device == devices_.end()) return std::nullopt;
   advance();
   take(TokenKind::Assign, "'='");
-  script_.lines.push_back({static_cast<std::size_t>(device - devices_.begin()), time,
-                           take_text("a text such as \"12.5 g\"")});
-  end_of_line();
-  return true;
+  return SignalScript::Line{static_cast<std::size_t>(device - devices_.begin()), time,
+                            take_text("a text such as \"12.5 g\"")};
 }
 
 void ScriptReader::condition(SimulationRule& rule) {
@@ -202,8 +203,12 @@ void ScriptReader::condition(SimulationRule& rule) {
 }
 
 // setting = signal "=" value | ( "GO" | "HOLD" | "STOP" ) "=" "ON" | "OVERRIDE" "=" SHARE
-//         | "ANSWER" "=" STRING
+//         | "ANSWER" "=" STRING | device "=" STRING
 SimulatedSetting ScriptReader::setting() {
+  if (auto line = line_of_device(0)) {
+    script_.said.push_back(std::move(*line));
+    return {{WorldSignal::Kind::Line, 0}, 0, static_cast<std::uint32_t>(script_.said.size() - 1)};
+  }
   if (const auto operators = operators_setting()) return *operators;
   const lang::Place place = token_.place;
   const Known& known = signal();

@@ -21,6 +21,7 @@ namespace rob::runtime {
 ///     at 6s HOLD = ON
 ///     at 7s OVERRIDE = 30%
 ///     at 8s scale = "12.5 g"
+///     when lift_up == ON after 0.3s : scale = "12.5 g"
 struct SignalScript {
   std::string file;
   std::string source;
@@ -31,7 +32,8 @@ struct SignalScript {
     double time = 0;  ///< s
     std::string text;
   };
-  std::vector<Line> lines;
+  std::vector<Line> lines;  ///< of `at`
+  std::vector<Line> said;   ///< of `when`, by SimulatedSetting::answer; their times say nothing
   std::vector<std::string> answers;  ///< texts of ANSWER, by SimulatedSetting::answer
   lang::Diagnostics diagnostics;     ///< all errors of the script; with one it must not be used
 };

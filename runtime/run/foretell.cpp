@@ -123,6 +123,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
       !program.compilation.chunk->timed && (script == nullptr || script->rules.empty());
   const Timing timing = run_stepped(controller, task, limits, [&] {
     recorder.drain();
+    give_said_lines(script, controller.channels(), recorder.time(), devices);
     if (options.progress) options.progress(recorder.time());
   });
   RunResult result = recorder.finish();

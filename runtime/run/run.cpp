@@ -66,14 +66,11 @@ void close_files(DataFiles& files, RunResult& result, const RunListener& listene
   if (listener.warn) listener.warn(why->message);
 }
 
-/// The program's PERSIST variables, locked; none if it has none. Throws FileError.
-std::unique_ptr<KeptValues> values_of(const LoadedProgram& program, const RunListener& listener) {
-  if (program.compilation.chunk->persists.empty()) return nullptr;
-  auto kept = std::make_unique<KeptValues>(values_file_of(program.file), kept_variables(program),
-                                           KeptValues::For::Run);
-  for (const std::string& warning : kept->warnings())
+/// The program goes on from what an earlier run has left.
+void begin_with(const KeptValues& kept, ProgramTask& task, const RunListener& listener) {
+  for (const std::string& warning : kept.warnings())
     if (listener.warn) listener.warn(warning);
-  return kept;
+  task.start_from(kept.saved());
 }
 
 void close_values(KeptValues& kept, RunResult& result, const RunListener& listener) {
@@ -123,7 +120,7 @@ ForetellOptions foretell_as(const RunOptions& options) {
 }
 
 RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMachine machine,
-                 const RunOptions& options, const RunListener& listener) {
+                 RunOutlets outlets, const RunOptions& options, const RunListener& listener) {
   std::optional<TraceWriter> trace = open_trace(options, program, robot);
   Foretold own;
   Foretold& foretold = options.foretold != nullptr ? *options.foretold : own;
@@ -139,13 +136,12 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   controller.keep_points(&points);
   DataFiles files(data_folder_of(program, options.data), DataFiles::Keeps::OnDisk, options.fast);
   controller.keep_files(&files);
-  TextDevices devices(program.compilation.chunk->devices);
+  TextDevices& devices = *outlets.devices;
   give_lines(options.script, devices);
-  if (!options.fast) devices.connect();
   controller.connect(&devices);
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
-  const std::unique_ptr<KeptValues> kept = values_of(program, listener);
-  if (kept) task.start_from(kept->saved());
+  KeptValues* const kept = outlets.values.get();
+  if (kept != nullptr) begin_with(*kept, task, listener);
   RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
                        names_in(program, robot),
                        {listener.print,
@@ -155,7 +151,7 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
                         listener.consult,
                         [&](const Note& note, double time) {
                           hand_over(note, time, files, devices);
-                          if (note.kind == Note::Kind::Persist && kept)
+                          if (note.kind == Note::Kind::Persist && kept != nullptr)
                             kept->set(note.variable, note.text);
                         }});
 
@@ -166,6 +162,7 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   int cycles = 0;
   const Attend attend = [&] {
     recorder.drain();
+    give_said_lines(options.script, channels, recorder.time(), devices);
     files.drained();
     if (listener.warn)
       for (const std::string& event : devices.take_events()) listener.warn(event);
@@ -202,7 +199,7 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   }
   close_trace(trace, options, result, listener);
   close_files(files, result, listener);
-  if (kept) close_values(*kept, result, listener);
+  if (kept != nullptr) close_values(*kept, result, listener);
   return of_program(program, std::move(result));
 }
 
@@ -214,16 +211,28 @@ Foretold foretold_by(RunResult result) {
   return foretold;
 }
 
-RunResult run(const LoadedProgram& program, OpenMachine machine, const RunOptions& options,
-              const RunListener& listener) {
-  return run_on(program, program.robot, std::move(machine), options, listener);
+RunOutlets open_outlets(const LoadedProgram& program, bool fast) {
+  RunOutlets outlets;
+  const lang::Chunk& chunk = *program.compilation.chunk;
+  if (!chunk.persists.empty())
+    outlets.values = std::make_unique<KeptValues>(values_file_of(program.file),
+                                                  kept_variables(program), KeptValues::For::Run);
+  outlets.devices = std::make_unique<TextDevices>(chunk.devices);
+  if (!fast) outlets.devices->connect();
+  return outlets;
+}
+
+RunResult run(const LoadedProgram& program, OpenMachine machine, RunOutlets outlets,
+              const RunOptions& options, const RunListener& listener) {
+  return run_on(program, program.robot, std::move(machine), std::move(outlets), options, listener);
 }
 
 RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
               const RunOptions& options, const RunListener& listener) {
   motion::RobotModel model = robot;
+  RunOutlets outlets = open_outlets(program, options.fast);
   OpenMachine machine = open_machine(BackendName{}, model);
-  return run_on(program, model, std::move(machine), options, listener);
+  return run_on(program, model, std::move(machine), std::move(outlets), options, listener);
 }
 
 RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot) {

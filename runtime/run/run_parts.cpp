@@ -55,6 +55,16 @@ void give_lines(const SignalScript* script, TextDevices& devices) {
   if (script == nullptr) return;
   for (const SignalScript::Line& line : script->lines)
     devices.give(line.device, line.time, line.text);
+  for (const SignalScript::Line& line : script->said) devices.promise(line.device);
+}
+
+void give_said_lines(const SignalScript* script, Channels& channels, double time,
+                     TextDevices& devices) {
+  std::uint32_t number = 0;
+  while (channels.device_lines.take(number)) {
+    const SignalScript::Line& line = script->said.at(number);
+    devices.give(line.device, time, line.text);
+  }
 }
 
 std::vector<SimulationRule> rules_of(const SignalScript* script) {

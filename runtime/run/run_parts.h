@@ -26,6 +26,9 @@ std::vector<KeptVariable> kept_variables(const LoadedProgram& program);
 void hand_over(const Note& note, double time, DataFiles& files, TextDevices& devices);
 /// The lines that a script says devices send.
 void give_lines(const SignalScript* script, TextDevices& devices);
+/// Those whose conditions have come true since the last time.
+void give_said_lines(const SignalScript* script, Channels& channels, double time,
+                     TextDevices& devices);
 /// None without a script.
 std::vector<SimulationRule> rules_of(const SignalScript* script);
 /// Gives the panel the operator's part of the script.

@@ -132,6 +132,10 @@ struct Channels {
   /// [choice] as many as a script has rules, twice: those of a cycle, before the report takes them
   motion::SpscRing<Intervention> interventions{2048};  ///< motion → main
 
+  /// [choice] as many as a script has rules; motion → main: lines of devices that have come, by
+  /// their numbers in the script
+  motion::SpscRing<std::uint32_t> device_lines{1024};
+
   std::atomic<std::uint64_t> outputs{0};  ///< motion → servo: bit i is output channel i
   std::atomic<std::uint64_t> inputs{0};   ///< motion → program: latched in this cycle; before
                                           ///< the first one by ServoTask::enable()

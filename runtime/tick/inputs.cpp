@@ -37,6 +37,7 @@ void Inputs::latch(double now) noexcept {
   if (const ServoHistory::Seen* const servo = history_.at(now))
     image.wrench = gauge_.in_world(servo->measured.q);
   simulated_.latch(now, image);
+  for (const std::uint32_t line : simulated_.lines()) channels_.device_lines.push(line);
   wrench_ = image.wrench;
   if (gauge_.feels() || simulated_.feels()) channels_.wrench.store(six(wrench_));
   channels_.inputs.store(image.inputs, std::memory_order_relaxed);

@@ -30,6 +30,7 @@ double value_of(const WorldSignal& signal, const WorldImage& image) noexcept {
     case SignalKind::Hold:
     case SignalKind::Stop:
     case SignalKind::Override:
+    case SignalKind::Line:
       break;  // they are set, never looked at
   }
   return 0;
@@ -83,6 +84,7 @@ SimulatedInputs::SimulatedInputs(const std::vector<SimulationRule>& rules, Opera
     }
   }
   std::ranges::stable_sort(script_, {}, &Waiting::time);
+  lines_.reserve(rules.size());
 }
 
 bool SimulatedInputs::schedule(const SimulatedSetting& setting, double time) noexcept {
@@ -94,6 +96,7 @@ bool SimulatedInputs::schedule(const SimulatedSetting& setting, double time) noe
 }
 
 void SimulatedInputs::latch(double now, WorldImage& image) noexcept {
+  lines_.clear();
   apply_waiting(now);
   overlay(image);
   for (Watch& watch : watches_) {
@@ -159,6 +162,9 @@ void SimulatedInputs::apply(const SimulatedSetting& setting) noexcept {
       return operator_.stop();
     case SignalKind::Override:
       return operator_.set_override(setting.value);
+    case SignalKind::Line:
+      lines_.push_back(setting.answer);
+      return;
     case SignalKind::Output:
     case SignalKind::AnalogOutput:
       return;  // outputs are the program's: no script sets one

@@ -26,7 +26,8 @@ struct WorldSignal {
     Answer,
     Hold,
     Stop,
-    Override
+    Override,
+    Line  ///< a DEVICE sends one
   };
 
   Kind kind = Kind::Input;
@@ -37,7 +38,8 @@ struct WorldSignal {
 struct SimulatedSetting {
   WorldSignal place;
   double value = 0;
-  std::uint32_t answer = 0;  ///< of Answer: index of its text in the OperatorPanel
+  std::uint32_t answer =
+      0;  ///< of Answer: index of its text in the OperatorPanel; of Line: its own
 };
 
 /// A line of a signal script: `at 2.5s part_here = ON`, `when lift_up == ON after 0.3s : ok = ON`.
@@ -86,6 +88,8 @@ class SimulatedInputs {
   }
   /// It acts in the operator's place.
   ScriptedOperator& scripted_operator() noexcept { return operator_; }
+  /// Lines of devices that have come in this cycle.
+  const std::vector<std::uint32_t>& lines() const noexcept { return lines_; }
   /// Puts what is simulated into `image`, which holds what the machine says.
   void latch(double now, WorldImage& image) noexcept;
 
@@ -113,6 +117,7 @@ class SimulatedInputs {
   std::array<Waiting, kMostWaiting> waiting_{};  ///< of SIMULATE, by time
   std::size_t waiting_count_ = 0;
   std::int64_t done_ = 0;
+  std::vector<std::uint32_t> lines_;  ///< room for one a rule
 
   bool drives_ = false;       ///< any input, or force
   std::uint64_t driven_ = 0;  ///< inputs that are simulated, bit i: channel i

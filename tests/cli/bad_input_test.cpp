@@ -183,3 +183,20 @@ TEST_CASE("results that cannot be written are reported, exit code 74, after the 
       std::string(ROB_BINARY) + " run --fast " + rob.program() + " >/dev/full 2>/dev/null";
   CHECK(WEXITSTATUS(std::system(command.c_str())) == 74);
 }
+
+TEST_CASE("values that cannot be read refuse the start before the machine is opened") {
+  const RobCommand rob("PERSIST VAR n = 0\nMOVE(10,0,0)\n");
+  std::ofstream(rob.file("test.values")) << "n = 1mm\n";
+  const ProcessResult result = rob("run", {"--backend", "grbl:/dev/ttyNothing"});
+  CHECK(result.exit_code == 74);
+  CHECK(contains(result.err, "test.values:1:5"));
+  CHECK_FALSE(contains(result.err, "ttyNothing"));
+}
+
+TEST_CASE("a device that does not answer refuses the start before the machine is opened") {
+  const RobCommand rob("DEVICE scale = \"tcp://127.0.0.1:1\"\nMOVE(10,0,0)\n");  // nobody there
+  const ProcessResult result = rob("run", {"--backend", "grbl:/dev/ttyNothing"});
+  CHECK(result.exit_code == 74);
+  CHECK(contains(result.err, "DEVICE scale"));
+  CHECK_FALSE(contains(result.err, "ttyNothing"));
+}

@@ -24,7 +24,8 @@ SignalScript script_for(const std::string& text, const std::string& program) {
   const auto loaded = rob::runtime::compile_program("test.rob", program, robot);
   REQUIRE(loaded.runnable());
   return rob::runtime::parse_signal_script("test.sig", text, robot,
-                                           loaded.compilation.chunk->named_signals);
+                                           loaded.compilation.chunk->named_signals,
+                                           loaded.compilation.chunk->devices);
 }
 
 RunResult run(const std::string& program, const std::string& text) {
@@ -206,4 +207,39 @@ TEST_CASE("latching simulated inputs takes no memory") {
   CHECK(taken == 0);
   CHECK(image.inputs == 0b1001);
   CHECK(image.analog_inputs[0] == 2);
+}
+
+TEST_CASE("a device sends a line when a condition comes true, each time") {
+  // The script sees the output in cycle 1, 0.01 s.
+  const RunResult result =
+      run("DEVICE scale = \"tcp://a:1\"\nVAR line: STRING\n"
+          "lift = ON\nRECEIVE scale INTO line TIMEOUT 2s\n"
+          "PRINT line, CLOCK >= 0.31s AND CLOCK < 0.34s\n"
+          "lift = OFF\nWAIT 1s\nlift = ON\nRECEIVE scale INTO line TIMEOUT 2s\nPRINT line\n"
+          "RECEIVE scale INTO line TIMEOUT 2s ELSE line = \"none\"\nPRINT line\n",
+          "when lift == ON after 0.3s : scale = \"7 g\"\n");
+  CHECK(result.output == Texts{"7 gTRUE", "7 g", "none"});
+}
+
+TEST_CASE("a script names devices only where it sets, and gives them texts") {
+  const auto error = [](const std::string& text) {
+    const SignalScript script = script_for(text, "DEVICE scale = \"tcp://a:1\"");
+    REQUIRE(script.diagnostics.has_errors());
+    return script.diagnostics.all().front().message;
+  };
+  CHECK(error("when lift == ON : scale = 7").find("a text such as") == 0);
+  CHECK(error("when scale == \"x\" : DIN[1] = ON").find("has a signal scale") != std::string::npos);
+}
+
+TEST_CASE("a TASK has a device of its own, beside the motion") {
+  // The motion takes 5.5 s.
+  const RunResult result =
+      run("DEVICE scale = \"tcp://a:1\"\nVAR last = \"-\"\n"
+          "TASK listen\nLOOP\nSEND scale: \"W\"\n"
+          "RECEIVE scale INTO last TIMEOUT 3s ELSE last = \"late\"\nENDLOOP\nENDTASK\n"
+          "START listen\nMOVE(20, 0, 0)\nPRINT CLOCK > 2s\nSTOP\nPRINT last\nWAIT 3s\n"
+          "PRINT last\nWAIT 5s\nPRINT last\n",
+          "at 4s scale = \"a\"\nat 8.25s scale = \"b\"\n");
+  // Nothing for 3 s from the start and from 8.25 s on; PRINTs at 5.5 s, 8.5 s and 13.5 s.
+  CHECK(result.output == Texts{"TRUE", "a", "b", "late"});
 }
