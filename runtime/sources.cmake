@@ -58,6 +58,7 @@ set(rob_runtime_sources
   runtime/files/folder_sources.cpp
   runtime/files/kept_values.cpp
   runtime/files/path_file.cpp
+  runtime/files/point_digits.cpp
   runtime/files/points_file.cpp
   runtime/files/points_reader.cpp
   runtime/files/run_mark.cpp

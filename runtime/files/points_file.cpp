@@ -15,6 +15,7 @@
 #include "lang/values/number_text.h"
 #include "runtime/files/atomic_file.h"
 #include "runtime/files/files.h"
+#include "runtime/files/point_digits.h"
 #include "runtime/words/codes.h"
 #include "runtime/words/pose_values.h"
 #include "runtime/words/signature.h"
@@ -29,28 +30,34 @@ bool is_there(const std::string& file) {
   return ::lstat(file.c_str(), &status) == 0 || errno != ENOENT;
 }
 
-std::string pose_text(const lang::PoseValue& pose) {
+std::string pose_text(const lang::PoseValue& pose, const PointDigits& digits) {
   const auto& [p, q] = pose;
-  const lang::FixedAngles angles = lang::pose_math::to_fixed(q);
   std::string text = "POSE(";
   for (const double length : {p.x, p.y, p.z}) {
-    text += lang::si_text(length, lang::kLength) + ", ";
+    const double mm = rounded_to(lang::from_si(length, lang::kLength), digits.length);
+    text += lang::number_text(mm, lang::kLength) + ", ";
   }
-  return text + fmt::format("{}, {}, {})", lang::si_text(angles.a, lang::kAngle),
-                            lang::si_text(angles.b, lang::kAngle),
-                            lang::si_text(angles.c, lang::kAngle));
+  const lang::FixedAngles angles = rounded_angles(q, digits.angle);
+  return text + fmt::format("{}, {}, {})", lang::number_text(angles.a, lang::kAngle),
+                            lang::number_text(angles.b, lang::kAngle),
+                            lang::number_text(angles.c, lang::kAngle));
 }
 
 /// With a blank before it; empty where there are none.
-std::string joints_text(const std::vector<double>& joints, const lang::RobotSignature& robot) {
+std::string joints_text(const std::vector<double>& joints, const lang::RobotSignature& robot,
+                        const PointDigits& digits) {
   std::string text;
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    text += (i == 0 ? " JOINTS(" : ", ") + lang::si_text(joints[i], robot.axes[i].dimension);
+    const lang::Dimension dimension = robot.axes[i].dimension;
+    const double value = lang::from_si(joints[i], dimension);
+    const int places = digits.joints.empty() ? PointDigits::kAll : digits.joints.at(i);
+    text += (i == 0 ? " JOINTS(" : ", ") + lang::number_text(rounded_to(value, places), dimension);
   }
   return joints.empty() ? text : text + ")";
 }
 
-/// The robot by its name and, where that is known, by its geometry: where some joints bring it.
+/// The robot by its name and, where that is known, by its geometry: where some joints bring it, as
+/// exactly as can be.
 std::string robot_line(const motion::RobotModel& robot) {
   std::string line = fmt::format("ROBOT \"{}\"", robot.name);
   if (robot.kinematics == nullptr) return line;
@@ -63,13 +70,14 @@ std::string robot_line(const motion::RobotModel& robot) {
                          : number * 17 * (std::numbers::pi / 180));  // as literals are read
   }
   const Eigen::Map<const Eigen::VectorXd> q(joints.data(), robot.axis_count());
-  return line + joints_text(joints, signature_of(robot)) + " " +
-         pose_text(to_lang(robot.kinematics->forward(q)));
+  return line + joints_text(joints, signature_of(robot), {}) + " " +
+         pose_text(to_lang(robot.kinematics->forward(q)), {});
 }
 
-std::string line_of(const Points::Point& point, const lang::RobotSignature& robot) {
-  std::string line = fmt::format("{} = {}{}", point.value.name, pose_text(point.value.pose),
-                                 joints_text(point.joints, robot));
+std::string line_of(const Points::Point& point, const lang::RobotSignature& robot,
+                    const PointDigits& digits) {
+  std::string line = fmt::format("{} = {}{}", point.value.name, pose_text(point.value.pose, digits),
+                                 joints_text(point.joints, robot, digits));
   const std::string& frame = point.value.frame;
   line += fmt::format(" IN {}", frame.empty() ? "world" : frame);
   if (!point.joints.empty()) {
@@ -112,7 +120,7 @@ std::string points_file_of(const std::string& program_file) {
 }
 
 std::string point_text(const Points::Point& point, const motion::RobotModel& robot) {
-  return line_of(point, signature_of(robot));
+  return line_of(point, signature_of(robot), digits_of(robot));
 }
 
 /// Then the file is any robot's.
@@ -123,13 +131,14 @@ static bool is_empty(const Points& points) {
 
 std::string points_text(const Points& points, const motion::RobotModel& robot) {
   const lang::RobotSignature signature = signature_of(robot);
+  const PointDigits digits = digits_of(robot);
   std::vector<const Points::Point*> sorted;
   for (const Points::Point& point : points.points) sorted.push_back(&point);
   std::ranges::sort(sorted, {},
                     [](const Points::Point* point) { return lang::to_upper(point->value.name); });
   std::string text = with(points.robot, robot_line(robot));
   for (const Points::Point* const point : sorted) {
-    text += with(point->remarks, line_of(*point, signature));
+    text += with(point->remarks, line_of(*point, signature, digits));
   }
   return text + points.below;
 }

@@ -26,6 +26,8 @@ inline constexpr std::size_t kMostPointsBytes = std::size_t{4} << 20U;
 ///     pick = POSE(40mm, 20mm, 0mm, 0deg, 0deg, 90deg) JOINTS(40mm, 20mm, 90deg) IN world
 ///         TOOL none TAUGHT "2026-11-21 05:40:12 UTC"          (on the same line)
 ///
+/// Points are written with 0.001 mm and 0.0001 deg, the robot's line with all digits (PointDigits).
+///
 /// A point whose POSE was changed by hand has no JOINTS and no TOOL.
 struct Points {
   /// Text that people have written beside a line; it moves with the line.

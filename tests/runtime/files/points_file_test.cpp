@@ -8,12 +8,15 @@
 #include <numbers>
 #include <string>
 
+#include "base/split_mix.h"
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/files/files.h"
+#include "runtime/files/point_digits.h"
 #include "runtime/run/foretell.h"
 #include "runtime/run/load.h"
 #include "runtime/run/run.h"
+#include "runtime/words/pose_values.h"
 #include "tests/support/file_error.h"
 #include "tests/support/scratch_folder.h"
 
@@ -301,4 +304,101 @@ TEST_CASE(
   CHECK(final_theta(begin + "VAR p = park\nMOVE p") == doctest::Approx(180));
   // A TEACH that has not been executed leaves the joints of the file.
   CHECK(final_theta(begin + "IF DIN[1] THEN TEACH park\nMOVE park") == doctest::Approx(-180));
+}
+
+namespace {
+
+using rob::runtime::PointDigits;
+using rob::runtime::rounded_angles;
+
+/// A point taught at random joints within the limits.
+Points::Point taught_anywhere(const rob::motion::RobotModel& robot, rob::SplitMix& random) {
+  Points::Point point;
+  for (const rob::motion::Axis& axis : robot.axes)
+    point.joints.push_back(axis.min + (axis.max - axis.min) * random.share());
+  const Eigen::Map<const Eigen::VectorXd> q(point.joints.data(), robot.axis_count());
+  point.value = {"p", "", rob::runtime::to_lang(robot.kinematics->forward(q))};
+  point.taught = "now";
+  return point;
+}
+
+}  // namespace
+
+TEST_CASE("a point is saved with 0.001 mm and 0.0001 deg") {
+  Points points =
+      parse_points(kRobot +
+                       "p = POSE(40.00049mm, -0.0004mm, 1.0005001mm, 0deg, 0deg, 30.00005001deg) "
+                       "JOINTS(12.3456789mm, 1.0004999mm, 89.99996deg) IN world TAUGHT \"x\"\n",
+                   gantry());
+  // The pose and the joints here do not belong together, so only what is written is looked at.
+  CHECK(points.diagnostics.error_count() == 1);
+  points = parse_points(kRobot + point("p"), gantry());
+  points.points[0].value.pose = {{0.04000049, -0.0000004, 0.0010005001}, {}};
+  points.points[0].joints = {0.0123456789, 0.0010004999, 89.99996 * std::numbers::pi / 180};
+  CHECK(point_text(points.points[0], gantry()) ==
+        "p = POSE(40mm, 0mm, 1.001mm, 0deg, 0deg, 0deg) JOINTS(12.346mm, 1mm, 90deg) IN world TOOL "
+        "none TAUGHT \"2026-11-21\"");
+}
+
+TEST_CASE("an encoder that measures finer keeps its digits") {
+  rob::motion::RobotModel robot = gantry();
+  robot.axes[1].drive.encoder_resolution = 0.05e-6;  // 0.00005 mm: five digits
+  const PointDigits digits = rob::runtime::digits_of(robot);
+  CHECK(digits.joints == std::vector<int>{3, 5, 4});
+  CHECK(digits.length == 5);
+  CHECK(digits.angle == 6);
+  CHECK(rob::runtime::digits_of(gantry()).length == 3);
+}
+
+TEST_CASE("rounded points are read on every robot, bring the tool there, and stay as they are") {
+  // The bounds are those within which MOVE goes to the joints of a point.
+  constexpr double kPlace = 5e-5;
+  constexpr double kTurn = 1e-5;
+  rob::SplitMix random(7);
+  for (const std::string_view name : rob::motion::robot_names()) {
+    const rob::motion::RobotModel robot = rob::motion::embedded_robot(name);
+    if (robot.kinematics == nullptr) continue;
+    CAPTURE(std::string(name));
+    for (int i = 0; i < 300; ++i) {
+      Points points;
+      points.points.push_back(taught_anywhere(robot, random));
+      const std::string text = points_text(points, robot);
+      CAPTURE(text);
+      const Points read = parse_points(text, robot);
+      REQUIRE_FALSE(read.diagnostics.has_errors());
+      CHECK(points_text(read, robot) == text);
+      const Points::Point& found = read.points.at(0);
+      const Eigen::Map<const Eigen::VectorXd> q(found.joints.data(), robot.axis_count());
+      const auto there = rob::runtime::to_lang(robot.kinematics->forward(q));
+      using rob::lang::pose_math::operator-;
+      CHECK(rob::lang::pose_math::length(there.position - found.value.pose.position) < kPlace);
+      CHECK(rob::lang::pose_math::turn(there, found.value.pose) < kTurn);
+    }
+  }
+}
+
+TEST_CASE("angles near a quarter turn about y and near half turns are written the same again") {
+  rob::SplitMix random(11);
+  for (int i = 0; i < 20'000; ++i) {
+    const auto near = [&](double angle) {
+      const double beside = (random.share() - 0.5) * std::pow(10.0, -8 * random.share());
+      return (angle + (i % 3 == 0 ? 0.0 : beside)) * std::numbers::pi / 180;
+    };
+    const double b = i % 2 == 0 ? 90 : -90;
+    const auto rotation = rob::lang::pose_math::from_fixed(
+        {near(i % 5 < 3 ? 180 : -180), near(i % 7 == 0 ? 0 : b), near(360 * random.share() - 180)});
+    const rob::lang::FixedAngles once = rounded_angles(rotation, 4);
+    constexpr double kRadians = std::numbers::pi / 180;
+    const auto again =
+        rob::lang::pose_math::from_fixed({once.a * kRadians, once.b * kRadians, once.c * kRadians});
+    const rob::lang::FixedAngles twice = rounded_angles(again, 4);
+    CAPTURE(once.a);
+    CAPTURE(once.b);
+    CAPTURE(once.c);
+    CHECK(once.a == twice.a);
+    CHECK(once.b == twice.b);
+    CHECK(once.c == twice.c);
+    // Rounded twice at most, three angles each time.
+    CHECK(rob::lang::pose_math::turn({{}, rotation}, {{}, again}) < 6 * 0.00005 * kRadians * 1.01);
+  }
 }
