@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -262,4 +263,21 @@ TEST_CASE("the same handlers give the same bits") {
     REQUIRE(first.rows[i].sample.reference.q == second.rows[i].sample.reference.q);
     REQUIRE(first.rows[i].measured == second.rows[i].measured);
   }
+}
+
+TEST_CASE("the motions of a handler take the WITH around its WHEN, not that of the program") {
+  SteppedRun run(
+      "WITH AT 10mm/s DO\nWHEN lift_up DO\nMOVE(0,60,0)\nENDWHEN\nlift = ON\n"
+      "WITH AT 5mm/s DO\nMOVE(40,0,0)\nENDWITH\nENDWITH\n");
+  run.run();
+  const auto top_speed = [&](std::uint32_t number) {
+    double top = 0;
+    for (const Snapshot& row : run.rows) {
+      const auto& qd = row.sample.reference.qd;
+      if (row.sample.tag == number) top = std::max(top, std::hypot(qd[0], qd[1]));
+    }
+    return top;
+  };
+  CHECK(top_speed(3) == doctest::Approx(0.010).epsilon(1e-6));
+  CHECK(top_speed(7) == doctest::Approx(0.005).epsilon(1e-6));
 }

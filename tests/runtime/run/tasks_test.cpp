@@ -292,3 +292,23 @@ TEST_CASE("calls of a TASK that need more memory than it has are an error") {
   CHECK(result.error->code == "E321");
   CHECK(result.error->message.find("16384 numbers and 256 texts") != std::string::npos);
 }
+
+TEST_CASE("a TASK sees the LISTs of the program as they are in motion order") {
+  const RunResult result = run_tasks(
+      "RECORD bolt\nname: STRING\nsize: LENGTH\nENDRECORD\n"
+      "VAR l: LIST OF bolt = [bolt(name: \"a\", size: 1mm)]\nVAR n: LIST OF INT\n"
+      "TASK watch\nVAR last = 0\nLOOP\n"
+      "IF LEN(l) + LEN(n) <> last THEN\n"
+      "PRINT l[LEN(l)].name, l[1].size, n, CLOCK < 3s\nlast = LEN(l) + LEN(n)\nENDIF\n"
+      "WAIT 0.01s\nENDLOOP\nENDTASK\n"
+      "START watch\nMOVE(40, 0, 0)\nSTOP\n"
+      "APPEND(REF l, bolt(name: \"b\", size: 2mm))\nl[1].size = 7mm\nMOVE(0, 0, 0)\nSTOP\n"
+      "FOR i = 1 TO 300 DO\nAPPEND(REF n, i)\nENDFOR\nn = [SUM(n)]\nSORT(REF n)\nWAIT 0.1s\n"
+      "REMOVE(REF l, 1)\nCLEAR(REF n)\nWAIT 0.1s\n");
+  CHECK(result.exit_code == ExitCode::Done);
+  REQUIRE(result.output.size() == 4);
+  CHECK(result.output[0] == "a1mm[]TRUE");
+  CHECK(result.output[1] == "b7mm[]FALSE");
+  CHECK(result.output[2] == "b7mm[45150]FALSE");
+  CHECK(result.output[3] == "b2mm[]FALSE");
+}
