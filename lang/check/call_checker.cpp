@@ -701,11 +701,11 @@ bool CallChecker::check_argument(const Expr& argument, const Routine& routine,
                                    shortened(variable->text), as_written(group.type)));
     return false;
   }
-  diagnostics_.error(
-      code::kReferenceArgument, argument.place,
-      fmt::format("this is {}; {} a variable here, {}, since it is REF {}", described(argument),
-                  needs, in_words(group.type), as_written(group.type)),
-      "declare one with VAR and its type, and give its name");
+  diagnostics_.error(code::kReferenceArgument, argument.place,
+                     fmt::format("{} a variable here, {}, since it is REF {}; this is {} ({})",
+                                 needs, in_words(group.type), as_written(group.type),
+                                 described(argument), as_written(argument.type)),
+                     "declare one with VAR and its type, and give its name");
   return false;
 }
 

@@ -18,7 +18,7 @@ RobotMachine::RobotMachine(const motion::RobotModel& robot, motion::MotionPlanne
              channels, progress,   log,     [this](Words why) { return refuse(std::move(why)); }},
       parts_(links_, override_share),
       handlers_(handlers) {
-  lead_to(parts_.files, parts_.devices);
+  lead_to(parts_.files, parts_.devices, parts_.reports);
   if (handlers == nullptr) parts_.queue.keep_nothing();
 }
 
@@ -283,32 +283,6 @@ Reply RobotMachine::simulate_go(int line, bool go, double after) {
 
 Reply RobotMachine::simulate_answer(int line, std::string_view text, double after) {
   return parts_.outputs.simulate_answer(line, text, after);
-}
-
-// Shared
-
-Reply RobotMachine::start(const lang::Place& place, std::uint32_t task) {
-  return parts_.reports.start(place, task);
-}
-
-Reply RobotMachine::publish(int line, std::size_t first, std::span<const lang::Slot> values) {
-  return parts_.reports.publish(line, first, values);
-}
-
-Reply RobotMachine::publish(int line, std::size_t first, std::span<const std::string> texts) {
-  return parts_.reports.publish(line, first, texts);
-}
-
-Reply RobotMachine::publish_list(int line, std::size_t home, const lang::ListContent& list) {
-  return parts_.reports.publish_list(line, home, list);
-}
-
-Reply RobotMachine::refresh(int /*line*/, std::size_t first, std::span<lang::Slot> values) {
-  return parts_.reports.refresh(first, values);
-}
-
-Reply RobotMachine::refresh(int /*line*/, std::size_t first, std::span<std::string> texts) {
-  return parts_.reports.refresh(first, texts);
 }
 
 // Machine

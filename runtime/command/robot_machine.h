@@ -91,13 +91,6 @@ class RobotMachine final : public RobotOutlets {
   lang::Reply simulate_force(int line, int component, double value, double after) override;
   lang::Reply simulate_go(int line, bool go, double after) override;
   lang::Reply simulate_answer(int line, std::string_view text, double after) override;
-  // Shared
-  lang::Reply start(const lang::Place& place, std::uint32_t task) override;
-  lang::Reply publish(int line, std::size_t first, std::span<const lang::Slot> values) override;
-  lang::Reply publish(int line, std::size_t first, std::span<const std::string> texts) override;
-  lang::Reply publish_list(int line, std::size_t home, const lang::ListContent& list) override;
-  lang::Reply refresh(int line, std::size_t first, std::span<lang::Slot> values) override;
-  lang::Reply refresh(int line, std::size_t first, std::span<std::string> texts) override;
   // Machine
   lang::Reply read(int line, lang::Reading what, lang::Slot* value) override;
   lang::Reply leave_block(int line) override;

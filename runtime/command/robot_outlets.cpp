@@ -41,4 +41,28 @@ void RobotOutlets::warn(int line, lang::Refusal warning) {
                        std::move(warning.message), std::move(warning.help)});
 }
 
+Reply RobotOutlets::start(const lang::Place& place, std::uint32_t task) {
+  return reports_->start(place, task);
+}
+
+Reply RobotOutlets::publish(int line, std::size_t first, std::span<const lang::Slot> values) {
+  return reports_->publish(line, first, values);
+}
+
+Reply RobotOutlets::publish(int line, std::size_t first, std::span<const std::string> texts) {
+  return reports_->publish(line, first, texts);
+}
+
+Reply RobotOutlets::publish_list(int line, std::size_t home, const lang::ListContent& list) {
+  return reports_->publish_list(line, home, list);
+}
+
+Reply RobotOutlets::refresh(int /*line*/, std::size_t first, std::span<lang::Slot> values) {
+  return reports_->refresh(first, values);
+}
+
+Reply RobotOutlets::refresh(int /*line*/, std::size_t first, std::span<std::string> texts) {
+  return reports_->refresh(first, texts);
+}
+
 }  // namespace rob::runtime
