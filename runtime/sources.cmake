@@ -77,6 +77,7 @@ set(rob_runtime_sources
   runtime/prompt/live_robot.cpp
   runtime/prompt/motion_commands.cpp
   runtime/prompt/pendant.cpp
+  runtime/prompt/pendant_keys.cpp
   runtime/prompt/pendant_terminal.cpp
   runtime/prompt/pendant_view.cpp
   runtime/prompt/point_commands.cpp
@@ -94,6 +95,7 @@ set(rob_runtime_sources
   runtime/prompt/terminal_prompt.cpp
   runtime/prompt/typed_answers.cpp
   runtime/prompt/workshop.cpp
+  runtime/run/colours.cpp
   runtime/run/console.cpp
   runtime/run/control_threads.cpp
   runtime/run/contact_watch.cpp
@@ -121,6 +123,7 @@ set(rob_runtime_sources
   runtime/run/slow_places.cpp
   runtime/run/stepper.cpp
   runtime/run/terminal.cpp
+  runtime/run/terminal_kind.cpp
   runtime/run/test_report.cpp
   runtime/run/test_runner.cpp
   runtime/run/text_report.cpp

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "lang/text/utf8.h"
 
 namespace rob::lang {
@@ -29,6 +32,27 @@ std::string escaped(char32_t c) {
   if (c == '\n') return "\\n";
   if (c == '\t') return "\\t";
   return fmt::format("\\u{{{:X}}}", static_cast<unsigned>(c));
+}
+
+struct Sign {
+  char32_t character;
+  const char* ascii;
+};
+
+constexpr std::array kSigns = {
+    Sign{U'\u2026', "..."}, Sign{U'\u2192', "->"},  Sign{U'\u2190', "<-"}, Sign{U'\u2191', "^"},
+    Sign{U'\u2193', "v"},   Sign{U'\u00B0', "deg"}, Sign{U'\u00B7', "."},  Sign{U'\u2212', "-"},
+    Sign{U'\u2013', "-"},   Sign{U'\u2014', "-"},   Sign{U'\u00D7', "x"},  Sign{U'\u00B1', "+-"},
+    Sign{U'\u2264', "<="},  Sign{U'\u2265', ">="},  Sign{U'\u00B5', "u"},  Sign{U'\u00B2', "^2"},
+    Sign{U'\u00B3', "^3"},  Sign{U'\u03C0', "pi"},  Sign{U'\u2018', "'"},  Sign{U'\u2019', "'"},
+    Sign{U'\u201C', "\""},  Sign{U'\u201D', "\""}};
+
+std::string ascii_of(char32_t c) {
+  const auto sign = std::ranges::find(kSigns, c, &Sign::character);
+  if (sign != kSigns.end()) return sign->ascii;
+  if (c == U'\u2500') return "-";  // frames of tables
+  if (c == U'\u2502') return "|";
+  return c >= 0x2500 && c <= 0x257F ? "+" : escaped(c);
 }
 
 std::string escaped_for_json(char32_t c) {
@@ -71,6 +95,11 @@ std::string visible_lines(std::string_view text) {
 
 std::string on_one_line(std::string_view text) {
   return replaced(text, begins_line, escaped, true);
+}
+
+std::string in_ascii(std::string_view text) {
+  return replaced(
+      text, [](char32_t c) { return c >= 0x80; }, ascii_of, true);
 }
 
 std::string visible_json(std::string_view document) {

@@ -19,6 +19,10 @@ std::string visible_lines(std::string_view text);
 /// what programs read, too, such as the names of files in messages.
 std::string on_one_line(std::string_view text);
 
+/// For a terminal that shows no more: arrows, dots and signs as people write them in ASCII, any
+/// other character as visible() writes what it replaces.
+std::string in_ascii(std::string_view text);
+
 /// For a JSON document: what visible() replaces, as `\u009b`. It means the same.
 std::string visible_json(std::string_view document);
 

@@ -30,7 +30,8 @@ struct MotionEvent {
     Held,            ///< the axes stand on the path by request or by fault; value: share of the
                      ///< segment's time that is done, 0…1
     JogStopped,      ///< axis: a jog goes no further, since this axis is near the end of its way;
-                     ///< −1: the arm is near a singular place, or the end of its reach
+                     ///< value: where the axis is, m or rad; axis −1: the arm is near a singular
+                     ///< place, or the end of its reach
     WentBack,        ///< tag: the axes stand where this motion had begun; 0: on the way there
     NoWayBack,       ///< what is recorded of their way begins where they stand
     PaceFailed,      ///< tag: what its LivePace computes has no result

@@ -244,11 +244,13 @@ void SegmentSequence::begin_jog(const SegmentDescriptor& segment, double instant
 void SegmentSequence::run_jog() noexcept {
   join_jog();
   if (jog_.step(jog_.over() ? 0 : jog_share())) {
+    const int axis = jog_.axis_at_end();
     events_.report({.kind = EventKind::JogStopped,
                     .time = now_.stamp,
                     .tag = now_.segment.tag,
                     .number = now_.segment.number,
-                    .axis = jog_.axis_at_end()});
+                    .value = axis < 0 ? 0 : jog_.place()[axis],
+                    .axis = axis});
   }
   if (jog_.over() && jog_.stands() && !early_.braking()) end_jog();
 }

@@ -32,7 +32,7 @@ void print_json(const Options& options, const std::vector<RunResult>& results, P
 OpenMachine machine_for(LoadedProgram& program, const Options& options) {
   OpenMachine machine =
       open_machine(*backend_of(options.backend), program, options.law, options.home);
-  for (const std::string& note : machine.notes) put_error(note);
+  for (const std::string& note : machine.notes) put_note(note);
   return machine;
 }
 

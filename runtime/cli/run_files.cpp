@@ -29,7 +29,7 @@ RunListener listener_of(const Options& options, Progress& progress) {
   RunListener listener;
   listener.warn = [&](const std::string& message) {
     progress.clear();
-    put_error(message);
+    put_note(message);
   };
   listener.consult = [&](const Note& note, int line) { progress.consult(note, line); };
   listener.abandoned = reader_has_gone;

@@ -52,7 +52,7 @@ ExitCode show_vars(const Options& options) {
     return ExitCode::ProgramError;
   }
   const KeptValues values(file, kept_variables(program), KeptValues::For::Look);
-  for (const std::string& warning : values.warnings()) put_error(warning);
+  for (const std::string& warning : values.warnings()) put_note(warning);
   std::map<std::string, std::string> shown;
   for (const KeptVariable& variable : kept_variables(program))
     shown[lang::to_upper(variable.name)] = fmt::format("{}: no value yet\n", variable.name);

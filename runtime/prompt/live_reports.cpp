@@ -21,6 +21,7 @@ void LiveReports::drain() {
       channels, [&](const MotionEvent& event) { take(event); },
       [&](const Snapshot& snapshot) {
         last_ = snapshot;
+        forget_stopped_jog();
         if (listener_.snapshot) listener_.snapshot(snapshot);
       });
   ServoNotice notice;
@@ -71,6 +72,20 @@ std::string LiveReports::state_text() const {
   return text + ")";
 }
 
+/// Once, however often it is tried again there.
+void LiveReports::tell_jog_stopped(const MotionEvent& event) {
+  const bool again = jog_stopped_ && jog_stopped_->axis == event.axis;
+  if (!again) tell(text_for_stopped_jog(event.axis, event.value, controller_.robot()));
+  if (last_) jog_stopped_ = {event.axis, last_->sample.reference.q};
+}
+
+void LiveReports::forget_stopped_jog() {
+  constexpr double kAway = 1e-3;  // m or rad [choice]
+  if (jog_stopped_ &&
+      (last_->sample.reference.q - jog_stopped_->place).lpNorm<Eigen::Infinity>() > kAway)
+    jog_stopped_.reset();
+}
+
 void LiveReports::take(const MotionEvent& event) {
   using Kind = MotionEvent::Kind;
   const motion::RobotModel& robot = controller_.robot();
@@ -88,7 +103,7 @@ void LiveReports::take(const MotionEvent& event) {
     case Kind::Hit:
       return jogging_ ? void() : tell(fmt::format("line {}: hit", line));
     case Kind::JogStopped:
-      return tell(text_for_stopped_jog(event.axis, robot));
+      return tell_jog_stopped(event);
     case Kind::WentBack:
       return tell(event.tag == 0
                       ? "back on the way that was recorded; outputs are as they were"

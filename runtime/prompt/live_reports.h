@@ -43,13 +43,21 @@ class LiveReports {
   void take_note(const Note& note);
   void fail(int line, const Words& words);
   void tell_stand();
+  void tell_jog_stopped(const motion::MotionEvent& event);
+  void forget_stopped_jog();
   void tell(const std::string& text) {
     if (listener_.tell) listener_.tell(text);
   }
 
   Controller& controller_;
   Listener listener_;
+  struct JogStopped {
+    int axis = -1;
+    motion::JointVector place;
+  };
+
   std::optional<Snapshot> last_;
+  std::optional<JogStopped> jog_stopped_;  ///< and the axes still stand there
   int line_ = 0;
   bool jogging_ = false;  ///< that a jog ends is no news
   bool failed_ = false;   ///< where the robot comes to rest is still to be told

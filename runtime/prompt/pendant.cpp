@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/plan/capability.h"
 #include "motion/space/cycle_instant.h"
 #include "runtime/prompt/commands.h"
 #include "runtime/words/signature.h"
@@ -39,6 +40,31 @@ Pendant::Pendant(Session& session, DeadMan& dead_man, bool releases)
       dead_man_(dead_man),
       releases_(releases),
       style_(releases ? Style::Hold : Style::Step) {}
+
+bool Pendant::fastest() const { return speed_ + 1 == kShares.size(); }
+bool Pendant::largest_step() const { return step_ + 1 == kSteps.size(); }
+
+bool Pendant::can_move() const {
+  const LiveRobot& robot = session_.robot();
+  return !robot.over() && !robot.guided() && (moving() || robot.idle());
+}
+
+bool Pendant::has(JogFrame frame) const {
+  const motion::RobotModel& robot = session_.robot().robot();
+  return frame == JogFrame::Joint ||
+         (robot.tool_coordinates && motion::can(robot, motion::Capability::Lead));
+}
+
+bool Pendant::can_set(std::string_view output) const {
+  const auto& signals = session_.robot().robot().signals;
+  return can_move() && std::ranges::any_of(signals, [&](const motion::RobotSignal& signal) {
+           return signal.output && signal.name == output;
+         });
+}
+
+int Pendant::outputs() const {
+  return can_move() ? std::min(session_.robot().robot().outputs, 9) : 0;
+}
 
 double Pendant::share() const { return kShares[speed_]; }
 double Pendant::step() const { return kSteps[step_]; }
@@ -111,7 +137,8 @@ void Pendant::move(const Way& way, Key::Event event) {
     }
     return;
   }
-  if (!active_) return begin(way);
+  // A held key that has come to an end of the way is pressed anew, or another one is.
+  if (!active_) return style_ == Style::Hold && event == Key::Event::Repeat ? void() : begin(way);
   const double now = session_.robot().reports().time();
   if (active_ == way) return dead_man_.hold_until(now + kPulse);
   stop();
@@ -119,7 +146,7 @@ void Pendant::move(const Way& way, Key::Event event) {
 }
 
 void Pendant::begin(const Way& way) {
-  if (!session_.robot().idle()) return;  // a program runs, or it brakes
+  if (!can_move() || !session_.robot().idle()) return;  // a program runs, or it brakes
   active_ = way;
   const double rate = full_rate(way.coordinate) * share();
   if (style_ != Style::Step) {
@@ -176,18 +203,25 @@ void Pendant::give_up() {
 }
 
 void Pendant::choose_frame(JogFrame frame) {
+  if (!has(frame)) return;
   frame_ = frame;
   chosen_ = std::min(chosen_, coordinates().size() - 1);
 }
 
+/// The number of an output; any other key chooses none.
+void Pendant::choose_output(const Key& key) {
+  choosing_output_ = false;
+  if (key.kind == Key::Kind::Character && key.character >= '1' &&
+      key.character < static_cast<char32_t>('1' + outputs()))
+    toggle(fmt::format("DOUT[{}]", static_cast<char>(key.character)));
+}
+
 void Pendant::command(const Key& key) {
+  if (choosing_output_) return choose_output(key);
   if (key.kind == Key::Kind::Escape || key.is('q')) {
     over_ = true;
   } else if (key.kind != Key::Kind::Character) {
     return;
-  } else if (choosing_output_ && key.character >= '1' && key.character <= '9') {
-    choosing_output_ = false;
-    toggle(fmt::format("DOUT[{}]", static_cast<char>(key.character)).c_str());
   } else if (key.character >= '1' && key.character - '1' < coordinates().size()) {
     chosen_ = key.character - '1';
   } else {
@@ -218,14 +252,16 @@ void Pendant::command(const Key& key) {
         }
         return;
       case 'l':
-        return toggle("lift");
+        if (can_set("lift")) toggle("lift");
+        return;
       case 'g':
-        return toggle("gripper");
+        if (can_set("gripper")) toggle("gripper");
+        return;
       case 'o':
-        choosing_output_ = true;
+        choosing_output_ = outputs() > 0;
         return;
       case 'p':
-        naming_.emplace();
+        if (can_teach()) naming_.emplace();
         return;
       default:
         return;
@@ -233,7 +269,7 @@ void Pendant::command(const Key& key) {
   }
 }
 
-void Pendant::toggle(const char* output) {
+void Pendant::toggle(const std::string& output) {
   if (!session_.robot().idle()) return;
   enter(session_, fmt::format("{0} = NOT {0}", output));
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lang/machine/move_command.h"
@@ -44,6 +45,25 @@ class Pendant {
   /// "x", "y" … of the coordinates that the keys move.
   std::vector<std::string> coordinates() const;
   const std::optional<std::string>& naming() const { return naming_; }
+  /// An output's number is the next key.
+  bool choosing_output() const { return choosing_output_; }
+  /// A key moves the robot now.
+  bool moving() const { return active_.has_value(); }
+  /// Keys can move it.
+  bool can_move() const;
+  /// Keys can teach a point: it stands under control, or in a hand.
+  bool can_teach() const { return !session_.robot().over(); }
+  /// Keys can move it in this frame: only of an arm other ones than the axes.
+  bool has(lang::JogFrame frame) const;
+  /// It has a digital output of this name, and it can be set now.
+  bool can_set(std::string_view output) const;
+  /// Of the outputs that have a key.
+  int outputs() const;
+  bool slowest() const { return speed_ == 0; }
+  bool fastest() const;
+  bool smallest_step() const { return step_ == 0; }
+  bool largest_step() const;
+  bool releases() const { return releases_; }
   const Session& session() const { return session_; }
 
  private:
@@ -59,7 +79,8 @@ class Pendant {
   void command(const Key& key);
   void name(const Key& key);
   void choose_frame(lang::JogFrame frame);
-  void toggle(const char* output);
+  void choose_output(const Key& key);
+  void toggle(const std::string& output);
   bool linear(std::size_t coordinate) const;
   lang::MoveCommand jog(const Way& way, double rate, double lasts) const;
   double full_rate(std::size_t coordinate) const;

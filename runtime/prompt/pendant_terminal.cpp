@@ -1,10 +1,14 @@
 #include "runtime/prompt/pendant_terminal.h"
 
+#include <utility>
+
+#include "motion/space/joint_vector.h"
 #include "runtime/files/files.h"
 #include "runtime/prompt/pendant.h"
 #include "runtime/prompt/pendant_view.h"
 #include "runtime/prompt/raw_terminal.h"
 #include "runtime/run/interruption.h"
+#include "runtime/run/terminal_kind.h"
 
 namespace rob::runtime {
 
@@ -23,19 +27,28 @@ class KeptScreen final : public Screen {
   void result(std::string_view text) override { keep(text); }
   void message(std::string_view text) override { keep(text); }
   const std::string& last() const { return last_; }
-  /// What was said of the motion before is over with it.
-  void forget_last() { last_.clear(); }
+  /// What was said where the robot stood is over when it moves on.
+  void forget_behind(const motion::JointVector& place) {
+    constexpr double kAway = 1e-3;  // m or rad [choice]
+    if (std::exchange(news_, false)) said_at_ = place;
+    if (said_at_.size() == place.size() && (place - said_at_).lpNorm<Eigen::Infinity>() > kAway)
+      last_.clear();
+  }
   const std::string& all() const { return all_; }
 
  private:
   void keep(std::string_view text) {
     all_ += text;
     const std::string_view line = text.substr(0, text.find('\n'));
-    if (!line.empty() && !line.starts_with("help: ")) last_ = line;
+    if (line.empty() || line.starts_with("help: ")) return;
+    last_ = line;
+    news_ = true;
   }
 
   std::string all_;
   std::string last_;
+  motion::JointVector said_at_;
+  bool news_ = false;
 };
 
 /// Whether the terminal tells releases, as it answers; what has been typed meanwhile is kept.
@@ -52,6 +65,9 @@ bool ask_for_releases(RawTerminal& terminal, KeyReader& keys) {
   return true;
 }
 
+/// Nobody moves a robot with a display that cannot be seen.
+bool leaves(const Key& key) { return key.kind == Key::Kind::Escape || key.is('q'); }
+
 void show_pendant(Session& session, KeptScreen& kept) {
   RawTerminal terminal;
   KeyReader keys;
@@ -66,10 +82,10 @@ void show_pendant(Session& session, KeptScreen& kept) {
     }
     quiet = bytes->empty() ? quiet + 1 : 0;
     keys.feed(*bytes);
-    while (const auto key = keys.next()) {
-      if (key->event == Key::Event::Press) kept.forget_last();
-      pendant.press(*key);
-    }
+    const bool seen = fits_pendant(terminal.columns(), terminal.rows());
+    if (!seen) pendant.give_up();
+    while (const auto key = keys.next())
+      if (seen || leaves(*key)) pendant.press(*key);
     if (quiet > kPausesOfAFrame) {
       if (const auto escape = keys.lone_escape()) pendant.press(*escape);
     }
@@ -80,8 +96,11 @@ void show_pendant(Session& session, KeptScreen& kept) {
     if (Interruption::requested()) break;
     session.let_pass();
     pendant.go_on();
+    if (const auto& now = session.robot().reports().last())
+      kept.forget_behind(now->sample.reference.q);
     if (pause % kPausesOfAFrame != 0) continue;
-    std::string view = pendant_view(pendant, kept.last(), terminal.columns(), terminal.rows());
+    std::string view =
+        pendant_view(pendant, kept.last(), terminal.columns(), terminal.rows(), locale_is_utf8());
     if (view != shown) terminal.show(view);
     shown = std::move(view);
   }

@@ -196,7 +196,7 @@ ExitCode run_prompt(SessionOptions options) {
     try {
       running.emplace("the prompt", options.robot.empty() ? "gantry" : options.robot);
     } catch (const FileError& error) {
-      put_error(fmt::format("warning: {}", error.what()));
+      put_note(fmt::format("warning: {}", error.what()));
     }
   }
   if (!options.trace.empty()) {

@@ -26,8 +26,10 @@
 #include "runtime/prompt/line_editor.h"
 #include "runtime/prompt/pendant_terminal.h"
 #include "runtime/prompt/terminal_guard.h"
+#include "runtime/run/colours.h"
 #include "runtime/run/console.h"
 #include "runtime/run/interruption.h"
+#include "runtime/run/terminal_kind.h"
 #include "runtime/words/signature.h"
 #include "runtime/words/units.h"
 
@@ -40,8 +42,6 @@ using namespace std::chrono_literals;
 
 constexpr int kLookMs = 20;          // [choice] two reference periods between looks at the robot
 constexpr auto kStateEvery = 200ms;  // [choice] figures that change faster cannot be read
-constexpr const char* kContinues = "\u2026 ";
-constexpr const char* kAsks = "? ";
 /// Each line of a block is compiled with all before it. [choice] a tenth of a second at most
 constexpr std::size_t kMostLookedAt = 500;
 
@@ -61,14 +61,6 @@ class TerminalScreen final : public Screen {
  private:
   LineEditor& editor_;
 };
-
-bool is_set(const char* variable) {
-  const char* const value = std::getenv(variable);
-  return value != nullptr && *value != '\0';
-}
-
-/// It can move its cursor.
-bool draws() { return is_set("TERM") && std::string_view(std::getenv("TERM")) != "dumb"; }
 
 std::string history_file() {
   const std::filesystem::path folder = state_folder();
@@ -96,6 +88,7 @@ class TerminalPrompt {
  private:
   Vocabulary vocabulary() const;
   std::string state_prompt();
+  std::string in_prompt(const std::string& text, Colour colour) const;
   std::string prompt_text();
   void begin_line();
   bool wait() const;
@@ -118,8 +111,8 @@ class TerminalPrompt {
   TerminalScreen screen_{editor_};
   bool fast_;
   Session session_;
-  bool draws_ = draws();
-  bool colours_ = draws_ && !is_set("NO_COLOR");
+  bool draws_ = draws(STDOUT_FILENO);
+  bool colours_ = shows_colours(STDOUT_FILENO);
   EntryLines entry_;                 ///< lines of a block that is open
   EntryLines sound_;                 ///< those of them in which no mistake was found
   std::size_t width_ = 0;            ///< of the state in the prompt
@@ -159,13 +152,18 @@ std::string TerminalPrompt::state_prompt() {
   std::string text = session_.state_text();
   if (!editor_.empty() && text.size() < width_) text.append(width_ - text.size(), ' ');
   width_ = text.size();
-  // \001 and \002 enclose for readline what takes no room.
-  return colours_ ? fmt::format("\001\033[2m\002{}\001\033[0m\002> ", text) : text + "> ";
+  return in_prompt(text, session_.robot().over() ? Colour::Red : Colour::Green) + "> ";
+}
+
+/// \001 and \002 enclose for readline what takes no room.
+std::string TerminalPrompt::in_prompt(const std::string& text, Colour colour) const {
+  const std::string shown = locale_is_utf8() ? text : lang::in_ascii(text);
+  return colours_ ? in_colour(shown, colour, "\001", "\002") : shown;
 }
 
 std::string TerminalPrompt::prompt_text() {
-  if (session_.asks()) return kAsks;
-  return entry_.empty() ? state_prompt() : kContinues;
+  if (session_.asks()) return in_prompt("?", Colour::Yellow) + " ";
+  return entry_.empty() ? state_prompt() : in_prompt("\u2026", Colour::Green) + " ";
 }
 
 void TerminalPrompt::begin_line() {

@@ -10,6 +10,7 @@
 
 #include "lang/text/visible.h"
 #include "runtime/run/console.h"
+#include "runtime/run/terminal_kind.h"
 #include "runtime/words/state_name.h"
 
 namespace rob::runtime {
@@ -24,7 +25,7 @@ Progress::Progress(double planned, double override_share, std::vector<std::strin
     : planned_(planned),
       override_share_(override_share),
       used_(std::move(used)),
-      terminal_(isatty(STDERR_FILENO) != 0) {}
+      terminal_(draws(STDERR_FILENO)) {}
 
 void Progress::show(const Position& position) {
   if (!terminal_ || consulting_ || position.line == 0 || position.time - last_ < kEvery) return;

@@ -103,7 +103,7 @@ void RunRecorder::take(const MotionEvent& event) {
       break;
     case MotionEvent::Kind::JogStopped:
       journal_.add_event(event.time, "limit", static_cast<int>(event.tag),
-                         text_for_stopped_jog(event.axis, robot_));
+                         text_for_stopped_jog(event.axis, event.value, robot_));
       break;
     case MotionEvent::Kind::Overrun:
       fail(event.time, "overrun", words_for_overrun(event.value));

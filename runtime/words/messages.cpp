@@ -231,10 +231,12 @@ Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot
   return explained(words_for_axis(finding, axis_of(robot, finding.axis)), of_machine);
 }
 
-std::string text_for_stopped_jog(int axis, const motion::RobotModel& robot) {
-  if (axis < 0) return "the jog goes no further: a singular place, or the end of the arm's reach";
-  return fmt::format("the jog goes no further: axis {} is near the end of its way",
-                     axis_of(robot, axis).name);
+std::string text_for_stopped_jog(int axis, double place, const motion::RobotModel& robot) {
+  if (axis < 0) return "the jog stops at a singular position, or at the end of the arm's reach";
+  const motion::Axis& stopping = axis_of(robot, axis);
+  const double end = place - stopping.min < stopping.max - place ? stopping.min : stopping.max;
+  return fmt::format("axis {} stops the jog: it ends at {}", stopping.name,
+                     shown(end, stopping.kind));
 }
 
 std::string text_for_missed_lead(double error) {

@@ -15,6 +15,12 @@ std::string shown(double value, int decimals) {
   return text == "-0" ? "0" : text;
 }
 
+std::string fixed(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return zero && text.front() == '-' ? text.substr(1) : text;
+}
+
 std::string shown(double si, motion::AxisKind kind) {
   constexpr int kDecimals = 6;  // nm or µdeg: finer than any machine, coarse enough for rounding
   return shown(si * shown_per_si(kind), kDecimals) + " " + unit_name(kind);

@@ -33,6 +33,9 @@ std::string shown(double si, motion::AxisKind kind);
 /// A plain number with at most `decimals` decimals and no trailing zeros; never "-0".
 std::string shown(double value, int decimals);
 
+/// With all of its decimals, for columns; never "-0.00".
+std::string fixed(double value, int decimals);
+
 /// "x 40 mm, y 12.5 mm, theta 0 deg".
 std::string axes_text(const motion::RobotModel& robot, const motion::JointVector& q);
 

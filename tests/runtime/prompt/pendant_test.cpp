@@ -5,6 +5,11 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <regex>
+
+#include "motion/robots/robot_library.h"
+#include "runtime/prompt/pendant_keys.h"
 #include "runtime/prompt/pendant_view.h"
 #include "tests/runtime/prompt/virtual_prompt.h"
 #include "tests/support/degrees.h"
@@ -239,9 +244,8 @@ TEST_CASE("the view shows place, mode and keys within the size of the terminal")
   const double shown = held.session.robot().reports().last()->measured[0] * 1000;
   CHECK(view.find(fmt::format("> x       {:>12.3f} mm", shown)) != std::string::npos);
   CHECK(view.find("hello") != std::string::npos);
-  const std::string small = pendant_view(held.pendant, "", 10, 3);
-  CHECK(std::ranges::count(small, '\n') == 2);
-  CHECK(small.find("  gantry i\n") != std::string::npos);
+  const std::string small = pendant_view(held.pendant, "", 39, 3);
+  CHECK(small == "  the pendant needs 40x12 characters;\n  this terminal has 39x3. Esc leaves");
 }
 
 TEST_CASE("Ctrl-C forgets the name that is being typed, and the pendant stays") {
@@ -252,4 +256,114 @@ TEST_CASE("Ctrl-C forgets the name that is being typed, and the pendant stays") 
   held.pendant.give_up();
   CHECK_FALSE(held.pendant.naming());
   CHECK_FALSE(held.pendant.over());
+}
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& view) {
+  std::vector<std::string> lines(1);
+  for (const char c : view) {
+    if (c == '\n') {
+      lines.emplace_back();
+    } else {
+      lines.back() += c;
+    }
+  }
+  return lines;
+}
+
+long width_of(const std::string& line) {
+  return std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; });
+}
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+bool has_key(const Pendant& pendant, const std::string& key) {
+  return std::ranges::count(acting_keys(pendant), key) == 1;
+}
+
+}  // namespace
+
+TEST_CASE("the pendant of every robot fits 40x12, with its axes, its tool and all of its keys") {
+  for (const std::string_view robot : rob::motion::robot_names()) {
+    INFO(std::string(robot));
+    Held held(false, std::string(robot));
+    const std::string view = pendant_view(held.pendant, "", 40, 12);
+    const std::vector<std::string> lines = lines_of(view);
+    CHECK(lines.size() <= 12);
+    for (const std::string& line : lines) CHECK(width_of(line) <= 40);
+    for (const auto& axis : held.session.robot().robot().axes)
+      CHECK(view.find(" " + axis.name) != std::string::npos);
+    CHECK(view.find(" mm\n a ") != std::string::npos);
+    CHECK(view.find("Esc leave") != std::string::npos);
+  }
+}
+
+TEST_CASE("the pendant shows only keys that act on its robot") {
+  const Held gantry(false);
+  CHECK(has_key(gantry.pendant, "l lift"));
+  CHECK(has_key(gantry.pendant, "PgDn PgUp theta"));
+  CHECK_FALSE(has_key(gantry.pendant, "w world t tool"));
+  Held arm(false, "lwa4p");
+  CHECK(has_key(arm.pendant, "w world t tool"));
+  CHECK(has_key(arm.pendant, "g gripper"));
+  CHECK_FALSE(has_key(arm.pendant, "l lift"));
+  arm.pendant.press(letter('w'));
+  CHECK(has_key(arm.pendant, "j joint t tool"));
+  const Held servos(false, "so101");  // commanded in its axes alone, without outputs
+  CHECK_FALSE(has_key(servos.pendant, "w world t tool"));
+  CHECK_FALSE(has_key(servos.pendant, "o out"));
+}
+
+TEST_CASE("keys that do nothing are not shown, and those do nothing") {
+  Held held(false);
+  for (int i = 0; i < 10; ++i) held.pendant.press(letter('['));
+  CHECK(has_key(held.pendant, "] speed"));
+  held.pendant.press(letter('t'));
+  CHECK(held.pendant.frame() == rob::lang::JogFrame::Joint);
+  held.pendant.press(letter('m'));
+  CHECK_FALSE(has_key(held.pendant, ", . step"));
+  held.pendant.press(letter('o'));
+  CHECK(acting_keys(held.pendant) == std::vector<std::string>{"1-9 the output", "Esc none"});
+  held.pendant.press(Key{Key::Kind::Escape});
+  CHECK_FALSE(held.pendant.over());
+  CHECK(has_key(held.pendant, "o out"));
+}
+
+TEST_CASE("the view has no minus before zero, and ASCII alone where that is wanted") {
+  Held held(false, "lwa4p");
+  held.pendant.press(kRight);
+  held.rest();
+  for (const auto& [columns, rows] : {std::pair{40, 12}, std::pair{80, 24}}) {
+    const std::string view = pendant_view(held.pendant, "", columns, rows, false);
+    CHECK(std::ranges::all_of(view, [](char c) { return static_cast<unsigned char>(c) < 0x80; }));
+    CHECK_FALSE(std::regex_search(view, std::regex("-0\\.0+ ")));
+    CHECK(view.find("<- -> j1") != std::string::npos);
+  }
+}
+
+TEST_CASE("the end of an axis that stops a jog is told once a stop") {
+  Held held(false);  // x from 0 to 400 mm, and it stands at 0
+  const Key left{Key::Kind::Left};
+  const auto told = [&] {
+    return occurrences(held.screen.messages, "axis x stops the jog: it ends at 0 mm\n");
+  };
+  for (int i = 0; i < 3; ++i) {
+    held.pendant.press(left);
+    held.rest();
+  }
+  CHECK(told() == 1);
+  for (int i = 0; i < 2; ++i) held.pendant.press(letter('.'));  // 50 mm
+  held.pendant.press(kRight);
+  held.rest();
+  for (int i = 0; i < 2; ++i) {
+    held.pendant.press(left);
+    held.rest();
+  }
+  CHECK(told() == 2);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <regex>
 #include <string>
 #include <vector>
@@ -34,7 +35,7 @@ struct Desk {
              {"XDG_STATE_HOME", (folder.path() / "states").string()}}};
   }
   PseudoTerminal::Options coloured() const {
-    PseudoTerminal::Options more = options();
+    PseudoTerminal::Options more = options("xterm-256color");
     more.environment["NO_COLOR"] = "";
     return more;
   }
@@ -480,7 +481,49 @@ TEST_CASE("no colours where they are not wanted, and no control sequences on a d
     CHECK(terminal.wait() == 0);
     return terminal.raw();
   };
-  CHECK(session(desk.coloured()).find("\033[2m") != std::string::npos);
-  CHECK(session(desk.options()).find("\033[2m") == std::string::npos);
+  CHECK(session(desk.coloured()).find("\033[32mgantry idle (0, 0, 0)\033[0m> ") !=
+        std::string::npos);
+  CHECK(session(desk.options("xterm-256color")).find("\033[32m") == std::string::npos);
+  PseudoTerminal::Options without = desk.coloured();
+  without.environment["TERM"] = "vt100";  // terminfo knows none of it
+  CHECK(session(without).find("\033[32m") == std::string::npos);
   CHECK(session(desk.options("dumb")).find('\033') == std::string::npos);
+}
+
+TEST_CASE("errors are red and warnings yellow, at the prompt and of all commands") {
+  const Desk desk;
+  PseudoTerminal prompt({ROB_BINARY}, desk.coloured());
+  REQUIRE(prompt.expect("gantry idle (0, 0, 0)"));
+  prompt.send("MOVE(9000,0,0)\r");
+  CHECK(prompt.expect("prompt:1:5: \033[31merror[E401]:\033[0m axis x"));
+  prompt.send(":nothing\r");
+  CHECK(prompt.expect("\033[31merror:\033[0m there is no command"));
+  std::ofstream(desk.folder.path() / "wrong.rob") << "MOVE(9000,0,0)\n";
+  PseudoTerminal check({ROB_BINARY, "check", "wrong.rob"}, desk.coloured());
+  CHECK(check.expect("wrong.rob:1:5: \033[31merror[E401]:\033[0m axis x"));
+  CHECK(check.wait() == 65);
+  PseudoTerminal plain({ROB_BINARY, "check", "wrong.rob"}, desk.options());
+  CHECK(plain.expect("wrong.rob:1:5: error[E401]: axis x"));
+  CHECK(plain.wait() == 65);
+}
+
+TEST_CASE("where the locale is not UTF-8 the terminal gets ASCII alone") {
+  const Desk desk;
+  PseudoTerminal::Options plain = desk.options();
+  plain.environment["LC_ALL"] = "C";
+  PseudoTerminal terminal({ROB_BINARY}, plain);
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("LOOP\r");
+  REQUIRE(terminal.expect("... "));
+  terminal.send("GOTO 3\r");
+  REQUIRE(terminal.expect("LOOP ... ENDLOOP repeats"));
+  terminal.send(kCtrlC);
+  terminal.send(":jog\r");
+  REQUIRE(terminal.expect("<- -> x"));
+  terminal.send("q");
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send(kCtrlD);
+  CHECK(terminal.wait() == 0);
+  CHECK(std::ranges::all_of(terminal.raw(), [](char c) { return (c & 0x80) == 0; }));
 }

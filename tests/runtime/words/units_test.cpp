@@ -22,6 +22,13 @@ TEST_CASE("where the robot stands is measured, with the reference of an axis tha
         " deg)");
 }
 
+TEST_CASE("a number with all its decimals is never minus zero") {
+  CHECK(fixed(-0.004, 2) == "0.00");
+  CHECK(fixed(-0.006, 2) == "-0.01");
+  CHECK(fixed(-0.0, 0) == "0");
+  CHECK(fixed(-100, 1) == "-100.0");
+}
+
 TEST_CASE("an axis is not beside its reference by less than its encoder can tell") {
   motion::Axis axis = motion::embedded_robot("gantry").axes[0];
   CHECK(stands_beside(axis, 0.1001, 0.1));
