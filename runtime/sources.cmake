@@ -67,6 +67,7 @@ set(rob_runtime_sources
   runtime/files/written_values.cpp
   runtime/prompt/commands.cpp
   runtime/prompt/completion.cpp
+  runtime/prompt/declared_points.cpp
   runtime/prompt/entry_lines.cpp
   runtime/prompt/file_commands.cpp
   runtime/prompt/indentation.cpp

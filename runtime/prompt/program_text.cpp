@@ -62,6 +62,8 @@ ProgramText::Splice ProgramText::apply(Splice splice) {
   Splice back{splice.at, splice.lines.size(),
               Lines(std::make_move_iterator(begin), std::make_move_iterator(end)),
               std::move(splice.done)};
+  for (const Line& line : back.lines) points_.remove(line.text);
+  for (const Line& line : splice.lines) points_.add(line.text);
   const auto place = lines_.erase(begin, end);
   lines_.insert(place, std::make_move_iterator(splice.lines.begin()),
                 std::make_move_iterator(splice.lines.end()));

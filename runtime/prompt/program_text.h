@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/prompt/declared_points.h"
+
 namespace rob::runtime {
 
 /// The program in memory: lines, numbered from 1, as they were typed. Every edit can be undone.
@@ -28,6 +30,8 @@ class ProgramText {
   const std::string& line(std::size_t number) const { return lines_.at(number - 1).text; }
   /// Each line with its end.
   std::string text() const;
+  /// Whether a line of it begins with POINT and has the name.
+  bool declares_point(std::string_view name) const { return points_.has(name); }
   /// Whether a word stands in it, outside of texts and comments.
   bool has_name(std::string_view name) const;
 
@@ -70,6 +74,7 @@ class ProgramText {
   std::optional<Done> apply_last(std::vector<Splice>& from, std::vector<Splice>& to);
 
   Lines lines_;
+  DeclaredPoints points_;       ///< in `lines_`
   std::vector<Splice> before_;  ///< each takes an edit back; the last edit's last
   std::vector<Splice> undone_;
 };

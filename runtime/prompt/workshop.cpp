@@ -1,9 +1,6 @@
 #include "runtime/prompt/workshop.h"
 
-#include <algorithm>
-
-#include "runtime/files/text_lines.h"
-#include "runtime/prompt/session_text.h"
+#include "runtime/prompt/declared_points.h"
 
 namespace rob::runtime {
 
@@ -12,11 +9,8 @@ void Workshop::record(const std::string& entry, const std::vector<lang::Declared
   std::string points;
   for (const lang::DeclaredName& name : named) {
     if (name.kind != lang::DeclaredName::Kind::Point) continue;
-    const auto declares = [&](const std::string& text) {
-      return find_word(text, "POINT") == text.find_first_not_of(" \t") && has_word(text, name.name);
-    };
-    if (std::ranges::any_of(split_lines(program.text() + entry), declares)) continue;
-    points += "POINT " + name.name + "\n";
+    if (!program.declares_point(name.name) && !declares_point(entry, name.name))
+      points += "POINT " + name.name + "\n";
   }
   program.record(points + entry, line);
 }

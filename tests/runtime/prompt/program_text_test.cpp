@@ -77,3 +77,19 @@ TEST_CASE("a name is another one wherever it stands, but in texts, comments and 
   CHECK(program.text() ==
         "POINT pick\nMOVE Pick // pick\nPRINT \"pick\", part.pick, pick.x, pickup\n");
 }
+
+TEST_CASE("the program in memory knows which points it declares, after every edit") {
+  rob::runtime::ProgramText program;
+  program.set("POINT a, b\nMOVE c\n  point d\nPRINT \"POINT e\"\n", "");
+  for (const char* const name : {"a", "B", "d"}) CHECK(program.declares_point(name));
+  for (const char* const name : {"c", "e"}) CHECK_FALSE(program.declares_point(name));
+  program.insert(1, "POINT a");
+  program.erase(2, 2);
+  CHECK(program.declares_point("a"));
+  CHECK_FALSE(program.declares_point("b"));
+  program.undo();
+  CHECK(program.declares_point("b"));
+  program.rename({"a", "z"});
+  CHECK(program.declares_point("z"));
+  CHECK_FALSE(program.declares_point("a"));
+}
