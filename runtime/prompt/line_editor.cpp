@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <clocale>
 #include <csignal>
 #include <cstdlib>
@@ -66,6 +67,12 @@ void set_up_readline() {
   rl_variable_bind("blink-matching-paren", "on");
   rl_completer_word_break_characters = " \t\n\"(),=:;[]";
   rl_readline_name = "rob";  // for the user's .inputrc
+}
+
+/// Within that time, ms.
+bool key_waits(int time) {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  return poll(&input, 1, time) > 0 && (input.revents & POLLIN) != 0;
 }
 
 constexpr const char* kPasteBegins = "\033[200~";
@@ -214,8 +221,7 @@ void LineEditor::read() {
     show();
     rl_resize_terminal();
   }
-  pollfd input{STDIN_FILENO, POLLIN, 0};
-  while (editing_ && poll(&input, 1, 0) > 0 && (input.revents & POLLIN) != 0) {
+  while (editing_ && key_waits(0)) {
     show();
     rl_callback_read_char();
   }
@@ -225,6 +231,7 @@ void LineEditor::read() {
 void LineEditor::accept(char* line) {
   rl_callback_handler_remove();
   living->editing_ = false;
+  living->followed_ = key_waits(0);
   if (line == nullptr) {
     living->ended_ = true;
     return;
@@ -236,6 +243,20 @@ void LineEditor::accept(char* line) {
 }
 
 std::optional<std::string> LineEditor::take_line() { return std::exchange(line_, std::nullopt); }
+
+std::string LineEditor::take_followers() {
+  constexpr int kPause = 50;  // ms [choice] between two packets of a paste over a slow line
+  std::string text;
+  std::array<char, 4096> bytes{};
+  while (key_waits(kPause)) {
+    const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+    if (count <= 0) break;
+    text.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+  followed_ = false;
+  std::ranges::replace(text, '\r', '\n');
+  return text;
+}
 
 /// At once in the file too: it is there whatever ends the session.
 void LineEditor::keep(const std::string& entry) {

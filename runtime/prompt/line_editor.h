@@ -32,6 +32,11 @@ class LineEditor {
   void read();
   /// The line that read() has completed, once.
   std::optional<std::string> take_line();
+  /// Characters were there already when the line was complete: nobody types that fast, so they are
+  /// of the same paste, of a terminal that does not mark it.
+  bool followed() const { return followed_; }
+  /// Those, up to the first pause; they are not typed any more.
+  std::string take_followers();
   /// Ctrl-D at the beginning of a line.
   bool ended() const { return ended_; }
   /// The line under way is dropped; begin() has to follow.
@@ -62,6 +67,7 @@ class LineEditor {
   bool editing_ = false;
   bool hidden_ = false;
   bool ended_ = false;
+  bool followed_ = false;
 };
 
 }  // namespace rob::runtime

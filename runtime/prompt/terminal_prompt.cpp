@@ -94,6 +94,7 @@ class TerminalPrompt {
   bool wait() const;
   void take_typed();
   void take_lines(std::string_view rest);
+  void drop_paste(std::string_view rest);
   void tell_not_executed(std::string_view rest);
   void show_pendant();
   void take(const std::string& line);
@@ -202,14 +203,20 @@ void TerminalPrompt::take_lines(std::string_view rest) {
   while (!session_.over()) {
     const std::size_t end = rest.find('\n');
     take(std::string(rest.substr(0, end)));
-    if (end == std::string_view::npos) return;
-    rest.remove_prefix(end + 1);
-    if (session_.errors() == errors) continue;
-    std::string left = entry_.empty() ? "" : entry_.text() + "\n";
-    left += rest;
-    drop_entry();
-    return tell_not_executed(left);
+    const bool last = end == std::string_view::npos;
+    rest.remove_prefix(last ? rest.size() : end + 1);
+    if (session_.errors() != errors && (!last || editor_.followed())) return drop_paste(rest);
+    if (last) return;
   }
+}
+
+/// What is left of it, and what comes with it.
+void TerminalPrompt::drop_paste(std::string_view rest) {
+  std::string left = entry_.empty() ? "" : entry_.text() + "\n";
+  left += rest;
+  if (editor_.followed()) left += editor_.take_followers();
+  drop_entry();
+  tell_not_executed(left);
 }
 
 /// So many that the error stays in sight above them.

@@ -156,6 +156,20 @@ TEST_CASE("a paste ends at its first error, and what follows in it is shown") {
   CHECK(line_of(lines, "42") == lines.size());
 }
 
+TEST_CASE("lines that come in one go end at the first error, too, where a paste is not marked") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY}, desk.options("dumb"));
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send("PRINT 40 + 1\rMOOVE(1,2,3)\rPRINT 40 + 2\rPRINT 40 + 3\r");
+  REQUIRE(terminal.expect("E120"));
+  REQUIRE(terminal.expect("not executed, of what was pasted:"));
+  REQUIRE(terminal.expect("  PRINT 40 + 2\r\n  PRINT 40 + 3\r\n"));
+  terminal.send("PRINT 50 + 1\r");  // typed later: that is another thing
+  REQUIRE(terminal.expect("51\r\n"));
+  CHECK(terminal.raw().find("42\r\n") == std::string::npos);
+}
+
 TEST_CASE("a line of a block with a mistake is told at once, and alone is typed again") {
   const Desk desk;
   PseudoTerminal terminal({ROB_BINARY}, desk.options());
@@ -519,6 +533,7 @@ TEST_CASE("where the locale is not UTF-8 the terminal gets ASCII alone") {
   terminal.send("GOTO 3\r");
   REQUIRE(terminal.expect("LOOP ... ENDLOOP repeats"));
   terminal.send(kCtrlC);
+  REQUIRE(terminal.expect("^C"));
   terminal.send(":jog\r");
   REQUIRE(terminal.expect("<- -> x"));
   terminal.send("q");
