@@ -112,6 +112,7 @@ set(rob_runtime_sources
   runtime/run/path_meter.cpp
   runtime/run/peak_meter.cpp
   runtime/run/progress.cpp
+  runtime/run/program_stores.cpp
   runtime/run/run.cpp
   runtime/run/run_journal.cpp
   runtime/run/run_parts.cpp

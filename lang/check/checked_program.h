@@ -58,4 +58,9 @@ struct CheckedProgram {
   std::vector<Known> known{};
 };
 
+/// Whether TASKs use a variable of an earlier entry, as they did not before this one.
+inline bool newly_shared(const CheckedProgram::Known& known) {
+  return known.symbol->shared && !known.kept->symbol.shared;
+}
+
 }  // namespace rob::lang

@@ -15,15 +15,12 @@
 #include "lang/check/statement_checker.h"
 #include "lang/check/symbols.h"
 #include "lang/check/value_checker.h"
+#include "lang/code/chunk.h"
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
 namespace rob::lang {
 namespace {
-
-// [choice] TASKs look after things beside the program; one of many small programs is another
-// language.
-constexpr std::size_t kMostTasks = 16;
 
 /// Checks a whole program: the top level first, then the routines, which see all its names.
 class ProgramChecker {

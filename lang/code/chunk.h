@@ -220,9 +220,14 @@ struct TestCode {
 };
 
 /// A TASK: what it is called, and its routine.
+/// [choice] TASKs look after things beside the program; one of many small programs is another
+/// language.
+inline constexpr std::size_t kMostTasks = 16;
+
 struct TaskCode {
   std::string name;
   std::uint32_t routine = 0;
+  Place place{};  ///< of its first line
 };
 
 /// A TOOL of the program.

@@ -62,6 +62,7 @@ std::vector<Compilation::Definition> definitions_of(const Program& program) {
     definitions.push_back({routine.place.line, routine.end.line, false});
     for (const Routine::Parameters& group : routine.parameters)
       for (const auto& name : group.names) definitions.back().parameters.push_back(name.name);
+    if (routine.task) definitions.back().task = routine.name;
   }
   return definitions;
 }
@@ -85,6 +86,8 @@ void compile(Program program, const RobotSignature& robot, const PointTable& poi
   if (!generated.chunk) return;
   if (rooms != nullptr) {
     compilation.names = names_of(checked, generated);
+    for (const CheckedProgram::Known& one : checked.known)
+      if (newly_shared(one)) compilation.shared.push_back(one.kept);
     compilation.definitions = definitions_of(checked.program);
     compilation.room = generated.room;
     compilation.types = checked.program.types;

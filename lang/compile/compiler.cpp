@@ -1,6 +1,7 @@
 #include "lang/compile/compiler.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,10 +85,12 @@ class ProgramCompiler {
  private:
   void compile_top_level();
   void compile_entry();
+  void begin_entry(const CodeBuilder::Jumps& over);
   void compile_test_entry();
   void compile_variables(const Block& statements);
 
   const Program& program_;
+  std::span<const CheckedProgram::Known> known_;
   const EntryRooms* rooms_;  ///< null if it is no entry of the prompt
   Room room_;                ///< what the entry leaves taken
   CodeBuilder code_;
@@ -100,6 +103,7 @@ class ProgramCompiler {
 ProgramCompiler::ProgramCompiler(const CheckedProgram& checked, const RobotSignature& robot,
                                  const EntryRooms* rooms)
     : program_(checked.program),
+      known_(checked.known),
       rooms_(rooms),
       code_(signal_names(robot)),
       variables_(code_, checked.symbols.size()),
@@ -149,14 +153,20 @@ void ProgramCompiler::compile_entry() {
     if (line < program_.entry) {
       statements_.begin_behind(rooms_->before.at(line));
     } else if (!over.empty()) {
-      code_.land(std::exchange(over, {}));
-      statements_.begin_behind(rooms_->now);
+      begin_entry(std::exchange(over, {}));
     }
     statements_.compile(statement);
   }
+  if (!over.empty()) begin_entry(over);
+  room_ = statements_.room();
+}
+
+/// TASKs get the values of the variables that they use from here on.
+void ProgramCompiler::begin_entry(const CodeBuilder::Jumps& over) {
   code_.land(over);
   statements_.begin_behind(rooms_->now);
-  room_ = statements_.room();
+  for (const CheckedProgram::Known& known : known_)
+    if (newly_shared(known)) variables_.publish(*known.symbol, program_.end);
 }
 
 /// A TEST begins like the program, with its declarations and without its statements; they take the

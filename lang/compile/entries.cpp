@@ -179,6 +179,7 @@ Compilation Entries::compile(std::string_view entry, const RobotSignature& robot
   Selection selection;
   selection.definitions = uses_;
   std::vector<std::string> words = words_of(entry);
+  words.insert(words.end(), tasks_.begin(), tasks_.end());
   for (const KeptName* const kept : safe_) words.push_back(to_upper(kept->symbol.name));
   // The points file may have a point in any FRAME.
   if (std::ranges::find(words, "POINT") != words.end())
@@ -199,11 +200,13 @@ void Entries::keep(std::string_view entry, const Compilation& compiled) {
   if (!compiled.chunk) return;
   const Room before = std::exchange(room_, compiled.room);
   if (compiled.names.empty() && compiled.definitions.empty()) return;
-  Entry kept{before, {compiled.names.begin(), compiled.names.end()}, {}};
+  Entry kept{before, {compiled.names.begin(), compiled.names.end()}, {}, {}};
+  keep_shared(compiled, kept);
   for (const Compilation::Definition& one : compiled.definitions) {
     const std::string_view text = lines_of(entry, one.first - begin, one.last - begin);
     kept.definitions.push_back({one.first, one.last, one.use, std::string(text),
                                 foreign_words(text, one.parameters), before});
+    if (!one.task.empty()) tasks_.insert(to_upper(one.task));
   }
   types_.records.insert(compiled.types->records.begin(), compiled.types->records.end());
   types_.frames.insert(compiled.types->frames.begin(), compiled.types->frames.end());
@@ -211,13 +214,22 @@ void Entries::keep(std::string_view entry, const Compilation& compiled) {
   add(entries_[begin] = std::move(kept));
 }
 
-void Entries::add(const Entry& entry) {
+void Entries::keep_shared(const Compilation& compiled, Entry& entry) {
+  for (const KeptName* const one : compiled.shared) {
+    const Known* const found = known(to_upper(one->symbol.name));
+    if (found == nullptr || found->name != one) continue;
+    found->name->symbol.shared = true;
+    entry.shared.push_back(found->name);
+  }
+}
+
+void Entries::add(Entry& entry) {
   for (const Definition& definition : entry.definitions) {
     if (definition.use) uses_.push_back(&definition);
     if (definition.use) continue;
     for (const std::string& word : definition.words) users_[word].push_back(&definition);
   }
-  for (const KeptName& kept : entry.names) {
+  for (KeptName& kept : entry.names) {
     const std::uint32_t line = kept.symbol.place.line;
     const auto definition = std::ranges::find_if(entry.definitions, [&](const Definition& one) {
       return !one.use && one.first <= line && line <= one.last;
@@ -251,6 +263,8 @@ void Entries::forget(std::uint32_t first, std::uint32_t last) {
   if (begin == end) return;
   // The room is free again unless something lies after it.
   if (end == entries_.end()) room_ = begin->second.room;
+  for (auto entry = begin; entry != end; ++entry)
+    for (KeptName* const name : entry->second.shared) name->symbol.shared = false;
   for (auto entry = begin; entry != end; ++entry) remove(entry->second);
   entries_.erase(begin, end);
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -77,9 +78,10 @@ class Entries {
     Room room;  ///< that was taken before it
     std::list<KeptName> names;
     std::list<Definition> definitions;
+    std::vector<KeptName*> shared;  ///< names of earlier ones that TASKs use since then
   };
   struct Known {
-    const KeptName* name = nullptr;
+    KeptName* name = nullptr;
     const Definition* definition = nullptr;  ///< of a routine
   };
   struct Selection;
@@ -90,8 +92,9 @@ class Entries {
   void add_frames(const Type& type, std::vector<std::string>& words) const;
   bool select_users(const std::vector<KeptName>& names, Selection& selection) const;
   EntryText text_of(Selection selection, std::string_view entry) const;
-  void add(const Entry& entry);
+  void add(Entry& entry);
   void remove(const Entry& entry);
+  void keep_shared(const Compilation& compiled, Entry& entry);
 
   std::uint32_t line_ = 1;
   Room room_;
@@ -99,8 +102,9 @@ class Entries {
   std::unordered_map<std::string, std::vector<Known>> known_;  ///< by name; the last one holds
   std::unordered_map<std::string, Users> users_;               ///< routines, by their words
   Users uses_;                                                 ///< USE
-  std::vector<const KeptName*> safe_;                          ///< SIGNALs with SAFE
-  std::map<const TypeDetail*, std::string> frames_;            ///< names of FRAMEs
+  std::set<std::string> tasks_;        ///< names of TASKs: what they use is shared in every entry
+  std::vector<const KeptName*> safe_;  ///< SIGNALs with SAFE
+  std::map<const TypeDetail*, std::string> frames_;  ///< names of FRAMEs
   TypeTable types_;  ///< names all that were declared; their details are in `tables_`
   std::vector<std::shared_ptr<const TypeTable>> tables_;
 };

@@ -57,17 +57,17 @@ Stack::Stack(Slots registers, Slots memory, std::size_t calls)
       numbers_(number_stack_.data()),
       texts_(text_stack_.data()) {}
 
-Stack::Stack(TaskMemory& memory, std::size_t task)
-    : number_stack_(memory.numbers(task)),
-      text_stack_(memory.texts(task)),
-      registers_(memory.stack_begin(task) + kTaskRegisters),
+Stack::Stack(TaskStack stack)
+    : number_stack_(stack.memory.numbers(stack.number)),
+      text_stack_(stack.memory.texts(stack.number)),
+      registers_(stack.memory.stack_begin(stack.number) + kTaskRegisters),
       registers_end_(number_stack_.data() + registers_.numbers),
       text_registers_end_(text_stack_.data() + registers_.texts),
       frames_(kMostCalls),
       frame_(frames_.data()),
-      numbers_(number_stack_.data() + memory.stack_begin(task).numbers),
-      texts_(text_stack_.data() + memory.stack_begin(task).texts),
-      lists_(&memory.lists()) {}
+      numbers_(number_stack_.data() + stack.memory.stack_begin(stack.number).numbers),
+      texts_(text_stack_.data() + stack.memory.stack_begin(stack.number).texts),
+      lists_(&stack.memory.lists()) {}
 
 void Stack::unwind(std::size_t depth) {
   while (this->depth() > depth) leave();

@@ -53,7 +53,7 @@ class Stack {
   /// For entries of the prompt.
   Stack();
   /// For a TASK: the end of what it sees of the shared memory.
-  Stack(TaskMemory& memory, std::size_t task);
+  explicit Stack(TaskStack stack);
   Stack(const Stack&) = delete;
   Stack& operator=(const Stack&) = delete;
 

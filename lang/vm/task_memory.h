@@ -26,21 +26,32 @@ class TaskMemory {
       : globals_(Slots{static_cast<int>(kNumberStack), static_cast<int>(kTextStack)} +
                  chunk.memory),
         stack_(kTaskRegisters + (takes_memory(chunk) ? kTaskOwnMemory : Slots{})),
-        tasks_(chunk.tasks.size()),
-        numbers_(tasks_ == 0 ? 0 : size(stack_begin(tasks_).numbers)),
-        texts_(tasks_ == 0 ? 0 : size(stack_begin(tasks_).texts)) {}
+        tasks_(chunk.tasks.size()) {
+    if (tasks_ > 0) open();
+  }
+  /// For the TASKs of a prompt's entries: with room for all that entries may declare.
+  TaskMemory()
+      : globals_(Slots{static_cast<int>(kNumberStack), static_cast<int>(kTextStack)} + kMemory),
+        stack_(kTaskRegisters + kTaskOwnMemory),
+        tasks_(kMostTasks) {}
+  /// There are TASKs.
+  void open() {
+    numbers_.resize(size(stack_begin(tasks_).numbers));
+    texts_.resize(size(stack_begin(tasks_).texts));
+  }
 
-  /// Where a TASK's registers begin; they end kTaskRegisters further on, and its memory follows.
-  Slots stack_begin(std::size_t task) const {
-    const int before = static_cast<int>(task);
+  /// Where the registers of a stack begin; they end kTaskRegisters further on, and its memory
+  /// follows.
+  Slots stack_begin(std::size_t stack) const {
+    const int before = static_cast<int>(stack);
     return globals_ + Slots{before * stack_.numbers, before * stack_.texts};
   }
-  /// All up to the end of a TASK's stack.
-  std::span<Slot> numbers(std::size_t task) {
-    return std::span(numbers_).first(size(stack_begin(task + 1).numbers));
+  /// All up to the end of a stack.
+  std::span<Slot> numbers(std::size_t stack) {
+    return std::span(numbers_).first(size(stack_begin(stack + 1).numbers));
   }
-  std::span<std::string> texts(std::size_t task) {
-    return std::span(texts_).first(size(stack_begin(task + 1).texts));
+  std::span<std::string> texts(std::size_t stack) {
+    return std::span(texts_).first(size(stack_begin(stack + 1).texts));
   }
 
   void store(std::size_t first, std::span<const Slot> values) {
@@ -74,6 +85,12 @@ class TaskMemory {
   std::vector<Slot> numbers_;
   TextRow texts_;
   Lists lists_;
+};
+
+/// A stack in it, by its number, for one TASK.
+struct TaskStack {
+  TaskMemory& memory;
+  std::size_t number;
 };
 
 }  // namespace rob::lang

@@ -47,8 +47,7 @@ class Vm {
   Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed = Random::kDefaultSeed);
   /// A TASK, by its number, in the memory that they share; run(), state(), error() and executed()
   /// are for it as for a program.
-  Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memory,
-     std::uint64_t seed);
+  Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskStack stack, std::uint64_t seed);
   /// For entries of the prompt, which go_on_with() gives it.
   explicit Vm(Machine& machine, std::uint64_t seed = Random::kDefaultSeed);
   Vm(const Vm&) = delete;

@@ -39,14 +39,13 @@ Vm::Vm(const Chunk& chunk, Machine& machine, std::uint64_t seed)
       budget_(next_),
       instant_(seed, next_) {}
 
-Vm::Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskMemory& memory,
-       std::uint64_t seed)
+Vm::Vm(const Chunk& chunk, Machine& machine, std::size_t task, TaskStack stack, std::uint64_t seed)
     : role_(Role::Task),
       machine_(&machine),
       loaded_(chunk),
       next_(chunk.code.data() + chunk.task_entry),
       asked_for_(chunk.tasks[task].routine),
-      stack_(memory, task),
+      stack_(stack),
       budget_(next_),
       instant_(seed, next_) {}
 

@@ -81,7 +81,7 @@ RunResult run_one(LoadedProgram& program, const Options& options, const SignalSc
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
   find_out_whether_points_can_be_kept(program);
-  RunOutlets outlets = open_outlets(program, options.fast);
+  ProgramStores stores(program, options.data, !options.fast);
   OpenMachine machine = machine_for(program, options);
   if (!program.runnable()) return refused(program, robot);
   put_source_away(program);
@@ -99,7 +99,7 @@ RunResult run_one(LoadedProgram& program, const Options& options, const SignalSc
   const Interruption interruption(before_motion);  // from here on the mark must be taken back
   std::optional<RunMark> running;
   if (!options.fast) mark(running, program, listener);
-  RunResult result = run(program, std::move(machine), std::move(outlets), run_options, listener);
+  RunResult result = run(program, std::move(machine), stores, run_options, listener);
   progress.clear();
   return result;
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 
 namespace rob::runtime {
@@ -19,13 +20,53 @@ std::size_t bytes_of_list(const BackgroundTasks::Due& due) {
   return bytes;
 }
 
+/// The program outlives its TASKs.
+BackgroundTasks::Code borrowed(const lang::Chunk& chunk) {
+  return {BackgroundTasks::Code(), &chunk};
+}
+
 }  // namespace
 
 BackgroundTasks::BackgroundTasks(const lang::Chunk& chunk, const TaskSide& side, std::uint64_t seed)
-    : chunk_(chunk), side_(side), channels_(side.links.channels), seed_(seed), memory_(chunk) {}
+    : code_(borrowed(chunk)),
+      side_(side),
+      channels_(side.links.channels),
+      seed_(seed),
+      memory_(chunk) {}
+
+BackgroundTasks::BackgroundTasks(const TaskSide& side, std::uint64_t seed)
+    : code_(std::make_shared<const lang::Chunk>()),
+      side_(side),
+      channels_(side.links.channels),
+      seed_(seed) {}
+
+void BackgroundTasks::go_on_with(Code entry) {
+  if (entry->tasks.empty() && code_->tasks.empty()) return;
+  if (!entry->tasks.empty()) memory_.open();
+  code_ = std::move(entry);
+  std::erase_if(running_, [&](const Running& one) { return declared_anew(*one.code, one.task); });
+}
+
+bool BackgroundTasks::declared_anew(const lang::Chunk& code, std::uint32_t task) const {
+  const lang::TaskCode& old = code.tasks[task];
+  return std::ranges::any_of(code_->tasks, [&](const lang::TaskCode& one) {
+    return one.place.file == old.place.file && lang::same_word(one.name, old.name) &&
+           lang::line_tag(one.place) != lang::line_tag(old.place);
+  });
+}
+
+std::size_t BackgroundTasks::free_stack() const {
+  std::size_t stack = 0;
+  const auto taken = [&](const Running& one) { return one.stack == stack; };
+  while (std::ranges::any_of(running_, taken)) ++stack;
+  return stack;
+}
 
 std::uint32_t BackgroundTasks::keep(Due due) {
-  if (const auto* const start = std::get_if<Start>(&due)) started_.insert(start->task);
+  if (auto* const start = std::get_if<Start>(&due)) {
+    start->code = code_;
+    started_.insert(identity(start->task));
+  }
   bytes_of_lists_ += bytes_of_list(due);
   kept_.emplace(next_, std::move(due));
   return next_++;
@@ -35,6 +76,7 @@ void BackgroundTasks::take_due() {
   Channels::Report report;
   while (channels_.reports.take(report)) {
     auto kept = kept_.extract(report.id);
+    if (kept.empty()) continue;  // of a program that is over
     bytes_of_lists_ -= bytes_of_list(kept.mapped());
     if (report.dropped) continue;
     std::visit([&](const auto& due) { carry_out(due); }, kept.mapped());
@@ -42,10 +84,16 @@ void BackgroundTasks::take_due() {
 }
 
 void BackgroundTasks::carry_out(const Start& start) {
-  Running running{start.task, lang::line_tag(start.place),
-                  std::make_unique<TaskMachine>(side_, &memory_), nullptr};
-  running.vm = std::make_unique<lang::Vm>(chunk_, *running.machine, start.task, memory_,
-                                          seed_ + 1 + start.task);
+  if (declared_anew(*start.code, start.task)) return;
+  Running running{start.code,
+                  start.task,
+                  free_stack(),
+                  lang::line_tag(start.place),
+                  std::make_unique<TaskMachine>(side_, &memory_),
+                  nullptr};
+  running.vm =
+      std::make_unique<lang::Vm>(*start.code, *running.machine, start.task,
+                                 lang::TaskStack{memory_, running.stack}, seed_ + 1 + start.task);
   running_.push_back(std::move(running));
 }
 
@@ -54,17 +102,20 @@ void BackgroundTasks::carry_out(const StoreList& store) {
 }
 
 bool BackgroundTasks::busy(std::uint32_t task) const {
+  const int asked = identity(task);
   const auto is_due = [&](const auto& kept) {
     const auto* const start = std::get_if<Start>(&kept.second);
-    return start != nullptr && start->task == task;
+    return start != nullptr && identity(*start->code, start->task) == asked;
   };
-  return std::ranges::any_of(running_, [&](const Running& one) { return one.task == task; }) ||
+  return std::ranges::any_of(
+             running_,
+             [&](const Running& one) { return identity(*one.code, one.task) == asked; }) ||
          std::ranges::any_of(kept_, is_due);
 }
 
 lang::Refusal BackgroundTasks::runs_already(std::uint32_t task) const {
   return {std::string(lang::code::kTaskRunning),
-          fmt::format("TASK {} runs already", chunk_.tasks[task].name),
+          fmt::format("TASK {} runs already", code_->tasks[task].name),
           "it may be started again when it has come to its end"};
 }
 

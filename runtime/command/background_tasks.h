@@ -31,13 +31,21 @@ class BackgroundTasks {
   /// is reached, the program waits.
   static constexpr std::size_t kMostOfLists = lang::kMostListBytes;
 
+  using Code = std::shared_ptr<const lang::Chunk>;
+
   /// `seed`: of RANDOM; each TASK draws numbers of its own.
   BackgroundTasks(const lang::Chunk& chunk, const TaskSide& side, std::uint64_t seed);
+  /// For the entries of a prompt, of which go_on_with() gives one after another.
+  BackgroundTasks(const TaskSide& side, std::uint64_t seed);
+  /// TASKs are those of this entry from here on. One that runs goes on, unless the entry declares
+  /// it anew.
+  void go_on_with(Code entry);
 
-  /// START of a TASK, by its number.
+  /// START of a TASK, by its number in the code of the program or the entry.
   struct Start {
     std::uint32_t task;
     lang::Place place;
+    Code code{};
   };
   template <typename Value>
   struct Store {
@@ -54,7 +62,7 @@ class BackgroundTasks {
   };
   using Due = std::variant<Start, Store<lang::Slot>, Store<std::string>, StoreList>;
   std::uint32_t keep(Due due);
-  bool was_started(std::uint32_t task) const { return started_.contains(task); }
+  bool was_started(std::uint32_t task) const { return started_.contains(identity(task)); }
   /// Whether it runs, or its START is on its way.
   bool busy(std::uint32_t task) const;
   lang::Refusal runs_already(std::uint32_t task) const;
@@ -70,18 +78,27 @@ class BackgroundTasks {
   void run_cycle();
   void stop() { running_.clear(); }
   /// Whether the program has any.
-  bool any() const { return !chunk_.tasks.empty(); }
+  bool any() const { return !code_->tasks.empty() || !running_.empty(); }
   /// The error that has ended one of them; it is returned once.
   std::optional<lang::RuntimeError> take_error();
 
  private:
   struct Running {
+    Code code;
     std::uint32_t task;
-    int line;  ///< of its START
+    std::size_t stack;  ///< its number in the memory
+    int line;           ///< of its START
     std::unique_ptr<TaskMachine> machine;
     std::unique_ptr<lang::Vm> vm;
   };
 
+  /// A TASK is known by its place, also where entries have it in codes of their own.
+  static int identity(const lang::Chunk& code, std::uint32_t task) {
+    return lang::line_tag(code.tasks[task].place);
+  }
+  int identity(std::uint32_t task) const { return identity(*code_, task); }
+  bool declared_anew(const lang::Chunk& code, std::uint32_t task) const;
+  std::size_t free_stack() const;
   void carry_out(const Start& start);
   template <typename Value>
   void carry_out(const Store<Value>& store) {
@@ -90,7 +107,7 @@ class BackgroundTasks {
   void carry_out(const StoreList& store);
   void fail(lang::RuntimeError error);
 
-  const lang::Chunk& chunk_;
+  Code code_;
   const TaskSide side_;
   Channels& channels_;
   std::uint64_t seed_;
@@ -99,7 +116,7 @@ class BackgroundTasks {
   std::map<std::uint32_t, Due> kept_;
   std::size_t bytes_of_lists_ = 0;
   std::uint32_t next_ = 0;
-  std::set<std::uint32_t> started_;
+  std::set<int> started_;  ///< identities
   std::optional<lang::RuntimeError> error_;
 };
 

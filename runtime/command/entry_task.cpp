@@ -8,7 +8,11 @@ namespace rob::runtime {
 using lang::Reply;
 
 EntryTask::EntryTask(RobotMachine& machine, std::uint64_t seed)
-    : machine_(machine), beside_(machine.parts().task_side, nullptr), vm_(machine, seed) {
+    : machine_(machine),
+      tasks_(machine.parts().task_side, seed),
+      beside_(machine.parts().task_side, &tasks_.memory()),
+      vm_(machine, seed) {
+  machine.run_beside(tasks_);
   machine.parts().operator_stop.stay();
 }
 
@@ -34,7 +38,10 @@ void EntryTask::tell_settled() {
 }
 
 EntryTask::State EntryTask::carry_out(std::int64_t budget) {
-  if (!program_) take_interruption();
+  if (!program_) {
+    take_interruption();
+    tasks_.take_due();
+  }
   if (failing_) return end_failed();
   begin_handler();
   if (!entry_ && !vm_.handling() && !begin_next()) return State::Over;
@@ -42,7 +49,21 @@ EntryTask::State EntryTask::carry_out(std::int64_t budget) {
   return std::visit([&](const auto& what) { return go_on(what, budget); }, entry_->what);
 }
 
+/// One that fails has ended; the others and the entries go on.
+void EntryTask::run_own_tasks() {
+  const std::int64_t cycle = machine_.links().channels.cycle.load(std::memory_order_relaxed);
+  if (!tasks_.any() || cycle == tasks_cycle_) return;
+  tasks_cycle_ = cycle;
+  if (!program_) tasks_.take_due();
+  tasks_.run_cycle();
+  auto error = tasks_.take_error();
+  if (!error) return;
+  const std::lock_guard lock(mutex_);
+  failures_.push_back({.error = std::move(*error), .beside = true});
+}
+
 EntryTask::State EntryTask::run_tasks(State state) {
+  run_own_tasks();
   return program_ ? program_->run_tasks(state) : state;
 }
 
@@ -66,6 +87,7 @@ bool EntryTask::begin_next() {
 void EntryTask::begin(const Statements& statements) {
   if (!statements.chunk->watches.empty()) watching_.push_back(statements.chunk);
   present_ = statements.chunk;
+  tasks_.go_on_with(statements.chunk);
   machine_.parts().safe.declare_further(statements.chunk->safe_values);
   vm_.go_on_with(*statements.chunk);
 }
@@ -74,7 +96,9 @@ void EntryTask::begin(const Statements& statements) {
 void EntryTask::begin(const Program& program) {
   machine_.parts().whens.disarm_all(static_cast<int>(entry_->line));  // at rest: there is room
   vm_.forget_whens();
+  tasks_.take_due();  // all of it is due: the robot stands
   program_.emplace(*program.chunk, machine_, program.seed);
+  if (program.saved != nullptr) program_->start_from(*program.saved);
   machine_.links().channels.hold_points.begin_behind(machine_.links().planner.last_number());
 }
 
@@ -103,6 +127,8 @@ EntryTask::State EntryTask::go_on(const Program& program, std::int64_t budget) {
   if (state != State::Over) return state;
   failing_ = program_->failure();
   program_.reset();
+  machine_.run_beside(tasks_);
+  tasks_.take_due();          // what is left is of the program
   run_last_ = program.chunk;  // a guard may point into it
   watching_.clear();          // the disarming is done
   machine_.parts().safe.declare(present_ ? std::span<const lang::SafeValue>(present_->safe_values)

@@ -33,6 +33,7 @@ class EntryTask {
   struct Program {
     std::shared_ptr<const lang::Chunk> chunk;
     std::uint64_t seed = lang::Random::kDefaultSeed;
+    const lang::SavedValues* saved = nullptr;  ///< of PERSIST; they outlive the run
   };
   /// A jog for as long as its watch says No.
   struct Jog {
@@ -51,6 +52,7 @@ class EntryTask {
     std::uint32_t last = 0;
     std::size_t dropped = 0;
     lang::RuntimeError error;
+    bool beside = false;  ///< of a TASK: the entries go on
   };
 
   EntryTask(RobotMachine& machine, std::uint64_t seed);
@@ -86,11 +88,14 @@ class EntryTask {
   State run_vm(std::int64_t budget);
   State end_failed();
   State end();
+  void run_own_tasks();
   void take_interruption();
   void begin_handler();
 
   RobotMachine& machine_;
-  TaskMachine beside_;  ///< of handlers that do not stop the axes
+  BackgroundTasks tasks_;          ///< of the entries; they go on beside a program
+  std::int64_t tasks_cycle_ = -1;  ///< in which they ran last
+  TaskMachine beside_;             ///< of handlers that do not stop the axes
   lang::Vm vm_;
   std::shared_ptr<const lang::Chunk> present_;                ///< what vm_ executes
   std::shared_ptr<const lang::Chunk> run_last_;               ///< of the last program

@@ -173,6 +173,9 @@ Session::Taken enter(Session& session, const std::string& text, bool last) try {
 } catch (const FileError& error) {
   session.fail(error.what(), "", ExitCode::InputOutput);
   return Session::Taken::Done;
+} catch (const motion::DriverError& error) {
+  session.fail(error.what(), "", ExitCode::InputOutput);
+  return Session::Taken::Done;
 } catch (const motion::RobotFileError& error) {
   session.fail(error.what());
   return Session::Taken::Done;

@@ -98,7 +98,7 @@ void LiveReports::take(const MotionEvent& event) {
       return;
     case Kind::EffectDue:
       if (event.effect.kind == Effect::Kind::Note)
-        take_note(controller_.log().take_note(event.effect.id));
+        take_note(controller_.log().take_note(event.effect.id), event.time);
       return;
     case Kind::Hit:
       return jogging_ ? void() : tell(fmt::format("line {}: hit", line));
@@ -123,13 +123,18 @@ void LiveReports::take(const MotionEvent& event) {
   }
 }
 
-void LiveReports::take_note(const Note& note) {
-  if (note.kind == Note::Kind::Write || note.kind == Note::Kind::Persist) {
-    if (listener_.write) listener_.write(note);
-  } else if (note.kind != Note::Kind::Print) {
-    if (listener_.consult) listener_.consult(note);
-  } else if (listener_.print) {
-    listener_.print(note.text);
+void LiveReports::take_note(const Note& note, double time) {
+  switch (note.kind) {
+    case Note::Kind::Print:
+      if (listener_.print) listener_.print(note.text);
+      return;
+    case Note::Kind::Halt:
+    case Note::Kind::Ask:
+    case Note::Kind::Answer:
+      if (listener_.consult) listener_.consult(note);
+      return;
+    default:
+      if (listener_.keep) listener_.keep(note, time);
   }
 }
 

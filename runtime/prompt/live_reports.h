@@ -19,8 +19,11 @@ class LiveReports {
     std::function<void(const Note& note)> consult;       ///< HALT, ASK, the answer
     std::function<void(int line, const Words& words)> fault;
     std::function<void(const Snapshot& snapshot)> snapshot;
-    std::function<void(const Note& note)> write;  ///< a line of WRITE
+    /// What goes to files and devices; s of the run.
+    std::function<void(const Note& note, double time)> keep;
     std::function<void()> drained;
+    /// A program has ended, and something of it could not be kept.
+    std::function<void(const std::string& why)> not_kept;
   };
 
   LiveReports(Controller& controller, Listener listener)
@@ -40,7 +43,7 @@ class LiveReports {
 
  private:
   void take(const motion::MotionEvent& event);
-  void take_note(const Note& note);
+  void take_note(const Note& note, double time);
   void fail(int line, const Words& words);
   void tell_stand();
   void tell_jog_stopped(const motion::MotionEvent& event);

@@ -58,10 +58,14 @@ void LiveRobot::begin(OpenMachine machine) {
     if (trace_) trace_->write(snapshot);
     if (listener_.snapshot) listener_.snapshot(snapshot);
   };
-  listener.write = [this](const Note& note) {
+  listener.keep = [this](const Note& note, double time) {
+    if (stores_) return stores_->take(note, time);
     if (note.kind == Note::Kind::Write) files_.append(note.file, note.text);
   };
-  listener.drained = [this] { files_.drained(); };
+  listener.drained = [this] {
+    files_.drained();
+    if (stores_) stores_->drained();
+  };
   reports_ = std::make_unique<LiveReports>(*controller_, std::move(listener));
   ending_ = false;
   if (options_.fast) {
@@ -97,6 +101,7 @@ void LiveRobot::end() {
   }
   stepper_.reset();
   reports_->drain();
+  close_stores();
 }
 
 void LiveRobot::run_entries() {
@@ -124,7 +129,30 @@ void LiveRobot::let_pass() {
     stepper_->cycle();
     work();
   }
+  const bool ended = stores_ && (idle() || over());  // before draining: its last note is then taken
   reports_->drain();
+  if (stores_ && listener_.tell)
+    for (const std::string& event : stores_->take_events()) listener_.tell(event);
+  if (ended) close_stores();
+}
+
+void LiveRobot::run(std::uint32_t line, LoadedProgram& program) {
+  close_stores();
+  stores_ = std::make_unique<ProgramStores>(program, "", !options_.fast);
+  controller_->keep_files(&stores_->files());
+  controller_->connect(&stores_->devices());
+  auto chunk = std::make_shared<const lang::Chunk>(std::move(*program.compilation.chunk));
+  submit({line, EntryTask::Program{std::move(chunk), options_.seed, stores_->saved()}});
+}
+
+/// Nothing of the program is under way any more.
+void LiveRobot::close_stores() {
+  if (!stores_) return;
+  controller_->keep_files(&files_);
+  controller_->connect(nullptr);
+  const auto stores = std::move(stores_);
+  for (const std::string& why : stores->finish())
+    if (listener_.not_kept) listener_.not_kept(why);
 }
 
 void LiveRobot::look_for_end() {

@@ -15,6 +15,7 @@
 #include "runtime/run/control_threads.h"
 #include "runtime/run/controller.h"
 #include "runtime/run/machine.h"
+#include "runtime/run/program_stores.h"
 #include "runtime/run/stepper.h"
 #include "runtime/run/trace_writer.h"
 
@@ -48,6 +49,9 @@ class LiveRobot {
   const motion::RobotModel& robot() const { return robot_; }
   void submit(EntryTask::Entry entry) { entries_->submit(std::move(entry)); }
   std::optional<EntryTask::Failure> take_failure() { return entries_->take_failure(); }
+  /// A whole program, whose code is taken out of it, with its own files, devices and PERSIST
+  /// variables. The robot is idle. Throws FileError, motion::DriverError.
+  void run(std::uint32_t line, LoadedProgram& program);
   /// Entries that are not done yet.
   std::size_t open() const { return entries_->open(); }
   /// Nothing is open, and the robot stands.
@@ -96,6 +100,7 @@ class LiveRobot {
   void end();
   void run_entries();
   void look_for_end();
+  void close_stores();
 
   motion::RobotModel asked_;  ///< as its file has it
   motion::RobotModel robot_;  ///< as the machine is
@@ -104,6 +109,7 @@ class LiveRobot {
   Person* person_;
   std::optional<PointsFile> points_;
   DataFiles files_;
+  std::unique_ptr<ProgramStores> stores_;  ///< of the program that runs
   std::optional<TraceWriter> trace_;
   std::unique_ptr<Controller> controller_;
   std::unique_ptr<EntryTask> entries_;

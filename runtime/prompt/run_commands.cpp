@@ -56,9 +56,9 @@ std::optional<LoadedProgram> compiled(Session& session, std::size_t from, bool t
     session.fail("the program has errors; nothing moves");
     return std::nullopt;
   }
-  if (!program.compilation.chunk->persists.empty() || !program.compilation.chunk->devices.empty()) {
-    session.fail("the program keeps variables between runs, or has devices; the prompt has neither",
-                 fmt::format("rob run {}", file));
+  if (tells && file.empty() && !program.compilation.chunk->persists.empty()) {
+    session.fail("the program keeps variables between runs, beside its file; it has no file yet",
+                 ":save FILE");
     return std::nullopt;
   }
   if (!suits(session, program)) return std::nullopt;

@@ -83,6 +83,7 @@ LiveReports::Listener Session::listener() {
       screen_->message(
           fmt::format("HALT{}{}: Enter goes on\n", note.text.empty() ? "" : " ", note.text));
   };
+  listener.not_kept = [this](const std::string& why) { fail(why, "", ExitCode::InputOutput); };
   listener.fault = [this](int line, const Words& words) {
     answers_.want(false);
     screen_->message(fmt::format("line {}: fault[{}]: {}\nhelp: {}\n", line, words.code,
@@ -127,11 +128,6 @@ bool Session::sound_so_far(const std::string& block, std::size_t first) {
 bool Session::submit(const std::string& entry, LoadedProgram compiled) {
   refuse_untaught(compiled);
   refuse_what_an_arm_cannot(compiled);
-  if (compiled.runnable() && !compiled.compilation.chunk->tasks.empty()) {
-    fail("a TASK runs beside a program, not at the prompt",
-         "put it into a program; :load and :run it");
-    return false;
-  }
   const std::uint32_t line = text_->line();
   text_->keep(entry, compiled);
   tell(compiled, line);
@@ -167,9 +163,11 @@ void Session::let_pass() {
 
 void Session::take_failures() {
   while (const auto failure = robot_->take_failure()) {
-    answers_.want(false);  // whatever asked has ended
     const lang::RuntimeError& error = failure->error;
-    forget(*failure);
+    if (!failure->beside) {
+      answers_.want(false);  // whatever asked has ended
+      forget(*failure);
+    }
     if (error.code == code::kStopped) {
       screen_->message(error.message + "; what was not done yet is dropped\n");
       continue;
@@ -311,10 +309,9 @@ bool Session::stands(const char* command) {
 
 void Session::run(LoadedProgram program) {
   const std::uint32_t line = text_->line();
+  robot_->run(line, program);
   text_->pass_line(":run");
-  auto chunk = std::make_shared<const lang::Chunk>(std::move(*program.compilation.chunk));
   runs_.keep(line, program);
-  robot_->submit({line, EntryTask::Program{std::move(chunk), options_.seed}});
   leave_hold();
 }
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "runtime/command/program_task.h"
-#include "runtime/files/data_files.h"
 #include "runtime/files/points_file.h"
 #include "runtime/run/controller.h"
 #include "runtime/run/execution.h"
@@ -58,26 +57,12 @@ void close_trace(std::optional<TraceWriter>& trace, const RunOptions& options, R
   }
 }
 
-/// A line that could not be written, and that no further WRITE has reported to the program.
-void close_files(DataFiles& files, RunResult& result, const RunListener& listener) {
-  const auto why = files.finish();
-  if (!why) return;
-  if (result.exit_code == ExitCode::Done) result.exit_code = ExitCode::InputOutput;
-  if (listener.warn) listener.warn(why->message);
-}
-
-/// The program goes on from what an earlier run has left.
-void begin_with(const KeptValues& kept, ProgramTask& task, const RunListener& listener) {
-  for (const std::string& warning : kept.warnings())
-    if (listener.warn) listener.warn(warning);
-  task.start_from(kept.saved());
-}
-
-void close_values(KeptValues& kept, RunResult& result, const RunListener& listener) {
-  const std::string why = kept.finish();
-  if (why.empty()) return;
-  if (result.exit_code == ExitCode::Done) result.exit_code = ExitCode::InputOutput;
-  if (listener.warn) listener.warn(why);
+/// What could not be kept, and that the program does not know of.
+void close_stores(ProgramStores& stores, RunResult& result, const RunListener& listener) {
+  for (const std::string& why : stores.finish()) {
+    if (result.exit_code == ExitCode::Done) result.exit_code = ExitCode::InputOutput;
+    if (listener.warn) listener.warn(why);
+  }
 }
 
 /// The first error is what the program is refused for.
@@ -120,7 +105,7 @@ ForetellOptions foretell_as(const RunOptions& options) {
 }
 
 RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMachine machine,
-                 RunOutlets outlets, const RunOptions& options, const RunListener& listener) {
+                 ProgramStores& stores, const RunOptions& options, const RunListener& listener) {
   std::optional<TraceWriter> trace = open_trace(options, program, robot);
   Foretold own;
   Foretold& foretold = options.foretold != nullptr ? *options.foretold : own;
@@ -134,26 +119,19 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   controller.channels().panel.seat(options.person);
   PointsFile points(points_file_of(program.file), robot);
   controller.keep_points(&points);
-  DataFiles files(data_folder_of(program, options.data), DataFiles::Keeps::OnDisk, options.fast);
-  controller.keep_files(&files);
-  TextDevices& devices = *outlets.devices;
-  give_lines(options.script, devices);
-  controller.connect(&devices);
+  give_lines(options.script, stores.devices());
+  controller.keep_files(&stores.files());
+  controller.connect(&stores.devices());
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
-  KeptValues* const kept = outlets.values.get();
-  if (kept != nullptr) begin_with(*kept, task, listener);
-  RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
-                       names_in(program, robot),
-                       {listener.print,
-                        [&](const Snapshot& snapshot) {
-                          if (trace) trace->write(snapshot);
-                        },
-                        listener.consult,
-                        [&](const Note& note, double time) {
-                          hand_over(note, time, files, devices);
-                          if (note.kind == Note::Kind::Persist && kept != nullptr)
-                            kept->set(note.variable, note.text);
-                        }});
+  if (stores.saved() != nullptr) task.start_from(*stores.saved());
+  RunRecorder recorder(
+      robot, options.override_share, controller.channels(), controller.log(),
+      names_in(program, robot),
+      {listener.print,
+       [&](const Snapshot& snapshot) {
+         if (trace) trace->write(snapshot);
+       },
+       listener.consult, [&](const Note& note, double time) { stores.take(note, time); }});
 
   if (robot.law == motion::Law::LookAhead) recorder.expect(std::move(foretold.lines));
   Channels& channels = controller.channels();
@@ -162,10 +140,10 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   int cycles = 0;
   const Attend attend = [&] {
     recorder.drain();
-    give_said_lines(options.script, channels, recorder.time(), devices);
-    files.drained();
+    give_said_lines(options.script, channels, recorder.time(), stores.devices());
+    stores.drained();
     if (listener.warn)
-      for (const std::string& event : devices.take_events()) listener.warn(event);
+      for (const std::string& event : stores.take_events()) listener.warn(event);
     // On the virtual clock this is every cycle: a question to the system would take longer.
     constexpr int kCyclesPerLook = 1000;
     if (listener.abandoned && (!options.fast || cycles++ % kCyclesPerLook == 0) &&
@@ -198,8 +176,7 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
     result.exit_code = ExitCode::InputOutput;
   }
   close_trace(trace, options, result, listener);
-  close_files(files, result, listener);
-  if (kept != nullptr) close_values(*kept, result, listener);
+  close_stores(stores, result, listener);
   return of_program(program, std::move(result));
 }
 
@@ -211,28 +188,17 @@ Foretold foretold_by(RunResult result) {
   return foretold;
 }
 
-RunOutlets open_outlets(const LoadedProgram& program, bool fast) {
-  RunOutlets outlets;
-  const lang::Chunk& chunk = *program.compilation.chunk;
-  if (!chunk.persists.empty())
-    outlets.values = std::make_unique<KeptValues>(values_file_of(program.file),
-                                                  kept_variables(program), KeptValues::For::Run);
-  outlets.devices = std::make_unique<TextDevices>(chunk.devices);
-  if (!fast) outlets.devices->connect();
-  return outlets;
-}
-
 RunResult run(const LoadedProgram& program, OpenMachine machine, RunOutlets outlets,
               const RunOptions& options, const RunListener& listener) {
-  return run_on(program, program.robot, std::move(machine), std::move(outlets), options, listener);
+  return run_on(program, program.robot, std::move(machine), stores, options, listener);
 }
 
 RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
               const RunOptions& options, const RunListener& listener) {
   motion::RobotModel model = robot;
-  RunOutlets outlets = open_outlets(program, options.fast);
+  ProgramStores stores(program, options.data, !options.fast);
   OpenMachine machine = open_machine(BackendName{}, model);
-  return run_on(program, model, std::move(machine), std::move(outlets), options, listener);
+  return run_on(program, model, std::move(machine), stores, options, listener);
 }
 
 RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot) {

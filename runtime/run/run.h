@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -10,11 +9,10 @@
 #include "motion/generate/trajectory_generator.h"
 #include "motion/robots/robot_model.h"
 #include "runtime/command/program_log.h"
-#include "runtime/devices/text_devices.h"
-#include "runtime/files/kept_values.h"
 #include "runtime/files/signal_script.h"
 #include "runtime/run/load.h"
 #include "runtime/run/machine.h"
+#include "runtime/run/program_stores.h"
 #include "runtime/run/run_result.h"
 #include "runtime/tick/operator_panel.h"
 #include "runtime/time/wall_time.h"
@@ -61,20 +59,11 @@ struct RunListener {
   std::function<bool()> abandoned{};  ///< nobody waits for the results: the run stops on its path
 };
 
-/// What a program has of the world beside its machine. It is there before the machine is opened:
-/// what cannot be had refuses the start, and nothing has moved or homed.
-struct RunOutlets {
-  std::unique_ptr<KeptValues> values;  ///< none if the program has no PERSIST
-  std::unique_ptr<TextDevices> devices;
-};
-/// Reads and locks the values; connects to the devices but for a run on the virtual clock (`fast`).
-/// Throws FileError or motion::DriverError.
-RunOutlets open_outlets(const LoadedProgram& program, bool fast);
-
 /// Runs a compiled program on an open machine, in real time or, if it is the simulation, on the
-/// virtual clock. Ctrl-C and the other signals of Interruption stop it on its path. Throws
-/// FileError before anything moves.
-RunResult run(const LoadedProgram& program, OpenMachine machine, RunOutlets outlets,
+/// virtual clock. `stores` are open before the machine is, so that a value or a device that cannot
+/// be had refuses the start before anything homes. Ctrl-C and the other signals of Interruption
+/// stop it on its path. Throws FileError before anything moves.
+RunResult run(const LoadedProgram& program, OpenMachine machine, ProgramStores& stores,
               const RunOptions& options, const RunListener& listener);
 /// The same on the simulation of this robot.
 RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "runtime/files/files.h"
+#include "runtime/files/kept_values.h"
 #include "tests/runtime/prompt/piped_prompt.h"
 
 using namespace rob::runtime;
@@ -262,4 +264,34 @@ TEST_CASE(":vars tells names, types and values") {
         "n = 2  // a whole number\nname = x  // a text\nreach = 20mm  // a length\n");
   CHECK(prompt.axis(0) == now);
   CHECK(prompt.enter({":list"}).empty());
+}
+
+TEST_CASE("a program with PERSIST keeps its variables when it is run at the prompt") {
+  const ScratchFolder folder;
+  const std::string file = folder.file("count.rob");
+  std::ofstream(file) << "PERSIST VAR count = 0\ncount += 1\nWRITE \"log.txt\": \"run \", count\n"
+                         "PRINT count\n";
+  PipedPrompt prompt(folder);
+  CHECK(prompt.enter({":load " + file, ":run", ":run"}) == "1\n2\n");
+  CHECK(rob::runtime::read_file(folder.file("count.values"), 1000) == "count = 2\n");
+  CHECK(rob::runtime::read_file(folder.file("log.txt"), 1000) == "run 1\nrun 2\n");
+  const rob::runtime::ValuesLock other(folder.file("count.values"));
+  CHECK(prompt.enter({":run"}).empty());
+  CHECK(prompt.session.worst() == ExitCode::InputOutput);
+}
+
+TEST_CASE("a program with PERSIST needs a file before it is run") {
+  const ScratchFolder folder;
+  PipedPrompt prompt(folder);
+  prompt.enter({":insert 1 PERSIST VAR count = 0", ":run"});
+  CHECK(prompt.screen.messages.find("it has no file yet\nhelp: :save FILE\n") != std::string::npos);
+}
+
+TEST_CASE("a program with a DEVICE runs at the prompt; on the virtual clock none is opened") {
+  const ScratchFolder folder;
+  PipedPrompt prompt(folder);
+  CHECK(prompt.enter({":insert 1 DEVICE scale = \"tcp://127.0.0.1:9\"", ":insert 2 VAR line = \"\"",
+                      ":insert 3 SEND scale: \"W\"",
+                      ":insert 4 RECEIVE scale INTO line TIMEOUT 0.5s ELSE PRINT \"none\"",
+                      ":run"}) == "none\n");
 }

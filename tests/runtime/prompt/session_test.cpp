@@ -185,12 +185,37 @@ TEST_CASE("SAFE values are taken where an entry fails, and may be set again") {
   CHECK(prompt.enter({"PRINT torch"}) == "TRUE\n");
 }
 
-TEST_CASE("a TASK is refused with the way out") {
+TEST_CASE("a TASK of the prompt runs beside the entries, and shares variables with them") {
   Prompt prompt;
-  enter(prompt.session, "TASK blink\n  WAIT 1s\nENDTASK");
-  CHECK(prompt.screen.messages ==
-        "error: a TASK runs beside a program, not at the prompt\n"
-        "help: put it into a program; :load and :run it\n");
+  prompt.enter(
+      {"VAR n = 5", "VAR told = \"\"",
+       "TASK count\n  LOOP\n    n += 1\n    told = \"t\"\n    WAIT 0.1s\n  ENDLOOP\nENDTASK"});
+  CHECK(prompt.enter({"WAIT 1s", "PRINT n"}) == "5\n");  // declared, not started
+  // Begun, and ten times more in 1.05 s: it looks in each cycle of 10 ms.
+  CHECK(prompt.enter({"START count", "WAIT 1.05s", "PRINT n, told"}) == "16t\n");
+  CHECK(prompt.enter({"n = 100", "WAIT 0.05s", "PRINT n >= 100 AND n <= 101"}) == "TRUE\n");
+  CHECK(prompt.session.errors() == 0);
+  prompt.enter({"START count"});
+  CHECK(prompt.screen.messages.find("E343") != std::string::npos);
+  CHECK(prompt.session.errors() == 1);
+}
+
+TEST_CASE("a TASK that is declared anew has ended, and the new one can be started") {
+  Prompt prompt;
+  prompt.enter({"VAR n = 0", "TASK count\n  LOOP\n    n += 1\n    WAIT 0.1s\n  ENDLOOP\nENDTASK",
+                "START count", "WAIT 0.35s"});
+  CHECK(prompt.enter({"PRINT n"}) == "4\n");
+  prompt.enter({"TASK count\n  n = 1000\nENDTASK"});
+  CHECK(prompt.enter({"n = 7", "WAIT 1s", "PRINT n"}) == "7\n");
+  CHECK(prompt.enter({"START count", "WAIT 0.1s", "PRINT n"}) == "1000\n");
+}
+
+TEST_CASE("the error of a TASK is shown, and the entries go on") {
+  Prompt prompt;
+  prompt.enter({"TASK wrong\n  WAIT 0.1s\n  RAISE \"bad\"\nENDTASK", "START wrong", "WAIT 0.5s"});
+  CHECK(prompt.screen.messages == "prompt:3:3: error[E340]: bad\n    RAISE \"bad\"\n    ^^^^^\n");
+  CHECK(prompt.session.worst() == ExitCode::Fault);
+  CHECK(prompt.enter({"PRINT 6 * 111"}) == "666\n");
 }
 
 TEST_CASE("a WHEN that was the last entry stays armed when the operator stops a jog") {
