@@ -1,6 +1,7 @@
 #include "runtime/prompt/line_editor.h"
 
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>  // readline's header needs it
@@ -270,6 +271,8 @@ void LineEditor::keep(const std::string& entry) {
 void LineEditor::drop() {
   if (!editing_) return;
   show();
+  rl_point = rl_end;  // ^C stands after the line
+  rl_redisplay();
   rl_callback_sigcleanup();
   rl_free_line_state();
   rl_replace_line("", 1);
@@ -281,6 +284,12 @@ void LineEditor::drop() {
 }
 
 bool LineEditor::empty() const { return rl_end == 0 && pasted_.empty(); }
+
+int LineEditor::columns() {
+  winsize size{};
+  const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
 
 void LineEditor::hide() {
   if (!editing_ || hidden_) return;

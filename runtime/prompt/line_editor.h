@@ -46,6 +46,9 @@ class LineEditor {
   /// The history has this as one more entry, of any number of lines.
   void keep(const std::string& entry);
 
+  /// Of the terminal.
+  static int columns();
+
   /// For output: takes the line off the screen, and puts it back.
   void hide();
   void show();

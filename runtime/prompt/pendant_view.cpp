@@ -54,7 +54,7 @@ const char* name_of(JogFrame frame) {
 
 std::string head(const Picture& picture) {
   std::string text = picture.pendant.session().state_text();
-  if (!picture.wide) text.erase(text.rfind(" ("));
+  if (!picture.wide) text = text.substr(0, text.rfind(" ("));
   if (picture.pendant.has(JogFrame::Tool))
     text += fmt::format(", {} frame", name_of(picture.pendant.frame()));
   return "  " + text;

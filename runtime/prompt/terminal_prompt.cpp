@@ -151,6 +151,9 @@ Vocabulary TerminalPrompt::vocabulary() const {
 /// It never gets narrower under a line that is being typed.
 std::string TerminalPrompt::state_prompt() {
   std::string text = session_.state_text();
+  constexpr int kLeast = 16;  // characters to type in [choice]
+  if (static_cast<int>(text.size()) + kLeast > LineEditor::columns())
+    text = text.substr(0, text.rfind(" ("));
   if (!editor_.empty() && text.size() < width_) text.append(width_ - text.size(), ' ');
   width_ = text.size();
   return in_prompt(text, session_.robot().over() ? Colour::Red : Colour::Green) + "> ";

@@ -63,7 +63,7 @@ std::string stand_text(const motion::RobotModel& robot, const motion::JointVecto
 std::vector<double> shown_joints(const motion::RobotModel& robot, const motion::JointVector& q) {
   std::vector<double> values;
   for (int i = 0; i < robot.axis_count(); ++i)
-    values.push_back(q[i] * shown_per_si(axis_of(robot, i).kind));
+    values.push_back(q[i] * shown_per_si(axis_of(robot, i).kind) + 0.0);  // never -0
   return values;
 }
 
@@ -79,9 +79,9 @@ std::vector<double> shown_pose(const motion::Pose& pose) {
   const Eigen::Vector3d mm = pose.position * kMillimetresPerMetre;
   const motion::FixedAngles angles = motion::fixed_angles(pose.orientation);
   std::vector<double> values = {mm.x(), mm.y(), mm.z()};
-  for (const double angle : {angles.a, angles.b, angles.c}) {
-    values.push_back(angle * kDegreesPerRadian + 0.0);  // adding 0 makes -0 a 0
-  }
+  for (const double angle : {angles.a, angles.b, angles.c})
+    values.push_back(angle * kDegreesPerRadian);
+  for (double& value : values) value += 0.0;  // makes -0 a 0
   return values;
 }
 

@@ -164,7 +164,7 @@ TEST_CASE("help, ?, quit and exit are commands without a colon, where they are n
   CHECK(prompt.enter({" ? "}) == list);
   CHECK(prompt.enter({"Help MOVE"}) == prompt.enter({":help MOVE"}));
   CHECK(prompt.enter({"help :where"}) ==
-        "  :where                       the robot's place: axes, pose, state\n");
+        "  :where                       the robot's position: axes and pose\n");
   CHECK(prompt.enter({"LOOP\n  exit\nENDLOOP", "VAR help = 3", "help"}) == "3\n");
   CHECK_FALSE(prompt.session.over());
   prompt.enter({"Exit"});
@@ -318,4 +318,14 @@ TEST_CASE(":jog is refused while something moves, or is held") {
   prompt.session.let_pass();
   enter(prompt.session, ":jog");
   CHECK(prompt.session.take_pendant());
+}
+
+TEST_CASE("each line of :help fits 80 columns") {
+  Prompt prompt;
+  std::string rows = prompt.enter({":help"});
+  while (!rows.empty()) {
+    const std::string row = rows.substr(0, rows.find('\n'));
+    CHECK_MESSAGE(row.size() < 80, row);
+    rows.erase(0, row.size() + 1);
+  }
 }

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "motion/robots/robot_library.h"
 
 namespace rob::runtime {
@@ -27,6 +29,9 @@ TEST_CASE("a number with all its decimals is never minus zero") {
   CHECK(fixed(-0.006, 2) == "-0.01");
   CHECK(fixed(-0.0, 0) == "0");
   CHECK(fixed(-100, 1) == "-100.0");
+  motion::Pose pose;
+  pose.position << -0.0, 1e-3, -0.0;
+  for (const double value : shown_pose(pose)) CHECK_FALSE(std::signbit(value));
 }
 
 TEST_CASE("an axis is not beside its reference by less than its encoder can tell") {
