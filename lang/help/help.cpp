@@ -19,8 +19,9 @@ namespace {
 using Kind = ManualBlock::Kind;
 using Words = std::vector<std::string_view>;
 
-const auto kCodes = std::to_array<CodeHelp>({
-#define ROB_HELP(code, explanation, example) {code, title_of(code), explanation, example},
+/// Without their titles, which only help_on() looks for: a start of Rob does not wait for them.
+constexpr auto kCodes = std::to_array<CodeHelp>({
+#define ROB_HELP(code, explanation, example) {code, {}, explanation, example},
 #include "lang/help/help_codes.def"
 #undef ROB_HELP
 });
@@ -191,8 +192,10 @@ std::string help_text(const CodeHelp& help) {
 
 std::string help_on(std::string_view word) {
   std::vector<std::string> texts = manual_on(word);
-  for (const CodeHelp& help : kCodes) {
-    if (same_word(help.code, word)) texts.push_back(help_text(help));
+  for (CodeHelp help : kCodes) {
+    if (!same_word(help.code, word)) continue;
+    help.title = title_of(help.code);
+    texts.push_back(help_text(help));
   }
   return fmt::format("{}", fmt::join(texts, "\n"));
 }

@@ -2,30 +2,38 @@
 
 #include <atomic>
 #include <cstddef>
-#include <vector>
+#include <memory>
 
 namespace rob::motion {
 
 /// A queue of fixed size from one thread to one other, without locks. Memory is taken by the
-/// constructor alone, so every other call may be used in the tick.
+/// constructor alone, so every other call may be used in the tick. A slot is made when it is first
+/// written: a short run does not touch the memory of the rest.
 template <typename T>
 class SpscRing {
  public:
-  explicit SpscRing(std::size_t capacity) : slots_(capacity + 1) {}
-  std::size_t capacity() const noexcept { return slots_.size() - 1; }
+  explicit SpscRing(std::size_t capacity)
+      : size_(capacity + 1), slots_(std::allocator<T>().allocate(size_)) {}
+  ~SpscRing() {
+    std::destroy_n(slots_, made_);
+    std::allocator<T>().deallocate(slots_, size_);
+  }
+  SpscRing(const SpscRing&) = delete;
+  SpscRing& operator=(const SpscRing&) = delete;
+  std::size_t capacity() const noexcept { return size_ - 1; }
 
   /// The writer's. False: full, nothing has happened.
   bool push(const T& value) noexcept {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
     const std::size_t next = after(tail);
     if (next == head_.load(std::memory_order_acquire)) return false;
-    slots_[tail] = value;
+    made(tail) = value;
     tail_.store(next, std::memory_order_release);
     return true;
   }
   /// The same, written in place: the next slot, which holds what it held before, and then push();
   /// null: full.
-  T* slot() noexcept { return full() ? nullptr : &slots_[tail_.load(std::memory_order_relaxed)]; }
+  T* slot() noexcept { return full() ? nullptr : &made(tail_.load(std::memory_order_relaxed)); }
   void push() noexcept {
     tail_.store(after(tail_.load(std::memory_order_relaxed)), std::memory_order_release);
   }
@@ -36,7 +44,7 @@ class SpscRing {
   std::size_t room() const noexcept {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
     const std::size_t head = head_.load(std::memory_order_acquire);
-    return (head > tail ? head : head + slots_.size()) - tail - 1;
+    return (head > tail ? head : head + size_) - tail - 1;
   }
 
   /// The reader's. Null when empty; valid until pop().
@@ -48,8 +56,8 @@ class SpscRing {
   const T* at(std::size_t i) const noexcept {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     const std::size_t tail = tail_.load(std::memory_order_acquire);
-    const std::size_t count = (tail >= head ? tail : tail + slots_.size()) - head;
-    return i < count ? &slots_[(head + i) % slots_.size()] : nullptr;
+    const std::size_t count = (tail >= head ? tail : tail + size_) - head;
+    return i < count ? &slots_[(head + i) % size_] : nullptr;
   }
   void pop() noexcept {
     head_.store(after(head_.load(std::memory_order_relaxed)), std::memory_order_release);
@@ -63,11 +71,19 @@ class SpscRing {
   }
 
  private:
-  std::size_t after(std::size_t i) const noexcept { return i + 1 == slots_.size() ? 0 : i + 1; }
+  std::size_t after(std::size_t i) const noexcept { return i + 1 == size_ ? 0 : i + 1; }
 
-  std::vector<T> slots_;
+  /// The writer's: a slot, which is made if it was never written. They are first written in order.
+  T& made(std::size_t i) noexcept {
+    if (i == made_) std::construct_at(&slots_[made_++]);
+    return slots_[i];
+  }
+
+  const std::size_t size_;
+  T* const slots_;
   alignas(64) std::atomic<std::size_t> head_{0};
   alignas(64) std::atomic<std::size_t> tail_{0};
+  std::size_t made_ = 0;
 };
 
 }  // namespace rob::motion
