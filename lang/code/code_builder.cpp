@@ -207,6 +207,7 @@ void CodeBuilder::set_distance(std::size_t at, std::size_t target) {
 
 void CodeBuilder::land(const Jumps& jumps) {
   for (const Jump jump : jumps) set_distance(jump, here());
+  after_element_ = 0;
 }
 
 void CodeBuilder::loop(std::size_t target, Place place) {
@@ -223,6 +224,25 @@ void CodeBuilder::join_turns(std::size_t body, Register value) {
   if (!constant && (store.opcode() != Opcode::store_element || store.a() == value)) return;
   const Opcode fill = constant ? Opcode::fill_element_constant : Opcode::fill_element;
   store = Instruction::abc(fill, store.a(), store.b(), store.c());
+}
+
+void CodeBuilder::element(Register target, const ElementPlace& of, Place place) {
+  emit(Opcode::element, place, target, of.which, of.base);
+  emit(operand_word(of.offset), place);
+  emit(operand_word(of.count), place);
+  emit(operand_word(of.size), place);
+  after_element_ = here();
+}
+
+bool CodeBuilder::join_element(Opcode opcode, Register value, Register at, std::uint32_t offset) {
+  constexpr std::size_t kWords = 4;  // of an `element`
+  if (after_element_ == 0 || after_element_ != here()) return false;
+  Instruction& element = chunk_.code[here() - kWords];
+  if (element.a() != at) return false;
+  element = Instruction::abc(opcode, value, element.b(), element.c());
+  chunk_.code[here() - kWords + 1].word += offset;
+  after_element_ = 0;
+  return true;
 }
 
 void CodeBuilder::open_memory(Place place) {

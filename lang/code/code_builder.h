@@ -82,6 +82,23 @@ class CodeBuilder {
   /// is to store what never changes into the element of that number, many turns become one.
   void join_turns(std::size_t body, Register value);
 
+  /// Where an element lies, as the operands of `element` say.
+  struct ElementPlace {
+    Register which;
+    Register base;
+    std::uint32_t offset;
+    std::uint32_t count;
+    std::uint32_t size;
+  };
+  /// The place of an element, into a register.
+  void element(Register target, const ElementPlace& of, Place place);
+  /// Makes one instruction of the last one and what follows, if the last one is the element() of
+  /// register `at`, which nothing else reads: what lies so far after that place, from or into
+  /// `value`. Whether it was so.
+  bool join_element(Opcode opcode, Register value, Register at, std::uint32_t offset);
+  /// Something else reads the register of the last element(), too.
+  void keep_element() { after_element_ = 0; }
+
   /// The current frame has memory after its registers; how much turns out at its end.
   void open_memory(Place place);
 
@@ -165,6 +182,7 @@ class CodeBuilder {
   FrameSlots frame_{chunk_.code, limits_};
   std::vector<std::size_t> reserves_;  ///< `reserve` instructions of the current frame
   std::optional<OpenWatch> watch_;
+  std::size_t after_element_ = 0;  ///< where the last element() ends
 };
 
 }  // namespace rob::lang

@@ -175,6 +175,7 @@ void ExpressionCompiler::assign_register(const Expr& target, Register value) {
     store_element(Opcode::store_element, std::get<Index>(target.node), value, target.place);
   } else {
     const Location at = locate(target);
+    if (shared) code_.keep_element();
     variables_.store(at, target.type, value, target.place);
     variables_.publish_part(*root_of(target)->symbol, at, target.type, target.place);
   }
@@ -840,8 +841,13 @@ Location ExpressionCompiler::element(const Index& index) {
 void ExpressionCompiler::load_element(const Index& index, Register target, Place place) {
   const auto mark = frame_.mark();
   const SlotsAt whole = locate(*index.object).numbers;
-  code_.emit(Opcode::load_element, place, target, operand(*index.index, false), whole.place);
-  code_.emit(number_word(whole.offset), place);
+  const Register which = operand(*index.index, false);
+  if (code_.join_element(Opcode::load_cell, target, whole.place, whole.offset)) {
+    code_.emit(number_word(which), place);
+  } else {
+    code_.emit(Opcode::load_element, place, target, which, whole.place);
+    code_.emit(number_word(whole.offset), place);
+  }
   code_.emit(number_word(index.object->type.detail->length), place);
   frame_.release(mark);
 }
@@ -849,8 +855,14 @@ void ExpressionCompiler::load_element(const Index& index, Register target, Place
 void ExpressionCompiler::store_element(Opcode opcode, const Index& index, std::uint8_t value,
                                        Place place) {
   const SlotsAt whole = locate(*index.object).numbers;
-  code_.emit(opcode, place, value, operand(*index.index, false), whole.place);
-  code_.emit(number_word(whole.offset), place);
+  const Register which = operand(*index.index, false);
+  if (opcode == Opcode::store_element &&
+      code_.join_element(Opcode::store_cell, value, whole.place, whole.offset)) {
+    code_.emit(number_word(which), place);
+  } else {
+    code_.emit(opcode, place, value, which, whole.place);
+    code_.emit(number_word(whole.offset), place);
+  }
   code_.emit(number_word(index.object->type.detail->length), place);
 }
 

@@ -167,10 +167,10 @@ SlotsAt Variables::element_at(SlotsAt whole, bool text, Register which, std::int
     refer(whole, text, at, place);
     whole = {Base::Place, 0, at};
   }
-  code_.emit(Opcode::element, place, at, which, whole.place);
-  code_.emit(operand_word(whole.offset), place);
-  code_.emit(operand_word(static_cast<std::uint32_t>(count)), place);
-  code_.emit(operand_word(static_cast<std::uint32_t>(size)), place);
+  code_.element(at,
+                {which, whole.place, whole.offset, static_cast<std::uint32_t>(count),
+                 static_cast<std::uint32_t>(size)},
+                place);
   return {Base::Place, 0, at};
 }
 
@@ -228,6 +228,7 @@ void Variables::load_numbers(SlotsAt from, Register target, int count, Place pla
     case Base::GlobalMemory:
       return load_numbers(reached(from, false, place), target, count, place);
     case Base::Place:
+      if (count == 1) return load_slot(from, target, place);
       code_.emit(Opcode::load_reference, place, target, from.place, static_cast<unsigned>(count));
       code_.emit(operand_word(from.offset), place);
       return;
@@ -248,10 +249,23 @@ void Variables::store_numbers(SlotsAt to, Register value, int count, Place place
     case Base::GlobalMemory:
       return store_numbers(reached(to, false, place), value, count, place);
     case Base::Place:
+      if (count == 1) return store_slot(to, value, place);
       code_.emit(Opcode::store_reference, place, value, to.place, static_cast<unsigned>(count));
       code_.emit(operand_word(to.offset), place);
       return;
   }
+}
+
+void Variables::load_slot(SlotsAt from, Register target, Place place) {
+  if (code_.join_element(Opcode::load_field, target, from.place, from.offset)) return;
+  code_.emit(Opcode::load_slot, place, target, from.place);
+  code_.emit(operand_word(from.offset), place);
+}
+
+void Variables::store_slot(SlotsAt to, Register value, Place place) {
+  if (code_.join_element(Opcode::store_field, value, to.place, to.offset)) return;
+  code_.emit(Opcode::store_slot, place, value, to.place);
+  code_.emit(operand_word(to.offset), place);
 }
 
 void Variables::copy_registers(Register to, Register from, int count, Place place) {

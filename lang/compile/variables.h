@@ -114,6 +114,8 @@ class Variables {
                      Place place);
   void load_numbers(SlotsAt from, Register target, int count, Place place);
   void store_numbers(SlotsAt to, Register value, int count, Place place);
+  void load_slot(SlotsAt from, Register target, Place place);
+  void store_slot(SlotsAt to, Register value, Place place);
   void load_text(SlotsAt from, Register target, Place place);
   void store_text(SlotsAt to, Register value, Place place);
 

@@ -190,6 +190,12 @@ load_reference:
 store_reference:
   std::copy_n(&n[pc->a()], pc->c(), stack_.place(n[pc->b()], (pc + 1)->word));
   ROB_NEXT(2);
+load_slot:
+  n[pc->a()] = *stack_.place(n[pc->b()], (pc + 1)->word);
+  ROB_NEXT(2);
+store_slot:
+  *stack_.place(n[pc->b()], (pc + 1)->word) = n[pc->a()];
+  ROB_NEXT(2);
 place_behind:
   n[pc->a()].integer = n[pc->b()].integer + (pc + 1)->word;
   ROB_NEXT(2);
@@ -227,6 +233,42 @@ store_element_constant : {
 }
 
 #undef ROB_ELEMENT
+
+#define ROB_FIELD()                                                      \
+  const auto which = static_cast<std::uint64_t>(n[pc->b()].integer) - 1; \
+  if (which >= (pc + 2)->word) [[unlikely]]                              \
+    goto out_of_range;                                                   \
+  Slot* const field = stack_.place(n[pc->c()], (pc + 1)->word) + which * (pc + 3)->word
+
+load_field : {
+  ROB_FIELD();
+  n[pc->a()] = *field;
+  ROB_NEXT(4);
+}
+store_field : {
+  ROB_FIELD();
+  *field = n[pc->a()];
+  ROB_NEXT(4);
+}
+#define ROB_CELL()                                                              \
+  ROB_FIELD();                                                                  \
+  const auto inner = static_cast<std::uint64_t>(n[(pc + 4)->word].integer) - 1; \
+  if (inner >= (pc + 5)->word) [[unlikely]]                                     \
+  goto inner_out_of_range
+
+load_cell : {
+  ROB_CELL();
+  n[pc->a()] = field[inner];
+  ROB_NEXT(6);
+}
+store_cell : {
+  ROB_CELL();
+  field[inner] = n[pc->a()];
+  ROB_NEXT(6);
+}
+
+#undef ROB_CELL
+#undef ROB_FIELD
 
 call:
   if (!enter(n + pc->a(), stack_.texts() + pc->b(), (pc + 1)->word, pc + 2)) [[unlikely]]
@@ -329,6 +371,9 @@ too_deep:
 out_of_range:
   budget_.set_limit(limit);
   return fail_index(pc, n[pc->b()].integer, (pc + 2)->word);
+inner_out_of_range:
+  budget_.set_limit(limit);
+  return fail_index(pc + 4, n[(pc + 4)->word].integer, (pc + 5)->word);
 out_of_row:
   budget_.set_limit(limit);
   return fail_index(pc, n[pc->a()].integer, n[pc->b()].integer);

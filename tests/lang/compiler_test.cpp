@@ -131,6 +131,42 @@ TEST_CASE("sums with a product and elements with a constant take one instruction
   CHECK(shows("of 9 // TRUE"));
 }
 
+TEST_CASE("a field of an element, and an element of an element, take one instruction") {
+  ProgramRun program(
+      "RECORD part\n  size: REAL\n  marks: ARRAY[3] OF INT\nENDRECORD\n"
+      "VAR parts: ARRAY[4] OF part\nVAR grid: ARRAY[2] OF ARRAY[5] OF INT\nVAR i, j = 2\n"
+      "parts[i].size = 1.5\nparts[i].size = parts[i].size * 3\n"
+      "parts[i].marks[j] = 7 * i\ngrid[i][j + 1] = 8 * i\ngrid[i][j] = parts[i].marks[j] + 1\n"
+      "PRINT parts[2].size, \" \", parts[2].marks[2], \" \", grid[2][2], \" \", grid[2][3]\n");
+  const std::string listing = rob::lang::disassemble(program.chunk());
+  const auto shows = [&](const std::string& part) {
+    return listing.find(part) != std::string::npos;
+  };
+  // parts take 4 slots each, the marks lie 1 after the beginning; grid lies after 16 slots.
+  CHECK(shows("r2(i) r0 +0 of 4 +4"));
+  CHECK(shows("load_cell"));
+  CHECK(shows("r2(i) r0 +1 of 4 +4 r3(j) of 3"));
+  CHECK(shows("r2(i) r0 +16 of 2 +5 r3(j) of 5"));
+  CHECK(shows("store_field"));
+  CHECK(shows("store_element"));  // its index is computed after the check of the first one
+  CHECK(shows("load_slot"));
+  CHECK(program.printed() == "4.5 14 15 16");
+}
+
+TEST_CASE("both indices of an element of an element are checked, the left one first") {
+  const std::string begin = "VAR grid: ARRAY[2] OF ARRAY[5] OF INT\nVAR i, j = 2\n";
+  const auto error = [&](const std::string& rest) {
+    ProgramRun program(begin + rest);
+    program.finish();
+    return program.vm().error().message;
+  };
+  CHECK(error("j = 6\nPRINT grid[i][j]\n") == "there is no element 6: they count from 1 to 5");
+  CHECK(error("i = 3\nj = 6\nPRINT grid[i][j]\n") ==
+        "there is no element 3: they count from 1 to 2");
+  CHECK(error("j = 0\ngrid[i][j] = i\n") == "there is no element 0: they count from 1 to 5");
+  CHECK(error("i = 0\ngrid[i][j] = i\n") == "there is no element 0: they count from 1 to 2");
+}
+
 TEST_CASE("a product takes its factors as they are when it is computed") {
   // twice() changes g after the left factor was read, before the right one is.
   ProgramRun program(

@@ -1,8 +1,8 @@
 // Rob's virtual machine beside Lua 5.4: the same algorithms in turns, and the ratio of the times.
 //
-//   vm_bench [TURNS]
+//   vm_bench [TURNS [FOLDER]]
 //
-// Every NAME.rob of this folder is run, and NAME.lua beside it where lua5.4 is installed. The time
+// Every NAME.rob of the folder, else of this one, is run, and NAME.lua beside it where lua5.4 is installed. The time
 // is processor time, of execution alone, without compiling. The least of all turns counts: what
 // makes a run longer is somebody else's doing. Results have to be the same.
 #include <fmt/core.h>
@@ -105,7 +105,7 @@ int main(int argc, char** argv) {
   constexpr int kTurns = 7;
   const int turns = argc > 1 ? std::max(std::atoi(argv[1]), 1) : kTurns;
   std::vector<fs::path> programs;
-  for (const auto& entry : fs::directory_iterator(ROB_BENCH_PROGRAMS)) {
+  for (const auto& entry : fs::directory_iterator(argc > 2 ? argv[2] : ROB_BENCH_PROGRAMS)) {
     if (entry.path().extension() == ".rob") programs.push_back(entry.path());
   }
   std::sort(programs.begin(), programs.end());
