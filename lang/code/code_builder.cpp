@@ -60,6 +60,16 @@ void CodeBuilder::load_text(Register target, const std::string& text, Place plac
   emit(operand_word(tables_.text(text)), place);
 }
 
+void CodeBuilder::append_text(Register text, const std::string& more, Place place) {
+  emit(Opcode::append_constant, place, text);
+  emit(operand_word(tables_.text(more)), place);
+}
+
+void CodeBuilder::equal_text(Register truth, Register text, const std::string& other, Place place) {
+  emit(Opcode::equal_text_constant, place, truth, text);
+  emit(operand_word(tables_.text(other)), place);
+}
+
 void CodeBuilder::teach(Register pose, const std::string& point, const std::string& frame,
                         Place place) {
   if (!chunk_.first_teach) chunk_.first_teach = place;

@@ -45,6 +45,10 @@ class CodeBuilder {
   /// TEACH: a pose of the registers from `pose` on.
   void teach(Register pose, const std::string& point, const std::string& frame, Place place);
   void load_text(Register target, const std::string& text, Place place);
+  /// Appends what is known to a text.
+  void append_text(Register text, const std::string& more, Place place);
+  /// Whether a text is one that is known.
+  void equal_text(Register truth, Register text, const std::string& other, Place place);
   void append_real(Register text, Register value, Dimension dimension, Place place);
   /// ASK for a value of a type.
   void ask(Register text, Register answer, const Type& type, Place place);

@@ -351,6 +351,7 @@ void ExpressionCompiler::compile(const Unary& unary, const Expr& expression, Reg
 void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, Register target) {
   if (expression.type.is(Type::Kind::String)) {
     const Register left = operand_before(*binary.right, *binary.left, false);
+    if (left == target) return join(*binary.right, target, expression.place);
     const Register right = operand(*binary.right, false);
     code_.emit(Opcode::join_text, expression.place, target, left, right);
     return;
@@ -377,18 +378,36 @@ void ExpressionCompiler::compile(const Chain& chain, const Expr& expression, Reg
   into(*chain.first, sum, real);
   for (const Chain::Step& step : chain.steps) {
     const auto mark = frame_.mark();
+    if (text) {
+      join(*step.term, sum, step.place);
+      frame_.release(mark);
+      continue;
+    }
     const bool becomes_real = step.type.is(Type::Kind::Real);
     if (becomes_real && !real) code_.emit(Opcode::int_to_real, step.place, sum, sum);
     real = becomes_real;
-    const Opcode op = text   ? Opcode::join_text
-                      : real ? real_opcode(step.op)
-                             : whole_opcode(step.op);
+    const Opcode op = real ? real_opcode(step.op) : whole_opcode(step.op);
     const Register term = operand(*step.term, real);
     code_.emit(op, step.place, sum, sum, term);
     frame_.release(mark);
   }
-  if (text) return code_.emit(Opcode::copy_text, expression.place, target, sum);
+  if (text) return code_.emit(Opcode::take_text, expression.place, target, sum);
   variables_.copy_registers(target, sum, 1, expression.place);
+}
+
+/// A term of a sum of texts, added to the text in a register.
+void ExpressionCompiler::join(const Expr& term, Register sum, Place place) {
+  if (const auto* const text = std::get_if<std::string>(&term.constant)) {
+    return code_.append_text(sum, *text, place);
+  }
+  const auto* const call = std::get_if<Call>(&term.node);
+  const bool str = call != nullptr && call->routine == nullptr && call->record == nullptr &&
+                   find_builtin(*call)->rule == BuiltinRule::AnyToText;
+  if (str && call->arguments.front()->type.scalar()) {
+    const Expr& value = *call->arguments.front();
+    return append_register(code_, operand(value, false), value.type, false, sum, place);
+  }
+  code_.emit(Opcode::join_text, place, sum, sum, operand(term, false));
 }
 
 /// An operation with a constant, where there is one: what is on its left may stand on its right
@@ -549,7 +568,7 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
     const Register text = frame_.text_register();
     code_.load_text(text, "", expression.place);
     append(*call.arguments.front(), text);
-    code_.emit(Opcode::copy_text, expression.place, target, text);
+    code_.emit(Opcode::take_text, expression.place, target, text);
     return;
   }
   if (reading_of(call) == Reading::Now) return world_.now(builtin, target, expression.place);
@@ -584,6 +603,7 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
                             row(*call.arguments.front()), target, expression.place);
   }
   if (builtin.rule == BuiltinRule::Random) return draw(call, expression, target);
+  if (look_into_text(builtin, call, target, expression.place)) return;
   if (builtin.rule == BuiltinRule::Texts) return call_on_texts(builtin, call, expression, target);
   call_on_numbers(builtin, call, expression, target);
 }
@@ -604,7 +624,7 @@ void ExpressionCompiler::compile_csv(const Call& call, Register target, Place pl
     code_.append_csv(text, places, argument->type, place);
     frame_.release(mark);
   }
-  code_.emit(Opcode::copy_text, place, target, text);
+  code_.emit(Opcode::take_text, place, target, text);
 }
 
 /// Values lie side by side; the result takes their place.
@@ -686,6 +706,29 @@ void ExpressionCompiler::draw(const Call& call, const Expr& expression, Register
   code_.emit(Opcode::copy, expression.place, target, bounds);
 }
 
+/// LEN, FIND and MID of a text: they read it where it lies. False if it is another function.
+bool ExpressionCompiler::look_into_text(const Builtin& builtin, const Call& call, Register target,
+                                        Place place) {
+  if (builtin.rule != BuiltinRule::Texts) return false;
+  const auto argument = [&](std::size_t i) -> const Expr& { return *call.arguments[i]; };
+  if (builtin.name == "LEN") {
+    code_.emit(Opcode::text_length, place, target, operand(argument(0), false));
+  } else if (builtin.name == "FIND") {
+    const Register text = operand_before(argument(1), argument(0), false);
+    code_.emit(Opcode::text_find, place, target, text, operand(argument(1), false));
+  } else if (builtin.name == "MID") {
+    const Expr& caller = calls_routine(argument(1)) ? argument(1) : argument(2);
+    const Register text = operand_before(caller, argument(0), false);
+    const Register range = frame_.number_registers(2);
+    into(argument(1), range, false);
+    into(argument(2), behind(range, 1), false);
+    code_.emit(Opcode::text_middle, place, target, text, range);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 /// Numbers and texts lie apart, each in order; the result takes the place of the first of its kind.
 void ExpressionCompiler::call_on_texts(const Builtin& builtin, const Call& call,
                                        const Expr& expression, Register target) {
@@ -700,7 +743,7 @@ void ExpressionCompiler::call_on_texts(const Builtin& builtin, const Call& call,
   }
   const auto index = static_cast<unsigned>(&builtin - builtins().data());
   code_.emit(Opcode::call_text, expression.place, numbers, texts, index);
-  code_.emit(expression.type.text() ? Opcode::copy_text : Opcode::copy, expression.place, target,
+  code_.emit(expression.type.text() ? Opcode::take_text : Opcode::copy, expression.place, target,
              expression.type.text() ? texts : numbers);
 }
 

@@ -90,6 +90,7 @@ class ExpressionCompiler {
   void compile(const Chain& chain, const Expr& expression, Register target);
   bool compile_by_constant(const Binary& binary, const Expr& expression, Register target);
   /// A sum or difference with a product in one instruction; false if it is no such thing.
+  void join(const Expr& term, Register sum, Place place);
   bool compile_with_product(const Binary& binary, const Expr& expression, Register target);
   void compile_on_vectors(const Binary& binary, const Expr& expression, Register target);
   void compile_on_poses(const Binary& binary, const Expr& expression, Register target);
@@ -105,6 +106,7 @@ class ExpressionCompiler {
   void compile(const Call& call, const Expr& expression, Register target);
   void call_on_numbers(const Builtin& builtin, const Call& call, const Expr& expression,
                        Register target);
+  bool look_into_text(const Builtin& builtin, const Call& call, Register target, Place place);
   void call_on_texts(const Builtin& builtin, const Call& call, const Expr& expression,
                      Register target);
   void call_procedure(const Call& call, Place place);
@@ -119,6 +121,7 @@ class ExpressionCompiler {
 
   // Conditions (expression_conditions.cpp)
   CodeBuilder::Jumps jumps(const Expr& condition, bool when);
+  CodeBuilder::Jumps jumps_of_texts(const Binary& binary, bool when, Place place);
   CodeBuilder::Jumps jumps_of_logical(const Binary& binary, bool when);
   CodeBuilder::Jumps jumps_of_comparison(const Binary& binary, bool when, Place place);
   CodeBuilder::Jumps jumps_of_compounds(const Binary& binary, bool when, Place place);

@@ -19,8 +19,13 @@ CodeBuilder::Jump ExpressionCompiler::jump_if_equal(Register selector, const Exp
                                                     bool as_real) {
   begin(value);
   const auto mark = frame_.mark();
-  const Register other = operand(value, as_real);
   CodeBuilder::Jump result = 0;
+  if (const auto* const text = std::get_if<std::string>(&value.constant)) {
+    result = compare_known_text(code_, BinaryOp::Equal, selector, *text, true, value.place);
+    frame_.release(mark);
+    return result;
+  }
+  const Register other = operand(value, as_real);
   if (value.type.kind == Type::Kind::String) {
     const Register truth = frame_.number_registers();
     code_.emit(Opcode::equal_text, value.place, truth, selector, other);
@@ -68,9 +73,7 @@ CodeBuilder::Jumps ExpressionCompiler::jumps(const Expr& condition, bool when) {
   } else if (binary->op == BinaryOp::And || binary->op == BinaryOp::Or) {
     result = jumps_of_logical(*binary, when);
   } else if (binary->left->type.text()) {
-    const Register left = operand_before(*binary->right, *binary->left, false);
-    const Register right = operand(*binary->right, false);
-    result = compare_texts(code_, binary->op, left, right, when, condition.place);
+    result = jumps_of_texts(*binary, when, condition.place);
   } else if (!binary->left->type.scalar()) {
     result = jumps_of_compounds(*binary, when, condition.place);
   } else {
@@ -78,6 +81,21 @@ CodeBuilder::Jumps ExpressionCompiler::jumps(const Expr& condition, bool when) {
   }
   frame_.release(mark);
   return result;
+}
+
+CodeBuilder::Jumps ExpressionCompiler::jumps_of_texts(const Binary& binary, bool when,
+                                                      Place place) {
+  if (binary.op == BinaryOp::Equal || binary.op == BinaryOp::NotEqual) {
+    const bool exchanged = known(binary.left->constant);
+    const Expr& constant = exchanged ? *binary.left : *binary.right;
+    if (const auto* const text = std::get_if<std::string>(&constant.constant)) {
+      const Register variable = operand(exchanged ? *binary.right : *binary.left, false);
+      return {compare_known_text(code_, binary.op, variable, *text, when, place)};
+    }
+  }
+  const Register left = operand_before(*binary.right, *binary.left, false);
+  const Register right = operand(*binary.right, false);
+  return compare_texts(code_, binary.op, left, right, when, place);
 }
 
 CodeBuilder::Jumps ExpressionCompiler::jumps_of_logical(const Binary& binary, bool when) {

@@ -249,6 +249,15 @@ CodeBuilder::Jumps compare_texts(CodeBuilder& code, BinaryOp op, Register left, 
   return {jump_if(code, truth, when != comparison.reversed, place)};
 }
 
+CodeBuilder::Jump compare_known_text(CodeBuilder& code, BinaryOp op, Register text,
+                                     const std::string& other, bool when, Place place) {
+  const auto mark = code.frame().mark();
+  const Register truth = code.frame().number_registers();
+  code.equal_text(truth, text, other, place);
+  code.frame().release(mark);
+  return jump_if(code, truth, when == (op == BinaryOp::Equal), place);
+}
+
 CodeBuilder::Jumps compare_constant(CodeBuilder& code, const Binary& binary, Register variable,
                                     std::uint8_t constant, bool exchanged, bool when, Place place) {
   const ConstantComparison compared = with_constant_right(binary.op, exchanged);

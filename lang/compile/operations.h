@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "lang/check/symbols.h"
 #include "lang/code/code_builder.h"
@@ -48,6 +49,9 @@ CodeBuilder::Jumps compare_numbers(CodeBuilder& code, const Binary& binary, Regi
                                    Register right, bool when, Place place);
 CodeBuilder::Jumps compare_texts(CodeBuilder& code, BinaryOp op, Register left, Register right,
                                  bool when, Place place);
+/// The same, == or <>, with a text that is known.
+CodeBuilder::Jump compare_known_text(CodeBuilder& code, BinaryOp op, Register text,
+                                     const std::string& other, bool when, Place place);
 /// The same of a register and a constant operand; `exchanged`: the constant stood on the left.
 CodeBuilder::Jumps compare_constant(CodeBuilder& code, const Binary& binary, Register variable,
                                     std::uint8_t constant, bool exchanged, bool when, Place place);

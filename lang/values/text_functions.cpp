@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,9 +23,19 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
+/// How many of eight bytes begin a character.
+std::int64_t beginnings(const char* bytes) {
+  constexpr std::uint64_t kOnes = 0x0101010101010101;
+  std::uint64_t eight = 0;
+  std::memcpy(&eight, bytes, sizeof eight);
+  const std::uint64_t others = eight >> 7 & ~eight >> 6 & kOnes;  // 10xxxxxx
+  return 8 - static_cast<std::int64_t>(others * kOnes >> 56);
+}
+
 /// The byte at which a character begins, counted from 0; the end of the text if there are fewer.
 std::size_t byte_of(std::string_view text, std::int64_t character) {
   std::size_t at = 0;
+  for (; character >= 8 && at + 8 <= text.size(); at += 8) character -= beginnings(&text[at]);
   for (; at < text.size(); ++at) {
     if (is_utf8_continuation(text[at])) continue;
     if (character-- == 0) break;
@@ -92,28 +103,33 @@ bool is_number(std::string_view text) {
 
 }  // namespace
 
+std::string_view part_of(std::string_view text, std::int64_t from, std::int64_t count) {
+  // No text is longer, so counts and positions beyond mean the same; and their sum is an INT.
+  constexpr std::int64_t kBeyond = std::int64_t{1} << 32;
+  from = std::clamp(from, -kBeyond, kBeyond);
+  const std::int64_t end = from + std::clamp(count, std::int64_t{0}, 2 * kBeyond);
+  const std::int64_t before = std::max<std::int64_t>(from - 1, 0);
+  text.remove_prefix(byte_of(text, before));
+  return text.substr(0, byte_of(text, std::max<std::int64_t>(end - 1 - before, 0)));
+}
+
+std::int64_t position_in(std::string_view text, std::string_view part) {
+  const std::size_t at = text.find(part);
+  return at == text.npos ? 0 : std::int64_t{count_code_points(text.substr(0, at))} + 1;
+}
+
 Error length(Slot* numbers, std::string* texts) {
   numbers[0].integer = count_code_points(texts[0]);
   return Error::None;
 }
 
 Error middle(Slot* numbers, std::string* texts) {
-  // No text is longer, so counts and positions beyond mean the same; and their sum is an INT.
-  constexpr std::int64_t kBeyond = std::int64_t{1} << 32;
-  const std::int64_t from = std::clamp(numbers[0].integer, -kBeyond, kBeyond);
-  const std::int64_t end = from + std::clamp(numbers[1].integer, std::int64_t{0}, 2 * kBeyond);
-  std::string& text = texts[0];
-  const std::size_t begin = byte_of(text, std::max<std::int64_t>(from - 1, 0));
-  const std::size_t stop = byte_of(text, std::max<std::int64_t>(end - 1, 0));
-  text = text.substr(begin, stop - begin);
+  texts[0] = std::string(part_of(texts[0], numbers[0].integer, numbers[1].integer));
   return Error::None;
 }
 
 Error find(Slot* numbers, std::string* texts) {
-  const std::string_view text = texts[0];
-  const std::size_t at = text.find(texts[1]);
-  numbers[0].integer =
-      at == std::string_view::npos ? 0 : std::int64_t{count_code_points(text.substr(0, at))} + 1;
+  numbers[0].integer = position_in(texts[0], texts[1]);
   return Error::None;
 }
 

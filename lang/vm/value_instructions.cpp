@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "lang/text/codes.h"
+#include "lang/text/utf8.h"
 #include "lang/values/builtins.h"
 #include "lang/values/csv.h"
 #include "lang/values/number_text.h"
@@ -53,10 +54,11 @@ bool append(std::string& text, std::string_view more) {
 /// The same of two texts; `target` may be one of them.
 bool join(std::string& target, const std::string& left, const std::string& right) {
   if (left.size() + right.size() > kMostText) return false;
-  if (&target == &left) {
-    target += right;
+  if (&target == &right) {
+    target.insert(0, left);
   } else {
-    target = left + right;
+    if (&target != &left) target = left;
+    target += right;
   }
   return true;
 }
@@ -80,8 +82,8 @@ bool append_memory(Code pc, const Chunk& chunk, Stack& stack, Budget& budget, Ap
   return fits;
 }
 
-/// Texts that do not lie in registers of the frame.
-Code step_text_memory(Code pc, Stack& stack, Budget& budget, Objection& why) {
+/// Single texts that do not lie in registers of the frame.
+Code step_text_place(Code pc, Stack& stack, Objection& why) {
   Slot* const n = stack.numbers();
   std::string* const t = stack.texts();
   switch (pc->opcode()) {
@@ -90,9 +92,6 @@ Code step_text_memory(Code pc, Stack& stack, Budget& budget, Objection& why) {
       return pc + 1;
     case Opcode::store_global_text:
       stack.global_text(pc->x()) = t[pc->a()];
-      return pc + 1;
-    case Opcode::refer_text:
-      n[pc->a()].integer = stack.reference_to(&t[pc->b()]);
       return pc + 1;
     case Opcode::load_reference_text:
       t[pc->a()] = *stack.text_place(n[pc->b()], (pc + 1)->word);
@@ -103,6 +102,23 @@ Code step_text_memory(Code pc, Stack& stack, Budget& budget, Objection& why) {
       if (!why) text = t[pc->a()];
       return pc + 2;
     }
+    default:
+      return pc;
+  }
+}
+
+/// Rows of texts that do not lie in registers of the frame, and values as texts.
+Code step_texts(Code pc, const Chunk& chunk, Stack& stack, Budget& budget, Objection& why) {
+  Slot* const n = stack.numbers();
+  std::string* const t = stack.texts();
+  const auto grown = [&](bool fits) {
+    if (!fits) why = text_too_long();
+    return pc + 2;
+  };
+  switch (pc->opcode()) {
+    case Opcode::refer_text:
+      n[pc->a()].integer = stack.reference_to(&t[pc->b()]);
+      return pc + 1;
     case Opcode::clear_texts:
       budget.charge((pc + 2)->word);
       std::fill_n(stack.text_place(n[pc->a()], (pc + 1)->word), (pc + 2)->word, std::string());
@@ -119,13 +135,23 @@ Code step_text_memory(Code pc, Stack& stack, Budget& budget, Objection& why) {
       n[pc->a()].integer = equal ? 1 : 0;
       return pc + 2;
     }
+    case Opcode::append_value: {
+      const Type& type = chunk.types[(pc + 1)->word];
+      return grown(append_value_text(t[pc->a()], type, &n[pc->b()], nullptr, kMostText));
+    }
+    case Opcode::append_memory:
+      return grown(append_memory(pc, chunk, stack, budget, append_value_text));
+    case Opcode::append_csv:
+      return grown(append_memory(pc, chunk, stack, budget, append_csv));
     default:
       return pc;
   }
 }
 
-/// Texts in registers.
-Code step_text(Code pc, const Chunk& chunk, Stack& stack, Budget& budget, Objection& why) {
+}  // namespace
+
+const Instruction* step_text(const Instruction* pc, const Chunk& chunk, Stack& stack,
+                             Objection& why) {
   Slot* const n = stack.numbers();
   std::string* const t = stack.texts();
   const auto grown = [&](bool fits, int words) {
@@ -139,8 +165,13 @@ Code step_text(Code pc, const Chunk& chunk, Stack& stack, Budget& budget, Object
     case Opcode::copy_text:
       t[pc->a()] = t[pc->b()];
       return pc + 1;
+    case Opcode::take_text:
+      t[pc->a()].swap(t[pc->b()]);
+      return pc + 1;
     case Opcode::join_text:
       return grown(join(t[pc->a()], t[pc->b()], t[pc->c()]), 1);
+    case Opcode::append_constant:
+      return grown(append(t[pc->a()], chunk.texts[(pc + 1)->word]), 2);
     case Opcode::append_text:
       return grown(append(t[pc->a()], t[pc->b()]), 1);
     case Opcode::append_int:
@@ -151,19 +182,26 @@ Code step_text(Code pc, const Chunk& chunk, Stack& stack, Budget& budget, Object
     }
     case Opcode::append_bool:
       return grown(append(t[pc->a()], text_of(n[pc->b()].integer != 0)), 1);
-    case Opcode::append_value: {
-      const Type& type = chunk.types[(pc + 1)->word];
-      return grown(append_value_text(t[pc->a()], type, &n[pc->b()], nullptr, kMostText), 2);
-    }
-    case Opcode::append_memory:
-      return grown(append_memory(pc, chunk, stack, budget, append_value_text), 2);
-    case Opcode::append_csv:
-      return grown(append_memory(pc, chunk, stack, budget, append_csv), 2);
     case Opcode::call_text:
       why = objection(builtins()[pc->c()].text(&n[pc->a()], &t[pc->b()]));
       return pc + 1;
     case Opcode::equal_text:
       n[pc->a()].integer = t[pc->b()] == t[pc->c()] ? 1 : 0;
+      return pc + 1;
+    case Opcode::equal_text_constant:
+      n[pc->a()].integer = t[pc->b()] == chunk.texts[(pc + 1)->word] ? 1 : 0;
+      return pc + 2;
+    case Opcode::text_length:
+      n[pc->a()].integer = count_code_points(t[pc->b()]);
+      return pc + 1;
+    case Opcode::text_middle: {
+      const Slot* const range = &n[pc->c()];
+      const auto part = text_functions::part_of(t[pc->b()], range[0].integer, range[1].integer);
+      t[pc->a()].assign(part.data(), part.size());
+      return pc + 1;
+    }
+    case Opcode::text_find:
+      n[pc->a()].integer = text_functions::position_in(t[pc->b()], t[pc->c()]);
       return pc + 1;
     case Opcode::less_text:  // UTF-8 sorts by bytes as by code points
       n[pc->a()].integer = t[pc->b()] < t[pc->c()] ? 1 : 0;
@@ -172,11 +210,9 @@ Code step_text(Code pc, const Chunk& chunk, Stack& stack, Budget& budget, Object
       n[pc->a()].integer = t[pc->b()] <= t[pc->c()] ? 1 : 0;
       return pc + 1;
     default:
-      return step_text_memory(pc, stack, budget, why);
+      return step_text_place(pc, stack, why);
   }
 }
-
-}  // namespace
 
 const Instruction* step_value(const Instruction* pc, const Chunk& chunk, Stack& stack,
                               Budget& budget, Objection& why) {
@@ -213,7 +249,7 @@ const Instruction* step_value(const Instruction* pc, const Chunk& chunk, Stack& 
       n[pc->a()].integer = equal_slots(&n[pc->b()], &n[pc->c()], (pc + 1)->word) ? 1 : 0;
       return pc + 2;
     default: {
-      const Code next = step_text(pc, chunk, stack, budget, why);
+      const Code next = step_texts(pc, chunk, stack, budget, why);
       return next != pc ? next : step_row(pc, chunk, stack, budget, why);
     }
   }

@@ -66,6 +66,7 @@ Vm::State Vm::execute(Code pc) {
   static constexpr const void* kLabels[] = {
 #define ROB_OPCODE(name, operands) &&name,
 #define ROB_STEP(name, operands) &&elsewhere,
+#define ROB_TEXT(name, operands) &&on_texts,
 #include "lang/code/opcodes.def"
   };
   const void* const* labels = kLabels;
@@ -332,6 +333,13 @@ for_next_real : {
   ROB_TURN();
 }
 
+on_texts : {
+  budget_.set_limit(limit);
+  const Step done = compute_on_texts(pc);
+  if (done.next == nullptr) return done.left;
+  pc = done.next;
+  ROB_NEXT(0);
+}
 elsewhere : {
   budget_.set_limit(limit);
   const Step done = step(pc);

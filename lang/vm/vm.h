@@ -138,6 +138,7 @@ class Vm {
   bool enter(Slot* numbers, std::string* texts, std::uint32_t routine, Code back);
 
   // The instructions that it hands over (vm_step.cpp), each kind to the next
+  Step compute_on_texts(Code pc);
   Step step(Code pc);
   Step step_observation(Code pc);
   Step step_motion(Code pc);

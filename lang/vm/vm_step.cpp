@@ -110,6 +110,15 @@ std::int64_t steps_within(std::uint64_t index, std::int64_t step, std::uint64_t 
   case Opcode::name:            \
     return pc + ((condition) ? 2 + (pc + 1)->distance() : 2)
 
+/// Texts in registers, and single ones elsewhere.
+Vm::Step Vm::compute_on_texts(Code pc) {
+  Objection why;
+  const Code next = step_text(pc, *loaded_.chunk, stack_, why);
+  if (why) [[unlikely]]
+    return fail(pc, std::move(*why));
+  return next;
+}
+
 /// Computing.
 Vm::Step Vm::step(Code pc) {
   Slot* const n = stack_.numbers();
@@ -132,7 +141,7 @@ Vm::Step Vm::step(Code pc) {
       return pc + 1;
     }
     case Opcode::leave_with_text:
-      if (pc->a() != 0) stack_.texts()[0] = stack_.texts()[pc->a()];
+      if (pc->a() != 0) stack_.texts()[0].swap(stack_.texts()[pc->a()]);
       return go(pc + 1, stack_.leave());
     default: {
       Objection why;

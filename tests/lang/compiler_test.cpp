@@ -153,6 +153,43 @@ TEST_CASE("a field of an element, and an element of an element, take one instruc
   CHECK(program.printed() == "4.5 14 15 16");
 }
 
+TEST_CASE("texts are read where they lie, and grow where they are") {
+  ProgramRun program(
+      "VAR s = \"größer\"\nVAR n = LEN(s)\nVAR at = FIND(s, \"ß\")\nVAR m = MID(s, 2, n - 3)\n"
+      "s += STR(n)\ns += \"|\"\ns = s + m + \"|\" + STR(at)\n"
+      "IF m == \"röß\" AND m <> s THEN s = \"<\" + s\ns = s + s\nPRINT s\n");
+  const std::string listing = rob::lang::disassemble(program.chunk());
+  for (const char* name : {"text_length", "text_find", "text_middle", "append_int", "take_text",
+                           "append_constant", "equal_text_constant"}) {
+    CAPTURE(name);
+    CHECK(listing.find(name) != std::string::npos);
+  }
+  CHECK(listing.find("call_text") == std::string::npos);
+  CHECK(program.printed() == "<größer6|röß|4<größer6|röß|4");
+}
+
+TEST_CASE("a text is cut as a routine in an argument finds it") {
+  // cut() shortens the text after MID's first argument was read, before the others are.
+  ProgramRun program(
+      "VAR s = \"abcdef\"\nFUNC cut(): INT\n  s = \"xy\"\n  RETURN 2\nENDFUNC\n"
+      "PRINT MID(s, cut(), 3) + MID(s, 1, cut()) + STR(FIND(s, \"y\"))\n");
+  CHECK(program.printed() == "bcdxy2");
+}
+
+TEST_CASE("long texts are cut at characters of any length") {
+  std::string text;
+  for (int i = 0; i < 40; ++i) text += i % 3 == 0 ? "ä" : i % 3 == 1 ? "€" : "z";
+  for (int from = 1; from <= 40; ++from) {
+    ProgramRun program("VAR s = \"" + text + "\"\nPRINT MID(s, " + std::to_string(from) +
+                       ", 20), LEN(MID(s, 1, " + std::to_string(from) + "))\n");
+    std::string expected;
+    for (int i = from - 1; i < std::min(from + 19, 40); ++i) {
+      expected += i % 3 == 0 ? "ä" : i % 3 == 1 ? "€" : "z";
+    }
+    CHECK(program.printed() == expected + std::to_string(from));
+  }
+}
+
 TEST_CASE("both indices of an element of an element are checked, the left one first") {
   const std::string begin = "VAR grid: ARRAY[2] OF ARRAY[5] OF INT\nVAR i, j = 2\n";
   const auto error = [&](const std::string& rest) {
