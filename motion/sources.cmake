@@ -53,8 +53,11 @@ set(rob_motion_sources
   motion/generate/velocity_mode.cpp
   motion/generate/watch_list.cpp
   motion/kinematics/arm_kinematics.cpp
+  motion/kinematics/chain_descent.cpp
   motion/kinematics/chain_kinematics.cpp
+  motion/kinematics/closed_forms.cpp
   motion/kinematics/gantry_kinematics.cpp
+  motion/kinematics/joint_chain.cpp
   motion/kinematics/kinematics.cpp
   motion/path/curve_fit.cpp
   motion/path/euler_line.cpp

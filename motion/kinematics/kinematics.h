@@ -13,9 +13,10 @@ namespace rob::motion {
 /// What each axis moves, from the first on, then the flange, all as seen from the base.
 using LinkFrames = std::array<Pose, kMaxJoints + 1>;
 
-/// All axis values that bring a tool to one pose; of those that differ by whole turns one.
+/// All axis values that bring a tool to one pose; of those that differ by whole turns one. A closed
+/// form has eight at most; a search finds no more than these.
 struct InverseSolutions {
-  static constexpr int kMost = 8;
+  static constexpr int kMost = 24;
 
   int count = 0;
   std::array<JointVector, kMost> q;
@@ -42,7 +43,8 @@ enum class SingularPlace : std::uint8_t {
   None,
   Wrist,     ///< axes 4 and 6 are in line
   Shoulder,  ///< the wrist is on axis 1
-  Elbow      ///< stretched or folded
+  Elbow,     ///< stretched or folded
+  Chain      ///< of a chain: its axes lose a direction there
 };
 
 /// From axes to tool. All calls are pure, take no memory and may be used in the tick.
@@ -55,24 +57,33 @@ class Kinematics {
   virtual Pose forward(const JointVector& q) const noexcept = 0;
   /// Whether it knows the way back, from tool to axes, at all. Without it there are no solutions.
   virtual bool inverts() const noexcept { return true; }
+  /// Whether inverse() goes from `near` by iteration: who follows a path must look whether it stays
+  /// on one branch.
+  virtual bool iterates() const noexcept { return false; }
   /// Every solution, each with its axes turned as near to `near` as whole turns bring them. None if
   /// there is no solution. Limits of the axes are not looked at.
   virtual InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept = 0;
-  /// The solution nearest to `near`, as sum of squares over the axes.
+  /// The solution nearest to `near`, as sum of squares over the axes, or that on which the arm
+  /// comes there from `near`.
   virtual std::optional<JointVector> inverse(const Pose& pose,
                                              const JointVector& near) const noexcept;
+  /// Where there is none: the axis values within the limits from which the tool is nearest to the
+  /// pose, 1 rad counted as 100 mm, as damped least squares find them from `near`. None: not known.
+  virtual std::optional<JointVector> closest(const Pose& /*pose*/,
+                                             const JointVector& /*near*/) const noexcept {
+    return std::nullopt;
+  }
   /// Why there is none, where there is none.
   virtual Shortfall shortfall(const Pose& /*pose*/) const noexcept { return {}; }
   /// How far the tip of a tool, seen from the flange (m), can be from the rotary axis `axis` at
   /// most, m; 0 of a linear axis.
   virtual double lever(int axis, const Eigen::Vector3d& tip) const noexcept = 0;
-  /// For a robot of linear axes: whether `axis` is one.
+  /// Whether an axis is a linear one.
   virtual bool shifts(int /*axis*/) const noexcept { return false; }
   /// Neighbouring frames keep their distance, but for the travel of a linear axis.
   virtual LinkFrames frames(const JointVector& q) const noexcept = 0;
-  /// For a robot whose coordinates are its axes: which of x, y, z, a, b, c, from 0 on, `axis`
-  /// moves.
-  virtual int coordinate(int axis) const noexcept { return axis; }
+  /// Which of x, y, z, a, b, c, from 0 on, the robot's coordinate number i is.
+  virtual int coordinate(int i) const noexcept { return i; }
   /// The singular place that `q` is nearest to, of those within `within`, rad.
   virtual SingularPlace nearest_singularity(
       const JointVector& /*q*/,
@@ -80,7 +91,8 @@ class Kinematics {
     return SingularPlace::None;
   }
   /// rad: how far an arm is from being stretched or folded, where its tool can go on to one side
-  /// alone and its axes would have to leap; infinite for robots without such places.
+  /// alone and its axes would have to leap, or a chain from any singular place; infinite for robots
+  /// without such places.
   virtual double stretch(const JointVector& /*q*/) const noexcept {
     return std::numeric_limits<double>::infinity();
   }

@@ -11,10 +11,17 @@ namespace rob::motion {
 
 namespace {
 
-constexpr double kMostTurn = 5 * kDegree;  // rad between nodes
-constexpr double kLeastStep = 1e-5;        // m of the path
-constexpr double kOffPlace = 5e-7;         // m
-constexpr double kOffTurn = 1e-5;          // rad
+/// How far from node to node, and how near the nodes may come.
+struct Steps {
+  double turn;   ///< rad
+  double least;  ///< m of the path
+};
+constexpr Steps kClosed{5 * kDegree, 1e-5};
+/// Where the axes are found by iteration.
+constexpr Steps kIterated{0.05, 1e-6};
+constexpr double kAgreed = 1e-6;    // rad: one branch, found from either side
+constexpr double kOffPlace = 5e-7;  // m
+constexpr double kOffTurn = 1e-5;   // rad
 
 /// The share of a step between the places from which a derivative is made. [choice] the error of
 /// the differences, of sixth order, is then far below that of the quintic between the nodes.
@@ -29,9 +36,10 @@ class Follower {
         path_(path),
         tip_(tip),
         flange_(inverse(tip)),
+        steps_(robot.kinematics->iterates() ? kIterated : kClosed),
         length_(path.end() - path.begin()),
         longest_step_(length_ / path.parts()),
-        least_step_(std::min(least_share(path) * length_, longest_step_)) {}
+        least_step_(std::min(least_share(path, steps_) * length_, longest_step_)) {}
 
   Followed run(const JointVector& start, const PathPoint* first, const PathPoint* last) {
     Node node{path_.begin(), start, {}, {}};
@@ -58,8 +66,8 @@ class Follower {
 
  private:
   /// Where the tool itself turns on a short way, a quarter of what an axis may with it.
-  static double least_share(const ToolPath& path) {
-    return std::min(kLeastStep / measure_of(path), kMostTurn / 4 / path.turn());
+  static double least_share(const ToolPath& path, const Steps& steps) {
+    return std::min(steps.least / measure_of(path), steps.turn / 4 / path.turn());
   }
 
   static PathTrouble too_long(const Node& node) {
@@ -93,7 +101,7 @@ class Follower {
     const auto q = solve(next.time, ahead);
     if (!q) return false;
     next.q = *q;
-    if (!near(from.q, next.q)) return false;
+    if (!near(from.q, next.q) || !same_branch(from, next)) return false;
     if (ends && last != nullptr) {
       set(next, *last);
     } else if (!derive(next, d * kSpacing)) {
@@ -119,7 +127,19 @@ class Follower {
       most = turn;
       most_turned_ = i;
     }
-    if (most <= kMostTurn) return true;
+    if (most <= steps_.turn) return true;
+    jumps();
+    return false;
+  }
+
+  /// The place half-way, found from both ends.
+  bool same_branch(const Node& a, const Node& b) {
+    if (!robot_.kinematics->iterates()) return true;
+    const double middle = (a.time + b.time) / 2;
+    const auto from_a = solve(middle, a.q);
+    const auto from_b = solve(middle, b.q);
+    if (!from_a || !from_b) return false;
+    if ((*from_a - *from_b).cwiseAbs().maxCoeff() <= kAgreed) return true;
     jumps();
     return false;
   }
@@ -167,6 +187,7 @@ class Follower {
   const ToolPath& path_;
   const Pose& tip_;
   const Pose flange_;  ///< seen from the tip
+  const Steps steps_;
   const double length_;
   const double longest_step_;
   const double least_step_;

@@ -38,7 +38,8 @@ struct Refusal {
   bool turning = false;  ///< only the orientation changes
   bool other = false;
   Shortfall shortfall{};
-  JointVector q{};  ///< m, rad, at the place; empty where it is not known
+  JointVector q{};                ///< m, rad, at the place; empty where it is not known
+  std::optional<Pose> nearest{};  ///< of PathOutOfReach: where the tip could be instead, if known
 };
 
 /// A target may lie this much (m, rad) outside a limit: what rounding in units and arithmetic

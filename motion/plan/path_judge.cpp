@@ -53,7 +53,10 @@ Refusal PathJudge::refusal_for(const PathTrouble& trouble, const ToolPath& path,
   refusal.kind = Refusal::Kind::PathOutOfReach;
   // [choice] a ten-thousandth of the path on, where the lack is greater than rounding
   const double beyond = std::min(trouble.at + 1e-4 * (path.end() - path.begin()), path.end());
-  refusal.shortfall = robot_.kinematics->shortfall(composed(path.at(beyond), inverse(tip_.pose())));
+  const Pose flange = composed(path.at(beyond), inverse(tip_.pose()));
+  refusal.shortfall = robot_.kinematics->shortfall(flange);
+  if (const auto closest = robot_.kinematics->closest(flange, refusal.q))
+    refusal.nearest = tip_.pose_at(*closest);
   return refusal;
 }
 

@@ -28,6 +28,17 @@ JointVector turned_within(const RobotModel& robot, JointVector q) noexcept {
   return q;
 }
 
+/// What the axes turn, each counted in the time that its full speed takes.
+double square_of_time(const RobotModel& robot, const JointVector& q,
+                      const JointVector& near) noexcept {
+  double sum = 0;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const double time = (q[i] - near[i]) / robot.axes[static_cast<std::size_t>(i)].v_max;
+    sum += time * time;
+  }
+  return sum;
+}
+
 }  // namespace
 
 JointVector middle(const RobotModel& robot) noexcept {
@@ -45,7 +56,7 @@ std::optional<JointVector> reach(const RobotModel& robot, const Pose& pose,
   double least = std::numeric_limits<double>::infinity();
   for (const JointVector& solution : robot.kinematics->solutions(pose, near)) {
     const JointVector q = turned_within(robot, solution);
-    const double distance = (q - near).squaredNorm();
+    const double distance = square_of_time(robot, q, near);
     if (!(distance < least) || !within_limits(robot, q)) continue;
     least = distance;
     nearest = q;

@@ -258,12 +258,8 @@ void choose_kinematics(const TableReader& file, const std::vector<TableReader>& 
                        RobotModel& robot) {
   const auto rotary = [](const Axis& axis) { return axis.kind == AxisKind::Rotary; };
   const int kind = file.choice("kinematics", {"gantry", "arm", "chain"});
-  if (kind == 2) {
-    if (!std::ranges::all_of(robot.axes, rotary))
-      file.fail("kinematics", "a chain has rotary axes alone");
-    robot.kinematics = read_chain(file, axes);
-    return;
-  }
+  if (kind == 2) return read_chain(file, axes, robot);
+  if (file.has("free")) file.fail("free", "belongs to kinematics = \"chain\"");
   if (file.has("chain")) file.fail("chain", "belongs to kinematics = \"chain\"");
   for (const TableReader& axis : axes)
     if (axis.has("joint")) axis.fail("joint", "belongs to kinematics = \"chain\"");
@@ -271,6 +267,7 @@ void choose_kinematics(const TableReader& file, const std::vector<TableReader>& 
     if (robot.axis_count() != ArmParameters::kAxes || !std::ranges::all_of(robot.axes, rotary))
       file.fail("kinematics", "an arm has six rotary axes");
     robot.tool_coordinates = true;
+    robot.coordinates = {0, 1, 2, 3, 4, 5};
     robot.kinematics = read_arm(file);
     return;
   }
@@ -288,9 +285,11 @@ void choose_kinematics(const TableReader& file, const std::vector<TableReader>& 
 void choose_mechanics(const TableReader& file, const std::vector<TableReader>& axes,
                       RobotModel& robot) {
   if (file.has("dynamics")) {
-    if (!robot.tool_coordinates) file.fail("dynamics", "is an arm's; a gantry has none");
+    const auto* const kinematics = dynamic_cast<const ArmKinematics*>(robot.kinematics.get());
+    if (kinematics == nullptr)
+      file.fail("dynamics", "belongs to kinematics = \"arm\": its table is of such an arm");
     robot.mechanics = read_mechanics(file, axes);
-    const ArmParameters& arm = dynamic_cast<const ArmKinematics&>(*robot.kinematics).parameters();
+    const ArmParameters& arm = kinematics->parameters();
     robot.mechanics->lengths = {arm.c2, arm.c3, arm.c4};
     robot.deviation = read_deviation(file);
     return;
@@ -346,7 +345,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
                                                 "cell",         "chain",         "settle_distance",
                                                 "settle_angle", "settle_time",   "base",
                                                 "flange",       "obstacle",      "apart",
-                                                "clearance"});
+                                                "clearance",    "free"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");

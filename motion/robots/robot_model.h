@@ -122,6 +122,8 @@ struct RobotModel {
   std::optional<CellData> cell;  ///< what surrounds the simulated robot's tool
   /// Targets are written as the tool's x, y, z, a, b, c in the world; else as axis values.
   bool tool_coordinates = false;
+  /// Which of these, 0 … 5, a target says; only with tool_coordinates.
+  std::vector<int> coordinates;
   /// Null where this version does not know how the axes move the tool: such a robot cannot be run.
   std::shared_ptr<const Kinematics> kinematics;
   /// The mechanics that the servo feeds forward and the simulation integrates; without it the axes

@@ -24,7 +24,12 @@ std::optional<Words> axes_for(const motion::RobotModel& robot, const lang::PoseV
                               std::span<double> joints) {
   const motion::Pose flange = to_motion(lang::flange_for(pose, setting));
   const auto q = motion::reach(robot, flange, near);
-  if (!q) return words_for_unreachable(robot, pose, robot.kinematics->shortfall(flange));
+  if (!q) {
+    std::optional<lang::PoseValue> nearest;
+    if (const auto closest = robot.kinematics->closest(flange, near))
+      nearest = tool_at(robot, *closest, setting);
+    return words_for_unreachable(robot, pose, robot.kinematics->shortfall(flange), nearest);
+  }
   std::ranges::transform(*q, joints.begin(), [](double axis) { return axis + 0.0; });
   return std::nullopt;
 }

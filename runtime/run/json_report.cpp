@@ -158,7 +158,7 @@ Json slow_places_json(const RunResult& result) {
     return kNames[static_cast<std::size_t>(cause)];
   };
   const auto near = [](motion::SingularPlace place) -> Json {
-    constexpr const char* kNames[] = {"", "wrist", "shoulder", "elbow"};
+    constexpr const char* kNames[] = {"", "wrist", "shoulder", "elbow", "chain"};
     if (place == motion::SingularPlace::None) return nullptr;
     return kNames[static_cast<std::size_t>(place)];
   };

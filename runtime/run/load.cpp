@@ -52,7 +52,6 @@ std::uint64_t print_of(std::string_view text) {
 constexpr const char* kDefaultRobot = "gantry";
 
 using Coordinates = std::vector<lang::RobotSignature::Coordinate>;
-constexpr int kCoordinatesOfTool = 6;  // x, y, z, a, b, c
 
 bool is_known_robot(const std::string& name) {
   const auto names = motion::robot_names();
@@ -68,8 +67,11 @@ std::optional<Words> words_against_axes(const lang::MoveCommand& command,
 /// A pose that is wholly known.
 std::optional<Words> words_against_pose(lang::MoveCommand command, const motion::RobotModel& robot,
                                         const Coordinates& coordinates) {
-  const lang::PoseValue pose = lang::target_pose(command, {}, {}, coordinates);
-  if (auto words = settle_on_axes(robot, pose, motion::middle(robot), command)) return words;
+  const motion::JointVector middle = motion::middle(robot);
+  // What its targets leave open is the same everywhere.
+  const lang::PoseValue pose =
+      lang::target_pose(command, tool_at(robot, middle, {}), {}, coordinates);
+  if (auto words = settle_on_axes(robot, pose, middle, command)) return words;
   return words_against_axes(command, robot);
 }
 
@@ -80,7 +82,8 @@ std::optional<lang::Refusal> refusal_of(const lang::MoveCommand& command,
   using Target = lang::MoveCommand::Target;
   const bool of_tool = command.means == Target::Coordinates && robot.tool_coordinates;
   // A coordinate that it leaves out is as the motion before leaves it.
-  if (of_tool && command.given != lang::given_all(kCoordinatesOfTool)) return std::nullopt;
+  if (of_tool && command.given != lang::given_all(static_cast<int>(coordinates.size())))
+    return std::nullopt;
   const auto words = of_tool || command.means == Target::Pose
                          ? words_against_pose(command, robot, coordinates)
                          : words_against_axes(command, robot);

@@ -194,11 +194,12 @@ Words words_for_condition(lang::ArithmeticError error) {
 }
 
 Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose,
-                            const motion::Shortfall& shortfall) {
+                            const motion::Shortfall& shortfall,
+                            const std::optional<lang::PoseValue>& nearest) {
   return {std::string(lang::code::kUnreachable),
-          fmt::format("{} cannot bring its tool to {}{}", robot.name,
+          fmt::format("{} cannot bring its tool to {}{}{}", robot.name,
                       lang::text_of(lang::constant_of(lang::from_si(pose)), lang::Type::pose()),
-                      by_how_much(shortfall)),
+                      by_how_much(shortfall), nearest ? text_for_nearest(*nearest) : ""),
           fmt::format("{} {}", robot.name, robot.kinematics->reach())};
 }
 

@@ -20,9 +20,10 @@ Words words_for_long_wait(double seconds);
 /// A condition that is looked at in every control cycle could not be computed.
 Words words_for_condition(lang::ArithmeticError error);
 /// A pose that the robot cannot bring its tool to.
-/// `shortfall`: by how much.
+/// `shortfall`: by how much. `nearest`: where it could be instead, if known.
 Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose,
-                            const motion::Shortfall& shortfall);
+                            const motion::Shortfall& shortfall,
+                            const std::optional<lang::PoseValue>& nearest);
 /// More SIMULATEs wait for their time than there is room for.
 Words words_for_many_simulations();
 /// HALT or ASK where nobody will ever answer.

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "base/unit_factors.h"
 #include "runtime/words/codes.h"
+#include "runtime/words/pose_values.h"
 #include "runtime/words/units.h"
 
 namespace rob::runtime {
@@ -46,6 +48,8 @@ const char* words_for(motion::SingularPlace place) {
       return "the wrist is nearly above axis 1 there";
     case motion::SingularPlace::Elbow:
       return "the arm is nearly stretched or folded there";
+    case motion::SingularPlace::Chain:
+      return "its axes lose a direction of motion there";
     case motion::SingularPlace::None:
       break;
   }
@@ -96,6 +100,15 @@ std::string by_how_much(const motion::Shortfall& shortfall) {
   return "";
 }
 
+std::string text_for_nearest(const lang::PoseValue& pose) {
+  const lang::FixedAngles angles = lang::pose_math::to_fixed(pose.rotation);
+  const auto length = [](double value) { return shown(value * 1e3, 1); };
+  const auto angle = [](double value) { return shown(value / kDegree, 2); };
+  return fmt::format("; the nearest that it reaches is POSE({}mm, {}mm, {}mm, {}deg, {}deg, {}deg)",
+                     length(pose.position.x), length(pose.position.y), length(pose.position.z),
+                     angle(angles.a), angle(angles.b), angle(angles.c));
+}
+
 Words words_for_half_turn() {
   return {code::kHalfTurn,
           "the tool would turn by 180 deg on this motion, for which there is no shortest way",
@@ -141,8 +154,9 @@ Words words_for_no_spiral() {
 Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
   if (refusal.kind == Refusal::Kind::PathOutOfReach) {
     return {code::kPathOutOfReach,
-            fmt::format("the tool would leave the reach of {} at {}{}", robot.name,
-                        place_on(refusal), by_how_much(refusal.shortfall)),
+            fmt::format("the tool would leave the reach of {} at {}{}{}", robot.name,
+                        place_on(refusal), by_how_much(refusal.shortfall),
+                        refusal.nearest ? text_for_nearest(to_lang(*refusal.nearest)) : ""),
             "choose a way that stays in reach, or write MOVE, which goes round"};
   }
   if (refusal.kind == Refusal::Kind::TooHeavy) return words_for_weight(refusal, robot);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lang/values/pose_math.h"
 #include "motion/plan/feasibility.h"
 #include "motion/plan/planned_segment.h"
 #include "motion/robots/robot_model.h"
@@ -26,5 +27,7 @@ Words words_for_steep_line(bool beginning, double b);
 /// ", its wrist would have to be 65 mm farther out than it reaches"; empty where lengths do not
 /// tell.
 std::string by_how_much(const motion::Shortfall& shortfall);
+/// "; the nearest that it reaches is POSE(…)", to 0.1 mm and 0.01°.
+std::string text_for_nearest(const lang::PoseValue& pose);
 
 }  // namespace rob::runtime

@@ -16,9 +16,13 @@ void add_unnamed(lang::RobotSignature& signature, bool output, bool analog, int 
   }
 }
 
-std::vector<lang::RobotSignature::Coordinate> tool_coordinates() {
-  return {{"x", lang::kLength}, {"y", lang::kLength}, {"z", lang::kLength},
-          {"a", lang::kAngle},  {"b", lang::kAngle},  {"c", lang::kAngle}};
+std::vector<lang::RobotSignature::Coordinate> tool_coordinates(const std::vector<int>& named) {
+  const std::vector<lang::RobotSignature::Coordinate> all{
+      {"x", lang::kLength}, {"y", lang::kLength}, {"z", lang::kLength},
+      {"a", lang::kAngle},  {"b", lang::kAngle},  {"c", lang::kAngle}};
+  std::vector<lang::RobotSignature::Coordinate> coordinates;
+  for (const int i : named) coordinates.push_back(all[static_cast<std::size_t>(i)]);
+  return coordinates;
 }
 
 }  // namespace
@@ -30,7 +34,8 @@ lang::RobotSignature signature_of(const motion::RobotModel& robot) {
     const bool linear = axis.kind == motion::AxisKind::Linear;
     signature.axes.push_back({axis.name, linear ? lang::kLength : lang::kAngle});
   }
-  signature.coordinates = robot.tool_coordinates ? tool_coordinates() : signature.axes;
+  signature.coordinates =
+      robot.tool_coordinates ? tool_coordinates(robot.coordinates) : signature.axes;
   signature.force_sensor = robot.force_sensor;
   for (const motion::RobotSignal& signal : robot.signals) {
     signature.signals.push_back({signal.name, signal.output, signal.channel + 1});

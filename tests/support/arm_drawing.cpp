@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "motion/kinematics/arm_kinematics.h"
+#include "motion/kinematics/chain_kinematics.h"
 #include "tests/support/robot_drawing.h"
 
 // From its right side: x to the right, z up, y into the page.
@@ -57,9 +58,9 @@ Skeleton skeleton_of(const motion::RobotModel& robot, const motion::ArmParameter
 /// m to px.
 class View {
  public:
-  explicit View(const Skeleton& s) {
+  explicit View(const std::vector<Vector3d>& points) {
     double left = 0, right = 0, low = 0, high = 0;
-    for (const Vector3d& p : {s.shoulder, s.elbow, s.corner, s.wrist, s.flange}) {
+    for (const Vector3d& p : points) {
       left = std::min(left, p.x());
       right = std::max(right, p.x());
       low = std::min(low, p.z());
@@ -165,9 +166,9 @@ Point between(const View& view, const Vector3d& a, const Vector3d& b, double sha
   return view(a + share * (b - a));
 }
 
-std::string notes(const motion::ArmParameters& p) {
+std::string notes_on_signs() {
   const std::string grey = "fill=\"#64748b\"";
-  std::string text = svg_text({kListLeft, 286}, "All lengths in mm.", grey);
+  std::string text;
   double y = 308;
   for (const char* line :
        {"Arrows show how an angle grows; one", "along its axis by the right hand.",
@@ -175,6 +176,13 @@ std::string notes(const motion::ArmParameters& p) {
     text += svg_text({kListLeft, y}, line, grey);
     y += 18;
   }
+  return text;
+}
+
+std::string notes(const motion::ArmParameters& p) {
+  const double y = 308 + 4 * 18;
+  std::string text =
+      svg_text({kListLeft, 286}, "All lengths in mm.", "fill=\"#64748b\"") + notes_on_signs();
   if (p.b == 0) return text;
   text += svg_text({kListLeft, y + 8}, length_words("b", p.b) + ": so far the wrist lies");
   return text + svg_text({kListLeft, y + 26}, p.b < 0 ? "in front of axis 1." : "behind axis 1.");
@@ -186,7 +194,7 @@ std::string arm_drawing(const motion::RobotModel& robot) {
   const auto& arm = dynamic_cast<const motion::ArmKinematics&>(*robot.kinematics);
   const motion::ArmParameters& p = arm.parameters();
   const Skeleton s = skeleton_of(robot, p);
-  const View view(s);
+  const View view({s.shoulder, s.elbow, s.corner, s.wrist, s.flange});
   const bool hand = p.c4 != 0;
   std::string text = drawing_frame(robot, "at its start, seen from its right side");
   text += ground(view(s.base));
@@ -212,6 +220,36 @@ std::string arm_drawing(const motion::RobotModel& robot) {
           axis_mark(view(s.wrist), 5, s.axes[4], hand ? Point{} : kAside) +
           axis_mark({flange.x + 78 * z.x(), flange.y - 78 * z.z()}, 6, s.axes[5]);
   return text + notes(p);
+}
+
+std::string chain_drawing(const motion::RobotModel& robot) {
+  constexpr double kBadge = 26;  // px: numbers that would lie on each other are so far apart
+  const auto& chain = dynamic_cast<const motion::ChainKinematics&>(*robot.kinematics).chain();
+  const std::vector<motion::JointChain::Line> lines = chain.lines(robot.start);
+  const motion::Pose flange = chain.forward(robot.start);
+  std::vector<Vector3d> points{Vector3d::Zero()};
+  for (const motion::JointChain::Line& line : lines) points.push_back(line.point);
+  points.push_back(flange.position);
+  const View view(points);
+  std::string text = drawing_frame(robot, "at its start, seen from its right side");
+  text += ground(view(Vector3d::Zero()));
+  text += link(view, points);
+  text += coordinate_frame(view(Vector3d::Zero()),
+                           {Direction{1, 0, 0}, Direction{0, 0, 1}, Direction{0, 1, 0}});
+  const Matrix3d tool(flange.orientation);
+  text += coordinate_frame(view(flange.position),
+                           {on_page(tool.col(0)), on_page(tool.col(1)), on_page(tool.col(2))});
+  std::vector<Point> marked;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    Point at = view(lines[i].point);
+    const auto taken = [&](const Point& other) {
+      return std::hypot(at.x - other.x, at.y - other.y) < kBadge - 1;
+    };
+    while (std::any_of(marked.begin(), marked.end(), taken)) at.x += kBadge;
+    marked.push_back(at);
+    text += axis_mark(at, static_cast<int>(i) + 1, lines[i].direction);
+  }
+  return text + notes_on_signs();
 }
 
 }  // namespace rob::test

@@ -3,6 +3,7 @@
 
 #include <exception>
 
+#include "motion/kinematics/chain_kinematics.h"
 #include "motion/robots/robot_library.h"
 #include "tests/support/robot_drawing.h"
 
@@ -15,9 +16,12 @@ int main(int argc, char** argv) {
   try {
     for (const motion::EmbeddedRobot& entry : motion::embedded_robots()) {
       const motion::RobotModel robot = motion::embedded_robot(std::string(entry.name));
-      if (!robot.kinematics->inverts()) continue;  // no picture: a chain may have any shape
-      const std::string drawing =
-          robot.tool_coordinates ? test::arm_drawing(robot) : test::gantry_drawing(robot);
+      const auto* const kinematics = robot.kinematics.get();
+      if (!kinematics->inverts()) continue;  // no picture of what is commanded in its axes
+      const bool chain = dynamic_cast<const motion::ChainKinematics*>(kinematics) != nullptr;
+      const std::string drawing = chain                    ? test::chain_drawing(robot)
+                                  : robot.tool_coordinates ? test::arm_drawing(robot)
+                                                           : test::gantry_drawing(robot);
       const std::string file = fmt::format("{}/robot_{}.svg", argv[1], entry.name);
       if (test::save_svg(file, test::kDrawingWidth, test::kDrawingHeight, drawing)) continue;
       fmt::print(stderr, "draw_robot: cannot write {}\n", file);

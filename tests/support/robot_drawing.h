@@ -20,6 +20,7 @@ inline constexpr const char* kBlue = "#2563eb";   // z
 /// A robot's drawing, without the picture around it. Throws std::runtime_error where what is drawn
 /// is not where forward kinematics has the tool.
 std::string arm_drawing(const motion::RobotModel& robot);
+std::string chain_drawing(const motion::RobotModel& robot);
 std::string gantry_drawing(const motion::RobotModel& robot);
 
 /// Title, and at the right each axis with limits and start.

@@ -108,7 +108,7 @@ TEST_CASE("motors and dynamics belong together") {
   CHECK(mechanics_error("lwa4p", "[axis.drive]", "[axis.motor]\ngear = 1\n[axis.drive]")
             .ends_with("belongs to a table [dynamics], which is missing"));
   CHECK(mechanics_error("gantry", "[[axis]]", "[dynamics]\n[[axis]]") ==
-        "dynamics: is an arm's; a gantry has none");
+        "dynamics: belongs to kinematics = \"arm\": its table is of such an arm");
 }
 
 TEST_CASE("the simulated arm may differ from what the servo counts with") {

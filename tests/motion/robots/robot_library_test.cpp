@@ -89,7 +89,7 @@ TEST_CASE("an unknown robot is refused, with the name that was probably meant") 
     embedded_robot("hexapod");
     FAIL("hexapod is not known");
   } catch (const RobotFileError& error) {
-    CHECK(std::string(error.what()).find("known are gantry") != std::string::npos);
+    CHECK(std::string(error.what()).find("known are fr3") != std::string::npos);
   }
 }
 
