@@ -30,7 +30,7 @@ JointReference on_path(double t) {
   return {t, both(0.009 * s, 0.15 * (1 - c)), both(0.018 * c, 0.3 * s), both(-0.036 * s, 0.6 * c)};
 }
 
-bool same_bits(const JointReference& a, const JointReference& b) {
+bool same_to_the_bit(const JointReference& a, const JointReference& b) {
   return a.time == b.time && a.q == b.q && a.qd == b.qd && a.qdd == b.qdd;
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("at its stamp a reference is sent bit for bit") {
   interpolator.push(on_path(stamp(1)));
   for (int k = 1; k < 300; ++k) {
     interpolator.push(on_path(stamp(k + 1)));
-    CHECK(same_bits(interpolator.at(stamp(k)), on_path(stamp(k))));
+    CHECK(same_to_the_bit(interpolator.at(stamp(k)), on_path(stamp(k))));
   }
   CHECK(interpolator.starved() == 0);
 }
@@ -156,7 +156,7 @@ TEST_CASE("a reference that is not a number, or not later, is never sent") {
 TEST_CASE("asked for an instant before all that it keeps, it gives the oldest") {
   ReferenceInterpolator interpolator = standing_at_start();
   for (int k = 1; k <= 20; ++k) interpolator.push(on_path(stamp(k)));
-  CHECK(same_bits(interpolator.at(stamp(2)), on_path(stamp(13))));
+  CHECK(same_to_the_bit(interpolator.at(stamp(2)), on_path(stamp(13))));
 }
 
 TEST_CASE("missing references are bridged without a jump, and joined again") {
@@ -179,7 +179,7 @@ TEST_CASE("missing references are bridged without a jump, and joined again") {
       }
       CHECK(interpolator.starved() == static_cast<std::uint64_t>(missing));
       CHECK_FALSE(interpolator.joining());
-      CHECK(same_bits(sent[14990], on_path(stamp(1499))));
+      CHECK(same_to_the_bit(sent[14990], on_path(stamp(1499))));
     }
   }
 }
@@ -195,7 +195,7 @@ TEST_CASE("catching up at full speed exceeds it by no more than a tenth") {
     const Worst worst = worst_of(sent, 20);
     CHECK(worst.speed[0] <= 1.1 * kMostSpeed[0] * (1 + 1e-9));
     CHECK(worst.speed[1] <= 1.1 * kMostSpeed[1] * (1 + 1e-9));
-    CHECK(same_bits(sent[29990], at_v_max(stamp(2999))));
+    CHECK(same_to_the_bit(sent[29990], at_v_max(stamp(2999))));
   }
 }
 
@@ -221,7 +221,7 @@ TEST_CASE("after a stall the axes go back to where the references go on") {
   const Worst worst = worst_of(sent, 20);
   CHECK(worst.acceleration[0] <= 0.036 + 0.5 * kMostAcceleration[0] + kMostAcceleration[0] + 0.036);
   CHECK(worst.position_jump[0] <= 2 * kMostAcceleration[0] * 0.001 * 0.001);
-  CHECK(same_bits(sent[14990], stalled(stamp(1499))));
+  CHECK(same_to_the_bit(sent[14990], stalled(stamp(1499))));
 }
 
 TEST_CASE("a single reference that comes at its own instant is joined from there") {
