@@ -21,27 +21,13 @@ constexpr double kLeastDamping = 1e-15;
 /// rad or m: the longest step of an axis. [choice] a quarter of a turn and more would be chance
 constexpr double kLongestStep = 1;
 
-/// A turn about z, multiplied from the left or the right, that leaves the shortest rotation.
-Eigen::Quaterniond untwisted(const Eigen::Quaterniond& turn, bool left) {
-  const double length = std::hypot(turn.w(), turn.z());
-  if (!(length > 0)) return turn;
-  const Eigen::Quaterniond back(turn.w() / length, 0, 0, -turn.z() / length);
-  return left ? back * turn : turn * back;
-}
-
 }  // namespace
 
 ChainDescent::Error ChainDescent::error(const Pose& pose, const Pose& here) const noexcept {
   Error error;
   error.head<3>() = (pose.position - here.position) / kPerRad;
-  Eigen::Quaterniond turn = pose.orientation * here.orientation.conjugate();
-  if (free_ == Freedom::C) turn = untwisted(turn, true);
-  if (free_ == Freedom::Spin) {
-    // Seen from the flange, where the free axis is z.
-    const Eigen::Quaterniond seen = here.orientation.conjugate() * pose.orientation;
-    turn = here.orientation * untwisted(seen, false) * here.orientation.conjugate();
-  }
-  error.tail<3>() = rotation_vector(turn);
+  const Eigen::Quaterniond turn = pose.orientation * here.orientation.conjugate();
+  error.tail<3>() = rotation_vector(without_free(turn, free_, here.orientation));
   return error;
 }
 
@@ -105,6 +91,17 @@ bool ChainDescent::step(const Error& error, JointChain::Jacobian& jacobian, doub
   return true;
 }
 
+/// The free turn counts for nothing; the error has no part in it.
+void ChainDescent::take_out_free(const Pose& here, JointChain::Jacobian& jacobian) const noexcept {
+  if (free_ == Freedom::None) return;
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d axis = free_ == Freedom::C ? z : here.orientation * z;
+  for (int i = 0; i < chain_.size(); ++i) {
+    auto turning = jacobian.col(i).tail<3>();
+    turning -= axis * axis.dot(turning);
+  }
+}
+
 bool ChainDescent::run(const Pose& pose, int steps, JointVector& q) const noexcept {
   // Where the error is so small, Newton's next step leaves nothing but rounding.
   constexpr double kNearly = 1e-7;
@@ -116,7 +113,7 @@ bool ChainDescent::run(const Pose& pose, int steps, JointVector& q) const noexce
   JointChain::Jacobian jacobian;
   for (int k = 0; k <= steps; ++k) {
     const Pose here = chain_.forward(q, jacobian);
-    Error missed = error(pose, here);
+    const Error missed = error(pose, here);
     const double square = missed.squaredNorm();
     if (!(square < 1e12)) return false;
     const bool nearly = square < kNearly * kNearly;
@@ -124,15 +121,7 @@ bool ChainDescent::run(const Pose& pose, int steps, JointVector& q) const noexce
     waited = square < kProgress * least ? 0 : waited + 1;
     if (bounded_ && waited > kPatience) return false;
     least = std::min(least, square);
-    if (free_ != Freedom::None) {
-      // The free turn's row counts for nothing: it is taken out of error and Jacobian.
-      const Eigen::Vector3d axis = free_ == Freedom::C
-                                       ? Eigen::Vector3d::UnitZ()
-                                       : here.orientation * Eigen::Vector3d::UnitZ();
-      const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - axis * axis.transpose();
-      missed.tail<3>() = (across * missed.tail<3>()).eval();
-      jacobian.bottomRows<3>() = (across * jacobian.bottomRows<3>()).eval();
-    }
+    take_out_free(here, jacobian);
     if (!step(missed, jacobian, kLeastDamping + square / 2, q)) return false;
     if (bounded_) project(q);
     if (nearly && miss(pose, q) < kFound) return true;
@@ -148,7 +137,9 @@ void ChainDescent::approach(const Pose& pose, int steps, JointVector& q) const n
   double damping = 1;
   JointChain::Jacobian jacobian;
   for (int k = 0; k < steps; ++k) {
-    const Error missed = error(pose, chain_.forward(q, jacobian));
+    const Pose here = chain_.forward(q, jacobian);
+    take_out_free(here, jacobian);
+    const Error missed = error(pose, here);
     JointVector tried = q;
     if (!missed.allFinite() || !step(missed, jacobian, kLeastDamping + damping, tried)) return;
     if (bounded_) project(tried);

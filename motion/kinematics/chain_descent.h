@@ -1,17 +1,9 @@
 #pragma once
 
-#include <cstdint>
-
 #include "motion/kinematics/joint_chain.h"
+#include "motion/kinematics/kinematics.h"
 
 namespace rob::motion {
-
-/// What of a pose is open.
-enum class Freedom : std::uint8_t {
-  None,
-  C,    ///< any turn about z of the base, through the flange's place
-  Spin  ///< any turn about the flange's own z
-};
 
 /// From axis values towards a pose: damped least squares (Levenberg) on the exact Jacobian, where
 /// the damping is the error itself (Sugihara 2011), so that it is Newton's method near the end.
@@ -58,6 +50,7 @@ class ChainDescent {
               Way& way) const noexcept;
   bool hold_at_limits(const JointVector& q, const Way& way,
                       JointChain::Jacobian& jacobian) const noexcept;
+  void take_out_free(const Pose& here, JointChain::Jacobian& jacobian) const noexcept;
   void project(JointVector& q) const noexcept;
 
   const JointChain& chain_;

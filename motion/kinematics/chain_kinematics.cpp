@@ -34,8 +34,12 @@ double slide(const ChainJoint& joint) {
 
 }  // namespace
 
-ChainKinematics::ChainKinematics(JointChain chain, int axes, std::vector<int> coordinates)
-    : chain_(std::move(chain)), axes_(axes), coordinates_(std::move(coordinates)) {
+ChainKinematics::ChainKinematics(JointChain chain, int axes, std::vector<int> coordinates,
+                                 Freedom freedom)
+    : chain_(std::move(chain)),
+      axes_(axes),
+      coordinates_(std::move(coordinates)),
+      freedom_(freedom) {
   length_ = std::max(lever(0, Eigen::Vector3d::Zero()), StructureTolerance::kDistance);
   if (!inverts()) return;
   if (auto wrist = WristForm::of(chain_)) {
@@ -127,7 +131,7 @@ InverseSolutions ChainKinematics::solutions(const Pose& pose,
     const JointVector six = q.head(chain_.size());
     q = near;
     q.head(chain_.size()) = six;
-    if (ChainDescent(chain_).run(pose, kPolish, q)) add(q, near, found);
+    if (descent().run(pose, kPolish, q)) add(q, near, found);
   }
   // Near a singular place the nominal arm may be too far from the exact one.
   if (found.count == 0) search(pose, near, found);
@@ -136,15 +140,13 @@ InverseSolutions ChainKinematics::solutions(const Pose& pose,
 
 void ChainKinematics::search(const Pose& pose, const JointVector& near,
                              InverseSolutions& found) const noexcept {
-  ChainDescent descent(chain_);
-  descent.within_limits();
-  if (kept_ != 0) {
+  if (const unsigned kept = kept_for(pose); kept != 0) {
     JointVector q = near;
-    if (ChainDescent(chain_).within_limits().keep(kept_).run(pose, kSteps, q)) add(q, near, found);
+    if (descent().within_limits().keep(kept).run(pose, kSteps, q)) add(q, near, found);
   }
   for (int k = 0; k <= kStarts; ++k) {
     JointVector q = start(k, near);
-    if (descent.run(pose, kSteps, q)) add(q, near, found);
+    if (descent().within_limits().run(pose, kSteps, q)) add(q, near, found);
   }
 }
 
@@ -180,14 +182,22 @@ void ChainKinematics::add(JointVector q, const JointVector& near,
   if (!known) found.q[static_cast<std::size_t>(found.count++)] = q;
 }
 
+unsigned ChainKinematics::kept_for(const Pose& pose) const noexcept {
+  constexpr double kUpright = 1.5e-8;  // 1 − cos 0.01°
+  if (freedom_ != Freedom::C) return kept_;
+  const double up = (pose.orientation * Eigen::Vector3d::UnitZ()).z();
+  return std::abs(up) >= 1 - kUpright ? kept_ | 1U << (chain_.size() - 1) : kept_;
+}
+
 std::optional<JointVector> ChainKinematics::inverse(const Pose& pose,
                                                     const JointVector& near) const noexcept {
   if (!inverts()) return std::nullopt;
   JointVector q = near;
-  if (ChainDescent(chain_).keep(kept_).run(pose, kSteps, q)) return q;
-  if (kept_ == 0) return std::nullopt;
+  const unsigned kept = kept_for(pose);
+  if (descent().keep(kept).run(pose, kSteps, q)) return q;
+  if (kept == 0) return std::nullopt;
   q = near;
-  if (ChainDescent(chain_).run(pose, kSteps, q)) return q;
+  if (descent().run(pose, kSteps, q)) return q;
   return std::nullopt;
 }
 
@@ -195,7 +205,7 @@ std::optional<JointVector> ChainKinematics::closest(const Pose& pose,
                                                     const JointVector& near) const noexcept {
   if (!inverts()) return std::nullopt;
   JointVector q = near;
-  ChainDescent(chain_).within_limits().approach(pose, kSteps, q);
+  descent().within_limits().approach(pose, kSteps, q);
   return q;
 }
 

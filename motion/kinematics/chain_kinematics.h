@@ -20,17 +20,21 @@ class ChainKinematics final : public Kinematics {
  public:
   /// `axes`: as many as joints, or more. `coordinates`: which of x, y, z, a, b, c a target says;
   /// none: the robot is commanded in its axes alone.
-  ChainKinematics(JointChain chain, int axes, std::vector<int> coordinates);
+  /// `freedom`: what poses do not say.
+  ChainKinematics(JointChain chain, int axes, std::vector<int> coordinates,
+                  Freedom freedom = Freedom::None);
 
   int axes() const noexcept override { return axes_; }
   Pose forward(const JointVector& q) const noexcept override { return chain_.forward(q); }
   bool inverts() const noexcept override { return !coordinates_.empty(); }
   bool iterates() const noexcept override { return true; }
+  Freedom freedom() const noexcept override { return freedom_; }
   /// Up to 24 of those within the limits where there is no closed form. With more than six axes
   /// each is one of infinitely many.
   InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept override;
   /// That to which damped least squares lead from `near`; with more than six axes those beyond six
-  /// keep their values, if that can be.
+  /// keep their values, if that can be. So does the last of five where the tool points straight up
+  /// or down (within 0.01°), and it would change nothing but c.
   std::optional<JointVector> inverse(const Pose& pose,
                                      const JointVector& near) const noexcept override;
   std::optional<JointVector> closest(const Pose& pose,
@@ -57,16 +61,19 @@ class ChainKinematics final : public Kinematics {
   static constexpr int kStarts = 24;
   static constexpr int kSteps = 40;
 
+  ChainDescent descent() const noexcept { return ChainDescent(chain_).leave(freedom_); }
   InverseSolutions nominal(const Pose& pose, const JointVector& near) const noexcept;
   void search(const Pose& pose, const JointVector& near, InverseSolutions& found) const noexcept;
   JointVector start(int number, const JointVector& near) const noexcept;
   void add(JointVector q, const JointVector& near, InverseSolutions& found) const noexcept;
   double least_singular(const JointVector& q, unsigned without) const noexcept;
   void choose_kept();
+  unsigned kept_for(const Pose& pose) const noexcept;
 
   JointChain chain_;
   int axes_;
   std::vector<int> coordinates_;
+  Freedom freedom_;
   std::variant<std::monostate, WristForm, ParallelForm> form_;
   double length_ = 1;  ///< m, of the chain
   unsigned kept_ = 0;

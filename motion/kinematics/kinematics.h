@@ -47,6 +47,18 @@ enum class SingularPlace : std::uint8_t {
   Chain      ///< of a chain: its axes lose a direction there
 };
 
+/// What of a pose the axes leave to the place.
+enum class Freedom : std::uint8_t {
+  None,
+  C,    ///< any turn about z of the base, through the tool
+  Spin  ///< any turn about the tool's own z
+};
+
+/// `turn` less what is free: the shortest of the turns that are the same but for that. `frame`: the
+/// tool's orientation in the base; both seen from the base.
+Eigen::Quaterniond without_free(const Eigen::Quaterniond& turn, Freedom freedom,
+                                const Eigen::Quaterniond& frame) noexcept;
+
 /// From axes to tool. All calls are pure, take no memory and may be used in the tick.
 class Kinematics {
  public:
@@ -60,6 +72,8 @@ class Kinematics {
   /// Whether inverse() goes from `near` by iteration: who follows a path must look whether it stays
   /// on one branch.
   virtual bool iterates() const noexcept { return false; }
+  /// What inverse() and solutions() do not ask of a pose.
+  virtual Freedom freedom() const noexcept { return Freedom::None; }
   /// Every solution, each with its axes turned as near to `near` as whole turns bring them. None if
   /// there is no solution. Limits of the axes are not looked at.
   virtual InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept = 0;

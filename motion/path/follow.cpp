@@ -175,12 +175,18 @@ class Follower {
       const Pose wanted = path_.at(s);
       const Eigen::Quaterniond turned = flange.orientation * tip_.orientation;
       const bool close = (place_of(tip_.position, flange) - wanted.position).norm() <= kOffPlace &&
-                         rotation_between(turned, wanted.orientation).norm() <= kOffTurn;
+                         off_turn(turned, wanted.orientation) <= kOffTurn;
       if (close) continue;
       jumps();
       return false;
     }
     return true;
+  }
+
+  /// rad, but for what the axes leave to the place.
+  double off_turn(const Eigen::Quaterniond& is, const Eigen::Quaterniond& wanted) const {
+    const Eigen::Quaterniond turn = wanted * is.conjugate();
+    return rotation_vector(without_free(turn, robot_.kinematics->freedom(), is)).norm();
   }
 
   const RobotModel& robot_;

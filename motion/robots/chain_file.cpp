@@ -38,9 +38,11 @@ std::vector<ChainJoint> read_joints(const TableReader& file, const std::vector<T
 std::vector<int> read_coordinates(const TableReader& file, std::size_t joints) {
   if (!file.has("free"))
     return joints < kOfPose ? std::vector<int>{} : std::vector{0, 1, 2, 3, 4, 5};
-  file.choice("free", {"ab"});
-  if (joints != 4) file.fail("free", "\"ab\" is of four axes, which turn the tool about z alone");
-  return {0, 1, 2, 5};
+  const bool c = file.choice("free", {"c", "ab"}) == 0;
+  if (c && joints != 5) file.fail("free", "\"c\" is of five axes, where the place decides c");
+  if (!c && joints != 4)
+    file.fail("free", "\"ab\" is of four axes, which turn the tool about z alone");
+  return c ? std::vector{0, 1, 2, 3, 4} : std::vector{0, 1, 2, 5};
 }
 
 }  // namespace
@@ -50,8 +52,9 @@ void read_chain(const TableReader& file, const std::vector<TableReader>& axes, R
   const Pose flange = read_pose(file.table("chain", {"place", "turn"}));
   robot.coordinates = read_coordinates(file, joints.size());
   robot.tool_coordinates = !robot.coordinates.empty();
-  robot.kinematics = std::make_shared<const ChainKinematics>(JointChain(std::move(joints), flange),
-                                                             robot.axis_count(), robot.coordinates);
+  robot.kinematics = std::make_shared<const ChainKinematics>(
+      JointChain(std::move(joints), flange), robot.axis_count(), robot.coordinates,
+      robot.coordinates.size() == 5 ? Freedom::C : Freedom::None);
 }
 
 }  // namespace rob::motion

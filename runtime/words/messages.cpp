@@ -203,6 +203,16 @@ Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseVal
           fmt::format("{} {}", robot.name, robot.kinematics->reach())};
 }
 
+Words words_for_other_c(const motion::RobotModel& robot, const lang::PoseValue& pose, double c) {
+  constexpr int kDecimals = 2;
+  const auto degrees = [](double value) { return shown(value / kDegree, kDecimals); };
+  return {std::string(lang::code::kUnreachable),
+          fmt::format("{} cannot turn its tool to c = {}deg at this place: with its axes c is {}deg"
+                      " there",
+                      robot.name, degrees(lang::pose_math::to_fixed(pose.rotation).c), degrees(c)),
+          "write the target without c, as (x, y, z, a, b)"};
+}
+
 Words words_for_many_simulations() {
   return {code::kManySimulations,
           fmt::format("more than {} SIMULATEs wait for their time", SimulatedInputs::kMostWaiting),

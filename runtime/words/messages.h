@@ -24,6 +24,8 @@ Words words_for_condition(lang::ArithmeticError error);
 Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose,
                             const motion::Shortfall& shortfall,
                             const std::optional<lang::PoseValue>& nearest);
+/// A whole pose for a robot whose place decides c, which would be `c` there, rad.
+Words words_for_other_c(const motion::RobotModel& robot, const lang::PoseValue& pose, double c);
 /// More SIMULATEs wait for their time than there is room for.
 Words words_for_many_simulations();
 /// HALT or ASK where nobody will ever answer.

@@ -269,3 +269,88 @@ TEST_CASE("of several branches that is chosen which the axes reach first at full
   }
   CHECK(differs > 0);  // the weights matter
 }
+
+namespace {
+
+/// The SO-101 without its gripper, with free = "c": targets (x, y, z, a, b).
+RobotModel five_axes() {
+  RobotModel robot = embedded_robot("so101");
+  const JointChain& chain = chain_of(robot).chain();
+  robot.axes.pop_back();
+  robot.start = JointVector(robot.start.head(5));
+  robot.coordinates = {0, 1, 2, 3, 4};
+  robot.tool_coordinates = true;
+  std::vector<ChainJoint> joints;
+  for (int i = 0; i < chain.size(); ++i) joints.push_back(chain.joint(i));
+  robot.kinematics = std::make_shared<ChainKinematics>(JointChain(joints, chain.flange()), 5,
+                                                       robot.coordinates, Freedom::C);
+  return robot;
+}
+
+/// rad by which a and b differ.
+double leaning_between(const Pose& one, const Pose& other) {
+  const FixedAngles a = fixed_angles(one.orientation);
+  const FixedAngles b = fixed_angles(other.orientation);
+  return std::hypot(std::remainder(a.a - b.a, 2 * kPi), a.b - b.b);
+}
+
+}  // namespace
+
+TEST_CASE("five axes bring their tool to a place and two angles, and c is what the place makes") {
+  const RobotModel robot = five_axes();
+  const ChainKinematics& kinematics = chain_of(robot);
+  std::mt19937 random(23);
+  int found = 0;
+  constexpr int kTried = kPoses / 10;
+  for (int i = 0; i < kTried; ++i) {
+    const Pose made = kinematics.forward(random_within(kinematics.chain(), random));
+    // Any c will do.
+    FixedAngles asked = fixed_angles(made.orientation);
+    if (std::abs(asked.b) > 1.4) continue;  // a and b say little near ±90 deg
+    asked.c = std::uniform_real_distribution<double>(-kPi, kPi)(random);
+    const Pose pose{made.position, orientation_from(asked)};
+    bool there = false;
+    for (const JointVector& q : kinematics.solutions(pose, robot.start)) {
+      const Pose is = kinematics.forward(q);
+      CHECK((is.position - pose.position).norm() < 1e-8);
+      CHECK(leaning_between(is, pose) < 1e-7);
+      there = true;
+    }
+    CHECK(there);
+    ++found;
+  }
+  CHECK(found > kTried / 2);
+}
+
+TEST_CASE("pointing straight down with c left out, axis 5 of five keeps its value") {
+  const RobotModel robot = five_axes();
+  JointVector q(5);
+  q << 0.3, 0.2, 0.3, kPi / 2 - 0.5, 0.7;  // lift, elbow and wrist add up to a quarter
+  const Pose down = robot.kinematics->forward(q);
+  const Eigen::Vector3d z = down.orientation * Eigen::Vector3d::UnitZ();
+  REQUIRE(z.z() < -0.999999);
+  Pose beside = down;
+  beside.position.x() += 0.004;
+  const auto there = robot.kinematics->inverse(beside, q);
+  REQUIRE(there.has_value());
+  CHECK(std::abs((*there)[4] - q[4]) < 1e-6);
+  CHECK((robot.kinematics->forward(*there).position - beside.position).norm() < 1e-9);
+}
+
+TEST_CASE("what the tool's own turn leaves free is not asked for") {
+  const RobotModel robot = embedded_robot("ur5e");
+  const ChainKinematics& kinematics = chain_of(robot);
+  Pose pose = kinematics.forward(robot.start);
+  pose.position += Eigen::Vector3d(0.02, -0.01, 0.03);
+  pose.orientation = pose.orientation * Eigen::AngleAxisd(2.5, Eigen::Vector3d::UnitZ());
+  JointVector q = robot.start;
+  REQUIRE(ChainDescent(kinematics.chain()).leave(Freedom::Spin).run(pose, 40, q));
+  const Pose is = kinematics.forward(q);
+  CHECK((is.position - pose.position).norm() < 1e-9);
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  CHECK((is.orientation * z - pose.orientation * z).norm() < 1e-9);
+  // The axes move less than with the turn.
+  JointVector whole = robot.start;
+  REQUIRE(ChainDescent(kinematics.chain()).run(pose, 40, whole));
+  CHECK((q - robot.start).norm() < (whole - robot.start).norm());
+}

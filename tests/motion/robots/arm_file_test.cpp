@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "motion/kinematics/arm_kinematics.h"
 #include "motion/robots/robot_file.h"
@@ -28,10 +29,10 @@ std::string file_of(const char* name, const std::string& was = "", const std::st
   return "";
 }
 
-/// What is wrong with lwa4p's file after the edit, without the place; empty: nothing.
-std::string arm_error(const std::string& was, const std::string& is) {
+/// What is wrong with a robot's file after the edit, without the place; empty: nothing.
+std::string arm_error(const std::string& was, const std::string& is, const char* name = "lwa4p") {
   try {
-    parse_robot_file(file_of("lwa4p", was, is), "arm.toml");
+    parse_robot_file(file_of(name, was, is), "arm.toml");
   } catch (const RobotFileError& error) {
     const std::string text = error.what();
     CHECK(text.starts_with("arm.toml:"));
@@ -116,4 +117,32 @@ TEST_CASE("an arm has six rotary axes and a table [arm], a gantry has none") {
   gantry.replace(gantry.find("[[axis]]"), 0, "[arm]\na1 = \"0 mm\"\n\n");
   CHECK_THROWS_WITH_AS(parse_robot_file(gantry, "my.toml"),
                        doctest::Contains("arm: a gantry has none"), RobotFileError);
+}
+
+TEST_CASE("what targets of a chain leave to the place is said in its file, and fits its axes") {
+  using Coordinates = std::vector<int>;
+  const auto of = [](const char* name, const std::string& was = "", const std::string& is = "") {
+    return parse_robot_file(file_of(name, was, is), "my.toml");
+  };
+  CHECK(of("ur5e").coordinates == Coordinates{0, 1, 2, 3, 4, 5});
+  CHECK(of("fr3").coordinates == Coordinates{0, 1, 2, 3, 4, 5});
+  CHECK(of("t3").coordinates == Coordinates{0, 1, 2, 5});
+  CHECK(of("t3").axes[2].kind == AxisKind::Linear);
+  CHECK(of("t3").kinematics->coordinate(3) == 5);  // c
+  CHECK_FALSE(of("so101").tool_coordinates);
+  const std::string law = "law = \"lookahead\"";
+  const RobotModel five = of("so101", law, law + "\nfree = \"c\"");
+  CHECK(five.tool_coordinates);
+  CHECK(five.coordinates == Coordinates{0, 1, 2, 3, 4});
+  CHECK(five.kinematics->freedom() == Freedom::C);
+  CHECK(arm_error(law, law + "\nfree = \"c\"", "ur5e") ==
+        "free: \"c\" is of five axes, where the place decides c");
+  CHECK(arm_error("free = \"ab\"", "free = \"c\"", "t3") ==
+        "free: \"c\" is of five axes, where the place decides c");
+  CHECK(arm_error(law, law + "\nfree = \"ab\"", "so101") ==
+        "free: \"ab\" is of four axes, which turn the tool about z alone");
+  CHECK(arm_error("law = \"paul\"", "law = \"paul\"\nfree = \"ab\"") ==
+        "free: belongs to kinematics = \"chain\"");
+  // Without it four axes are commanded as they are.
+  CHECK_FALSE(of("t3", "free = \"ab\"  # its shaft always points down", "").tool_coordinates);
 }
