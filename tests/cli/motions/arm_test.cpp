@@ -47,7 +47,8 @@ void check_pose(const json& report, double x, double y, double z, double a, doub
 }  // namespace
 
 TEST_CASE("every arm goes where it is sent, and back to where it started") {
-  for (const char* name : {"ums7", "pc104", "lwa4p", "puma560", "irb120"}) {
+  for (const char* name :
+       {"ums7", "pc104", "lwa4p", "puma560", "irb120", "ur5e", "ur10e", "lwa4p_urdf", "fr3"}) {
     CAPTURE(name);
     const std::string robot = std::string("ROBOT \"") + name + "\"\n";
     const json report = run(robot +
@@ -272,4 +273,29 @@ TEST_CASE("every axis of every arm jogs as fast as it can, and its servo follows
       CHECK(std::next(report["peak"].begin(), static_cast<int>(axis)).value()["v"] > 10);
     }
   }
+}
+
+TEST_CASE("a SCARA goes to x, y, z and c, along lines, too; it has no other angles") {
+  const json report =
+      run("ROBOT \"t3\"\nMOVE (300, -100, -20, 0)\nMOVEL (300, 100, -20, 90) AT 200mm/s FINE\n"
+          "ASSERT DIST(HERE, POSE(300mm, 100mm, -20mm)) < 0.001mm\nMOVE (c: 30deg) FINE\nSTOP\n");
+  INFO(report.dump());
+  CHECK(report["status"] == "done");
+  check_pose(report, 300, 100, -20, 180, 0, 30);
+  const RobCommand leaning("ROBOT \"t3\"\nMOVE POSE(200mm, 150mm, -100mm, 150deg, 0deg, 10deg)\n");
+  const ProcessResult refused = leaning("check", {});
+  CHECK(refused.exit_code == 65);
+  CHECK(contains(refused.err, "E333"));
+  CHECK(contains(refused.err,
+                 "the nearest that it reaches is POSE(200mm, 150mm, -100mm, 180deg, 0deg, 10deg)"));
+}
+
+TEST_CASE("a line of a chain that leaves its reach is refused with line, place and nearest pose") {
+  const RobCommand rob(
+      "ROBOT \"ur5e\"\nMOVE (-450, -150, 350, 180, 0, 90) FINE\n"
+      "MOVEL BY (-1000mm, 0mm, 0mm) AT 100mm/s\n");
+  const ProcessResult result = rob("check", {});
+  CHECK(result.exit_code == 65);
+  CHECK(contains(result.err, ":3:"));
+  CHECK(contains(result.err, "the nearest that it reaches is POSE(-"));
 }
