@@ -5,6 +5,7 @@ set(rob_runtime_sources
   runtime/cli/compile_files.cpp
   runtime/cli/explain.cpp
   runtime/cli/format_files.cpp
+  runtime/cli/import_files.cpp
   runtime/cli/list_machines.cpp
   runtime/cli/options.cpp
   runtime/cli/program_files.cpp
@@ -160,4 +161,13 @@ set(rob_runtime_sources
   runtime/words/path_words.cpp
   runtime/words/signature.cpp
   runtime/words/units.cpp
+)
+# `rob_import`, which alone needs the readers of URDFs and of meshes.
+set(rob_import_sources
+  runtime/import/import_robot.cpp
+  runtime/import/imported_arm.cpp
+  runtime/import/program_name.cpp
+  runtime/import/robot_text.cpp
+  runtime/import/urdf.cpp
+  runtime/import/urdf_text.cpp
 )

@@ -90,7 +90,7 @@ const std::vector<LayerRule>& layer_rules() {
     std::vector<std::string_view> runtime = {"motion", "drivers"};
     for (const char* folder :
          {"runtime/time", "runtime/tick", "runtime/words", "runtime/files", "runtime/devices",
-          "runtime/command", "runtime/run", "runtime/prompt", "runtime/cli"}) {
+          "runtime/command", "runtime/run", "runtime/import", "runtime/prompt", "runtime/cli"}) {
       made.push_back({folder, runtime});
       runtime.push_back(folder);
       if (made.back().folder == "runtime/tick") runtime.push_back("lang");
@@ -106,14 +106,16 @@ const std::map<std::string, std::set<std::string>, std::less<>>& package_layers(
       {"fmt", {"lang", "runtime"}}, {"Eigen", {"motion", "drivers", "runtime"}},
       {"toml++", {"motion"}},       {"nlohmann", {"runtime"}},
       {"CLI", {"runtime"}},         {"readline", {"runtime"}},
-      {"dtl", {"runtime"}},
+      {"dtl", {"runtime"}},         {"urdf_model", {"runtime"}},
+      {"urdf_parser", {"runtime"}}, {"console_bridge", {"runtime"}},
   };
   return layers;
 }
 
 /// Packages that only one file of the project may see: they compile slowly, or are to be
 /// replaceable in one place.
-constexpr std::array<std::string_view, 3> kOneFileEach = {"CLI", "readline", "dtl"};
+constexpr std::array<std::string_view, 6> kOneFileEach = {
+    "CLI", "readline", "dtl", "urdf_model", "urdf_parser", "console_bridge"};
 
 /// Time and threads belong to runtime; a driver may need a thread for its wire.
 constexpr std::array<std::string_view, 7> kThreading = {

@@ -6,6 +6,7 @@
 #include "runtime/cli/compile_files.h"
 #include "runtime/cli/explain.h"
 #include "runtime/cli/format_files.h"
+#include "runtime/cli/import_files.h"
 #include "runtime/cli/list_machines.h"
 #include "runtime/cli/run_files.h"
 #include "runtime/cli/test_files.h"
@@ -53,6 +54,8 @@ ExitCode carry_out(const Options& options) {
       return explain(options.word);
     case Options::Command::Robots:
       return list_robots();
+    case Options::Command::ImportRobot:
+      return import_files(options.importing);
     case Options::Command::Ports:
       return list_ports();
     case Options::Command::Vars:

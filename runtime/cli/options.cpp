@@ -45,6 +45,11 @@ std::string check_name(const std::string& name) {
   return name.empty() ? "takes a name, which must not be empty" : "";
 }
 
+std::string check_robot_file(const std::string& name) {
+  if (name.ends_with(".toml") && name.size() > 5) return "";
+  return fmt::format("takes the name of a file that ends in .toml, not '{}'", name);
+}
+
 std::string check_law(const std::string& law) {
   if (law == "paul" || law == "lookahead") return "";
   return fmt::format("there is no law '{}'; there are paul and lookahead", law);
@@ -125,6 +130,7 @@ struct Parser {
   void add_run();
   void add_check();
   void add_test();
+  void add_import();
   void add_others();
 };
 
@@ -136,6 +142,7 @@ Parser::Parser() {
   add_run();
   add_check();
   add_test();
+  add_import();
   add_others();
 }
 
@@ -194,6 +201,28 @@ void Parser::add_test() {
   add_json(test);
 }
 
+void Parser::add_import() {
+  CLI::App& robot = *app.add_subcommand("robot", "make the file of a robot: rob robot import");
+  robot.require_subcommand(1);
+  CLI::App& made = *robot.add_subcommand("import", "make a robot file from the URDF of an arm");
+  made.callback([this] { options.command = Options::Command::ImportRobot; });
+  ImportRequest& request = options.importing;
+  made.add_option("FILE", request.urdf, "the URDF (run xacro first)")
+      ->required()
+      ->check(check_name);
+  made.add_option("-o,--output", request.robot, "the robot file to write: ARM.toml")
+      ->required()
+      ->check(check_robot_file);
+  made.add_option("--base", request.choice.base, "the link that stands; else the root")
+      ->check(check_name);
+  made.add_option("--tip", request.choice.tip, "the link that is the flange; else the only end")
+      ->check(check_name);
+  made.add_option("--gripper", request.choice.gripper, "a joint of the gripper: an axis, too")
+      ->check(check_name);
+  made.add_option("--package", request.packages, "the folder of package://, if not above the URDF")
+      ->check(CLI::ExistingDirectory);
+}
+
 void Parser::add_others() {
   CLI::App& compile = *app.add_subcommand("compile", "compile a program");
   compile.callback([this] { options.command = Options::Command::Compile; });
@@ -240,7 +269,9 @@ std::variant<Options, CommandLineEnd> help_on(Parser& parser) {
   }
   for (const CLI::App* command : parser.app.get_subcommands([](CLI::App*) { return true; })) {
     if (!command->check_name(parser.topic)) continue;
-    parser.options.help_text = command->help("rob");
+    const auto inside = command->get_subcommands([](const CLI::App*) { return true; });
+    parser.options.help_text =
+        inside.empty() ? command->help("rob") : inside.front()->help("rob " + command->get_name());
     return parser.options;
   }
   parser.options.command = Options::Command::Explain;
@@ -286,25 +317,48 @@ bool names_program(const CLI::App& app, const Names& words) {
   return false;
 }
 
+/// The command that was chosen, with those inside it: "robot import"; empty: none.
+std::string chosen_name(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  if (chosen.empty()) return "";
+  const std::string inside = chosen_name(*chosen.front());
+  return chosen.front()->get_name() + (inside.empty() ? "" : " " + inside);
+}
+
+const CLI::App& chosen_command(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? app : chosen_command(*chosen.front());
+}
+
 /// The first word that fits nowhere.
 CommandLineEnd unexpected(const CLI::App& app) {
-  const auto chosen = app.get_subcommands();
-  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const std::string chosen = chosen_name(app);
+  const CLI::App& command = chosen_command(app);
   const Names rest = app.remaining(true);
   const std::string word = rest.empty() ? "" : rest.front();
   if (word.starts_with('-')) {
     const std::string option = word.substr(0, word.find('='));
-    const std::string of = chosen.empty() ? "" : fmt::format(" of rob {}", command.get_name());
+    const std::string of = chosen.empty() ? "" : " of rob " + chosen;
     return usage_error(fmt::format("there is no option {}{}", lang::shortened(option), of),
                        meant(option, option_names(command)));
   }
   if (!chosen.empty())
-    return usage_error(
-        fmt::format("rob {} takes no '{}'", command.get_name(), lang::shortened(word)));
+    return usage_error(fmt::format("rob {} takes no '{}'", chosen, lang::shortened(word)),
+                       meant(word, command_names(command)));
   std::string help = meant(word, command_names(app));
   std::error_code none;
   if (help.empty() && std::filesystem::is_regular_file(word, none)) help = "rob run " + word;
   return usage_error(fmt::format("there is no command '{}'", lang::shortened(word)), help);
+}
+
+/// A command without what it needs: a file, or the command inside it.
+CommandLineEnd incomplete(const CLI::App& app, const std::string& problem) {
+  const Names inside = command_names(chosen_command(app));
+  if (inside.empty()) return usage_error(problem);
+  if (!app.remaining(true).empty()) return unexpected(app);
+  const std::string command = chosen_name(app);
+  return usage_error(fmt::format("rob {} takes a command", command),
+                     fmt::format("rob {} {}", command, inside.front()));
 }
 
 }  // namespace
@@ -318,6 +372,8 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
     parser.app.parse(std::move(words));
   } catch (const CLI::ExtrasError&) {
     return unexpected(parser.app);
+  } catch (const CLI::RequiredError& error) {
+    return incomplete(parser.app, error.what());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) return usage_error(error.what());
     std::ostringstream out;  // --help and --version end the parsing with what they print

@@ -8,6 +8,7 @@
 
 #include "lang/values/random.h"
 #include "motion/robots/robot_model.h"
+#include "runtime/import/import_robot.h"
 #include "runtime/run/run_result.h"
 #include "runtime/time/wall_time.h"
 
@@ -23,6 +24,7 @@ struct Options {
     Compile,
     Format,
     Robots,
+    ImportRobot,
     Ports,
     Vars,
     Help,
@@ -53,6 +55,7 @@ struct Options {
   bool check_only = false;  ///< of Format: write nothing
   std::string word;         ///< of Explain
   std::string help_text;    ///< of Help
+  ImportRequest importing;  ///< of ImportRobot
 };
 
 /// The end of a command line that could not be understood, or that was answered already (--help,

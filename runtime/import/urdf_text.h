@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace rob::runtime {
+
+/// Refuses a text that is no XML, or a xacro, or such that a reader of XML could come to harm: not
+/// UTF-8, nested without end, with endless tags. Throws motion::RobotFileError.
+void check_urdf_text(std::string_view text, const std::string& file);
+
+}  // namespace rob::runtime
