@@ -164,10 +164,15 @@ set(rob_runtime_sources
 )
 # `rob_import`, which alone needs the readers of URDFs and of meshes.
 set(rob_import_sources
+  runtime/import/capsule_fit.cpp
+  runtime/import/hull.cpp
   runtime/import/import_robot.cpp
   runtime/import/imported_arm.cpp
+  runtime/import/link_bodies.cpp
+  runtime/import/mesh_file.cpp
   runtime/import/program_name.cpp
   runtime/import/robot_text.cpp
+  runtime/import/touching.cpp
   runtime/import/urdf.cpp
   runtime/import/urdf_text.cpp
 )

@@ -108,14 +108,17 @@ const std::map<std::string, std::set<std::string>, std::less<>>& package_layers(
       {"CLI", {"runtime"}},         {"readline", {"runtime"}},
       {"dtl", {"runtime"}},         {"urdf_model", {"runtime"}},
       {"urdf_parser", {"runtime"}}, {"console_bridge", {"runtime"}},
+      {"assimp", {"runtime"}},      {"libqhull_r", {"runtime"}},
+
   };
   return layers;
 }
 
 /// Packages that only one file of the project may see: they compile slowly, or are to be
 /// replaceable in one place.
-constexpr std::array<std::string_view, 6> kOneFileEach = {
-    "CLI", "readline", "dtl", "urdf_model", "urdf_parser", "console_bridge"};
+constexpr std::array<std::string_view, 8> kOneFileEach = {
+    "CLI",         "readline",       "dtl",    "urdf_model",
+    "urdf_parser", "console_bridge", "assimp", "libqhull_r"};
 
 /// Time and threads belong to runtime; a driver may need a thread for its wire.
 constexpr std::array<std::string_view, 7> kThreading = {

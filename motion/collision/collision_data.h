@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <variant>
@@ -8,6 +9,9 @@
 #include "motion/collision/shapes.h"
 
 namespace rob::motion {
+
+/// Of a body.
+inline constexpr std::size_t kMostCapsules = 3;
 
 /// A part of a robot that can hit something: its base, a link, its flange with what that carries.
 struct Body {

@@ -7,6 +7,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/halton.h"
+
 namespace rob::motion {
 
 namespace {
@@ -14,17 +16,6 @@ namespace {
 constexpr double kTurnAround = 2 * std::numbers::pi;
 /// m: how far the ways of linear axes make a chain longer that have no limits.
 constexpr double kUnbounded = 0;
-
-/// The number's digits to a prime base, mirrored at the point (Halton 1960): 0 … 1, spread evenly.
-double halton(int number, int base) {
-  double share = 0;
-  double digit = 1;
-  for (; number > 0; number /= base) {
-    digit /= base;
-    share += digit * (number % base);
-  }
-  return share;
-}
 
 /// Farthest that a joint slides.
 double slide(const ChainJoint& joint) {

@@ -15,7 +15,6 @@ constexpr Range kPlace{-100, 100};
 constexpr Range kTurn{-kFullTurn, kFullTurn};
 constexpr Range kMeasure{1e-5, 100};
 constexpr Range kClearance{0, 1};
-constexpr std::size_t kMostShapes = 3;
 constexpr std::size_t kMostObstacles = 1000;  // [choice] each costs time at every look
 
 Eigen::Vector3d three(const TableReader& table, std::string_view key, Range range) {
@@ -35,7 +34,7 @@ void read_body(const TableReader& owner, std::string name, int frame, CollisionD
     table.choice("kind", {"capsule"});
     body.shapes.push_back(read_capsule(table));
   }
-  if (body.shapes.size() > kMostShapes) owner.fail("shape", "more than three capsules");
+  if (body.shapes.size() > kMostCapsules) owner.fail("shape", "more than three capsules");
   if (body.shapes.empty()) return;
   const bool taken =
       std::ranges::any_of(data.bodies, [&](const Body& other) { return other.name == body.name; });

@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <vector>
 
 #include "base/unit_factors.h"
 #include "lang/text/visible.h"
 #include "motion/robots/robot_file.h"
+#include "runtime/import/capsule_fit.h"
+#include "runtime/import/link_bodies.h"
 #include "runtime/import/robot_text.h"
+#include "runtime/import/touching.h"
 #include "runtime/import/urdf.h"
 
 namespace rob::runtime {
@@ -39,6 +43,46 @@ std::string to_look_up(const ImportedArm& arm) {
   return text;
 }
 
+/// A link with its capsules, and by how much they stand out, m.
+struct FittedLink {
+  motion::Body link;
+  double out = 0;
+};
+
+/// Base, axes of the chain, flange.
+std::vector<FittedLink> fitted_links(const ImportedArm& arm, const ImportRequest& request) {
+  std::vector<const RigidBody*> rigid{&arm.base};
+  for (std::size_t i = 0; i < arm.chain; ++i) rigid.push_back(&arm.axes[i].body);
+  rigid.push_back(&arm.tool);
+  std::vector<FittedLink> fitted;
+  for (const RigidBody* one : rigid) {
+    const std::vector<Body> bodies = bodies_of(*one, request.urdf, request.packages);
+    FittedLink made;
+    made.link = {one->link, static_cast<int>(fitted.size()), fitted_capsules(bodies)};
+    made.out = standing_out(made.link.shapes, bodies);
+    fitted.push_back(std::move(made));
+  }
+  return fitted;
+}
+
+std::string link_line(const FittedLink& fitted) {
+  const std::size_t count = fitted.link.shapes.size();
+  const std::string name = lang::visible(fitted.link.name);
+  if (count == 0) return fmt::format("    {:<24} no <collision>: it is not checked\n", name);
+  return fmt::format("    {:<24} {} capsule{}, standing out by at most {:.1f} mm\n", name, count,
+                     count == 1 ? "" : "s", fitted.out / kMillimetre);
+}
+
+std::string shapes_report(const std::vector<FittedLink>& links,
+                          const std::vector<motion::Apart>& touching) {
+  std::string text = "links, for collisions:\n";
+  for (const FittedLink& fitted : links) text += link_line(fitted);
+  for (const motion::Apart& pair : touching)
+    text += fmt::format("never checked, for they always touch: {} and {}\n",
+                        lang::visible(pair.first), lang::visible(pair.second));
+  return text;
+}
+
 std::string report_of(const ImportedArm& arm, const ImportRequest& request) {
   std::string text =
       fmt::format("{}: {} axes from {} to {}\n", lang::visible(request.robot), arm.axes.size(),
@@ -46,7 +90,7 @@ std::string report_of(const ImportedArm& arm, const ImportRequest& request) {
   for (const ImportedAxis& axis : arm.axes) text += axis_line(axis);
   for (const std::string& joint : arm.left_out)
     text += fmt::format("left out: joint {}\n", lang::visible(joint));
-  return text + to_look_up(arm);
+  return text;
 }
 
 }  // namespace
@@ -54,7 +98,12 @@ std::string report_of(const ImportedArm& arm, const ImportRequest& request) {
 ImportedRobot import_robot(const std::string& urdf, const ImportRequest& request) {
   const ImportedArm arm = find_arm(read_urdf(urdf, request.urdf), request.choice, request.urdf);
   const std::string source = std::filesystem::path(request.urdf).filename().string();
-  ImportedRobot made{robot_text(arm, source), report_of(arm, request)};
+  const std::vector<FittedLink> fitted = fitted_links(arm, request);
+  std::vector<motion::Body> links;
+  for (const FittedLink& one : fitted) links.push_back(one.link);
+  const std::vector<motion::Apart> touching = always_touching(arm, links);
+  ImportedRobot made{robot_text(arm, links, touching, source),
+                     report_of(arm, request) + shapes_report(fitted, touching) + to_look_up(arm)};
   static_cast<void>(motion::parse_robot_file(made.text, request.robot));
   return made;
 }

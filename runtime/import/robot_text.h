@@ -2,14 +2,17 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "motion/collision/collision_data.h"
 #include "runtime/import/imported_arm.h"
 
 namespace rob::runtime {
 
 /// The robot file (TOML) of an arm. What a URDF does not say has values that are marked [choice].
-/// `source`: the name of the URDF, for the comments.
-std::string robot_text(const ImportedArm& arm, std::string_view source);
+/// `links`: base, axes of the chain, flange; `source`: the name of the URDF, for the comments.
+std::string robot_text(const ImportedArm& arm, const std::vector<motion::Body>& links,
+                       const std::vector<motion::Apart>& touching, std::string_view source);
 
 /// At most so many decimals, rounded where only noise is left after the sixth; no trailing zeros.
 std::string decimal(double value);

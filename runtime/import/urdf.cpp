@@ -19,7 +19,7 @@ namespace rob::runtime {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& file, const std::string& problem) {
+[[noreturn]] void refuse_urdf(const std::string& file, const std::string& problem) {
   throw motion::RobotFileError(file + ": " + lang::visible(problem));
 }
 
@@ -46,10 +46,11 @@ urdf::ModelInterfaceSharedPtr parsed(const std::string& text, const std::string&
   try {
     if (urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text)) return model;
   } catch (const std::exception& error) {
-    refuse(file, fmt::format("is not a valid URDF: {}", error.what()));
+    refuse_urdf(file, fmt::format("is not a valid URDF: {}", error.what()));
   }
-  refuse(file, fmt::format("is not a valid URDF: {}",
-                           complaints.first().empty() ? "no reason is known" : complaints.first()));
+  refuse_urdf(file,
+              fmt::format("is not a valid URDF: {}",
+                          complaints.first().empty() ? "no reason is known" : complaints.first()));
 }
 
 Eigen::Vector3d vector_of(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
@@ -64,7 +65,8 @@ UrdfShape shape_of(const urdf::Collision& collision, const std::string& link,
   UrdfShape shape;
   shape.place = pose_of(collision.origin);
   const urdf::Geometry* const body = collision.geometry.get();
-  if (body == nullptr) refuse(file, fmt::format("a <collision> of link {} has no shape", link));
+  if (body == nullptr)
+    refuse_urdf(file, fmt::format("a <collision> of link {} has no shape", link));
   if (const auto* box = dynamic_cast<const urdf::Box*>(body)) {
     shape.size = vector_of(box->dim);
   } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(body)) {
@@ -122,18 +124,19 @@ void check_tree(const Urdf& urdf, const std::string& file) {
   for (const UrdfJoint& joint : urdf.joints) {
     const auto [found, fresh] = parents.emplace(joint.child, &joint);
     if (!fresh)
-      refuse(file, fmt::format("link {} hangs on two joints, {} and {}; Rob takes arms without "
-                               "closed loops",
-                               joint.child, found->second->name, joint.name));
+      refuse_urdf(file,
+                  fmt::format("link {} hangs on two joints, {} and {}; Rob takes arms without "
+                              "closed loops",
+                              joint.child, found->second->name, joint.name));
   }
   for (const UrdfLink& link : urdf.links) {
     std::set<std::string> passed;
     std::string at = link.name;
     for (auto up = parents.find(at); up != parents.end(); up = parents.find(at)) {
       if (!passed.insert(at).second)
-        refuse(file, fmt::format("link {} hangs in a circle of joints; Rob takes arms without "
-                                 "closed loops",
-                                 link.name));
+        refuse_urdf(file, fmt::format("link {} hangs in a circle of joints; Rob takes arms without "
+                                      "closed loops",
+                                      link.name));
       at = up->second->parent;
     }
   }
