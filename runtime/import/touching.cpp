@@ -11,6 +11,7 @@ namespace rob::runtime {
 
 namespace {
 
+using Eigen::Vector3d;
 using motion::Body;
 using motion::Capsule;
 
