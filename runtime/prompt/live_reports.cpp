@@ -86,14 +86,18 @@ void LiveReports::forget_stopped_jog() {
     jog_stopped_.reset();
 }
 
+void LiveReports::note_planned(const MotionEvent& event) {
+  if (const auto planned = controller_.log().take_planned(event.number))
+    jogging_ = planned->jog->present();
+}
+
 void LiveReports::take(const MotionEvent& event) {
   using Kind = MotionEvent::Kind;
   const motion::RobotModel& robot = controller_.robot();
   const int line = static_cast<int>(event.tag);
   switch (event.kind) {
     case Kind::SegmentStarted:
-      if (const auto planned = controller_.log().take_planned(event.number))
-        jogging_ = planned->jog->present();
+      note_planned(event);
       line_ = line;
       return;
     case Kind::EffectDue:
@@ -101,6 +105,7 @@ void LiveReports::take(const MotionEvent& event) {
         take_note(controller_.log().take_note(event.effect.id), event.time);
       return;
     case Kind::Hit:
+      note_planned(event);  // one that is hit at its start has not been told as started
       return jogging_ ? void() : tell(fmt::format("line {}: hit", line));
     case Kind::JogStopped:
       return tell_jog_stopped(event);

@@ -45,6 +45,7 @@ class LiveReports {
   void take(const motion::MotionEvent& event);
   void take_note(const Note& note, double time);
   void fail(int line, const Words& words);
+  void note_planned(const motion::MotionEvent& event);
   void tell_stand();
   void tell_jog_stopped(const motion::MotionEvent& event);
   void forget_stopped_jog();

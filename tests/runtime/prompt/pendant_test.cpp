@@ -367,3 +367,12 @@ TEST_CASE("the end of an axis that stops a jog is told once a stop") {
   }
   CHECK(told() == 2);
 }
+
+TEST_CASE("a jog that is over before it has begun is no news") {
+  Held held(false);
+  held.pendant.press(letter('m'));
+  held.pendant.press(kRight);
+  held.session.dead_man().release();  // as where the computer is too busy to begin in time
+  held.rest();
+  CHECK(held.screen.messages.empty());
+}
