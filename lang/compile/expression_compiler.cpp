@@ -361,7 +361,9 @@ void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, R
     return compile_on_vectors(binary, expression, target);
   }
   if (compile_by_constant(binary, expression, target)) return;
+  if (compile_of_products(binary, expression, target)) return;
   if (compile_with_product(binary, expression, target)) return;
+  if (compile_of_three(binary, expression, target)) return;
   // DIV of reals yields an INT from REAL operands.
   const bool whole = on_whole_numbers(binary, expression.type);
   const Register left = operand_before(*binary.right, *binary.left, !whole);
@@ -451,6 +453,48 @@ bool ExpressionCompiler::compile_with_product(const Binary& binary, const Expr& 
   if (exchanged) term = operand(*binary.right, !whole);
   code_.emit(product_opcode(binary.op, whole), factors->place, target, term, first);
   code_.emit(Instruction{second}, expression.place);
+  return true;
+}
+
+/// The sum of two products, or their difference. The right one is computed with the sum, so nothing
+/// of it may fail before.
+bool ExpressionCompiler::compile_of_products(const Binary& binary, const Expr& expression,
+                                             Register target) {
+  if (variables_.watching() || (binary.op != BinaryOp::Add && binary.op != BinaryOp::Subtract))
+    return false;
+  const Binary* const left = product_in(*binary.left, false);
+  const Binary* const right = product_in(*binary.right, false);
+  if (left == nullptr || right == nullptr || !variables_.stays_in_register(*right->left) ||
+      !variables_.stays_in_register(*right->right)) {
+    return false;
+  }
+  const Register first = operand_before(*left->right, *left->left, true);
+  const Register second = operand(*left->right, true);
+  const Register third = operand(*right->left, true);
+  const Register fourth = operand(*right->right, true);
+  code_.emit(binary.op == BinaryOp::Add ? Opcode::add_products_real : Opcode::sub_products_real,
+             binary.left->place, target, first, second);
+  code_.emit(Instruction{third}, binary.right->place);
+  code_.emit(Instruction{fourth}, expression.place);
+  return true;
+}
+
+/// a + b - c of REALs. The last one is added with the others, so nothing of it may fail before.
+bool ExpressionCompiler::compile_of_three(const Binary& binary, const Expr& expression,
+                                          Register target) {
+  const auto* const left = std::get_if<Binary>(&binary.left->node);
+  const auto sums = [](BinaryOp op) { return op == BinaryOp::Add || op == BinaryOp::Subtract; };
+  if (variables_.watching() || left == nullptr || !sums(binary.op) || !sums(left->op)) return false;
+  if (known(binary.left->constant) || known(left->left->constant) || known(left->right->constant) ||
+      on_whole_numbers(*left, binary.left->type) || on_whole_numbers(binary, expression.type) ||
+      product_in(*left->left, false) != nullptr || product_in(*left->right, false) != nullptr ||
+      binary.right->type == Type::integer() || !variables_.stays_in_register(*binary.right)) {
+    return false;
+  }
+  const Register first = operand_before(*left->right, *left->left, true);
+  const Register second = operand(*left->right, true);
+  code_.emit(sum_opcode(left->op, binary.op), binary.left->place, target, first, second);
+  code_.emit(Instruction{operand(*binary.right, true)}, expression.place);
   return true;
 }
 

@@ -90,6 +90,8 @@ class ExpressionCompiler {
   void compile(const Chain& chain, const Expr& expression, Register target);
   bool compile_by_constant(const Binary& binary, const Expr& expression, Register target);
   /// A sum or difference with a product in one instruction; false if it is no such thing.
+  bool compile_of_products(const Binary& binary, const Expr& expression, Register target);
+  bool compile_of_three(const Binary& binary, const Expr& expression, Register target);
   void join(const Expr& term, Register sum, Place place);
   bool compile_with_product(const Binary& binary, const Expr& expression, Register target);
   void compile_on_vectors(const Binary& binary, const Expr& expression, Register target);

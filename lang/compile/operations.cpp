@@ -63,6 +63,10 @@ std::optional<Opcode> constant_opcode(BinaryOp op, bool whole) {
       return whole ? Opcode::mul_int_constant : Opcode::mul_real_constant;
     case BinaryOp::Divide:
       return whole ? std::nullopt : std::optional(Opcode::quot_real_constant);
+    case BinaryOp::Div:
+      return whole ? std::optional(Opcode::div_int_constant) : std::nullopt;
+    case BinaryOp::Mod:
+      return whole ? std::optional(Opcode::mod_int_constant) : std::nullopt;
     default:
       return std::nullopt;
   }
@@ -71,6 +75,12 @@ std::optional<Opcode> constant_opcode(BinaryOp op, bool whole) {
 Opcode product_opcode(BinaryOp op, bool whole) {
   if (op == BinaryOp::Add) return whole ? Opcode::add_product_int : Opcode::add_product_real;
   return whole ? Opcode::sub_product_int : Opcode::sub_product_real;
+}
+
+Opcode sum_opcode(BinaryOp first, BinaryOp second) {
+  const bool adds = second == BinaryOp::Add;
+  if (first == BinaryOp::Add) return adds ? Opcode::add_add_real : Opcode::add_sub_real;
+  return adds ? Opcode::sub_add_real : Opcode::sub_sub_real;
 }
 
 bool on_whole_numbers(const Binary& binary, const Type& result) {

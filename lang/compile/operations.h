@@ -22,6 +22,9 @@ std::optional<Opcode> constant_opcode(BinaryOp op, bool whole);
 /// A sum or a difference whose right side is a product.
 Opcode product_opcode(BinaryOp op, bool whole);
 
+/// The sum of a sum and a third REAL.
+Opcode sum_opcode(BinaryOp first, BinaryOp second);
+
 /// Whether an operation works on INT slots. INT / INT is real, and so is INT ^ INT unless the
 /// checker says otherwise.
 bool on_whole_numbers(const Binary& binary, const Type& result);

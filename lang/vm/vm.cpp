@@ -109,6 +109,8 @@ int_to_real:
   ROB_BY_CONSTANT(add_int_constant, add, integer);
   ROB_BY_CONSTANT(sub_int_constant, subtract, integer);
   ROB_BY_CONSTANT(mul_int_constant, multiply, integer);
+  ROB_BY_CONSTANT(div_int_constant, floor_divide, integer);
+  ROB_BY_CONSTANT(mod_int_constant, floor_modulo, integer);
   ROB_BY_CONSTANT(add_real_constant, add, real);
   ROB_BY_CONSTANT(sub_real_constant, subtract, real);
   ROB_BY_CONSTANT(mul_real_constant, multiply, real);
@@ -146,6 +148,36 @@ int_to_real:
   ROB_WITH_PRODUCT_REAL(add_product_real, add);
   ROB_WITH_PRODUCT_REAL(sub_product_real, subtract);
 
+// In a loop a result that goes through a register waits longer for it than for the sum: what is
+// used at once stays in the processor. A part that is not finite makes the sum so, too; two
+// products that are -0 make a -0, which store_finite() turns into 0.
+#define ROB_OF_PRODUCTS(name, operation)                                                           \
+  name:                                                                                            \
+  error = arithmetic::store_finite(                                                                \
+      n[pc->b()].real * n[pc->c()].real operation n[(pc + 1)->word].real * n[(pc + 2)->word].real, \
+      n[pc->a()].real);                                                                            \
+  if (error != ArithmeticError::None) [[unlikely]]                                                 \
+    goto failed_of_products;                                                                       \
+  ROB_NEXT(3)
+#define ROB_OF_THREE(name, first, second)                                                    \
+  name:                                                                                      \
+  error = arithmetic::store_sum(                                                             \
+      n[pc->b()].real first n[pc->c()].real second n[(pc + 1)->word].real, n[pc->a()].real); \
+  if (error != ArithmeticError::None) [[unlikely]] {                                         \
+    if (!std::isfinite(n[pc->b()].real first n[pc->c()].real)) goto failed_here;             \
+    goto failed_after;                                                                       \
+  }                                                                                          \
+  ROB_NEXT(2)
+
+  ROB_OF_PRODUCTS(add_products_real, +);
+  ROB_OF_PRODUCTS(sub_products_real, -);
+  ROB_OF_THREE(add_add_real, +, +);
+  ROB_OF_THREE(add_sub_real, +, -);
+  ROB_OF_THREE(sub_add_real, -, +);
+  ROB_OF_THREE(sub_sub_real, -, -);
+
+#undef ROB_OF_PRODUCTS
+#undef ROB_OF_THREE
 #undef ROB_WITH_PRODUCT_INT
 #undef ROB_WITH_PRODUCT_REAL
 
@@ -366,6 +398,11 @@ other_turn : {
 used_up:
   budget_.set_limit(limit);
   return Vm::leave(pc, pc, State::Running);
+failed_of_products:
+  if (!std::isfinite(n[pc->b()].real * n[pc->c()].real)) goto failed_here;
+  ++pc;
+  if (!std::isfinite(n[pc->word].real * n[(pc + 1)->word].real)) goto failed_here;
+  goto failed_after;
 failed_with_product:
   if (!std::isfinite(n[pc->c()].real * n[(pc + 1)->word].real)) goto failed_here;
 failed_after:

@@ -190,6 +190,42 @@ TEST_CASE("long texts are cut at characters of any length") {
   }
 }
 
+TEST_CASE("sums of two products, and of three terms, take one instruction") {
+  ProgramRun program(
+      "VAR a = 3.0\nVAR b = 5.0\nVAR c = 7.0\nVAR d = 11.0\nVAR i = -7\n"
+      "PRINT a * b + c * d, \" \", a * b - c * d, \" \", a + b + c, \" \", a + b - c, \" \","
+      " a - b + c, \" \", a - b - c, \" \", i DIV 2, \" \", i MOD 4\n");
+  const std::string listing = rob::lang::disassemble(program.chunk());
+  for (const char* name :
+       {"add_products_real", "sub_products_real", "add_add_real", "add_sub_real", "sub_add_real",
+        "sub_sub_real", "div_int_constant", "mod_int_constant"}) {
+    CAPTURE(name);
+    CHECK(listing.find(name) != std::string::npos);
+  }
+  CHECK(program.printed() == "92 -62 15 1 5 -9 -4 1");
+}
+
+TEST_CASE("a sum in one instruction fails at the part that fails, and is never -0") {
+  const std::string begin = "VAR a = 1e200\nVAR b = 1e200\nVAR c = 1.5e308\nVAR x = 1.0\n";
+  const auto column = [&](const std::string& line) {
+    ProgramRun program(begin + line);
+    CHECK(program.finish() == rob::lang::Vm::State::Failed);
+    CHECK(program.vm().error().place.line == 5);
+    return program.vm().error().place.column;
+  };
+  // The same where each operation is a statement's only one.
+  const int product = column("x = a * b\n");
+  const int sum = column("x = c + c\n");
+  CHECK(product == sum);
+  CHECK(column("x = a * b + x * x\n") == product);
+  CHECK(column("x = x * x + a * b\n") == product + 8);
+  CHECK(column("x = c * x + c * x\n") == product + 4);
+  CHECK(column("x = c + c - x\n") == sum);
+  CHECK(column("x = x + c + c\n") == sum + 4);
+  ProgramRun tiny("VAR a = 1e-200\nVAR b = -1e-200\nPRINT a * b + a * b, \" \", b * a - a * a\n");
+  CHECK(tiny.printed() == "0 0");
+}
+
 TEST_CASE("both indices of an element of an element are checked, the left one first") {
   const std::string begin = "VAR grid: ARRAY[2] OF ARRAY[5] OF INT\nVAR i, j = 2\n";
   const auto error = [&](const std::string& rest) {
