@@ -33,10 +33,12 @@ set(rob_lang_sources
   lang/compile/expression_compiler.cpp
   lang/compile/expression_conditions.cpp
   lang/compile/fixed_parts.cpp
+  lang/compile/joined_operations.cpp
   lang/compile/motion_compiler.cpp
   lang/compile/open_blocks.cpp
   lang/compile/operations.cpp
   lang/compile/statement_compiler.cpp
+  lang/compile/texts_in_place.cpp
   lang/compile/variables.cpp
   lang/compile/world_code.cpp
   lang/format/declared_names.cpp

@@ -60,14 +60,10 @@ void CodeBuilder::load_text(Register target, const std::string& text, Place plac
   emit(operand_word(tables_.text(text)), place);
 }
 
-void CodeBuilder::append_text(Register text, const std::string& more, Place place) {
-  emit(Opcode::append_constant, place, text);
-  emit(operand_word(tables_.text(more)), place);
-}
-
-void CodeBuilder::equal_text(Register truth, Register text, const std::string& other, Place place) {
-  emit(Opcode::equal_text_constant, place, truth, text);
-  emit(operand_word(tables_.text(other)), place);
+void CodeBuilder::with_text(Opcode op, unsigned a, unsigned b, const std::string& text,
+                            Place place) {
+  emit(op, place, a, b);
+  emit(operand_word(tables_.text(text)), place);
 }
 
 void CodeBuilder::teach(Register pose, const std::string& point, const std::string& frame,
@@ -76,11 +72,6 @@ void CodeBuilder::teach(Register pose, const std::string& point, const std::stri
   emit(Opcode::teach, place, pose);
   emit(operand_word(tables_.text(point)), place);
   emit(operand_word(tables_.text(frame)), place);
-}
-
-void CodeBuilder::fail_assertion(const std::string& condition, Place place) {
-  emit(Opcode::fail_assertion, place);
-  emit(operand_word(tables_.text(condition)), place);
 }
 
 void CodeBuilder::append_real(Register text, Register value, Dimension dimension, Place place) {
@@ -94,19 +85,15 @@ void CodeBuilder::append_value(Register text, Register first, const Type& type, 
   emit(operand_word(tables_.type(type)), place);
 }
 
-void CodeBuilder::append_memory(Register text, Register places, const Type& type, Place place) {
-  emit(Opcode::append_memory, place, text, places, static_cast<unsigned>(places + 1));
+void CodeBuilder::append_memory(Opcode opcode, Register text, Register places, const Type& type,
+                                Place place) {
+  emit(opcode, place, text, places, static_cast<unsigned>(places + 1));
   emit(operand_word(tables_.type(type)), place);
 }
 
 void CodeBuilder::append_row(Register text, Register row, const Type& element, Place place) {
   emit(Opcode::append_row, place, text, row);
   emit(operand_word(tables_.type(element)), place);
-}
-
-void CodeBuilder::append_csv(Register text, Register places, const Type& type, Place place) {
-  emit(Opcode::append_csv, place, text, places, static_cast<unsigned>(places + 1));
-  emit(operand_word(tables_.type(type)), place);
 }
 
 void CodeBuilder::read_rows(Register file, Register places, const Type& type, Place place) {
@@ -217,7 +204,7 @@ void CodeBuilder::set_distance(std::size_t at, std::size_t target) {
 
 void CodeBuilder::land(const Jumps& jumps) {
   for (const Jump jump : jumps) set_distance(jump, here());
-  after_element_ = 0;
+  last_element_.keep();
 }
 
 void CodeBuilder::loop(std::size_t target, Place place) {
@@ -234,25 +221,6 @@ void CodeBuilder::join_turns(std::size_t body, Register value) {
   if (!constant && (store.opcode() != Opcode::store_element || store.a() == value)) return;
   const Opcode fill = constant ? Opcode::fill_element_constant : Opcode::fill_element;
   store = Instruction::abc(fill, store.a(), store.b(), store.c());
-}
-
-void CodeBuilder::element(Register target, const ElementPlace& of, Place place) {
-  emit(Opcode::element, place, target, of.which, of.base);
-  emit(operand_word(of.offset), place);
-  emit(operand_word(of.count), place);
-  emit(operand_word(of.size), place);
-  after_element_ = here();
-}
-
-bool CodeBuilder::join_element(Opcode opcode, Register value, Register at, std::uint32_t offset) {
-  constexpr std::size_t kWords = 4;  // of an `element`
-  if (after_element_ == 0 || after_element_ != here()) return false;
-  Instruction& element = chunk_.code[here() - kWords];
-  if (element.a() != at) return false;
-  element = Instruction::abc(opcode, value, element.b(), element.c());
-  chunk_.code[here() - kWords + 1].word += offset;
-  after_element_ = 0;
-  return true;
 }
 
 void CodeBuilder::open_memory(Place place) {

@@ -11,6 +11,7 @@
 #include "lang/code/chunk.h"
 #include "lang/code/code_tables.h"
 #include "lang/code/frame_slots.h"
+#include "lang/code/last_element.h"
 
 namespace rob::lang {
 
@@ -40,15 +41,11 @@ class CodeBuilder {
   /// The index of a constant for an operand of 8 bits; none where it lies beyond them, or where
   /// the code is that of a watch, which has no such operands.
   std::optional<std::uint8_t> constant_operand(Slot value, std::uint64_t bits, Type type);
-  /// An ASSERT whose condition, as it was written, does not hold.
-  void fail_assertion(const std::string& condition, Place place);
   /// TEACH: a pose of the registers from `pose` on.
   void teach(Register pose, const std::string& point, const std::string& frame, Place place);
   void load_text(Register target, const std::string& text, Place place);
-  /// Appends what is known to a text.
-  void append_text(Register text, const std::string& more, Place place);
-  /// Whether a text is one that is known.
-  void equal_text(Register truth, Register text, const std::string& other, Place place);
+  /// An instruction with a text that is known.
+  void with_text(Opcode op, unsigned a, unsigned b, const std::string& text, Place place);
   void append_real(Register text, Register value, Dimension dimension, Place place);
   /// ASK for a value of a type.
   void ask(Register text, Register answer, const Type& type, Place place);
@@ -56,12 +53,11 @@ class CodeBuilder {
   void append_value(Register text, Register first, const Type& type, Place place);
   /// The elements of a row, each of that type.
   void append_row(Register text, Register row, const Type& element, Place place);
-  /// A value whose numbers and texts begin at the places in two registers.
-  void append_memory(Register text, Register places, const Type& type, Place place);
+  /// A value whose numbers and texts begin at the places in two registers: append_memory, or
+  /// append_csv for fields of CSV.
+  void append_memory(Opcode opcode, Register text, Register places, const Type& type, Place place);
   /// READ: a file into an array of records at these places.
   void read_rows(Register file, Register places, const Type& type, Place place);
-  /// The same as fields of CSV.
-  void append_csv(Register text, Register places, const Type& type, Place place);
   void move(Register first, const MoveForm& form, Place place);
   void via(Register first, const MoveForm& form, Place place);
   /// Clauses of motions: enter_defaults, set_defaults.
@@ -86,22 +82,7 @@ class CodeBuilder {
   /// is to store what never changes into the element of that number, many turns become one.
   void join_turns(std::size_t body, Register value);
 
-  /// Where an element lies, as the operands of `element` say.
-  struct ElementPlace {
-    Register which;
-    Register base;
-    std::uint32_t offset;
-    std::uint32_t count;
-    std::uint32_t size;
-  };
-  /// The place of an element, into a register.
-  void element(Register target, const ElementPlace& of, Place place);
-  /// Makes one instruction of the last one and what follows, if the last one is the element() of
-  /// register `at`, which nothing else reads: what lies so far after that place, from or into
-  /// `value`. Whether it was so.
-  bool join_element(Opcode opcode, Register value, Register at, std::uint32_t offset);
-  /// Something else reads the register of the last element(), too.
-  void keep_element() { after_element_ = 0; }
+  LastElement& last_element() { return last_element_; }
 
   /// The current frame has memory after its registers; how much turns out at its end.
   void open_memory(Place place);
@@ -186,7 +167,7 @@ class CodeBuilder {
   FrameSlots frame_{chunk_.code, limits_};
   std::vector<std::size_t> reserves_;  ///< `reserve` instructions of the current frame
   std::optional<OpenWatch> watch_;
-  std::size_t after_element_ = 0;  ///< where the last element() ends
+  LastElement last_element_{chunk_.code};
 };
 
 }  // namespace rob::lang

@@ -7,7 +7,9 @@
 #include "lang/check/fold.h"
 #include "lang/check/meaning.h"
 #include "lang/compile/call_layout.h"
+#include "lang/compile/joined_operations.h"
 #include "lang/compile/operations.h"
+#include "lang/compile/texts_in_place.h"
 #include "lang/values/pose_slots.h"
 
 namespace rob::lang {
@@ -175,7 +177,7 @@ void ExpressionCompiler::assign_register(const Expr& target, Register value) {
     store_element(Opcode::store_element, std::get<Index>(target.node), value, target.place);
   } else {
     const Location at = locate(target);
-    if (shared) code_.keep_element();
+    if (shared) code_.last_element().keep();
     variables_.store(at, target.type, value, target.place);
     variables_.publish_part(*root_of(target)->symbol, at, target.type, target.place);
   }
@@ -295,7 +297,7 @@ void ExpressionCompiler::append(const Expr& expression, Register text) {
     const Register places = frame_.number_registers(2);
     variables_.refer_both(locate(expression), expression.type, places, behind(places, 1),
                           expression.place);
-    code_.append_memory(text, places, expression.type, expression.place);
+    code_.append_memory(Opcode::append_memory, text, places, expression.type, expression.place);
   } else if (!expression.type.scalar()) {
     code_.append_value(text, operand(expression, false), expression.type, expression.place);
   } else {
@@ -351,7 +353,7 @@ void ExpressionCompiler::compile(const Unary& unary, const Expr& expression, Reg
 void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, Register target) {
   if (expression.type.is(Type::Kind::String)) {
     const Register left = operand_before(*binary.right, *binary.left, false);
-    if (left == target) return join(*binary.right, target, expression.place);
+    if (left == target) return append_term(code_, *this, *binary.right, target, expression.place);
     const Register right = operand(*binary.right, false);
     code_.emit(Opcode::join_text, expression.place, target, left, right);
     return;
@@ -360,10 +362,7 @@ void ExpressionCompiler::compile(const Binary& binary, const Expr& expression, R
   if (expression.type.is(Type::Kind::Vec) || expression.type.is(Type::Kind::Joints)) {
     return compile_on_vectors(binary, expression, target);
   }
-  if (compile_by_constant(binary, expression, target)) return;
-  if (compile_of_products(binary, expression, target)) return;
-  if (compile_with_product(binary, expression, target)) return;
-  if (compile_of_three(binary, expression, target)) return;
+  if (compile_joined(code_, variables_, *this, binary, expression, target)) return;
   // DIV of reals yields an INT from REAL operands.
   const bool whole = on_whole_numbers(binary, expression.type);
   const Register left = operand_before(*binary.right, *binary.left, !whole);
@@ -381,7 +380,7 @@ void ExpressionCompiler::compile(const Chain& chain, const Expr& expression, Reg
   for (const Chain::Step& step : chain.steps) {
     const auto mark = frame_.mark();
     if (text) {
-      join(*step.term, sum, step.place);
+      append_term(code_, *this, *step.term, sum, step.place);
       frame_.release(mark);
       continue;
     }
@@ -395,107 +394,6 @@ void ExpressionCompiler::compile(const Chain& chain, const Expr& expression, Reg
   }
   if (text) return code_.emit(Opcode::take_text, expression.place, target, sum);
   variables_.copy_registers(target, sum, 1, expression.place);
-}
-
-/// A term of a sum of texts, added to the text in a register.
-void ExpressionCompiler::join(const Expr& term, Register sum, Place place) {
-  if (const auto* const text = std::get_if<std::string>(&term.constant)) {
-    return code_.append_text(sum, *text, place);
-  }
-  const auto* const call = std::get_if<Call>(&term.node);
-  const bool str = call != nullptr && call->routine == nullptr && call->record == nullptr &&
-                   find_builtin(*call)->rule == BuiltinRule::AnyToText;
-  if (str && call->arguments.front()->type.scalar()) {
-    const Expr& value = *call->arguments.front();
-    return append_register(code_, operand(value, false), value.type, false, sum, place);
-  }
-  code_.emit(Opcode::join_text, place, sum, sum, operand(term, false));
-}
-
-/// An operation with a constant, where there is one: what is on its left may stand on its right
-/// where the order is no matter.
-bool ExpressionCompiler::compile_by_constant(const Binary& binary, const Expr& expression,
-                                             Register target) {
-  const bool whole = on_whole_numbers(binary, expression.type);
-  const std::optional<Opcode> op = constant_opcode(binary.op, whole);
-  if (!op) return false;
-  const bool exchanged = known(binary.left->constant);
-  if (exchanged && binary.op != BinaryOp::Add && binary.op != BinaryOp::Multiply) return false;
-  const Expr& variable = exchanged ? *binary.right : *binary.left;
-  const auto constant = constant_operand(code_, exchanged ? *binary.left : *binary.right, !whole);
-  if (!constant) return false;
-  code_.emit(*op, expression.place, target, operand(variable, !whole), *constant);
-  return true;
-}
-
-/// The term that is added to a product on its left is read after it, so it must be there already:
-/// one that could fail would have to wait for the product.
-bool ExpressionCompiler::compile_with_product(const Binary& binary, const Expr& expression,
-                                              Register target) {
-  if (variables_.watching() || (binary.op != BinaryOp::Add && binary.op != BinaryOp::Subtract))
-    return false;
-  const bool whole = on_whole_numbers(binary, expression.type);
-  const Expr* factors = binary.right.get();
-  const Binary* product = product_in(*factors, whole);
-  const bool exchanged = product == nullptr;
-  if (exchanged) {
-    const bool whole_right = binary.right->type == Type::integer();
-    factors = binary.left.get();
-    product = product_in(*factors, whole);
-    if (product == nullptr || binary.op != BinaryOp::Add || whole_right != whole ||
-        !variables_.stays_in_register(*binary.right)) {
-      return false;
-    }
-  }
-  Register term = exchanged ? 0 : operand_before(*factors, *binary.left, !whole);
-  const Register first = operand_before(*product->right, *product->left, !whole);
-  const Register second = operand(*product->right, !whole);
-  if (exchanged) term = operand(*binary.right, !whole);
-  code_.emit(product_opcode(binary.op, whole), factors->place, target, term, first);
-  code_.emit(Instruction{second}, expression.place);
-  return true;
-}
-
-/// The sum of two products, or their difference. The right one is computed with the sum, so nothing
-/// of it may fail before.
-bool ExpressionCompiler::compile_of_products(const Binary& binary, const Expr& expression,
-                                             Register target) {
-  if (variables_.watching() || (binary.op != BinaryOp::Add && binary.op != BinaryOp::Subtract))
-    return false;
-  const Binary* const left = product_in(*binary.left, false);
-  const Binary* const right = product_in(*binary.right, false);
-  if (left == nullptr || right == nullptr || !variables_.stays_in_register(*right->left) ||
-      !variables_.stays_in_register(*right->right)) {
-    return false;
-  }
-  const Register first = operand_before(*left->right, *left->left, true);
-  const Register second = operand(*left->right, true);
-  const Register third = operand(*right->left, true);
-  const Register fourth = operand(*right->right, true);
-  code_.emit(binary.op == BinaryOp::Add ? Opcode::add_products_real : Opcode::sub_products_real,
-             binary.left->place, target, first, second);
-  code_.emit(Instruction{third}, binary.right->place);
-  code_.emit(Instruction{fourth}, expression.place);
-  return true;
-}
-
-/// a + b - c of REALs. The last one is added with the others, so nothing of it may fail before.
-bool ExpressionCompiler::compile_of_three(const Binary& binary, const Expr& expression,
-                                          Register target) {
-  const auto* const left = std::get_if<Binary>(&binary.left->node);
-  const auto sums = [](BinaryOp op) { return op == BinaryOp::Add || op == BinaryOp::Subtract; };
-  if (variables_.watching() || left == nullptr || !sums(binary.op) || !sums(left->op)) return false;
-  if (known(binary.left->constant) || known(left->left->constant) || known(left->right->constant) ||
-      on_whole_numbers(*left, binary.left->type) || on_whole_numbers(binary, expression.type) ||
-      product_in(*left->left, false) != nullptr || product_in(*left->right, false) != nullptr ||
-      binary.right->type == Type::integer() || !variables_.stays_in_register(*binary.right)) {
-    return false;
-  }
-  const Register first = operand_before(*left->right, *left->left, true);
-  const Register second = operand(*left->right, true);
-  code_.emit(sum_opcode(left->op, binary.op), binary.left->place, target, first, second);
-  code_.emit(Instruction{operand(*binary.right, true)}, expression.place);
-  return true;
 }
 
 /// VEC + VEC, VEC - VEC, number * VEC, VEC * number, VEC / number; the same of JOINTS. The number
@@ -647,7 +545,7 @@ void ExpressionCompiler::compile(const Call& call, const Expr& expression, Regis
                             row(*call.arguments.front()), target, expression.place);
   }
   if (builtin.rule == BuiltinRule::Random) return draw(call, expression, target);
-  if (look_into_text(builtin, call, target, expression.place)) return;
+  if (look_into_text(code_, *this, builtin, call, target, expression.place)) return;
   if (builtin.rule == BuiltinRule::Texts) return call_on_texts(builtin, call, expression, target);
   call_on_numbers(builtin, call, expression, target);
 }
@@ -665,7 +563,7 @@ void ExpressionCompiler::compile_csv(const Call& call, Register target, Place pl
     }
     const Register places = frame_.number_registers(2);
     variables_.refer_both(locate(*argument), argument->type, places, behind(places, 1), place);
-    code_.append_csv(text, places, argument->type, place);
+    code_.append_memory(Opcode::append_csv, text, places, argument->type, place);
     frame_.release(mark);
   }
   code_.emit(Opcode::take_text, place, target, text);
@@ -748,29 +646,6 @@ void ExpressionCompiler::draw(const Call& call, const Expr& expression, Register
   into(*call.arguments[1], static_cast<Register>(bounds + 1), !whole);
   code_.emit(whole ? Opcode::random_int : Opcode::random_real, expression.place, bounds);
   code_.emit(Opcode::copy, expression.place, target, bounds);
-}
-
-/// LEN, FIND and MID of a text: they read it where it lies. False if it is another function.
-bool ExpressionCompiler::look_into_text(const Builtin& builtin, const Call& call, Register target,
-                                        Place place) {
-  if (builtin.rule != BuiltinRule::Texts) return false;
-  const auto argument = [&](std::size_t i) -> const Expr& { return *call.arguments[i]; };
-  if (builtin.name == "LEN") {
-    code_.emit(Opcode::text_length, place, target, operand(argument(0), false));
-  } else if (builtin.name == "FIND") {
-    const Register text = operand_before(argument(1), argument(0), false);
-    code_.emit(Opcode::text_find, place, target, text, operand(argument(1), false));
-  } else if (builtin.name == "MID") {
-    const Expr& caller = calls_routine(argument(1)) ? argument(1) : argument(2);
-    const Register text = operand_before(caller, argument(0), false);
-    const Register range = frame_.number_registers(2);
-    into(argument(1), range, false);
-    into(argument(2), behind(range, 1), false);
-    code_.emit(Opcode::text_middle, place, target, text, range);
-  } else {
-    return false;
-  }
-  return true;
 }
 
 /// Numbers and texts lie apart, each in order; the result takes the place of the first of its kind.
@@ -929,7 +804,7 @@ void ExpressionCompiler::load_element(const Index& index, Register target, Place
   const auto mark = frame_.mark();
   const SlotsAt whole = locate(*index.object).numbers;
   const Register which = operand(*index.index, false);
-  if (code_.join_element(Opcode::load_cell, target, whole.place, whole.offset)) {
+  if (code_.last_element().join(Opcode::load_cell, target, whole.place, whole.offset)) {
     code_.emit(number_word(which), place);
   } else {
     code_.emit(Opcode::load_element, place, target, which, whole.place);
@@ -944,7 +819,7 @@ void ExpressionCompiler::store_element(Opcode opcode, const Index& index, std::u
   const SlotsAt whole = locate(*index.object).numbers;
   const Register which = operand(*index.index, false);
   if (opcode == Opcode::store_element &&
-      code_.join_element(Opcode::store_cell, value, whole.place, whole.offset)) {
+      code_.last_element().join(Opcode::store_cell, value, whole.place, whole.offset)) {
     code_.emit(number_word(which), place);
   } else {
     code_.emit(opcode, place, value, which, whole.place);

@@ -8,6 +8,7 @@
 #include "lang/check/symbols.h"
 #include "lang/code/code_builder.h"
 #include "lang/code/location.h"
+#include "lang/compile/operand_code.h"
 #include "lang/compile/variables.h"
 #include "lang/compile/world_code.h"
 #include "lang/syntax/ast.h"
@@ -20,7 +21,7 @@ namespace rob::lang {
 ///
 /// into() overwrites nothing of its target before all operands have been read, so a variable can be
 /// computed from itself in place.
-class ExpressionCompiler {
+class ExpressionCompiler : private OperandCode {
  public:
   ExpressionCompiler(CodeBuilder& code, Variables& variables, WorldCode& world)
       : code_(code), frame_(code.frame()), variables_(variables), world_(world) {}
@@ -75,11 +76,11 @@ class ExpressionCompiler {
   void begin_place(const Expr& target);
 
   // Values
-  void into(const Expr& expression, Register target, bool as_real);
+  void into(const Expr& expression, Register target, bool as_real) override;
   void into_as_it_is(const Expr& expression, Register target, bool as_real);
-  Register operand(const Expr& expression, bool as_real);
+  Register operand(const Expr& expression, bool as_real) override;
   /// The same where `then` is computed before the value is used: what that changes is no matter.
-  Register operand_before(const Expr& then, const Expr& expression, bool as_real);
+  Register operand_before(const Expr& then, const Expr& expression, bool as_real) override;
   void append(const Expr& expression, Register text);
   void compile(const Name& name, const Expr& expression, Register target);
   void compile_truth(const Expr& expression, Register target);
@@ -88,12 +89,6 @@ class ExpressionCompiler {
   void compile(const Unary& unary, const Expr& expression, Register target);
   void compile(const Binary& binary, const Expr& expression, Register target);
   void compile(const Chain& chain, const Expr& expression, Register target);
-  bool compile_by_constant(const Binary& binary, const Expr& expression, Register target);
-  /// A sum or difference with a product in one instruction; false if it is no such thing.
-  bool compile_of_products(const Binary& binary, const Expr& expression, Register target);
-  bool compile_of_three(const Binary& binary, const Expr& expression, Register target);
-  void join(const Expr& term, Register sum, Place place);
-  bool compile_with_product(const Binary& binary, const Expr& expression, Register target);
   void compile_on_vectors(const Binary& binary, const Expr& expression, Register target);
   void compile_on_poses(const Binary& binary, const Expr& expression, Register target);
 
@@ -108,7 +103,6 @@ class ExpressionCompiler {
   void compile(const Call& call, const Expr& expression, Register target);
   void call_on_numbers(const Builtin& builtin, const Call& call, const Expr& expression,
                        Register target);
-  bool look_into_text(const Builtin& builtin, const Call& call, Register target, Place place);
   void call_on_texts(const Builtin& builtin, const Call& call, const Expr& expression,
                      Register target);
   void call_procedure(const Call& call, Place place);
@@ -123,7 +117,6 @@ class ExpressionCompiler {
 
   // Conditions (expression_conditions.cpp)
   CodeBuilder::Jumps jumps(const Expr& condition, bool when);
-  CodeBuilder::Jumps jumps_of_texts(const Binary& binary, bool when, Place place);
   CodeBuilder::Jumps jumps_of_logical(const Binary& binary, bool when);
   CodeBuilder::Jumps jumps_of_comparison(const Binary& binary, bool when, Place place);
   CodeBuilder::Jumps jumps_of_compounds(const Binary& binary, bool when, Place place);

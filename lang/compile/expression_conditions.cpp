@@ -6,6 +6,7 @@
 #include "lang/compile/expression_compiler.h"
 #include "lang/compile/fixed_parts.h"
 #include "lang/compile/operations.h"
+#include "lang/compile/texts_in_place.h"
 
 /// Member functions of ExpressionCompiler for conditions, which become jumps. AND and OR decide as
 /// soon as one side settles the matter.
@@ -73,7 +74,7 @@ CodeBuilder::Jumps ExpressionCompiler::jumps(const Expr& condition, bool when) {
   } else if (binary->op == BinaryOp::And || binary->op == BinaryOp::Or) {
     result = jumps_of_logical(*binary, when);
   } else if (binary->left->type.text()) {
-    result = jumps_of_texts(*binary, when, condition.place);
+    result = jumps_of_texts(code_, *this, *binary, when, condition.place);
   } else if (!binary->left->type.scalar()) {
     result = jumps_of_compounds(*binary, when, condition.place);
   } else {
@@ -81,21 +82,6 @@ CodeBuilder::Jumps ExpressionCompiler::jumps(const Expr& condition, bool when) {
   }
   frame_.release(mark);
   return result;
-}
-
-CodeBuilder::Jumps ExpressionCompiler::jumps_of_texts(const Binary& binary, bool when,
-                                                      Place place) {
-  if (binary.op == BinaryOp::Equal || binary.op == BinaryOp::NotEqual) {
-    const bool exchanged = known(binary.left->constant);
-    const Expr& constant = exchanged ? *binary.left : *binary.right;
-    if (const auto* const text = std::get_if<std::string>(&constant.constant)) {
-      const Register variable = operand(exchanged ? *binary.right : *binary.left, false);
-      return {compare_known_text(code_, binary.op, variable, *text, when, place)};
-    }
-  }
-  const Register left = operand_before(*binary.right, *binary.left, false);
-  const Register right = operand(*binary.right, false);
-  return compare_texts(code_, binary.op, left, right, when, place);
 }
 
 CodeBuilder::Jumps ExpressionCompiler::jumps_of_logical(const Binary& binary, bool when) {

@@ -263,7 +263,7 @@ CodeBuilder::Jump compare_known_text(CodeBuilder& code, BinaryOp op, Register te
                                      const std::string& other, bool when, Place place) {
   const auto mark = code.frame().mark();
   const Register truth = code.frame().number_registers();
-  code.equal_text(truth, text, other, place);
+  code.with_text(Opcode::equal_text_constant, truth, text, other, place);
   code.frame().release(mark);
   return jump_if(code, truth, when == (op == BinaryOp::Equal), place);
 }

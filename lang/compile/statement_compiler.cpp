@@ -313,7 +313,7 @@ void StatementCompiler::compile(const Ask& ask) {
 void StatementCompiler::compile(const Assert& assertion) {
   const Place place = place_;
   const CodeBuilder::Jumps holds = expressions_.jumps_if(*assertion.condition, true);
-  code_.fail_assertion(assertion.text, place);
+  code_.with_text(Opcode::fail_assertion, 0, 0, assertion.text, place);
   code_.land(holds);
 }
 

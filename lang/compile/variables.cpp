@@ -167,10 +167,11 @@ SlotsAt Variables::element_at(SlotsAt whole, bool text, Register which, std::int
     refer(whole, text, at, place);
     whole = {Base::Place, 0, at};
   }
-  code_.element(at,
-                {which, whole.place, whole.offset, static_cast<std::uint32_t>(count),
-                 static_cast<std::uint32_t>(size)},
-                place);
+  code_.emit(Opcode::element, place, at, which, whole.place);
+  code_.emit(operand_word(whole.offset), place);
+  code_.emit(operand_word(static_cast<std::uint32_t>(count)), place);
+  code_.emit(operand_word(static_cast<std::uint32_t>(size)), place);
+  code_.last_element().ends();
   return {Base::Place, 0, at};
 }
 
@@ -257,13 +258,13 @@ void Variables::store_numbers(SlotsAt to, Register value, int count, Place place
 }
 
 void Variables::load_slot(SlotsAt from, Register target, Place place) {
-  if (code_.join_element(Opcode::load_field, target, from.place, from.offset)) return;
+  if (code_.last_element().join(Opcode::load_field, target, from.place, from.offset)) return;
   code_.emit(Opcode::load_slot, place, target, from.place);
   code_.emit(operand_word(from.offset), place);
 }
 
 void Variables::store_slot(SlotsAt to, Register value, Place place) {
-  if (code_.join_element(Opcode::store_field, value, to.place, to.offset)) return;
+  if (code_.last_element().join(Opcode::store_field, value, to.place, to.offset)) return;
   code_.emit(Opcode::store_slot, place, value, to.place);
   code_.emit(operand_word(to.offset), place);
 }
