@@ -53,7 +53,7 @@ ExitCode carry_out(const Options& options) {
     case Options::Command::Explain:
       return explain(options.word);
     case Options::Command::Robots:
-      return list_robots();
+      return list_robots(options.files);
     case Options::Command::ImportRobot:
       return import_files(options.importing);
     case Options::Command::Ports:

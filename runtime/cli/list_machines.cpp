@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
+#include "base/split_mix.h"
 #include "drivers/serial/port_list.h"
 #include "motion/plan/capability.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/run/console.h"
 #include "runtime/run/load.h"
+#include "runtime/words/path_words.h"
 #include "runtime/words/units.h"
 
 namespace rob::runtime {
@@ -36,6 +39,36 @@ std::string describe(const motion::RobotModel& robot) {
   return text + fmt::format("    {} under {}; simulated\n", motions, laws);
 }
 
+/// mm: the greatest distance of the flange from the origin of the base that was found. [choice]
+/// 20,000 postures, the same each time, come within some percent.
+double reach_of(const motion::RobotModel& robot) {
+  constexpr int kPostures = 20000;
+  SplitMix random(1);
+  double reach = 0;
+  motion::JointVector q(robot.axis_count());
+  for (int i = 0; i < kPostures; ++i) {
+    for (int axis = 0; axis < robot.axis_count(); ++axis) {
+      const motion::Axis& of = axis_of(robot, axis);
+      q[axis] = of.min + (of.max - of.min) * random.share();
+    }
+    reach = std::max(reach, robot.kinematics->forward(q).position.norm());
+  }
+  return reach * kMillimetresPerMetre;
+}
+
+std::string describe_more(const motion::RobotModel& robot) {
+  constexpr double kNearStart = 0.1;  // rad [choice] as messages about paths
+  std::string text = fmt::format("    starts at {}\n", axes_text(robot, robot.start));
+  text += fmt::format("    its flange gets up to {:.0f} mm from the origin of its base\n",
+                      reach_of(robot));
+  const motion::SingularPlace place =
+      robot.kinematics->nearest_singularity(robot.start, kNearStart);
+  if (place != motion::SingularPlace::None)
+    text += fmt::format("    its start is near a singular posture: {}; choose another start\n",
+                        words_for(place));
+  return text;
+}
+
 }  // namespace
 
 ExitCode list_ports() {
@@ -49,7 +82,12 @@ ExitCode list_ports() {
   return ExitCode::Done;
 }
 
-ExitCode list_robots() {
+ExitCode list_robots(const std::vector<std::string>& asked) {
+  for (const std::string& name : asked) {
+    const motion::RobotModel robot = load_robot(name);
+    put_result(describe(robot) + describe_more(robot));
+  }
+  if (!asked.empty()) return ExitCode::Done;
   for (const motion::EmbeddedRobot& robot : motion::embedded_robots()) {
     put_result(describe(load_robot(std::string(robot.name))));
   }

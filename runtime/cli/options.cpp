@@ -243,9 +243,10 @@ void Parser::add_others() {
   vars.add_option("--reset", options.reset, "take the value of this variable out")
       ->check(check_name);
 
-  app.add_subcommand("robots", "the robots known, and what each can do")->callback([this] {
-    options.command = Options::Command::Robots;
-  });
+  CLI::App& robots = *app.add_subcommand("robots", "the robots known, and what each can do");
+  robots.callback([this] { options.command = Options::Command::Robots; });
+  robots.add_option("ROBOT", options.files, "robots' names or files: only these, and more of them")
+      ->check(check_name);
   app.add_subcommand("ports", "the serial ports, and whether they are free")->callback([this] {
     options.command = Options::Command::Ports;
   });

@@ -296,6 +296,19 @@ class ArmFinder {
 
 }  // namespace
 
+bool ImportedArm::keeps_upright() const {
+  constexpr int kOfScara = 4;
+  if (chain != kOfScara) return false;
+  constexpr double kLevel = 1e-6;  // [choice] as exactly as URDFs are written
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  for (std::size_t i = 0; i < chain; ++i) {
+    turn = turn * axes[i].place.orientation;
+    if (1 - std::abs((turn * Eigen::Vector3d::UnitZ()).z()) > kLevel) return false;
+  }
+  turn = turn * flange.orientation;
+  return 1 - std::abs((turn * Eigen::Vector3d::UnitZ()).z()) < kLevel;
+}
+
 ImportedArm find_arm(const Urdf& urdf, const ArmChoice& choice, const std::string& file) {
   return ArmFinder(urdf, choice, file).find();
 }

@@ -47,6 +47,8 @@ struct ImportedArm {
   std::vector<std::string> left_out;  ///< "finger_joint (mimic)": joints that are no axes
 
   bool has_gripper() const { return axes.size() > chain; }
+  /// Four axes that turn the tool about the upright alone, as those of a SCARA.
+  bool keeps_upright() const;
   const ImportedAxis& last() const { return axes[chain - 1]; }
 };
 

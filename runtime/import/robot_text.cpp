@@ -126,6 +126,7 @@ std::string head_text(const ImportedArm& arm, std::string_view source) {
     text += fmt::format("# Joint {} is left out: it is no axis here.\n", lang::visible(joint));
   text += fmt::format("\nname = \"{}\"\ndescription = {}\nkinematics = \"chain\"\n", arm.name,
                       toml_text(fmt::format("{} axes, imported from {}", arm.axes.size(), source)));
+  if (arm.keeps_upright()) text += "free = \"ab\"  # its tool always points the same way\n";
   return text +
          "law = \"lookahead\"\n"
          "reference_period = \"4 ms\"  # [choice]\n"

@@ -167,6 +167,8 @@ Urdf read_urdf(const std::string& text, const std::string& file) {
     urdf.links.push_back(std::move(link));
   }
   for (const auto& [name, from] : model->joints_) urdf.joints.push_back(joint_of(*from));
+  // Links in a circle would hold each other for ever.
+  for (const auto& [name, from] : model->links_) from->child_links.clear();
   check_tree(urdf, file);
   return urdf;
 }

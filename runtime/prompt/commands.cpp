@@ -101,7 +101,7 @@ std::string take_word(std::string_view& line) {
   return word;
 }
 
-/// What is behind the plain words begins after one blank.
+/// The rest after the plain words begins after one blank.
 Command::Words words_of(std::string_view line, std::size_t plain) {
   Command::Words words;
   while (words.size() < plain) {
@@ -114,7 +114,7 @@ Command::Words words_of(std::string_view line, std::size_t plain) {
   return words;
 }
 
-/// What stands after the colon; for an unknown word the nearest name is proposed.
+/// The word after the colon; for an unknown word the nearest name is proposed.
 void carry_out_command(Session& session, std::string_view line) {
   std::string name = take_word(line);
   if (name.empty() || name == "?") name = "help";

@@ -16,7 +16,7 @@ std::span<const Command> commands();
 bool is_command(std::string_view line);
 
 /// What was typed: a statement, a block, a colon command, or an answer; a line at least. `last`: no
-/// more lines will come. What goes wrong is reported by the session.
+/// more lines will come. The session reports what goes wrong.
 Session::Taken enter(Session& session, const std::string& text, bool last = false);
 
 }  // namespace rob::runtime

@@ -231,7 +231,7 @@ void add_values(Choice& choice, const Vocabulary& known) {
   }
 }
 
-/// Behind a value: what a motion may have behind its target, elsewhere what joins values or goes on
+/// After a value: what a motion may have after its target, elsewhere what joins values or goes on
 /// with the statement.
 void add_followers(Choice& choice, bool motion) {
   if (motion) {
@@ -282,7 +282,7 @@ bool in_text(std::string_view before) {
   return open;
 }
 
-/// Where the name behind USE begins.
+/// Where the name after USE begins.
 std::optional<std::size_t> begin_of_used(std::string_view before) {
   const std::size_t name = begin_of_last(before, lang::in_word);
   const std::string_view line = before.substr(0, name);

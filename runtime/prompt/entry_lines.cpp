@@ -28,7 +28,7 @@ bool closes_block(std::string_view first) {
          lang::same_word(first.substr(0, kEnd.size()), kEnd);
 }
 
-/// What a line holds outside of texts and comments.
+/// The part of a line outside of texts and comments.
 struct Shape {
   std::string_view first;  ///< word, with which the line begins; empty if it does not
   std::string_view last;   ///< word, with which the line ends; the same

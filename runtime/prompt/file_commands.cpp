@@ -68,7 +68,7 @@ void save_as(Session& session, const Words& words, bool replace) {
       fmt::format("saved '{}', {} lines\n", file, session.workshop().program.size()));
 }
 
-/// The version that was named; none, and that is told, if the program has no such one.
+/// The version that was named; none, and that is reported, if the program has no such one.
 std::optional<std::string> named_version(Session& session, const Words& words) {
   const ProgramFile& file = session.workshop().file;
   const auto number =

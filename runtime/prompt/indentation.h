@@ -9,7 +9,7 @@ namespace rob::runtime {
 /// line that opens a block.
 std::string indent_after(std::string_view block);
 
-/// A line that was typed behind `indent`: the end of a block, or its next part, stands two blanks
+/// A line that was typed after `indent`: the end of a block, or its next part, stands two blanks
 /// further left, and blanks that were typed count alone.
 std::string laid_out(std::string_view line, std::string_view indent);
 

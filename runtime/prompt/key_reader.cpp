@@ -10,7 +10,7 @@ namespace {
 
 constexpr char kEsc = '\x1b';
 
-/// Numbers of a sequence: "97;1:3" has 97, 1 and, behind the colon, 3.
+/// Numbers of a sequence: "97;1:3" has 97, 1 and, after the colon, 3.
 struct Numbers {
   int first = 1;
   int event = 1;
@@ -55,7 +55,7 @@ std::optional<Key> key_of_letter(char final) {
   }
 }
 
-/// Of a character in UTF-8, by its first byte.
+/// The length of a character in UTF-8, by its first byte.
 std::size_t length_of(unsigned char first) {
   if (first < 0xC0) return 1;
   if (first < 0xE0) return 2;

@@ -32,7 +32,7 @@ struct Key {
 
 /// Makes keys of the bytes that a terminal sends: plain ones, the sequences of xterm, and the
 /// reports of the kitty keyboard protocol (https://sw.kovidgoyal.net/kitty/keyboard-protocol),
-/// which tell releases, too. What it does not know it passes over.
+/// which report releases, too. It passes over sequences that it does not know.
 class KeyReader {
  public:
   void feed(std::string_view bytes) { bytes_ += bytes; }
@@ -52,10 +52,10 @@ class KeyReader {
   bool answered_ = false;
 };
 
-/// What asks whether the terminal speaks the protocol: flags, then its attributes, which every
+/// The question whether the terminal speaks the protocol: flags, then its attributes, which every
 /// terminal answers.
 inline constexpr std::string_view kAskKeyboard = "\x1b[?u\x1b[c";
-/// Escape codes unambiguous, events told, all keys as escape codes (1 + 2 + 8); and back.
+/// Escape codes unambiguous, events reported, all keys as escape codes (1 + 2 + 8); and back.
 inline constexpr std::string_view kTellReleases = "\x1b[>11u";
 inline constexpr std::string_view kTellNoReleases = "\x1b[<u";
 

@@ -87,7 +87,7 @@ void bind(rl_command_func_t* enter, rl_command_func_t* paste) {
   }
 }
 
-/// What the terminal has marked as pasted; it comes without a pause.
+/// Text that the terminal has marked as pasted; it comes without a pause.
 std::string read_paste() {
   std::string text;
   for (int key = rl_read_key(); key >= 0; key = rl_read_key()) {

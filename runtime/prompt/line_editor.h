@@ -14,7 +14,7 @@ namespace rob::runtime {
 /// own while it lives.
 class LineEditor {
  public:
-  /// Of what stands left of the cursor.
+  /// The width of the text left of the cursor.
   using Completer = std::function<Completions(std::string_view before)>;
 
   /// `history`: where lines are kept from one start to the next; empty: nowhere.
@@ -23,7 +23,7 @@ class LineEditor {
   LineEditor(const LineEditor&) = delete;
   LineEditor& operator=(const LineEditor&) = delete;
 
-  /// A new line, behind the prompt; `indent` and `text` stand in it already.
+  /// A new line, after the prompt; `indent` and `text` stand in it already.
   void begin(const std::string& prompt, const std::string& indent = "",
              const std::string& text = "");
   /// Of the line under way; what has been typed and the cursor stay.

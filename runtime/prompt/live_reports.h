@@ -9,7 +9,7 @@
 
 namespace rob::runtime {
 
-/// Takes what motion tells of a robot at a prompt, and puts it into words as it comes.
+/// Takes what motion reports of a robot at a prompt, and puts it into words as it comes.
 class LiveReports {
  public:
   /// All are called from drain(), in motion order; each may be empty.
@@ -19,7 +19,7 @@ class LiveReports {
     std::function<void(const Note& note)> consult;       ///< HALT, ASK, the answer
     std::function<void(int line, const Words& words)> fault;
     std::function<void(const Snapshot& snapshot)> snapshot;
-    /// What goes to files and devices; s of the run.
+    /// Lines for files and devices; s of the run.
     std::function<void(const Note& note, double time)> keep;
     std::function<void()> drained;
     /// A program has ended, and something of it could not be kept.
@@ -30,7 +30,7 @@ class LiveReports {
       : controller_(controller), listener_(std::move(listener)) {}
 
   void drain();
-  /// Of the last cycle; none before the first.
+  /// The state of the last cycle; none before the first.
   const std::optional<Snapshot>& last() const { return last_; }
   /// As the last cycle says.
   bool moves() const;
@@ -64,7 +64,7 @@ class LiveReports {
   std::optional<JogStopped> jog_stopped_;  ///< and the axes still stand there
   int line_ = 0;
   bool jogging_ = false;  ///< that a jog ends is no news
-  bool failed_ = false;   ///< where the robot comes to rest is still to be told
+  bool failed_ = false;   ///< where the robot comes to rest must still be reported
 };
 
 }  // namespace rob::runtime

@@ -201,7 +201,7 @@ void LiveRobot::reset() {
   begin(open_again());
 }
 
-/// What cannot be opened is told as a fault, and can be tried again.
+/// A machine that cannot be opened is reported as a fault, and can be tried again.
 OpenMachine LiveRobot::open_again() try {
   const motion::JointVector start = robot_.start;
   robot_ = asked_;  // without what the machine has made of it

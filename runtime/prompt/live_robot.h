@@ -31,7 +31,7 @@ struct LiveOptions {
   std::string trace;               ///< empty: none
   BackendName backend;             ///< what moves
   bool home = false;               ///< it homes itself first
-  /// What signals of the system ask for. Null: nothing.
+  /// The wish of signals of the system. Null: nothing.
   const StopRequests* requests = nullptr;
 };
 
@@ -70,7 +70,7 @@ class LiveRobot {
   bool held() const;
   /// Where TEACH keeps points; null: nowhere.
   PointsFile* points() { return points_ ? &*points_ : nullptr; }
-  /// From where it stands, held or idle: by one motion. It is told when it stands there.
+  /// From where it stands, held or idle: by one motion. A message comes when it stands there.
   void go_back();
   bool going_back() const { return channels().way_back.under_way.load(std::memory_order_acquire); }
   /// Brakes on the path and drops all that was commanded.

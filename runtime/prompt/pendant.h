@@ -16,14 +16,14 @@ namespace rob::runtime {
 /// The terminal as a pendant: what its keys do to the robot of a session. Whoever reads the keys
 /// hands them in, in the order in which they were pressed, and draws what view() shows.
 ///
-/// Where the terminal tells releases, a key that is held is the dead-man; else a key is a step, or
+/// Where the terminal reports releases, a key that is held is the dead-man; else a key is a step, or
 /// a pulse that its repeats prolong and that any other key ends. Never more than one step is
 /// pending.
 class Pendant {
  public:
   enum class Style : unsigned char { Hold, Step, Pulse };
 
-  /// `releases`: the terminal tells them. `session` must outlive it, and `dead_man` the robot.
+  /// `releases`: the terminal reports them. `session` must outlive it, and `dead_man` the robot.
   Pendant(Session& session, DeadMan& dead_man, bool releases);
 
   void press(const Key& key);
@@ -57,7 +57,7 @@ class Pendant {
   bool has(lang::JogFrame frame) const;
   /// It has a digital output of this name, and it can be set now.
   bool can_set(std::string_view output) const;
-  /// Of the outputs that have a key.
+  /// The number of outputs that have a key.
   int outputs() const;
   bool slowest() const { return speed_ == 0; }
   bool fastest() const;
@@ -94,7 +94,7 @@ class Pendant {
   std::size_t speed_ = 3;
   std::size_t step_ = 1;
   std::optional<Way> active_;          ///< that the robot makes
-  std::optional<Way> pending_;         ///< behind it
+  std::optional<Way> pending_;         ///< after it
   std::optional<std::string> naming_;  ///< what has been typed of a point's name
   bool choosing_output_ = false;
   bool over_ = false;

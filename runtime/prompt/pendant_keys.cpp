@@ -33,7 +33,7 @@ void add_frame_keys(const Pendant& pendant, Keys& keys) {
   if (!others.empty()) keys.push_back(others);
 }
 
-/// Of two keys for less and more, those that still change something.
+/// Two keys for less and more: those that still change something.
 void add_pair(char less, bool least, char more, bool most, const char* what, Keys& keys) {
   keys.push_back(least  ? fmt::format("{} {}", more, what)
                  : most ? fmt::format("{} {}", less, what)

@@ -27,7 +27,7 @@ class KeptScreen final : public Screen {
   void result(std::string_view text) override { keep(text); }
   void message(std::string_view text) override { keep(text); }
   const std::string& last() const { return last_; }
-  /// What was said where the robot stood is over when it moves on.
+  /// The message from where the robot stood is over when it moves on.
   void forget_behind(const motion::JointVector& place) {
     constexpr double kAway = 1e-3;  // m or rad [choice]
     if (std::exchange(news_, false)) said_at_ = place;
@@ -51,7 +51,7 @@ class KeptScreen final : public Screen {
   bool news_ = false;
 };
 
-/// Whether the terminal tells releases, as it answers; what has been typed meanwhile is kept.
+/// Whether the terminal reports releases, as it answers; what has been typed meanwhile is kept.
 bool ask_for_releases(RawTerminal& terminal, KeyReader& keys) {
   terminal.write(kAskKeyboard);
   for (int waited = 0; waited < kAnswer && !keys.answered(); waited += kPause) {

@@ -33,7 +33,7 @@ struct Section {
 };
 using Sections = std::vector<Section>;
 
-/// What is drawn, and how much room there is.
+/// The picture, and how much room there is.
 struct Picture {
   const Pendant& pendant;
   const Snapshot& snapshot;

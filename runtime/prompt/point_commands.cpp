@@ -11,7 +11,7 @@ namespace rob::runtime::command {
 
 namespace {
 
-/// The file in which points are kept; null, and that is told, if there is none.
+/// The file in which points are kept; null, and that is reported, if there is none.
 PointsFile* kept_points(Session& session) {
   PointsFile* const points = session.robot().points();
   if (points == nullptr || session.points_file().empty()) {

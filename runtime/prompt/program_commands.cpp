@@ -11,7 +11,7 @@ namespace rob::runtime::command {
 
 namespace {
 
-/// The line that was named; none, and that is told, if the program does not have it.
+/// The line that was named; none, and that is reported, if the program does not have it.
 std::optional<std::size_t> named_line(Session& session, const std::string& word,
                                       std::size_t behind = 0) {
   const ProgramText& program = session.workshop().program;
@@ -127,7 +127,7 @@ std::string printing(const std::vector<lang::DeclaredName>& names) {
 
 }  // namespace
 
-/// The language itself tells the values. What it cannot print is told without one.
+/// The language itself writes the values. A value that it cannot print is left out.
 void variables(Session& session, const Words&) {
   if (!session.stands(":vars")) return;
   using Kind = lang::DeclaredName::Kind;

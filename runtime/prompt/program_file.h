@@ -16,7 +16,7 @@ class ProgramFile {
   const std::string& name() const { return name_; }
   const Archive& archive() const { return archive_; }
 
-  /// What it holds; it is the program's file from now on.
+  /// Its text; it is the program's file from now on.
   std::string load(const std::string& file);
   /// `text` replaces what the file holds, which is kept in the archive; it is the program's file
   /// from now on. Without `replace` only what was loaded or saved here before, and has not been

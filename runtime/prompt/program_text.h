@@ -19,7 +19,7 @@ class ProgramText {
     std::string from;
     std::string to;
   };
-  /// What an edit did.
+  /// The result of an edit.
   struct Done {
     std::string what;  ///< "line 3 deleted: STOP"
     std::optional<Renaming> renaming{};
@@ -35,7 +35,7 @@ class ProgramText {
   /// Whether a word stands in it, outside of texts and comments.
   bool has_name(std::string_view name) const;
 
-  // Each tells what it did.
+  // Each says what it did.
   /// Line `number` becomes `text`.
   std::string replace(std::size_t number, std::string text);
   /// `text` becomes line `number`; at most one after the last.

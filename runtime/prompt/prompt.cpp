@@ -41,7 +41,7 @@ constexpr std::size_t kMostLine = std::size_t{1} << 20U;
 /// The lines of standard input, as they come.
 class InputLines {
  public:
-  /// None behind the last, where it cannot be read, and where the process shall end.
+  /// None after the last, where it cannot be read, and where the process shall end.
   std::optional<std::string> next() {
     std::size_t end = bytes_.find('\n', begin_);
     while (end == std::string::npos) {
@@ -167,7 +167,7 @@ void Filter::end() {
   if (session_.asks() && !Interruption::requested())
     session_.fail("the input has ended, and nobody answers any more", "", ExitCode::Fault);
   if (session_.robot().held() && !session_.robot().idle())
-    session_.fail("the input has ended, and the robot is held", "let :resume or :stop come behind",
+    session_.fail("the input has ended, and the robot is held", "let :resume or :stop follow",
                   ExitCode::Fault);
 }
 

@@ -17,7 +17,7 @@ class RawTerminal {
   RawTerminal(const RawTerminal&) = delete;
   RawTerminal& operator=(const RawTerminal&) = delete;
 
-  /// What has been typed, waiting at most so long; none: the terminal is gone.
+  /// The text that has been typed, waiting at most so long; none: the terminal is gone.
   std::optional<std::string> read(int milliseconds);
   void write(std::string_view text);
   /// Over what is shown: lines from the top left.

@@ -37,7 +37,7 @@ void tell_findings(Session& session, const LoadedProgram& program) {
         lang::render(finding, program.file, program.source, program.compilation.used));
 }
 
-/// The program in memory; none if it cannot run, which has been told then.
+/// The program in memory; none if it cannot run, which has been reported then.
 std::optional<LoadedProgram> compiled(Session& session, std::size_t from, bool tells) {
   const Workshop& workshop = session.workshop();
   if (workshop.program.empty()) {

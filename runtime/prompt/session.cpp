@@ -144,7 +144,7 @@ bool Session::submit(const std::string& entry, LoadedProgram compiled) {
   return true;
 }
 
-/// What is said of the entry that begins there; of those before it has been said.
+/// The message about the entry that begins there; those before have had theirs.
 void Session::tell(const LoadedProgram& compiled, std::uint32_t line) {
   for (const lang::Diagnostic& finding : compiled.compilation.diagnostics.all()) {
     const bool before = finding.severity != lang::Severity::Error && finding.place.file == 0 &&
@@ -343,7 +343,7 @@ void Session::carry_out_aside(LoadedProgram compiled) {
   if (options_.waits) finish();
 }
 
-/// Those of entries before have been told, and have their value.
+/// Those of entries before have been reported, and have their value.
 void Session::refuse_untaught(LoadedProgram& compiled) const {
   std::erase_if(compiled.compilation.missing_points,
                 [&](const lang::MissingPoint& one) { return one.place.line < text_->line(); });
@@ -390,7 +390,7 @@ void Session::take_points() {
   if (robot_->idle()) read_points();
 }
 
-/// Behind begin_text() nothing is under way, though the robot may have to come under control first.
+/// After begin_text() nothing is under way, though the robot may have to come under control first.
 void Session::read_points() {
   if (options_.points_file.empty() || robot_->over()) return;
   const motion::RobotModel& robot = robot_->robot();

@@ -40,12 +40,12 @@ struct SessionOptions {
   const StopRequests* requests = nullptr;  ///< as of LiveOptions
 };
 
-/// What a prompt works on: a robot under control, and what has been typed. Statements act at once;
+/// The bench of a prompt: a robot under control, and what has been typed. Statements act at once;
 /// colon commands (commands.h) act on the workshop.
 class Session {
  public:
   enum class Taken : std::uint8_t {
-    Done,       ///< it is on its way, or refused and told so
+    Done,       ///< it is on its way, or refused, with a message
     Incomplete  ///< a block or a bracket is open: more lines belong to it
   };
 
@@ -55,7 +55,7 @@ class Session {
   /// A statement or a block, a word of it at least. `last`: no more lines will come. Throws
   /// FileError.
   Taken take(const std::string& text, bool last);
-  /// Whether nothing is wrong with the last lines of a block that is open; what is, is told.
+  /// Whether nothing is wrong with the last lines of a block that is open; what is wrong is reported.
   /// `first`: of the lines, counted from 0.
   bool sound_so_far(const std::string& block, std::size_t first);
   /// Takes what there is to report; on the virtual clock a cycle passes.
@@ -82,9 +82,9 @@ class Session {
   /// HALT or ASK waits: the next line is the answer.
   bool asks() const { return answers_.wanted(); }
   void answer(const std::string& text) { answers_.give(text); }
-  /// Of all errors: a fault before files, a program before a command.
+  /// The worst of all errors: a fault before files, a program before a command.
   ExitCode worst() const { return worst_; }
-  /// That have been told so far.
+  /// The errors reported so far.
   std::size_t errors() const { return errors_; }
   /// See LiveReports.
   std::string state_text() const { return robot_->reports().state_text(); }
@@ -101,7 +101,7 @@ class Session {
   /// A line for whoever types to change and enter.
   void propose(const std::string& line);
   std::string take_proposed() { return std::exchange(proposed_, ""); }
-  /// Of the jogs of this session.
+  /// The share of the jogs of this session.
   DeadMan& dead_man() { return dead_man_; }
   /// "error: …" and the way out; counts as one of the session.
   void fail(const std::string& message, const std::string& help = "",
@@ -118,7 +118,7 @@ class Session {
 
   // For the commands that build programs and points.
   Workshop& workshop() { return workshop_; }
-  /// Whether the robot stands and nothing is open; if not, that is told as an error of `command`.
+  /// Whether the robot stands and nothing is open; if not, that is reported as an error of `command`.
   bool stands(const char* command);
   /// Carries out the program in memory, from a line on.
   void run(LoadedProgram program);
@@ -126,9 +126,9 @@ class Session {
   void go_back();
   /// Goes on from where it is held.
   void leave_hold();
-  /// Statements of a command, as if they had been typed; not recorded. What they declare stays.
+  /// Statements of a command, as if they had been typed; not recorded. Their declarations stay.
   void declare(const std::string& entry);
-  /// Statements of a command that leave nothing behind.
+  /// Statements of a command that leave nothing.
   void carry_out_aside(LoadedProgram compiled);
   /// Where points are kept; empty: nowhere.
   const std::string& points_file() const { return options_.points_file; }

@@ -14,7 +14,7 @@ namespace rob::runtime {
 std::string points_at_prompt(const std::string& name, const std::string& robot);
 
 /// Which points of the points file a prompt has declared, so that they can be used as if each had
-/// been written behind POINT.
+/// been written after POINT.
 class SessionPoints {
  public:
   struct Change {
@@ -22,7 +22,7 @@ class SessionPoints {
     std::vector<std::string> gone;  ///< names that the file has no more
   };
 
-  /// What has to be done at the prompt so that its points are those of the file; it counts as done.
+  /// The work to be done at the prompt so that its points are those of the file; it counts as done.
   /// Points in a FRAME are left to who declares the frame.
   Change take_change(const Points& points, const motion::RobotModel& robot);
   /// None is declared any more.

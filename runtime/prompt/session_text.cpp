@@ -11,7 +11,7 @@ namespace rob::runtime {
 
 namespace {
 
-/// What messages call the text.
+/// The name of the text in messages.
 constexpr const char* kName = "prompt";
 
 /// No word that a value could begin with.
@@ -22,7 +22,7 @@ bool is_unknown(const lang::Diagnostic& finding) {
 
 bool suggests(const lang::Diagnostic& finding) { return finding.help.starts_with("did you mean"); }
 
-/// What is said of a line that is no statement, or none that may be there.
+/// The message about a line that is no statement, or none that may be there.
 bool may_be_value(const lang::Diagnostic& finding) {
   namespace code = lang::code;
   return finding.code == code::kUnknownStatement || finding.code == code::kStatementExpected ||
@@ -79,7 +79,7 @@ SessionText::Reading SessionText::read(std::string_view entry) const {
              : value;
 }
 
-/// What is missing may still come.
+/// The missing part may still come.
 std::string SessionText::wrong_in_open(std::string_view block, std::uint32_t first) const {
   const LoadedProgram compiled = compile(block);
   std::vector<std::string> lines = split_lines(block);

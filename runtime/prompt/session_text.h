@@ -19,7 +19,7 @@ inline bool has_word(std::string_view line, std::string_view word) {
   return find_word(line, word) != std::string_view::npos;
 }
 
-/// What is said of a block because its end has not been typed yet.
+/// The message about a block because its end has not been typed yet.
 bool may_be_mended_below(const lang::Diagnostic& finding);
 
 /// All that has been typed at a prompt, line by line from 1, for messages; and what of it counts
@@ -42,7 +42,7 @@ class SessionText {
   /// The entry as it is meant: statements, or else an expression alone.
   Reading read(std::string_view entry) const;
   /// What is wrong with the last lines of a block that is open, from its `first` line on, counted
-  /// from 0; told as rendered() does. Empty: nothing.
+  /// from 0; written as rendered() does. Empty: nothing.
   std::string wrong_in_open(std::string_view block, std::uint32_t first) const;
   /// The entry has been taken, or refused: the next one begins on the line after it.
   void keep(std::string_view entry, const LoadedProgram& compiled);
@@ -63,7 +63,7 @@ class SessionText {
   std::string rendered(const lang::Diagnostic& finding,
                        const std::vector<lang::SourceFile>& used = {}) const;
 
-  /// What entries have declared by this name.
+  /// The declaration of this name by entries.
   std::optional<lang::DeclaredName> find(std::string_view name) const {
     return entries_.find(name);
   }

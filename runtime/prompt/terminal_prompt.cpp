@@ -187,7 +187,7 @@ bool TerminalPrompt::wait() const {
   return (input.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
 }
 
-/// What was pasted may be several lines.
+/// A paste may be several lines.
 void TerminalPrompt::take_typed() {
   const auto typed = editor_.take_line();
   if (editor_.ended()) {
@@ -213,7 +213,7 @@ void TerminalPrompt::take_lines(std::string_view rest) {
   }
 }
 
-/// What is left of it, and what comes with it.
+/// The rest of it, and what comes with it.
 void TerminalPrompt::drop_paste(std::string_view rest) {
   std::string left = entry_.empty() ? "" : entry_.text() + "\n";
   left += rest;
@@ -261,7 +261,7 @@ void TerminalPrompt::drop_entry() {
   sound_.clear();
 }
 
-/// A mistake is told at once, and only the lines with it have to be typed again.
+/// A mistake is reported at once, and only the lines with it have to be typed again.
 void TerminalPrompt::look_at_last_lines() {
   const std::size_t before = sound_.size();
   if (entry_.size() > kMostLookedAt || session_.sound_so_far(entry_.text(), before)) {

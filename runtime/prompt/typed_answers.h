@@ -10,7 +10,7 @@
 
 namespace rob::runtime {
 
-/// What somebody at a prompt types while HALT or ASK waits. The prompt's thread gives it, the
+/// The answers that somebody at a prompt types while HALT or ASK waits. The prompt's thread gives it, the
 /// program's thread takes it.
 class TypedAnswers final : public Person {
  public:

@@ -11,7 +11,7 @@
 
 namespace rob::runtime {
 
-/// What is built at a prompt.
+/// All that is built at a prompt.
 struct Workshop {
   explicit Workshop(const std::string& archive) : file(archive) {}
 

@@ -40,6 +40,16 @@ Words words_for_limit(const Refusal& refusal, const motion::RobotModel& robot) {
 /// what is farther is not to blame
 constexpr double kNear = 0.1;
 
+Words words_for_weight(const Refusal& refusal, const motion::RobotModel& robot) {
+  return {code::kTooHeavy,
+          fmt::format("axis {} would bear {} Nm at {}, more than its {} Nm, by weight alone",
+                      axis_of(robot, refusal.axis).name, shown(refusal.value, 2), place_on(refusal),
+                      shown(refusal.limit, 2)),
+          "carry less, go past that place, or in another posture"};
+}
+
+}  // namespace
+
 const char* words_for(motion::SingularPlace place) {
   switch (place) {
     case motion::SingularPlace::Wrist:
@@ -55,16 +65,6 @@ const char* words_for(motion::SingularPlace place) {
   }
   return "";
 }
-
-Words words_for_weight(const Refusal& refusal, const motion::RobotModel& robot) {
-  return {code::kTooHeavy,
-          fmt::format("axis {} would bear {} Nm at {}, more than its {} Nm, by weight alone",
-                      axis_of(robot, refusal.axis).name, shown(refusal.value, 2), place_on(refusal),
-                      shown(refusal.limit, 2)),
-          "carry less, go past that place, or in another posture"};
-}
-
-}  // namespace
 
 Words words_for_pace_cut(const motion::PaceCut& cut, const motion::RobotModel& robot) {
   std::string text = "AT asks for more than the axes can do";

@@ -11,6 +11,8 @@
 /// Texts about faults of a tool's way, for people.
 namespace rob::runtime {
 
+/// What is wrong at a singular place; empty of None.
+const char* words_for(motion::SingularPlace place);
 /// A way that the axes cannot follow: what, where on it, what to do.
 Words words_for_path(const motion::Refusal& refusal, const motion::RobotModel& robot);
 /// AT asks for more than the axes can do there.

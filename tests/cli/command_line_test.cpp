@@ -43,7 +43,7 @@ TEST_CASE("a mistyped command or option is told with the nearest one") {
   CHECK(refusal({"check", "a.rob", "--jsno=1"}) ==
         "rob: there is no option --jsno of rob check; did you mean --json?");
   CHECK(refusal({"elephant"}) == "rob: there is no command 'elephant'");
-  CHECK(refusal({"robots", "all"}) == "rob: rob robots takes no 'all'");
+  CHECK(refusal({"ports", "all"}) == "rob: rob ports takes no 'all'");
   CHECK(refusal({"robot"}) == "rob: rob robot takes a command; rob robot import");
   CHECK(refusal({"robot", "imprt"}) == "rob: rob robot takes no 'imprt'; did you mean import?");
   CHECK(refusal({"robot", "import", "a.urdf", "--tpi", "b", "-o", "c.toml"}) ==

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 
@@ -90,6 +91,8 @@ TEST_CASE("an imported arm has its tool where the numbers of its URDF bring it")
   check_forward("puma.urdf", "link1", "link7");
   check_forward("seven.urdf", "fr_link0", "fr_hand_tcp");
   check_forward("five.urdf", "base", "tip_link", "gripper");
+  check_forward("scara.urdf", "base_link", "tool");
+  check_forward("seven.urdf", "fr_link0", "fr_hand_tcp", "fr_finger_joint1");
 }
 
 TEST_CASE("names, limits, speeds and forces are those of the URDF") {
@@ -117,6 +120,37 @@ TEST_CASE("what is no axis is listed, and what a URDF lacks") {
   CHECK(says(made.report, "min, max of waist: it turns without end\n"));
   CHECK(says(made.text, "a_max = "));
   CHECK(says(made.text, "# [choice] it turns without end"));
+}
+
+TEST_CASE("a SCARA is told from its axes, with targets x, y, z, c") {
+  const motion::RobotModel robot = imported("scara.urdf", {});
+  CHECK(robot.coordinates == std::vector<int>{0, 1, 2, 5});
+  CHECK(robot.axes[2].kind == motion::AxisKind::Linear);
+  CHECK(imported("five.urdf", {"", "wrist", ""}).coordinates.empty());
+}
+
+TEST_CASE("links have their shapes, and what is after the last of them is the flange's") {
+  const motion::RobotModel robot = imported("seven.urdf", {"", "fr_hand_tcp", ""});
+  const auto shapes_of = [&](const std::string& name) {
+    const auto& bodies = robot.collision.bodies;
+    const auto found = std::ranges::find(bodies, name, &motion::Body::name);
+    return found == bodies.end() ? std::vector<motion::Capsule>() : found->shapes;
+  };
+  CHECK(shapes_of("fr_link0").size() == 2);
+  REQUIRE(shapes_of("fr_link7").size() == 1);
+  CHECK(shapes_of("fr_link7")[0].radius == doctest::Approx(0.06));
+  // The hand's box and two fingers, seen from the tcp: 33 − 103.4 mm.
+  REQUIRE(shapes_of("fr_hand_tcp").size() == 3);
+  CHECK(shapes_of("fr_hand_tcp")[0].from.z() == doctest::Approx(-0.0704));
+}
+
+TEST_CASE("links that always touch are listed") {
+  const ImportedRobot made =
+      import_robot(urdf_text("seven.urdf"), request_of("seven.urdf", {"", "fr_hand_tcp", ""}));
+  CHECK(says(made.report, "never checked, for they always touch: fr_link5 and fr_link7\n"));
+  const motion::RobotModel robot = motion::parse_robot_file(made.text, "a.toml");
+  REQUIRE(!robot.collision.apart.empty());
+  CHECK(robot.collision.apart[0].first == "fr_link5");
 }
 
 TEST_CASE("an arm that may end at several links needs --tip, and the message lists them") {
