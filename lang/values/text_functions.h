@@ -39,7 +39,7 @@ Error code_point(Slot* numbers, std::string* texts);  ///< ORD(s) of its first c
 Error iso_time(Slot* numbers, std::string* texts);    ///< NOW(): s since 1970, s ahead of UTC
 Error formatted(Slot* numbers, std::string* texts);   ///< STR(x, unit, digits): DigitsOutOfRange
 
-/// What MID(text, from, count) is, in the text itself; and FIND(text, part).
+/// MID(text, from, count), in the text itself; and FIND(text, part).
 std::string_view part_of(std::string_view text, std::int64_t from, std::int64_t count);
 std::int64_t position_in(std::string_view text, std::string_view part);
 

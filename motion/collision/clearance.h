@@ -9,8 +9,8 @@
 
 namespace rob::motion {
 
-/// What of a robot can hit what, and how far the two are apart. Bodies that hang together are left
-/// out: those of one frame or of neighbouring ones, and the base among the obstacles. A robot
+/// The pairs of a robot that can hit each other, and their distances. Bodies that hang together are
+/// left out: those of one frame or of neighbouring ones, and the base among the obstacles. A robot
 /// without bodies has no pairs.
 class Clearance {
  public:

@@ -10,7 +10,7 @@
 
 namespace rob::motion {
 
-/// Of a body.
+/// A body has at most so many.
 inline constexpr std::size_t kMostCapsules = 3;
 
 /// A part of a robot that can hit something: its base, a link, its flange with what that carries.

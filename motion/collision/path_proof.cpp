@@ -72,7 +72,7 @@ double PathProof::look(std::size_t i, const JointVector& q, const JointVector& g
   pair.from_start = pair.least < kContact;
   pair.distance = distance;
   pair.since = gone;
-  // What has parted may not come into contact again.
+  // A pair that has parted may not come into contact again.
   pair.least = std::max(pair.least, std::min(kContact, distance));
   if (!pair.touched) note({clearance_.pairs()[i], distance});
   return distance;

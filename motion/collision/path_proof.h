@@ -36,7 +36,7 @@ class PathProof {
   const std::optional<Contact>& at_start() const noexcept { return at_start_; }
 
  private:
-  /// What is known of a pair.
+  /// The state of a pair.
   struct Watched {
     double distance = 0;      // m, at the last look
     JointVector since{};      // how far each axis had gone in all by then

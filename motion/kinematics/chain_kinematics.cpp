@@ -64,8 +64,8 @@ void ChainKinematics::choose_kept() {
   }
 }
 
-/// Of the Jacobian without some axes, lengths divided by the chain's; of fewer than six axes the
-/// least that they have.
+/// The least singular value of the Jacobian without some axes, lengths divided by the chain's; of
+/// fewer than six axes the least that they have.
 double ChainKinematics::least_singular(const JointVector& q, unsigned without) const noexcept {
   JointChain::Jacobian jacobian;
   chain_.forward(q, jacobian);

@@ -27,7 +27,7 @@ struct Meeting {
   double apart = 0;       ///< its length, m
 };
 
-/// Of two lines that are not parallel.
+/// For two lines that are not parallel.
 Meeting meeting(const Line& a, const Line& b) {
   const Eigen::Vector3d way = b.point - a.point;
   const double cosine = a.direction.dot(b.direction);

@@ -32,7 +32,7 @@ class JointChain {
   const ChainJoint& joint(int i) const noexcept { return joints_[static_cast<std::size_t>(i)]; }
   const Pose& flange() const noexcept { return flange_; }
 
-  /// Of q only the first size() values count.
+  /// Only the first size() values of q count.
   Pose forward(const JointVector& q) const noexcept { return walk(q, nullptr); }
   Pose forward(const JointVector& q, Jacobian& jacobian) const noexcept {
     return walk(q, &jacobian);

@@ -10,7 +10,7 @@
 
 namespace rob::motion {
 
-/// What each axis moves, from the first on, then the flange, all as seen from the base.
+/// The frame that each axis moves, from the first on, then the flange, all as seen from the base.
 using LinkFrames = std::array<Pose, kMaxJoints + 1>;
 
 /// All axis values that bring a tool to one pose; of those that differ by whole turns one. A closed
@@ -47,7 +47,7 @@ enum class SingularPlace : std::uint8_t {
   Chain      ///< of a chain: its axes lose a direction there
 };
 
-/// What of a pose the axes leave to the place.
+/// The part of a pose that the axes leave to the place.
 enum class Freedom : std::uint8_t {
   None,
   C,    ///< any turn about z of the base, through the tool
@@ -72,7 +72,7 @@ class Kinematics {
   /// Whether inverse() goes from `near` by iteration: who follows a path must look whether it stays
   /// on one branch.
   virtual bool iterates() const noexcept { return false; }
-  /// What inverse() and solutions() do not ask of a pose.
+  /// The part of a pose that inverse() and solutions() do not look at.
   virtual Freedom freedom() const noexcept { return Freedom::None; }
   /// Every solution, each with its axes turned as near to `near` as whole turns bring them. None if
   /// there is no solution. Limits of the axes are not looked at.

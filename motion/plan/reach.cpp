@@ -28,7 +28,7 @@ JointVector turned_within(const RobotModel& robot, JointVector q) noexcept {
   return q;
 }
 
-/// What the axes turn, each counted in the time that its full speed takes.
+/// The way of the axes, each counted in the time that its full speed takes.
 double square_of_time(const RobotModel& robot, const JointVector& q,
                       const JointVector& near) noexcept {
   double sum = 0;

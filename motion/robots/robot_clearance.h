@@ -8,7 +8,7 @@
 
 namespace rob::motion {
 
-/// What the robot can hit, as its file says. The robot has a kinematics.
+/// All that the robot can hit, as its file says. The robot has a kinematics.
 inline Clearance clearance_of(const RobotModel& robot) {
   JointVector travel = JointVector::Zero(robot.axis_count());
   for (int i = 0; i < robot.axis_count(); ++i) {

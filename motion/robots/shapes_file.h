@@ -7,7 +7,8 @@
 
 namespace rob::motion {
 
-/// What the robot can hit and what with: [[base.shape]], [[axis.shape]], [[flange.shape]],
+/// The bodies of the robot, and what they can hit: [[base.shape]], [[axis.shape]],
+/// [[flange.shape]],
 /// [[obstacle]], [[apart]], `clearance`, and the table and racks of a simulated cell. After the
 /// axes and the cell have been read. Throws RobotFileError.
 void read_shapes(const TableReader& file, const std::vector<TableReader>& axes, RobotModel& robot);

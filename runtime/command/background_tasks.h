@@ -27,7 +27,7 @@ class BackgroundTasks {
  public:
   /// Instructions that a TASK is given in a cycle.
   static constexpr std::int64_t kInstructions = 10'000;
-  /// What LISTs on their way may take, in bytes. [choice] as much as those of the program; when it
+  /// The bytes that LISTs on their way may take. [choice] as much as those of the program; when it
   /// is reached, the program waits.
   static constexpr std::size_t kMostOfLists = lang::kMostListBytes;
 

@@ -15,7 +15,7 @@ Words no_devices();
 /// A text that goes to a device, or comes from it.
 Note note_for(Note::Kind kind, std::size_t device, std::string_view text);
 
-/// What a program says to its devices, and hears from them.
+/// The lines between a program and its devices.
 class DeviceDesk {
  public:
   DeviceDesk(const RobotLinks& links, Assumptions& assumptions, const CommandedProgress& progress,

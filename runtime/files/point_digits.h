@@ -23,7 +23,8 @@ PointDigits digits_of(const motion::RobotModel& robot);
 /// The double nearest to the decimal of so many places.
 double rounded_to(double value, int digits);
 
-/// The angles of a pose in deg, rounded. What is read of them and rounded again is the same.
+/// The angles of a pose in deg, rounded. A value that is read of them and rounded again is the
+/// same.
 lang::FixedAngles rounded_angles(const lang::Quaternion& rotation, int digits);
 
 }  // namespace rob::runtime

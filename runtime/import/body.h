@@ -6,7 +6,7 @@
 
 #include "runtime/import/hull.h"
 
-/// What a link is made of, in the frame of its body. m.
+/// The parts of a link, in the frame of its body. m.
 namespace rob::runtime {
 
 struct Ball {

@@ -16,7 +16,7 @@ struct Hull {
 /// hull without volume.
 Hull convex_hull(const std::vector<Eigen::Vector3d>& points);
 
-/// What a body of even density is like.
+/// The moments of a body of even density.
 struct HullMoments {
   double volume = 0;  ///< m³
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();

@@ -28,7 +28,7 @@ std::string axis_line(const ImportedAxis& axis) {
                          : "no effort given");
 }
 
-/// What the URDF does not say, and who knows it.
+/// The values that the URDF does not say, and who knows it.
 std::string to_look_up(const ImportedArm& arm) {
   std::string text =
       "look up in the data sheet, and correct in the file, what is marked [choice]:\n"

@@ -12,7 +12,7 @@ struct ImportedRobot {
   std::string report;  ///< lines for people
 };
 
-/// What is asked for: `rob robot import` (docs/cli.md).
+/// The request: `rob robot import` (docs/cli.md).
 struct ImportRequest {
   std::string urdf;   ///< its file
   std::string robot;  ///< the file to write

@@ -16,7 +16,8 @@ struct ArmChoice {
   std::string gripper;  ///< a joint off the chain that becomes an axis; empty: none
 };
 
-/// What moves as one: the base, what an axis carries up to the next, or what hangs on the flange.
+/// Links that move as one: the base, what an axis carries up to the next, or what hangs on the
+/// flange.
 struct RigidBody {
   std::string link;               ///< as in the URDF
   std::vector<UrdfShape> shapes;  ///< placed in the frame of the body

@@ -41,7 +41,7 @@ std::string place_text(const motion::Pose& pose) {
 /// "12.5 deg/s" in quotation marks.
 std::string way(double si, bool linear, std::string_view per = "") {
   const double shown = linear ? si / kMillimetre : si / kDegree;
-  // What is far below a thousandth keeps its digits.
+  // A value far below a thousandth keeps its digits.
   const std::string number =
       std::abs(shown) < 1e-3 && shown != 0 ? fmt::format("{:.6g}", shown) : decimal(shown);
   return fmt::format("\"{} {}{}\"", number, linear ? "mm" : "deg", per);

@@ -9,7 +9,8 @@
 
 namespace rob::runtime {
 
-/// The robot file (TOML) of an arm. What a URDF does not say has values that are marked [choice].
+/// The robot file (TOML) of an arm. Values that a URDF does not say are marked
+/// [choice].
 /// `links`: base, axes of the chain, flange; `source`: the name of the URDF, for the comments.
 std::string robot_text(const ImportedArm& arm, const std::vector<motion::Body>& links,
                        const std::vector<motion::Apart>& touching, std::string_view source);

@@ -6,6 +6,7 @@
 
 #include "base/halton.h"
 #include "motion/collision/distance.h"
+#include "motion/space/joint_vector.h"
 
 namespace rob::runtime {
 

@@ -23,7 +23,7 @@ namespace {
   throw motion::RobotFileError(file + ": " + lang::visible(problem));
 }
 
-/// What the reader says while it reads: its first complaint is the cause of the others.
+/// The reader's complaints while it reads: its first complaint is the cause of the others.
 class Complaints final : public console_bridge::OutputHandler {
  public:
   Complaints() { console_bridge::useOutputHandler(this); }

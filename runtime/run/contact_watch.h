@@ -20,7 +20,7 @@ class ContactWatch {
 
   /// The next reference; `line` is the tag of the motion that runs, 0 between two of them.
   void take(const Snapshot& snapshot, int line);
-  /// The first contact. What comes after it is not looked at: the program ends there.
+  /// The first contact. Nothing after it is looked at: the program ends there.
   const std::optional<Contact>& contact() const { return contact_; }
   /// At most one of a line: obstacles that are passed more closely than the file's `clearance`.
   std::vector<lang::Diagnostic> finish();

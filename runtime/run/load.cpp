@@ -68,7 +68,7 @@ std::optional<Words> words_against_axes(const lang::MoveCommand& command,
 std::optional<Words> words_against_pose(lang::MoveCommand command, const motion::RobotModel& robot,
                                         const Coordinates& coordinates) {
   const motion::JointVector middle = motion::middle(robot);
-  // What its targets leave open is the same everywhere.
+  // The part that its targets leave open is the same everywhere.
   const lang::PoseValue pose =
       lang::target_pose(command, tool_at(robot, middle, {}), {}, coordinates);
   if (auto words = settle_on_axes(robot, pose, middle, command)) return words;

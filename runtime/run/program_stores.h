@@ -11,7 +11,7 @@
 
 namespace rob::runtime {
 
-/// What a run of a program has outside of the robot: its files, its devices, and its PERSIST
+/// All that a run of a program has outside of the robot: its files, its devices, and its PERSIST
 /// variables, locked. The thread that reports calls everything.
 class ProgramStores {
  public:
@@ -21,7 +21,7 @@ class ProgramStores {
 
   DataFiles& files() { return files_; }
   TextDevices& devices() { return devices_; }
-  /// What earlier runs have left; null where no variable is kept.
+  /// The values that earlier runs have left; null where no variable is kept.
   const lang::SavedValues* saved() const { return values_ ? &values_->saved() : nullptr; }
 
   /// Something that the program has written, sent or kept, when its turn has come; s of the run.
@@ -30,7 +30,7 @@ class ProgramStores {
   void drained() { files_.drained(); }
   /// For people: what is in vain in a file of values, and what devices have sent in vain.
   std::vector<std::string> take_events();
-  /// The run is over. What could not be kept, each in a line.
+  /// The run is over. Says what could not be kept, each in a line.
   std::vector<std::string> finish();
 
  private:

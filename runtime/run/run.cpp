@@ -57,7 +57,7 @@ void close_trace(std::optional<TraceWriter>& trace, const RunOptions& options, R
   }
 }
 
-/// What could not be kept, and that the program does not know of.
+/// Reports what could not be kept, and that the program does not know of.
 void close_stores(ProgramStores& stores, RunResult& result, const RunListener& listener) {
   for (const std::string& why : stores.finish()) {
     if (result.exit_code == ExitCode::Done) result.exit_code = ExitCode::InputOutput;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What terminals show, as the environment says: TERM with its entry in terminfo, NO_COLOR, and the
-/// character set of the locale.
+/// The abilities of the terminal, as the environment says: TERM with its entry in terminfo,
+/// NO_COLOR, and the character set of the locale.
 namespace rob::runtime {
 
 /// It is a terminal that can move its cursor.

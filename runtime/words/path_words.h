@@ -11,7 +11,7 @@
 /// Texts about faults of a tool's way, for people.
 namespace rob::runtime {
 
-/// What is wrong at a singular place; empty of None.
+/// The fault at a singular place; empty of None.
 const char* words_for(motion::SingularPlace place);
 /// A way that the axes cannot follow: what, where on it, what to do.
 Words words_for_path(const motion::Refusal& refusal, const motion::RobotModel& robot);
