@@ -11,20 +11,20 @@ namespace rob::motion {
 namespace {
 
 // [choice] From a microscope's stage to a port crane; a slip in a unit is out of it.
-constexpr Range kPlace{-100, 100};
-constexpr Range kTurn{-kFullTurn, kFullTurn};
-constexpr Range kMeasure{1e-5, 100};
-constexpr Range kClearance{0, 1};
+constexpr Range kBodyPlace{-100, 100};
+constexpr Range kBodyTurn{-kFullTurn, kFullTurn};
+constexpr Range kBodyMeasure{1e-5, 100};
+constexpr Range kClearanceRange{0, 1};
 constexpr std::size_t kMostObstacles = 1000;  // [choice] each costs time at every look
 
-Eigen::Vector3d three(const TableReader& table, std::string_view key, Range range) {
+Eigen::Vector3d three_lengths(const TableReader& table, std::string_view key, Range range) {
   const std::vector<double> values = table.quantities(key, Quantity::Length, range, 3);
   return {values[0], values[1], values[2]};
 }
 
 Capsule read_capsule(const TableReader& table) {
-  return {three(table, "from", kPlace), three(table, "to", kPlace),
-          table.quantity("radius", Quantity::Length, kMeasure)};
+  return {three_lengths(table, "from", kBodyPlace), three_lengths(table, "to", kBodyPlace),
+          table.quantity("radius", Quantity::Length, kBodyMeasure)};
 }
 
 /// `name`: where the file gives none.
@@ -43,11 +43,11 @@ void read_body(const TableReader& owner, std::string name, int frame, CollisionD
 }
 
 /// Where the box stands, and how it is turned; both may be left out.
-Pose read_pose(const TableReader& table) {
+Pose read_body_pose(const TableReader& table) {
   Pose pose;
-  if (table.has("place")) pose.position = three(table, "place", kPlace);
+  if (table.has("place")) pose.position = three_lengths(table, "place", kBodyPlace);
   if (table.has("turn")) {
-    const std::vector<double> turn = table.quantities("turn", Quantity::Angle, kTurn, 3);
+    const std::vector<double> turn = table.quantities("turn", Quantity::Angle, kBodyTurn, 3);
     pose.orientation = orientation_from({turn[0], turn[1], turn[2]});
   }
   return pose;
@@ -65,12 +65,12 @@ Obstacle read_obstacle(const TableReader& table) {
   switch (table.choice("kind", {"box", "sphere", "capsule", "table"})) {
     case 0:
       refuse_others(table, {"place", "turn", "size"});
-      obstacle.shape = Box{read_pose(table), three(table, "size", kMeasure) / 2};
+      obstacle.shape = Box{read_body_pose(table), three_lengths(table, "size", kBodyMeasure) / 2};
       break;
     case 1:
       refuse_others(table, {"place", "radius"});
-      obstacle.shape = Sphere{three(table, "place", kPlace),
-                              table.quantity("radius", Quantity::Length, kMeasure)};
+      obstacle.shape = Sphere{three_lengths(table, "place", kBodyPlace),
+                              table.quantity("radius", Quantity::Length, kBodyMeasure)};
       break;
     case 2:
       refuse_others(table, {"from", "to", "radius"});
@@ -78,7 +78,7 @@ Obstacle read_obstacle(const TableReader& table) {
       break;
     default:
       refuse_others(table, {"height"});
-      obstacle.shape = HalfSpace{table.quantity("height", Quantity::Length, kPlace)};
+      obstacle.shape = HalfSpace{table.quantity("height", Quantity::Length, kBodyPlace)};
   }
   return obstacle;
 }
@@ -141,7 +141,7 @@ void read_shapes(const TableReader& file, const std::vector<TableReader>& axes, 
   read_obstacles(file, data);
   read_apart(file, data);
   if (file.has("clearance"))
-    data.clearance = file.quantity("clearance", Quantity::Length, kClearance);
+    data.clearance = file.quantity("clearance", Quantity::Length, kClearanceRange);
 }
 
 }  // namespace rob::motion

@@ -86,8 +86,12 @@ RunResult run_one(LoadedProgram& program, const Options& options, const SignalSc
   if (!program.runnable()) return refused(program, robot);
   put_source_away(program);
   std::optional<Foretold> foretold;
-  if (isatty(STDERR_FILENO) != 0 || robot.law == motion::Law::LookAhead)
-    foretold = foretold_by(foretell(program, robot, foretell_options(options, script)));
+  if (isatty(STDERR_FILENO) != 0 || robot.law == motion::Law::LookAhead ||
+      !robot.collision.bodies.empty()) {
+    RunResult ahead = foretell(program, robot, foretell_options(options, script));
+    if (ahead.contact) return refused_for_contact(program, ahead);
+    foretold = foretold_by(std::move(ahead));
+  }
   Progress progress(foretold ? foretold->planned : 0, options.override_share, used_names(program));
   Terminal terminal(options.fast);
   const RunOptions run_options{

@@ -13,7 +13,6 @@ namespace rob::runtime {
 namespace {
 
 using Eigen::Vector3d;
-using motion::Body;
 using motion::Capsule;
 
 constexpr int kPostures = 10000;
@@ -23,9 +22,10 @@ constexpr std::array<int, motion::kMaxJoints> kPrimes{2, 3, 5, 7, 11, 13, 17, 19
 using Placed = std::vector<std::vector<Capsule>>;
 
 /// Where the links are in a posture, seen from the base.
-Placed placed_links(const std::vector<Body>& links, const std::vector<motion::Pose>& frames) {
+Placed placed_links(const std::vector<motion::Body>& links,
+                    const std::vector<motion::Pose>& frames) {
   Placed placed;
-  for (const Body& link : links) {
+  for (const motion::Body& link : links) {
     std::vector<Capsule> capsules;
     for (const Capsule& capsule : link.shapes) {
       const motion::Pose& frame = frames[static_cast<std::size_t>(link.frame)];
@@ -61,7 +61,7 @@ std::vector<motion::Pose> frames_of(const ImportedArm& arm, int number) {
 /// Two links by their numbers, the first the smaller one; neighbours touch in any case.
 using Pair = std::pair<std::size_t, std::size_t>;
 
-std::vector<Pair> pairs_of(const std::vector<Body>& links) {
+std::vector<Pair> pairs_of(const std::vector<motion::Body>& links) {
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < links.size(); ++i)
     for (std::size_t j = i + 2; j < links.size(); ++j)
@@ -71,7 +71,8 @@ std::vector<Pair> pairs_of(const std::vector<Body>& links) {
 
 }  // namespace
 
-std::vector<motion::Apart> always_touching(const ImportedArm& arm, const std::vector<Body>& links) {
+std::vector<motion::Apart> always_touching(const ImportedArm& arm,
+                                           const std::vector<motion::Body>& links) {
   std::vector<Pair> pairs = pairs_of(links);
   for (int number = 1; number <= kPostures && !pairs.empty(); ++number) {
     const Placed placed = placed_links(links, frames_of(arm, number));

@@ -205,6 +205,18 @@ RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot)
   return of_program(program, refusal(program.compilation.diagnostics, program.file, robot));
 }
 
+RunResult refused_for_contact(const LoadedProgram& program, const RunResult& foretold) {
+  RunResult result;
+  result.status = "fault";
+  result.exit_code = ExitCode::Fault;
+  result.robot = foretold.robot;
+  result.law = foretold.law;
+  result.findings = foretold.findings;
+  result.contact = foretold.contact;
+  result.error = foretold.error;
+  return of_program(program, std::move(result));
+}
+
 RunResult refused(const SignalScript& script, const motion::RobotModel& robot) {
   RunResult result = refusal(script.diagnostics, script.file, robot);
   result.file = script.file;

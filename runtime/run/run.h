@@ -71,6 +71,8 @@ RunResult run(const LoadedProgram& program, const motion::RobotModel& robot,
 
 /// The result of a program that does not compile.
 RunResult refused(const LoadedProgram& program, const motion::RobotModel& robot);
+/// The result of a program that would hit something, as foretell() has found: nothing has moved.
+RunResult refused_for_contact(const LoadedProgram& program, const RunResult& foretold);
 /// The result of a program whose signal script has errors.
 RunResult refused(const SignalScript& script, const motion::RobotModel& robot);
 
