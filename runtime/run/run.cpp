@@ -188,7 +188,7 @@ Foretold foretold_by(RunResult result) {
   return foretold;
 }
 
-RunResult run(const LoadedProgram& program, OpenMachine machine, RunOutlets outlets,
+RunResult run(const LoadedProgram& program, OpenMachine machine, ProgramStores& stores,
               const RunOptions& options, const RunListener& listener) {
   return run_on(program, program.robot, std::move(machine), stores, options, listener);
 }

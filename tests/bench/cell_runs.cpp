@@ -92,7 +92,8 @@ CellRun run_in_cell(const std::string& file, const std::string& source,
   runtime::RunOptions options;
   options.fast = true;
   options.foretold = &not_foretold;
-  made.result = runtime::run(program, std::move(machine), options, {});
+  runtime::ProgramStores stores(program, options.data, false);
+  made.result = runtime::run(program, std::move(machine), stores, options, {});
   return made;
 }
 

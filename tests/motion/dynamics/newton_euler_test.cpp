@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 constexpr double kGravity = 9.81;
 
-struct Body {
+struct RigidLink {
   Vector3d axis;     ///< of the joint that it hangs on, in its own frame
   Vector3d next;     ///< from that joint to the next one, in its own frame
   double mass;       ///< kg
@@ -26,7 +26,7 @@ struct Body {
   Matrix3d inertia;  ///< about the centre of mass
 };
 
-using Chain = std::array<Body, 6>;
+using Chain = std::array<RigidLink, 6>;
 
 /// Torques at the joints for q, q', q'', gravity being an acceleration of the base upwards.
 JointVector newton_euler(const Chain& chain, const JointVector& q, const JointVector& qd,
@@ -39,7 +39,7 @@ JointVector newton_euler(const Chain& chain, const JointVector& q, const JointVe
   Vector3d a(0, 0, gravity);
   for (std::size_t i = 0; i < 6; ++i) {  // outwards
     const auto k = static_cast<Eigen::Index>(i);
-    const Body& body = chain[i];
+    const RigidLink& body = chain[i];
     z[i] = turn * body.axis;
     turn = turn * Eigen::AngleAxisd(q[k], body.axis).toRotationMatrix();
     dw += z[i] * qdd[k] + w.cross(z[i] * qd[k]);
@@ -82,24 +82,24 @@ Chain arm(double arm_masses, double hand_masses) {
   const double h = hand_masses;
   const Vector3d zero = Vector3d::Zero();
   const Matrix3d none = Matrix3d::Zero();
-  return {Body{z, zero, 0, zero, m * inertia_of(0, 0, 0.7)},
-          Body{y,
-               {kUpperLength, 0, 0},
-               m * kUpperMass,
-               {kUpperCentre, 0, 0},
-               m * inertia_of(0, kUpperInertia, kUpperInertia)},
-          Body{y,
-               {0, 0, kForeLength},
-               m * kForeMass,
-               {0, 0, kForeCentre},
-               m * inertia_of(kForeInertia, kForeInertia, 0)},
-          Body{z, zero, 0, zero, none},
-          Body{y, zero, 0, zero, none},
-          Body{z,
-               zero,
-               h * kHandMass,
-               {0, 0, kHandCentre},
-               h * inertia_of(kHandAcross, kHandAcross, kHandAlong)}};
+  return {RigidLink{z, zero, 0, zero, m * inertia_of(0, 0, 0.7)},
+          RigidLink{y,
+                    {kUpperLength, 0, 0},
+                    m * kUpperMass,
+                    {kUpperCentre, 0, 0},
+                    m * inertia_of(0, kUpperInertia, kUpperInertia)},
+          RigidLink{y,
+                    {0, 0, kForeLength},
+                    m * kForeMass,
+                    {0, 0, kForeCentre},
+                    m * inertia_of(kForeInertia, kForeInertia, 0)},
+          RigidLink{z, zero, 0, zero, none},
+          RigidLink{y, zero, 0, zero, none},
+          RigidLink{z,
+                    zero,
+                    h * kHandMass,
+                    {0, 0, kHandCentre},
+                    h * inertia_of(kHandAcross, kHandAcross, kHandAlong)}};
 }
 
 /// The table of both parts, by their definitions.

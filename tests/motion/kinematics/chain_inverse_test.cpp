@@ -17,7 +17,7 @@ using namespace rob::test;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 // Without optimisation a search takes ten milliseconds.
 #ifdef __OPTIMIZE__
@@ -69,8 +69,8 @@ JointVector middle_of(const JointChain& chain) {
 bool turns_within(const JointChain& chain, const JointVector& q) {
   for (int i = 0; i < chain.size(); ++i) {
     const ChainJoint& joint = chain.joint(i);
-    const double below = std::ceil((joint.min - 1e-9 - q[i]) / (2 * kPi));
-    const double value = joint.linear ? q[i] : q[i] + 2 * kPi * below;
+    const double below = std::ceil((joint.min - 1e-9 - q[i]) / (2 * kHalfTurn));
+    const double value = joint.linear ? q[i] : q[i] + 2 * kHalfTurn * below;
     if (value > joint.max + 1e-9 || value < joint.min - 1e-9) return false;
   }
   return true;
@@ -167,7 +167,8 @@ TEST_CASE("a calibrated UR is solved on its exact chain, from the nominal closed
     rows[i].alpha += off[i].alpha;
     rows[i].d += off[i].d;
   }
-  const ChainKinematics kinematics = chain_kinematics(chain_of(rows, std::vector<double>(6, kPi)));
+  const ChainKinematics kinematics =
+      chain_kinematics(chain_of(rows, std::vector<double>(6, kHalfTurn)));
   CHECK(kinematics.closed());
   KdlChain oracle = KdlChain::standard(rows);
   const Found found = search_all(kinematics, oracle, kPoses / 10);
@@ -261,7 +262,7 @@ TEST_CASE("of several branches that is chosen which the axes reach first at full
     };
     JointVector plain = *chosen;
     for (const JointVector& other : robot.kinematics->solutions(pose, robot.start)) {
-      if (std::abs(other[2]) > kPi) continue;
+      if (std::abs(other[2]) > kHalfTurn) continue;
       CHECK(measure(*chosen, true) <= measure(other, true) + 1e-9);
       if (measure(other, false) < measure(plain, false) - 1e-9) plain = other;
     }
@@ -291,7 +292,7 @@ RobotModel five_axes() {
 double leaning_between(const Pose& one, const Pose& other) {
   const FixedAngles a = fixed_angles(one.orientation);
   const FixedAngles b = fixed_angles(other.orientation);
-  return std::hypot(std::remainder(a.a - b.a, 2 * kPi), a.b - b.b);
+  return std::hypot(std::remainder(a.a - b.a, 2 * kHalfTurn), a.b - b.b);
 }
 
 }  // namespace
@@ -307,7 +308,7 @@ TEST_CASE("five axes bring their tool to a place and two angles, and c is what t
     // Any c will do.
     FixedAngles asked = fixed_angles(made.orientation);
     if (std::abs(asked.b) > 1.4) continue;  // a and b say little near ±90 deg
-    asked.c = std::uniform_real_distribution<double>(-kPi, kPi)(random);
+    asked.c = std::uniform_real_distribution<double>(-kHalfTurn, kHalfTurn)(random);
     const Pose pose{made.position, orientation_from(asked)};
     bool there = false;
     for (const JointVector& q : kinematics.solutions(pose, robot.start)) {
@@ -325,7 +326,7 @@ TEST_CASE("five axes bring their tool to a place and two angles, and c is what t
 TEST_CASE("pointing straight down with c left out, axis 5 of five keeps its value") {
   const RobotModel robot = five_axes();
   JointVector q(5);
-  q << 0.3, 0.2, 0.3, kPi / 2 - 0.5, 0.7;  // lift, elbow and wrist add up to a quarter
+  q << 0.3, 0.2, 0.3, kHalfTurn / 2 - 0.5, 0.7;  // lift, elbow and wrist add up to a quarter
   const Pose down = robot.kinematics->forward(q);
   const Eigen::Vector3d z = down.orientation * Eigen::Vector3d::UnitZ();
   REQUIRE(z.z() < -0.999999);
