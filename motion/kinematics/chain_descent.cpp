@@ -119,7 +119,7 @@ bool ChainDescent::run(const Pose& pose, int steps, JointVector& q) const noexce
     const bool nearly = square < kNearly * kNearly;
     if (k == steps && !nearly) return false;
     waited = square < kProgress * least ? 0 : waited + 1;
-    if (bounded_ && waited > kPatience) return false;
+    if (bounded_ && !patient_ && waited > kPatience) return false;
     least = std::min(least, square);
     take_out_free(here, jacobian);
     if (!step(missed, jacobian, kLeastDamping + square / 2, q)) return false;

@@ -31,6 +31,12 @@ class ChainDescent {
     return *this;
   }
 
+  /// A start that gets nearer by little is not given up: so it is near singular places.
+  ChainDescent& patiently() noexcept {
+    patient_ = true;
+    return *this;
+  }
+
   /// At most `steps` steps; whether q then brings the flange to `pose`.
   bool run(const Pose& pose, int steps, JointVector& q) const noexcept;
   /// As near to the pose as that many steps bring the flange, reachable or not.
@@ -57,6 +63,7 @@ class ChainDescent {
   unsigned kept_ = 0;
   Freedom free_ = Freedom::None;
   bool bounded_ = false;
+  bool patient_ = false;
 };
 
 }  // namespace rob::motion

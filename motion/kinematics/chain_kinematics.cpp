@@ -118,13 +118,17 @@ InverseSolutions ChainKinematics::solutions(const Pose& pose,
     return found;
   }
   constexpr int kPolish = 3;
-  for (JointVector q : nominal(pose, near)) {
-    const JointVector six = q.head(chain_.size());
-    q = near;
-    q.head(chain_.size()) = six;
-    if (descent().run(pose, kPolish, q)) add(q, near, found);
+  const InverseSolutions forms = nominal(pose, near);
+  // Near a singular place the nominal arm may be far from the exact one.
+  for (const int steps : {kPolish, kPatientSteps}) {
+    if (found.count > 0) break;
+    for (JointVector q : forms) {
+      const JointVector six = q.head(chain_.size());
+      q = near;
+      q.head(chain_.size()) = six;
+      if (descent().run(pose, steps, q)) add(q, near, found);
+    }
   }
-  // Near a singular place the nominal arm may be too far from the exact one.
   if (found.count == 0) search(pose, near, found);
   return found;
 }
@@ -138,6 +142,10 @@ void ChainKinematics::search(const Pose& pose, const JointVector& near,
   for (int k = 0; k <= kStarts; ++k) {
     JointVector q = start(k, near);
     if (descent().within_limits().run(pose, kSteps, q)) add(q, near, found);
+  }
+  for (int k = 0; k <= kPatientStarts && found.count == 0; ++k) {
+    JointVector q = start(k, near);
+    if (descent().within_limits().patiently().run(pose, kPatientSteps, q)) add(q, near, found);
   }
 }
 

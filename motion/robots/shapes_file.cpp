@@ -112,7 +112,8 @@ void read_apart(const TableReader& file, CollisionData& data) {
 /// The table, and each rack as the body that its holes are in. Tubes and caps are there to be
 /// taken.
 void add_cell(const CellData& cell, CollisionData& data) {
-  data.obstacles.push_back({.name = "table", .shape = HalfSpace{cell.table}});
+  data.obstacles.push_back(
+      {.name = "table", .shape = HalfSpace{cell.table}, .hand_may_touch = true});
   int number = 0;
   for (const RackData& rack : cell.racks) {
     // The middle of the outer holes, and half a pitch of wall around them.

@@ -60,7 +60,8 @@ Contact ContactWatch::described(const motion::PathProof::Contact& touch,
 }
 
 void ContactWatch::close_line() {
-  if (first_ || line_ == 0 || !proof_.nearest()) return;
+  const bool hits = contact_ && contact_->line == line_;
+  if (first_ || line_ == 0 || hits || !proof_.nearest()) return;
   const motion::PathProof::Contact& near = *proof_.nearest();
   close_.push_back(
       {lang::Severity::Warning, code::kNearObstacle, lang::tagged_place(line_),

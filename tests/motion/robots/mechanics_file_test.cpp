@@ -123,7 +123,7 @@ TEST_CASE("the simulated arm may differ from what the servo counts with") {
   CHECK(mechanics_error("[dynamics]", "[simulation]\nmasses = 0\n\n[dynamics]") ==
         "masses of simulation: must be a number from 0.1 to 10, without quotation marks");
   CHECK(mechanics_error("[dynamics]", "[simulation]\nmass = 2\n\n[dynamics]")
-            .starts_with("unknown key \"mass\" in simulation; known are \"payload\""));
+            .starts_with("unknown key \"mass\" in simulation; did you mean \"masses\"?"));
   CHECK(mechanics_error("lwa4p", "[[axis]]", "[simulation]\n[[axis]]") ==
         "simulation: needs a table [dynamics], which is missing");
 }

@@ -61,7 +61,7 @@ TEST_CASE("a pulse train that leaves the axis too far behind is refused") {
   const std::string message =
       pulse_error(edited("pc104", "servo = \"double_loop\"", "servo = \"pulse_train\""));
   CHECK(message.find("v_max of axis j1") != std::string::npos);
-  CHECK(message.find("0.0795 rad behind") != std::string::npos);
+  CHECK(message.find("0.0795 rad late") != std::string::npos);
 }
 
 TEST_CASE("pulses and forces do not mix") {
