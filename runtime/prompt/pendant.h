@@ -16,8 +16,8 @@ namespace rob::runtime {
 /// The terminal as a pendant: what its keys do to the robot of a session. Whoever reads the keys
 /// hands them in, in the order in which they were pressed, and draws what view() shows.
 ///
-/// Where the terminal reports releases, a key that is held is the dead-man; else a key is a step, or
-/// a pulse that its repeats prolong and that any other key ends. Never more than one step is
+/// Where the terminal reports releases, a key that is held is the dead-man; else a key is a step,
+/// or a pulse that its repeats prolong and that any other key ends. Never more than one step is
 /// pending.
 class Pendant {
  public:

@@ -55,8 +55,8 @@ class Session {
   /// A statement or a block, a word of it at least. `last`: no more lines will come. Throws
   /// FileError.
   Taken take(const std::string& text, bool last);
-  /// Whether nothing is wrong with the last lines of a block that is open; what is wrong is reported.
-  /// `first`: of the lines, counted from 0.
+  /// Whether nothing is wrong with the last lines of a block that is open; what is wrong is
+  /// reported. `first`: of the lines, counted from 0.
   bool sound_so_far(const std::string& block, std::size_t first);
   /// Takes what there is to report; on the virtual clock a cycle passes.
   void let_pass();
@@ -118,7 +118,8 @@ class Session {
 
   // For the commands that build programs and points.
   Workshop& workshop() { return workshop_; }
-  /// Whether the robot stands and nothing is open; if not, that is reported as an error of `command`.
+  /// Whether the robot stands and nothing is open; if not, that is reported as an error of
+  /// `command`.
   bool stands(const char* command);
   /// Carries out the program in memory, from a line on.
   void run(LoadedProgram program);

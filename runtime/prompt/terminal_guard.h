@@ -9,7 +9,8 @@ class TerminalGuard {
  public:
   TerminalGuard();
   ~TerminalGuard();
-  /// The text that the terminal is sent then, before its modes are given back; null: nothing. It stays.
+  /// The text that the terminal is sent then, before its modes are given back; null: nothing. It
+  /// stays.
   static void send_at_end(const char* text);
   /// Ctrl-Z has been pressed; once.
   static bool take_suspension();

@@ -10,8 +10,8 @@
 
 namespace rob::runtime {
 
-/// The answers that somebody at a prompt types while HALT or ASK waits. The prompt's thread gives it, the
-/// program's thread takes it.
+/// The answers that somebody at a prompt types while HALT or ASK waits. The prompt's thread gives
+/// it, the program's thread takes it.
 class TypedAnswers final : public Person {
  public:
   /// HALT or ASK waits: the next line is the answer.

@@ -2,9 +2,9 @@
 //
 //   vm_bench [TURNS [FOLDER]]
 //
-// Every NAME.rob of the folder, else of this one, is run, and NAME.lua beside it where lua5.4 is installed. The time
-// is processor time, of execution alone, without compiling. The least of all turns counts: what
-// makes a run longer is somebody else's doing. Results have to be the same.
+// Every NAME.rob of the folder, else of this one, is run, and NAME.lua beside it where lua5.4 is
+// installed. The time is processor time, of execution alone, without compiling. The least of all
+// turns counts: what makes a run longer is somebody else's doing. Results have to be the same.
 #include <fmt/core.h>
 
 #include <algorithm>
