@@ -16,6 +16,7 @@ set(rob_runtime_sources
   runtime/command/axis_targets.cpp
   runtime/command/background_tasks.cpp
   runtime/command/commanded_progress.cpp
+  runtime/command/contact_proof.cpp
   runtime/command/device_desk.cpp
   runtime/command/entry_task.cpp
   runtime/command/errand.cpp
@@ -154,6 +155,7 @@ set(rob_runtime_sources
   runtime/time/real_time.cpp
   runtime/words/arguments.cpp
   runtime/words/codes.cpp
+  runtime/words/contact_words.cpp
   runtime/words/explanation.cpp
   runtime/words/feature_words.cpp
   runtime/words/force_words.cpp

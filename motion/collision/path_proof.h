@@ -30,6 +30,8 @@ class PathProof {
   /// The next reference; the axes are anywhere between it and the one before. The first pair that
   /// comes into contact, or nearer where it was so from the beginning.
   std::optional<Contact> follow(const JointVector& q);
+  /// The last reference.
+  const JointVector& last() const noexcept { return last_; }
   /// The least distance of an obstacle since begin(), if within `near`.
   const std::optional<Contact>& nearest() const noexcept { return nearest_; }
   /// Whether some pair was in contact at begin().

@@ -74,6 +74,19 @@ std::optional<Words> MotionPlans::plan(int line, Commanded& commanded) {
   const MoveCommand& asked = *commanded.move;
   if (asked.kind == MotionKind::Jog) return plan_jog(line, asked, commanded.segment);
   if (moves_against_press(commanded)) return words_for_motion_against_press();
+  const motion::MotionPlanner::Mark before = links_.planner.mark();
+  const CornerBefore last = last_;
+  if (auto words = plan_leg(line, commanded)) return words;
+  auto words = proof_.hit(line, before.q, commanded.segment);
+  if (words) {
+    links_.planner.go_back(before);
+    last_ = last;
+  }
+  return words;
+}
+
+std::optional<Words> MotionPlans::plan_leg(int line, Commanded& commanded) {
+  const MoveCommand& asked = *commanded.move;
   motion::MotionRequest request = request_of(line, asked);
   if (commanded.live) request.live = commanded.live->means;
   const bool led = asked.kind != MotionKind::Joint &&

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "runtime/command/commanded.h"
+#include "runtime/command/contact_proof.h"
 #include "runtime/command/plan_warnings.h"
 #include "runtime/command/press_line.h"
 #include "runtime/command/robot_links.h"
@@ -15,8 +16,12 @@ namespace rob::runtime {
 /// its path, and has it planned after all that was planned before. It queues nothing.
 class MotionPlans {
  public:
-  MotionPlans(const RobotLinks& links, const Surroundings& surroundings, const PressLine& press)
-      : links_(links), surroundings_(surroundings), press_(press) {}
+  MotionPlans(const RobotLinks& links, const Assumptions& assumptions,
+              const Surroundings& surroundings, const PressLine& press)
+      : links_(links),
+        surroundings_(surroundings),
+        press_(press),
+        proof_(links.robot, assumptions) {}
 
   /// Fills in the segment, with what is done on its way; or why it cannot be.
   std::optional<Words> plan(int line, Commanded& commanded);
@@ -26,6 +31,7 @@ class MotionPlans {
   int last_line() const { return last_.line; }
 
  private:
+  std::optional<Words> plan_leg(int line, Commanded& commanded);
   std::optional<Words> plan_straight(int line, Commanded& commanded);
   std::optional<Words> plan_along(int line, const motion::MotionRequest& request,
                                   Commanded& commanded);
@@ -40,6 +46,7 @@ class MotionPlans {
   const Surroundings& surroundings_;
   const PressLine& press_;
   CornerBefore last_;
+  ContactProof proof_;
 };
 
 }  // namespace rob::runtime

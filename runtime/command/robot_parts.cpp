@@ -13,7 +13,7 @@ RobotParts::RobotParts(const RobotLinks& links, double override_share)
       surroundings(links),
       loads(links, outputs, progress),
       press(links, surroundings),
-      plans(links, surroundings, press),
+      plans(links, assumptions, surroundings, press),
       queue(links, progress, guard, next, loads),
       motions(links, surroundings, next, guard, press, progress, loads, plans, queue),
       waits(links, assumptions, progress, queue),

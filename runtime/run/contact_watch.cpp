@@ -10,21 +10,6 @@
 
 namespace rob::runtime {
 
-namespace {
-
-/// "JOINTS(0deg, -90deg, …)": as the program would write it.
-std::string joints_words(const motion::RobotModel& robot, const motion::JointVector& q) {
-  std::string text;
-  for (int i = 0; i < robot.axis_count(); ++i) {
-    const motion::AxisKind kind = axis_of(robot, i).kind;
-    text += fmt::format("{}{}{}", i == 0 ? "" : ", ", shown(q[i] * shown_per_si(kind), 2),
-                        unit_name(kind));
-  }
-  return "JOINTS(" + text + ")";
-}
-
-}  // namespace
-
 ContactWatch::ContactWatch(const motion::RobotModel& robot)
     : robot_(robot),
       clearance_(motion::clearance_of(robot)),
@@ -55,8 +40,7 @@ Contact ContactWatch::described(const motion::PathProof::Contact& touch,
           .other = clearance_.name_of_other(touch.pair),
           .from_start = touch.from_start,
           .at = reference.time - begun_,
-          .joints = shown_joints(robot_, reference.q),
-          .joints_words = joints_words(robot_, reference.q)};
+          .q = reference.q};
 }
 
 void ContactWatch::close_line() {
@@ -75,20 +59,6 @@ void ContactWatch::close_line() {
 std::vector<lang::Diagnostic> ContactWatch::finish() {
   close_line();
   return std::move(close_);
-}
-
-Problem problem_of(const Contact& contact, const std::string& file) {
-  const lang::Place place = lang::tagged_place(contact.line);
-  if (contact.from_start) {
-    return {code::kBeginsInContact, file, place,
-            fmt::format("{} touches {} where the motion begins, and would be pressed on at {}",
-                        contact.body, contact.other, contact.joints_words),
-            "move away from it first: a way on which they part is allowed"};
-  }
-  return {code::kHits, file, place,
-          fmt::format("{} hits {} {} s after the start of line {}, at {}", contact.body,
-                      contact.other, shown(contact.at, 2), place.line, contact.joints_words),
-          "go round it by other points, or take it out of the robot file if it is not there"};
 }
 
 }  // namespace rob::runtime

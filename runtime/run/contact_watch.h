@@ -40,7 +40,4 @@ class ContactWatch {
   std::vector<lang::Diagnostic> close_;
 };
 
-/// E580 or E581, in words.
-Problem problem_of(const Contact& contact, const std::string& file);
-
 }  // namespace rob::runtime

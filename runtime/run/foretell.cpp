@@ -19,6 +19,7 @@
 #include "runtime/run/simulation.h"
 #include "runtime/words/codes.h"
 #include "runtime/words/signature.h"
+#include "runtime/words/units.h"
 
 namespace rob::runtime {
 
@@ -74,11 +75,16 @@ std::vector<std::string> undriven_inputs(const LoadedProgram& program,
 }
 
 /// A contact comes before anything that would have happened after it.
-void add_contacts(ContactWatch& contacts, const std::string& file, RunResult& result) {
+void add_contacts(ContactWatch& contacts, const LoadedProgram& program,
+                  const motion::RobotModel& robot, RunResult& result) {
   std::ranges::move(contacts.finish(), std::back_inserter(result.findings));
   if (!contacts.contact()) return;
-  result.contact = contacts.contact();
-  result.error = problem_of(*result.contact, file);
+  const Contact& contact = *contacts.contact();
+  const Words words = words_for(contact, robot);
+  result.contact = contact;
+  result.contact_joints = shown_joints(robot, contact.q);
+  result.error = Problem{words.code, program.file, lang::tagged_place(contact.line), words.message,
+                         words.help};
   result.status = "program-error";
   result.exit_code = ExitCode::ProgramError;
 }
@@ -159,7 +165,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   } else if (timing.gave_up) {
     result.findings.push_back(cut_short(result.measured));
   }
-  add_contacts(contacts, program.file, result);
+  add_contacts(contacts, program, robot, result);
   if (result.error) result.findings.push_back(finding_of(*result.error));
   return of_program(program, std::move(result));
 }

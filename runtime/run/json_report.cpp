@@ -125,11 +125,11 @@ const char* name_of(lang::Severity severity) {
                                                : "note";
 }
 
-void put_contact(Json& json, const Contact& contact) {
-  json["link"] = contact.body;
-  json["obstacle"] = contact.other;
-  json["at_s"] = contact.at;
-  json["joints"] = contact.joints;
+void put_contact(Json& json, const RunResult& result) {
+  json["link"] = result.contact->body;
+  json["obstacle"] = result.contact->other;
+  json["at_s"] = result.contact->at;
+  json["joints"] = result.contact_joints;
 }
 
 Json findings_json(const RunResult& result) {
@@ -140,8 +140,7 @@ Json findings_json(const RunResult& result) {
     json["column"] = finding.place.column;
     json["message"] = finding.message;
     json["help"] = finding.help;
-    if (result.contact && finding.severity == lang::Severity::Error)
-      put_contact(json, *result.contact);
+    if (result.contact && finding.severity == lang::Severity::Error) put_contact(json, result);
     findings.push_back(std::move(json));
   }
   return findings;

@@ -213,6 +213,7 @@ RunResult refused_for_contact(const LoadedProgram& program, const RunResult& for
   result.law = foretold.law;
   result.findings = foretold.findings;
   result.contact = foretold.contact;
+  result.contact_joints = foretold.contact_joints;
   result.error = foretold.error;
   return of_program(program, std::move(result));
 }

@@ -9,6 +9,7 @@
 #include "lang/vm/vm.h"
 #include "motion/kinematics/kinematics.h"
 #include "runtime/run/line_totals.h"
+#include "runtime/words/contact_words.h"
 
 namespace rob::runtime {
 
@@ -65,17 +66,6 @@ struct SlowPlace {
   motion::SingularPlace near = motion::SingularPlace::None;
 };
 
-/// Where a robot would hit itself or what stands around it.
-struct Contact {
-  int line = 0;                  ///< of the motion
-  std::string body;              ///< of the robot
-  std::string other;             ///< another body, or an obstacle
-  bool from_start = false;       ///< the two touch where the motion begins
-  double at = 0;                 ///< s from the beginning of the motion
-  std::vector<double> joints{};  ///< mm or deg
-  std::string joints_words{};    ///< "JOINTS(0deg, -90deg, …)"
-};
-
 /// An error, as JSON and people get it.
 struct Problem {
   std::string code;
@@ -128,6 +118,7 @@ struct RunResult {
   double deviation = 0;  ///< mm: the greatest distance from the programmed path or points
   std::vector<SlowPlace> slow_places;  ///< the slowest first
   std::optional<Contact> contact;      ///< that was foretold: the error, then
+  std::vector<double> contact_joints;  ///< there, mm or deg
 };
 
 }  // namespace rob::runtime

@@ -6,6 +6,7 @@
 
 #include "motion/robots/robot_library.h"
 #include "runtime/run/foretell.h"
+#include "runtime/run/run.h"
 
 using namespace rob::motion;
 using rob::runtime::Contact;
@@ -51,7 +52,7 @@ TEST_CASE("a motion that hits something is an error, with the time and the axes"
   CHECK(contact.body == "tool");
   CHECK(contact.other == "ball");
   CHECK(contact.at == doctest::Approx(3.6).epsilon(0.01));
-  CHECK(contact.joints.at(0) == doctest::Approx(84.5).epsilon(0.005));
+  CHECK(contact.q[0] == doctest::Approx(0.0845).epsilon(0.005));
   CHECK(result.exit_code == ExitCode::ProgramError);
   REQUIRE(result.error.has_value());
   CHECK(result.error->code == "E580");
@@ -101,4 +102,38 @@ TEST_CASE("the elbow of the capping arm must stay above the table") {
   REQUIRE(result.contact.has_value());
   CHECK(result.contact->other == "table");
   CHECK_FALSE(foretold_on(robot, "MOVE JOINTS(30deg, 40deg, -80deg, 0deg, -60deg, 0deg)").error);
+}
+
+TEST_CASE("in a run a motion is proved before it is queued") {
+  // run() itself foretells nothing under Paul's law.
+  const RobotModel robot = gantry_among({kBall});
+  const auto result_of = [&](const std::string& text) {
+    const auto program = rob::runtime::compile_program("t.rob", text, robot);
+    REQUIRE(program.runnable());
+    rob::runtime::RunOptions options;
+    options.fast = true;
+    return rob::runtime::run(program, robot, options, {});
+  };
+  const RunResult stopped =
+      result_of("MOVE(40, 40, 0) FINE\nMOVE(140, 40, 0)\nPRINT \"not reached\"");
+  REQUIRE(stopped.error.has_value());
+  CHECK(stopped.error->code == "E580");
+  CHECK(stopped.error->place.line == 2);
+  // 44.5 of 100 mm.
+  CHECK(stopped.error->message.starts_with("tool hits ball "));
+  CHECK(stopped.exit_code == ExitCode::Fault);
+  CHECK(stopped.output.empty());
+  // It stands where the last motion that was proved has ended.
+  CHECK(stopped.final_joints.at(0) == doctest::Approx(40));
+
+  const RunResult caught = result_of(
+      "MOVE(40, 40, 0) FINE\nTRY\nMOVE(140, 40, 0)\nRESCUE why\nMOVE(40, 100, 0)\nENDTRY\n"
+      "MOVE(140, 100, 0)\nSTOP");
+  CHECK_FALSE(caught.error.has_value());
+  CHECK(caught.final_joints.at(0) == doctest::Approx(140));
+
+  // Along a line of the tool, and for one that goes round.
+  CHECK(result_of("MOVE(40, 40, 0) FINE\nMOVEL(140, 40, 90)").error.has_value());
+  CHECK_FALSE(
+      result_of("MOVE(40, 40, 0) FINE\nMOVEC VIA (100, 80, 0) TO (160, 40, 0)").error.has_value());
 }

@@ -1,0 +1,41 @@
+#include "runtime/words/contact_words.h"
+
+#include <fmt/format.h>
+
+#include "runtime/words/codes.h"
+#include "runtime/words/units.h"
+
+namespace rob::runtime {
+
+namespace {
+
+/// "JOINTS(0deg, -90deg, …)": as the program would write it.
+std::string joints_words(const motion::RobotModel& robot, const motion::JointVector& q) {
+  std::string text;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const motion::AxisKind kind = axis_of(robot, i).kind;
+    text += fmt::format("{}{}{}", i == 0 ? "" : ", ", shown(q[i] * shown_per_si(kind), 2),
+                        unit_name(kind));
+  }
+  return "JOINTS(" + text + ")";
+}
+
+}  // namespace
+
+Words words_for(const Contact& contact, const motion::RobotModel& robot) {
+  const std::string where = joints_words(robot, contact.q);
+  if (contact.from_start)
+    return {code::kBeginsInContact,
+            fmt::format("{} touches {} where the motion begins, and would be pressed on at {}",
+                        contact.body, contact.other, where),
+            "move away from it first: a way on which they part is allowed"};
+  const std::string when = contact.at > 0
+                               ? fmt::format("{} s after the start", shown(contact.at, 2))
+                               : fmt::format("after {:.0f} % of the way", 100 * contact.share);
+  return {code::kHits,
+          fmt::format("{} hits {} {} of line {}, at {}", contact.body, contact.other, when,
+                      lang::tagged_place(contact.line).line, where),
+          "go round it by other points, or take it out of the robot file if it is not there"};
+}
+
+}  // namespace rob::runtime
