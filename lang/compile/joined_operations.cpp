@@ -51,8 +51,8 @@ bool compile_with_product(CodeBuilder& code, const Variables& variables, Operand
   return true;
 }
 
-/// The sum of two products, or their difference. The right one is computed with the sum, so nothing
-/// of it may fail before.
+/// The sum of two products, or their difference. One instruction computes the
+/// right product and the sum, so computing its factors must not fail.
 bool compile_of_products(CodeBuilder& code, const Variables& variables, OperandCode& operands,
                          const Binary& binary, const Expr& expression, Register target) {
   if (variables.watching() || (binary.op != BinaryOp::Add && binary.op != BinaryOp::Subtract))
@@ -74,7 +74,7 @@ bool compile_of_products(CodeBuilder& code, const Variables& variables, OperandC
   return true;
 }
 
-/// a + b - c of REALs. The last one is added with the others, so nothing of it may fail before.
+/// a + b - c of REALs. One instruction adds all three, so computing c must not fail.
 bool compile_of_three(CodeBuilder& code, const Variables& variables, OperandCode& operands,
                       const Binary& binary, const Expr& expression, Register target) {
   const auto* const left = std::get_if<Binary>(&binary.left->node);

@@ -236,7 +236,7 @@ class Testing : public virtual Refuser {
   virtual Reply simulate_answer(int line, std::string_view text, double after);
 };
 
-/// The elements of a LIST, one behind the other.
+/// The elements of a LIST, one after the other.
 struct ListContent {
   Slots size;  ///< of an element
   std::size_t count = 0;

@@ -9,7 +9,7 @@
 #include "lang/values/types.h"
 
 /// Values of one slot as people write them outside of programs: answers to ASK, fields of CSV, and
-/// what is kept between runs.
+/// PERSIST variables in their file.
 namespace rob::lang {
 
 /// The INT or REAL of this type that a number is, after a '-' if `negative`; nothing where it

@@ -85,8 +85,9 @@ double Clearance::distance(const Pair& pair, const LinkFrames& frames) const noe
   return least;
 }
 
-/// The frames keep their distances from one to the next whatever the axes do, but for the travel
-/// of linear axes: no point of a body is farther from an axis than along the frames between.
+/// Neighbouring frames keep their distance when axes turn; a linear axis adds its travel. So the
+/// sum of these distances from an axis to a body bounds how far any point of the body is from the
+/// axis.
 void Clearance::find_levers(const JointVector& travel) {
   if (pairs_.empty()) return;
   const int axes = kinematics_->axes();

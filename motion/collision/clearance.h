@@ -49,7 +49,7 @@ class Clearance {
   std::shared_ptr<const Kinematics> kinematics_;
   CollisionData data_;
   std::vector<Pair> pairs_;
-  std::vector<JointVector> levers_;  // of each pair: m a rad, or 1, of each axis
+  std::vector<JointVector> levers_;  // for each pair and axis: m per rad; 1 if it is linear
 };
 
 }  // namespace rob::motion
