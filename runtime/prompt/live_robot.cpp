@@ -108,7 +108,10 @@ void LiveRobot::run_entries() {
   ProgramTask::State state = ProgramTask::State::Over;
   while (!ending_.load(std::memory_order_relaxed)) {
     look_for_end();
-    state = entries_->run_tasks(entries_->step(kSlice));
+    {
+      const std::lock_guard slice(slice_);
+      state = entries_->run_tasks(entries_->step(kSlice));
+    }
     if (state != ProgramTask::State::Busy) std::this_thread::sleep_for(kProgramPause);
   }
 }
@@ -139,17 +142,22 @@ void LiveRobot::let_pass() {
 void LiveRobot::run(std::uint32_t line, LoadedProgram& program) {
   close_stores();
   stores_ = std::make_unique<ProgramStores>(program, "", !options_.fast);
-  controller_->keep_files(&stores_->files());
-  controller_->connect(&stores_->devices());
+  use_stores(&stores_->files(), &stores_->devices());
   auto chunk = std::make_shared<const lang::Chunk>(std::move(*program.compilation.chunk));
   submit({line, EntryTask::Program{std::move(chunk), options_.seed, stores_->saved()}});
+}
+
+/// Between two slices of the entries, whose TASKs may WRITE at any time.
+void LiveRobot::use_stores(DataFiles* files, TextDevices* devices) {
+  const std::lock_guard slice(slice_);
+  controller_->keep_files(files);
+  controller_->connect(devices);
 }
 
 /// Nothing of the program is under way any more.
 void LiveRobot::close_stores() {
   if (!stores_) return;
-  controller_->keep_files(&files_);
-  controller_->connect(nullptr);
+  use_stores(&files_, nullptr);
   const auto stores = std::move(stores_);
   for (const std::string& why : stores->finish())
     if (listener_.not_kept) listener_.not_kept(why);

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -101,6 +102,7 @@ class LiveRobot {
   void run_entries();
   void look_for_end();
   void close_stores();
+  void use_stores(DataFiles* files, TextDevices* devices);
 
   motion::RobotModel asked_;  ///< as its file has it
   motion::RobotModel robot_;  ///< as the machine is
@@ -119,6 +121,7 @@ class LiveRobot {
   std::atomic<bool> ending_{false};
   std::atomic<bool> begun_{false};  ///< the robot is under control: entries may run
   bool guided_ = false;
+  std::mutex slice_;  ///< held while entries work, by their thread
   std::thread program_;
 };
 

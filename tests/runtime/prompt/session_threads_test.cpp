@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <fstream>
 #include <string>
 
+#include "runtime/files/files.h"
 #include "tests/runtime/prompt/virtual_prompt.h"
+#include "tests/support/scratch_folder.h"
 
 using namespace rob::runtime;
 using rob::test::VirtualPrompt;
@@ -59,4 +62,20 @@ TEST_CASE("a prompt moves, holds, goes back and on, stops and jogs in real time"
   session.finish();
   CHECK(prompt.enter({"PRINT n + 1"}) == "21\n");
   CHECK(session.worst() == ExitCode::Done);  // a stop is no error
+}
+
+// For the thread sanitizer: the TASK looks at the files that the program brings and takes away.
+TEST_CASE("a TASK looks for files while programs begin and end") {
+  const rob::test::ScratchFolder folder;
+  std::ofstream(folder.file("count.rob")) << "PERSIST VAR count = 0\ncount += 1\nWAIT 0.02s\n";
+  VirtualPrompt prompt(in_real_time());
+  prompt.enter(
+      {"TASK look\nVAR found = 0\nLOOP\nIF EXISTS(\"no.csv\") THEN\nfound += 1\nENDIF\n"
+       "WAIT 0.001s\nENDLOOP\nENDTASK",
+       "START look"});
+  prompt.enter({":load " + folder.file("count.rob")});
+  for (int i = 0; i < 5; ++i) prompt.enter({":run"});
+  CAPTURE(prompt.screen.messages);
+  CHECK(prompt.session.worst() == ExitCode::Done);
+  CHECK(rob::runtime::read_file(folder.file("count.values"), 1000) == "count = 5\n");
 }
