@@ -104,6 +104,9 @@ ensure_rob() {
   rob_is_current || alone build_rob
 }
 
+# Compiles the sources of a folder as one, which takes less than half of the time.
+unity=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
+
 build_rob() {
   local folder=$root/build
   ! rob_is_current || return 0 # another ./rob has built it while this one waited
@@ -116,7 +119,7 @@ build_rob() {
   touch "$folder/.building" # what is saved from now on is newer than the program
   if ! is_configured "$folder"; then
     # Without the tests, which need more packages; ./test adds them.
-    configure "$folder" -DCMAKE_BUILD_TYPE=Release -DROB_TESTS=OFF ||
+    configure "$folder" -DCMAKE_BUILD_TYPE=Release -DROB_TESTS=OFF "${unity[@]}" ||
       die "the build could not be configured; what is wrong stands above"
   fi
   build "$folder" rob || die "the program could not be built; what is wrong stands above"

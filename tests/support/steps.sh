@@ -76,9 +76,6 @@ fixed_addresses() {
   fi
 }
 
-# Compiles the sources of a folder as one, which takes less than half of the time.
-unity=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
-
 step_tests() {
   heading "tests"
   timed "tests, built" prepare "$root/build" all \
