@@ -54,6 +54,13 @@ enum class Freedom : std::uint8_t {
   Spin  ///< any turn about the tool's own z
 };
 
+/// A turn through the tip that a motion leaves to the robot.
+struct FreeTurn {
+  Freedom kind = Freedom::None;
+  /// Of C: the direction that it turns about, in the base; a unit vector.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+};
+
 /// `turn` less what is free: the shortest of the turns that are the same but for that. `frame`: the
 /// tool's orientation in the base; both seen from the base.
 Eigen::Quaterniond without_free(const Eigen::Quaterniond& turn, Freedom freedom,

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "base/motion_clauses.h"
+#include "motion/kinematics/kinematics.h"
 #include "motion/space/joint_vector.h"
 
 namespace rob::motion {
@@ -33,6 +35,11 @@ struct MotionRequest {
   Bound jerk = Bound::Unspecified;
   double jerk_value = 0;
   Profile profile = Profile::Unspecified;
+  /// FREE: what of the poses the robot chooses, their own value of it means nothing. None: what
+  /// its file says.
+  std::optional<FreeTurn> free{};
+  /// NEAR: the branch nearest to these joints; none: that nearest to the last target's.
+  std::optional<JointVector> near{};
 };
 
 }  // namespace rob::motion
