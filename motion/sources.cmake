@@ -59,11 +59,15 @@ set(rob_motion_sources
   motion/kinematics/gantry_kinematics.cpp
   motion/kinematics/joint_chain.cpp
   motion/kinematics/kinematics.cpp
+  motion/path/choice.cpp
   motion/path/curve_fit.cpp
   motion/path/euler_line.cpp
   motion/path/follow.cpp
+  motion/path/free_path.cpp
+  motion/path/goal_rung.cpp
   motion/path/joint_path.cpp
   motion/path/joint_spline.cpp
+  motion/path/ladder.cpp
   motion/path/paced_path.cpp
   motion/path/paul_transition.cpp
   motion/path/tool_arc.cpp
@@ -71,6 +75,8 @@ set(rob_motion_sources
   motion/path/tool_path.cpp
   motion/path/tool_spiral.cpp
   motion/path/tool_spline.cpp
+  motion/path/value_spline.cpp
+  motion/path/way_cost.cpp
   motion/plan/ahead_judge.cpp
   motion/plan/ahead_leg.cpp
   motion/plan/capability.cpp

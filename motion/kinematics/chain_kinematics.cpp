@@ -1,6 +1,7 @@
 #include "motion/kinematics/chain_kinematics.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -61,6 +62,7 @@ void ChainKinematics::choose_kept() {
       best = without;
     }
     kept_ = best;
+    if (spare_ < 0) spare_ = std::countr_zero(kept_);
   }
 }
 
@@ -198,6 +200,15 @@ std::optional<JointVector> ChainKinematics::inverse(const Pose& pose,
   q = near;
   if (descent().run(pose, kSteps, q)) return q;
   return std::nullopt;
+}
+
+std::optional<JointVector> ChainKinematics::beside(const Pose& pose,
+                                                   const JointVector& near) const noexcept {
+  constexpr int kFewSteps = 8;
+  if (!inverts()) return std::nullopt;
+  JointVector q = near;
+  if (!descent().keep(kept_for(pose)).run(pose, kFewSteps, q)) return std::nullopt;
+  return q;
 }
 
 std::optional<JointVector> ChainKinematics::closest(const Pose& pose,

@@ -37,6 +37,9 @@ class ChainKinematics final : public Kinematics {
   /// or down (within 0.01°), and it would change nothing but c.
   std::optional<JointVector> inverse(const Pose& pose,
                                      const JointVector& near) const noexcept override;
+  int spare() const noexcept override { return spare_; }
+  std::optional<JointVector> beside(const Pose& pose,
+                                    const JointVector& near) const noexcept override;
   std::optional<JointVector> closest(const Pose& pose,
                                      const JointVector& near) const noexcept override;
   /// The chain stretched out from there.
@@ -82,6 +85,7 @@ class ChainKinematics final : public Kinematics {
   std::variant<std::monostate, WristForm, ParallelForm> form_;
   double length_ = 1;  ///< m, of the chain
   unsigned kept_ = 0;
+  int spare_ = -1;  ///< the first of them
 };
 
 }  // namespace rob::motion

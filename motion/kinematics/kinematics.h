@@ -66,6 +66,11 @@ struct FreeTurn {
 Eigen::Quaterniond without_free(const Eigen::Quaterniond& turn, Freedom freedom,
                                 const Eigen::Quaterniond& frame) noexcept;
 
+/// A pose with the free turn made by an angle, rad.
+Pose turned(const Pose& pose, const FreeTurn& free, double angle) noexcept;
+/// `pose` with that of its free turns which is nearest to `from`; its own counts for nothing.
+Pose nearest_turn(const Pose& pose, const FreeTurn& free, const Eigen::Quaterniond& from) noexcept;
+
 /// From axes to tool. All calls are pure, take no memory and may be used in the tick.
 class Kinematics {
  public:
@@ -88,6 +93,15 @@ class Kinematics {
   /// comes there from `near`.
   virtual std::optional<JointVector> inverse(const Pose& pose,
                                              const JointVector& near) const noexcept;
+  /// Of more axes than a pose needs that whose value chooses among infinitely many solutions; −1:
+  /// there is none.
+  virtual int spare() const noexcept { return -1; }
+  /// The solution that is right beside `near`, for who goes on in small steps; the spare axis keeps
+  /// its value. Where it takes more than a few iterations there is none.
+  virtual std::optional<JointVector> beside(const Pose& pose,
+                                            const JointVector& near) const noexcept {
+    return inverse(pose, near);
+  }
   /// Where there is none: the axis values within the limits from which the tool is nearest to the
   /// pose, 1 rad counted as 100 mm, as damped least squares find them from `near`. None: not known.
   virtual std::optional<JointVector> closest(const Pose& /*pose*/,

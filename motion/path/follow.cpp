@@ -31,10 +31,11 @@ class Follower {
  public:
   using Node = JointPath::Node;
 
-  Follower(const RobotModel& robot, const ToolPath& path, const Pose& tip)
+  Follower(const RobotModel& robot, const ToolPath& path, const Pose& tip, const ValueSpline* spare)
       : robot_(robot),
         path_(path),
         tip_(tip),
+        spare_(spare),
         flange_(inverse(tip)),
         steps_(robot.kinematics->iterates() ? kIterated : kClosed),
         length_(path.end() - path.begin()),
@@ -112,9 +113,15 @@ class Follower {
 
   std::optional<JointVector> solve(double s, const JointVector& near_to) {
     const Pose flange = composed(path_.at(s), flange_);
-    auto q = robot_.kinematics->inverse(flange, near_to);
+    auto q = spare_ != nullptr ? with_spare(flange, s, near_to)
+                               : robot_.kinematics->inverse(flange, near_to);
     if (!q) trouble_ = PathTrouble::Kind::OutOfReach;
     return q;
+  }
+
+  std::optional<JointVector> with_spare(const Pose& flange, double s, JointVector near_to) const {
+    near_to[robot_.kinematics->spare()] = spare_->at(s);
+    return robot_.kinematics->beside(flange, near_to);
   }
 
   /// No rotary axis turns by more than it may between nodes.
@@ -192,7 +199,8 @@ class Follower {
   const RobotModel& robot_;
   const ToolPath& path_;
   const Pose& tip_;
-  const Pose flange_;  ///< seen from the tip
+  const ValueSpline* spare_;  ///< null: the spare axis stands, if there is one
+  const Pose flange_;         ///< seen from the tip
   const Steps steps_;
   const double length_;
   const double longest_step_;
@@ -205,8 +213,9 @@ class Follower {
 }  // namespace
 
 Followed follow(const RobotModel& robot, const ToolPath& path, const Pose& tip,
-                const JointVector& start, const PathPoint* first, const PathPoint* last) {
-  return Follower(robot, path, tip).run(start, first, last);
+                const JointVector& start, const PathPoint* first, const PathPoint* last,
+                const ValueSpline* spare) {
+  return Follower(robot, path, tip, spare).run(start, first, last);
 }
 
 }  // namespace rob::motion

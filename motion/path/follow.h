@@ -6,6 +6,7 @@
 
 #include "motion/path/joint_path.h"
 #include "motion/path/tool_path.h"
+#include "motion/path/value_spline.h"
 #include "motion/robots/robot_model.h"
 
 namespace rob::motion {
@@ -43,8 +44,9 @@ inline constexpr std::size_t kMostNodes = 4096;
 /// two nodes must be the same from either.
 ///
 /// `first`, `last`: what the axes do at the ends where other paths join; else the closed form says.
+/// `spare`: the value of the robot's spare axis along the path; without it that axis stands.
 Followed follow(const RobotModel& robot, const ToolPath& path, const Pose& tip,
                 const JointVector& start, const PathPoint* first = nullptr,
-                const PathPoint* last = nullptr);
+                const PathPoint* last = nullptr, const ValueSpline* spare = nullptr);
 
 }  // namespace rob::motion

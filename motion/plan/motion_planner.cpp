@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "motion/path/follow.h"
+#include "motion/path/free_path.h"
 #include "motion/path/paced_path.h"
 #include "motion/plan/ahead_judge.h"
 #include "motion/plan/ahead_leg.h"
@@ -62,6 +63,12 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request) {
 }
 
 PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& path) {
+  const bool choose = request.free && request.free->kind != Freedom::None;
+  if (!choose || path.axes() != nullptr) return plan_along(request, path);
+  return plan_along(request, choose_turn(robot_, path, tip_.pose(), *request.free, last_.q));
+}
+
+PlanOutcome MotionPlanner::plan_along(const MotionRequest& request, const ToolPath& path) {
   if (const auto refusal = check_wishes(request)) return *refusal;
   MotionDraft draft{last_.q};
   draft.no_length = path.way() <= kSamePose && path.turn() <= kSamePose;
@@ -69,8 +76,10 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& pa
     draft.demand = tip_.demand(last_.q, draft.target);
     return take(request, std::move(draft));
   }
-  Followed followed = path.axes() != nullptr ? led_by(*path.axes())
-                                             : motion::follow(robot_, path, tip_.pose(), last_.q);
+  bool chosen = false;
+  Followed followed = path.axes() != nullptr
+                          ? led_by(*path.axes())
+                          : follow_choosing(robot_, path, tip_.pose(), last_.q, chosen);
   if (const auto refusal = paths_.judge(request, path, followed)) return *refusal;
   draft.leg = std::make_shared<PlannedLeg>();
   draft.target = followed.axes.nodes().back().q;
@@ -86,7 +95,9 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& pa
   } else {
     draft.leg->axes = std::move(followed.axes);
     draft.demand.path = &*draft.leg->axes;
-    if (const auto* const line = dynamic_cast<const ToolLine*>(&path)) draft.leg->line = *line;
+    // Who follows such a line anew would choose anew.
+    const auto* const line = chosen ? nullptr : dynamic_cast<const ToolLine*>(&path);
+    if (line != nullptr) draft.leg->line = *line;
   }
   return take(request, std::move(draft));
 }

@@ -73,6 +73,8 @@ class MotionPlanner {
   /// The request as a segment; a refusal leaves everything as it was.
   PlanOutcome plan(const MotionRequest& request);
   /// The same along a path of the tip, which begins at tool_pose(); its target is the path's end.
+  /// What the request leaves free is chosen along the path: its poses must go on by the shortest
+  /// turns that are the same but for that (nearest_turn).
   PlanOutcome plan(const MotionRequest& request, const ToolPath& path);
 
   /// A segment of no length that ends exactly at the last target. None where the axes stand there
@@ -117,6 +119,7 @@ class MotionPlanner {
   std::array<double, kMaxJoints> absolute(const MotionRequest& request) const noexcept;
   JointVector complete(std::uint8_t given,
                        const std::array<double, kMaxJoints>& wanted) const noexcept;
+  PlanOutcome plan_along(const MotionRequest& request, const ToolPath& path);
   PlanOutcome take(const MotionRequest& request, MotionDraft draft);
   PlanOutcome take_timed(const MotionRequest& request, MotionDraft draft);
   PlanOutcome take_ahead(const MotionRequest& request, MotionDraft draft);

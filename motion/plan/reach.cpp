@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/unit_factors.h"
+#include "motion/path/goal_rung.h"
 #include "motion/plan/feasibility.h"
 
 namespace rob::motion {
@@ -52,6 +53,7 @@ JointVector middle(const RobotModel& robot) noexcept {
 
 std::optional<JointVector> reach(const RobotModel& robot, const Pose& pose,
                                  const JointVector& near) noexcept {
+  if (const auto chosen = choose_at_goal(robot, pose, near)) return chosen;
   std::optional<JointVector> nearest;
   double least = std::numeric_limits<double>::infinity();
   for (const JointVector& solution : robot.kinematics->solutions(pose, near)) {
