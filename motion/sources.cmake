@@ -95,6 +95,7 @@ set(rob_motion_sources
   motion/plan/tool_tip.cpp
   motion/plan/torque_row.cpp
   motion/plan/torque_share.cpp
+  motion/plan/whole_pose.cpp
   motion/plan/wishes.cpp
   motion/robots/arm_file.cpp
   motion/robots/cell_file.cpp

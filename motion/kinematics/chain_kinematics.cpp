@@ -42,6 +42,14 @@ ChainKinematics::ChainKinematics(JointChain chain, int axes, std::vector<int> co
   choose_kept();
 }
 
+std::shared_ptr<const Kinematics> ChainKinematics::leaving(Freedom freedom, const Pose& tip) const {
+  if (freedom_ == Freedom::None) return nullptr;
+  std::vector<ChainJoint> joints;
+  for (int i = 0; i < chain_.size(); ++i) joints.push_back(chain_.joint(i));
+  return std::make_shared<ChainKinematics>(
+      JointChain(std::move(joints), composed(chain_.flange(), tip)), axes_, coordinates_, freedom);
+}
+
 /// One axis after the other, those without which the arm keeps most in the middle of its ranges.
 void ChainKinematics::choose_kept() {
   JointVector middle = JointVector::Zero(axes_);

@@ -29,6 +29,7 @@ class ChainKinematics final : public Kinematics {
   bool inverts() const noexcept override { return !coordinates_.empty(); }
   bool iterates() const noexcept override { return true; }
   Freedom freedom() const noexcept override { return freedom_; }
+  std::shared_ptr<const Kinematics> leaving(Freedom freedom, const Pose& tip) const override;
   /// Up to 24 of those within the limits where there is no closed form. With more than six axes
   /// each is one of infinitely many.
   InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept override;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include "motion/space/joint_vector.h"
@@ -89,6 +90,12 @@ class Kinematics {
   /// Every solution, each with its axes turned as near to `near` as whole turns bring them. None if
   /// there is no solution. Limits of the axes are not looked at.
   virtual InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept = 0;
+  /// The same axes with another part of a pose left open, and the tip of a tool, seen from the
+  /// flange, as their flange; null where they leave none open. Takes memory.
+  virtual std::shared_ptr<const Kinematics> leaving(Freedom /*freedom*/,
+                                                    const Pose& /*tip*/) const {
+    return nullptr;
+  }
   /// The solution nearest to `near`, as sum of squares over the axes, or that on which the arm
   /// comes there from `near`.
   virtual std::optional<JointVector> inverse(const Pose& pose,

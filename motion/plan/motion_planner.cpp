@@ -9,6 +9,7 @@
 #include "motion/path/paced_path.h"
 #include "motion/plan/ahead_judge.h"
 #include "motion/plan/ahead_leg.h"
+#include "motion/plan/whole_pose.h"
 #include "motion/plan/wishes.h"
 #include "motion/robots/time_scaling.h"
 
@@ -77,9 +78,10 @@ PlanOutcome MotionPlanner::plan_along(const MotionRequest& request, const ToolPa
     return take(request, std::move(draft));
   }
   bool chosen = false;
-  Followed followed = path.axes() != nullptr
-                          ? led_by(*path.axes())
-                          : follow_choosing(robot_, path, tip_.pose(), last_.q, chosen);
+  const auto whole = request.whole ? upright_along(robot_, path) : std::nullopt;
+  Followed followed = path.axes() != nullptr ? led_by(*path.axes())
+                                             : follow_choosing(whole ? *whole : robot_, path,
+                                                               tip_.pose(), last_.q, chosen);
   if (const auto refusal = paths_.judge(request, path, followed)) return *refusal;
   draft.leg = std::make_shared<PlannedLeg>();
   draft.target = followed.axes.nodes().back().q;

@@ -35,6 +35,7 @@ struct MotionRequest {
   Bound jerk = Bound::Unspecified;
   double jerk_value = 0;
   Profile profile = Profile::Unspecified;
+  bool whole = false;  ///< the target is a whole pose, with what the axes leave to the place
   /// FREE: what of the poses the robot chooses, their own value of it means nothing. None: what
   /// its file says.
   std::optional<FreeTurn> free{};

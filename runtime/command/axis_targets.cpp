@@ -2,31 +2,12 @@
 
 #include <algorithm>
 
-#include "base/unit_factors.h"
 #include "lang/machine/move_pose.h"
 #include "motion/plan/reach.h"
+#include "motion/plan/whole_pose.h"
 #include "runtime/words/pose_values.h"
 
 namespace rob::runtime {
-
-namespace {
-
-/// A whole pose must have the c that its place gives, where the axes leave that to it; straight up
-/// and down it is refused, too, unless the axes make it as they stand.
-std::optional<Words> words_against_c(const motion::RobotModel& robot, const lang::PoseValue& pose,
-                                     const lang::MoveCommand& command,
-                                     const lang::Setting& setting) {
-  constexpr double kSame = 0.01 * kDegree;
-  if (robot.kinematics->freedom() != motion::Freedom::C) return std::nullopt;
-  if (command.means != lang::MoveCommand::Target::Pose || command.relative) return std::nullopt;
-  const auto axes = static_cast<std::size_t>(robot.axis_count());
-  const motion::JointVector q = joints_of(std::span(command.target).first(axes));
-  const lang::PoseValue reached = tool_at(robot, q, setting);
-  if (lang::pose_math::turn(reached, pose) <= kSame) return std::nullopt;
-  return words_for_other_c(robot, pose, lang::pose_math::to_fixed(reached.rotation).c);
-}
-
-}  // namespace
 
 motion::JointVector joints_of(std::span<const double> axes) {
   motion::JointVector q(static_cast<Eigen::Index>(axes.size()));
@@ -54,11 +35,31 @@ std::optional<Words> axes_for(const motion::RobotModel& robot, const lang::PoseV
   return std::nullopt;
 }
 
+bool says_whole(const lang::MoveCommand& command) {
+  return command.means == lang::MoveCommand::Target::Pose && !command.relative;
+}
+
+std::optional<Words> words_against_c(const motion::RobotModel& robot, const lang::PoseValue& pose,
+                                     const lang::PoseValue& reached) {
+  if (!motion::leaves_open(robot)) return std::nullopt;
+  if (lang::pose_math::turn(reached, pose) <= motion::kOtherTurn) return std::nullopt;
+  return words_for_other_c(robot, pose, lang::pose_math::to_fixed(reached.rotation).c);
+}
+
 std::optional<Words> settle_on_axes(const motion::RobotModel& robot, const lang::PoseValue& pose,
                                     const motion::JointVector& near, lang::MoveCommand& command,
                                     const lang::Setting& setting) {
-  auto words = axes_for(robot, pose, setting, near, command.target);
-  if (!words) words = words_against_c(robot, pose, command, setting);
+  const bool whole = says_whole(command) && motion::leaves_open(robot);
+  const motion::Pose flange = to_motion(lang::flange_for(pose, setting));
+  std::optional<Words> words;
+  if (const auto q = whole ? motion::reach_whole(robot, flange, near) : std::nullopt) {
+    std::ranges::copy(*q, command.target.begin());
+  } else {
+    words = axes_for(robot, pose, setting, near, command.target);
+    const auto axes = static_cast<std::size_t>(robot.axis_count());
+    const motion::JointVector reached = joints_of(std::span(command.target).first(axes));
+    if (whole && !words) words = words_against_c(robot, pose, tool_at(robot, reached, setting));
+  }
   command.means = lang::MoveCommand::Target::Axes;
   command.relative = false;
   command.count = robot.axis_count();

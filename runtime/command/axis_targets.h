@@ -22,6 +22,12 @@ std::optional<Words> axes_for(const motion::RobotModel& robot, const lang::PoseV
                               const lang::Setting& setting, const motion::JointVector& near,
                               std::span<double> joints);
 
+/// Whether the target is a whole pose, with a c of its own.
+bool says_whole(const lang::MoveCommand& command);
+/// A whole pose must have the c that its place gives, where the axes leave that to it.
+std::optional<Words> words_against_c(const motion::RobotModel& robot, const lang::PoseValue& pose,
+                                     const lang::PoseValue& reached);
+
 /// A motion to a pose becomes one to the axis values that bring the tool there; or why there are
 /// none. `near`: where the axes come from.
 std::optional<Words> settle_on_axes(const motion::RobotModel& robot, const lang::PoseValue& pose,

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "lang/machine/move_pose.h"
+#include "motion/plan/whole_pose.h"
+#include "runtime/command/axis_targets.h"
 #include "runtime/command/motion_requests.h"
 #include "runtime/command/path_events.h"
 #include "runtime/command/plan_warnings.h"
@@ -76,8 +78,8 @@ std::optional<Words> MotionPlans::plan(int line, Commanded& commanded) {
   if (moves_against_press(commanded)) return words_for_motion_against_press();
   const motion::MotionPlanner::Mark before = links_.planner.mark();
   const CornerBefore last = last_;
-  if (auto words = plan_leg(line, commanded)) return words;
-  auto words = proof_.hit(line, before.q, commanded.segment);
+  auto words = plan_leg(line, commanded);
+  if (!words) words = proof_.hit(line, before.q, commanded.segment);
   if (words) {
     links_.planner.go_back(before);
     last_ = last;
@@ -89,6 +91,7 @@ std::optional<Words> MotionPlans::plan_leg(int line, Commanded& commanded) {
   const MoveCommand& asked = *commanded.move;
   motion::MotionRequest request = request_of(line, asked);
   if (commanded.live) request.live = commanded.live->means;
+  request.whole = says_whole(asked) && motion::leaves_open(links_.robot);
   const bool led = asked.kind != MotionKind::Joint &&
                    (asked.kind != MotionKind::Line || links_.robot.tool_coordinates);
   return led ? plan_along(line, request, commanded) : plan_straight(line, commanded);
@@ -119,6 +122,10 @@ std::optional<Words> MotionPlans::plan_along(int line, const motion::MotionReque
   commanded.along = path;
   if (auto words = lay_events(commanded)) return words;
   if (auto words = take(line, links_.planner.plan(request, *path), commanded)) return words;
+  if (request.whole)
+    if (auto words = words_against_c(links_.robot, to_lang(path->at(path->end())),
+                                     surroundings_.tool_at(links_.planner.commanded())))
+      return words;
   if (commanded.leg && commanded.leg->pace) {
     const motion::PaceLaw& pace = *commanded.leg->pace;
     commanded.segment.on_the_way.change_each([&](motion::PathEvent& event) {

@@ -9,6 +9,7 @@
 #include "motion/plan/reach.h"
 #include "motion/robots/robot_library.h"
 #include "tests/motion/kinematics/arms.h"
+#include "tests/motion/kinematics/five_axes.h"
 #include "tests/support/kdl_chain.h"
 #include "tests/support/no_allocation.h"
 
@@ -272,21 +273,6 @@ TEST_CASE("of several branches that is chosen which the axes reach first at full
 }
 
 namespace {
-
-/// The SO-101 without its gripper, with free = "c": targets (x, y, z, a, b).
-RobotModel five_axes() {
-  RobotModel robot = embedded_robot("so101");
-  const JointChain& chain = chain_of(robot).chain();
-  robot.axes.pop_back();
-  robot.start = JointVector(robot.start.head(5));
-  robot.coordinates = {0, 1, 2, 3, 4};
-  robot.tool_coordinates = true;
-  std::vector<ChainJoint> joints;
-  for (int i = 0; i < chain.size(); ++i) joints.push_back(chain.joint(i));
-  robot.kinematics = std::make_shared<ChainKinematics>(JointChain(joints, chain.flange()), 5,
-                                                       robot.coordinates, Freedom::C);
-  return robot;
-}
 
 /// rad by which a and b differ.
 double leaning_between(const Pose& one, const Pose& other) {
