@@ -1,6 +1,8 @@
 #include "motion/collision/distance.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace rob::motion {
 
@@ -66,6 +68,27 @@ double segment_to_box(const Vector3d& from, const Vector3d& to, const Vector3d& 
   return excess_at(least).norm();
 }
 
+/// How far a segment that meets the box must be moved at least so as not to. The middles for which
+/// they meet fill a body of the box' edges and the segment as a further edge: each of its faces
+/// lies along two of these four.
+double depth_in_box(const Vector3d& from, const Vector3d& to, const Vector3d& half) noexcept {
+  const Vector3d middle = (from + to) / 2;
+  const Vector3d along = (to - from) / 2;
+  const auto out_along = [&](const Vector3d& way) {
+    return way.cwiseAbs().dot(half) + std::abs(way.dot(along)) - std::abs(way.dot(middle));
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d edge = Vector3d::Unit(i);
+    least = std::min(least, out_along(edge));
+    const Vector3d across = edge.cross(along);
+    constexpr double kParallel = 1e-9;  // [choice] then the edges are ways as good
+    if (across.norm() > kParallel * along.norm())
+      least = std::min(least, out_along(across.normalized()));
+  }
+  return std::max(least, 0.0);
+}
+
 }  // namespace
 
 double distance(const Capsule& capsule, const Sphere& sphere) noexcept {
@@ -78,7 +101,9 @@ double distance(const Capsule& a, const Capsule& b) noexcept {
 
 double distance(const Capsule& capsule, const Box& box) noexcept {
   const Capsule seen = moved(capsule, inverse(box.centre));
-  return segment_to_box(seen.from, seen.to, box.half) - capsule.radius;
+  const double apart = segment_to_box(seen.from, seen.to, box.half);
+  if (apart > 0) return apart - capsule.radius;
+  return -depth_in_box(seen.from, seen.to, box.half) - capsule.radius;
 }
 
 double distance(const Capsule& capsule, const HalfSpace& below) noexcept {

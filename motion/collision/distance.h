@@ -2,9 +2,9 @@
 
 #include "motion/collision/collision_data.h"
 
-/// How far a capsule is from another body, m, both in one frame: 0 or less where they touch. While
-/// the capsule's segment is outside the body it is exact; where the segment enters it, minus the
-/// radii. Closed forms without memory.
+/// How far a capsule is from another body, m, both in one frame: 0 or less where they touch. There
+/// it is minus the way by which one of them must be moved at least so that they do not. Closed
+/// forms without memory.
 namespace rob::motion {
 
 double distance(const Capsule& capsule, const Sphere& sphere) noexcept;

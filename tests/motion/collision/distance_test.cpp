@@ -69,7 +69,7 @@ TEST_CASE("a capsule is as far from bodies as their drawings say") {
   CHECK(distance(beam, Capsule{{0, 0, 1}, {2, 0, 1}, 0.1}) == doctest::Approx(0.8));
   CHECK(distance(beam, Capsule{{3, 0, 0}, {4, 0, 0}, 0.1}) == doctest::Approx(0.8));
   CHECK(distance(beam, Box{upright({1, 0, 1}), {0.5, 0.5, 0.5}}) == doctest::Approx(0.4));
-  CHECK(distance(beam, Box{upright({1, 0, 0}), {0.5, 0.5, 0.5}}) == doctest::Approx(-0.1));
+  CHECK(distance(beam, Box{upright({1, 0, 0}), {0.5, 0.5, 0.5}}) == doctest::Approx(-0.6));
   CHECK(distance(beam, HalfSpace{-0.5}) == doctest::Approx(0.4));
   CHECK(distance(beam, HalfSpace{0.2}) == doctest::Approx(-0.3));
   // A cube on one edge: its other edge, √0.5 m above the centre, runs along x.
@@ -94,11 +94,53 @@ TEST_CASE("the closed forms find what a search along the segments finds") {
     const double to_ball = least_of([&](double t) { return (on(a, t) - ball.centre).norm(); });
     CHECK(std::fabs(distance(a, ball) - (to_ball - a.radius - ball.radius)) < 1e-7);
     const double to_box = least_of([&](double t) { return outside(on(a, t), box); });
-    CHECK(std::fabs(distance(a, box) - (to_box - a.radius)) < 1e-7);
+    if (to_box > 1e-6) CHECK(std::fabs(distance(a, box) - (to_box - a.radius)) < 1e-7);
+    if (to_box == 0) CHECK(distance(a, box) < -a.radius + 1e-7);
     if (i >= 400) continue;  // a search within a search takes long
     const double to_capsule = least_of(
         [&](double s) { return least_of([&](double t) { return (on(a, s) - on(b, t)).norm(); }); });
     CHECK(std::fabs(distance(a, b) - (to_capsule - a.radius - b.radius)) < 1e-7);
     CHECK(distance(a, b) == doctest::Approx(distance(b, a)));
+  }
+}
+
+TEST_CASE("within a box the distance is the way out of it") {
+  SplitMix random(3);
+  int inside = 0;
+  for (int i = 0; i < 4000 && inside < 60; ++i) {
+    CAPTURE(i);
+    Capsule a = capsule(random);
+    a.radius = 0;
+    a.to = a.from + 0.5 * (a.to - a.from);
+    if (i % 5 == 0) a.to = a.from;
+    if (i % 7 == 0) a.to.tail<2>() = a.from.tail<2>();
+    const Box box{i % 3 == 0 ? upright({0.1, 0, 0}) : pose(random), {0.3, 0.4, 0.5}};
+    const auto moved_by = [&](const Vector3d& way) {
+      return Capsule{a.from + way, a.to + way, a.radius};
+    };
+    const double depth = -distance(a, box);
+    if (depth <= 1e-4) continue;
+    ++inside;
+    // No shorter way leads out of it, and some way that is little longer does.
+    bool out = false;
+    for (int k = 0; k < 1000 && !out; ++k) {
+      const Vector3d way = place(random, 1).normalized();
+      out = distance(moved_by(1.1 * depth * way), box) > 0;
+      if (k >= 10) continue;
+      const Capsule less = moved_by(0.999 * depth * way);
+      CHECK(least_of([&](double t) { return outside(on(less, t), box); }) < 1e-9);
+    }
+    CHECK(out);
+  }
+  CHECK(inside == 60);
+}
+
+TEST_CASE("pressing on deeper is less and less distance") {
+  const Box box{upright({0, 0, 0}), {0.03, 0.03, 0.03}};
+  double before = 1;
+  for (double x = -0.05; x < 0; x += 0.001) {
+    const double now = distance(Capsule{{x, 0, -0.1}, {x, 0, 0.1}, 0.01}, box);
+    CHECK(now < before);
+    before = now;
   }
 }
