@@ -38,7 +38,9 @@ void read_body(const TableReader& owner, std::string name, int frame, CollisionD
   if (body.shapes.empty()) return;
   const bool taken =
       std::ranges::any_of(data.bodies, [&](const Body& other) { return other.name == body.name; });
-  if (taken) owner.fail("link", "there is another body of this name");
+  if (taken)
+    owner.fail(owner.has("link") ? "link" : "shape",
+               "there is another body of the name " + body.name + ": give it a `link` of its own");
   data.bodies.push_back(std::move(body));
 }
 
@@ -83,6 +85,10 @@ Obstacle read_obstacle(const TableReader& table) {
   return obstacle;
 }
 
+bool is_body(const CollisionData& data, const std::string& name) {
+  return std::ranges::any_of(data.bodies, [&](const Body& body) { return body.name == name; });
+}
+
 void read_obstacles(const TableReader& file, CollisionData& data) {
   const std::vector<TableReader> tables = file.tables(
       "obstacle", {"name", "kind", "place", "turn", "size", "radius", "from", "to", "height"});
@@ -93,6 +99,7 @@ void read_obstacles(const TableReader& file, CollisionData& data) {
     const bool taken = std::ranges::any_of(
         data.obstacles, [&](const Obstacle& other) { return other.name == obstacle.name; });
     if (taken) table.fail("name", "there is another obstacle of this name");
+    if (is_body(data, obstacle.name)) table.fail("name", "a body of the robot has this name");
     data.obstacles.push_back(std::move(obstacle));
   }
 }
@@ -105,6 +112,8 @@ void read_apart(const TableReader& file, CollisionData& data) {
   for (const TableReader& table : file.tables("apart", {"first", "second"})) {
     for (const std::string_view key : {"first", "second"})
       if (!known(table.text(key))) table.fail(key, "no body or obstacle has this name");
+    if (table.text("first") == table.text("second"))
+      table.fail("second", "the same as `first`: a pair is two bodies, or a body and an obstacle");
     data.apart.emplace_back(table.text("first"), table.text("second"));
   }
 }
@@ -128,17 +137,39 @@ void add_cell(const CellData& cell, CollisionData& data) {
   }
 }
 
+/// A body without a `link` is called as its axis, and base and flange so: where an axis has that
+/// name they get another.
+std::string free_name(const std::vector<TableReader>& axes, const RobotModel& robot,
+                      const char* usual, const char* other) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const std::string& name = axes[i].has("link") ? axes[i].text("link") : robot.axes[i].name;
+    if (name == usual) return other;
+  }
+  return usual;
+}
+
+/// The names of what stands in the cell are given.
+void refuse_names_of_cell(const TableReader& file, const CollisionData& data) {
+  for (const Obstacle& obstacle : data.obstacles)
+    if (is_body(data, obstacle.name))
+      file.fail("cell", "a body has the name " + obstacle.name + ", which is one of the cell's");
+}
+
 }  // namespace
 
 void read_shapes(const TableReader& file, const std::vector<TableReader>& axes, RobotModel& robot) {
   CollisionData& data = robot.collision;
-  if (file.has("base")) read_body(file.table("base", {"link", "shape"}), "base", 0, data);
+  if (file.has("base"))
+    read_body(file.table("base", {"link", "shape"}), free_name(axes, robot, "base", "foot"), 0,
+              data);
   for (std::size_t i = 0; i < axes.size(); ++i) {
     read_body(axes[i], robot.axes[i].name, static_cast<int>(i) + 1, data);
   }
   if (file.has("flange"))
-    read_body(file.table("flange", {"link", "shape"}), "flange", robot.axis_count() + 1, data);
+    read_body(file.table("flange", {"link", "shape"}), free_name(axes, robot, "flange", "hand"),
+              robot.axis_count() + 1, data);
   if (robot.cell && !data.bodies.empty()) add_cell(*robot.cell, data);
+  refuse_names_of_cell(file, data);
   read_obstacles(file, data);
   read_apart(file, data);
   if (file.has("clearance"))

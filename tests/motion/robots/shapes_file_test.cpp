@@ -112,4 +112,24 @@ TEST_CASE("what is wrong with a shape or an obstacle is refused where it stands"
   check_shape_refused(table + table, "another obstacle of this name");
   check_shape_refused("[[apart]]\nfirst = \"flange\"\nsecond = \"moon\"\n", "no body or obstacle");
   check_shape_refused("[[obstacle]]\nname = \"a\"\nkind = \"tabel\"\n", "table");
+  check_shape_refused(kTool.substr(0, kTool.find("2 cm")) +
+                          "2 mm\"\n[[obstacle]]\nname = \"flange\"\n" +
+                          "kind = \"table\"\nheight = \"0 mm\"\n",
+                      "a body of the robot has this name");
+  check_shape_refused(table + "[[apart]]\nfirst = \"a\"\nsecond = \"a\"\n", "the same as `first`");
+}
+
+TEST_CASE("base and flange get another name where an axis has theirs") {
+  std::string text;
+  for (const EmbeddedRobot& robot : embedded_robots())
+    if (robot.name == "ur5e") text = robot.text;
+  REQUIRE(text.find("name = \"base\"") != std::string::npos);
+  const std::string capsule =
+      "kind = \"capsule\"\nfrom = [\"0 mm\", \"0 mm\", \"0 mm\"]\n"
+      "to = [\"0 mm\", \"0 mm\", \"80 mm\"]\nradius = \"20 mm\"\n";
+  text.insert(text.find("[axis.drive]"), "[[axis.shape]]\n" + capsule);
+  const RobotModel robot = parse_robot_file(text + "\n[[base.shape]]\n" + capsule, "my.toml");
+  std::vector<std::string> names;
+  for (const Body& body : robot.collision.bodies) names.push_back(body.name);
+  CHECK(names == std::vector<std::string>{"foot", "base"});
 }
