@@ -91,6 +91,7 @@ double Clearance::distance(const Pair& pair, const LinkFrames& frames) const noe
 void Clearance::find_levers(const JointVector& travel) {
   if (pairs_.empty()) return;
   const int axes = kinematics_->axes();
+  most_ = JointVector::Zero(axes);
   const LinkFrames at_zero = kinematics_->frames(JointVector::Zero(axes));
   const auto lever = [&](const Body& body, int axis) {
     if (axis >= body.frame) return 0.0;  // it does not move the body
@@ -111,6 +112,7 @@ void Clearance::find_levers(const JointVector& travel) {
     const int first = pair.obstacle ? 0 : near.frame;
     for (int axis = first; axis < axes; ++axis) levers[axis] = lever(far, axis);
     levers_.push_back(levers);
+    most_ = most_.cwiseMax(levers);
   }
 }
 

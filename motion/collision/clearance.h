@@ -39,6 +39,11 @@ class Clearance {
   double approach(std::size_t pair, const JointVector& way) const noexcept {
     return levers_[pair].dot(way);
   }
+  /// The most that any pair does.
+  double greatest_approach(const JointVector& way) const noexcept { return most_.dot(way); }
+  /// What approach() multiplies the way with.
+  const JointVector& levers(std::size_t pair) const noexcept { return levers_[pair]; }
+  const JointVector& greatest_levers() const noexcept { return most_; }
 
  private:
   Capsule placed(const Capsule& shape, int frame, const LinkFrames& frames) const noexcept;
@@ -50,6 +55,7 @@ class Clearance {
   CollisionData data_;
   std::vector<Pair> pairs_;
   std::vector<JointVector> levers_;  // for each pair and axis: m per rad; 1 if it is linear
+  JointVector most_;                 // of each axis, of all pairs
 };
 
 }  // namespace rob::motion

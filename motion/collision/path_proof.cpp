@@ -5,33 +5,69 @@
 namespace rob::motion {
 
 PathProof::PathProof(const Clearance& clearance, double near)
-    : clearance_(clearance), near_(near), watched_(clearance.pairs().size()) {}
+    : clearance_(clearance),
+      near_(near),
+      watched_(clearance.pairs().size()),
+      due_(clearance.pairs().size()) {}
 
+/// Where the way goes on, pairs that are known to be far need no look.
 void PathProof::begin(const JointVector& q) {
+  const bool goes_on = last_.size() == q.size() && last_ == q;
+  if (!goes_on) {
+    gone_ = JointVector::Zero(q.size());
+    approached_ = 0;
+  }
   last_ = q;
-  gone_ = JointVector::Zero(q.size());
   nearest_.reset();
   at_start_.reset();
   if (watched_.empty()) return;
   const LinkFrames frames = clearance_.frames(q);
   for (std::size_t i = 0; i < watched_.size(); ++i) {
-    const Contact here{clearance_.pairs()[i], clearance_.distance(clearance_.pairs()[i], frames)};
-    watched_[i] = {
-        .distance = here.distance, .since = gone_, .least = std::min(kContact, here.distance)};
-    if (here.distance < kContact && (!at_start_ || here.distance < at_start_->distance))
-      at_start_ = here;
-    note(here);
+    if (!goes_on || !far(i, gone_)) {
+      measure(i, frames);
+      continue;
+    }
+    watched_[i].least = kContact;
+    watched_[i].margin = 0;
   }
 }
 
+void PathProof::measure(std::size_t i, const LinkFrames& frames) {
+  const Contact here{clearance_.pairs()[i], clearance_.distance(clearance_.pairs()[i], frames)};
+  watched_[i] = {
+      .distance = here.distance, .since = gone_, .least = std::min(kContact, here.distance)};
+  due_[i] = approached_ + here.distance - enough(i);
+  if (here.distance < kContact && (!at_start_ || here.distance < at_start_->distance))
+    at_start_ = here;
+  note(here);
+}
+
+void PathProof::widen(const JointVector& beside) {
+  for (std::size_t i = 0; i < watched_.size(); ++i) {
+    if (watched_[i].least < kContact) continue;
+    watched_[i].margin = clearance_.approach(i, beside);
+    due_[i] -= watched_[i].margin;
+  }
+}
+
+/// Whether the pair need not be looked at before the axes have gone so far.
+bool PathProof::far(std::size_t i, const JointVector& gone) {
+  if (due_[i] > approached_) return true;
+  const double nearer = clearance_.approach(i, gone - watched_[i].since);
+  const double left = watched_[i].distance - nearer - enough(i);
+  if (left > 0) due_[i] = approached_ + left;
+  return left > 0;
+}
+
 std::optional<PathProof::Contact> PathProof::follow(const JointVector& q) {
+  if (watched_.empty()) return std::nullopt;
   const JointVector step = q - last_;
   const JointVector way = step.cwiseAbs();
+  approached_ += clearance_.greatest_approach(way);
   std::optional<Contact> first;
   double earliest = 1;
   for (std::size_t i = 0; i < watched_.size(); ++i) {
-    const double nearer = clearance_.approach(i, gone_ + way - watched_[i].since);
-    if (watched_[i].distance - nearer > enough(i)) continue;
+    if (far(i, gone_ + way)) continue;
     const Along along = look_along(i, step, earliest);
     if (!along.contact) continue;
     first = along.contact;
@@ -44,7 +80,8 @@ std::optional<PathProof::Contact> PathProof::follow(const JointVector& q) {
 
 /// m: a pair that is farther apart need not be looked at.
 double PathProof::enough(std::size_t i) const noexcept {
-  return clearance_.pairs()[i].obstacle ? std::max(near_, kContact) : kContact;
+  const double contact = kContact + watched_[i].margin;
+  return clearance_.pairs()[i].obstacle ? std::max(near_, contact) : contact;
 }
 
 /// From look to look, each as far from the one before as the pair's distance there allows, up to a
@@ -68,7 +105,7 @@ double PathProof::look(std::size_t i, const JointVector& q, const JointVector& g
   constexpr double kSame = 1e-9;  // m [choice] rounding is no approach
   Watched& pair = watched_[i];
   const double distance = clearance_.distance(clearance_.pairs()[i], clearance_.frames(q));
-  pair.touched = distance < pair.least - kSame;
+  pair.touched = distance < pair.least + pair.margin - kSame;
   pair.from_start = pair.least < kContact;
   pair.distance = distance;
   pair.since = gone;

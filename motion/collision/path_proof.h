@@ -10,7 +10,8 @@ namespace rob::motion {
 /// Proves a path free of contact while its references come one after the other, with the axes going
 /// straight from one to the next: a pair is measured again where the axes have gone so far since
 /// that it could be in contact, so that nothing lies between two looks. Takes memory in the
-/// constructor alone.
+/// constructor alone. Far pairs cost a comparison: what the axes have gone brings no pair nearer
+/// than the one that they bring nearest.
 class PathProof {
  public:
   struct Contact {
@@ -27,6 +28,9 @@ class PathProof {
 
   /// From here on; pairs that are in contact here may part, but not come nearer.
   void begin(const JointVector& q);
+  /// From here on the axes may be so far beside what follow() is told, m or rad of each: pairs that
+  /// did not touch at begin() must be farther apart by as much as that can bring them together.
+  void widen(const JointVector& beside);
   /// The next reference; the axes are anywhere between it and the one before. The first pair that
   /// comes into contact, or nearer where it was so from the beginning.
   std::optional<Contact> follow(const JointVector& q);
@@ -43,6 +47,7 @@ class PathProof {
     double distance = 0;      // m, at the last look
     JointVector since{};      // how far each axis had gone in all by then
     double least = kContact;  // m: below it the pair comes into contact
+    double margin = 0;        // m: widen()
     bool touched = false;     // it has
     bool from_start = false;  // it was in contact at begin()
   };
@@ -51,6 +56,8 @@ class PathProof {
     double share = 1;  // of the step, where it is
   };
 
+  void measure(std::size_t i, const LinkFrames& frames);
+  bool far(std::size_t i, const JointVector& gone);
   double enough(std::size_t i) const noexcept;
   Along look_along(std::size_t i, const JointVector& step, double until);
   double look(std::size_t i, const JointVector& q, const JointVector& gone);
@@ -60,7 +67,9 @@ class PathProof {
   const Clearance& clearance_;
   double near_;
   std::vector<Watched> watched_;
-  JointVector gone_;  // how far each axis has gone since begin(), m or rad
+  std::vector<double> due_;  // of each pair: approached_ up to which it need not be looked at
+  double approached_ = 0;    // m by which no pair has come nearer, more or less
+  JointVector gone_;         // how far each axis has gone, m or rad
   JointVector last_;
   std::optional<Contact> nearest_;
   std::optional<Contact> at_start_;

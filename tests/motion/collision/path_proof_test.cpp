@@ -194,3 +194,36 @@ TEST_CASE("the least distance of an obstacle is kept, if it is near") {
   CHECK_FALSE(proof.follow(JointVector{{0.5, 0, 0.2}}).has_value());
   CHECK_FALSE(proof.nearest().has_value());
 }
+
+TEST_CASE("a proof that goes on says what one that begins anew says") {
+  const auto kinematics = arm();
+  const Clearance clearance(kinematics, JointVector::Zero(6), {beams(), things(), {}});
+  PathProof goes_on(clearance, 0.05);
+  SplitMix random(11);
+  int hits = 0;
+  int near = 0;
+  JointVector at = random_joints(random, 6);
+  for (int motion = 0; motion < 120; ++motion) {
+    CAPTURE(motion);
+    const JointVector to = random_joints(random, 6);
+    PathProof fresh(clearance, 0.05);
+    goes_on.begin(at);
+    fresh.begin(at);
+    CHECK(goes_on.at_start().has_value() == fresh.at_start().has_value());
+    bool hit = false;
+    for (int i = 1; i <= 20 && !hit; ++i) {
+      const JointVector q = at + i / 20.0 * 0.2 * (to - at);
+      const auto one = goes_on.follow(q);
+      const auto other = fresh.follow(q);
+      REQUIRE(one.has_value() == other.has_value());
+      hit = one.has_value();
+      if (hit) CHECK(one->distance == doctest::Approx(other->distance).epsilon(1e-6));
+    }
+    hits += hit ? 1 : 0;
+    REQUIRE(goes_on.nearest().has_value() == fresh.nearest().has_value());
+    near += goes_on.nearest() ? 1 : 0;
+    at = hit ? random_joints(random, 6) : goes_on.last();
+  }
+  CHECK(hits > 5);
+  CHECK(near > 5);
+}
