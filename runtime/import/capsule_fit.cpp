@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 
 namespace rob::runtime {
 
@@ -18,6 +19,7 @@ constexpr double kMostOfHull = 2;              // times its volume; above, it is
 constexpr int kEdges = 16;                     // of a prism around a rod
 constexpr int kDirections = 200;               // in which a capsule is looked at
 constexpr double kThinnest = 1e-5;             // m, of a radius in a robot file
+constexpr std::size_t kMany = 1000;            // [choice] vertices
 constexpr double kGolden = 2.399963229728653;  // rad, from direction to direction on a sphere
 
 double volume_of(const Capsule& capsule) {
@@ -45,8 +47,43 @@ Capsule around(const std::vector<Vector3d>& vertices, const Vector3d& centre,
   return {centre + from * direction, centre + to * direction, radius};
 }
 
+/// Two directions across the first, and across each other.
+std::pair<Vector3d, Vector3d> across(const Vector3d& direction) {
+  const Vector3d one = direction.unitOrthogonal();
+  return {one, direction.cross(one)};
+}
+
+/// Evenly spread over the sphere, the poles of `up` and its equator among them.
+std::vector<Vector3d> directions_about(const Vector3d& up) {
+  const auto [u, v] = across(up);
+  std::vector<Vector3d> directions{up, -up};
+  for (int i = 0; i < kDirections; ++i) {
+    const double height = 1 - (2.0 * i + 1) / kDirections;
+    const double angle = kGolden * i;
+    const double flat = std::sqrt(1 - height * height);
+    directions.push_back(height * up + flat * (std::cos(angle) * u + std::sin(angle) * v));
+    directions.push_back(std::cos(angle) * u + std::sin(angle) * v);
+  }
+  return directions;
+}
+
+/// The vertices that are outermost in evenly spread directions, where there are many.
+std::vector<Vector3d> outermost(const std::vector<Vector3d>& vertices) {
+  if (vertices.size() <= kMany) return vertices;
+  std::set<std::size_t> kept;
+  for (const Vector3d& direction : directions_about(Vector3d::UnitZ())) {
+    const auto most = std::ranges::max_element(
+        vertices, {}, [&](const Vector3d& vertex) { return direction.dot(vertex); });
+    kept.insert(static_cast<std::size_t>(most - vertices.begin()));
+  }
+  std::vector<Vector3d> outer;
+  for (const std::size_t i : kept) outer.push_back(vertices[i]);
+  return outer;
+}
+
 /// The line through the two vertices that are farthest from each other.
-std::pair<Vector3d, Vector3d> longest(const std::vector<Vector3d>& vertices) {
+std::pair<Vector3d, Vector3d> longest(const std::vector<Vector3d>& all) {
+  const std::vector<Vector3d> vertices = outermost(all);
   std::pair<Vector3d, Vector3d> ends(vertices.front(), vertices.front());
   double most = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -123,12 +160,6 @@ std::vector<Capsule> around_hull(const Hull& hull, std::size_t most) {
   return best;
 }
 
-/// Two directions across the first, and across each other.
-std::pair<Vector3d, Vector3d> across(const Vector3d& direction) {
-  const Vector3d one = direction.unitOrthogonal();
-  return {one, direction.cross(one)};
-}
-
 /// Points whose hull the body lies in.
 void add_outline(const Body& body, std::vector<Vector3d>& points) {
   if (const Hull* hull = std::get_if<Hull>(&body)) {
@@ -163,20 +194,6 @@ double distance_to(const Body& body, const Vector3d& point) {
   return std::hypot(beyond, beside);
 }
 
-/// Evenly spread over the sphere, the poles of `up` and its equator among them.
-std::vector<Vector3d> directions_about(const Vector3d& up) {
-  const auto [u, v] = across(up);
-  std::vector<Vector3d> directions{up, -up};
-  for (int i = 0; i < kDirections; ++i) {
-    const double height = 1 - (2.0 * i + 1) / kDirections;
-    const double angle = kGolden * i;
-    const double flat = std::sqrt(1 - height * height);
-    directions.push_back(height * up + flat * (std::cos(angle) * u + std::sin(angle) * v));
-    directions.push_back(std::cos(angle) * u + std::sin(angle) * v);
-  }
-  return directions;
-}
-
 }  // namespace
 
 std::vector<Capsule> fitted_capsules(const std::vector<Body>& bodies) {
@@ -200,7 +217,14 @@ std::vector<Capsule> fitted_capsules(const std::vector<Body>& bodies) {
   return capsules;
 }
 
-double standing_out(const std::vector<Capsule>& capsules, const std::vector<Body>& bodies) {
+/// A hull of very many vertices is looked at by its outermost: what stands out from those does so a
+/// little more.
+double standing_out(const std::vector<Capsule>& capsules, const std::vector<Body>& all) {
+  std::vector<Body> bodies = all;
+  for (Body& body : bodies)
+    if (Hull* const hull = std::get_if<Hull>(&body);
+        hull != nullptr && hull->vertices.size() > kMany)
+      *hull = convex_hull(outermost(hull->vertices));
   double most = 0;
   // The distance to a convex body is greatest at the outermost: on the balls at the ends.
   for (const Capsule& capsule : capsules) {
