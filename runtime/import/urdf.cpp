@@ -142,6 +142,27 @@ void check_tree(const Urdf& urdf, const std::string& file) {
   }
 }
 
+/// The reader leaves out what it cannot read of the shapes, and says nothing.
+void check_shapes(const Urdf& urdf, const std::map<std::string, std::size_t>& written,
+                  const std::string& file) {
+  std::size_t all_written = 0;
+  for (const auto& [link, count] : written) all_written += count;
+  std::size_t all_read = 0;
+  for (const UrdfLink& link : urdf.links) {
+    all_read += link.shapes.size();
+    const auto found = written.find(link.name);  // not where it is written with &…;
+    if (found == written.end() || found->second == link.shapes.size()) continue;
+    refuse_urdf(file, fmt::format("{} of the {} <collision> of link {} cannot be read: a number is "
+                                  "none, or the geometry is empty",
+                                  found->second - std::min(found->second, link.shapes.size()),
+                                  found->second, link.name));
+  }
+  if (all_written != all_read)
+    refuse_urdf(file, fmt::format("{} of {} <collision> cannot be read: a number is none, or the "
+                                  "geometry is empty",
+                                  all_written - std::min(all_written, all_read), all_written));
+}
+
 }  // namespace
 
 const UrdfJoint* Urdf::joint(const std::string& called) const {
@@ -155,7 +176,7 @@ const UrdfJoint* Urdf::parent_of(const std::string& link) const {
 }
 
 Urdf read_urdf(const std::string& text, const std::string& file) {
-  check_urdf_text(text, file);
+  const std::map<std::string, std::size_t> written = check_urdf_text(text, file);
   const urdf::ModelInterfaceSharedPtr model = parsed(text, file);
   Urdf urdf;
   urdf.name = model->getName();
@@ -166,6 +187,7 @@ Urdf read_urdf(const std::string& text, const std::string& file) {
       link.shapes.push_back(shape_of(*collision, name, file));
     urdf.links.push_back(std::move(link));
   }
+  check_shapes(urdf, written, file);
   for (const auto& [name, from] : model->joints_) urdf.joints.push_back(joint_of(*from));
   // Links in a circle would hold each other for ever.
   for (const auto& [name, from] : model->links_) from->child_links.clear();

@@ -22,10 +22,11 @@ class TagScanner {
  public:
   TagScanner(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
-  void check() {
+  std::map<std::string, std::size_t> check() {
     for (at_ = text_.find('<'); at_ != std::string_view::npos; at_ = text_.find('<', at_)) step();
     if (elements_ == 0) fail("is not XML: it has no element such as <robot>");
     if (level_ != 0) fail("is not XML: some element is not closed; the file may be cut off");
+    return std::move(collisions_);
   }
 
  private:
@@ -40,6 +41,7 @@ class TagScanner {
     } else {
       ++elements_;
       check_tag(tag);
+      count(tag);
       if (!tag.ends_with("/")) ++level_;
     }
     if (level_ > kMostLevels) fail(fmt::format("is nested more than {} levels deep", kMostLevels));
@@ -83,6 +85,35 @@ class TagScanner {
     if (++links_ > kMostLinks) fail(fmt::format("has more than {} links", kMostLinks));
   }
 
+  /// A <collision> is a child of a <link>, which is one of the robot.
+  void count(std::string_view tag) {
+    if (level_ == 1) link_ = is(tag, "<link") ? &collisions_[attribute(tag, "name")] : nullptr;
+    if (level_ == 2 && link_ != nullptr && is(tag, "<collision")) ++*link_;
+  }
+
+  static bool is(std::string_view tag, std::string_view element) {
+    constexpr std::string_view kEnds = " \t\r\n/";
+    if (!tag.starts_with(element)) return false;
+    const std::string_view rest = tag.substr(element.size());
+    return rest.empty() || kEnds.find(rest.front()) != std::string_view::npos;
+  }
+
+  /// As it is written between its quotation marks.
+  static std::string attribute(std::string_view tag, std::string_view name) {
+    for (std::size_t at = tag.find('='); at != std::string_view::npos;) {
+      std::string_view key = tag.substr(0, at);
+      while (!key.empty() && std::string_view(" \t\r\n").find(key.back()) != std::string_view::npos)
+        key.remove_suffix(1);
+      const std::size_t open = tag.find_first_of("\"'", at);
+      if (open == std::string_view::npos) return "";
+      const std::size_t close = tag.find(tag[open], open + 1);
+      if (close == std::string_view::npos) return "";
+      if (key.ends_with(name)) return std::string(tag.substr(open + 1, close - open - 1));
+      at = tag.find('=', close);
+    }
+    return "";
+  }
+
   [[noreturn]] void fail(const std::string& problem) const {
     const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, text_.size()));
     throw motion::RobotFileError(
@@ -95,6 +126,8 @@ class TagScanner {
   int level_ = 0;
   int elements_ = 0;
   int links_ = 0;
+  std::map<std::string, std::size_t> collisions_;
+  std::size_t* link_ = nullptr;  // of the link that is open
 };
 
 void check_characters(std::string_view text, const std::string& file) {
@@ -111,9 +144,9 @@ void check_characters(std::string_view text, const std::string& file) {
 
 }  // namespace
 
-void check_urdf_text(std::string_view text, const std::string& file) {
+std::map<std::string, std::size_t> check_urdf_text(std::string_view text, const std::string& file) {
   check_characters(text, file);
-  TagScanner(text, file).check();
+  return TagScanner(text, file).check();
 }
 
 }  // namespace rob::runtime

@@ -242,6 +242,28 @@ TEST_CASE("circles and closed loops of joints are refused") {
              "is not a valid URDF"));
 }
 
+TEST_CASE("a <collision> that cannot be read is refused with the link's name") {
+  const auto arm = [](const std::string& collisions) {
+    return "<robot name='r'><link name='a'/><link\n name = 'b' >" + collisions +
+           "</link><joint name='j' type='revolute'><parent link='a'/><child link='b'/>" + kLimit +
+           "</joint></robot>";
+  };
+  const auto collision = [](const std::string& geometry) {
+    return "<collision><geometry>" + geometry + "</geometry></collision>";
+  };
+  const std::string sound = collision("<sphere radius='0.1'/>");
+  CHECK(refusal_of(arm(sound + "<!--" + sound + "-->" + sound)) == "accepted");
+  for (const std::string& broken :
+       {collision("<cylinder radius='nan' length='1'/>"),
+        collision("<cylinder radius='0,05' length='1'/>"), collision(""),
+        collision("<box size='0.1 0.1'/>"), std::string("<collision/>"),
+        std::string("<collision></collision>"), collision("<cone radius='1'/>")}) {
+    CAPTURE(broken);
+    CHECK(says(refusal_of(arm(sound + broken)), "link b"));
+    CHECK(says(refusal_of(arm(broken)), "link b"));
+  }
+}
+
 TEST_CASE("an arm has at most eight axes") {
   std::string text = "<robot name='r'><link name='l0'/>";
   for (int i = 1; i <= 9; ++i) {
