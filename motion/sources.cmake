@@ -1,6 +1,7 @@
 # The sources of `rob_motion`, folder by folder. tests/architecture_test.cpp finds those that are missing here.
 set(rob_motion_sources
   motion/motion.cpp
+  motion/ahead/corner_ways.cpp
   motion/ahead/course_ahead.cpp
   motion/ahead/curve_axes.cpp
   motion/ahead/guide.cpp

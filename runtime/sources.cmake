@@ -48,6 +48,7 @@ set(rob_runtime_sources
   runtime/command/tool_paths.cpp
   runtime/command/waits.cpp
   runtime/command/when_pool.cpp
+  runtime/command/way_marks.cpp
   runtime/command/whens.cpp
   runtime/devices/device_connection.cpp
   runtime/devices/device_lines.cpp

@@ -72,6 +72,7 @@ void find_out_whether_points_can_be_kept(const LoadedProgram& program) {
 
 ForetellOptions foretell_options(const Options& options, const SignalScript& script) {
   ForetellOptions how{options.seed, &script, options.override_share, options.data};
+  how.ends_known = backend_of(options.backend)->simulated();
   how.date = options.date.value_or(options.fast ? WallTime{} : wall_time_now());
   return how;
 }

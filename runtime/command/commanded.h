@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,6 +35,7 @@ struct Commanded {
   std::vector<lang::MoveCommand> via{};  ///< of MOVEC, MOVES
   std::optional<ProgramPace> live{};
   std::shared_ptr<const motion::PlannedLeg> leg{};
+  std::uint64_t known_by = 0;                       ///< WayMarks
   double way = 0;                                   ///< of the tool, m
   std::shared_ptr<const motion::ToolPath> along{};  ///< null: straight in the axes
 };

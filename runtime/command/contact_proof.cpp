@@ -1,5 +1,8 @@
 #include "runtime/command/contact_proof.h"
 
+#include <utility>
+
+#include "motion/ahead/corner_ways.h"
 #include "motion/robots/robot_clearance.h"
 #include "runtime/words/contact_words.h"
 
@@ -11,31 +14,63 @@ ContactProof::ContactProof(const motion::RobotModel& robot, const Assumptions& a
       clearance_(motion::clearance_of(robot)),
       proof_(clearance_, 0) {}
 
-std::optional<Words> ContactProof::hit(int line, const motion::JointVector& from,
+std::optional<Words> ContactProof::hit(int line, const motion::MotionPlanner::Mark& before,
                                        const motion::SegmentDescriptor& segment) {
-  if (clearance_.pairs().empty() || assumptions_.foretelling()) return std::nullopt;
-  proof_.begin(from);
-  double share = 0;
-  motion::JointVector q;
-  const auto touch = follow(segment, share, q);
+  if (clearance_.pairs().empty()) return std::nullopt;
+  const std::uint64_t corner_of = before.exact || segment.from_rest ? 0 : known_by_;
+  const std::uint64_t known_by = way_mark(corner_of, before.q, segment);
+  const bool cleared = cleared_ != nullptr && cleared_->contains(known_by);
+  if (!cleared && !assumptions_.foretelling())
+    if (auto words = judge(line, before, segment)) return words;
+  known_by_ = known_by;
+  if (segment.ahead.length > 0) last_ = segment;
+  return std::nullopt;
+}
+
+std::optional<Words> ContactProof::judge(int line, const motion::MotionPlanner::Mark& before,
+                                         const motion::SegmentDescriptor& segment) {
+  Contact contact;
+  contact.line = line;
+  Touch touch = around(before, segment, contact.q);
+  if (touch) {
+    contact.corner = true;
+  } else {
+    proof_.begin(before.q);
+    touch = along(segment, contact.share, contact.q);
+    contact.at = contact.share * segment.duration;
+  }
   if (!touch) return std::nullopt;
-  return words_for({.line = line,
-                    .body = clearance_.name_of_body(touch->pair),
-                    .other = clearance_.name_of_other(touch->pair),
-                    .from_start = touch->from_start,
-                    .at = share * segment.duration,
-                    .share = share,
-                    .q = q},
-                   robot_);
+  contact.body = clearance_.name_of_body(touch->pair);
+  contact.other = clearance_.name_of_other(touch->pair);
+  contact.from_start = touch->from_start;
+  return words_for(contact, robot_);
+}
+
+/// The corner between the motion before and this one.
+ContactProof::Touch ContactProof::around(const motion::MotionPlanner::Mark& before,
+                                         const motion::SegmentMotion& segment,
+                                         motion::JointVector& q) {
+  const bool known = last_.number != 0 && last_.target == before.q;
+  const motion::CornerWays corner =
+      motion::corner_ways(robot_, before, known ? &last_ : nullptr, segment);
+  for (const std::vector<motion::JointVector>& way : corner.ways) {
+    proof_.begin(way.front());
+    proof_.widen(corner.beside);
+    for (const motion::JointVector& place : way) {
+      q = place;
+      if (auto touch = proof_.follow(place)) return touch;
+    }
+  }
+  return std::nullopt;
 }
 
 /// Straight on, or along the path from place to place: there are so many between two of its nodes
 /// that the axes go straight, but for far less than the distance that counts as contact.
-std::optional<motion::PathProof::Contact> ContactProof::follow(
-    const motion::SegmentDescriptor& segment, double& share, motion::JointVector& q) {
+ContactProof::Touch ContactProof::along(const motion::SegmentDescriptor& segment, double& share,
+                                        motion::JointVector& q) {
   constexpr int kPlaces = 8;      // [choice] of a piece, which turns an axis by 0.05 rad at most
   constexpr int kStraight = 256;  // [choice] so finely a contact of a straight way is placed
-  std::optional<motion::PathProof::Contact> touch;
+  Touch touch;
   const auto look = [&](double at, const motion::JointVector& place) {
     if (touch) return;
     touch = proof_.follow(place);

@@ -79,7 +79,10 @@ std::optional<Words> MotionPlans::plan(int line, Commanded& commanded) {
   const motion::MotionPlanner::Mark before = links_.planner.mark();
   const CornerBefore last = last_;
   auto words = plan_leg(line, commanded);
-  if (!words) words = proof_.hit(line, before.q, commanded.segment);
+  if (!words) {
+    words = proof_.hit(line, before, commanded.segment);
+    commanded.known_by = proof_.known_by();
+  }
   if (words) {
     links_.planner.go_back(before);
     last_ = last;

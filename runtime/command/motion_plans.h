@@ -27,6 +27,8 @@ class MotionPlans {
   std::optional<Words> plan(int line, Commanded& commanded);
   std::optional<Words> plan_jog(int line, const lang::MoveCommand& asked,
                                 motion::SegmentDescriptor& segment);
+  /// These motions have been foretold, and hit nothing.
+  void trust(std::shared_ptr<const ClearedWays> cleared) { proof_.trust(std::move(cleared)); }
   /// Line of the last motion that was planned.
   int last_line() const { return last_.line; }
 

@@ -22,6 +22,7 @@ struct LoggedSegment : motion::SegmentMotion {
   bool further = false;  ///< belongs to the same statement as the one before
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();    ///< of the tool, seen from the flange, m
   std::shared_ptr<const motion::PlannedLeg> leg{};  ///< what the segment points into
+  std::uint64_t known_by = 0;                       ///< of a motion: WayMarks
 };
 
 /// An EXPECT that did not hold, and what it found.

@@ -15,7 +15,19 @@ ContactWatch::ContactWatch(const motion::RobotModel& robot)
       clearance_(motion::clearance_of(robot)),
       proof_(clearance_, robot.collision.clearance) {}
 
-void ContactWatch::take(const Snapshot& snapshot, int line) {
+/// A stop that makes the target of a motion exact belongs to it.
+void ContactWatch::begin(const LoggedSegment& motion, double time) {
+  if (motion.further) return;
+  next_ = true;
+  begins_ = static_cast<int>(motion.tag);
+  at_ = time;
+}
+
+void ContactWatch::end(const LoggedSegment& motion, bool early) {
+  if (!contact_ && motion.known_by != 0) (early ? cut_ : whole_).push_back(motion.known_by);
+}
+
+void ContactWatch::take(const Snapshot& snapshot) {
   if (clearance_.pairs().empty() || contact_) return;
   const motion::JointReference& reference = snapshot.sample.reference;
   if (!first_) {
@@ -24,12 +36,17 @@ void ContactWatch::take(const Snapshot& snapshot, int line) {
       return;
     }
   }
-  if (!first_ && line == line_) return;
-  close_line();
-  line_ = line;
-  begun_ = reference.time;
+  if (!first_ && !next_) return;
+  go_on_in(begins_);
   proof_.begin(reference.q);
-  first_ = false;
+  first_ = next_ = false;
+}
+
+/// What is passed closely is told once a line.
+void ContactWatch::go_on_in(int line) {
+  keep_nearest();
+  line_ = line;
+  begun_ = at_;
 }
 
 Contact ContactWatch::described(const motion::PathProof::Contact& touch,
@@ -43,22 +60,33 @@ Contact ContactWatch::described(const motion::PathProof::Contact& touch,
           .q = reference.q};
 }
 
-void ContactWatch::close_line() {
-  const bool hits = contact_ && contact_->line == line_;
-  if (first_ || line_ == 0 || hits || !proof_.nearest()) return;
-  const motion::PathProof::Contact& near = *proof_.nearest();
-  close_.push_back(
-      {lang::Severity::Warning, code::kNearObstacle, lang::tagged_place(line_),
-       fmt::format("{} passes {} at a distance of {} mm", clearance_.name_of_body(near.pair),
-                   clearance_.name_of_other(near.pair),
-                   shown(near.distance * kMillimetresPerMetre, 1)),
-       fmt::format("keep {} mm, or lower `clearance` in the robot file",
-                   shown(robot_.collision.clearance * kMillimetresPerMetre, 1))});
+void ContactWatch::keep_nearest() {
+  if (first_ || line_ == 0 || !proof_.nearest()) return;
+  const auto [kept, first] = nearest_.try_emplace(line_, *proof_.nearest());
+  if (!first && proof_.nearest()->distance < kept->second.distance)
+    kept->second = *proof_.nearest();
+}
+
+lang::Diagnostic ContactWatch::warning_of(int line, const motion::PathProof::Contact& near) const {
+  return {lang::Severity::Warning, code::kNearObstacle, lang::tagged_place(line),
+          near_words(clearance_.name_of_body(near.pair), clearance_.name_of_other(near.pair),
+                     near.distance),
+          fmt::format("keep {} mm, or lower `clearance` in the robot file",
+                      shown(robot_.collision.clearance * kMillimetresPerMetre, 1))};
 }
 
 std::vector<lang::Diagnostic> ContactWatch::finish() {
-  close_line();
-  return std::move(close_);
+  keep_nearest();
+  std::vector<lang::Diagnostic> close;
+  for (const auto& [line, near] : nearest_)
+    if (!contact_ || contact_->line != line) close.push_back(warning_of(line, near));
+  return close;
+}
+
+std::shared_ptr<const ClearedWays> ContactWatch::cleared(bool early_ones) const {
+  auto ways = std::make_shared<ClearedWays>(whole_.begin(), whole_.end());
+  if (early_ones) ways->insert(cut_.begin(), cut_.end());
+  return ways;
 }
 
 }  // namespace rob::runtime

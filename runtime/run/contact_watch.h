@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "lang/text/diagnostic.h"
 #include "motion/collision/path_proof.h"
 #include "motion/robots/robot_model.h"
+#include "runtime/command/program_log.h"
 #include "runtime/run/run_result.h"
 #include "runtime/tick/channels.h"
 
@@ -18,26 +22,39 @@ class ContactWatch {
  public:
   explicit ContactWatch(const motion::RobotModel& robot);
 
-  /// The next reference; `line` is the tag of the motion that runs, 0 between two of them.
-  void take(const Snapshot& snapshot, int line);
+  /// A motion begins, s.
+  void begin(const LoggedSegment& motion, double time);
+  /// It is over; early: it has not come to its end.
+  void end(const LoggedSegment& motion, bool early);
+  /// The next reference.
+  void take(const Snapshot& snapshot);
   /// The first contact. Nothing after it is looked at: the program ends there.
   const std::optional<Contact>& contact() const { return contact_; }
   /// At most one of a line: obstacles that are passed more closely than the file's `clearance`.
   std::vector<lang::Diagnostic> finish();
+  /// The motions that were followed to their end and hit nothing. `early_ones`: those that ended
+  /// early, too.
+  std::shared_ptr<const ClearedWays> cleared(bool early_ones) const;
 
  private:
-  void begin_line(int line, double time);
-  void close_line();
+  void go_on_in(int line);
+  void keep_nearest();
+  lang::Diagnostic warning_of(int line, const motion::PathProof::Contact& near) const;
   Contact described(const motion::PathProof::Contact& touch, const Snapshot& snapshot) const;
 
   const motion::RobotModel& robot_;
   motion::Clearance clearance_;
   motion::PathProof proof_;
-  int line_ = 0;
-  double begun_ = 0;  ///< s: when the line began
-  bool first_ = true;
+  int line_ = 0;       ///< tag of the motion whose references are followed
+  double begun_ = 0;   ///< s: when that motion began
+  bool first_ = true;  ///< no reference has come
+  bool next_ = false;  ///< a motion has begun since the last one
+  int begins_ = 0;     ///< its tag
+  double at_ = 0;      ///< s: when it did
+  std::vector<std::uint64_t> whole_;
+  std::vector<std::uint64_t> cut_;
   std::optional<Contact> contact_;
-  std::vector<lang::Diagnostic> close_;
+  std::map<int, motion::PathProof::Contact> nearest_;  // by line
 };
 
 }  // namespace rob::runtime

@@ -40,6 +40,11 @@ class Controller {
 
   /// Before the run: the program is only foretold; see Assumptions.
   void foretell(const std::vector<std::string>& undriven_inputs);
+  /// Before the run: motions that were foretold; see ContactProof. Null: none.
+  void trust(const std::shared_ptr<const ClearedWays>& cleared) {
+    machine_.parts().plans.trust(cleared);
+    handlers_machine_.parts().plans.trust(cleared);
+  }
   /// Where TEACH keeps points; see OperatorDesk.
   void keep_points(PointKeeper* keeper) {
     machine_.parts().desk.keep_points(keeper);

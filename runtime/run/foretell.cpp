@@ -76,8 +76,9 @@ std::vector<std::string> undriven_inputs(const LoadedProgram& program,
 
 /// A contact comes before anything that would have happened after it.
 void add_contacts(ContactWatch& contacts, const LoadedProgram& program,
-                  const motion::RobotModel& robot, RunResult& result) {
+                  const motion::RobotModel& robot, bool early_ones, RunResult& result) {
   std::ranges::move(contacts.finish(), std::back_inserter(result.findings));
+  result.cleared = contacts.cleared(early_ones);
   if (!contacts.contact()) return;
   const Contact& contact = *contacts.contact();
   const Words words = words_for(contact, robot);
@@ -121,8 +122,10 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
       robot, options.override_share, controller.channels(), controller.log(),
       names_in(program, robot),
       {.print = {},
-       .snapshot = [&](const Snapshot& snapshot) { contacts.take(snapshot, recorder.line()); },
-       .write = [&](const Note& note, double time) { hand_over(note, time, files, devices); }});
+       .snapshot = [&](const Snapshot& snapshot) { contacts.take(snapshot); },
+       .write = [&](const Note& note, double time) { hand_over(note, time, files, devices); },
+       .begin = [&](const LoggedSegment& motion, double time) { contacts.begin(motion, time); },
+       .end = [&](const LoggedSegment& motion, bool early) { contacts.end(motion, early); }});
 
   RunLimits limits = limits_of(options.longest);
   limits.standstill =
@@ -165,7 +168,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
   } else if (timing.gave_up) {
     result.findings.push_back(cut_short(result.measured));
   }
-  add_contacts(contacts, program, robot, result);
+  add_contacts(contacts, program, robot, options.ends_known, result);
   if (result.error) result.findings.push_back(finding_of(*result.error));
   return of_program(program, std::move(result));
 }

@@ -23,6 +23,8 @@ struct ForetellOptions {
   /// s of the program's time for which it is followed: for at most 100,000,000 instructions an
   /// hour, where a shorter time counts as an hour.
   double longest = 3600;
+  /// Motions that are foretold to end early will do so in the run: its inputs are simulated.
+  bool ends_known = true;
   WallTime date{};                              ///< when it begins
   std::function<void(double time)> progress{};  ///< in every cycle: how far it is, s
 };

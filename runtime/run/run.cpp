@@ -114,6 +114,7 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   robot.servo_period = machine.period;
   Controller controller(robot, std::move(machine.backend), options.override_share,
                         rules_of(options.script), 0, has_handlers(program));
+  controller.trust(foretold.cleared);
   prepare_panel(controller, options.script);
   controller.channels().begun = begin_of(options);
   controller.channels().panel.seat(options.person);
@@ -183,7 +184,8 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
 }  // namespace
 
 Foretold foretold_by(RunResult result) {
-  Foretold foretold{result.planned, result.lines.size(), std::move(result.lines)};
+  Foretold foretold{result.planned, result.lines.size(), std::move(result.lines),
+                    std::move(result.cleared)};
   foretold.lines.expect();
   return foretold;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -24,6 +25,7 @@ struct Foretold {
   double planned = 0;     ///< s
   std::size_t count = 0;  ///< of its lines
   LineTotals lines{};     ///< as LineTotals::expect() leaves them
+  std::shared_ptr<const ClearedWays> cleared{};  ///< as in RunResult
 };
 Foretold foretold_by(RunResult result);
 

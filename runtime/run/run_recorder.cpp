@@ -150,6 +150,7 @@ void RunRecorder::begin_segment(const MotionEvent& event) {
   slow_.begin(*planned);
   LineTotal& line = line_of(*planned);
   running_ = RunningMotion{*planned, from_, event.time};
+  if (listener_.begin) listener_.begin(*running_, event.time);
   if (!planned->further && line.count++ == 0) line.starts = event.time;
   plan_.begin(*running_, event.time, line);
 }
@@ -205,6 +206,7 @@ void RunRecorder::stand_still(const MotionEvent& event) {
 void RunRecorder::end_segment(double time, const LoggedSegment* next) {
   end_corner();
   if (!running_) return;
+  if (listener_.end) listener_.end(*running_, running_->cut);
   LineTotal& line = line_of(*running_);
   line.measured += time - running_->started;
   if (running_->jog->present()) {

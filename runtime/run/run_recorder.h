@@ -34,6 +34,10 @@ class RunRecorder {
     std::function<void(const Note& note, int line)> consult{};
     /// A line of WRITE, a value to be kept, what is sent to a device or simulated of it.
     std::function<void(const Note& note, double time)> write{};
+    /// A motion begins: s.
+    std::function<void(const LoggedSegment& motion, double time)> begin{};
+    /// It is over; early: it has not come to its end.
+    std::function<void(const LoggedSegment& motion, bool early)> end{};
   };
 
   RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,

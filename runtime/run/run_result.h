@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "lang/text/diagnostic.h"
 #include "lang/vm/vm.h"
 #include "motion/kinematics/kinematics.h"
+#include "runtime/command/way_marks.h"
 #include "runtime/run/line_totals.h"
 #include "runtime/words/contact_words.h"
 
@@ -119,6 +121,8 @@ struct RunResult {
   std::vector<SlowPlace> slow_places;  ///< the slowest first
   std::optional<Contact> contact;      ///< that was foretold: the error, then
   std::vector<double> contact_joints;  ///< there, mm or deg
+  /// Of foretell(): the motions that hit nothing; see ContactProof.
+  std::shared_ptr<const ClearedWays> cleared{};
 };
 
 }  // namespace rob::runtime

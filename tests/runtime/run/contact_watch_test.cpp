@@ -70,6 +70,37 @@ TEST_CASE("what is passed closely is a warning, once a line") {
   CHECK(found_in(foretold_on(robot, "MOVE(40, 40, 0) FINE\nMOVE(140, 36, 0)")).empty());
 }
 
+TEST_CASE("the time of a contact counts from its own motion, not from the first of its line") {
+  // Twenty motions of one line; the fourth goes from x = 30 to 40 and comes within 15.5 mm of the
+  // ball, whose middle is at 52, at x = 36.5.
+  Obstacle ahead = kBall;
+  ahead.shape = Sphere{{0.052, 0.04, 0}, 0.01};
+  const RunResult result =
+      foretold_on(gantry_among({ahead}),
+                  "MOVE(0, 40, 0) FINE\nFOR i = 1 TO 20 DO\nMOVE(10 * i, 40, 0) FINE\nENDFOR");
+  REQUIRE(result.contact.has_value());
+  CHECK(result.contact->line == 3);
+  CHECK(result.contact->q[0] == doctest::Approx(0.0365).epsilon(0.01));
+  CHECK(result.contact->at > 0);
+  CHECK(result.contact->at < 5.5);  // what such a motion takes from rest to rest
+}
+
+TEST_CASE("who leaves a contact is told how deep it is") {
+  Obstacle crate = kBall;
+  crate.name = "crate";
+  crate.shape = Box{{{0.0, 0.04, 0}, Eigen::Quaterniond::Identity()}, {0.02, 0.2, 0.2}};
+  const RobotModel robot = gantry_among({crate});
+  CHECK(found_in(foretold_on(robot, "MOVE(100, 0, 0)")) ==
+        std::vector<std::string>{"1 W680 tool leaves crate, which it touches: 25 mm deep"});
+  const RunResult pressed = foretold_on(robot, "MOVE(0, 20, 0) FINE\nMOVE(60, 20, 0)");
+  CHECK_FALSE(pressed.error.has_value());
+  // From near its side on to its middle.
+  crate.shape = Box{{{0.04, 0, 0}, Eigen::Quaterniond::Identity()}, {0.045, 0.2, 0.2}};
+  const RunResult deeper = foretold_on(gantry_among({crate}), "MOVE(20, 0, 0)");
+  REQUIRE(deeper.error.has_value());
+  CHECK(deeper.error->code == "E581");
+}
+
 TEST_CASE("a rounded corner is part of the way") {
   // The corner at (140, 40) misses its point by some millimetres: a ball just outside of it is
   // passed, and is hit where the robot stops in the corner.
