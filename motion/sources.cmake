@@ -24,6 +24,7 @@ set(rob_motion_sources
   motion/ahead/speed_plan.cpp
   motion/collision/clearance.cpp
   motion/collision/distance.cpp
+  motion/collision/jog_room.cpp
   motion/collision/path_proof.cpp
   motion/dynamics/ums7_dynamics.cpp
   motion/force/constant_force.cpp

@@ -107,6 +107,7 @@ set(rob_runtime_sources
   runtime/run/corner_meter.cpp
   runtime/run/foretell.cpp
   runtime/run/interruption.cpp
+  runtime/run/jog_watch.cpp
   runtime/run/json_report.cpp
   runtime/run/line_totals.cpp
   runtime/run/load.cpp

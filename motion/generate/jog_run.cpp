@@ -22,6 +22,8 @@ std::uint8_t number_of(const JogLimit& limit) noexcept {
       return of_axis(kAcceleration, limit.axis);
     case JogLimit::Kind::Reach:
       return kReach;
+    case JogLimit::Kind::Body:
+      return kBody;
     case JogLimit::Kind::End:
       break;
   }

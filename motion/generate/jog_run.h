@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "motion/generate/trajectory_generator.h"
 #include "motion/generate/velocity_mode.h"
 #include "motion/plan/jog_rates.h"
@@ -15,6 +17,7 @@ class JogRun {
  public:
   explicit JogRun(const RobotModel& robot) : mode_(robot), period_(robot.reference_period) {}
 
+  void keep_to(const JogRoom& room) noexcept { mode_.keep_to(room); }
   /// The axes stand at `from`, m, rad.
   void begin(const JogRates& rates, const JointVector& from) noexcept;
   /// The one under way goes on with other rates.
@@ -34,6 +37,11 @@ class JogRun {
   const JointVector& place() const noexcept { return mode_.reference().q; }
   /// The axis whose end it is near; −1: none.
   int axis_at_end() const noexcept;
+  /// What JogRoom says stops it; none if it is something else.
+  std::optional<int> body() const noexcept {
+    if (mode_.limit().kind != JogLimit::Kind::Body) return std::nullopt;
+    return mode_.limit().axis;
+  }
   /// The reference but its time, and what else a sample says of it. `share`: as in step().
   void sample(double share, bool slowed, GeneratorSample& sample) const noexcept;
 

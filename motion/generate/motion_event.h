@@ -31,7 +31,8 @@ struct MotionEvent {
                      ///< segment's time that is done, 0…1
     JogStopped,      ///< axis: a jog goes no further, since this axis is near the end of its way;
                      ///< value: where the axis is, m or rad; axis −1: the arm is near a singular
-                     ///< place, or the end of its reach
+                     ///< place, or the end of its reach; kAtBody: of the pair `value`, two bodies
+                     ///< would come too near (JogRoom::stops)
     WentBack,        ///< tag: the axes stand where this motion had begun; 0: on the way there
     NoWayBack,       ///< what is recorded of their way begins where they stand
     PaceFailed,      ///< tag: what its LivePace computes has no result
@@ -39,6 +40,8 @@ struct MotionEvent {
     Overrun,         ///< the tick came too late to be made up; value: how late, s
     Fault            ///< axis: its reference was no number; it has not been handed out
   };
+
+  static constexpr int kAtBody = -2;  ///< `axis` of JogStopped
 
   Kind kind = Kind::SegmentStarted;
   double time = 0;  ///< s, exact instant since the start of the run, not rounded to periods

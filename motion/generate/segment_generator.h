@@ -30,6 +30,7 @@ class SegmentGenerator : public TrajectoryGenerator {
  public:
   void look(const CycleView& view) noexcept override;
   const GeneratorSample& advance(std::int64_t period) noexcept override;
+  void keep_to(const JogRoom& room) noexcept override { sequence_.keep_to(room); }
   void hold() noexcept override { stopped_ = true; }
   void resume() noexcept override { stopped_ = held_reported_ = false; }
   void set_override(double share) noexcept override;

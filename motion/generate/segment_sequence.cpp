@@ -244,12 +244,13 @@ void SegmentSequence::begin_jog(const SegmentDescriptor& segment, double instant
 void SegmentSequence::run_jog() noexcept {
   join_jog();
   if (jog_.step(jog_.over() ? 0 : jog_share())) {
-    const int axis = jog_.axis_at_end();
+    const int axis = jog_.body() ? MotionEvent::kAtBody : jog_.axis_at_end();
+    const double place = axis < 0 ? 0 : jog_.place()[axis];
     events_.report({.kind = EventKind::JogStopped,
                     .time = now_.stamp,
                     .tag = now_.segment.tag,
                     .number = now_.segment.number,
-                    .value = axis < 0 ? 0 : jog_.place()[axis],
+                    .value = static_cast<double>(jog_.body().value_or(0)) + place,
                     .axis = axis});
   }
   if (jog_.over() && jog_.stands() && !early_.braking()) end_jog();

@@ -40,6 +40,7 @@ class SegmentSequence {
   SegmentSequence(const RobotModel& robot, PathLaw& law, UnderWay& now, EffectOrder& effects,
                   EarlyEnd& early, EventQueue& events);
 
+  void keep_to(const JogRoom& room) noexcept { jog_.keep_to(room); }
   /// All that happens up to the stamp, in order of time.
   void go_on() noexcept;
   /// Starts from standstill what may start.

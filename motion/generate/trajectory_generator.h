@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "motion/collision/jog_room.h"
 #include "motion/generate/motion_event.h"
 #include "motion/generate/rest.h"
 #include "motion/plan/watch.h"
@@ -47,6 +48,9 @@ class TrajectoryGenerator {
   /// (20 periods or 200 ms, whichever is longer), the path is not followed to where it should
   /// be: it goes on from the last reference into a hold, and an Overrun event says so.
   virtual const GeneratorSample& advance(std::int64_t period) noexcept = 0;
+
+  /// Before the run: jogs keep to this room, which must outlive the generator.
+  virtual void keep_to(const JogRoom& room) noexcept = 0;
 
   /// Slows down on the path to rest, within the limits; resume() speeds up again.
   virtual void hold() noexcept = 0;

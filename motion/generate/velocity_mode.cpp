@@ -140,7 +140,7 @@ void VelocityMode::step(double share) noexcept {
   if (asked && find_step(share, *asked)) return;
   if (stands()) {
     granted_ = 0;
-    blocked_ = share;
+    if (limit_.kind != Limit::Body) blocked_ = share;  // bodies are measured anew
     return;
   }
   if (share > 0) granted_ = asked ? granted_ * kLess : 0;
@@ -252,7 +252,10 @@ JogLimit VelocityMode::go(const State& from, double share, const JointVector& as
   to.place = moved(from, to, time);
   const JointVector near = from.axes.q + from.axes.qd * time + from.axes.qdd * (time * time / 2);
   if (!follow(near, to) || leaves_reach(from.axes.q, to.axes.q)) return {Limit::Reach, -1};
-  return judge(from.axes, to.axes, time);
+  const JogLimit limit = judge(from.axes, to.axes, time);
+  if (limit.kind != Limit::None || room_ == nullptr) return limit;
+  const int pair = room_->stops(to.axes.q);
+  return pair == JogRoom::kFree ? limit : JogLimit{Limit::Body, pair};
 }
 
 /// The acceleration of the rates. Its part that does not lie along what is missing would last as

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "motion/collision/jog_room.h"
 #include "motion/generate/jog_space.h"
 #include "motion/robots/robot_model.h"
 
@@ -16,7 +17,8 @@ struct JogLimit {
     Speed,         ///< of the axis
     Acceleration,  ///< of the axis: near a singular place
     End,           ///< the axis is near the end of its way
-    Reach          ///< the arm does not reach further, or would have to jump
+    Reach,         ///< the arm does not reach further, or would have to jump
+    Body           ///< two bodies would come too near; `axis`: what JogRoom::stops() says
   };
 
   Kind kind = Kind::None;
@@ -46,6 +48,8 @@ class VelocityMode {
  public:
   explicit VelocityMode(const RobotModel& robot);
 
+  /// From here on no step is taken from which it could not come to rest within that room.
+  void keep_to(const JogRoom& room) noexcept { room_ = &room; }
   /// At rest at q, with nothing asked.
   void stand_at(const JointVector& q) noexcept;
   /// Whether the rates can be asked for now: at rest any, else those of the same space and tool.
@@ -64,7 +68,10 @@ class VelocityMode {
   double granted() const noexcept { return granted_; }
   /// It hardly goes on, though axes and tool are fast enough for what was asked; JogLimit says why.
   /// [choice] below a thirtieth it is hardly seen to move
-  bool stopped() const noexcept { return broken_off_ || granted_ * 30 < affordable_; }
+  bool stopped() const noexcept {
+    const bool waits = limit_.kind == JogLimit::Kind::Body && limit_.axis == JogRoom::kUnknown;
+    return broken_off_ || (granted_ * 30 < affordable_ && !waits);
+  }
 
  private:
   using State = JogState;
@@ -93,6 +100,7 @@ class VelocityMode {
   const JointVector least_, most_, v_max_, a_max_, j_max_;  ///< of the axes
   std::array<bool, kMaxJoints> rotary_{};
   JointVector low_, high_;  ///< least_ and most_, or further, where the jog began beyond them
+  const JogRoom* room_ = nullptr;
   JogSpace space_;
   JogRates asked_;
   State state_;

@@ -163,6 +163,7 @@ std::optional<Words> MotionPlans::plan_jog(int line, const MoveCommand& asked,
   const bool leads = asked.jog != JogFrame::Joint;  // of a program refused before, a pendant's here
   if (auto words = words_against(lang::MotionFeature::Lead, links_.robot); leads && words)
     return words;
+  links_.channels.jog_room.want();
   const JogRates rates = rates_of(asked, surroundings_.setting().tool, links_.robot);
   if (press_.forbids(rates)) return words_for_motion_against_press();
   const motion::PlanOutcome outcome = links_.planner.jog(static_cast<motion::Tag>(line), rates);

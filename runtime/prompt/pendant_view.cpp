@@ -132,6 +132,8 @@ std::string of_motion(const Picture& picture) {
   if (!picture.pendant.moving()) return "";
   const bool pulse = picture.pendant.style() == Pendant::Style::Pulse;
   const std::string text = pulse ? "any other key stops" : "space stops";
+  if (picture.snapshot.sample.limit == motion::limit_number::kBody)
+    return text + "; it holds short of a body";
   const int axis = picture.snapshot.sample.limit - kSpeed;
   if (axis < 0 || axis >= picture.robot().axis_count()) return text;
   return fmt::format("{}; {} is at its top speed", text, axis_of(picture.robot(), axis).name);

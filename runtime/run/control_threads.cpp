@@ -9,6 +9,7 @@ namespace {}  // namespace
 
 ControlThreads::ControlThreads(Controller& controller)
     : controller_(controller),
+      line_(controller.watches_jogs() ? 4 : 3),
       servo_(
           clock_, controller.robot().servo_period, kServoPriority,
           [this](std::int64_t number, double, double) {
@@ -34,6 +35,14 @@ ControlThreads::ControlThreads(Controller& controller)
             return !stopping_.load(std::memory_order_relaxed);
           },
           &line_) {
+  if (controller.watches_jogs())
+    jogs_.emplace(
+        clock_, controller.robot().reference_period, kPathPriority,
+        [this](std::int64_t, double, double) {
+          controller_.watch_jogs();
+          return !stopping_.load(std::memory_order_relaxed);
+        },
+        &line_);
   line_.wait_until_ready();
 }
 
@@ -53,6 +62,7 @@ Timing ControlThreads::finish() {
   motion_.join();
   stopping_ = true;
   path_.join();
+  if (jogs_) jogs_->join();
   servo_.join();
   return {motion_.punctuality().missed, motion_.punctuality().worst_lateness, drift_, false};
 }

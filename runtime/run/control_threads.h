@@ -32,7 +32,7 @@ class ControlThreads {
  private:
   Controller& controller_;
   SystemClock clock_;
-  StartLine line_{3};
+  StartLine line_;
   bool begun_ = false;
   std::atomic<bool> stopping_{false};
   std::optional<double> first_;  ///< when the first cycle began, s
@@ -40,6 +40,7 @@ class ControlThreads {
   PeriodicTask servo_;
   PeriodicTask motion_;
   PeriodicTask path_;
+  std::optional<PeriodicTask> jogs_;  ///< where there is something to be hit
 };
 
 }  // namespace rob::runtime

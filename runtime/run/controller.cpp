@@ -32,7 +32,8 @@ Controller::Controller(const motion::RobotModel& robot,
                handlers ? &handlers_machine_ : nullptr, override_share),
       motion_task_(robot, *chain_.generator, *handlers_chain_.generator, override_share, channels_,
                    script, recorded),
-      servo_task_(robot, *backend_, channels_) {
+      servo_task_(robot, *backend_, channels_),
+      jog_watch_(robot, channels_) {
   channels_.analog_inputs.use(robot.analog_inputs);
   channels_.analog_outputs.use(robot.analog_outputs);
   channels_.joints.store(robot.start);

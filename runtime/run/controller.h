@@ -9,6 +9,7 @@
 #include "motion/servo/servo_backend.h"
 #include "runtime/command/program_log.h"
 #include "runtime/command/robot_machine.h"
+#include "runtime/run/jog_watch.h"
 #include "runtime/tick/channels.h"
 #include "runtime/tick/motion_task.h"
 #include "runtime/tick/servo_task.h"
@@ -70,6 +71,11 @@ class Controller {
     return chain_.plan_path() || handlers;
   }
 
+  /// Measures what is around the robot for its jogs, beside the tick; see JogWatch.
+  void watch_jogs() { jog_watch_.look(); }
+  /// Whether there is anything to be measured.
+  bool watches_jogs() const { return jog_watch_.used(); }
+
   /// From here on `listener` gets the program's path as it is planned; under the look-ahead law.
   void tell(motion::PathListener& listener) {
     if (chain_.path) chain_.path->planner.tell(listener);
@@ -92,6 +98,7 @@ class Controller {
   RobotMachine machine_;
   MotionTask motion_task_;
   ServoTask servo_task_;
+  JogWatch jog_watch_;
 };
 
 }  // namespace rob::runtime

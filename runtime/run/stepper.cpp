@@ -11,6 +11,7 @@ Stepper::Stepper(Controller& controller) : controller_(controller) {
 
 void Stepper::cycle() {
   servo_cycles();
+  controller_.watch_jogs();
   controller_.motion().cycle(next_++, 0);
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "motion/collision/jog_room.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/servo/following_supervisor.h"
 #include "motion/space/analog_channels.h"
@@ -144,6 +145,7 @@ struct Channels {
   /// motion → servo, program: what the arm carries in this cycle; null: nothing
   std::atomic<const motion::CarriedLoad*> carried{nullptr};
   std::atomic<std::int64_t> cycle{0};  ///< motion → program: number of the current one
+  motion::JogRoom jog_room;            ///< thread that measures distances → motion
   LatestValues joints;                 ///< motion → program: the references of the current cycle
   LatestValues wrench;  ///< motion → program: N, then Nm, as CycleView; none without a sensor
   std::atomic<std::int64_t> simulations_done{0};  ///< motion → program: SIMULATEs that have acted

@@ -31,11 +31,15 @@ MotionTask::MotionTask(const motion::RobotModel& robot, motion::TrajectoryGenera
       retracing_(robot, recorded, speed_, channels),
       pressing_(robot, channels),
       force_watch_(robot.force.limit),
-      stopping_(robot, tracks_, retracing_, effects_, channels) {}
+      stopping_(robot, tracks_, retracing_, effects_, channels) {
+  generator.keep_to(channels.jog_room);
+  handlers.keep_to(channels.jog_room);
+}
 
 void MotionTask::cycle(std::int64_t number, double lateness) noexcept {
   if (over()) return;
   now_ = motion::cycle_instant(number, period_);
+  channels_.jog_room.look(now_);
   take_samples();
   speed_.relieve_drives(now_, history_.saturation());
   inputs_.latch(now_);

@@ -9,7 +9,9 @@
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
 #include "lang/values/pose_slots.h"
+#include "motion/generate/motion_event.h"
 #include "motion/plan/motion_planner.h"
+#include "motion/robots/robot_clearance.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/tick/simulated_inputs.h"
 #include "runtime/words/codes.h"
@@ -242,7 +244,21 @@ Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot
   return explained(words_for_axis(finding, axis_of(robot, finding.axis)), of_machine);
 }
 
+namespace {
+
+/// `stops`: what JogRoom says.
+std::string text_for_jog_at_body(double stops, const motion::RobotModel& robot) {
+  if (stops < 0) return "the jog stops short of a body";
+  const motion::Clearance clearance = motion::clearance_of(robot);
+  const motion::Clearance::Pair& pair = clearance.pairs().at(static_cast<std::size_t>(stops));
+  return fmt::format("the jog stops: {} is near {}", clearance.name_of_body(pair),
+                     clearance.name_of_other(pair));
+}
+
+}  // namespace
+
 std::string text_for_stopped_jog(int axis, double place, const motion::RobotModel& robot) {
+  if (axis == motion::MotionEvent::kAtBody) return text_for_jog_at_body(place, robot);
   if (axis < 0) return "the jog stops at a singular position, or at the end of the arm's reach";
   const motion::Axis& stopping = axis_of(robot, axis);
   const double end = place - stopping.min < stopping.max - place ? stopping.min : stopping.max;
