@@ -95,6 +95,7 @@ set(rob_lang_sources
   lang/values/pose_product.cpp
   lang/values/pose_product_avx2.cpp
   lang/values/text_functions.cpp
+  lang/values/tool_fit.cpp
   lang/values/types.cpp
   lang/values/units.cpp
   lang/values/value_text.cpp

@@ -22,6 +22,7 @@ set(rob_runtime_sources
   runtime/command/errand.cpp
   runtime/command/file_desk.cpp
   runtime/command/force_commands.cpp
+  runtime/command/gripper_elements.cpp
   runtime/command/handler_turns.cpp
   runtime/command/loads.cpp
   runtime/command/motion_commands.cpp

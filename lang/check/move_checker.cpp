@@ -186,7 +186,7 @@ bool MoveChecker::check_joint(const Move& move) {
 
 bool MoveChecker::check_curve(const Move& move) {
   bool sound = true;
-  for (const ExprPtr& point : move.via) sound = check_target(move, point) && sound;
+  for (const ExprPtr& point : move.via) sound = check_via(move, point) && sound;
   if (move.target == nullptr || !check_target(move, move.target) || !sound) return false;
   return check_alike(move);
 }
@@ -224,7 +224,7 @@ bool MoveChecker::check_jog(const Move& move, Place place, bool guarded) {
   const auto& tuple = std::get<Tuple>(move.target->node);
   for (const Tuple::Element& element : tuple.elements) expressions_.check(element.value);
   const Coordinates& wanted = jogged(move.jog, robot_);
-  if (!check_shape(tuple, wanted, move.target->place)) return false;
+  if (!check_shape(tuple, wanted, wanted, move.target->place)) return false;
   const auto elements = by_coordinate(tuple, wanted);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (elements[i] == nullptr) continue;
@@ -245,9 +245,9 @@ bool MoveChecker::check_target(const Move& move, const ExprPtr& point) {
   if (tuple == nullptr) return check_value(move, point);
   // Checked whatever the shape of the tuple, so that all mistakes inside are found at once.
   for (const Tuple::Element& element : tuple->elements) expressions_.check(element.value);
-  if (!check_shape(*tuple, robot_.coordinates, target.place)) return false;
+  if (!check_shape(*tuple, robot_.coordinates, elements_, target.place)) return false;
   bool sound = true;
-  const auto elements = by_coordinate(*tuple, robot_.coordinates);
+  const auto elements = by_coordinate(*tuple, elements_);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (elements[i] == nullptr) continue;
     sound = check_component(word_of(move.kind), *elements[i], i) && sound;
@@ -255,24 +255,57 @@ bool MoveChecker::check_target(const Move& move, const ExprPtr& point) {
   return sound;
 }
 
-bool MoveChecker::check_shape(const Tuple& tuple, const Coordinates& coordinates, Place place) {
-  const auto named = static_cast<std::size_t>(std::ranges::count_if(
-      tuple.elements, [](const Tuple::Element& element) { return !element.name.empty(); }));
-  if (named > 0) {
-    if (named == tuple.elements.size()) return check_names(tuple, coordinates);
-    diagnostics_.error(code::kMixedComponents, place, "some components are named and some are not",
-                       "name all of them, or none");
+/// A gripper goes evenly from the beginning of a curve to its end.
+bool MoveChecker::check_via(const Move& move, const ExprPtr& point) {
+  if (!check_target(move, point)) return false;
+  const auto* const tuple = std::get_if<Tuple>(&point->node);
+  if (tuple == nullptr) return true;
+  for (const Tuple::Element& element : tuple->elements) {
+    if (!names_gripper(element)) continue;
+    diagnostics_.error(code::kGripperOnTheWay, element.place,
+                       fmt::format("{} cannot be given a value on the way: it goes to that of TO "
+                                   "along the whole curve",
+                                   shortened(element.name)),
+                       "leave it out after VIA");
     return false;
   }
+  return true;
+}
+
+bool MoveChecker::names_gripper(const Tuple::Element& element) const {
+  return !element.name.empty() && coordinate_named(robot_.grippers, element.name).has_value();
+}
+
+/// Gripper axes are named, after components with or without names.
+bool MoveChecker::check_shape(const Tuple& tuple, const Coordinates& in_place,
+                              const Coordinates& all, Place place) {
+  const auto& elements = tuple.elements;
+  const auto named = [](const Tuple::Element& element) { return !element.name.empty(); };
+  if (std::ranges::all_of(elements, named)) return check_names(tuple, all);
+  const auto first = std::ranges::find_if(elements, named);
+  const bool mixed = !std::all_of(
+      first, elements.end(), [&](const Tuple::Element& element) { return names_gripper(element); });
+  if (!mixed) {
+    const auto count = static_cast<std::size_t>(first - elements.begin());
+    return check_count(count, in_place, place) && check_names(tuple, all);
+  }
+  diagnostics_.error(code::kMixedComponents, place, "some components are named and some are not",
+                     "name all of them, or none");
+  return false;
+}
+
+bool MoveChecker::check_count(std::size_t given, const Coordinates& coordinates, Place place) {
   const std::size_t wanted = coordinates.size();
-  const std::size_t given = tuple.elements.size();
   // Six axes: (x, y, z) keeps the orientation.
   if (given == wanted || (wanted == 6 && given == 3)) return true;
+  const bool hand = given == wanted + robot_.grippers.size() && given > wanted;
   diagnostics_.error(
       code::kComponentCount, place,
       fmt::format("a target of {} has {} components ({}); here are {}", robot_.name, wanted,
                   fmt::join(names_of(coordinates), ", "), given),
-      given == 1
+      hand ? fmt::format("a gripper axis is named, as in (…, {}: 60deg); JOINTS(…) has all axes",
+                         robot_.grippers.front().name)
+      : given == 1
           ? "a pose stands without parentheses, as in MOVE pick; one component, as in (140, , )"
       : given < wanted
           ? "leave a place empty to keep its value, as in (140, , ), or name components"
@@ -284,13 +317,10 @@ bool MoveChecker::check_names(const Tuple& tuple, const Coordinates& coordinates
   std::vector<bool> given(coordinates.size(), false);
   bool sound = true;
   for (const Tuple::Element& element : tuple.elements) {
+    if (element.name.empty()) continue;
     const auto coordinate = coordinate_named(coordinates, element.name);
     if (!coordinate) {
-      const std::string meant = did_you_mean(suggest(element.name, names_of(coordinates)));
-      diagnostics_.error(
-          code::kUnknownComponent, element.place,
-          fmt::format("{} has no coordinate {}", robot_.name, shortened(element.name)),
-          meant.empty() ? fmt::format("it has {}", fmt::join(names_of(coordinates), ", ")) : meant);
+      report_no_coordinate(element, coordinates);
       sound = false;
     } else if (given[*coordinate]) {
       diagnostics_.error(code::kComponentTwice, element.place,
@@ -303,9 +333,22 @@ bool MoveChecker::check_names(const Tuple& tuple, const Coordinates& coordinates
   return sound;
 }
 
+/// An axis of the arm is no coordinate of its tool.
+void MoveChecker::report_no_coordinate(const Tuple::Element& element,
+                                       const Coordinates& coordinates) {
+  const auto axis = coordinate_named(robot_.axes, element.name);
+  const std::string meant = did_you_mean(suggest(element.name, names_of(coordinates)));
+  diagnostics_.error(
+      code::kUnknownComponent, element.place,
+      fmt::format("{} has no coordinate {}", robot_.name, shortened(element.name)),
+      axis ? fmt::format("it is axis {0}: MOVE JOINT {0} TO moves it alone, or BY", *axis + 1)
+      : meant.empty() ? fmt::format("it has {}", fmt::join(names_of(coordinates), ", "))
+                      : meant);
+}
+
 bool MoveChecker::check_component(std::string_view word, const Tuple::Element& element,
                                   std::size_t coordinate) {
-  const RobotSignature::Coordinate& wanted = robot_.coordinates[coordinate];
+  const RobotSignature::Coordinate& wanted = elements_[coordinate];
   const Expr& value = *element.value;
   if (value.type.kind == Type::Kind::Unknown) return false;
   if (!is_bare(value.type)) {
@@ -394,7 +437,7 @@ bool MoveChecker::settle(PlainMotions& motions, PlainMotions::Written& motion) {
   const auto target = read ? plain_.of(*read, motions.file) : std::nullopt;
   if (!target) return false;
   const MoveCommand command{.kind = motion.kind,
-                            .count = static_cast<int>(robot_.coordinates.size()),
+                            .count = static_cast<int>(elements_.size()),
                             .given = target->given,
                             .target = target->values};
   if (target->given != 0 && places_are_known() && judge_ && judge_(command)) return false;
@@ -536,11 +579,11 @@ void MoveChecker::judge_target(const Expr& target, const Symbol* point) {
   const auto* const tuple = std::get_if<Tuple>(&target.node);
   if (tuple == nullptr) return judge_value(target, point);
   MoveCommand command;
-  const auto elements = by_coordinate(*tuple, robot_.coordinates);
+  const auto elements = by_coordinate(*tuple, elements_);
   command.count = static_cast<int>(elements.size());
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (elements[i] == nullptr) continue;
-    keep_component(command, i, *elements[i]->value, robot_.coordinates[i].dimension);
+    keep_component(command, i, *elements[i]->value, elements_[i].dimension);
   }
   if (command.given != 0) judge(command, target.place);
 }

@@ -46,6 +46,7 @@ class MoveChecker {
               ValueChecker& values, const TargetJudge& judge, Diagnostics& diagnostics,
               CheckedProgram& checked)
       : robot_(robot),
+        elements_(elements_of(robot)),
         plain_(robot),
         judge_(judge),
         names_(names),
@@ -78,8 +79,13 @@ class MoveChecker {
 
   // Targets
   bool check_target(const Move& move, const ExprPtr& target);
-  bool check_shape(const Tuple& tuple, const Coordinates& coordinates, Place place);
+  bool check_via(const Move& move, const ExprPtr& point);
+  bool check_shape(const Tuple& tuple, const Coordinates& in_place, const Coordinates& all,
+                   Place place);
+  bool check_count(std::size_t given, const Coordinates& coordinates, Place place);
   bool check_names(const Tuple& tuple, const Coordinates& coordinates);
+  void report_no_coordinate(const Tuple::Element& element, const Coordinates& coordinates);
+  bool names_gripper(const Tuple::Element& element) const;
   bool check_component(std::string_view word, const Tuple::Element& element,
                        std::size_t coordinate);
   bool check_value(const Move& move, const ExprPtr& target);
@@ -105,6 +111,7 @@ class MoveChecker {
   void judge(const MoveCommand& command, Place place);
 
   const RobotSignature& robot_;
+  const Coordinates elements_;  ///< of a target
   PlainTargets plain_;
   const TargetJudge& judge_;
   const Names& names_;

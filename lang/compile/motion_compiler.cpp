@@ -84,7 +84,7 @@ void MotionCompiler::compile(const PlainMotions& motions) {
   auto values = motions.values.begin();
   for (const PlainMotions::Written& motion : motions.motions) {
     const MoveForm form{.kind = motion.kind,
-                        .count = static_cast<int>(robot_.coordinates.size()),
+                        .count = static_cast<int>(elements_.size()),
                         .given = motion.given,
                         .pace = motion.pace,
                         .zone = motion.zone};
@@ -125,11 +125,12 @@ Register MotionCompiler::compile_rates(const Move& move, MoveForm& form) {
   return first;
 }
 
-/// The joints that a point was taught with: what the points file says, or TEACH has found.
+/// The joints that a point was taught with: what the points file says, or TEACH has found. A
+/// gripper, the last of them, has no part in a pose: it stays as it is.
 Register MotionCompiler::compile_taught(const Symbol& point, MoveForm& form, Place place) {
   form.means = MoveCommand::Target::Axes;
   form.count = static_cast<int>(robot_.axes.size());
-  form.given = given_all(form.count);
+  form.given = given_all(form.count - static_cast<int>(robot_.grippers.size()));
   name_dimensions(robot_.axes, form);
   const Register first = frame_.number_registers(form.count);
   if (point.taught != nullptr) {
@@ -174,13 +175,13 @@ Register MotionCompiler::compile_axis(const Move& move, MoveForm& form) {
 Register MotionCompiler::compile_target(const Expr& target, MoveForm& form) {
   const auto* const tuple = std::get_if<Tuple>(&target.node);
   if (tuple == nullptr) return compile_value(target, form);
-  const auto elements = by_coordinate(*tuple, robot_.coordinates);
-  name_dimensions(robot_.coordinates, form);
+  const auto elements = by_coordinate(*tuple, elements_);
+  name_dimensions(elements_, form);
   const Register first = registers_for(elements, form);
   Register next = first;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (elements[i] == nullptr) continue;
-    compile_component(*elements[i]->value, robot_.coordinates[i].dimension, next++);
+    compile_component(*elements[i]->value, elements_[i].dimension, next++);
   }
   return first;
 }

@@ -25,7 +25,8 @@ class MotionCompiler {
         variables_(variables),
         expressions_(expressions),
         blocks_(blocks),
-        robot_(robot) {}
+        robot_(robot),
+        elements_(elements_of(robot)) {}
 
   void compile(const Move& move, Place place);
   void compile(const PlainMotions& motions);
@@ -72,6 +73,7 @@ class MotionCompiler {
   ExpressionCompiler& expressions_;
   OpenScopes& blocks_;
   const RobotSignature& robot_;
+  const Coordinates elements_;                    ///< of a target
   const PathBlock* path_ = nullptr;               ///< around the motion; null outside of PATH
   std::array<Register, kClauses> path_values_{};  ///< of its clauses
 };

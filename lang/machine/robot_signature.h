@@ -29,7 +29,12 @@ struct RobotSignature {
   std::vector<std::vector<Unit>> units{};
   std::vector<Signal> signals;  ///< the index is the number that Machine is given
   bool force_sensor = false;    ///< `force`, `torque` and WRENCH() can be read
+  /// Axes that a target may name beside its coordinates; the last ones of `axes`.
+  std::vector<Coordinate> grippers{};
 };
+
+/// All that a target can name: the coordinates, then the gripper axes.
+std::vector<RobotSignature::Coordinate> elements_of(const RobotSignature& robot);
 
 /// "DOUT": what the channels of a kind are called.
 inline const char* channel_word(bool output, bool analog) {

@@ -47,6 +47,11 @@ ArithmeticErrorText describe(ArithmeticError error) {
     case ArithmeticError::CollinearPlaces:
       return {code::kCollinearPlaces, "the places of FRAME3 lie on a line, so they make no plane",
               "take three places that are far from each other and not on a line"};
+    case ArithmeticError::ToolNotTurned:
+      return {code::kToolNotTurned,
+              "the tool is turned by less than 10deg between these poses, or about one axis only",
+              "touch the tip from sides that are far apart: turn the tool by 30deg or more, about"
+              " two axes"};
     case ArithmeticError::RangeReversed:
       return {code::kRangeReversed, "the lower bound of RANDOM is above the upper one",
               "the order is RANDOM(lower, upper)"};

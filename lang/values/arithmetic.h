@@ -40,6 +40,7 @@ enum class ArithmeticError : std::uint8_t {
   ZeroQuaternion,
   OppositePoses,
   CollinearPlaces,
+  ToolNotTurned,
   ZeroVector
 };
 

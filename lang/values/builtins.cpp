@@ -191,9 +191,11 @@ constexpr Builtin on_texts(std::string_view name, std::string_view signature,
 
 using pose_functions::seen_from;
 
+/// `least`: of the arguments, where the last ones can be left out.
 constexpr Builtin on_places(std::string_view name, std::string_view signature,
-                            BuiltinFunction function) {
+                            BuiltinFunction function, std::size_t least = kMostArguments) {
   Builtin builtin = on_texts(name, signature, nullptr);
+  builtin.least = std::min(least, builtin.most);
   builtin.rule = BuiltinRule::Places;
   builtin.real = function;
   return builtin;
@@ -244,6 +246,8 @@ constexpr std::array kBuiltins = std::to_array<Builtin>({
   on_texts(#name, signature, text_functions::function),
 #define ROB_PLACE_BUILTIN(name, signature, function) \
   on_places(#name, signature, pose_functions::function),
+#define ROB_PLACES_BUILTIN(name, least, signature, function) \
+  on_places(#name, signature, pose_functions::function, least),
 #include "lang/values/builtins.def"
 });
 
@@ -263,8 +267,8 @@ const Builtin* find_builtin(std::string_view name, std::size_t arguments) {
 }
 
 bool is_common_name(std::string_view name) {
-  static constexpr std::array<std::string_view, 8> kNames{"APPEND", "CLEAR", "JOIN",  "ORD",
-                                                          "REMOVE", "SORT",  "SPLIT", "SUM"};
+  static constexpr std::array<std::string_view, 10> kNames{
+      "APPEND", "CLEAR", "JOIN", "ORD", "REMOVE", "SORT", "SPLIT", "SUM", "TOOL4", "TOOLMISS"};
   return std::ranges::any_of(kNames, [&](std::string_view each) { return same_word(each, name); });
 }
 

@@ -1,6 +1,11 @@
 #include "lang/values/pose_functions.h"
 
+#include <array>
+#include <optional>
+
+#include "lang/values/builtins.h"
 #include "lang/values/pose_slots.h"
+#include "lang/values/tool_fit.h"
 
 namespace rob::lang::pose_functions {
 namespace {
@@ -9,6 +14,13 @@ Error store_finite(const PoseValue& pose, Slot* result) {
   if (!pose_math::is_finite(pose)) return Error::NotFinite;
   store(pose, result);
   return Error::None;
+}
+
+std::optional<ToolFit> fit_of(Arguments a) {
+  std::array<PoseValue, kMostArguments> poses;
+  const std::size_t count = a.size() / kPoseSlots;
+  for (std::size_t i = 0; i < count; ++i) poses[i] = load_pose(&a[i * kPoseSlots]);
+  return fit_tool(std::span(poses).first(count));
 }
 
 }  // namespace
@@ -66,6 +78,16 @@ Error frame_three(Arguments a, Slot& r) {
   const auto frame = pose_math::frame_through(load_vector(a.data()), load_vector(&a[kPoseSlots]),
                                               load_vector(&a[2 * kPoseSlots]));
   return frame ? store_finite(*frame, &r) : Error::CollinearPlaces;
+}
+
+Error tool_four(Arguments a, Slot& r) {
+  const auto fit = fit_of(a);
+  return fit ? store_finite({fit->tip, {}}, &r) : Error::ToolNotTurned;
+}
+
+Error tool_miss(Arguments a, Slot& r) {
+  const auto fit = fit_of(a);
+  return fit ? arithmetic::store_finite(fit->miss, r.real) : Error::ToolNotTurned;
 }
 
 Error transformed(const Slot* p, const Slot* v, Slot* result) {

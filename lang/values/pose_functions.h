@@ -22,6 +22,11 @@ Error pose_mix(Arguments a, Slot& r);     ///< MIX(p, q, t): OppositePoses
 Error seen_from(Arguments a, Slot& r);    ///< TO_FRAME(p, f), both in the world
 Error frame_three(Arguments a, Slot& r);  ///< FRAME3(origin, on_x, on_xy): CollinearPlaces
 
+/// TOOL4(p, q, r, s …): the tool whose tip stays in one place in all of the poses of the flange, by
+/// least squares; TOOLMISS the root mean square of how far it does not. ToolNotTurned
+Error tool_four(Arguments a, Slot& r);
+Error tool_miss(Arguments a, Slot& r);
+
 /// p * q, in the way that the processor at hand has; all ways give the same bits.
 extern Error (*const product)(const Slot* p, const Slot* q, Slot* result);
 Error product_in_pairs(const Slot* p, const Slot* q, Slot* result);

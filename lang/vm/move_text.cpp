@@ -112,7 +112,7 @@ std::string target_text(const RobotSignature& robot, const MoveCommand& command)
   const std::string by = command.relative ? " by" : "";
   switch (command.means) {
     case MoveCommand::Target::Coordinates:
-      return by + components_text(robot.coordinates, command);
+      return by + components_text(elements_of(robot), command);
     case MoveCommand::Target::Axes:
       return " joints" + by + components_text(robot.axes, command);
     case MoveCommand::Target::Pose:

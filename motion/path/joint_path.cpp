@@ -31,6 +31,20 @@ JointPath JointPath::part(double from, double to) const {
   return JointPath(std::move(part));
 }
 
+/// The quintic 10u³ − 15u⁴ + 6u⁵, which the pieces between the nodes reproduce.
+void JointPath::bring(int axis, double target) {
+  const double from = nodes_.front().q[axis];
+  const double length = end() - begin();
+  const double first = begin();
+  for (Node& node : nodes_) {
+    const double u = (node.time - first) / length;
+    const double rest = 1 - u;
+    node.q[axis] = from + (target - from) * u * u * u * (10 - 15 * u + 6 * u * u);
+    node.qd[axis] = (target - from) * 30 * u * u * rest * rest / length;
+    node.qdd[axis] = (target - from) * 60 * u * rest * (1 - 2 * u) / (length * length);
+  }
+}
+
 PathPoint JointPath::between(std::size_t i, double parameter) const noexcept {
   const JointReference point = quintic_between(nodes_[i], nodes_[i + 1], parameter);
   return {point.q, point.qd, point.qdd};

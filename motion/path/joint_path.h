@@ -30,6 +30,10 @@ class JointPath {
   /// The part between two parameters, as a path of 0 … 1.
   JointPath part(double from, double to) const;
 
+  /// Brings one axis evenly from where it begins to `target`, at rest at both ends, whatever it did
+  /// before.
+  void bring(int axis, double target);
+
   /// Calls visit(parameter, point) at `parts` places of each piece, in order, and at the end.
   template <typename Visit>
   void survey(int parts, Visit&& visit) const {

@@ -71,8 +71,12 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& pa
 
 PlanOutcome MotionPlanner::plan_along(const MotionRequest& request, const ToolPath& path) {
   if (const auto refusal = check_wishes(request)) return *refusal;
+  const bool hand = brings_gripper(request);
+  const std::array<double, kMaxJoints> wanted = absolute(request);
+  if (const auto refusal = check_target(robot_, hand ? request.given : 0, wanted)) return *refusal;
   MotionDraft draft{last_.q};
   draft.no_length = path.way() <= kSamePose && path.turn() <= kSamePose;
+  if (draft.no_length && hand) return plan(request);
   if (draft.no_length) {
     draft.demand = tip_.demand(last_.q, draft.target);
     return take(request, std::move(draft));
@@ -83,6 +87,7 @@ PlanOutcome MotionPlanner::plan_along(const MotionRequest& request, const ToolPa
                                              : follow_choosing(whole ? *whole : robot_, path,
                                                                tip_.pose(), last_.q, chosen);
   if (const auto refusal = paths_.judge(request, path, followed)) return *refusal;
+  if (hand) followed.axes.bring(robot_.gripper, complete(request.given, wanted)[robot_.gripper]);
   draft.leg = std::make_shared<PlannedLeg>();
   draft.target = followed.axes.nodes().back().q;
   draft.demand = demand_along(path, followed.axes);
@@ -97,8 +102,8 @@ PlanOutcome MotionPlanner::plan_along(const MotionRequest& request, const ToolPa
   } else {
     draft.leg->axes = std::move(followed.axes);
     draft.demand.path = &*draft.leg->axes;
-    // Who follows such a line anew would choose anew.
-    const auto* const line = chosen ? nullptr : dynamic_cast<const ToolLine*>(&path);
+    // Such lines may be joined to others; who follows one anew would choose anew.
+    const auto* const line = chosen || hand ? nullptr : dynamic_cast<const ToolLine*>(&path);
     if (line != nullptr) draft.leg->line = *line;
   }
   return take(request, std::move(draft));
@@ -240,6 +245,11 @@ void MotionPlanner::stand_at(const JointVector& q, std::uint32_t number) noexcep
   last_.exact = true;
   last_.t_acc = timing_.usual_t_acc();
   last_.number = number;
+}
+
+/// Whether a motion along a path brings the gripper elsewhere.
+bool MotionPlanner::brings_gripper(const MotionRequest& request) const noexcept {
+  return robot_.gripper >= 0 && request.given == 1U << static_cast<unsigned>(robot_.gripper);
 }
 
 /// The given components, measured from the origin.

@@ -75,6 +75,7 @@ class MotionPlanner {
   /// The same along a path of the tip, which begins at tool_pose(); its target is the path's end.
   /// What the request leaves free is chosen along the path: its poses must go on by the shortest
   /// turns that are the same but for that (nearest_turn).
+  /// The request's own may be of the gripper alone, which goes there on the way.
   PlanOutcome plan(const MotionRequest& request, const ToolPath& path);
 
   /// A segment of no length that ends exactly at the last target. None where the axes stand there
@@ -116,6 +117,7 @@ class MotionPlanner {
   void stand_at(const JointVector& q, std::uint32_t number) noexcept;
 
  private:
+  bool brings_gripper(const MotionRequest& request) const noexcept;
   std::array<double, kMaxJoints> absolute(const MotionRequest& request) const noexcept;
   JointVector complete(std::uint8_t given,
                        const std::array<double, kMaxJoints>& wanted) const noexcept;

@@ -45,6 +45,20 @@ std::vector<int> read_coordinates(const TableReader& file, std::size_t joints) {
   return c ? std::vector{0, 1, 2, 3, 4} : std::vector{0, 1, 2, 5};
 }
 
+/// The last axis, off the chain.
+int gripper_axis(const TableReader& file, const std::vector<TableReader>& axes,
+                 const RobotModel& robot) {
+  if (!file.has("gripper")) return -1;
+  const TableReader gripper = file.table("gripper", {"axis"});
+  const std::string name = gripper.name("axis");
+  const int last = robot.axis_count() - 1;
+  if (robot.axes.back().name != name)
+    gripper.fail("axis", "must be the last axis, which is " + robot.axes.back().name);
+  if (axes.back().has("joint"))
+    gripper.fail("axis", "has [axis.joint]: a gripper does not move the tool");
+  return last;
+}
+
 }  // namespace
 
 void read_chain(const TableReader& file, const std::vector<TableReader>& axes, RobotModel& robot) {
@@ -52,6 +66,7 @@ void read_chain(const TableReader& file, const std::vector<TableReader>& axes, R
   const Pose flange = read_pose(file.table("chain", {"place", "turn"}));
   robot.coordinates = read_coordinates(file, joints.size());
   robot.tool_coordinates = !robot.coordinates.empty();
+  robot.gripper = gripper_axis(file, axes, robot);
   robot.kinematics = std::make_shared<const ChainKinematics>(
       JointChain(std::move(joints), flange), robot.axis_count(), robot.coordinates,
       robot.coordinates.size() == 5 ? Freedom::C : Freedom::None);

@@ -260,6 +260,7 @@ void choose_kinematics(const TableReader& file, const std::vector<TableReader>& 
   const int kind = file.choice("kinematics", {"gantry", "arm", "chain"});
   if (kind == 2) return read_chain(file, axes, robot);
   if (file.has("free")) file.fail("free", "belongs to kinematics = \"chain\"");
+  if (file.has("gripper")) file.fail("gripper", "belongs to kinematics = \"chain\"");
   if (file.has("chain")) file.fail("chain", "belongs to kinematics = \"chain\"");
   for (const TableReader& axis : axes)
     if (axis.has("joint")) axis.fail("joint", "belongs to kinematics = \"chain\"");
@@ -345,7 +346,7 @@ RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
                                                 "cell",         "chain",         "settle_distance",
                                                 "settle_angle", "settle_time",   "base",
                                                 "flange",       "obstacle",      "apart",
-                                                "clearance",    "free"});
+                                                "clearance",    "free",          "gripper"});
   RobotModel robot;
   robot.name = file.name("name");
   robot.description = file.text("description");

@@ -124,6 +124,8 @@ struct RobotModel {
   bool tool_coordinates = false;
   /// Which of these, 0 … 5, a target says; only with tool_coordinates.
   std::vector<int> coordinates;
+  /// The axis of the gripper, the last one: the tool's place does not tell of it; -1: none.
+  int gripper = -1;
   /// Null where this version does not know how the axes move the tool: such a robot cannot be run.
   std::shared_ptr<const Kinematics> kinematics;
   /// The mechanics that the servo feeds forward and the simulation integrates; without it the axes

@@ -9,6 +9,7 @@
 #include "lang/machine/move_pose.h"
 #include "motion/plan/whole_pose.h"
 #include "runtime/command/axis_targets.h"
+#include "runtime/command/gripper_elements.h"
 #include "runtime/command/motion_requests.h"
 #include "runtime/command/path_events.h"
 #include "runtime/command/plan_warnings.h"
@@ -92,10 +93,12 @@ std::optional<Words> MotionPlans::plan(int line, Commanded& commanded) {
 
 std::optional<Words> MotionPlans::plan_leg(int line, Commanded& commanded) {
   const MoveCommand& asked = *commanded.move;
-  motion::MotionRequest request = request_of(line, asked);
+  const GripperElements hand(asked, links_.signature);
+  motion::MotionRequest request = request_of(line, hand.any() ? hand.command() : asked);
+  if (!hand.any()) request.given = 0;  // the path has the target
   if (commanded.live) request.live = commanded.live->means;
   request.whole = says_whole(asked) && motion::leaves_open(links_.robot);
-  const bool led = asked.kind != MotionKind::Joint &&
+  const bool led = !hand.alone() && asked.kind != MotionKind::Joint &&
                    (asked.kind != MotionKind::Line || links_.robot.tool_coordinates);
   return led ? plan_along(line, request, commanded) : plan_straight(line, commanded);
 }
@@ -227,10 +230,17 @@ std::optional<Words> MotionPlans::settle_target(MoveCommand& command) const {
   const lang::Setting& setting = surroundings_.setting();
   const bool of_axes = command.means == Target::Coordinates && !links_.robot.tool_coordinates;
   if (of_axes && lang::is_plain(setting)) return std::nullopt;
+  const GripperElements hand(command, links_.signature);
+  if (hand.alone()) {
+    command = hand.command();
+    return std::nullopt;
+  }
   const lang::PoseValue last = surroundings_.tool_at(links_.planner.commanded());
   lang::PoseValue pose = lang::target_pose(command, last, setting, links_.signature.coordinates);
   if (press_.present()) pose = to_lang(press_.across(to_motion(pose), command));
-  return settle_on_axes(links_.robot, pose, near(command), command, setting);
+  auto words = settle_on_axes(links_.robot, pose, near(command), command, setting);
+  if (hand.any()) hand.add_to(command, links_.planner.commanded());
+  return words;
 }
 
 /// A tuple means, among all axis values that bring the tip to a target, those that turn as far as

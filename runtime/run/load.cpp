@@ -16,6 +16,7 @@
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/command/axis_targets.h"
+#include "runtime/command/gripper_elements.h"
 #include "runtime/files/files.h"
 #include "runtime/files/folder_sources.h"
 #include "runtime/files/points_file.h"
@@ -78,22 +79,25 @@ std::optional<Words> words_against_pose(lang::MoveCommand command, const motion:
 /// Why a target that is known beforehand is out of reach.
 std::optional<lang::Refusal> refusal_of(const lang::MoveCommand& command,
                                         const motion::RobotModel& robot,
-                                        const Coordinates& coordinates) {
+                                        const lang::RobotSignature& signature) {
   using Target = lang::MoveCommand::Target;
   const bool of_tool = command.means == Target::Coordinates && robot.tool_coordinates;
+  const GripperElements hand(command, signature);
+  auto words = of_tool && hand.any() ? words_against_axes(hand.command(), robot) : std::nullopt;
+  const std::uint8_t all = lang::given_all(static_cast<int>(signature.coordinates.size()));
   // A coordinate that it leaves out is as the motion before leaves it.
-  if (of_tool && command.given != lang::given_all(static_cast<int>(coordinates.size())))
-    return std::nullopt;
-  const auto words = of_tool || command.means == Target::Pose
-                         ? words_against_pose(command, robot, coordinates)
-                         : words_against_axes(command, robot);
+  const bool known = !of_tool || (command.given & all) == all;
+  if (!words && known)
+    words = of_tool || command.means == Target::Pose
+                ? words_against_pose(command, robot, signature.coordinates)
+                : words_against_axes(command, robot);
   if (!words) return std::nullopt;
   return lang::Refusal{words->code, words->message, words->help};
 }
 
-/// For this robot, whose coordinates these are; both must outlive it.
-lang::TargetJudge judge_of(const motion::RobotModel& robot, const Coordinates& coordinates) {
-  return [&](const lang::MoveCommand& command) { return refusal_of(command, robot, coordinates); };
+/// For this robot, whose signature this is; both must outlive it.
+lang::TargetJudge judge_of(const motion::RobotModel& robot, const lang::RobotSignature& signature) {
+  return [&](const lang::MoveCommand& command) { return refusal_of(command, robot, signature); };
 }
 
 lang::PointTable points_in(const std::string& file, const motion::RobotModel& robot) {
@@ -216,7 +220,7 @@ LoadedProgram compile_program(std::string file, std::string source, const motion
   const FolderSources sources(program.file);
   const lang::RobotSignature signature = signature_of(robot);
   program.compilation = lang::compile(program.source, signature, points_in(points_file, robot),
-                                      judge_of(robot, signature.coordinates), &sources, from);
+                                      judge_of(robot, signature), &sources, from);
   settle_law(program, law);
   if (!robot.tool_coordinates) refuse_what_the_robot_cannot(program.compilation, program.robot);
   return program;
@@ -227,9 +231,8 @@ LoadedProgram compile_entry(const lang::Entries& entries, std::string entry,
                             const std::string& points_file, const lang::Sources& sources,
                             lang::Entries::Knowing knowing, lang::Entries::As as) {
   LoadedProgram program{sources.program().name, std::move(entry), robot, {}};
-  program.compilation =
-      entries.compile(program.source, signature, points_in(points_file, robot),
-                      judge_of(robot, signature.coordinates), &sources, knowing, as);
+  program.compilation = entries.compile(program.source, signature, points_in(points_file, robot),
+                                        judge_of(robot, signature), &sources, knowing, as);
   settle_law(program, robot.law);
   if (!robot.tool_coordinates) refuse_what_the_robot_cannot(program.compilation, program.robot);
   return program;

@@ -36,6 +36,10 @@ lang::RobotSignature signature_of(const motion::RobotModel& robot) {
   }
   signature.coordinates =
       robot.tool_coordinates ? tool_coordinates(robot.coordinates) : signature.axes;
+  if (robot.gripper >= 0) {
+    if (!robot.tool_coordinates) signature.coordinates.pop_back();
+    signature.grippers.push_back(signature.axes.back());
+  }
   signature.force_sensor = robot.force_sensor;
   for (const motion::RobotSignal& signal : robot.signals) {
     signature.signals.push_back({signal.name, signal.output, signal.channel + 1});

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <memory>
+#include <vector>
+
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
 #include "tests/support/degrees.h"
@@ -62,8 +65,11 @@ TEST_CASE("no axis moves the tips further than its lever says") {
   }
 }
 
-TEST_CASE("a chain knows no way back") {
-  const RobotModel robot = embedded_robot("so101");
+TEST_CASE("a chain of less than six axes that leaves nothing free knows no way back") {
+  const RobotModel arm = embedded_robot("so101");
+  const JointChain& chain = dynamic_cast<const ChainKinematics&>(*arm.kinematics).chain();
+  RobotModel robot = arm;
+  robot.kinematics = std::make_shared<ChainKinematics>(chain, 6, std::vector<int>{}, Freedom::None);
   CHECK_FALSE(robot.kinematics->inverts());
   CHECK(robot.kinematics->solutions(Pose{}, robot.start).count == 0);
 }

@@ -14,6 +14,7 @@ inline motion::RobotModel five_axes() {
   RobotModel robot = embedded_robot("so101");
   const JointChain& chain = dynamic_cast<const ChainKinematics&>(*robot.kinematics).chain();
   robot.axes.pop_back();
+  robot.gripper = -1;
   robot.start = JointVector(robot.start.head(5));
   robot.coordinates = {0, 1, 2, 3, 4};
   robot.tool_coordinates = true;

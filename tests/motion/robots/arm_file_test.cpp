@@ -129,9 +129,9 @@ TEST_CASE("what targets of a chain leave to the place is said in its file, and f
   CHECK(of("t3").coordinates == Coordinates{0, 1, 2, 5});
   CHECK(of("t3").axes[2].kind == AxisKind::Linear);
   CHECK(of("t3").kinematics->coordinate(3) == 5);  // c
-  CHECK_FALSE(of("so101").tool_coordinates);
   const std::string law = "law = \"lookahead\"";
-  const RobotModel five = of("so101", law, law + "\nfree = \"c\"");
+  const std::string free = "free = \"c\"  # five axes: the place decides c";
+  const RobotModel five = of("so101");
   CHECK(five.tool_coordinates);
   CHECK(five.coordinates == Coordinates{0, 1, 2, 3, 4});
   CHECK(five.kinematics->freedom() == Freedom::C);
@@ -139,10 +139,23 @@ TEST_CASE("what targets of a chain leave to the place is said in its file, and f
         "free: \"c\" is of five axes, where the place decides c");
   CHECK(arm_error("free = \"ab\"", "free = \"c\"", "t3") ==
         "free: \"c\" is of five axes, where the place decides c");
-  CHECK(arm_error(law, law + "\nfree = \"ab\"", "so101") ==
+  CHECK(arm_error(free, "free = \"ab\"", "so101") ==
         "free: \"ab\" is of four axes, which turn the tool about z alone");
   CHECK(arm_error("law = \"paul\"", "law = \"paul\"\nfree = \"ab\"") ==
         "free: belongs to kinematics = \"chain\"");
   // Without it four axes are commanded as they are.
   CHECK_FALSE(of("t3", "free = \"ab\"  # its shaft always points down", "").tool_coordinates);
+  CHECK_FALSE(of("so101", free, "").tool_coordinates);
+}
+
+TEST_CASE("a gripper's axis is the last of a chain's robot, and moves no tool") {
+  CHECK(parse_robot_file(file_of("so101"), "my.toml").gripper == 5);
+  CHECK(embedded_robot("ur5e").gripper == -1);
+  const std::string gripper = "[gripper]\naxis = \"gripper\"";
+  CHECK(arm_error(gripper, "[gripper]\naxis = \"roll\"", "so101") ==
+        "axis of gripper: must be the last axis, which is gripper");
+  CHECK(arm_error("[chain]", "[gripper]\naxis = \"wrist3\"\n[chain]", "ur5e") ==
+        "axis of gripper: has [axis.joint]: a gripper does not move the tool");
+  CHECK(arm_error("[arm]", "[gripper]\naxis = \"a6\"\n[arm]") ==
+        "gripper: belongs to kinematics = \"chain\"");
 }
