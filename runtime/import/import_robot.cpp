@@ -90,6 +90,8 @@ std::string report_of(const ImportedArm& arm, const ImportRequest& request) {
   for (const ImportedAxis& axis : arm.axes) text += axis_line(axis);
   for (const std::string& joint : arm.left_out)
     text += fmt::format("left out: joint {}\n", lang::visible(joint));
+  if (!arm.tools.empty()) text += "frames on the flange, as lines of a program:\n";
+  for (const ImportedTool& tool : arm.tools) text += fmt::format("    {}\n", tool_line(tool));
   return text;
 }
 

@@ -56,6 +56,7 @@ class ArmFinder {
     add_gripper();
     check_count();
     find_bodies();
+    name_tools();
     return std::move(arm_);
   }
 
@@ -260,6 +261,7 @@ class ArmFinder {
     std::string link;
     std::size_t carrier = 0;  ///< the number of the axis, from 1; 0: the base
     motion::Pose place;       ///< in the carrier's frame
+    bool fixed = true;        ///< no joint moves it against that
   };
 
   /// From the base on, each link belongs to the axis before it.
@@ -272,6 +274,7 @@ class ArmFinder {
       open.pop_back();
       take_shapes(*std::ranges::find(urdf_.links, at.link, &UrdfLink::name), at.carrier, at.place);
       const auto [begin, end] = children.equal_range(at.link);
+      take_tool(at, begin == end);
       for (auto child = begin; child != end; ++child) open.push_back(hanging(*child->second, at));
     }
   }
@@ -283,7 +286,29 @@ class ArmFinder {
     if (moves(joint) && joint.name != choice_.gripper)
       arm_.left_out.push_back(
           joint.name + (joint.mimics.empty() ? "" : fmt::format(" (follows {})", joint.mimics)));
-    return {joint.child, at.carrier, motion::composed(at.place, at_rest(joint))};
+    return {joint.child, at.carrier, motion::composed(at.place, at_rest(joint)),
+            at.fixed && !moves(joint)};
+  }
+
+  /// A frame on the flange: a link without a body, or the last one of a row.
+  void take_tool(const Hanging& at, bool last) {
+    const bool on_flange = at.fixed && at.carrier == arm_.chain && at.link != arm_.tip &&
+                           at.link != arm_.last().body.link;
+    const bool bodiless = std::ranges::find(urdf_.links, at.link, &UrdfLink::name)->shapes.empty();
+    if (!on_flange || !(last || bodiless)) return;
+    arm_.tools.push_back({"", at.link, motion::composed(motion::inverse(arm_.flange), at.place)});
+  }
+
+  void name_tools() {
+    const auto place = [&](const ImportedTool& tool) {
+      return std::ranges::find(urdf_.links, tool.link, &UrdfLink::name) - urdf_.links.begin();
+    };
+    std::ranges::sort(arm_.tools, {}, place);
+    std::vector<std::string> taken;
+    for (ImportedTool& tool : arm_.tools) {
+      tool.name = program_name(tool.link, "tool", taken);
+      taken.push_back(tool.name);
+    }
   }
 
   const Urdf& urdf_;

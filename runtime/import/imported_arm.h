@@ -37,6 +37,13 @@ struct ImportedAxis {
   RigidBody body;  ///< of the axes of the chain
 };
 
+/// A link that is fixed to the flange, as a camera or a tool's tip is.
+struct ImportedTool {
+  std::string name;    ///< as programs write it
+  std::string link;    ///< as in the URDF
+  motion::Pose place;  ///< in the frame of the tip
+};
+
 struct ImportedArm {
   std::string name;  ///< as programs write it
   RigidBody base;
@@ -45,11 +52,14 @@ struct ImportedArm {
   motion::Pose flange;             ///< the tip's frame in that of the chain's last axis
   RigidBody tool;                  ///< what is fixed to the flange; in the frame of the tip
   std::string tip;
+  std::vector<ImportedTool> tools;    ///< in the order of the URDF
   std::vector<std::string> left_out;  ///< "finger_joint (mimic)": joints that are no axes
 
   bool has_gripper() const { return axes.size() > chain; }
   /// Four axes that turn the tool about the upright alone, as those of a SCARA.
   bool keeps_upright() const;
+  /// Five axes turn the tool as the place lets them: c is what that makes of it.
+  bool leaves_c() const { return chain == 5; }
   const ImportedAxis& last() const { return axes[chain - 1]; }
 };
 

@@ -124,8 +124,11 @@ std::string head_text(const ImportedArm& arm, std::string_view source) {
       lang::visible(source), lang::visible(arm.base.link), lang::visible(arm.tip));
   for (const std::string& joint : arm.left_out)
     text += fmt::format("# Joint {} is left out: it is no axis here.\n", lang::visible(joint));
+  if (!arm.tools.empty()) text += "#\n# Frames on the flange, as lines of a program:\n";
+  for (const ImportedTool& tool : arm.tools) text += fmt::format("#   {}\n", tool_line(tool));
   text += fmt::format("\nname = \"{}\"\ndescription = {}\nkinematics = \"chain\"\n", arm.name,
                       toml_text(fmt::format("{} axes, imported from {}", arm.axes.size(), source)));
+  if (arm.leaves_c()) text += "free = \"c\"  # five axes: the place decides c\n";
   if (arm.keeps_upright()) text += "free = \"ab\"  # its tool always points the same way\n";
   return text +
          "law = \"lookahead\"\n"
@@ -155,11 +158,21 @@ std::string toml_text(std::string_view text) {
   return made + "\"";
 }
 
+std::string tool_line(const ImportedTool& tool) {
+  const motion::FixedAngles turn = motion::fixed_angles(tool.place.orientation);
+  const Eigen::Vector3d& at = tool.place.position;
+  const auto mm = [](double metres) { return decimal(metres / kMillimetre); };
+  const auto deg = [](double radians) { return decimal(radians / kDegree); };
+  return fmt::format("TOOL {} = POSE({}mm, {}mm, {}mm, {}deg, {}deg, {}deg)", tool.name, mm(at.x()),
+                     mm(at.y()), mm(at.z()), deg(turn.a), deg(turn.b), deg(turn.c));
+}
+
 std::string robot_text(const ImportedArm& arm, const std::vector<motion::Body>& links,
                        const std::vector<motion::Apart>& touching, std::string_view source) {
   std::string text = head_text(arm, source);
   text += fmt::format("\n[chain]  # link {} of the URDF\n", lang::visible(arm.tip)) +
           place_text(arm.flange);
+  if (arm.has_gripper()) text += fmt::format("\n[gripper]\naxis = \"{}\"\n", arm.axes.back().name);
   text += link_text(links.front(), "base") + link_text(links.back(), "flange");
   for (std::size_t i = 0; i < arm.axes.size(); ++i)
     text += axis_text(arm.axes[i], i < arm.chain ? &links[i + 1] : nullptr);

@@ -15,6 +15,9 @@ namespace rob::runtime {
 std::string robot_text(const ImportedArm& arm, const std::vector<motion::Body>& links,
                        const std::vector<motion::Apart>& touching, std::string_view source);
 
+/// "TOOL camera = POSE(0mm, 0mm, 120mm, 0deg, 0deg, 0deg)": a line of a program.
+std::string tool_line(const ImportedTool& tool);
+
 /// At most so many decimals, rounded where only noise is left after the sixth; no trailing zeros.
 std::string decimal(double value);
 

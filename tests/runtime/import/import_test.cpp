@@ -126,7 +126,40 @@ TEST_CASE("a SCARA is told from its axes, with targets x, y, z, c") {
   const motion::RobotModel robot = imported("scara.urdf", {});
   CHECK(robot.coordinates == std::vector<int>{0, 1, 2, 5});
   CHECK(robot.axes[2].kind == motion::AxisKind::Linear);
-  CHECK(imported("five.urdf", {"", "wrist", ""}).coordinates.empty());
+  CHECK(imported("five.urdf", {"", "elbow", ""}).coordinates.empty());
+}
+
+TEST_CASE("five axes leave c to the place; a gripper's is named behind them") {
+  const motion::RobotModel five = imported("five.urdf", {"", "tip_link", "gripper"});
+  CHECK(five.coordinates == std::vector<int>{0, 1, 2, 3, 4});
+  CHECK(five.gripper == 5);
+  CHECK(five.kinematics->freedom() == motion::Freedom::C);
+  CHECK(imported("five.urdf", {"", "tip_link", ""}).gripper == -1);
+  // Seven axes and a finger: (x, y, z, a, b, c), and the finger by its name.
+  const motion::RobotModel hand =
+      imported("seven.urdf", {"fr_link0", "fr_hand_tcp", "fr_finger_joint1"});
+  CHECK(hand.coordinates.size() == 6);
+  CHECK(hand.gripper == 7);
+}
+
+// Places by hand: the tip is 98.1274 mm along −z of the hand and turned by half a turn about y.
+TEST_CASE("links that are fixed to the flange are printed as TOOLs, seen from the tip") {
+  const std::string camera =
+      "<link name='Camera'/><joint name='c' type='fixed'><origin xyz='0.01 0.02 -0.0981274'/>"
+      "<parent link='hand'/><child link='Camera'/></joint><link name='lens'/><joint name='l' "
+      "type='fixed'><origin xyz='0 0 0.03'/><parent link='Camera'/><child link='lens'/></joint>"
+      "<link name='jaw_tip'/><joint name='t' type='fixed'><parent link='jaw_a'/><child "
+      "link='jaw_tip'/></joint></robot>";
+  const std::string urdf = with(with(urdf_text("five.urdf"), "</robot>", camera),
+                                "rpy=\"0 3.14159 0\"", "rpy=\"0 3.14159265358979 0\"");
+  const ImportedRobot made =
+      import_robot(urdf, request_of("five.urdf", {"", "tip_link", "gripper"}));
+  // (0.01 + 0.0079, 0.02 + 0.000218121, 0) turned: x and z the other way.
+  CHECK(says(made.report, "TOOL camera = POSE(-17.9mm, 20.218121mm, 0mm, 180deg, 0deg, 180deg)\n"));
+  CHECK(says(made.report, "TOOL lens = POSE(-17.9mm, 20.218121mm, -30mm, 180deg, 0deg, 180deg)\n"));
+  CHECK(says(made.text, "#   TOOL camera = POSE("));
+  CHECK(made.report.find("jaw_tip =") == std::string::npos);  // it moves
+  CHECK(made.report.find("TOOL tip_link") == std::string::npos);
 }
 
 TEST_CASE("links have their shapes, and what is after the last of them is the flange's") {
