@@ -86,6 +86,7 @@ set(rob_runtime_sources
   runtime/prompt/pendant_terminal.cpp
   runtime/prompt/pendant_view.cpp
   runtime/prompt/point_commands.cpp
+  runtime/prompt/point_wizard.cpp
   runtime/prompt/program_commands.cpp
   runtime/prompt/program_file.cpp
   runtime/prompt/program_text.cpp
@@ -99,6 +100,7 @@ set(rob_runtime_sources
   runtime/prompt/terminal_guard.cpp
   runtime/prompt/terminal_prompt.cpp
   runtime/prompt/typed_answers.cpp
+  runtime/prompt/wizard_commands.cpp
   runtime/prompt/workshop.cpp
   runtime/run/colours.cpp
   runtime/run/console.cpp

@@ -14,6 +14,7 @@
 #include "runtime/prompt/point_commands.h"
 #include "runtime/prompt/program_commands.h"
 #include "runtime/prompt/run_commands.h"
+#include "runtime/prompt/wizard_commands.h"
 #include "runtime/words/explanation.h"
 
 namespace rob::runtime {
@@ -63,6 +64,10 @@ constexpr std::array kCommands = {
     Command{"vars", "", "the variables declared at the prompt", command::variables},
     Command{"teach", "POINT", "the current position becomes this point", command::teach},
     Command{"points", "[undo]", "all points; take back the last change of them", command::points},
+    Command{"frame", "NAME [TOOL]", "a FRAME of three positions, which it asks for",
+            command::frame},
+    Command{"tool", "NAME", "a TOOL of positions that touch one tip", command::tool},
+    Command{"done", "", "there are positions enough: write the TOOL", command::done},
     Command{"rename", "POINT NAME", "another name for a point", command::rename},
     Command{"forget", "POINT", "take a point out of the points file", command::forget},
     Command{"help", "[WORD]", "these commands, or a word of the language", help},
@@ -164,7 +169,10 @@ Session::Taken enter(Session& session, const std::string& text, bool last) try {
     session.answer(text);
     return Taken::Done;
   }
-  if (first == std::string::npos) return Taken::Done;
+  if (first == std::string::npos) {
+    if (session.workshop().wizard) command::take_position(session);
+    return Taken::Done;
+  }
   const std::string_view plain = plain_command(session, text);
   if (plain.empty()) return session.take(text, last);
   carry_out_command(session, plain);

@@ -4,6 +4,7 @@
 
 #include "runtime/command/signal_access.h"
 #include "runtime/prompt/session.h"
+#include "runtime/prompt/wizard_commands.h"
 #include "runtime/words/arguments.h"
 #include "runtime/words/signature.h"
 #include "runtime/words/units.h"
@@ -73,7 +74,11 @@ void resume(Session& session, const Words&) {
   session.answer("");
 }
 
-void stop(Session& session, const Words&) { session.stop(); }
+/// Where nothing moves it leaves what asks for positions.
+void stop(Session& session, const Words&) {
+  if (session.robot().idle()) leave_wizard(session);
+  session.stop();
+}
 
 void reset(Session& session, const Words&) { session.reset(); }
 

@@ -255,6 +255,7 @@ void Session::choose_robot(const std::string& robot, std::optional<motion::Law> 
   if (!text_->names().empty()) screen_->message("what was declared at the prompt is gone\n");
   if (!options_.trace.empty())
     screen_->message(fmt::format("the trace '{}' ends here\n", lang::on_one_line(options_.trace)));
+  workshop_.wizard.reset();  // its positions are of the robot before
   robot_.reset();
   options.trace.clear();
   options_ = options;

@@ -26,6 +26,7 @@
 #include "runtime/prompt/line_editor.h"
 #include "runtime/prompt/pendant_terminal.h"
 #include "runtime/prompt/terminal_guard.h"
+#include "runtime/prompt/wizard_commands.h"
 #include "runtime/run/colours.h"
 #include "runtime/run/console.h"
 #include "runtime/run/interruption.h"
@@ -286,7 +287,8 @@ void TerminalPrompt::show_state() {
 /// Ctrl-C: the robot first, then the line and the block that it belongs to.
 void TerminalPrompt::stop_or_drop() {
   if (session_.interrupt_again() || session_.interrupt()) return;
-  const bool nothing = editor_.empty() && entry_.empty();
+  const bool asked = editor_.empty() && entry_.empty() && command::leave_wizard(session_);
+  const bool nothing = !asked && editor_.empty() && entry_.empty();
   editor_.drop();
   drop_entry();
   if (nothing) screen_.message("nothing moves; Ctrl-D or :quit leaves\n");

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "lang/compile/entries.h"
+#include "runtime/prompt/point_wizard.h"
 #include "runtime/prompt/program_file.h"
 #include "runtime/prompt/program_text.h"
 
@@ -24,6 +26,7 @@ struct Workshop {
   ProgramFile file;
   bool records = false;                 ///< what is executed is kept in the program
   std::set<std::uint32_t> breakpoints;  ///< lines of the program; HoldPoints::kMost at most
+  std::optional<PointWizard> wizard{};  ///< asks for positions
 };
 
 }  // namespace rob::runtime

@@ -542,3 +542,32 @@ TEST_CASE("where the locale is not UTF-8 the terminal gets ASCII alone") {
   CHECK(terminal.wait() == 0);
   CHECK(std::ranges::all_of(terminal.raw(), [](char c) { return (c & 0x80) == 0; }));
 }
+
+TEST_CASE(":frame at a terminal: Enter takes where the robot stands, Ctrl-C leaves") {
+  const Desk desk;
+  PseudoTerminal terminal({ROB_BINARY, "--fast"}, desk.options());
+  INFO(terminal.raw());
+  REQUIRE(terminal.expect(kAtRest));
+  terminal.send(":frame table\r");
+  REQUIRE(terminal.expect("table: move to its origin, then Enter"));
+  terminal.send("\r");
+  REQUIRE(terminal.expect("table: move to a place on its x axis"));
+  terminal.send(kCtrlC);
+  REQUIRE(terminal.expect("table is left as it was"));
+  terminal.send(":frame table\r");
+  REQUIRE(terminal.expect("table: move to its origin, then Enter"));
+  terminal.send("\r");
+  REQUIRE(terminal.expect("on its x axis"));
+  terminal.send("MOVE(100, 0, 0)\r");
+  REQUIRE(terminal.expect("idle (100, 0, 0)"));
+  terminal.send("\r");
+  REQUIRE(terminal.expect("in its xy plane"));
+  terminal.send("MOVE(0, 100, 0)\r");
+  REQUIRE(terminal.expect("idle (0, 100, 0)"));
+  terminal.send("\r");
+  REQUIRE(terminal.expect("FRAME table = FRAME3("));
+  terminal.send("table.c\r");
+  REQUIRE(terminal.expect("0deg"));
+  terminal.send(kCtrlD);
+  CHECK(terminal.wait() == 0);
+}
