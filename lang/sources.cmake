@@ -15,6 +15,7 @@ set(rob_lang_sources
   lang/check/outlet_checker.cpp
   lang/check/routine_uses.cpp
   lang/check/signal_checker.cpp
+  lang/check/shape_checker.cpp
   lang/check/statement_checker.cpp
   lang/check/symbols.cpp
   lang/check/value_checker.cpp

@@ -47,6 +47,7 @@ set(rob_runtime_sources
   runtime/command/task_machine.cpp
   runtime/command/task_reports.cpp
   runtime/command/tool_paths.cpp
+  runtime/command/touching.cpp
   runtime/command/waits.cpp
   runtime/command/when_pool.cpp
   runtime/command/way_marks.cpp
@@ -119,6 +120,7 @@ set(rob_runtime_sources
   runtime/run/path_meter.cpp
   runtime/run/peak_meter.cpp
   runtime/run/progress.cpp
+  runtime/run/program_obstacles.cpp
   runtime/run/program_stores.cpp
   runtime/run/run.cpp
   runtime/run/run_journal.cpp
@@ -169,14 +171,18 @@ set(rob_runtime_sources
   runtime/words/signature.cpp
   runtime/words/units.cpp
 )
-# `rob_import`, which alone needs the readers of URDFs and of meshes.
+# `rob_meshes`: meshes, their hulls, and the distances to these.
+set(rob_meshes_sources
+  runtime/meshes/hull.cpp
+  runtime/meshes/mesh_file.cpp
+  runtime/meshes/mesh_obstacle.cpp
+)
+# `rob_import`, which alone needs the reader of URDFs.
 set(rob_import_sources
   runtime/import/capsule_fit.cpp
-  runtime/import/hull.cpp
   runtime/import/import_robot.cpp
   runtime/import/imported_arm.cpp
   runtime/import/link_bodies.cpp
-  runtime/import/mesh_file.cpp
   runtime/import/program_name.cpp
   runtime/import/robot_text.cpp
   runtime/import/touching.cpp

@@ -88,9 +88,9 @@ const std::vector<LayerRule>& layer_rules() {
     made.insert(made.end(), of_drivers.begin(), of_drivers.end());
     // Inside runtime: each room knows those before it; the tick knows no word of lang.
     std::vector<std::string_view> runtime = {"motion", "drivers"};
-    for (const char* folder :
-         {"runtime/time", "runtime/tick", "runtime/words", "runtime/files", "runtime/devices",
-          "runtime/command", "runtime/run", "runtime/import", "runtime/prompt", "runtime/cli"}) {
+    for (const char* folder : {"runtime/time", "runtime/tick", "runtime/words", "runtime/meshes",
+                               "runtime/files", "runtime/devices", "runtime/command", "runtime/run",
+                               "runtime/import", "runtime/prompt", "runtime/cli"}) {
       made.push_back({folder, runtime});
       runtime.push_back(folder);
       if (made.back().folder == "runtime/tick") runtime.push_back("lang");
@@ -109,6 +109,7 @@ const std::map<std::string, std::set<std::string>, std::less<>>& package_layers(
       {"dtl", {"runtime"}},         {"urdf_model", {"runtime"}},
       {"urdf_parser", {"runtime"}}, {"console_bridge", {"runtime"}},
       {"assimp", {"runtime"}},      {"libqhull_r", {"runtime"}},
+      {"fcl", {"runtime"}},
 
   };
   return layers;
@@ -116,9 +117,9 @@ const std::map<std::string, std::set<std::string>, std::less<>>& package_layers(
 
 /// Packages that only one file of the project may see: they compile slowly, or are to be
 /// replaceable in one place.
-constexpr std::array<std::string_view, 8> kOneFileEach = {
-    "CLI",         "readline",       "dtl",    "urdf_model",
-    "urdf_parser", "console_bridge", "assimp", "libqhull_r"};
+constexpr std::array<std::string_view, 9> kOneFileEach = {
+    "CLI",    "readline",   "dtl", "urdf_model", "urdf_parser", "console_bridge",
+    "assimp", "libqhull_r", "fcl"};
 
 /// Time and threads belong to runtime; a driver may need a thread for its wire.
 constexpr std::array<std::string_view, 7> kThreading = {

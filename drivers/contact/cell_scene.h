@@ -52,6 +52,8 @@ class CellScene {
   /// Whether a tool there would touch something.
   bool would_touch(const ToolMotion& tool) const noexcept;
   bool holds_something() const noexcept { return held_ != Held::Nothing; }
+  /// m from the tip down to the lower end of what is held; 0 if nothing is.
+  double below_tip() const noexcept { return below_tip_; }
 
   // For tests and benches
   bool holds_tube() const noexcept { return held_ == Held::Tube; }

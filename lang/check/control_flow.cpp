@@ -134,6 +134,7 @@ struct WaysOf {
   }
   Ways operator()(const With& with) const { return block(with.body); }
   Ways operator()(const Press& press) const { return block(press.body); }
+  Ways operator()(const Allow& allow) const { return block(allow.body); }
   /// ELSE is taken where something did not happen in time.
   Ways operator()(const Wait& wait) const { return on_or_else(wait.otherwise); }
   Ways operator()(const WatchedMotion& watched) const { return on_or_else(watched.otherwise); }
@@ -257,6 +258,7 @@ class Walk {
     return zone != nullptr && constant_number(*zone) == 0.0;
   }
   void visit(const PathBlock& path) { block(path.body); }
+  void visit(const Allow& allow) { block(allow.body); }
   void visit(const Press& press) {
     look(press.force);
     settle(0);  // it begins at standstill, and ends there

@@ -141,6 +141,7 @@ void DeclarationChecker::check_frame(const Declaration& declaration, Constant& v
   if (const auto* const place = std::get_if<std::vector<double>>(&cog)) {
     std::ranges::copy(*place, slots->begin() + kPoseSlots + 1);
   }
+  if (!declaration.shape.empty()) shapes_.check_shape(declaration, *slots);
 }
 
 /// The value of MASS or COG, which becomes part of a TOOL's; unknown where there is none.

@@ -10,6 +10,7 @@
 #include "lang/check/checked_program.h"
 #include "lang/check/expression_checker.h"
 #include "lang/check/names.h"
+#include "lang/check/shape_checker.h"
 #include "lang/check/symbols.h"
 #include "lang/check/value_checker.h"
 #include "lang/machine/point_table.h"
@@ -28,13 +29,15 @@ class DeclarationChecker {
  public:
   DeclarationChecker(Scopes& scopes, Declarations& declarations, Names& names,
                      ExpressionChecker& expressions, ValueChecker& values, MissingPoints& missing,
-                     const PointTable& points, const Program& program, Diagnostics& diagnostics)
+                     ShapeChecker& shapes, const PointTable& points, const Program& program,
+                     Diagnostics& diagnostics)
       : scopes_(scopes),
         declarations_(declarations),
         names_(names),
         expressions_(expressions),
         values_(values),
         missing_(missing),
+        shapes_(shapes),
         points_(points),
         program_(program),
         diagnostics_(diagnostics) {}
@@ -68,6 +71,7 @@ class DeclarationChecker {
   ExpressionChecker& expressions_;
   ValueChecker& values_;
   MissingPoints& missing_;
+  ShapeChecker& shapes_;
   const PointTable& points_;
   const Program& program_;
   Diagnostics& diagnostics_;

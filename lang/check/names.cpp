@@ -62,6 +62,7 @@ struct Search {
   }
   Found operator()(const With& with) const { return search(with.body, key); }
   Found operator()(const Press& press) const { return search(press.body, key); }
+  Found operator()(const Allow& allow) const { return search(allow.body, key); }
   Found operator()(const Loop& loop) const { return search(loop.body, key); }
   Found operator()(const Select& select) const {
     for (const Select::Case& one : select.cases) {

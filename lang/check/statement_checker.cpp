@@ -100,8 +100,9 @@ StatementChecker::StatementChecker(CheckedProgram& checked, Scopes& scopes,
       watches_(expressions, values, diagnostics),
       waits_(expressions, values, diagnostics),
       signals_(scopes, declarations, names, expressions, values, diagnostics),
-      declared_(scopes, declarations, names, expressions, values, missing, points, checked.program,
-                diagnostics) {}
+      shapes_(expressions, values, robot, checked.program, diagnostics),
+      declared_(scopes, declarations, names, expressions, values, missing, shapes_, points,
+                checked.program, diagnostics) {}
 
 void StatementChecker::know(const KeptName& kept, const Symbol& symbol) {
   signals_.know(kept, symbol);
@@ -221,6 +222,11 @@ void StatementChecker::check(Press& press) {
   const bool outer = std::exchange(pressing_, true);
   check(press.body);
   pressing_ = outer;
+}
+
+void StatementChecker::check(Allow& allow) {
+  shapes_.check_names(allow);
+  check(allow.body);
 }
 
 void StatementChecker::check(Load& load) {

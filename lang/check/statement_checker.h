@@ -13,6 +13,7 @@
 #include "lang/check/names.h"
 #include "lang/check/outlet_checker.h"
 #include "lang/check/routine_uses.h"
+#include "lang/check/shape_checker.h"
 #include "lang/check/signal_checker.h"
 #include "lang/check/symbols.h"
 #include "lang/check/value_checker.h"
@@ -68,6 +69,7 @@ class StatementChecker {
   void remember_accel(const Clauses& clauses);
   void check(PathBlock& path);
   void check(Press& press);
+  void check(Allow& allow);
   void check(SetOverride& statement) { clauses_.check_override(statement.share); }
   void check(Load& load);
   void check(Stop&) {}
@@ -78,6 +80,7 @@ class StatementChecker {
   void check(Declared& declared) {
     declared_.check(declared);
   }
+  void check(ObstacleDeclaration& obstacle) { shapes_.check(obstacle); }
   void check(Teach& teach);
   void check(SignalDeclaration& signal) { signals_.check(signal); }
   void check(Pulse& pulse) { signals_.check(pulse); }
@@ -143,6 +146,7 @@ class StatementChecker {
   WatchChecker watches_;
   WaitChecker waits_;
   SignalChecker signals_;
+  ShapeChecker shapes_;
   DeclarationChecker declared_;
   Place place_;  ///< of the current statement
   Inside inside_;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lang/machine/machine.h"
+#include "lang/machine/obstacle.h"
 #include "lang/text/diagnostic.h"
 #include "lang/values/arithmetic.h"
 #include "lang/values/types.h"
@@ -250,6 +251,9 @@ struct Chunk {
   std::vector<NamedSignal> named_signals;
   std::vector<SafeValue> safe_values;
   std::vector<NamedTool> tools;  ///< for TEACH
+  std::vector<Obstacle> obstacles;
+  std::vector<std::vector<std::string>> allowed;  ///< names after each ALLOW
+  bool shaped = false;                            ///< a TOOL has a SHAPE
   std::vector<NamedRegister> names;
   std::vector<RoutineCode> routines;
   std::vector<TestCode> tests;

@@ -306,6 +306,13 @@ void CodeBuilder::when_handle(Register first, int count, bool stops, std::size_t
   emit(operand_word(routine), place);
 }
 
+void CodeBuilder::allow(std::vector<std::string> bodies, Place place) {
+  emit(Instruction::ax(Opcode::allow, 0, static_cast<std::uint16_t>(chunk_.allowed.size())), place);
+  if (chunk_.allowed.size() >= std::numeric_limits<std::uint16_t>::max())
+    limits_.exceed(Limit::Motions, place);
+  chunk_.allowed.push_back(std::move(bodies));
+}
+
 Chunk CodeBuilder::finish() {
   close_frame();
   tables_.move_into(chunk_);

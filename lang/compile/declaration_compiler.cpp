@@ -40,7 +40,9 @@ Location DeclarationCompiler::declare_in_registers(const Symbol& symbol) {
 /// Reports call a TOOL by its name.
 void DeclarationCompiler::name_constant(const Symbol& symbol) {
   if (symbol.kind != Symbol::Kind::NamedConstant || !symbol.type.is(Type::Kind::Tool)) return;
-  code_.name_tool({symbol.name, to_si(lang::load_pose(to_slots(symbol.value).data()))});
+  const std::vector<Slot> slots = to_slots(symbol.value);
+  code_.name_tool({symbol.name, to_si(lang::load_pose(slots.data()))});
+  if (lang::load_tool(slots.data()).shape.front().radius > 0) code_.has_shaped_tool();
 }
 
 /// And a channel by that of its SIGNAL.

@@ -150,6 +150,17 @@ void StatementCompiler::compile(const Press& press) {
   blocks_.close(OpenScopes::Kind::Press, place);
 }
 
+/// Like WITH: where the block is left, what was allowed before it holds again.
+void StatementCompiler::compile(const Allow& allow) {
+  const Place place = place_;
+  std::vector<std::string> names;
+  for (const Declaration::Declared& body : allow.bodies) names.push_back(body.name);
+  code_.allow(std::move(names), place);
+  blocks_.open(OpenScopes::Kind::With);
+  compile(allow.body);
+  blocks_.close(OpenScopes::Kind::With, place);
+}
+
 void StatementCompiler::compile(const SetOverride& statement) {
   const auto mark = frame_.mark();
   code_.emit(Opcode::set_override, place_, expressions_.value(*statement.share, true));

@@ -86,6 +86,10 @@ class StatementCompiler {
   void compile(const Print& print);
   void compile(const Write& write);
   void compile(const DeviceDeclaration& device);
+  void compile(const ObstacleDeclaration& declaration) {
+    code_.declare_obstacle(declaration.obstacle);
+  }
+  void compile(const Allow& allow);
   void compile(const Send& send);
   void compile(const Receive& receive);
   void compile(const Read& read);

@@ -42,7 +42,7 @@ void DeclaredNames::begin_statement(const Token& token) {
   expected_ = Expected::Nothing;
   if (token.kind == TokenKind::Word) {
     const bool declares = same_word(token.text, "TOOL") || same_word(token.text, "FRAME") ||
-                          same_word(token.text, "DEVICE");
+                          same_word(token.text, "DEVICE") || same_word(token.text, "OBSTACLE");
     if (declares) expected_ = Expected::OneName;
     if (same_word(token.text, "ENUM")) expected_ = Expected::Enum;
     if (in_record_) {

@@ -183,6 +183,10 @@ void Layout::add_code(const SourceLine& line, std::string& code) {
 
 void Layout::begin_statement(const SourceLine& line) {
   first_ = line.tokens.front();
+  if (line.tokens.size() == 1 && same_word(first_.text, spelling(Keyword::Endallow))) {
+    first_.kind = TokenKind::Reserved;
+    first_.keyword = Keyword::Endallow;
+  }
   const bool end_of_record =
       first_.kind == TokenKind::Reserved && first_.keyword == Keyword::Endrecord;
   if (end_of_record) in_record_ = false;
@@ -222,7 +226,7 @@ std::string Layout::spelled(const Token& token, WordUse use) const {
   const bool reserved = token.kind == TokenKind::Reserved;
   if (reserved && use != WordUse::Member) return std::string(spelling(token.keyword));
   if (!reserved && token.kind != TokenKind::Word) return std::string(token.text);
-  if (use == WordUse::Clause) return to_upper(token.text);
+  if (use == WordUse::Clause || use == WordUse::Shape) return to_upper(token.text);
   if (use == WordUse::Label || use == WordUse::Member) {
     return or_as_written(names_.label(token.text));
   }

@@ -19,10 +19,10 @@ constexpr std::array<std::string_view, 2> kEventWords{"AFTER", "BEFORE"};
 constexpr std::array<std::string_view, 2> kWholeClauses{"FINE", "EULER"};
 
 /// Words that stand after a value: no expression goes on with a name there.
-constexpr std::array<std::string_view, 26> kClauseWords{
-    "AT",  "OVER", "ACCEL", "JERK",  "PROFILE", "ZONE",    "FINE",  "BY",    "VIA",
-    "TO",  "FROM", "OF",    "TURNS", "STEP",    "TIMEOUT", "INTO",  "LIMIT", "LEAD",
-    "LAG", "MASS", "COG",   "SCALE", "SAFE",    "AFTER",   "EULER", "ENDING"};
+constexpr auto kClauseWords = std::to_array<std::string_view>(
+    {"AT",  "OVER", "ACCEL", "JERK",  "PROFILE", "ZONE",    "FINE",  "BY",     "VIA",
+     "TO",  "FROM", "OF",    "TURNS", "STEP",    "TIMEOUT", "INTO",  "LIMIT",  "LEAD",
+     "LAG", "MASS", "COG",   "SCALE", "SAFE",    "AFTER",   "EULER", "ENDING", "SHAPE"});
 
 bool is_among(std::span<const std::string_view> words, std::string_view word) {
   return std::ranges::any_of(words, [&](std::string_view each) { return same_word(each, word); });
@@ -103,6 +103,9 @@ WordUse StatementWords::use_of_word(const Token& word, TokenKind behind) {
   if (previous_.kind == TokenKind::Dot) return WordUse::Member;
   if (follows(Keyword::Use) || follows(Keyword::Record)) return WordUse::Kept;
   if (fields_ && (at_begin_ || previous_.kind == TokenKind::Comma)) return WordUse::Kept;
+  const bool shape_follows = (obstacle_ && previous_.kind == TokenKind::Assign) ||
+                             (shape_ && depth_ == 0 && behind == TokenKind::LeftParen);
+  if (shape_follows) return WordUse::Shape;
   if (begins_as_keyword(word, behind) || is_clause(word, behind)) return WordUse::Clause;
   if (depth_ > 0 && behind == TokenKind::Colon) return WordUse::Label;
   const bool type = (previous_.kind == TokenKind::Colon && !file_) || follows_clause("OF");
@@ -113,7 +116,7 @@ WordUse StatementWords::use_of_word(const Token& word, TokenKind behind) {
 bool StatementWords::begins_as_keyword(const Token& word, TokenKind behind) const {
   if (!at_begin_) return false;
   if (!is_among(kPlacedWords, word.text) && !is_among(kEventWords, word.text) &&
-      !is_among(kFileWords, word.text))
+      !is_among(kFileWords, word.text) && !is_among(kNamingWords, word.text))
     return false;
   return !assigns(behind) && !goes_on(behind) && behind != TokenKind::LeftBracket &&
          behind != TokenKind::LeftParen;
@@ -171,8 +174,10 @@ void StatementWords::go_on(const Token& token, WordUse use) {
     trigger_ = is_among(kEventWords, token.text);
     all_units_ = same_word(token.text, "UNITS");
     enum_ = same_word(token.text, "ENUM");
+    obstacle_ = same_word(token.text, "OBSTACLE");
     file_ = same_word(token.text, "WRITE") || same_word(token.text, "SEND");
   }
+  if (clause && same_word(token.text, "SHAPE")) shape_ = true;
   if (at_begin_ && token.kind == TokenKind::Reserved && token.keyword == Keyword::When) {
     trigger_ = true;
   }

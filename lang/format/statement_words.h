@@ -15,6 +15,7 @@ enum class WordUse : std::uint8_t {
   Member,     ///< after a '.'
   Kept,       ///< a name that has to stay as it is written: of a file, of a record and its fields
   Clause,     ///< a word that is not reserved but a keyword where it stands
+  Shape,      ///< BOX, SPHERE, CAPSULE and MESH, where a shape stands
   TypeName,   ///< after the ':' of a declaration
   Unit,       ///< part of a unit between brackets or after UNITS
   UnarySign,  ///< the sign of one value
@@ -59,6 +60,8 @@ class StatementWords {
   bool all_units_ = false;   ///< UNITS
   bool with_block_ = false;  ///< its last WITH begins a block
   bool enum_ = false;        ///< ENUM: what follows are names
+  bool obstacle_ = false;    ///< OBSTACLE: after the '=' stands a shape
+  bool shape_ = false;       ///< SHAPE: what follows are shapes
   bool file_ = false;        ///< WRITE: the colon is followed by values
   int depth_ = 0;
   std::size_t unit_words_ = 0;  ///< tokens that still belong to a unit between brackets

@@ -31,6 +31,9 @@ struct RobotSignature {
   bool force_sensor = false;    ///< `force`, `torque` and WRENCH() can be read
   /// Axes that a target may name beside its coordinates; the last ones of `axes`.
   std::vector<Coordinate> grippers{};
+  std::vector<std::string> bodies{};     ///< that can hit something, for ALLOW
+  std::vector<std::string> obstacles{};  ///< of the robot's file and its cell
+  std::vector<std::string> declared{};   ///< those that earlier entries of a prompt have declared
 };
 
 /// All that a target can name: the coordinates, then the gripper axes.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lang/machine/motion_words.h"
+#include "lang/machine/obstacle.h"
 #include "lang/syntax/ast_motion.h"
 #include "lang/syntax/expression_tree.h"
 #include "lang/text/diagnostic.h"
@@ -64,7 +65,8 @@ struct Declaration {
   ExprPtr value;             ///< null where left out
   ExprPtr mass{};            ///< of TOOL; null where left out
   ExprPtr cog{};             ///< of TOOL: its centre of gravity; null where left out
-  const TypeDetail* frame = nullptr;  ///< of FRAME: what poses in it have as their detail
+  std::vector<std::array<ExprPtr, 3>> shape{};  ///< of TOOL: from, to and radius of each CAPSULE
+  const TypeDetail* frame = nullptr;            ///< of FRAME: what poses in it have as their detail
 };
 /// RECORD part … ENDRECORD
 struct RecordDeclaration {
@@ -144,6 +146,19 @@ struct DeviceDeclaration {
   Declaration::Declared declared;
   ExprPtr address;  ///< null where it could not be read
   ExprPtr ending;   ///< null where left out
+};
+/// OBSTACLE table = BOX(POSE(…), 800mm, 600mm, 20mm)
+struct ObstacleDeclaration {
+  Declaration::Declared declared;
+  Obstacle::Kind kind = Obstacle::Kind::Box;
+  Place shape_place;
+  std::vector<ExprPtr> values;  ///< as many as the kind takes; none where it could not be read
+  Obstacle obstacle;            ///< set by the checker
+};
+/// ALLOW gripper, part DO
+struct Allow {
+  std::vector<Declaration::Declared> bodies;
+  Block body;
 };
 /// SEND scale: "W"
 struct Send {
@@ -271,7 +286,8 @@ struct Statement {
                Assign, Pulse, Print, Wait, If, While, For, Loop, Select, Exit, Next, Assert, Expect,
                Simulate, CallStatement, Return, Try, Raise, PointDeclaration, Teach, ZeroForce, Use,
                PathBlock, WayPoint, Press, With, SetOverride, Load, RecordDeclaration, Halt, Ask,
-               Write, Read, DeviceDeclaration, Send, Receive, Start, Defaults, EnumDeclaration>
+               Write, Read, DeviceDeclaration, Send, Receive, Start, Defaults, EnumDeclaration,
+               ObstacleDeclaration, Allow>
       node;
 };
 

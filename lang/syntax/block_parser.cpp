@@ -299,6 +299,37 @@ void BlockParser::with_statement(Block& block) {
   tree_.add(block, open.place, std::move(node));
 }
 
+// "ALLOW" IDENT { "," IDENT } "DO" eol block "ENDALLOW" eol
+void BlockParser::allow_statement(Block& block) {
+  const OpenBlock open{Keyword::Endallow, tokens_.place()};
+  if (!tokens_.current().first_on_line) {
+    tokens_.fail_here(code::kMisplaced, "ALLOW cannot stand on the line of another statement",
+                      "begin a new line before it");
+  }
+  Allow node;
+  blocks_.header_up_to_do([&] {
+    tokens_.advance();
+    do {
+      node.bodies.push_back(allowed_body());
+    } while (tokens_.accept(TokenKind::Comma));
+  });
+  node.body = blocks_.read(open);
+  blocks_.close(open);
+  tree_.add(block, open.place, std::move(node));
+}
+
+Declaration::Declared BlockParser::allowed_body() {
+  if (!tokens_.at(TokenKind::Word)) {
+    tokens_.fail_here(code::kNameExpected,
+                      fmt::format("the name of a body expected after ALLOW, not {}",
+                                  described(tokens_.current())),
+                      "ALLOW gripper, part DO");
+  }
+  Declaration::Declared body{std::string(tokens_.text()), tokens_.place()};
+  tokens_.advance();
+  return body;
+}
+
 // "PATH" { clause } "DO" eol pathblock "ENDPATH" eol
 void BlockParser::path_statement(Block& block) {
   const OpenBlock open{Keyword::Endpath, tokens_.place()};

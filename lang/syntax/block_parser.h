@@ -33,6 +33,7 @@ class BlockParser {
   void with_statement(Block& block);
   void path_statement(Block& block);
   void press_statement(Block& block);
+  void allow_statement(Block& block);
 
  private:
   void behind_then(Block& body);
@@ -43,6 +44,7 @@ class BlockParser {
   void case_values(Select::Case& branch);
   void rescue_header(Try& node);
   void press_header(Press& press);
+  Declaration::Declared allowed_body();
 
   TokenReader& tokens_;
   TreeBuilder& tree_;

@@ -24,4 +24,7 @@ inline constexpr auto kFileWords = std::to_array<std::string_view>({
     "WRITE",
 });
 
+/// The same before a name alone, and the end of the block of one.
+inline constexpr std::array<std::string_view, 3> kNamingWords{"ALLOW", "ENDALLOW", "OBSTACLE"};
+
 }  // namespace rob::lang

@@ -1,5 +1,7 @@
 #include "lang/syntax/declaration_parser.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,11 +10,14 @@
 #include "lang/syntax/named_types.h"
 #include "lang/text/ascii.h"
 #include "lang/text/codes.h"
+#include "lang/text/suggest.h"
 
 namespace rob::lang {
 namespace {
 
 constexpr std::size_t kMostEnumNames = 256;
+constexpr std::string_view kObstacleExample =
+    "OBSTACLE box = BOX(POSE(100mm, 0mm, 20mm), 80mm, 60mm, 40mm)";
 
 }  // namespace
 
@@ -171,6 +176,93 @@ void DeclarationParser::device(Block& block) {
   tree_.add(block, place, std::move(device));
 }
 
+// decl = "OBSTACLE" IDENT "=" ( "BOX" | "SPHERE" | "CAPSULE" | "MESH" ) "(" expr { "," expr } ")" .
+void DeclarationParser::obstacle(Block& block) {
+  const Place place = tokens_.place();
+  blocks_.check_declaration("OBSTACLE");
+  tokens_.advance();
+  ObstacleDeclaration obstacle;
+  obstacle.declared = names_.declared("OBSTACLE");
+  try {
+    if (!tokens_.accept(TokenKind::Assign)) {
+      tokens_.fail_here(
+          code::kAssignExpected,
+          fmt::format("'=' and a shape expected after {}", shortened(obstacle.declared.name)),
+          std::string(kObstacleExample));
+    }
+    obstacle_shape(obstacle);
+  } catch (const SyntaxError&) {
+    obstacle.values.clear();
+    tree_.add(block, place, std::move(obstacle));
+    throw;
+  }
+  tree_.add(block, place, std::move(obstacle));
+}
+
+void DeclarationParser::obstacle_shape(ObstacleDeclaration& obstacle) {
+  constexpr std::array<std::string_view, 4> kShapes{"BOX", "SPHERE", "CAPSULE", "MESH"};
+  const auto* const shape =
+      std::ranges::find_if(kShapes, [&](std::string_view word) { return tokens_.at_word(word); });
+  obstacle.shape_place = tokens_.place();
+  if (shape == kShapes.end() || tokens_.next().kind != TokenKind::LeftParen) {
+    const std::string meant =
+        tokens_.at(TokenKind::Word) ? did_you_mean(suggest(tokens_.text(), kShapes)) : "";
+    tokens_.fail_here(code::kNoObstacleShape,
+                      fmt::format("an OBSTACLE is BOX(…), SPHERE(…), CAPSULE(…) or MESH(…), not {}",
+                                  described(tokens_.current())),
+                      meant.empty() ? std::string(kObstacleExample) : meant);
+  }
+  obstacle.kind = static_cast<Obstacle::Kind>(shape - kShapes.begin());
+  tokens_.advance();
+  obstacle.values = shape_values();
+}
+
+/// What stands in the brackets of a shape.
+std::vector<ExprPtr> DeclarationParser::shape_values() {
+  if (!tokens_.accept(TokenKind::LeftParen)) {
+    tokens_.fail_here(code::kWordExpected,
+                      fmt::format("'(' expected, not {}", described(tokens_.current())));
+  }
+  std::vector<ExprPtr> values;
+  do {
+    values.push_back(expressions_.expression());
+  } while (tokens_.accept(TokenKind::Comma));
+  if (!tokens_.accept(TokenKind::RightParen)) {
+    tokens_.fail_here(code::kWordExpected,
+                      fmt::format("',' or ')' expected, not {}", described(tokens_.current())));
+  }
+  return values;
+}
+
+// "SHAPE" "CAPSULE" "(" expr "," expr "," expr ")" { "," "CAPSULE" "(" … ")" }
+void DeclarationParser::tool_shape(Declaration& tool) {
+  constexpr std::string_view kExample = "SHAPE CAPSULE((0mm, 0mm, 0mm), (0mm, 0mm, 90mm), 20mm)";
+  tokens_.advance();
+  do {
+    const Place place = tokens_.place();
+    if (!tokens_.at_word("CAPSULE")) {
+      tokens_.fail_here(
+          code::kNoObstacleShape,
+          fmt::format("the SHAPE of a TOOL is CAPSULE(…), not {}", described(tokens_.current())),
+          std::string(kExample));
+    }
+    tokens_.advance();
+    std::vector<ExprPtr> values = shape_values();
+    if (values.size() != 3) {
+      tokens_.fail(
+          code::kNoObstacleShape, place,
+          fmt::format("a CAPSULE has two ends and a radius; these are {} values", values.size()),
+          std::string(kExample));
+    }
+    if (tool.shape.size() == kMostToolCapsules) {
+      tokens_.fail(code::kTooManyCapsules, place,
+                   fmt::format("a SHAPE has at most {} capsules", kMostToolCapsules),
+                   "one that is longer or thicker covers several");
+    }
+    tool.shape.push_back({std::move(values[0]), std::move(values[1]), std::move(values[2])});
+  } while (tokens_.accept(TokenKind::Comma));
+}
+
 // decl = "POINT" names [ "=" expr ] eol .
 void DeclarationParser::point(Block& block) {
   const Place place = tokens_.place();
@@ -198,7 +290,8 @@ void DeclarationParser::point(Block& block) {
   tree_.add(block, place, std::move(points));
 }
 
-// decl = "TOOL" IDENT "=" expr [ "MASS" expr [ "COG" expr ] ] eol
+// decl = "TOOL" IDENT "=" expr [ "MASS" expr [ "COG" expr ] ] [ "SHAPE" capsule { "," capsule } ]
+// eol
 //      | "FRAME" IDENT "=" expr eol .
 void DeclarationParser::frame_or_tool(Block& block) {
   const Place place = tokens_.place();
@@ -226,6 +319,7 @@ void DeclarationParser::frame_or_tool(Block& block) {
         declaration.cog = expressions_.expression();
       }
     }
+    if (tool && tokens_.at_word("SHAPE")) tool_shape(declaration);
     declaration.frame = tool ? nullptr : &names_.own_frame(name);
   } catch (const SyntaxError&) {
     declaration.type = Type{};

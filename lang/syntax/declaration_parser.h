@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "lang/syntax/ast.h"
 #include "lang/syntax/expression_parser.h"
 #include "lang/syntax/open_blocks.h"
@@ -27,6 +29,7 @@ class DeclarationParser {
   void variables(Block& block, bool persist = false);
   void persist(Block& block);
   void device(Block& block);
+  void obstacle(Block& block);
   void signal(Block& block);
   void point(Block& block);
   void frame_or_tool(Block& block);
@@ -40,6 +43,9 @@ class DeclarationParser {
   void declared_names(Declaration& declaration);
   void declared_type_and_value(Declaration& declaration);
   void scale(SignalDeclaration& signal);
+  void obstacle_shape(ObstacleDeclaration& obstacle);
+  std::vector<ExprPtr> shape_values();
+  void tool_shape(Declaration& tool);
   void enum_names(EnumDeclaration& enumeration);
   void record_fields(RecordDeclaration& record);
   RecordDeclaration::Fields record_group();

@@ -15,6 +15,7 @@ inline bool is_declaration(const Statement& statement) {
          std::holds_alternative<Defaults>(statement.node) ||
          std::holds_alternative<EnumDeclaration>(statement.node) ||
          std::holds_alternative<DeviceDeclaration>(statement.node) ||
+         std::holds_alternative<ObstacleDeclaration>(statement.node) ||
          std::holds_alternative<Use>(statement.node);
 }
 

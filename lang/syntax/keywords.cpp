@@ -44,6 +44,7 @@ std::optional<Keyword> find_keyword(std::string_view word) {
   const std::string upper = to_upper(word);
   const auto found = std::ranges::lower_bound(kByName, upper, {}, &Entry::spelling);
   if (found == kByName.end() || found->spelling != upper) return std::nullopt;
+  if (found->keyword == Keyword::Endallow) return std::nullopt;
   return found->keyword;
 }
 

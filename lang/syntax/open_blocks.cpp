@@ -52,10 +52,25 @@ Block OpenBlocks::read(const OpenBlock& open) {
   return block;
 }
 
+/// ENDALLOW is not reserved: in an ALLOW it ends that where it stands alone on its line.
+void OpenBlocks::find_word_that_closes() {
+  const bool alone =
+      tokens_.current().first_on_line && tokens_.at_word("ENDALLOW") &&
+      (tokens_.next().kind == TokenKind::EndOfLine || tokens_.next().kind == TokenKind::EndOfFile);
+  const auto allows = [](const OpenBlock& open) { return open.closer == Keyword::Endallow; };
+  if (alone && std::ranges::any_of(open_, allows)) tokens_.take_for(Keyword::Endallow);
+}
+
+bool OpenBlocks::at_end() {
+  find_word_that_closes();
+  return tokens_.at(TokenKind::EndOfFile) || at_closer();
+}
+
 bool OpenBlocks::at_closer() const {
   if (!tokens_.at(TokenKind::Reserved) || open_.empty()) return false;
   switch (tokens_.current().keyword) {
     case Keyword::End:
+    case Keyword::Endallow:
     case Keyword::Endif:
     case Keyword::Endwhile:
     case Keyword::Endfor:

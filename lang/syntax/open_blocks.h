@@ -77,7 +77,8 @@ class OpenBlocks {
   [[noreturn]] void fail_stray_closer();
 
  private:
-  bool at_end() const { return tokens_.at(TokenKind::EndOfFile) || at_closer(); }
+  bool at_end();
+  void find_word_that_closes();
   bool closes_outer() const;
   void close_with_end(const OpenBlock& open);
 

@@ -173,6 +173,12 @@ void StatementParser::word_statement(Block& block) {
   }
   if (at_placed_word("FRAME") || at_placed_word("TOOL")) return declarations_.frame_or_tool(block);
   if (at_placed_word("ENUM")) return declarations_.enumeration(block);
+  if (tokens_.at_word("ENDALLOW") && tokens_.next().kind == TokenKind::EndOfLine) {
+    tokens_.take_for(Keyword::Endallow);
+    blocks_.fail_stray_closer();
+  }
+  if (at_naming_word("OBSTACLE")) return declarations_.obstacle(block);
+  if (at_naming_word("ALLOW")) return block_statements_.allow_statement(block);
   if (at_placed_word("PATH")) return block_statements_.path_statement(block);
   if (at_placed_word("PRESS")) return block_statements_.press_statement(block);
   if (at_placed_word("OVERRIDE")) return actions_.override_statement(block);
@@ -257,6 +263,11 @@ bool StatementParser::at_file_word(std::string_view word) {
   return tokens_.next().kind != TokenKind::LeftParen && at_placed_word(word);
 }
 
+/// A word that begins a statement before a name alone.
+bool StatementParser::at_naming_word(std::string_view word) {
+  return tokens_.at_word(word) && tokens_.next().kind == TokenKind::Word;
+}
+
 /// Reports the word, then goes on as if the word that was meant stood there; the line has had its
 /// message. The head of a block is taken for one only if its line ends like one: a block opened
 /// by mistake would swallow the rest of the program.
@@ -284,7 +295,8 @@ void StatementParser::unknown_word(Block& block) {
   }
   tokens_.report(code::kUnknownStatement, tokens_.place(), message, did_you_mean(meant));
   tokens_.mute_line();
-  const Keyword keyword = find_keyword(meant).value();
+  const auto reserved = find_keyword(meant);
+  const Keyword keyword = reserved ? *reserved : Keyword::Endallow;
   if (!can_stand_for(keyword)) throw SyntaxError{};
   tokens_.take_for(keyword);
   if (!blocks_.at_closer()) any_statement(block);

@@ -45,6 +45,7 @@ class StatementParser final : public StatementReader {
   void default_statement(Block& block);
   bool at_placed_word(std::string_view word);
   bool at_file_word(std::string_view word);
+  bool at_naming_word(std::string_view word);
   bool looks_misspelt();
   void unknown_word(Block& block);
   std::string_view statement_meant() const;

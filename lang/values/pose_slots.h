@@ -9,7 +9,10 @@
 namespace rob::lang {
 
 inline constexpr int kPoseSlots = 7;
-inline constexpr int kToolSlots = 11;  ///< a TOOL: its pose, mass in kg, centre of gravity in mm
+inline constexpr int kCapsuleSlots = 7;  ///< from, to, radius in mm
+/// A TOOL: its pose, mass in kg, centre of gravity in mm, and its capsules.
+inline constexpr int kShapeSlot = 11;
+inline constexpr int kToolSlots = kShapeSlot + kCapsuleSlots * static_cast<int>(kMostToolCapsules);
 
 inline Vector3 load_vector(const Slot* slots) {
   return {slots[0].real, slots[1].real, slots[2].real};
@@ -35,9 +38,18 @@ inline PoseValue from_si(const PoseValue& pose) noexcept {
 }
 
 /// In SI, as a Machine takes it.
+inline CapsuleValue load_capsule(const Slot* slots) {
+  return {to_si(load_vector(slots)), to_si(load_vector(slots + 3)), to_si(slots[6].real, kLength)};
+}
 inline ToolValue load_tool(const Slot* slots) {
-  return {to_si(load_pose(slots)), slots[kPoseSlots].real,
-          to_si(load_vector(slots + kPoseSlots + 1))};
+  ToolValue tool{to_si(load_pose(slots)), slots[kPoseSlots].real,
+                 to_si(load_vector(slots + kPoseSlots + 1))};
+  const Slot* capsule = slots + kShapeSlot;
+  for (CapsuleValue& one : tool.shape) {
+    one = load_capsule(capsule);
+    capsule += kCapsuleSlots;
+  }
+  return tool;
 }
 
 inline void store(const Vector3& vector, Slot* slots) {

@@ -1,16 +1,34 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "lang/values/pose_math.h"
 
 namespace rob::lang {
 
-/// A TOOL: where its tip is, seen from the flange, and its load.
+/// All that is within `radius` of a segment, m. Without a radius it is nothing.
+struct CapsuleValue {
+  Vector3 from;
+  Vector3 to;
+  double radius = 0;
+
+  bool operator==(const CapsuleValue&) const = default;
+};
+
+/// A tool has at most so many.
+inline constexpr std::size_t kMostToolCapsules = 3;
+
+/// A TOOL: where its tip is, seen from the flange, its load, and its SHAPE.
 struct ToolValue {
   PoseValue tip;    ///< m
   double mass = 0;  ///< kg
   Vector3 cog;      ///< its centre of gravity, seen from the flange, m
+  std::array<CapsuleValue, kMostToolCapsules> shape{};  ///< seen from the flange
 };
 
 /// The setting that WITH and IN give: the tool that is moved to targets, and the frame of tuples,
@@ -19,6 +37,8 @@ struct Setting {
   ToolValue tool;        ///< without WITH the flange itself
   PoseValue frame;       ///< in the world
   bool in_tool = false;  ///< IN TOOL: the tool where the motion begins; `frame` says nothing
+  /// ALLOW: bodies and obstacles that may touch anything; null: none.
+  std::shared_ptr<const std::vector<std::string>> allowed{};
 };
 
 /// PRESS: a force along one axis of the Setting's frame.

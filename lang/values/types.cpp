@@ -176,7 +176,7 @@ Slots slots_of(const Type& type) {
     case Type::Kind::Frame:
       return {.numbers = 7};
     case Type::Kind::Tool:
-      return {.numbers = 11};
+      return {.numbers = kToolSlots};
     case Type::Kind::Array:
       return type.is_open() ? slots_of(type.detail->element) : type.detail->slots;
     case Type::Kind::Joints:

@@ -217,6 +217,7 @@ Watch watch_of(const Chunk& chunk, const WatchForm& form, const Slot* n, const S
   watch.form = form;
   std::copy_n(n, form.values, watch.values.begin());
   watch.setting = setting;
+  watch.setting.allowed.reset();  // no watch asks for it
   return watch;
 }
 
@@ -227,6 +228,13 @@ Setting setting_of(unsigned named, const Slot* n, Setting around) {
   }
   if ((named & 2U) != 0) around.frame = to_si(load_pose(n));
   if ((named & 6U) != 0) around.in_tool = (named & 4U) != 0;
+  return around;
+}
+
+Setting allowing(const std::vector<std::string>& bodies, Setting around) {
+  std::vector<std::string> all = bodies;
+  if (around.allowed) all.insert(all.end(), around.allowed->begin(), around.allowed->end());
+  around.allowed = std::make_shared<const std::vector<std::string>>(std::move(all));
   return around;
 }
 

@@ -25,6 +25,8 @@ Watch watch_of(const Chunk& chunk, const WatchForm& form, const Slot* n, const S
 
 /// WITH and IN; what is not named stays what it is around the block. `named`: opcodes.def.
 Setting setting_of(unsigned named, const Slot* n, Setting around);
+/// ALLOW: what holds around it, and these bodies may touch anything.
+Setting allowing(const std::vector<std::string>& bodies, Setting around);
 Objection build_press(int axis, const Slot* n, PressCommand& command);
 /// Without COG the load is where the tip of the tool is.
 Objection build_load(bool with_cog, const Slot* n, const Setting& setting, LoadCommand& load);

@@ -151,6 +151,27 @@ std::string via_text(const RobotSignature& robot, const MoveCommand& point) {
   return "via" + target_text(robot, point);
 }
 
+namespace {
+
+std::string shape_text(const ToolValue& tool) {
+  std::string text;
+  for (const CapsuleValue& capsule : tool.shape) {
+    if (!(capsule.radius > 0)) continue;
+    text += " capsule" + vector_text(capsule.from) + vector_text(capsule.to) + ' ' +
+            si_text(capsule.radius, kLength);
+  }
+  return text;
+}
+
+std::string allowed_text(const Setting& setting) {
+  std::string text;
+  if (!setting.allowed) return text;
+  for (const std::string& body : *setting.allowed) text += (text.empty() ? " allow " : ", ") + body;
+  return text;
+}
+
+}  // namespace
+
 std::string setting_text(const Setting& setting) {
   std::string text = "with";
   const ToolValue& tool = setting.tool;
@@ -162,10 +183,10 @@ std::string setting_text(const Setting& setting) {
     if (tool.mass != 0) text += ' ' + si_text(tool.mass, kMass);
     if (const std::string cog = vector_text(tool.cog); cog != vector_text({})) text += " cog" + cog;
   }
-  text += " in";
-  if (setting.in_tool) return text + " tool";
+  text += shape_text(tool) + " in";
+  if (setting.in_tool) return text + " tool" + allowed_text(setting);
   const std::string frame = place_text(setting.frame);
-  return text + (frame == place_text({}) ? std::string(" world") : frame);
+  return text + (frame == place_text({}) ? std::string(" world") : frame) + allowed_text(setting);
 }
 
 std::string load_text(const LoadCommand& load) {

@@ -277,6 +277,10 @@ Vm::Step Vm::step_motion(Code pc) {
     case Opcode::with:
       settings_.enter(*machine_, line(pc), setting_of(pc->b(), n, settings_.setting()));
       return pc + 1;
+    case Opcode::allow:
+      settings_.enter(*machine_, line(pc),
+                      allowing(loaded_.chunk->allowed[pc->x()], settings_.setting()));
+      return pc + 1;
     case Opcode::end_with:
       settings_.leave(*machine_, line(pc), settings_.settings() - 1);
       return pc + 1;

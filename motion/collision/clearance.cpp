@@ -28,7 +28,7 @@ bool named(const Apart& apart, const std::string& a, const std::string& b) {
 
 Clearance::Clearance(std::shared_ptr<const Kinematics> kinematics, const JointVector& travel,
                      CollisionData data)
-    : kinematics_(std::move(kinematics)), data_(std::move(data)) {
+    : kinematics_(std::move(kinematics)), travel_(travel), data_(std::move(data)) {
   std::ranges::stable_sort(data_.bodies, {}, &Body::frame);
   const auto count = static_cast<int>(data_.bodies.size());
   for (int i = 0; i < count; ++i) {
@@ -44,15 +44,27 @@ Clearance::Clearance(std::shared_ptr<const Kinematics> kinematics, const JointVe
   find_levers(travel);
 }
 
+Clearance Clearance::with(Body carried) const {
+  CollisionData data = data_;
+  data.bodies.push_back(std::move(carried));
+  return {kinematics_, travel_, std::move(data)};
+}
+
+bool Clearance::allowed(const std::string& name) const {
+  return std::ranges::find(data_.allowed, name) != data_.allowed.end();
+}
+
 /// Neighbours hang together. The flange is fixed to the last axis' link: the two are one.
 bool Clearance::may_touch(const Body& a, const Body& b) const {
   const auto joint = [&](const Body& body) { return std::min(body.frame, kinematics_->axes()); };
   if (std::abs(joint(a) - joint(b)) <= 1) return true;
+  if (allowed(a.name) || allowed(b.name)) return true;
   return std::ranges::any_of(data_.apart,
                              [&](const Apart& two) { return named(two, a.name, b.name); });
 }
 
 bool Clearance::may_touch(const Body& body, const Obstacle& obstacle) const {
+  if (allowed(body.name) || allowed(obstacle.name)) return true;
   if (obstacle.hand_may_touch && body.frame > kinematics_->axes()) return true;
   return std::ranges::any_of(
       data_.apart, [&](const Apart& two) { return named(two, body.name, obstacle.name); });

@@ -26,12 +26,16 @@ class Clearance {
   Clearance(std::shared_ptr<const Kinematics> kinematics, const JointVector& travel,
             CollisionData data);
 
+  /// The same where the robot carries this, too.
+  Clearance with(Body carried) const;
+
   const std::vector<Pair>& pairs() const noexcept { return pairs_; }
   const std::string& name_of_body(const Pair& pair) const {
     return data_.bodies[static_cast<std::size_t>(pair.body)].name;
   }
   const std::string& name_of_other(const Pair& pair) const;
 
+  int axes() const noexcept { return static_cast<int>(travel_.size()); }
   LinkFrames frames(const JointVector& q) const noexcept { return kinematics_->frames(q); }
   /// m; 0 or less where they touch.
   double distance(const Pair& pair, const LinkFrames& frames) const noexcept;
@@ -48,10 +52,12 @@ class Clearance {
  private:
   Capsule placed(const Capsule& shape, int frame, const LinkFrames& frames) const noexcept;
   void find_levers(const JointVector& travel);
+  bool allowed(const std::string& name) const;
   bool may_touch(const Body& a, const Body& b) const;
   bool may_touch(const Body& body, const Obstacle& obstacle) const;
 
   std::shared_ptr<const Kinematics> kinematics_;
+  JointVector travel_;
   CollisionData data_;
   std::vector<Pair> pairs_;
   std::vector<JointVector> levers_;  // for each pair and axis: m per rad; 1 if it is linear

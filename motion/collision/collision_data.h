@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "motion/collision/convex_body.h"
 #include "motion/collision/shapes.h"
 
 namespace rob::motion {
@@ -23,8 +25,17 @@ struct Body {
 /// A thing that stands in the world.
 struct Obstacle {
   std::string name;
-  std::variant<Sphere, Capsule, Box, HalfSpace> shape;
+  std::variant<Sphere, Capsule, Box, HalfSpace, std::shared_ptr<const ConvexBody>> shape;
   bool hand_may_touch = false;  ///< the flange and what it carries work at it
+  bool of_program = false;      ///< a program has declared it
+};
+
+/// An obstacle whose file has not been read yet: motion reads no meshes.
+struct MeshObstacle {
+  std::string name;
+  std::string file;
+  Pose place;
+  std::string where;  ///< "file:line:column: " of what names it
 };
 
 /// Two bodies, or a body and an obstacle, that may always touch.
@@ -35,8 +46,10 @@ using Apart = std::pair<std::string, std::string>;
 struct CollisionData {
   std::vector<Body> bodies{};
   std::vector<Obstacle> obstacles{};
+  std::vector<MeshObstacle> meshes{};  ///< that are to become obstacles
   std::vector<Apart> apart{};
-  double clearance = 0.010;  ///< m: obstacles that are passed more closely are a warning
+  std::vector<std::string> allowed{};  ///< bodies and obstacles that may touch anything
+  double clearance = 0.010;            ///< m: obstacles that are passed more closely are a warning
 };
 
 }  // namespace rob::motion

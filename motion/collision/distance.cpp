@@ -110,6 +110,10 @@ double distance(const Capsule& capsule, const HalfSpace& below) noexcept {
   return std::min(capsule.from.z(), capsule.to.z()) - below.height - capsule.radius;
 }
 
+double distance(const Capsule& capsule, const std::shared_ptr<const ConvexBody>& body) noexcept {
+  return body->distance(capsule);
+}
+
 double distance(const Capsule& capsule, const Obstacle& obstacle) noexcept {
   return std::visit([&](const auto& shape) { return distance(capsule, shape); }, obstacle.shape);
 }

@@ -11,6 +11,7 @@ double distance(const Capsule& capsule, const Sphere& sphere) noexcept;
 double distance(const Capsule& a, const Capsule& b) noexcept;
 double distance(const Capsule& capsule, const Box& box) noexcept;
 double distance(const Capsule& capsule, const HalfSpace& below) noexcept;
+double distance(const Capsule& capsule, const std::shared_ptr<const ConvexBody>& body) noexcept;
 double distance(const Capsule& capsule, const Obstacle& obstacle) noexcept;
 
 }  // namespace rob::motion

@@ -5,7 +5,7 @@
 namespace rob::motion {
 
 PathProof::PathProof(const Clearance& clearance, double near)
-    : clearance_(clearance),
+    : clearance_(&clearance),
       near_(near),
       watched_(clearance.pairs().size()),
       due_(clearance.pairs().size()) {}
@@ -21,7 +21,7 @@ void PathProof::begin(const JointVector& q) {
   nearest_.reset();
   at_start_.reset();
   if (watched_.empty()) return;
-  const LinkFrames frames = clearance_.frames(q);
+  const LinkFrames frames = clearance_->frames(q);
   for (std::size_t i = 0; i < watched_.size(); ++i) {
     if (!goes_on || !far(i, gone_)) {
       measure(i, frames);
@@ -33,7 +33,7 @@ void PathProof::begin(const JointVector& q) {
 }
 
 void PathProof::measure(std::size_t i, const LinkFrames& frames) {
-  const Contact here{clearance_.pairs()[i], clearance_.distance(clearance_.pairs()[i], frames)};
+  const Contact here{clearance_->pairs()[i], clearance_->distance(clearance_->pairs()[i], frames)};
   watched_[i] = {
       .distance = here.distance, .since = gone_, .least = std::min(kContact, here.distance)};
   due_[i] = approached_ + here.distance - enough(i);
@@ -45,7 +45,7 @@ void PathProof::measure(std::size_t i, const LinkFrames& frames) {
 void PathProof::widen(const JointVector& beside) {
   for (std::size_t i = 0; i < watched_.size(); ++i) {
     if (watched_[i].least < kContact) continue;
-    watched_[i].margin = clearance_.approach(i, beside);
+    watched_[i].margin = clearance_->approach(i, beside);
     due_[i] -= watched_[i].margin;
   }
 }
@@ -53,7 +53,7 @@ void PathProof::widen(const JointVector& beside) {
 /// Whether the pair need not be looked at before the axes have gone so far.
 bool PathProof::far(std::size_t i, const JointVector& gone) {
   if (due_[i] > approached_) return true;
-  const double nearer = clearance_.approach(i, gone - watched_[i].since);
+  const double nearer = clearance_->approach(i, gone - watched_[i].since);
   const double left = watched_[i].distance - nearer - enough(i);
   if (left > 0) due_[i] = approached_ + left;
   return left > 0;
@@ -63,7 +63,7 @@ std::optional<PathProof::Contact> PathProof::follow(const JointVector& q) {
   if (watched_.empty()) return std::nullopt;
   const JointVector step = q - last_;
   const JointVector way = step.cwiseAbs();
-  approached_ += clearance_.greatest_approach(way);
+  approached_ += clearance_->greatest_approach(way);
   std::optional<Contact> first;
   double earliest = 1;
   for (std::size_t i = 0; i < watched_.size(); ++i) {
@@ -81,14 +81,14 @@ std::optional<PathProof::Contact> PathProof::follow(const JointVector& q) {
 /// m: a pair that is farther apart need not be looked at.
 double PathProof::enough(std::size_t i) const noexcept {
   const double contact = kContact + watched_[i].margin;
-  return clearance_.pairs()[i].obstacle ? std::max(near_, contact) : contact;
+  return clearance_->pairs()[i].obstacle ? std::max(near_, contact) : contact;
 }
 
 /// From look to look, each as far from the one before as the pair's distance there allows, up to a
 /// share of the step. No two are more than kContact apart where the pair is that near.
 PathProof::Along PathProof::look_along(std::size_t i, const JointVector& step, double until) {
   const JointVector way = step.cwiseAbs();
-  const double whole = clearance_.approach(i, way);
+  const double whole = clearance_->approach(i, way);
   double share = 0;
   while (share <= until) {
     const double distance = look(i, last_ + share * step, gone_ + share * way);
@@ -104,19 +104,19 @@ PathProof::Along PathProof::look_along(std::size_t i, const JointVector& step, d
 double PathProof::look(std::size_t i, const JointVector& q, const JointVector& gone) {
   constexpr double kSame = 1e-9;  // m [choice] rounding is no approach
   Watched& pair = watched_[i];
-  const double distance = clearance_.distance(clearance_.pairs()[i], clearance_.frames(q));
+  const double distance = clearance_->distance(clearance_->pairs()[i], clearance_->frames(q));
   pair.touched = distance < pair.least + pair.margin - kSame;
   pair.from_start = pair.least < kContact;
   pair.distance = distance;
   pair.since = gone;
   // A pair that has parted may not come into contact again.
   pair.least = std::max(pair.least, std::min(kContact, distance));
-  if (!pair.touched) note({clearance_.pairs()[i], distance});
+  if (!pair.touched) note({clearance_->pairs()[i], distance});
   return distance;
 }
 
 PathProof::Contact PathProof::contact_of(std::size_t i, double distance) const {
-  return {clearance_.pairs()[i], distance, watched_[i].from_start};
+  return {clearance_->pairs()[i], distance, watched_[i].from_start};
 }
 
 void PathProof::note(const Contact& contact) {

@@ -64,7 +64,7 @@ class PathProof {
   Contact contact_of(std::size_t i, double distance) const;
   void note(const Contact& contact);
 
-  const Clearance& clearance_;
+  const Clearance* clearance_;
   double near_;
   std::vector<Watched> watched_;
   std::vector<double> due_;  // of each pair: approached_ up to which it need not be looked at

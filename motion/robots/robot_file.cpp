@@ -329,12 +329,7 @@ void check_paul(const TableReader& file, const std::vector<TableReader>& axes,
 }  // namespace
 
 RobotModel parse_robot_file(std::string_view text, std::string_view file_name) {
-  toml::table table;
-  try {
-    table = toml::parse(text, file_name);
-  } catch (const toml::parse_error& error) {
-    fail_in_file(file_name, error.source().begin, std::string(error.description()));
-  }
+  const toml::table table = parsed_toml(text, file_name);
   const TableReader file(table, file_name, "", {"name",         "description",   "kinematics",
                                                 "law",          "t_acc",         "reference_period",
                                                 "servo_period", "look_ahead",    "zone",

@@ -10,6 +10,7 @@
 
 #include "base/nearest_words.h"
 #include "motion/robots/robot_file.h"
+#include "motion/robots/shapes_file.h"
 
 namespace rob::motion {
 
@@ -92,6 +93,10 @@ RobotModel embedded_robot(std::string_view name) {
 RobotModel load_robot(std::string_view name_or_file) {
   if (!name_or_file.ends_with(".toml")) return embedded_robot(name_or_file);
   return parse_robot_file(text_of(std::string(name_or_file)), name_or_file);
+}
+
+void load_cell(const std::string& file, RobotModel& robot) {
+  read_cell(text_of(file), file, robot.collision);
 }
 
 }  // namespace rob::motion

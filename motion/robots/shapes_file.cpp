@@ -55,16 +55,24 @@ Pose read_body_pose(const TableReader& table) {
   return pose;
 }
 
+MeshObstacle read_mesh(const TableReader& table) {
+  return {.name = table.name("name"),
+          .file = table.path("file"),
+          .place = read_body_pose(table),
+          .where = table.where("file")};
+}
+
 /// Each kind has its own keys; others would be a slip.
 void refuse_others(const TableReader& table, const std::vector<std::string_view>& own) {
-  for (const std::string_view key : {"place", "turn", "size", "radius", "from", "to", "height"})
+  for (const std::string_view key :
+       {"place", "turn", "size", "radius", "from", "to", "height", "file"})
     if (table.has(key) && std::ranges::find(own, key) == own.end())
       table.fail(key, "does not belong to an obstacle of this kind");
 }
 
 Obstacle read_obstacle(const TableReader& table) {
   Obstacle obstacle{.name = table.name("name"), .shape = HalfSpace{}};
-  switch (table.choice("kind", {"box", "sphere", "capsule", "table"})) {
+  switch (table.choice("kind", {"box", "sphere", "capsule", "table", "mesh"})) {
     case 0:
       refuse_others(table, {"place", "turn", "size"});
       obstacle.shape = Box{read_body_pose(table), three_lengths(table, "size", kBodyMeasure) / 2};
@@ -89,25 +97,34 @@ bool is_body(const CollisionData& data, const std::string& name) {
   return std::ranges::any_of(data.bodies, [&](const Body& body) { return body.name == name; });
 }
 
+bool is_obstacle(const std::string& name, const CollisionData& data) {
+  const auto same = [&](const auto& other) { return other.name == name; };
+  return std::ranges::any_of(data.obstacles, same) || std::ranges::any_of(data.meshes, same);
+}
+
 void read_obstacles(const TableReader& file, CollisionData& data) {
   const std::vector<TableReader> tables = file.tables(
-      "obstacle", {"name", "kind", "place", "turn", "size", "radius", "from", "to", "height"});
+      "obstacle",
+      {"name", "kind", "place", "turn", "size", "radius", "from", "to", "height", "file"});
   if (tables.size() > kMostObstacles)
     file.fail("obstacle", "more than " + std::to_string(kMostObstacles) + " of them");
   for (const TableReader& table : tables) {
-    Obstacle obstacle = read_obstacle(table);
-    const bool taken = std::ranges::any_of(
-        data.obstacles, [&](const Obstacle& other) { return other.name == obstacle.name; });
-    if (taken) table.fail("name", "there is another obstacle of this name");
-    if (is_body(data, obstacle.name)) table.fail("name", "a body of the robot has this name");
-    data.obstacles.push_back(std::move(obstacle));
+    const std::string& name = table.name("name");
+    if (is_obstacle(name, data)) table.fail("name", "there is another obstacle of this name");
+    if (is_body(data, name)) table.fail("name", "a body of the robot has this name");
+    if (table.text("kind") == "mesh") {
+      refuse_others(table, {"file", "place", "turn"});
+      data.meshes.push_back(read_mesh(table));
+    } else {
+      data.obstacles.push_back(read_obstacle(table));
+    }
   }
 }
 
 void read_apart(const TableReader& file, CollisionData& data) {
   const auto known = [&](const std::string& name) {
     const auto same = [&](const auto& thing) { return thing.name == name; };
-    return std::ranges::any_of(data.bodies, same) || std::ranges::any_of(data.obstacles, same);
+    return std::ranges::any_of(data.bodies, same) || is_obstacle(name, data);
   };
   for (const TableReader& table : file.tables("apart", {"first", "second"})) {
     for (const std::string_view key : {"first", "second"})
@@ -118,11 +135,10 @@ void read_apart(const TableReader& file, CollisionData& data) {
   }
 }
 
-/// The table, and each rack as the body that its holes are in. Tubes and caps are there to be
-/// taken.
+/// The table, and each rack as the body that its holes are in, at which the hand works. Tubes and
+/// caps are there to be taken.
 void add_cell(const CellData& cell, CollisionData& data) {
-  data.obstacles.push_back(
-      {.name = "table", .shape = HalfSpace{cell.table}, .hand_may_touch = true});
+  data.obstacles.push_back({.name = "table", .shape = HalfSpace{cell.table}});
   int number = 0;
   for (const RackData& rack : cell.racks) {
     // The middle of the outer holes, and half a pitch of wall around them.
@@ -168,12 +184,17 @@ void read_shapes(const TableReader& file, const std::vector<TableReader>& axes, 
   if (file.has("flange"))
     read_body(file.table("flange", {"link", "shape"}), free_name(axes, robot, "flange", "hand"),
               robot.axis_count() + 1, data);
-  if (robot.cell && !data.bodies.empty()) add_cell(*robot.cell, data);
+  if (robot.cell) add_cell(*robot.cell, data);
   refuse_names_of_cell(file, data);
   read_obstacles(file, data);
   read_apart(file, data);
   if (file.has("clearance"))
     data.clearance = file.quantity("clearance", Quantity::Length, kClearanceRange);
+}
+
+void read_cell(std::string_view text, std::string_view file_name, CollisionData& data) {
+  const toml::table table = parsed_toml(text, file_name);
+  read_obstacles(TableReader(table, file_name, "", {"obstacle"}), data);
 }
 
 }  // namespace rob::motion

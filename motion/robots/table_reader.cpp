@@ -51,6 +51,14 @@ void fail_in_file(std::string_view file, const toml::source_position& place,
                        std::to_string(place.column) + ": " + message);
 }
 
+toml::table parsed_toml(std::string_view text, std::string_view file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    fail_in_file(file, error.source().begin, std::string(error.description()));
+  }
+}
+
 TableReader::TableReader(const toml::table& table, std::string_view file, std::string what,
                          std::vector<std::string_view> keys)
     : table_(&table), file_(file), what_(std::move(what)) {
@@ -77,6 +85,18 @@ std::string TableReader::name(std::string_view key) const {
                   std::to_string(kLongestName));
   }
   return value;
+}
+
+std::string TableReader::path(std::string_view key) const {
+  const std::string written = text(key);
+  if (written.empty()) fail(key, "must be the name of a file");
+  if (written.front() == '/') return written;
+  return file_.substr(0, file_.rfind('/') + 1) + written;  // 0 where there is none
+}
+
+std::string TableReader::where(std::string_view key) const {
+  const toml::source_position& place = need(key).source().begin;
+  return file_ + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": ";
 }
 
 double TableReader::quantity(std::string_view key, Quantity quantity, Range range) const {

@@ -29,6 +29,8 @@ class TableReader {
   std::string text(std::string_view key) const;
   /// A name as programs write it: a small letter, then small letters, digits and _; at most 32.
   std::string name(std::string_view key) const;
+  /// The name of a file, which stands beside the robot's unless it begins with a /.
+  std::string path(std::string_view key) const;
   double quantity(std::string_view key, Quantity quantity, Range range) const;
   /// [value, value, …], `count` of them.
   std::vector<double> quantities(std::string_view key, Quantity quantity, Range range,
@@ -53,6 +55,8 @@ class TableReader {
 
   /// From now on messages call the table so.
   void rename(std::string what) { what_ = std::move(what); }
+  /// "file:line:column: " of the value of `key`.
+  std::string where(std::string_view key) const;
   /// Throws: `problem` at the value of `key`, or at the table if it has none.
   [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
 
@@ -71,6 +75,9 @@ class TableReader {
   std::string file_;
   std::string what_;
 };
+
+/// The tables of a text. Throws RobotFileError for what is no TOML.
+toml::table parsed_toml(std::string_view text, std::string_view file);
 
 /// Throws RobotFileError "file:line:column: message".
 [[noreturn]] void fail_in_file(std::string_view file, const toml::source_position& place,

@@ -27,6 +27,7 @@ SessionOptions prompt_options(const Options& options) {
   session.seed = options.seed;
   session.date = options.date;
   session.cell = options.cell;
+  session.cell_file = options.cell_file;
   session.trace = options.trace;
   session.backend = *backend_of(options.backend);
   session.home = options.home;

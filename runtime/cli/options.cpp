@@ -85,6 +85,12 @@ struct Parser {
         ->check(check_name);
     command.add_option("--law", law, "transition law: paul or lookahead")->check(check_law);
   }
+  void add_cell(CLI::App& command) {
+    command
+        .add_option("--cell", options.cell_file,
+                    "a file.toml of obstacles that stand around the robot")
+        ->check(check_robot_file);
+  }
   void add_seed(CLI::App& command) {
     command
         .add_option("--seed", seed,
@@ -149,6 +155,7 @@ Parser::Parser() {
 /// Without a command: the prompt, or statements from a pipe.
 void Parser::add_prompt() {
   add_robot(app);
+  add_cell(app);
   add_seed(app);
   add_date(app);
   add_motion(app);
@@ -161,6 +168,7 @@ void Parser::add_run() {
   run.callback([this] { options.command = Options::Command::Run; });
   add_files(run);
   add_robot(run);
+  add_cell(run);
   add_json(run);
   add_seed(run);
   add_date(run);
@@ -174,6 +182,7 @@ void Parser::add_check() {
   check.callback([this] { options.command = Options::Command::Check; });
   add_files(check);
   add_robot(check);
+  add_cell(check);
   add_json(check);
   add_seed(check);
   add_date(check);
@@ -195,6 +204,7 @@ void Parser::add_test() {
   test.callback([this] { options.command = Options::Command::Test; });
   add_files(test);
   add_robot(test);
+  add_cell(test);
   add_seed(test);
   add_data(test);
   add_date(test);
@@ -228,6 +238,7 @@ void Parser::add_others() {
   compile.callback([this] { options.command = Options::Command::Compile; });
   add_files(compile);
   add_robot(compile);
+  add_cell(compile);
   compile.add_flag("--listing", options.listing, "print the bytecode");
 
   CLI::App& format = *app.add_subcommand("fmt", "give programs their canonical layout");

@@ -47,6 +47,7 @@ struct Options {
   std::uint64_t seed = lang::Random::kDefaultSeed;  ///< of RANDOM
   /// Which of its simulated cells the robot stands in; without it that of its file.
   std::optional<std::uint64_t> cell;
+  std::string cell_file{};       ///< of what stands around the robot; empty: none
   std::optional<WallTime> date;  ///< of NOW() and UNIX() at the start
   bool fast = false;
   bool keep_going = false;  ///< of the prompt: a pipe goes on after an error

@@ -40,7 +40,7 @@ OpenMachine machine_for(LoadedProgram& program, const Options& options) {
 std::vector<LoadedProgram> load_programs(const Options& options) {
   std::vector<LoadedProgram> programs;
   for (const std::string& file : options.files)
-    programs.push_back(load_program(file, options.robot, options.law));
+    programs.push_back(load_program(file, options.robot, options.law, options.cell_file));
   for (LoadedProgram& program : programs)
     if (options.cell) change_cell(program.robot, *options.cell);
   return programs;
@@ -64,6 +64,7 @@ void refuse_overwriting_inputs(std::string_view option, const std::string& outpu
   for (const LoadedProgram& program : programs)
     std::ranges::copy(inputs_of(program), std::back_inserter(inputs));
   if (!options.signals.empty()) inputs.push_back({options.signals, "the signal script"});
+  if (!options.cell_file.empty()) inputs.push_back({options.cell_file, "the cell's file"});
   if (options.robot.ends_with(".toml")) inputs.push_back({options.robot, "the robot file"});
   refuse_overwriting(option, output, inputs);
 }

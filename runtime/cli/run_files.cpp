@@ -88,7 +88,7 @@ RunResult run_one(LoadedProgram& program, const Options& options, const SignalSc
   put_source_away(program);
   std::optional<Foretold> foretold;
   if (isatty(STDERR_FILENO) != 0 || robot.law == motion::Law::LookAhead ||
-      !robot.collision.bodies.empty()) {
+      !robot.collision.bodies.empty() || program.compilation.chunk->shaped) {
     RunResult ahead = foretell(program, robot, foretell_options(options, script));
     if (ahead.contact) return refused_for_contact(program, ahead);
     foretold = foretold_by(std::move(ahead));

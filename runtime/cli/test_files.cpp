@@ -50,7 +50,7 @@ Outcome test_file(const LoadedProgram& program, const Options& options) {
 ExitCode test_files(const Options& options) {
   std::vector<LoadedProgram> programs;
   for (const std::string& file : options.files)
-    programs.push_back(load_program(file, options.robot, options.law));
+    programs.push_back(load_program(file, options.robot, options.law, options.cell_file));
   for (LoadedProgram& program : programs) {
     if (options.cell) change_cell(program.robot, *options.cell);
     refuse_missing_points(program);

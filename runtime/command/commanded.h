@@ -8,6 +8,7 @@
 #include "lang/machine/machine.h"
 #include "lang/machine/move_command.h"
 #include "lang/values/setting.h"
+#include "motion/collision/clearance.h"
 #include "motion/dynamics/arm_load.h"
 #include "motion/path/tool_path.h"
 #include "motion/plan/planned_leg.h"
@@ -28,9 +29,10 @@ struct Commanded {
   motion::SegmentDescriptor segment;
   bool stop = false;
   bool further = false;
-  std::optional<lang::MoveCommand> move{};  ///< of a motion
-  lang::Setting setting{};                  ///< in which it was commanded
-  const motion::CarriedLoad* carried{};     ///< then; null: nothing
+  std::optional<lang::MoveCommand> move{};               ///< of a motion
+  lang::Setting setting{};                               ///< in which it was commanded
+  const motion::CarriedLoad* carried{};                  ///< then; null: nothing
+  std::shared_ptr<const motion::Clearance> clearance{};  ///< what it must not hit
   std::vector<OnTheWay> events{};
   std::vector<lang::MoveCommand> via{};  ///< of MOVEC, MOVES
   std::optional<ProgramPace> live{};

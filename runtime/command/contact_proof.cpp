@@ -3,22 +3,24 @@
 #include <utility>
 
 #include "motion/ahead/corner_ways.h"
-#include "motion/robots/robot_clearance.h"
 #include "runtime/words/contact_words.h"
 
 namespace rob::runtime {
 
-ContactProof::ContactProof(const motion::RobotModel& robot, const Assumptions& assumptions)
-    : robot_(robot),
-      assumptions_(assumptions),
-      clearance_(motion::clearance_of(robot)),
-      proof_(clearance_, 0) {}
+void ContactProof::watch(const Shared& clearance) {
+  if (clearance == clearance_) return;
+  clearance_ = clearance;
+  clearance_mark_ = mark_of(*clearance);
+  proof_->emplace(*clearance_, 0);
+}
 
-std::optional<Words> ContactProof::hit(int line, const motion::MotionPlanner::Mark& before,
+std::optional<Words> ContactProof::hit(int line, const Shared& clearance,
+                                       const motion::MotionPlanner::Mark& before,
                                        const motion::SegmentDescriptor& segment) {
-  if (clearance_.pairs().empty()) return std::nullopt;
+  watch(clearance);
+  if (clearance_->pairs().empty()) return std::nullopt;
   const std::uint64_t corner_of = before.exact || segment.from_rest ? 0 : known_by_;
-  const std::uint64_t known_by = way_mark(corner_of, before.q, segment);
+  const std::uint64_t known_by = way_mark(corner_of ^ clearance_mark_, before.q, segment);
   const bool cleared = cleared_ != nullptr && cleared_->contains(known_by);
   if (!cleared && !assumptions_.foretelling())
     if (auto words = judge(line, before, segment)) return words;
@@ -35,13 +37,13 @@ std::optional<Words> ContactProof::judge(int line, const motion::MotionPlanner::
   if (touch) {
     contact.corner = true;
   } else {
-    proof_.begin(before.q);
+    proof_->begin(before.q);
     touch = along(segment, contact.share, contact.q);
     contact.at = contact.share * segment.duration;
   }
   if (!touch) return std::nullopt;
-  contact.body = clearance_.name_of_body(touch->pair);
-  contact.other = clearance_.name_of_other(touch->pair);
+  contact.body = clearance_->name_of_body(touch->pair);
+  contact.other = clearance_->name_of_other(touch->pair);
   contact.from_start = touch->from_start;
   return words_for(contact, robot_);
 }
@@ -54,11 +56,11 @@ ContactProof::Touch ContactProof::around(const motion::MotionPlanner::Mark& befo
   const motion::CornerWays corner =
       motion::corner_ways(robot_, before, known ? &last_ : nullptr, segment);
   for (const std::vector<motion::JointVector>& way : corner.ways) {
-    proof_.begin(way.front());
-    proof_.widen(corner.beside);
+    proof_->begin(way.front());
+    proof_->widen(corner.beside);
     for (const motion::JointVector& place : way) {
       q = place;
-      if (auto touch = proof_.follow(place)) return touch;
+      if (auto touch = proof_->follow(place)) return touch;
     }
   }
   return std::nullopt;
@@ -73,7 +75,7 @@ ContactProof::Touch ContactProof::along(const motion::SegmentDescriptor& segment
   Touch touch;
   const auto look = [&](double at, const motion::JointVector& place) {
     if (touch) return;
-    touch = proof_.follow(place);
+    touch = proof_->follow(place);
     share = at;
     q = place;
   };
@@ -82,7 +84,7 @@ ContactProof::Touch ContactProof::along(const motion::SegmentDescriptor& segment
                          [&](double at, const motion::PathPoint& point) { look(at, point.q); });
     return touch;
   }
-  const motion::JointVector from = proof_.last();
+  const motion::JointVector from = proof_->last();
   for (int i = 1; i <= kStraight; ++i) {
     const double at = static_cast<double>(i) / kStraight;
     look(at, from + at * (segment.target - from));

@@ -21,14 +21,18 @@ namespace rob::runtime {
 /// references.
 class ContactProof {
  public:
-  ContactProof(const motion::RobotModel& robot, const Assumptions& assumptions);
+  ContactProof(const motion::RobotModel& robot, const Assumptions& assumptions)
+      : robot_(robot), assumptions_(assumptions) {}
   ContactProof(const ContactProof&) = delete;
 
   /// These motions are not judged anew.
   void trust(std::shared_ptr<const ClearedWays> cleared) { cleared_ = std::move(cleared); }
-  /// What the motion would hit on its way to its target; none if nothing. `before`: the planner
-  /// before it was planned.
-  std::optional<Words> hit(int line, const motion::MotionPlanner::Mark& before,
+  using Shared = std::shared_ptr<const motion::Clearance>;
+
+  /// What the motion would hit of `clearance` on its way to its target; none if nothing. `before`:
+  /// the planner before it was planned.
+  std::optional<Words> hit(int line, const Shared& clearance,
+                           const motion::MotionPlanner::Mark& before,
                            const motion::SegmentDescriptor& segment);
   /// The mark of the last motion.
   std::uint64_t known_by() const { return known_by_; }
@@ -36,6 +40,7 @@ class ContactProof {
  private:
   using Touch = std::optional<motion::PathProof::Contact>;
 
+  void watch(const Shared& clearance);
   std::optional<Words> judge(int line, const motion::MotionPlanner::Mark& before,
                              const motion::SegmentDescriptor& segment);
   Touch around(const motion::MotionPlanner::Mark& before, const motion::SegmentMotion& segment,
@@ -44,8 +49,9 @@ class ContactProof {
 
   const motion::RobotModel& robot_;
   const Assumptions& assumptions_;
-  const motion::Clearance clearance_;
-  motion::PathProof proof_;
+  Shared clearance_;  ///< of the last motion
+  std::uint64_t clearance_mark_ = 0;
+  std::optional<motion::PathProof> proof_;
   std::shared_ptr<const ClearedWays> cleared_;
   std::uint64_t known_by_ = 0;
   motion::SegmentMotion last_;  ///< the last motion that had a way

@@ -87,15 +87,23 @@ bool EntryTask::begin_next() {
 void EntryTask::begin(const Statements& statements) {
   if (!statements.chunk->watches.empty()) watching_.push_back(statements.chunk);
   present_ = statements.chunk;
+  stand(statements.obstacles);
   tasks_.go_on_with(statements.chunk);
   machine_.parts().safe.declare_further(statements.chunk->safe_values);
   vm_.go_on_with(*statements.chunk);
+}
+
+/// What is declared stands there from now on, for handlers, too.
+void EntryTask::stand(const std::vector<motion::Obstacle>& obstacles) {
+  machine_.parts().touching.add(obstacles);
+  if (RobotMachine* const handlers = machine_.handlers()) handlers->parts().touching.add(obstacles);
 }
 
 /// Their handlers are not the program's.
 void EntryTask::begin(const Program& program) {
   machine_.parts().whens.disarm_all(static_cast<int>(entry_->line));  // at rest: there is room
   vm_.forget_whens();
+  stand(program.obstacles);
   tasks_.take_due();  // all of it is due: the robot stands
   program_.emplace(*program.chunk, machine_, program.seed);
   if (program.saved != nullptr) program_->start_from(*program.saved);

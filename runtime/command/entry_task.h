@@ -28,12 +28,14 @@ class EntryTask {
   /// Statements; what was typed.
   struct Statements {
     std::shared_ptr<const lang::Chunk> chunk;
+    std::vector<motion::Obstacle> obstacles{};  ///< that it declares
   };
   /// A whole program, with variables of its own.
   struct Program {
     std::shared_ptr<const lang::Chunk> chunk;
     std::uint64_t seed = lang::Random::kDefaultSeed;
     const lang::SavedValues* saved = nullptr;  ///< of PERSIST; they outlive the run
+    std::vector<motion::Obstacle> obstacles{};
   };
   /// A jog for as long as its watch says No.
   struct Jog {
@@ -82,6 +84,7 @@ class EntryTask {
   void begin(const Statements& statements);
   void begin(const Program& program);
   void begin(const Jog&) {}
+  void stand(const std::vector<motion::Obstacle>& obstacles);
   State go_on(const Statements& statements, std::int64_t budget);
   State go_on(const Program& program, std::int64_t budget);
   State go_on(const Jog& jog, std::int64_t budget);

@@ -1,14 +1,10 @@
 #include "runtime/command/loads.h"
 
+#include "runtime/words/pose_values.h"
+
 namespace rob::runtime {
 
 using lang::Reply;
-
-namespace {
-
-Eigen::Vector3d eigen_of(const lang::Vector3& place) { return {place.x, place.y, place.z}; }
-
-}  // namespace
 
 void Loads::mount(const lang::ToolValue& tool) {
   book_.mount(motion::ArmLoad::point(tool.mass, eigen_of(tool.cog)));

@@ -60,6 +60,7 @@ Reply MotionCommands::jog(int line, const lang::MoveCommand& asked) {
   const auto exact = links_.planner.stop(static_cast<motion::Tag>(line));
   if (exact) queue_.add(*exact, true);
   Commanded commanded{{}, false, exact.has_value(), asked, surroundings_.setting(), {}};
+  commanded.clearance = plans_.clearance(commanded.setting);
   if (auto words = plans_.plan_jog(line, asked, commanded.segment))
     return links_.refuse(std::move(*words));
   queue_.move_tip(surroundings_.setting().tool.tip.position);

@@ -81,7 +81,8 @@ std::optional<Words> MotionPlans::plan(int line, Commanded& commanded) {
   const CornerBefore last = last_;
   auto words = plan_leg(line, commanded);
   if (!words) {
-    words = proof_.hit(line, before, commanded.segment);
+    commanded.clearance = touching_.in(commanded.setting);
+    words = proof_.hit(line, commanded.clearance, before, commanded.segment);
     commanded.known_by = proof_.known_by();
   }
   if (words) {

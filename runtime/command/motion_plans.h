@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "runtime/command/commanded.h"
@@ -9,6 +10,7 @@
 #include "runtime/command/robot_links.h"
 #include "runtime/command/surroundings.h"
 #include "runtime/command/tool_paths.h"
+#include "runtime/command/touching.h"
 
 namespace rob::runtime {
 
@@ -17,10 +19,11 @@ namespace rob::runtime {
 class MotionPlans {
  public:
   MotionPlans(const RobotLinks& links, const Assumptions& assumptions,
-              const Surroundings& surroundings, const PressLine& press)
+              const Surroundings& surroundings, const PressLine& press, Touching& touching)
       : links_(links),
         surroundings_(surroundings),
         press_(press),
+        touching_(touching),
         proof_(links.robot, assumptions) {}
 
   /// Fills in the segment, with what is done on its way; or why it cannot be.
@@ -29,6 +32,10 @@ class MotionPlans {
                                 motion::SegmentDescriptor& segment);
   /// These motions have been foretold, and hit nothing.
   void trust(std::shared_ptr<const ClearedWays> cleared) { proof_.trust(std::move(cleared)); }
+  /// What a motion in this setting must not hit.
+  std::shared_ptr<const motion::Clearance> clearance(const lang::Setting& setting) {
+    return touching_.in(setting);
+  }
   /// Line of the last motion that was planned.
   int last_line() const { return last_.line; }
 
@@ -47,6 +54,7 @@ class MotionPlans {
   const RobotLinks& links_;
   const Surroundings& surroundings_;
   const PressLine& press_;
+  Touching& touching_;
   CornerBefore last_;
   ContactProof proof_;
 };

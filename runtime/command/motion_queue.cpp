@@ -38,8 +38,9 @@ void MotionQueue::follow(const motion::SegmentDescriptor& segment) {
 
 void MotionQueue::send(Commanded commanded) {
   const motion::SegmentDescriptor& segment = commanded.segment;
-  LoggedSegment logged{segment, commanded.stop, commanded.further, links_.planner.tool_tip(),
-                       commanded.leg, commanded.known_by};
+  LoggedSegment logged{
+      segment,       commanded.stop,     commanded.further,  links_.planner.tool_tip(),
+      commanded.leg, commanded.known_by, commanded.clearance};
   if (links_.of_handlers()) logged.number += kHandlerNumbers;
   links_.log.planned(logged);  // before the generator can report it
   sent_ = segment.number;

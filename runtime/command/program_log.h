@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lang/text/diagnostic.h"
+#include "motion/collision/clearance.h"
 #include "motion/plan/planned_leg.h"
 #include "motion/plan/segment_descriptor.h"
 
@@ -20,9 +21,10 @@ namespace rob::runtime {
 struct LoggedSegment : motion::SegmentMotion {
   bool stop = false;     ///< made by STOP, WAIT or the end of the program, not by a MOVE
   bool further = false;  ///< belongs to the same statement as the one before
-  Eigen::Vector3d tip = Eigen::Vector3d::Zero();    ///< of the tool, seen from the flange, m
-  std::shared_ptr<const motion::PlannedLeg> leg{};  ///< what the segment points into
-  std::uint64_t known_by = 0;                       ///< of a motion: WayMarks
+  Eigen::Vector3d tip = Eigen::Vector3d::Zero();         ///< of the tool, seen from the flange, m
+  std::shared_ptr<const motion::PlannedLeg> leg{};       ///< what the segment points into
+  std::uint64_t known_by = 0;                            ///< of a motion: WayMarks
+  std::shared_ptr<const motion::Clearance> clearance{};  ///< of a motion: what it must not hit
 };
 
 /// An EXPECT that did not hold, and what it found.

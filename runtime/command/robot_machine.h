@@ -30,6 +30,8 @@ class RobotMachine final : public RobotOutlets {
 
   const RobotLinks& links() const { return links_; }
   RobotParts& parts() { return parts_; }
+  /// Null: there is none for handlers.
+  RobotMachine* handlers() { return handlers_; }
 
   /// The program has failed for good: as end(), but when all that was commanded has acted the
   /// outputs take their SAFE values.

@@ -23,6 +23,7 @@
 #include "runtime/command/safe_outputs.h"
 #include "runtime/command/surroundings.h"
 #include "runtime/command/task_reports.h"
+#include "runtime/command/touching.h"
 #include "runtime/command/waits.h"
 #include "runtime/command/whens.h"
 
@@ -45,6 +46,7 @@ struct RobotParts {
   Surroundings surroundings;
   Loads loads;
   PressLine press;
+  Touching touching;
   // Motions
   MotionPlans plans;
   MotionQueue queue;

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <initializer_list>
+#include <string>
 
 namespace rob::runtime {
 
@@ -19,6 +20,9 @@ class WayHash {
   void put(double value) { put(std::bit_cast<std::uint64_t>(value)); }
   void put(const motion::JointVector& values) {
     for (const double value : values) put(value);
+  }
+  void put(const std::string& text) {
+    for (const char c : text) put(static_cast<std::uint64_t>(c));
   }
   void put(const motion::JointPath& path) {
     for (const motion::JointPath::Node& node : path.nodes()) {
@@ -50,6 +54,18 @@ std::uint64_t way_mark(std::uint64_t before, const motion::JointVector& from,
     hash.put(value);
   if (motion.path != nullptr) hash.put(*motion.path);
   if (motion.corner != nullptr) hash.put(motion.corner->axes);
+  return hash.sum();
+}
+
+std::uint64_t mark_of(const motion::Clearance& clearance) {
+  WayHash hash;
+  const motion::JointVector everywhere = motion::JointVector::Ones(motion::kMaxJoints);
+  for (std::size_t i = 0; i < clearance.pairs().size(); ++i) {
+    const motion::Clearance::Pair& pair = clearance.pairs()[i];
+    hash.put(clearance.name_of_body(pair));
+    hash.put(clearance.name_of_other(pair));
+    hash.put(clearance.approach(i, everywhere.head(clearance.axes())));
+  }
   return hash.sum();
 }
 

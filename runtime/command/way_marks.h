@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <unordered_set>
 
+#include "motion/collision/clearance.h"
 #include "motion/plan/segment_descriptor.h"
 
 namespace rob::runtime {
@@ -15,5 +16,8 @@ using ClearedWays = std::unordered_set<std::uint64_t>;
 /// of; 0: it begins at rest.
 std::uint64_t way_mark(std::uint64_t before, const motion::JointVector& from,
                        const motion::SegmentMotion& motion);
+
+/// The same of what motions must not hit: other bodies, obstacles or permissions, another number.
+std::uint64_t mark_of(const motion::Clearance& clearance);
 
 }  // namespace rob::runtime

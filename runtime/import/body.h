@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "runtime/import/hull.h"
+#include "runtime/meshes/hull.h"
 
 /// The parts of a link, in the frame of its body. m.
 namespace rob::runtime {

@@ -4,7 +4,7 @@
 
 #include "lang/text/visible.h"
 #include "motion/robots/robot_file_error.h"
-#include "runtime/import/mesh_file.h"
+#include "runtime/meshes/mesh_file.h"
 
 namespace rob::runtime {
 

@@ -254,11 +254,23 @@ Completions word_of_statement(std::string_view before, const Vocabulary& known) 
   if (tokens.empty()) {
     choice.add_all(lang::statement_words());
     choice.add_all(lang::kFileWords);
+    choice.add_all(lang::kNamingWords);
     choice.add_all(known.names);
     return choice.taken(true);
   }
   const Token& last = tokens.back();
   if (last.kind == TokenKind::Dot) return choice.taken(false);
+  const auto begins_with_word = [&](std::string_view word) {
+    return tokens.front().kind == TokenKind::Word && lang::same_word(tokens.front().text, word);
+  };
+  if (begins_with_word("ALLOW") && (tokens.size() == 1 || last.kind == TokenKind::Comma)) {
+    choice.add_all(known.bodies);
+    return choice.taken(false);
+  }
+  if (begins_with_word("OBSTACLE") && last.kind == TokenKind::Assign) {
+    for (const char* shape : {"BOX", "CAPSULE", "MESH", "SPHERE"}) choice.add(shape);
+    return choice.taken(false);
+  }
   const bool motion = is_motion(tokens.front());
   if (tokens.size() > 1 && ends_value(last)) {
     add_followers(choice, motion && depth_of(tokens) == 0);

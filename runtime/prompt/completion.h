@@ -10,8 +10,9 @@ namespace rob::runtime {
 
 /// The names that there are at a prompt, beside the words of the language.
 struct Vocabulary {
-  std::vector<std::string> names;   ///< declared ones, and the robot's signals
-  std::vector<std::string> points;  ///< those of `names` that are points
+  std::vector<std::string> names;     ///< declared ones, and the robot's signals
+  std::vector<std::string> points;    ///< those of `names` that are points
+  std::vector<std::string> bodies{};  ///< bodies of the robot and obstacles, for ALLOW
   std::vector<std::string> robots;
   /// The contents of a folder ("": the current one, else with its '/'); folders end in '/'.
   std::function<std::vector<std::string>(const std::string& folder)> files;

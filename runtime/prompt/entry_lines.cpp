@@ -23,6 +23,7 @@ bool opens_block(std::string_view first, std::string_view last) {
 
 bool closes_block(std::string_view first) {
   constexpr std::string_view kEnd = "END";
+  if (lang::same_word(first, lang::spelling(lang::Keyword::Endallow))) return true;
   const auto keyword = lang::find_keyword(first);
   return keyword && lang::role(*keyword) == lang::KeywordRole::Closer &&
          lang::same_word(first.substr(0, kEnd.size()), kEnd);

@@ -144,7 +144,8 @@ void LiveRobot::run(std::uint32_t line, LoadedProgram& program) {
   stores_ = std::make_unique<ProgramStores>(program, "", !options_.fast);
   use_stores(&stores_->files(), &stores_->devices());
   auto chunk = std::make_shared<const lang::Chunk>(std::move(*program.compilation.chunk));
-  submit({line, EntryTask::Program{std::move(chunk), options_.seed, stores_->saved()}});
+  submit({line, EntryTask::Program{std::move(chunk), options_.seed, stores_->saved(),
+                                   program.obstacles}});
 }
 
 /// Between two slices of the entries, whose TASKs may WRITE at any time.

@@ -22,7 +22,8 @@ namespace rob::runtime {
 namespace {
 
 motion::RobotModel chosen(const SessionOptions& options) {
-  motion::RobotModel robot = load_robot(options.robot.empty() ? "gantry" : options.robot);
+  motion::RobotModel robot =
+      load_robot(options.robot.empty() ? "gantry" : options.robot, options.cell_file);
   if (options.law) robot.law = *options.law;
   if (options.cell) change_cell(robot, *options.cell);
   return robot;
@@ -140,7 +141,7 @@ bool Session::submit(const std::string& entry, LoadedProgram compiled) {
     return false;
   }
   auto chunk = std::make_shared<const lang::Chunk>(std::move(*compiled.compilation.chunk));
-  robot_->submit({line, EntryTask::Statements{std::move(chunk)}});
+  robot_->submit({line, EntryTask::Statements{std::move(chunk), std::move(compiled.obstacles)}});
   return true;
 }
 
@@ -340,7 +341,8 @@ void Session::declare(const std::string& entry) { submit(entry, text_->compile(e
 
 void Session::carry_out_aside(LoadedProgram compiled) {
   auto chunk = std::make_shared<const lang::Chunk>(std::move(*compiled.compilation.chunk));
-  robot_->submit({text_->line(), EntryTask::Statements{std::move(chunk)}});
+  robot_->submit(
+      {text_->line(), EntryTask::Statements{std::move(chunk), std::move(compiled.obstacles)}});
   if (options_.waits) finish();
 }
 

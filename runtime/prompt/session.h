@@ -19,7 +19,8 @@
 namespace rob::runtime {
 
 struct SessionOptions {
-  std::string robot;  ///< a name or a file; empty: the gantry
+  std::string robot;        ///< a name or a file; empty: the gantry
+  std::string cell_file{};  ///< of what stands around it; empty: none
   std::optional<motion::Law> law;
   bool fast = false;
   double override_share = 1;

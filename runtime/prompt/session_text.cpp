@@ -96,7 +96,16 @@ std::string SessionText::wrong_in_open(std::string_view block, std::uint32_t fir
 
 void SessionText::keep(std::string_view entry, const LoadedProgram& compiled) {
   entries_.keep(entry, compiled.compilation);
+  for (const motion::Obstacle& obstacle : compiled.obstacles)
+    signature_.declared.push_back(obstacle.name);
   add_typed(entry);
+}
+
+std::vector<std::string> SessionText::bodies() const {
+  std::vector<std::string> bodies{"gripper", "part"};
+  for (const auto* const some : {&signature_.bodies, &signature_.obstacles, &signature_.declared})
+    bodies.insert(bodies.end(), some->begin(), some->end());
+  return bodies;
 }
 
 void SessionText::pass_line(std::string_view line) {

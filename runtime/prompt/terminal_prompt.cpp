@@ -144,6 +144,7 @@ Vocabulary TerminalPrompt::vocabulary() const {
   for (const auto& signal : signature_of(session_.robot().robot()).signals) {
     if (!signal.name.empty()) known.names.push_back(signal.name);
   }
+  known.bodies = session_.text().bodies();
   for (const std::string_view name : motion::robot_names()) known.robots.emplace_back(name);
   known.files = files_in;
   return known;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "motion/robots/robot_clearance.h"
 #include "runtime/words/codes.h"
@@ -12,11 +13,14 @@ namespace rob::runtime {
 
 ContactWatch::ContactWatch(const motion::RobotModel& robot)
     : robot_(robot),
-      clearance_(motion::clearance_of(robot)),
-      proof_(clearance_, robot.collision.clearance) {}
+      next_clearance_(std::make_shared<const motion::Clearance>(motion::clearance_of(robot))),
+      clearance_(next_clearance_),
+      watched_(clearance_),
+      proof_(*watched_, robot.collision.clearance) {}
 
 /// A stop that makes the target of a motion exact belongs to it.
 void ContactWatch::begin(const LoggedSegment& motion, double time) {
+  if (motion.clearance) next_clearance_ = motion.clearance;
   if (motion.further) return;
   next_ = true;
   begins_ = static_cast<int>(motion.tag);
@@ -27,8 +31,23 @@ void ContactWatch::end(const LoggedSegment& motion, bool early) {
   if (!contact_ && motion.known_by != 0) (early ? cut_ : whole_).push_back(motion.known_by);
 }
 
+/// From here on; the part that is held is as long as the cell's model knows.
+void ContactWatch::watch(const Shared& clearance) {
+  clearance_ = watched_ = clearance;
+  held_ = holds_;
+  if (held_ > 0 && robot_.cell) {
+    const double tip = robot_.cell->gripper.tip;
+    const double radius = robot_.cell->tube.radius;
+    const motion::Capsule part{Eigen::Vector3d(0, 0, tip),
+                               Eigen::Vector3d(0, 0, tip + std::max(held_ - radius, 0.0)), radius};
+    watched_ = std::make_shared<const motion::Clearance>(
+        clearance->with({"part", robot_.axis_count() + 1, {part}}));
+  }
+  proof_ = motion::PathProof(*watched_, robot_.collision.clearance);
+}
+
 void ContactWatch::take(const Snapshot& snapshot) {
-  if (clearance_.pairs().empty() || contact_) return;
+  if (contact_) return;
   const motion::JointReference& reference = snapshot.sample.reference;
   if (!first_) {
     if (const auto touch = proof_.follow(reference.q)) {
@@ -36,15 +55,16 @@ void ContactWatch::take(const Snapshot& snapshot) {
       return;
     }
   }
-  if (!first_ && !next_) return;
-  go_on_in(begins_);
+  const bool held = holds_ != held_;
+  if (!first_ && !next_ && !held) return;
+  keep_nearest();
+  if (first_ || next_) go_on_in(begins_);
+  if (held || next_clearance_ != clearance_) watch(next_clearance_);
   proof_.begin(reference.q);
   first_ = next_ = false;
 }
 
-/// What is passed closely is told once a line.
 void ContactWatch::go_on_in(int line) {
-  keep_nearest();
   line_ = line;
   begun_ = at_;
 }
@@ -53,24 +73,26 @@ Contact ContactWatch::described(const motion::PathProof::Contact& touch,
                                 const Snapshot& snapshot) const {
   const motion::JointReference& reference = snapshot.sample.reference;
   return {.line = line_,
-          .body = clearance_.name_of_body(touch.pair),
-          .other = clearance_.name_of_other(touch.pair),
+          .body = watched_->name_of_body(touch.pair),
+          .other = watched_->name_of_other(touch.pair),
           .from_start = touch.from_start,
           .at = reference.time - begun_,
           .q = reference.q};
 }
 
+/// What is passed closely is told once a line.
 void ContactWatch::keep_nearest() {
   if (first_ || line_ == 0 || !proof_.nearest()) return;
-  const auto [kept, first] = nearest_.try_emplace(line_, *proof_.nearest());
-  if (!first && proof_.nearest()->distance < kept->second.distance)
-    kept->second = *proof_.nearest();
+  const motion::PathProof::Contact& passed = *proof_.nearest();
+  const Near near{watched_->name_of_body(passed.pair), watched_->name_of_other(passed.pair),
+                  passed.distance};
+  const auto [kept, first] = nearest_.try_emplace(line_, near);
+  if (!first && near.distance < kept->second.distance) kept->second = near;
 }
 
-lang::Diagnostic ContactWatch::warning_of(int line, const motion::PathProof::Contact& near) const {
+lang::Diagnostic ContactWatch::warning_of(int line, const Near& near) const {
   return {lang::Severity::Warning, code::kNearObstacle, lang::tagged_place(line),
-          near_words(clearance_.name_of_body(near.pair), clearance_.name_of_other(near.pair),
-                     near.distance),
+          near_words(near.body, near.other, near.distance),
           fmt::format("keep {} mm, or lower `clearance` in the robot file",
                       shown(robot_.collision.clearance * kMillimetresPerMetre, 1))};
 }

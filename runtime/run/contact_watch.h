@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lang/text/diagnostic.h"
@@ -22,6 +23,9 @@ class ContactWatch {
  public:
   explicit ContactWatch(const motion::RobotModel& robot);
 
+  /// What the gripper of the simulated cell holds reaches so far from its tip, m; 0: it holds
+  /// nothing.
+  void hold(double below_tip) { holds_ = below_tip; }
   /// A motion begins, s.
   void begin(const LoggedSegment& motion, double time);
   /// It is over; early: it has not come to its end.
@@ -37,14 +41,28 @@ class ContactWatch {
   std::shared_ptr<const ClearedWays> cleared(bool early_ones) const;
 
  private:
+  using Shared = std::shared_ptr<const motion::Clearance>;
+
+  /// An obstacle that is passed closely, and what passes it.
+  struct Near {
+    std::string body;
+    std::string other;
+    double distance = 0;  ///< m
+  };
+
+  void watch(const Shared& clearance);
   void go_on_in(int line);
   void keep_nearest();
-  lang::Diagnostic warning_of(int line, const motion::PathProof::Contact& near) const;
+  lang::Diagnostic warning_of(int line, const Near& near) const;
   Contact described(const motion::PathProof::Contact& touch, const Snapshot& snapshot) const;
 
   const motion::RobotModel& robot_;
-  motion::Clearance clearance_;
+  Shared next_clearance_;  ///< of the motion that has begun last
+  Shared clearance_;       ///< of the motion whose references are followed
+  Shared watched_;         ///< the same with what the gripper holds
   motion::PathProof proof_;
+  double holds_ = 0;   ///< m
+  double held_ = 0;    ///< by what is watched
   int line_ = 0;       ///< tag of the motion whose references are followed
   double begun_ = 0;   ///< s: when that motion began
   bool first_ = true;  ///< no reference has come
@@ -54,7 +72,7 @@ class ContactWatch {
   std::vector<std::uint64_t> whole_;
   std::vector<std::uint64_t> cut_;
   std::optional<Contact> contact_;
-  std::map<int, motion::PathProof::Contact> nearest_;  // by line
+  std::map<int, Near> nearest_;  // by line
 };
 
 }  // namespace rob::runtime

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "drivers/contact/sim_cell.h"
 #include "runtime/command/program_task.h"
 #include "runtime/files/data_files.h"
 #include "runtime/run/contact_watch.h"
@@ -100,7 +102,9 @@ lang::Diagnostic finding_of(const Problem& problem) {
 RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot,
                    const ForetellOptions& options) {
   const SignalScript* const script = options.script;
-  Controller controller(robot, simulation_of(robot), options.override_share, rules_of(script), 0,
+  std::unique_ptr<motion::ServoBackend> simulation = simulation_of(robot);
+  const auto* const cell = dynamic_cast<const drivers::SimCell*>(simulation.get());
+  Controller controller(robot, std::move(simulation), options.override_share, rules_of(script), 0,
                         has_handlers(program));
   if (options.path != nullptr) controller.tell(*options.path);
   prepare_panel(controller, script);
@@ -122,7 +126,11 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
       robot, options.override_share, controller.channels(), controller.log(),
       names_in(program, robot),
       {.print = {},
-       .snapshot = [&](const Snapshot& snapshot) { contacts.take(snapshot); },
+       .snapshot =
+           [&](const Snapshot& snapshot) {
+             if (cell != nullptr) contacts.hold(cell->scene().below_tip());
+             contacts.take(snapshot);
+           },
        .write = [&](const Note& note, double time) { hand_over(note, time, files, devices); },
        .begin = [&](const LoggedSegment& motion, double time) { contacts.begin(motion, time); },
        .end = [&](const LoggedSegment& motion, bool early) { contacts.end(motion, early); }});

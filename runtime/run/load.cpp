@@ -21,6 +21,8 @@
 #include "runtime/files/folder_sources.h"
 #include "runtime/files/points_file.h"
 #include "runtime/files/text_lines.h"
+#include "runtime/meshes/mesh_obstacle.h"
+#include "runtime/run/program_obstacles.h"
 #include "runtime/words/codes.h"
 #include "runtime/words/feature_words.h"
 #include "runtime/words/messages.h"
@@ -113,6 +115,27 @@ void refuse_what_the_robot_cannot(lang::Compilation& compilation, const motion::
   }
 }
 
+/// What the program declares stands around its robot.
+void stand_obstacles(LoadedProgram& program) {
+  std::vector<motion::Obstacle>& all = program.robot.collision.obstacles;
+  std::erase_if(all, [](const motion::Obstacle& one) { return one.of_program; });
+  program.obstacles =
+      obstacles_of(program.compilation, std::filesystem::path(program.file).parent_path().string());
+  all.insert(all.end(), program.obstacles.begin(), program.obstacles.end());
+}
+
+/// Obstacles that nothing can hit are not what was meant.
+void warn_of_missing_shapes(LoadedProgram& program) {
+  const auto& chunk = program.compilation.chunk;
+  if (!chunk || chunk->obstacles.empty()) return;
+  if (chunk->shaped || !program.robot.collision.bodies.empty()) return;
+  program.compilation.diagnostics.warning(
+      code::kNothingToHit, chunk->obstacles.front().place,
+      fmt::format("nothing is checked against {}: {} has no shapes",
+                  lang::shortened(chunk->obstacles.front().name), program.robot.name),
+      "TOOL … SHAPE CAPSULE(…) gives the tool one, [[axis.shape]] in the robot's file an arm");
+}
+
 void refuse(lang::Compilation& compilation, const Words& words) {
   const lang::Place place = compilation.law ? compilation.law->place : lang::Place{};
   compilation.diagnostics.error(words.code, place, words.message, words.help);
@@ -165,27 +188,32 @@ void place_in(const LoadedProgram& program, Problem& problem) {
   problem.file = file == 0 ? program.file : problem.used.at(file - 1);
 }
 
-motion::RobotModel load_robot(const std::string& name_or_file) {
+motion::RobotModel load_robot(const std::string& name_or_file, const std::string& cell) {
   try {
-    return motion::load_robot(name_or_file);
+    motion::RobotModel robot = motion::load_robot(name_or_file);
+    if (!cell.empty()) motion::load_cell(cell, robot);
+    read_meshes(robot.collision);
+    return robot;
   } catch (const motion::RobotFileUnreadable& error) {
     throw FileError(error.what());
   }
 }
 
 LoadedProgram load_program(const std::string& file, const std::string& asked,
-                           std::optional<motion::Law> law) {
+                           std::optional<motion::Law> law, const std::string& cell) {
   std::string source =
       file == kStandardInput ? read_input(kMostSource) : read_file(file, kMostSource);
-  return compile_program(file, std::move(source), asked, points_file_of(file), law);
+  return compile_program(file, std::move(source), asked, points_file_of(file), law, cell);
 }
 
 LoadedProgram compile_program(std::string file, std::string source, const std::string& asked,
-                              const std::string& points_file, std::optional<motion::Law> law) {
+                              const std::string& points_file, std::optional<motion::Law> law,
+                              const std::string& cell) {
   const auto declared = lang::declared_robot(source);
   if (!declared) {
     return compile_program(std::move(file), std::move(source),
-                           load_robot(asked.empty() ? kDefaultRobot : asked), points_file, law);
+                           load_robot(asked.empty() ? kDefaultRobot : asked, cell), points_file,
+                           law);
   }
   if (asked.empty() && !is_known_robot(declared->name)) {
     LoadedProgram program{std::move(file), std::move(source), load_robot(kDefaultRobot), {}};
@@ -195,7 +223,7 @@ LoadedProgram compile_program(std::string file, std::string source, const std::s
   }
   LoadedProgram program =
       compile_program(std::move(file), std::move(source),
-                      load_robot(asked.empty() ? declared->name : asked), points_file, law);
+                      load_robot(asked.empty() ? declared->name : asked, cell), points_file, law);
   if (program.robot.name != declared->name) {
     const Words words = words_for_other_robot(declared->name, program.robot.name);
     program.compilation.diagnostics.error(words.code, declared->place, words.message, words.help);
@@ -221,6 +249,8 @@ LoadedProgram compile_program(std::string file, std::string source, const motion
   const lang::RobotSignature signature = signature_of(robot);
   program.compilation = lang::compile(program.source, signature, points_in(points_file, robot),
                                       judge_of(robot, signature), &sources, from);
+  stand_obstacles(program);
+  warn_of_missing_shapes(program);
   settle_law(program, law);
   if (!robot.tool_coordinates) refuse_what_the_robot_cannot(program.compilation, program.robot);
   return program;
@@ -233,6 +263,7 @@ LoadedProgram compile_entry(const lang::Entries& entries, std::string entry,
   LoadedProgram program{sources.program().name, std::move(entry), robot, {}};
   program.compilation = entries.compile(program.source, signature, points_in(points_file, robot),
                                         judge_of(robot, signature), &sources, knowing, as);
+  stand_obstacles(program);
   settle_law(program, robot.law);
   if (!robot.tool_coordinates) refuse_what_the_robot_cannot(program.compilation, program.robot);
   return program;

@@ -22,7 +22,8 @@ struct LoadedProgram {
   std::string source;  ///< empty while it is put away
   motion::RobotModel robot;
   lang::Compilation compilation;
-  std::optional<std::uint64_t> put_away{};  ///< the hash of the text that is
+  std::vector<motion::Obstacle> obstacles{};  ///< that it declares; `robot` has them, too
+  std::optional<std::uint64_t> put_away{};    ///< the hash of the text that is
 
   bool runnable() const { return compilation.chunk.has_value(); }
 };
@@ -39,21 +40,22 @@ std::vector<std::string> used_names(const LoadedProgram& program);
 void place_in(const LoadedProgram& program, Problem& problem);
 
 /// A robot by its name, or by its file if that ends in ".toml". Throws motion::RobotFileError for
-/// an unknown name or a faulty file, FileError for one that cannot be read.
-motion::RobotModel load_robot(const std::string& name_or_file);
+/// an unknown name or a faulty file, FileError for one that cannot be read. `cell`: a file of what
+/// stands around it; empty: none.
+motion::RobotModel load_robot(const std::string& name_or_file, const std::string& cell = "");
 
 /// Reads (`file` may be kStandardInput) and compiles for the robot that is asked for (a name, a
 /// file, or empty), or that ROBOT in the program names, or the gantry. Where two differ that is an
 /// error of the program. Throws as load_robot() does for what is asked for. `law`: under which it
 /// runs, whatever LAW in the program and the robot file say; of these two LAW counts.
 LoadedProgram load_program(const std::string& file, const std::string& asked,
-                           std::optional<motion::Law> law = {});
+                           std::optional<motion::Law> law = {}, const std::string& cell = "");
 
 /// The same from text: `file` is for messages, and says where the files are that it USEs.
 /// `points_file`: where its points are; empty for a program without any.
 LoadedProgram compile_program(std::string file, std::string source, const std::string& asked,
                               const std::string& points_file = "",
-                              std::optional<motion::Law> law = {});
+                              std::optional<motion::Law> law = {}, const std::string& cell = "");
 
 /// Compiles for this robot, whatever the text says; checks the targets that are known beforehand
 /// against the robot, so that nothing moves if one of them cannot be reached. `from`: as of

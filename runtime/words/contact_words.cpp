@@ -49,7 +49,7 @@ Words words_for(const Contact& contact, const motion::RobotModel& robot) {
   return {code::kHits,
           fmt::format("{} hits {} {} of line {}, at {}", contact.body, contact.other, when,
                       lang::tagged_place(contact.line).line, where),
-          "go round it by other points, or take it out of the robot file if it is not there"};
+          "go round it by other points; where touching is the task, ALLOW … DO says so"};
 }
 
 }  // namespace rob::runtime

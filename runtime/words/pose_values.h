@@ -16,6 +16,8 @@ inline lang::PoseValue to_lang(const motion::Pose& pose) noexcept {
           {turn.w() + 0.0, turn.x() + 0.0, turn.y() + 0.0, turn.z() + 0.0}};
 }
 
+inline Eigen::Vector3d eigen_of(const lang::Vector3& place) { return {place.x, place.y, place.z}; }
+
 inline motion::Pose to_motion(const lang::PoseValue& pose) {
   const auto& [place, turn] = pose;
   return {Eigen::Vector3d(place.x, place.y, place.z),

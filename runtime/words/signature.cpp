@@ -44,6 +44,9 @@ lang::RobotSignature signature_of(const motion::RobotModel& robot) {
   for (const motion::RobotSignal& signal : robot.signals) {
     signature.signals.push_back({signal.name, signal.output, signal.channel + 1});
   }
+  for (const motion::Body& body : robot.collision.bodies) signature.bodies.push_back(body.name);
+  for (const motion::Obstacle& obstacle : robot.collision.obstacles)
+    if (!obstacle.of_program) signature.obstacles.push_back(obstacle.name);
   static_assert(lang::kMostVolts == motion::kAnalogRange);
   add_unnamed(signature, false, false, robot.inputs);
   add_unnamed(signature, true, false, robot.outputs);

@@ -237,3 +237,15 @@ TEST_CASE("random programs, carelessly written, mean the same in their layout") 
     check_keeps_meaning(untidy);
   }
 }
+
+TEST_CASE("what a program says of contacts is laid out") {
+  CHECK(
+      laid_out("obstacle box=box(pose(1mm,2mm,3mm),4mm,5mm,6mm)\n"
+               "tool pen=POSE(0mm,0mm,9mm)mass 1kg shape capsule((0mm,0mm,0mm),(0mm,0mm,9mm),2mm),"
+               "Capsule((0mm,0mm,0mm),(0mm,0mm,9mm),2mm)\n"
+               "allow gripper,Box do\nmove(1,2,3)\nendallow\nvar allow=1\nallow=2\n") ==
+      "OBSTACLE box = BOX(POSE(1mm, 2mm, 3mm), 4mm, 5mm, 6mm)\n"
+      "TOOL pen = POSE(0mm, 0mm, 9mm) MASS 1kg SHAPE CAPSULE((0mm, 0mm, 0mm), (0mm, 0mm, 9mm), "
+      "2mm), CAPSULE((0mm, 0mm, 0mm), (0mm, 0mm, 9mm), 2mm)\n"
+      "ALLOW gripper, box DO\n  MOVE(1, 2, 3)\nENDALLOW\nVAR allow = 1\nallow = 2\n");
+}

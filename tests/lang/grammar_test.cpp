@@ -52,6 +52,7 @@ bool is_side_condition(std::string_view code) {
       code::kUnknownType,      // VEC OF a REAL
       code::kNameOfUsedFile,   // nothing else has its name
       code::kFineWithZone,     // one of the two
+      code::kTooManyCapsules,  // three of a SHAPE
   };
   return std::ranges::find(kCodes, code) != kCodes.end();
 }

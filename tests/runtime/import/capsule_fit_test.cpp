@@ -11,7 +11,7 @@
 
 #include "motion/collision/distance.h"
 #include "motion/robots/robot_file_error.h"
-#include "runtime/import/mesh_file.h"
+#include "runtime/meshes/mesh_file.h"
 #include "tests/support/scratch_folder.h"
 
 namespace rob::runtime {

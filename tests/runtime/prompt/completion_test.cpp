@@ -18,6 +18,7 @@ Vocabulary known() {
   Vocabulary known;
   known.names = {"pick", "pallet", "vacuum"};
   known.points = {"pick", "pallet"};
+  known.bodies = {"gripper", "part", "forearm"};
   known.robots = {"gantry", "irb120"};
   known.files = [](const std::string& folder) {
     if (folder == "lib/") return Offers{"tools.rob", "notes.txt", ".hidden.rob"};
@@ -95,4 +96,13 @@ TEST_CASE("behind USE: programs here and in lib; in texts nothing") {
   CHECK(offered("PRINT \"ma").empty());
   CHECK(offers("PRINT \"ma\" + pi", "pick"));
   CHECK(offered("STOP // MO").empty());
+}
+
+TEST_CASE("after ALLOW: bodies and obstacles; after OBSTACLE its shapes") {
+  CHECK(offered("AL") == Offers{"ALLOW"});
+  CHECK(offered("OBST") == Offers{"OBSTACLE"});
+  CHECK(offered("ALLOW ") == Offers{"forearm", "gripper", "part"});
+  CHECK(offered("ALLOW gripper, pa") == Offers{"part"});
+  CHECK(offered("ALLOW gripper D") == Offers{"DIV", "DO"});
+  CHECK(offered("OBSTACLE box = ") == Offers{"BOX", "CAPSULE", "MESH", "SPHERE"});
 }

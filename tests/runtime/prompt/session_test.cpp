@@ -329,3 +329,21 @@ TEST_CASE("each line of :help fits 80 columns") {
     rows.erase(0, row.size() + 1);
   }
 }
+
+TEST_CASE("an OBSTACLE stands there from its entry on, and may be declared anew") {
+  const std::string pen =
+      "TOOL pen = POSE(0mm, 0mm, 80mm) SHAPE CAPSULE((0mm, 0mm, 0mm), (0mm, 0mm, 80mm), 5mm)";
+  Prompt prompt;
+  prompt.enter({pen, "MOVE(40, 40, 0)", "MOVE(140, 40, 0) WITH pen FINE"});
+  CHECK(prompt.session.worst() == ExitCode::Done);
+  prompt.enter({"OBSTACLE ball = SPHERE((100mm, 40mm, 50mm), 10mm)"});
+  CHECK(enter(prompt.session, "MOVE(40, 40, 0) WITH pen") == Session::Taken::Done);
+  prompt.session.finish();
+  CHECK(prompt.screen.messages.find("error[E580]: gripper hits ball") != std::string::npos);
+  CHECK(prompt.session.state_text() == "gantry idle (140, 40, 0)");
+  prompt.enter({"ALLOW ball DO\n  MOVE(40, 40, 0) WITH pen FINE\nENDALLOW"});
+  CHECK(prompt.session.state_text() == "gantry idle (40, 40, 0)");
+  prompt.enter(
+      {"OBSTACLE ball = SPHERE((100mm, 140mm, 50mm), 10mm)", "MOVE(140, 40, 0) WITH pen FINE"});
+  CHECK(prompt.session.state_text() == "gantry idle (140, 40, 0)");
+}

@@ -1,4 +1,4 @@
-#include "runtime/import/hull.h"
+#include "runtime/meshes/hull.h"
 
 #include <libqhull_r/libqhull_r.h>
 

@@ -1,4 +1,4 @@
-#include "runtime/import/mesh_file.h"
+#include "runtime/meshes/mesh_file.h"
 
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
