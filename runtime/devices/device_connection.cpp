@@ -1,11 +1,11 @@
 #include "runtime/devices/device_connection.h"
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "drivers/serial/open_port.h"
 #include "motion/servo/servo_backend.h"
@@ -17,6 +17,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kLook = 0.01;                // s between two looks at what is to be sent [choice]
+constexpr auto kPause = 5ms;                  // between two reads of what a device sends [choice]
+constexpr std::size_t kMostRead = 65536;      // bytes in one read [choice]
 constexpr double kSendTime = 1;               // s that a device may take to accept a text [choice]
 constexpr std::size_t kMostOutgoing = 65536;  // bytes [choice]
 
@@ -72,16 +74,18 @@ void DeviceConnection::run() {
   }
 }
 
-/// As long as the connection lasts. A line for one that is gone is not sent later.
+/// As long as the connection lasts. A line for one that is gone is not sent later. A device that
+/// floods is read in few large pieces: so it keeps no processor busy.
 void DeviceConnection::serve() {
   const std::unique_ptr<drivers::WirePort> port = drivers::open_port(address_, 0);
   {
     const std::scoped_lock lock(mutex_);
     outgoing_.clear();
+    lines_.break_off();
     trouble_ = "the connection to " + address_ + " is lost";
   }
   connected_.store(true, std::memory_order_release);
-  std::array<std::uint8_t, 4096> buffer{};
+  std::vector<std::uint8_t> buffer(kMostRead);
   while (!over_) {
     const drivers::WireIo read = port->read(buffer, drivers::wire_time() + kLook);
     std::string text;
@@ -91,9 +95,11 @@ void DeviceConnection::serve() {
       text = std::exchange(outgoing_, "");
     }
     if (read.status == drivers::WireIo::Status::Gone) return;
-    if (text.empty()) continue;
-    const drivers::WireIo written = port->write(bytes_of(text), drivers::wire_time() + kSendTime);
-    if (written.status != drivers::WireIo::Status::Ok) return;
+    if (!text.empty()) {
+      const auto written = port->write(bytes_of(text), drivers::wire_time() + kSendTime);
+      if (written.status != drivers::WireIo::Status::Ok) return;
+    }
+    if (read.bytes > 0) std::this_thread::sleep_for(kPause);
   }
 }
 

@@ -23,21 +23,35 @@ std::string as_utf8(std::string_view bytes) {
 }  // namespace
 
 void DeviceLines::add(std::string_view bytes) {
-  for (const char byte : bytes) {
-    begun_ += byte;
+  while (!bytes.empty()) {
+    // Up to where a line may end, if it does.
+    const std::size_t last = bytes.find(ending_.back());
+    const std::string_view piece =
+        bytes.substr(0, last == std::string_view::npos ? last : last + 1);
+    bytes.remove_prefix(piece.size());
+    begun_ += piece;
     if (begun_.ends_with(ending_)) {
-      begun_.resize(begun_.size() - ending_.size());
-      const std::string line = std::exchange(begun_, "");
-      if (std::exchange(too_long_, false) || line.size() > kLongest) {
-        ++dropped_;
-      } else {
-        keep(as_utf8(line));
-      }
+      end_line();
     } else if (begun_.size() > kLongest + ending_.size()) {
       too_long_ = true;
       begun_.erase(0, begun_.size() - ending_.size());  // perhaps its end begins here
     }
   }
+}
+
+void DeviceLines::end_line() {
+  begun_.resize(begun_.size() - ending_.size());
+  const std::string line = std::exchange(begun_, "");
+  if (std::exchange(too_long_, false) || line.size() > kLongest) {
+    ++dropped_;
+  } else {
+    keep(as_utf8(line));
+  }
+}
+
+void DeviceLines::break_off() {
+  begun_.clear();
+  too_long_ = false;
 }
 
 void DeviceLines::keep(std::string line) {

@@ -20,6 +20,8 @@ class DeviceLines {
 
   /// Bytes as they come. Those that are not UTF-8 become U+FFFD.
   void add(std::string_view bytes);
+  /// No more comes of the line that has begun: its connection is lost.
+  void break_off();
   std::optional<std::string> take();
   /// Drops the lines that wait.
   void clear();
@@ -27,6 +29,7 @@ class DeviceLines {
   std::size_t take_dropped();
 
  private:
+  void end_line();
   void keep(std::string line);
 
   std::string ending_;

@@ -17,7 +17,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kConnectTime = 5s;
-constexpr double kSameTime = 1e-9;  // s
+constexpr auto kBetweenEvents = 1s;  // of one device
+constexpr double kSameTime = 1e-9;   // s
 
 }  // namespace
 
@@ -69,19 +70,30 @@ void TextDevices::send(std::size_t device, std::string_view text) {
   asked.sent.fetch_add(1, std::memory_order_release);
 }
 
-void TextDevices::give(std::size_t device, double time, std::string line) {
+/// Cut into lines as what a real one sends.
+void TextDevices::give(std::size_t device, double time, std::string_view text) {
   if (real_) return;
-  std::deque<Line>& lines = devices_[device].simulated;
-  const auto later = std::ranges::find_if(lines, [&](const Line& one) { return one.time > time; });
-  lines.insert(later, {time, std::move(line)});
+  Device& given = devices_[device];
+  DeviceLines lines(given.code.ending);
+  lines.add(text);
+  lines.add(given.code.ending);
+  given.dropped += lines.take_dropped();
+  std::deque<Line>& all = given.simulated;
+  const auto later = [&] {
+    return std::ranges::find_if(all, [&](const Line& one) { return one.time > time; });
+  };
+  while (auto line = lines.take()) all.insert(later(), {time, std::move(*line)});
 }
 
-std::vector<std::string> TextDevices::take_events() {
+std::vector<std::string> TextDevices::take_events(Telling telling) {
   std::vector<std::string> events;
-  if (!real_) return events;
+  const auto now = std::chrono::steady_clock::now();
   for (Device& device : devices_) {
-    const std::size_t dropped = device.connection->take_dropped();
-    if (dropped == 0) continue;
+    if (device.connection != nullptr) device.dropped += device.connection->take_dropped();
+    const bool told_lately = real_ && now - device.told < kBetweenEvents;
+    if (device.dropped == 0 || (told_lately && telling == Telling::Seldom)) continue;
+    const std::size_t dropped = std::exchange(device.dropped, 0);
+    device.told = now;
     events.push_back(
         fmt::format("DEVICE {}: {} line{} dropped: longer than 4 KiB, or nobody has "
                     "received them",

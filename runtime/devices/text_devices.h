@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -41,12 +42,16 @@ class TextDevices {
 
   // The thread that reports
   void send(std::size_t device, std::string_view text);
-  /// On the virtual clock: it sends this line at that time of the run, s.
-  void give(std::size_t device, double time, std::string line);
+  /// On the virtual clock: it sends this text and its ending at that time of the run, s.
+  void give(std::size_t device, double time, std::string_view text);
   /// On the virtual clock: it will send lines at times that nobody knows yet. Before the run.
   void promise(std::size_t device) { devices_[device].promised = true; }
+  enum class Telling : std::uint8_t {
+    Seldom,  ///< of a real device once a second
+    All      ///< what is left at the end of a run
+  };
   /// For people: what devices have sent in vain.
-  std::vector<std::string> take_events();
+  std::vector<std::string> take_events(Telling telling = Telling::Seldom);
 
  private:
   struct Line {
@@ -58,7 +63,9 @@ class TextDevices {
     std::unique_ptr<DeviceConnection> connection{};
     std::deque<Line> simulated{};  ///< by time
     bool promised = false;
-    std::int64_t asked = 0;  ///< SENDs of the program
+    std::size_t dropped = 0;                       ///< lines that nobody has been told of
+    std::chrono::steady_clock::time_point told{};  ///< when that was last done
+    std::int64_t asked = 0;                        ///< SENDs of the program
     std::atomic<std::int64_t> sent{0};
   };
 

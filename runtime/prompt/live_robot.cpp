@@ -160,6 +160,9 @@ void LiveRobot::close_stores() {
   if (!stores_) return;
   use_stores(&files_, nullptr);
   const auto stores = std::move(stores_);
+  if (listener_.tell)
+    for (const std::string& event : stores->take_events(TextDevices::Telling::All))
+      listener_.tell(event);
   for (const std::string& why : stores->finish())
     if (listener_.not_kept) listener_.not_kept(why);
 }

@@ -21,9 +21,9 @@ void ProgramStores::take(const Note& note, double time) {
   if (note.kind == Note::Kind::Persist && values_) values_->set(note.variable, note.text);
 }
 
-std::vector<std::string> ProgramStores::take_events() {
+std::vector<std::string> ProgramStores::take_events(TextDevices::Telling telling) {
   std::vector<std::string> events = std::exchange(warnings_, {});
-  for (std::string& event : devices_.take_events()) events.push_back(std::move(event));
+  for (std::string& event : devices_.take_events(telling)) events.push_back(std::move(event));
   return events;
 }
 

@@ -29,7 +29,7 @@ class ProgramStores {
   /// All that had come up to now has been taken.
   void drained() { files_.drained(); }
   /// For people: what is in vain in a file of values, and what devices have sent in vain.
-  std::vector<std::string> take_events();
+  std::vector<std::string> take_events(TextDevices::Telling telling = TextDevices::Telling::Seldom);
   /// The run is over. Says what could not be kept, each in a line.
   std::vector<std::string> finish();
 

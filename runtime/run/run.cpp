@@ -59,6 +59,10 @@ void close_trace(std::optional<TraceWriter>& trace, const RunOptions& options, R
 
 /// Reports what could not be kept, and that the program does not know of.
 void close_stores(ProgramStores& stores, RunResult& result, const RunListener& listener) {
+  if (listener.warn) {
+    for (const std::string& event : stores.take_events(TextDevices::Telling::All))
+      listener.warn(event);
+  }
   for (const std::string& why : stores.finish()) {
     if (result.exit_code == ExitCode::Done) result.exit_code = ExitCode::InputOutput;
     if (listener.warn) listener.warn(why);

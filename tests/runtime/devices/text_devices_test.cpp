@@ -102,6 +102,30 @@ TEST_CASE("a line over 4 KiB is dropped, and the oldest beyond 64 KiB; both are 
   CHECK(last.starts_with("99"));
 }
 
+TEST_CASE("an ending of several bytes is found across pieces, and after a line that is too long") {
+  DeviceLines lines("--\n");
+  for (const char byte : std::string("a-\n--\n") + std::string(5000, '-') + "\nb--\n") {
+    lines.add({&byte, 1});
+  }
+  CHECK(lines.take() == "a-\n");
+  CHECK(lines.take() == "b");
+  CHECK(lines.take_dropped() == 1);
+}
+
+TEST_CASE("of a connection that is lost no half line is left, however long it was") {
+  DeviceLines lines("\n");
+  lines.add("whole\n12");
+  lines.break_off();
+  lines.add("34.5 g\n");
+  CHECK(lines.take() == "whole");
+  CHECK(lines.take() == "34.5 g");
+  lines.add(std::string(5000, 'x'));
+  lines.break_off();
+  lines.add("next\n");
+  CHECK(lines.take() == "next");
+  CHECK(lines.take_dropped() == 0);
+}
+
 TEST_CASE("bytes that are not UTF-8 become U+FFFD") {
   DeviceLines lines("\n");
   lines.add("a\xFF\xC3\xA4\n");
@@ -139,6 +163,62 @@ TEST_CASE("a connection that is lost is an objection, and is made again") {
   CHECK(devices.objection(0)->code == "E365");
   played.accept();
   CHECK(comes_true([&] { return !devices.objection(0); }));
+}
+
+TEST_CASE("half a line of a connection is not joined with the first one of the next") {
+  PlayedDevice played;
+  TextDevices devices({{"scale", played.address(), "\n", {}}});
+  std::thread accepting([&] { played.accept(); });
+  devices.connect();
+  accepting.join();
+  played.say("ok\n12");
+  std::optional<std::string> line;
+  CHECK(comes_true([&] { return (line = devices.take(0, 0)).has_value(); }));
+  CHECK(line == "ok");
+  played.hang_up();
+  played.accept();
+  played.say("34.5 g\n");
+  CHECK(comes_true([&] { return (line = devices.take(0, 0)).has_value(); }));
+  CHECK(line == "34.5 g");
+}
+
+TEST_CASE("lines of a flood are told of once a second, and all of them in the end") {
+  PlayedDevice played;
+  TextDevices devices({{"scale", played.address(), "\n", {}}});
+  std::thread accepting([&] { played.accept(); });
+  devices.connect();
+  accepting.join();
+  constexpr int kLines = 30;
+  std::size_t told = 0;
+  std::size_t times = 0;
+  const auto hear = [&](const std::vector<std::string>& events) {
+    for (const std::string& event : events) told += std::stoul(event.substr(14));
+    times += events.size();
+  };
+  const auto begun = std::chrono::steady_clock::now();
+  for (int i = 0; i < kLines; ++i) {
+    played.say(std::string(5000, 'x') + "\n");
+    std::this_thread::sleep_for(10ms);
+    hear(devices.take_events());
+  }
+  const auto took = std::chrono::steady_clock::now() - begun;
+  CHECK(times <= 1 + static_cast<std::size_t>(took / 1s));
+  CHECK(comes_true([&] {
+    hear(devices.take_events(TextDevices::Telling::All));
+    return told == kLines;
+  }));
+}
+
+TEST_CASE("on the virtual clock a text is cut into lines as on a wire") {
+  TextDevices devices({{"scale", "tcp://nowhere:1", "\n", {}}});
+  devices.give(0, 1, "a\n" + std::string(4097, 'x') + "\nb");
+  CHECK(devices.take(0, 1) == "a");
+  CHECK(devices.take(0, 1) == "b");
+  CHECK_FALSE(devices.take(0, 1));
+  CHECK(devices.take_events() ==
+        std::vector<std::string>{"DEVICE scale: 1 line dropped: longer than 4 KiB, or nobody has "
+                                 "received them"});
+  CHECK(devices.take_events().empty());
 }
 
 TEST_CASE("on the virtual clock lines come at their times, each for one RECEIVE") {
