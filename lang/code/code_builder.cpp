@@ -66,10 +66,10 @@ void CodeBuilder::with_text(Opcode op, unsigned a, unsigned b, const std::string
   emit(operand_word(tables_.text(text)), place);
 }
 
-void CodeBuilder::teach(Register pose, const std::string& point, const std::string& frame,
-                        Place place) {
+void CodeBuilder::teach(Register pose, Register joints, int count, const std::string& point,
+                        const std::string& frame, Place place) {
   if (!chunk_.first_teach) chunk_.first_teach = place;
-  emit(Opcode::teach, place, pose);
+  emit(Opcode::teach, place, pose, joints, static_cast<unsigned>(count));
   emit(operand_word(tables_.text(point)), place);
   emit(operand_word(tables_.text(frame)), place);
 }

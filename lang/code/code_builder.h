@@ -41,8 +41,10 @@ class CodeBuilder {
   /// The index of a constant for an operand of 8 bits; none where it lies beyond them, or where
   /// the code is that of a watch, which has no such operands.
   std::optional<std::uint8_t> constant_operand(Slot value, std::uint64_t bits, Type type);
-  /// TEACH: a pose of the registers from `pose` on.
-  void teach(Register pose, const std::string& point, const std::string& frame, Place place);
+  /// TEACH: a pose and so many joints, of the registers from these on; what is kept of them is
+  /// there afterwards.
+  void teach(Register pose, Register joints, int count, const std::string& point,
+             const std::string& frame, Place place);
   void load_text(Register target, const std::string& text, Place place);
   /// An instruction with a text that is known.
   void with_text(Opcode op, unsigned a, unsigned b, const std::string& text, Place place);

@@ -136,9 +136,14 @@ void DeclarationCompiler::compile(const Teach& teach, Place place) {
     load_pose(pose_math::inverse(world_t_frame), inverse, place);
     code_.emit(Opcode::pose_product, place, pose, inverse, pose);
   }
-  code_.teach(pose, symbol.name, frame, place);
+  const int axes = symbol.moved_to ? static_cast<int>(robot_.axes.size()) : 0;
+  const Register joints = symbol.moved_to ? frame_.number_registers(axes) : pose;
+  // At the standstill of TEACH the axes are where HERE was read.
+  if (symbol.moved_to)
+    code_.emit(Opcode::read, place, joints, static_cast<unsigned>(Reading::Joints));
+  code_.teach(pose, joints, axes, symbol.name, frame, place);
   variables_.store_variable(symbol, pose, place);
-  if (symbol.moved_to) teach_joints(symbol, place);
+  if (symbol.moved_to) keep_taught_joints(symbol, joints, place);
   frame_.release(mark);
 }
 
@@ -156,10 +161,7 @@ void DeclarationCompiler::keep_joints(const Symbol& point, Place place) {
   frame_.release(mark);
 }
 
-/// At the standstill of TEACH the axes are where HERE was read.
-void DeclarationCompiler::teach_joints(const Symbol& point, Place place) {
-  const Register joints = frame_.number_registers(static_cast<int>(robot_.axes.size()));
-  code_.emit(Opcode::read, place, joints, static_cast<unsigned>(Reading::Joints));
+void DeclarationCompiler::keep_taught_joints(const Symbol& point, Register joints, Place place) {
   variables_.store_variable(*point.taught, joints, place);
   const Register known = frame_.number_registers();
   code_.load_integer(known, 1, place);

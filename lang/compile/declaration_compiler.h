@@ -43,7 +43,7 @@ class DeclarationCompiler {
   void name_signal(const Symbol& symbol);
   void load_pose(const PoseValue& pose, Register first, Place place);
   void keep_joints(const Symbol& point, Place place);
-  void teach_joints(const Symbol& point, Place place);
+  void keep_taught_joints(const Symbol& point, Register joints, Place place);
 
   CodeBuilder& code_;
   FrameSlots& frame_;

@@ -114,7 +114,7 @@ Reply Operator::ask(int /*line*/, std::string_view /*text*/,
                     std::optional<std::string>& /*answer*/) {
   return has_no("ASK");
 }
-Reply Operator::teach(int /*line*/, const TaughtPoint& /*point*/) { return has_no("TEACH"); }
+Reply Operator::teach(int /*line*/, TaughtPoint& /*point*/) { return has_no("TEACH"); }
 
 Reply Force::press(int /*line*/, const PressCommand& /*command*/) { return has_no("PRESS"); }
 Reply Force::end_press(int /*line*/) { return has_no("PRESS"); }

@@ -202,10 +202,11 @@ class Operator : public virtual Refuser {
   /// ASK: as halt(), and Done with a line that the operator has typed; with none where the program
   /// is only foretold.
   virtual Reply ask(int line, std::string_view text, std::optional<std::string>& answer);
-  /// TEACH: keeps where the axes stand as a point. HERE and JOINTS() have been read just before.
+  /// TEACH: keeps where the axes stand as a point. HERE and JOINTS() have been read just before;
+  /// where less is kept of them, as in a file with few digits, `point` then has what is kept.
   /// May take as long as a file takes to be written. Refused where it cannot be kept; what was kept
   /// before is still there then.
-  virtual Reply teach(int line, const TaughtPoint& point);
+  virtual Reply teach(int line, TaughtPoint& point);
 };
 
 /// Forces of the tool.

@@ -36,6 +36,8 @@ struct TaughtPoint {
   std::string_view frame;  ///< of the program, that `pose` is in; empty for the world
   std::string_view tool;   ///< of the program, that was on; empty for none
   PoseValue pose;
+  PoseValue tip{};               ///< of the tool, whatever its name
+  std::vector<double> joints{};  ///< m or rad, one an axis; empty where the machine has none
 };
 
 }  // namespace rob::lang

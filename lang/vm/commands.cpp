@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -255,8 +256,14 @@ Objection build_load(bool with_cog, const Slot* n, const Setting& setting, LoadC
                  "LOAD 0kg lets go");
 }
 
+static std::vector<double> joints_in_si(const Chunk& chunk, std::span<const Slot> joints) {
+  std::vector<double> in_si;
+  for (const Slot& joint : joints) in_si.push_back(to_si(joint.real, axes_of(chunk)[in_si.size()]));
+  return in_si;
+}
+
 TaughtPoint taught_point(const Chunk& chunk, const Instruction* teach, const Slot* n,
-                         const Setting& setting) {
+                         const Slot* joints, const Setting& setting) {
   const PoseValue& tip = setting.tool.tip;
   const auto tool =
       std::ranges::find_if(chunk.tools, [&](const NamedTool& one) { return one.tip == tip; });
@@ -264,7 +271,15 @@ TaughtPoint taught_point(const Chunk& chunk, const Instruction* teach, const Slo
   return {.name = chunk.texts[(teach + 1)->word],
           .frame = chunk.texts[(teach + 2)->word],
           .tool = named ? std::string_view(tool->name) : "",
-          .pose = to_si(load_pose(n))};
+          .pose = to_si(load_pose(n)),
+          .tip = tip,
+          .joints = joints_in_si(chunk, {joints, teach->c()})};
+}
+
+void take_kept(const TaughtPoint& point, const Chunk& chunk, Slot* pose, std::span<Slot> joints) {
+  store(from_si(point.pose), pose);
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    joints[i].real = from_si(point.joints.at(i), axes_of(chunk)[i]);
 }
 
 Objection check_group(Instruction command, std::uint32_t count, const Slot* n) {

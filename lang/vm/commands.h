@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "lang/code/chunk.h"
@@ -31,7 +32,9 @@ Objection build_press(int axis, const Slot* n, PressCommand& command);
 /// Without COG the load is where the tip of the tool is.
 Objection build_load(bool with_cog, const Slot* n, const Setting& setting, LoadCommand& load);
 TaughtPoint taught_point(const Chunk& chunk, const Instruction* teach, const Slot* n,
-                         const Setting& setting);
+                         const Slot* joints, const Setting& setting);
+/// What the machine has kept of it, into the registers that it came from.
+void take_kept(const TaughtPoint& point, const Chunk& chunk, Slot* pose, std::span<Slot> joints);
 
 /// All other commands: they take everything from their registers, and the texts `t` of the frame.
 /// Whether a group of `count` channels holds the value of write_group or simulate_group.

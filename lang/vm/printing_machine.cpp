@@ -192,7 +192,7 @@ Reply PrintingMachine::write_analog(int line, int signal, double volts) {
   return reply;
 }
 
-Reply PrintingMachine::teach(int line, const TaughtPoint& point) {
+Reply PrintingMachine::teach(int line, TaughtPoint& point) {
   constexpr double kMillimetres = 1000;  // in 1 m
   const Vector3& p = point.pose.position;
   std::string text = fmt::format("teach {} {:g} {:g} {:g}", point.name, p.x * kMillimetres,

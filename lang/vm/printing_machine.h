@@ -105,7 +105,7 @@ class PrintingMachine : public PrintingOutlets {
   Reply publish_list(int, std::size_t, const ListContent&) override { return log_.answer(); }
   Reply refresh(int, std::size_t, std::span<Slot>) override { return log_.answer(); }
   Reply refresh(int, std::size_t, std::span<std::string>) override { return log_.answer(); }
-  Reply teach(int line, const TaughtPoint& point) override;
+  Reply teach(int line, TaughtPoint& point) override;
   Reply wait(int line, double seconds) override;
   Reply stand(int line, double& now) override;
   Reply waited(int line) override;

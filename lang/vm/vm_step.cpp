@@ -324,8 +324,11 @@ Vm::Step Vm::step_motion(Code pc) {
               pc);
       return pc + 2;
     case Opcode::teach: {
-      const Setting setting = settings_.setting();
-      ROB_ASK(machine_->teach(line(pc), taught_point(*loaded_.chunk, pc, n, setting)), pc);
+      Slot* const pose = &stack_.numbers()[pc->a()];
+      Slot* const joints = &stack_.numbers()[pc->b()];
+      TaughtPoint point = taught_point(*loaded_.chunk, pc, pose, joints, settings_.setting());
+      ROB_ASK(machine_->teach(line(pc), point), pc);
+      take_kept(point, *loaded_.chunk, pose, {joints, pc->c()});
       return pc + 3;
     }
     case Opcode::send:

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "runtime/files/point_digits.h"
+
 namespace rob::runtime {
 
 using lang::Reply;
@@ -63,11 +65,14 @@ Reply OperatorDesk::ask(int line, std::string_view text, std::optional<std::stri
   return answer ? answered(line, *answer, given == nullptr) : unattended(line, "ASK");
 }
 
-/// HERE was read just before, at rest: the axes are still commanded to stand where it was.
-Reply OperatorDesk::teach(const lang::TaughtPoint& point) {
-  if (keeper_ == nullptr) return Reply::Done;
+/// HERE was read just before, at rest: the axes are still commanded to stand where it was. The
+/// program goes on with what is kept, as the next run does.
+Reply OperatorDesk::teach(lang::TaughtPoint& point) {
   const motion::JointVector q = links_.channels.joints.load();
-  const auto refusal = keeper_->keep(point, {q.data(), static_cast<std::size_t>(q.size())});
+  point.joints.assign(q.begin(), q.end());
+  round_as_kept(links_.robot, point);
+  if (keeper_ == nullptr) return Reply::Done;
+  const auto refusal = keeper_->keep(point);
   return refusal ? links_.refuse(*refusal) : Reply::Done;
 }
 

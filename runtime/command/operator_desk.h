@@ -26,7 +26,7 @@ class OperatorDesk {
   void keep_points(PointKeeper* keeper) { keeper_ = keeper; }
   lang::Reply halt(int line, std::string_view text);
   lang::Reply ask(int line, std::string_view text, std::optional<std::string>& answer);
-  lang::Reply teach(const lang::TaughtPoint& point);
+  lang::Reply teach(lang::TaughtPoint& point);
   /// The current HALT or ASK is given up.
   void drop() { consulting_ = false; }
 

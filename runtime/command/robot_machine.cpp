@@ -248,7 +248,7 @@ Reply RobotMachine::ask(int line, std::string_view text, std::optional<std::stri
   return parts_.desk.ask(line, text, answer);
 }
 
-Reply RobotMachine::teach(int /*line*/, const lang::TaughtPoint& point) {
+Reply RobotMachine::teach(int /*line*/, lang::TaughtPoint& point) {
   return parts_.desk.teach(point);
 }
 

@@ -83,7 +83,7 @@ class RobotMachine final : public RobotOutlets {
   lang::Reply print(int line, std::string_view text) override;
   lang::Reply halt(int line, std::string_view text) override;
   lang::Reply ask(int line, std::string_view text, std::optional<std::string>& answer) override;
-  lang::Reply teach(int line, const lang::TaughtPoint& point) override;
+  lang::Reply teach(int line, lang::TaughtPoint& point) override;
   lang::Reply press(int line, const lang::PressCommand& command) override;
   lang::Reply end_press(int line) override;
   lang::Reply zero_force(int line) override;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lang/values/units.h"
+#include "runtime/words/pose_values.h"
 #include "runtime/words/units.h"
 
 namespace rob::runtime {
@@ -28,6 +29,18 @@ lang::FixedAngles in_degrees(const lang::Quaternion& rotation) {
           lang::from_si(angles.c, lang::kAngle)};
 }
 
+/// How the tip moves, seen from itself, when the axes go from where they stood to the point's.
+lang::PoseValue moved_tip(const motion::RobotModel& robot, const std::vector<double>& stood,
+                          const lang::TaughtPoint& point) {
+  using lang::pose_math::compose;
+  const auto flange_at = [&](const std::vector<double>& joints) {
+    const Eigen::Map<const Eigen::VectorXd> q(joints.data(), robot.axis_count());
+    return to_lang(robot.kinematics->forward(q));
+  };
+  return compose(lang::pose_math::inverse(compose(flange_at(stood), point.tip)),
+                 compose(flange_at(point.joints), point.tip));
+}
+
 bool same(const lang::FixedAngles& one, const lang::FixedAngles& other) {
   return one.a == other.a && one.b == other.b && one.c == other.c;
 }
@@ -40,9 +53,12 @@ PointDigits digits_of(const motion::RobotModel& robot) {
     const bool linear = axis.kind == motion::AxisKind::Linear;
     const double count = axis.drive.encoder_resolution * shown_per_si(axis.kind);
     const int usual = linear ? kLengthDigits : kAngleDigits;
-    digits.joints.push_back(digits_for(count, usual));
+    const int places = digits_for(count, usual);
+    const lang::Dimension dimension = linear ? lang::kLength : lang::kAngle;
+    digits.joints.push_back(
+        {places, lang::from_si(axis.min, dimension), lang::from_si(axis.max, dimension)});
     // The finest axis counts for the pose, to which all of them add.
-    const int more = digits.joints.back() - usual;
+    const int more = places - usual;
     digits.length = std::max(digits.length, kLengthDigits + more);
     digits.angle = std::max(digits.angle, kAngleDigits + more);
   }
@@ -53,6 +69,15 @@ double rounded_to(double value, int digits) {
   if (digits == PointDigits::kAll) return value;
   const double scale = std::pow(10.0, digits);
   return std::round(value * scale) / scale + 0.0;  // of no -0
+}
+
+double rounded_within(double value, const PointDigits::Joint& joint) {
+  const double nearest = rounded_to(value, joint.digits);
+  if (nearest >= joint.min && nearest <= joint.max) return nearest;
+  const double scale = std::pow(10.0, joint.digits);
+  const double inside =
+      (nearest > joint.max ? std::floor(joint.max * scale) : std::ceil(joint.min * scale)) / scale;
+  return inside >= joint.min && inside <= joint.max ? inside + 0.0 : value;
 }
 
 /// Rounding may bring b to 90deg, where a and c are one turn, or an angle to -180deg, which is read
@@ -71,6 +96,34 @@ lang::FixedAngles rounded_angles(const lang::Quaternion& rotation, int digits) {
     if (same(rounded, angles)) break;
   }
   return angles;
+}
+
+/// As a points file is read.
+static lang::PoseValue rounded_pose(const lang::PoseValue& pose, const PointDigits& digits) {
+  const auto length = [&](double si) {
+    return lang::to_si(rounded_to(lang::from_si(si, lang::kLength), digits.length), lang::kLength);
+  };
+  const lang::FixedAngles angles = rounded_angles(pose.rotation, digits.angle);
+  const auto angle = [](double degrees) { return lang::to_si(degrees, lang::kAngle); };
+  const auto& [x, y, z] = pose.position;
+  return {{length(x), length(y), length(z)},
+          lang::pose_math::from_fixed({angle(angles.a), angle(angles.b), angle(angles.c)})};
+}
+
+void round_as_kept(const motion::RobotModel& robot, lang::TaughtPoint& point) {
+  const PointDigits digits = digits_of(robot);
+  const std::vector<double> stood = point.joints;
+  bool at_end = false;
+  for (std::size_t i = 0; i < stood.size(); ++i) {
+    const bool linear = robot.axes[i].kind == motion::AxisKind::Linear;
+    const lang::Dimension dimension = linear ? lang::kLength : lang::kAngle;
+    const double value = lang::from_si(stood[i], dimension);
+    const double kept = rounded_within(value, digits.joints[i]);
+    at_end = at_end || kept != rounded_to(value, digits.joints[i].digits);
+    point.joints[i] = lang::to_si(kept, dimension);
+  }
+  if (at_end) point.pose = lang::pose_math::compose(point.pose, moved_tip(robot, stood, point));
+  point.pose = rounded_pose(point.pose, digits);
 }
 
 }  // namespace rob::runtime

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "lang/machine/machine.h"
 #include "lang/machine/point_table.h"
@@ -14,10 +13,8 @@ class PointKeeper {
  public:
   virtual ~PointKeeper() = default;
 
-  /// `joints` in the order of the axes. Why not, if it cannot be kept; what was kept before is
-  /// still there then.
-  virtual std::optional<lang::Refusal> keep(const lang::TaughtPoint& point,
-                                            std::span<const double> joints) = 0;
+  /// Why not, if it cannot be kept; what was kept before is still there then.
+  virtual std::optional<lang::Refusal> keep(const lang::TaughtPoint& point) = 0;
 };
 
 }  // namespace rob::runtime

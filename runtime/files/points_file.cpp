@@ -50,8 +50,8 @@ std::string joints_text(const std::vector<double>& joints, const lang::RobotSign
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const lang::Dimension dimension = robot.axes[i].dimension;
     const double value = lang::from_si(joints[i], dimension);
-    const int places = digits.joints.empty() ? PointDigits::kAll : digits.joints.at(i);
-    text += (i == 0 ? " JOINTS(" : ", ") + lang::number_text(rounded_to(value, places), dimension);
+    const double kept = digits.joints.empty() ? value : rounded_within(value, digits.joints.at(i));
+    text += (i == 0 ? " JOINTS(" : ", ") + lang::number_text(kept, dimension);
   }
   return joints.empty() ? text : text + ")";
 }
@@ -156,12 +156,11 @@ Points load_points(const std::string& file, const motion::RobotModel& robot) {
   throw FileError(messages);
 }
 
-std::optional<lang::Refusal> PointsFile::keep(const lang::TaughtPoint& point,
-                                              std::span<const double> joints) {
+std::optional<lang::Refusal> PointsFile::keep(const lang::TaughtPoint& point) {
   Points::Point taught;
   taught.value = {std::string(point.name), std::string(point.frame), point.pose};
   taught.tool = point.tool;
-  taught.joints.assign(joints.begin(), joints.end());
+  taught.joints = point.joints;
   taught.taught = now();
   try {
     change([&](Points& points) {

@@ -71,8 +71,7 @@ class PointsFile final : public PointKeeper {
   PointsFile(std::string file, const motion::RobotModel& robot)
       : file_(std::move(file)), robot_(robot) {}
 
-  std::optional<lang::Refusal> keep(const lang::TaughtPoint& point,
-                                    std::span<const double> joints) override;
+  std::optional<lang::Refusal> keep(const lang::TaughtPoint& point) override;
 
   // The following throw FileError, with the file as it was.
   /// False if there is no such point. Throws also if there is one of the new name.

@@ -62,7 +62,11 @@ std::vector<Order> all_orders() {
       {"PRINT", [](Machine& m) { return m.print(1, "text"); }},
       {"HALT", [](Machine& m) { return m.halt(1, "text"); }},
       {"ASK", [](Machine& m) { return m.ask(1, "text", text); }},
-      {"TEACH", [](Machine& m) { return m.teach(1, {}); }},
+      {"TEACH",
+       [](Machine& m) {
+         rob::lang::TaughtPoint point{};
+         return m.teach(1, point);
+       }},
       {"PRESS", [](Machine& m) { return m.press(1, {}); }},
       {"PRESS", [](Machine& m) { return m.end_press(1); }},
       {"ZERO force", [](Machine& m) { return m.zero_force(1); }},

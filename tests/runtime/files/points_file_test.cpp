@@ -106,10 +106,10 @@ TEST_CASE("a point that is taught anew keeps its comments") {
   std::ofstream(file) << "// first\n" + kRobot + "// here // and\n" + point("pick") +
                              "// behind all\n";
   PointsFile keeper(file, gantry());
-  const double joints[] = {0.05, 0.06, 0};
+  const std::vector<double> joints{0.05, 0.06, 0};
   const rob::lang::PoseValue pose{{0.05, 0.06, 0}, {1, 0, 0, 0}};
-  REQUIRE_FALSE(keeper.keep({"PICK", "", "", pose}, joints).has_value());
-  REQUIRE_FALSE(keeper.keep({"place", "", "", pose}, joints).has_value());
+  REQUIRE_FALSE(keeper.keep({"PICK", "", "", pose, {}, joints}).has_value());
+  REQUIRE_FALSE(keeper.keep({"place", "", "", pose, {}, joints}).has_value());
   const std::string text = read_file(file, 10'000);
   CHECK(text.starts_with("// first\n" + kWhichRobot + "\n// here // and\nPICK = POSE(50mm, "));
   CHECK(text.find("\nplace = ") != std::string::npos);
@@ -259,10 +259,11 @@ TEST_CASE("a point is taught into a file, and what was edited meanwhile stays") 
   const ScratchFolder folder;
   const std::string file = folder.file("a.points");
   PointsFile points(file, gantry());
-  const double joints[] = {0.040, 0.020, 0};
-  CHECK_FALSE(points.keep({"pick", "", "", {{0.040, 0.020, 0}, {1, 0, 0, 0}}}, joints));
+  const std::vector<double> joints{0.040, 0.020, 0};
+  CHECK_FALSE(points.keep({"pick", "", "", {{0.040, 0.020, 0}, {1, 0, 0, 0}}, {}, joints}));
   std::ofstream(file, std::ios::app) << point("nest");
-  CHECK_FALSE(points.keep({"PICK", "pallet", "cup", {{0.050, 0.020, 0}, {1, 0, 0, 0}}}, joints));
+  CHECK_FALSE(
+      points.keep({"PICK", "pallet", "cup", {{0.050, 0.020, 0}, {1, 0, 0, 0}}, {}, joints}));
   const Points kept = load_points(file, gantry());
   REQUIRE(kept.points.size() == 2);
   CHECK(kept.points[0].value.name == "nest");
@@ -279,8 +280,8 @@ TEST_CASE("a file that cannot be used is not overwritten by TEACH") {
   std::ofstream(file) << text;
   CHECK(message_of([&] { load_points(file, gantry()); }).find("E547") != std::string::npos);
   PointsFile points(file, gantry());
-  const double joints[] = {0, 0, 0};
-  const auto refusal = points.keep({"pick", "", "", {{0, 0, 0}, {1, 0, 0, 0}}}, joints);
+  const std::vector<double> joints{0, 0, 0};
+  const auto refusal = points.keep({"pick", "", "", {{0, 0, 0}, {1, 0, 0, 0}}, {}, joints});
   REQUIRE(refusal);
   CHECK(refusal->code == "E549");
   CHECK(read_file(file, 1000) == text);
@@ -344,10 +345,82 @@ TEST_CASE("an encoder that measures finer keeps its digits") {
   rob::motion::RobotModel robot = gantry();
   robot.axes[1].drive.encoder_resolution = 0.05e-6;  // 0.00005 mm: five digits
   const PointDigits digits = rob::runtime::digits_of(robot);
-  CHECK(digits.joints == std::vector<int>{3, 5, 4});
+  CHECK(digits.joints[0].digits == 3);
+  CHECK(digits.joints[1].digits == 5);
+  CHECK(digits.joints[2].digits == 4);
   CHECK(digits.length == 5);
   CHECK(digits.angle == 6);
   CHECK(rob::runtime::digits_of(gantry()).length == 3);
+}
+
+TEST_CASE("a joint is never rounded beyond an end of its axis, nor is the pose of a gantry") {
+  rob::motion::RobotModel robot = gantry();
+  robot.axes[0].max = 0.1234568;                            // 123.4568 mm: 123.457 mm is beyond
+  robot.axes[2].min = -100.12345 * std::numbers::pi / 180;  // -100.1235deg is beyond
+  rob::lang::TaughtPoint point{.name = "p", .frame = "", .tool = "", .pose = {}};
+  point.joints = {robot.axes[0].max, 0.0123456, robot.axes[2].min};
+  const Eigen::Map<const Eigen::VectorXd> q(point.joints.data(), 3);
+  point.pose = rob::runtime::to_lang(robot.kinematics->forward(q));
+  rob::runtime::round_as_kept(robot, point);
+  CHECK(point.joints[0] == doctest::Approx(0.123456).epsilon(1e-12));
+  CHECK(point.joints[1] == doctest::Approx(0.012346).epsilon(1e-12));
+  CHECK(point.joints[2] == doctest::Approx(-100.1234 * std::numbers::pi / 180).epsilon(1e-12));
+  CHECK(point.pose.position.x == doctest::Approx(0.123456).epsilon(1e-12));
+  CHECK(point.pose.position.y == doctest::Approx(0.012346).epsilon(1e-12));
+  const auto turned = rob::lang::pose_math::to_fixed(point.pose.rotation);
+  CHECK(turned.c == doctest::Approx(-100.1234 * std::numbers::pi / 180).epsilon(1e-12));
+  // The file has the same, also where it is written again with what others have changed.
+  const Points::Point in_file{{"p", "", point.pose}, point.joints, "", "now"};
+  CHECK(point_text(in_file, robot)
+            .starts_with("p = POSE(123.456mm, 12.346mm, 0mm, 0deg, 0deg, -100.1234deg) "
+                         "JOINTS(123.456mm, 12.346mm, "
+                         "-100.1234deg)"));
+  const Points::Point by_hand{{"p", "", point.pose}, {0.1234568, 0, 0}, "", "now"};
+  CHECK(point_text(by_hand, robot).find("JOINTS(123.456mm, ") != std::string::npos);
+}
+
+TEST_CASE("TEACH leaves in the program what the next run reads, to the bit, on every robot") {
+  rob::SplitMix random(17);
+  for (const std::string_view name : rob::motion::robot_names()) {
+    const rob::motion::RobotModel robot = rob::motion::embedded_robot(name);
+    if (robot.kinematics == nullptr) continue;
+    CAPTURE(std::string(name));
+    for (std::size_t i = 0; i < 200; ++i) {
+      Points::Point taught = taught_anywhere(robot, random);
+      if (i < 2 * robot.axes.size()) {  // at each end of each axis
+        const rob::motion::Axis& axis = robot.axes[i / 2];
+        taught.joints[i / 2] = i % 2 == 0 ? axis.min : axis.max;
+      }
+      const Eigen::Map<const Eigen::VectorXd> q(taught.joints.data(), robot.axis_count());
+      rob::lang::TaughtPoint point{.name = "p", .frame = "", .tool = "", .pose = {}};
+      point.pose = rob::runtime::to_lang(robot.kinematics->forward(q));
+      point.joints = taught.joints;
+      rob::runtime::round_as_kept(robot, point);
+      taught.value.pose = point.pose;
+      taught.joints = point.joints;
+      Points points;
+      points.points.push_back(taught);
+      const Points read = parse_points(points_text(points, robot), robot);
+      REQUIRE_FALSE(read.diagnostics.has_errors());
+      CHECK(read.points[0].joints == point.joints);
+      CHECK(read.points[0].value.pose == point.pose);
+      for (std::size_t axis = 0; axis < robot.axes.size(); ++axis) {
+        CHECK(point.joints[axis] >= robot.axes[axis].min - 1e-12);
+        CHECK(point.joints[axis] <= robot.axes[axis].max + 1e-12);
+      }
+    }
+  }
+}
+
+TEST_CASE("what TEACH has kept is what the program goes on with") {
+  const std::string text =
+      "POINT w\nMOVE(100 / 3, 0, 10) FINE\nTEACH w\nPRINT w.x\n"
+      "MOVE(0, 0, 0)\nMOVE w FINE\nPRINT HERE.x";
+  const auto program = rob::runtime::compile_program("w.rob", text, gantry(), "");
+  const auto result = rob::runtime::foretell(program, gantry());
+  REQUIRE(result.output.size() == 2);
+  CHECK(result.output[0] == "33.333mm");
+  CHECK(result.output[1] == "33.333mm");
 }
 
 TEST_CASE("rounded points are read on every robot, bring the tool there, and stay as they are") {
