@@ -36,16 +36,11 @@ Refusal full() {
 
 std::int64_t Lists::open(std::int64_t home, std::size_t depth, Slots size) {
   drop(depth + 1);
-  std::size_t number = lists_.size();
-  while (number > 0 && lists_[number - 1].depth == depth && lists_[number - 1].home != home) {
-    --number;
-  }
-  const bool again = number > 0 && lists_[number - 1].depth == depth;
-  if (!again) {
-    number = lists_.size();
+  const auto [known, is_new] = numbers_.try_emplace({depth, home}, lists_.size());
+  const std::size_t number = known->second;
+  if (is_new) {
     lists_.emplace_back();
   } else {
-    --number;
     bytes_ -= weight_of(lists_[number]);
   }
   lists_[number] = {.home = home, .depth = depth, .size = size, .numbers = {}, .texts = {}};
@@ -55,6 +50,7 @@ std::int64_t Lists::open(std::int64_t home, std::size_t depth, Slots size) {
 void Lists::drop(std::size_t depth) {
   while (!lists_.empty() && lists_.back().depth >= depth) {
     bytes_ -= weight_of(lists_.back());
+    numbers_.erase({lists_.back().depth, lists_.back().home});
     lists_.pop_back();
   }
 }

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lang/values/arithmetic.h"
@@ -81,6 +83,8 @@ class Lists {
   Objection take(std::size_t bytes);
 
   std::deque<ListElements> lists_;
+  /// Of the lists, by their frames and homes.
+  std::map<std::pair<std::size_t, std::int64_t>, std::size_t> numbers_;
   std::vector<Hold> holds_;
   std::size_t bytes_ = 0;
 };

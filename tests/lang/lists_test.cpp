@@ -87,3 +87,17 @@ TEST_CASE("a list whose element a REF holds keeps its length") {
   CHECK_FALSE(lists.append(lists[number], &value, nullptr));
   CHECK(lists[number].count == 2);
 }
+
+TEST_CASE("a list that is opened again is the same one, among those of its frame alone") {
+  Lists lists;
+  const std::int64_t first = lists.open(0, 0, kNumber);
+  const std::int64_t second = lists.open(1, 0, kNumber);
+  const std::int64_t local = lists.open(2, 1, kNumber);
+  CHECK(lists.open(2, 1, kNumber) == local);
+  CHECK(lists.open(0, 0, kNumber) == first);  // the frame of the local one has been left
+  CHECK(lists.open(1, 0, kNumber) == second);
+  // At the same place, but of other frames.
+  const std::int64_t deep = lists.open(2, 2, kNumber);
+  CHECK(lists.open(2, 3, kNumber) != deep);
+  CHECK(lists.open(2, 2, kNumber) == deep);
+}
