@@ -85,6 +85,63 @@ std::string clauses_of(std::span<const std::string_view> data) {
   return clauses;
 }
 
+bool is_signed_number(std::string_view text) {
+  return is_number(text.starts_with('-') ? text.substr(1) : text);
+}
+
+/// The arguments of a call, from its '(' on, cut at the commas outside of [] and (); at least one.
+std::vector<std::string_view> arguments_of(std::string_view call) {
+  std::vector<std::string_view> arguments;
+  int open = 0;
+  std::size_t begin = 1;
+  for (std::size_t i = 0; i < call.size(); ++i) {
+    if (call[i] == '(' || call[i] == '[') ++open;
+    if (call[i] == ')' || call[i] == ']') --open;
+    if (open > 1 || (call[i] != ',' && open == 1)) continue;
+    arguments.push_back(trimmed(call.substr(begin, i - begin)));
+    begin = i + 1;
+    if (open == 0) return arguments;
+  }
+  arguments.push_back(trimmed(call.substr(begin)));  // no ')' has come
+  return arguments;
+}
+
+/// Where UR's movej and movel go: joints in rad, or a name.
+std::string universal_target(std::string_view target) {
+  if (is_name(target)) return std::string(shortened(target));
+  if (!target.starts_with('[') || !target.ends_with(']')) return "p";
+  std::string joints;
+  for (const std::string_view joint : parts_of(target.substr(1, target.size() - 2))) {
+    if (!is_signed_number(joint)) return "p";
+    joints += fmt::format("{}{}rad", joints.empty() ? "" : ", ", joint);
+  }
+  return fmt::format("JOINTS({})", joints);
+}
+
+/// UR's movej(q, a=1.4, v=1.05, t=0, r=0), in rad and m, and movel with a and v in m.
+std::string universal_motion(std::string_view ours, std::string_view call) {
+  constexpr std::string_view kOrder = "avtr";
+  const std::string_view unit = ours == "MOVE" ? "rad" : "m";
+  const std::vector<std::string_view> arguments = arguments_of(call);
+  std::array<std::string_view, kOrder.size()> values{};
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const std::size_t equal = arguments[i].find('=');
+    const bool named = equal != std::string_view::npos;
+    const std::string_view name = trimmed(arguments[i].substr(0, named ? equal : 0));
+    const std::size_t which = !named ? i - 1 : name.size() == 1 ? kOrder.find(name) : kOrder.size();
+    const std::string_view value = named ? trimmed(arguments[i].substr(equal + 1)) : arguments[i];
+    if (which < values.size() && is_number(value) && value.find_first_not_of("0.") < value.size())
+      values[which] = value;
+  }
+  const auto [a, v, t, r] = values;
+  std::string line = fmt::format("{} {}", ours, universal_target(arguments.front()));
+  if (!v.empty()) line += fmt::format(" AT {}{}/s", v, unit);
+  if (!t.empty()) line += fmt::format(" OVER {}s", t);
+  if (!r.empty()) line += fmt::format(" ZONE {}m", r);
+  if (!a.empty()) line += fmt::format(" ACCEL {}{}/s^2", a, unit);
+  return line;
+}
+
 /// `X10 Y-2.5 F600` as a target by names and a speed, mm/min.
 std::string path_target(std::string_view words) {
   std::string target;
@@ -155,9 +212,9 @@ bool ForeignHints::skip_motion() {
   data = data.substr(0, std::min(data.find("//"), data.size()));
   std::string line;
   if (data.starts_with('(')) {
-    line = fmt::format("{} p AT 50% goes to a point or a pose p", ours);
-    const bool tuple = data.find_first_of("[=") == std::string_view::npos;
-    if (tuple) line = fmt::format("{}{}", ours, data);
+    const bool tuple =
+        data.find_first_of("[=") == std::string_view::npos && !is_name(arguments_of(data).front());
+    line = tuple ? fmt::format("{}{}", ours, data) : universal_motion(ours, data);
   } else {
     const std::vector<std::string_view> parts = parts_of(data);
     const bool point = !parts.empty() && is_name(parts.front());
