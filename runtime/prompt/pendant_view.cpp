@@ -81,6 +81,12 @@ Lines axes(const Picture& picture) {
   return lines;
 }
 
+/// In mm, or an angle of a pose in deg: -180 is written as 180, as HERE writes it.
+std::string coordinate(const std::vector<double>& pose, std::size_t which) {
+  const std::string text = fixed(pose[which], 2);
+  return which >= 3 && text == "-180.00" ? text.substr(1) : text;
+}
+
 Lines tool(const Picture& picture) {
   const std::vector<double> pose =
       shown_pose(picture.robot().kinematics->forward(picture.snapshot.measured));
@@ -89,7 +95,7 @@ Lines tool(const Picture& picture) {
   for (int i = 0; i < 6; ++i)
     lines[i / 3] +=
         fmt::format("{}{}{:>9}", picture.mark(false, i), kNames[static_cast<std::size_t>(i)],
-                    fixed(pose[static_cast<std::size_t>(i)], 2));
+                    coordinate(pose, static_cast<std::size_t>(i)));
   lines[0] += " mm";
   lines[1] += " deg";
   return lines;

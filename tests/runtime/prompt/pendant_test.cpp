@@ -235,6 +235,15 @@ TEST_CASE("outputs are toggled, and Esc leaves") {
   CHECK(held.pendant.over());
 }
 
+TEST_CASE("half a turn of the tool is shown as HERE prints it, 180deg") {
+  Held held(false);
+  held.enter({"MOVE(0, 0, -180) FINE", "STOP", "WAIT 1s"});
+  CHECK(held.enter({"PRINT HERE"}).find("180deg)") != std::string::npos);
+  const std::string view = pendant_view(held.pendant, "", 80, 24);
+  CHECK(view.find("-180.000 deg") != std::string::npos);  // the axis
+  CHECK(view.find("c   180.00 deg") != std::string::npos);
+}
+
 TEST_CASE("the view shows place, mode and keys within the size of the terminal") {
   Held held(false);
   held.pendant.press(kRight);
