@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -126,14 +128,21 @@ void ProgramChecker::check_test_names() {
 /// When all is checked it is known what TASKs use and change, what a WAIT may wait for,
 /// and what a PATH reads.
 void ProgramChecker::settle_tasks() {
-  const auto tasks = std::ranges::count_if(program_.routines, &Routine::task);
-  if (static_cast<std::size_t>(tasks) > kMostTasks) {
+  std::set<std::pair<std::uint32_t, std::string>> tasks;  // at the prompt one may be declared anew
+  for (const Routine& routine : program_.routines) {
+    if (routine.task) tasks.emplace(routine.place.file, to_upper(routine.name));
+  }
+  if (tasks.size() > kMostTasks) {
     diagnostics_.error(
         code::kTooManyTasks, program_.end,
-        fmt::format("the program has {} TASKs; at most {} can be", tasks, kMostTasks),
+        fmt::format("the program has {} TASKs; at most {} can be", tasks.size(), kMostTasks),
         "one TASK can look after several things");
   }
   uses_.report_tasks(program_.routines, diagnostics_);
+  for (Routine& routine : program_.routines) {
+    const bool earlier = routine.task && routine.place.line < program_.entry;
+    routine.outdated = earlier && uses_.uses_since(routine, program_.entry, program_.routines);
+  }
   for (const RoutineUses::Shared& one : uses_.shared()) scopes_.share(*one.symbol, one.observed);
   statements_.report_waits_and_paths();
   uses_.report_paths(program_.routines, diagnostics_);

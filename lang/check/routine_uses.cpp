@@ -65,7 +65,9 @@ bool fits_in_path(const Statement& statement) {
 
 /// A constant lives in the code and is there from the beginning.
 void RoutineUses::used(const Symbol& symbol) {
-  if (inside_ == nullptr || known(symbol.value)) return;
+  if (inside_ == nullptr) return;
+  named_[&symbol].insert(inside_->index);
+  if (known(symbol.value)) return;
   if (symbol.global) {
     users_[&symbol].insert(inside_->index);
   } else if (inside_->handler && symbol.id < handler_begins_ && is_local(symbol)) {
@@ -295,6 +297,19 @@ void RoutineUses::report_devices(const std::vector<Routine>& routines,
                       "let one of them speak with it, and give the other what it needs in a "
                       "variable");
   }
+}
+
+bool RoutineUses::uses_since(const Routine& task, std::uint32_t line,
+                             const std::vector<Routine>& routines) const {
+  const std::set<std::size_t> reached = reached_from(task.index);
+  const auto since = [&](const Place& place) { return place.file == 0 && place.line >= line; };
+  const auto is_reached = [&](std::size_t one) { return reached.contains(one); };
+  if (std::ranges::any_of(reached, [&](std::size_t one) { return since(routines[one].place); }))
+    return true;
+  return std::ranges::any_of(named_, [&](const auto& one) {
+    const auto& [symbol, users] = one;
+    return since(symbol->place) && std::ranges::any_of(users, is_reached);
+  });
 }
 
 void RoutineUses::report_references(Diagnostics& diagnostics) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
@@ -61,6 +62,10 @@ class RoutineUses {
   /// After report_tasks(): a PATH is planned before it starts, so a routine that it calls can only
   /// compute.
   void report_paths(const std::vector<Routine>& routines, Diagnostics& diagnostics) const;
+  /// Whether a TASK uses, itself or through what it calls, what is declared from this line of the
+  /// program's own file on.
+  bool uses_since(const Routine& task, std::uint32_t line,
+                  const std::vector<Routine>& routines) const;
   /// Whether a routine is a TASK or is called by one; null: the top level. After report_tasks().
   bool in_task(const Routine* routine) const;
   struct Shared {
@@ -103,6 +108,7 @@ class RoutineUses {
   std::map<const Symbol*, std::size_t> declared_in_;
   std::map<const Symbol*, std::set<std::size_t>> users_;  ///< routines by index
   std::map<const Symbol*, std::set<std::size_t>> writers_;
+  std::map<const Symbol*, std::set<std::size_t>> named_;  ///< all of the top level, constants too
   std::vector<Reference> references_;
   std::vector<Talk> talks_;
   std::vector<std::set<std::size_t>> callers_;  ///< of each routine

@@ -228,7 +228,8 @@ inline constexpr std::size_t kMostTasks = 16;
 struct TaskCode {
   std::string name;
   std::uint32_t routine = 0;
-  Place place{};  ///< of its first line
+  Place place{};          ///< of its first line
+  bool outdated = false;  ///< this entry declares anew what the TASK uses
 };
 
 /// A TOOL of the program.

@@ -62,7 +62,8 @@ std::vector<Compilation::Definition> definitions_of(const Program& program) {
     definitions.push_back({routine.place.line, routine.end.line, false});
     for (const Routine::Parameters& group : routine.parameters)
       for (const auto& name : group.names) definitions.back().parameters.push_back(name.name);
-    if (routine.task) definitions.back().task = routine.name;
+    definitions.back().name = routine.name;
+    definitions.back().task = routine.task;
   }
   return definitions;
 }

@@ -37,7 +37,8 @@ struct Compilation {
     std::uint32_t last = 0;
     bool use = false;
     std::vector<std::string> parameters{};  ///< of the routine
-    std::string task{};                     ///< its name, if it is one
+    std::string name{};                     ///< of the routine
+    bool task = false;
   };
   std::vector<Definition> definitions;
   Room room;  ///< that is taken after it

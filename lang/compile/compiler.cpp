@@ -26,7 +26,7 @@ std::vector<std::string> signal_names(const RobotSignature& robot) {
 }
 
 /// Reports the limit that the program exceeds.
-void report_limit(const CodeLimits& limits, Diagnostics& diagnostics) {
+void report_limit(const CodeLimits& limits, bool at_prompt, Diagnostics& diagnostics) {
   const Place place = limits.place();
   switch (limits.exceeded()) {
     case Limit::None:
@@ -43,7 +43,8 @@ void report_limit(const CodeLimits& limits, Diagnostics& diagnostics) {
           fmt::format("with this, the arrays and records are too large: a program has room for {} "
                       "numbers and {} texts in them",
                       kMemory.numbers, kMemory.texts),
-          "keep less at once");
+          at_prompt ? "what is declared anew keeps its room too: :reset gives all of it back"
+                    : "keep less at once");
       return;
     case Limit::Jump:
       diagnostics.error(code::kBlockTooLong, place, "the block that begins here is too long",
@@ -131,7 +132,7 @@ Generated ProgramCompiler::compile(Diagnostics& diagnostics) {
   variables_.enter_routine();
   for (const Routine& routine : program_.routines) statements_.compile(routine);
   if (code_.limits().exceeded() == Limit::None) return {code_.finish(), room_, variables_.homes()};
-  report_limit(code_.limits(), diagnostics);
+  report_limit(code_.limits(), rooms_ != nullptr, diagnostics);
   return {};
 }
 

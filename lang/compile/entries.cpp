@@ -71,6 +71,11 @@ std::string_view lines_of(std::string_view text, std::uint32_t first, std::uint3
   return text.substr(begin, std::min(end, text.size()) - begin);
 }
 
+bool declares(const std::vector<KeptName>& names, const std::string& key) {
+  return std::ranges::any_of(names,
+                             [&](const KeptName& one) { return same_word(one.symbol.name, key); });
+}
+
 void sort_by_place(std::vector<DeclaredName>& names) {
   std::ranges::sort(names, [](const DeclaredName& a, const DeclaredName& b) {
     return comes_before(a.place, b.place);
@@ -125,6 +130,12 @@ void Entries::add_frames(const Type& type, std::vector<std::string>& words) cons
   if (frame != frames_.end()) words.push_back(frame->second);
 }
 
+/// Whether a routine has not been declared anew since.
+bool Entries::holds(const Definition& definition) const {
+  const Known* const last = known(definition.routine);
+  return last != nullptr && last->definition == &definition;
+}
+
 /// Routines that use what the entry declares anew must fit to it; false if all are selected.
 bool Entries::select_users(const std::vector<KeptName>& names, Selection& selection) const {
   bool more = false;
@@ -132,6 +143,7 @@ bool Entries::select_users(const std::vector<KeptName>& names, Selection& select
     const auto users = users_.find(to_upper(name.symbol.name));
     if (users == users_.end()) continue;
     for (const Definition* const user : users->second) {
+      if (!holds(*user) || declares(names, user->routine)) continue;
       if (std::ranges::find(selection.definitions, user) != selection.definitions.end()) continue;
       more = true;
       selection.definitions.push_back(user);
@@ -205,8 +217,8 @@ void Entries::keep(std::string_view entry, const Compilation& compiled) {
   for (const Compilation::Definition& one : compiled.definitions) {
     const std::string_view text = lines_of(entry, one.first - begin, one.last - begin);
     kept.definitions.push_back({one.first, one.last, one.use, std::string(text),
-                                foreign_words(text, one.parameters), before});
-    if (!one.task.empty()) tasks_.insert(to_upper(one.task));
+                                foreign_words(text, one.parameters), before, to_upper(one.name)});
+    if (one.task) tasks_.insert(to_upper(one.name));
   }
   types_.records.insert(compiled.types->records.begin(), compiled.types->records.end());
   types_.frames.insert(compiled.types->frames.begin(), compiled.types->frames.end());
@@ -272,7 +284,9 @@ void Entries::forget(std::uint32_t first, std::uint32_t last) {
 bool Entries::forget(std::string_view name) {
   const std::string key = to_upper(name);
   const auto users = users_.find(key);
-  if (users != users_.end() && !users->second.empty()) return false;
+  if (users != users_.end() &&
+      std::ranges::any_of(users->second, [&](const Definition* one) { return holds(*one); }))
+    return false;
   known_.erase(key);
   return true;
 }

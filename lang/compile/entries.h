@@ -72,6 +72,7 @@ class Entries {
     std::string text;
     std::vector<std::string> words;  ///< of it, in capitals, without its parameters
     Room room;                       ///< that was taken before it
+    std::string routine;             ///< its name, in capitals; empty for a USE
   };
   /// An entry that has declared something.
   struct Entry {
@@ -90,6 +91,7 @@ class Entries {
   const Known* known(const std::string& key) const;
   void select(std::vector<std::string> words, Selection& selection) const;
   void add_frames(const Type& type, std::vector<std::string>& words) const;
+  bool holds(const Definition& definition) const;
   bool select_users(const std::vector<KeptName>& names, Selection& selection) const;
   EntryText text_of(Selection selection, std::string_view entry) const;
   void add(Entry& entry);

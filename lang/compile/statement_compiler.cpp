@@ -600,7 +600,8 @@ void StatementCompiler::compile(const Routine& routine) {
     code_.add_test({routine.name, routine.place, static_cast<std::uint32_t>(routine.index)});
   }
   if (routine.task)
-    code_.add_task({routine.name, static_cast<std::uint32_t>(routine.index), routine.place});
+    code_.add_task(
+        {routine.name, static_cast<std::uint32_t>(routine.index), routine.place, routine.outdated});
   blocks_.begin_routine();
   code_.begin_routine(routine.name, routine.place, routine.handler);
   const auto mark = frame_.mark();

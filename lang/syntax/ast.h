@@ -313,8 +313,9 @@ struct Routine {
   std::vector<Parameters> parameters;
   Type result;  ///< of a FUNC
   Block body;
-  Place end;            ///< of ENDPROC and the like
-  bool memory = false;  ///< set by the checker: not all it computes with fits into registers
+  Place end;              ///< of ENDPROC and the like
+  bool memory = false;    ///< set by the checker: not all it computes with fits into registers
+  bool outdated = false;  ///< a TASK of an earlier entry, which declares anew what it uses
   // Of a handler, set by the checker:
   bool stops = false;                   ///< the axes stop before it begins
   std::vector<const Symbol*> captured;  ///< variables of the routine around it that it uses

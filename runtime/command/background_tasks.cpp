@@ -45,6 +45,21 @@ void BackgroundTasks::go_on_with(Code entry) {
   if (!entry->tasks.empty()) memory_.open();
   code_ = std::move(entry);
   std::erase_if(running_, [&](const Running& one) { return declared_anew(*one.code, one.task); });
+  for (const lang::TaskCode& task : code_->tasks) {
+    if (task.outdated) end_outdated(task);
+  }
+}
+
+/// Its code is of the old variables; one whose START is on its way would begin with them.
+void BackgroundTasks::end_outdated(const lang::TaskCode& task) {
+  const int asked = lang::line_tag(task.place);
+  const std::size_t ended = std::erase_if(
+      running_, [&](const Running& one) { return identity(*one.code, one.task) == asked; });
+  const std::size_t dropped = std::erase_if(kept_, [&](const auto& kept) {
+    const auto* const start = std::get_if<Start>(&kept.second);
+    return start != nullptr && identity(*start->code, start->task) == asked;
+  });
+  if (ended + dropped > 0) outdated_.push_back(task.name);
 }
 
 bool BackgroundTasks::declared_anew(const lang::Chunk& code, std::uint32_t task) const {

@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -38,8 +39,9 @@ class BackgroundTasks {
   /// For the entries of a prompt, of which go_on_with() gives one after another.
   BackgroundTasks(const TaskSide& side, std::uint64_t seed);
   /// TASKs are those of this entry from here on. One that runs goes on, unless the entry declares
-  /// it anew.
+  /// it anew, or what it uses: then take_outdated() names it.
   void go_on_with(Code entry);
+  std::vector<std::string> take_outdated() { return std::exchange(outdated_, {}); }
 
   /// START of a TASK, by its number in the code of the program or the entry.
   struct Start {
@@ -98,6 +100,7 @@ class BackgroundTasks {
   }
   int identity(std::uint32_t task) const { return identity(*code_, task); }
   bool declared_anew(const lang::Chunk& code, std::uint32_t task) const;
+  void end_outdated(const lang::TaskCode& task);
   std::size_t free_stack() const;
   void carry_out(const Start& start);
   template <typename Value>
@@ -116,7 +119,8 @@ class BackgroundTasks {
   std::map<std::uint32_t, Due> kept_;
   std::size_t bytes_of_lists_ = 0;
   std::uint32_t next_ = 0;
-  std::set<int> started_;  ///< identities
+  std::set<int> started_;              ///< identities
+  std::vector<std::string> outdated_;  ///< names of those that have ended for that
   std::optional<lang::RuntimeError> error_;
 };
 

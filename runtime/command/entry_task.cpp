@@ -3,6 +3,8 @@
 #include <span>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace rob::runtime {
 
 using lang::Reply;
@@ -89,6 +91,7 @@ void EntryTask::begin(const Statements& statements) {
   present_ = statements.chunk;
   stand(statements.obstacles);
   tasks_.go_on_with(statements.chunk);
+  tell_outdated();
   machine_.parts().safe.declare_further(statements.chunk->safe_values);
   vm_.go_on_with(*statements.chunk);
 }
@@ -97,6 +100,18 @@ void EntryTask::begin(const Statements& statements) {
 void EntryTask::stand(const std::vector<motion::Obstacle>& obstacles) {
   machine_.parts().touching.add(obstacles);
   if (RobotMachine* const handlers = machine_.handlers()) handlers->parts().touching.add(obstacles);
+}
+
+void EntryTask::tell_outdated() {
+  for (const std::string& task : tasks_.take_outdated()) {
+    Failure failure;
+    failure.beside = failure.told = true;
+    failure.error.message = fmt::format(
+        "TASK {} has ended: what it uses has been declared anew; START {} begins it again", task,
+        task);
+    const std::lock_guard lock(mutex_);
+    failures_.push_back(std::move(failure));
+  }
 }
 
 /// Their handlers are not the program's.

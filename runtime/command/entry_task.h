@@ -55,6 +55,7 @@ class EntryTask {
     std::size_t dropped = 0;
     lang::RuntimeError error;
     bool beside = false;  ///< of a TASK: the entries go on
+    bool told = false;    ///< nothing has gone wrong: the message is all
   };
 
   EntryTask(RobotMachine& machine, std::uint64_t seed);
@@ -91,6 +92,7 @@ class EntryTask {
   State run_vm(std::int64_t budget);
   State end_failed();
   State end();
+  void tell_outdated();
   void run_own_tasks();
   void take_interruption();
   void begin_handler();

@@ -165,6 +165,10 @@ void Session::let_pass() {
 void Session::take_failures() {
   while (const auto failure = robot_->take_failure()) {
     const lang::RuntimeError& error = failure->error;
+    if (failure->told) {
+      screen_->message(error.message + "\n");
+      continue;
+    }
     if (!failure->beside) {
       answers_.want(false);  // whatever asked has ended
       forget(*failure);
@@ -293,8 +297,21 @@ void Session::home() {
   read_points();
 }
 
+/// An entry that moves nothing, such as a START, takes some cycles: who types a command at once
+/// after it need not know that.
+void Session::await_done() {
+  constexpr int kMostCycles = 20;  // [choice]
+  int cycles = 0;
+  wait_while(
+      [&] { return !robot_->idle() && !robot_->reports().moves() && cycles++ < kMostCycles; });
+}
+
 bool Session::stands(const char* command) {
-  if (options_.waits) finish();
+  if (options_.waits) {
+    finish();
+  } else {
+    await_done();
+  }
   if (robot_->over()) {
     fail("the robot has stopped for good", ":reset takes it up again");
   } else if (robot_->guided()) {

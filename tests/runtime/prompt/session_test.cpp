@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <fstream>
+
 #include "tests/runtime/prompt/virtual_prompt.h"
+#include "tests/support/scratch_folder.h"
 
 using namespace rob::runtime;
 using Prompt = rob::test::VirtualPrompt;
@@ -208,6 +211,71 @@ TEST_CASE("a TASK that is declared anew has ended, and the new one can be starte
   prompt.enter({"TASK count\n  n = 1000\nENDTASK"});
   CHECK(prompt.enter({"n = 7", "WAIT 1s", "PRINT n"}) == "7\n");
   CHECK(prompt.enter({"START count", "WAIT 0.1s", "PRINT n"}) == "1000\n");
+}
+
+TEST_CASE("a TASK ends where what it uses is declared anew, and that is told") {
+  const std::string count = "TASK count\n  LOOP\n    step()\n    WAIT 0.1s\n  ENDLOOP\nENDTASK";
+  const std::vector<std::string> begin = {
+      "VAR n = 0", "CONST by = 1", "PROC step()\n  VAR own = by\n  n += own\nENDPROC",
+      count,       "START count",  "WAIT 0.35s"};
+  const std::string ended =
+      "TASK count has ended: what it uses has been declared anew; START count";
+  for (const std::string anew : {"VAR n = 100", "CONST by = 2", "PROC step()\n  n += 3\nENDPROC"}) {
+    CAPTURE(anew);
+    Prompt prompt;
+    prompt.enter(begin);
+    CHECK(prompt.enter({"PRINT n"}) == "4\n");
+    prompt.enter({"VAR own = 7", "VAR other = 0"});  // names that it does not use
+    CHECK(prompt.screen.messages.find(ended) == std::string::npos);
+    prompt.enter({anew});
+    CHECK(prompt.screen.messages.find(ended) != std::string::npos);
+    CHECK(prompt.session.errors() == 0);
+    const std::string stood = prompt.enter({"PRINT n"});
+    CHECK(prompt.enter({"WAIT 1s", "PRINT n"}) == stood);
+    const std::string changed = prompt.enter({"START count", "WAIT 0.05s", "PRINT n"});
+    const int by = anew == "CONST by = 2" ? 2 : anew == "VAR n = 100" ? 1 : 3;
+    CHECK(std::stoi(changed) == std::stoi(stood) + by);
+  }
+}
+
+TEST_CASE("one TASK may be declared anew as often as one likes, and 16 there can be") {
+  Prompt prompt;
+  for (int i = 0; i < 40; ++i)
+    prompt.enter({"TASK one\n  PRINT " + std::to_string(i) + "\nENDTASK"});
+  CHECK(prompt.enter({"START one", "WAIT 0.1s"}) == "39\n");
+  for (int i = 2; i <= 16; ++i)
+    prompt.enter({"TASK t" + std::to_string(i) + "\n  WAIT 1s\nENDTASK"});
+  prompt.enter({"TASK t16\n  WAIT 2s\nENDTASK"});
+  CHECK(prompt.session.errors() == 0);
+  prompt.enter({"TASK t17\n  WAIT 1s\nENDTASK"});
+  CHECK(prompt.session.errors() == 1);
+}
+
+TEST_CASE("where declaring arrays anew has used up the room, the help names :reset") {
+  Prompt prompt;
+  int declared = 0;
+  for (; prompt.session.errors() == 0 && declared < 100; ++declared)
+    prompt.enter({"VAR a: ARRAY[100000] OF REAL"});
+  CHECK(declared > 1);
+  CHECK(prompt.screen.messages.find("E229") != std::string::npos);
+  CHECK(prompt.screen.messages.find(":reset gives all of it back") != std::string::npos);
+  prompt.session.reset();
+  CHECK(prompt.enter({"VAR a: ARRAY[100000] OF REAL", "PRINT a[100000]"}) == "0\n");
+}
+
+TEST_CASE("a command that needs rest may be typed at once after a START") {
+  const rob::test::ScratchFolder folder;
+  const std::string file = folder.file("a.rob");
+  std::ofstream(file) << "MOVE(1, 1, 1)\n";
+  Prompt prompt;
+  prompt.enter({"TASK tick\n  LOOP\n    WAIT 0.1s\n  ENDLOOP\nENDTASK"});
+  CHECK(rob::runtime::enter(prompt.session, "START tick") == Session::Taken::Done);
+  rob::runtime::enter(prompt.session, ":load " + file);
+  CHECK(prompt.session.errors() == 0);
+  CHECK(rob::runtime::enter(prompt.session, "MOVE(40, 0, 0)") == Session::Taken::Done);
+  for (int i = 0; i < 5; ++i) prompt.session.let_pass();
+  rob::runtime::enter(prompt.session, ":load " + file);  // it moves
+  CHECK(prompt.session.errors() == 1);
 }
 
 TEST_CASE("the error of a TASK is shown, and the entries go on") {
