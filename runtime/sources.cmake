@@ -8,7 +8,9 @@ set(rob_runtime_sources
   runtime/cli/import_files.cpp
   runtime/cli/list_machines.cpp
   runtime/cli/options.cpp
+  runtime/cli/pictures.cpp
   runtime/cli/program_files.cpp
+  runtime/cli/records.cpp
   runtime/cli/run_files.cpp
   runtime/cli/test_files.cpp
   runtime/cli/vars.cpp
@@ -70,6 +72,13 @@ set(rob_runtime_sources
   runtime/files/signal_script.cpp
   runtime/files/state_folder.cpp
   runtime/files/written_values.cpp
+  runtime/pictures/body_lines.cpp
+  runtime/pictures/path_plot.cpp
+  runtime/pictures/path_svg.cpp
+  runtime/pictures/path_view.cpp
+  runtime/pictures/report_page.cpp
+  runtime/pictures/run_curves.cpp
+  runtime/pictures/tool_way.cpp
   runtime/prompt/commands.cpp
   runtime/prompt/completion.cpp
   runtime/prompt/declared_points.cpp
@@ -103,6 +112,10 @@ set(rob_runtime_sources
   runtime/prompt/typed_answers.cpp
   runtime/prompt/wizard_commands.cpp
   runtime/prompt/workshop.cpp
+  runtime/record/mcap_reader.cpp
+  runtime/record/mcap_writer.cpp
+  runtime/record/recorded_run.cpp
+  runtime/record/run_record.cpp
   runtime/run/colours.cpp
   runtime/run/console.cpp
   runtime/run/control_threads.cpp

@@ -88,9 +88,10 @@ const std::vector<LayerRule>& layer_rules() {
     made.insert(made.end(), of_drivers.begin(), of_drivers.end());
     // Inside runtime: each room knows those before it; the tick knows no word of lang.
     std::vector<std::string_view> runtime = {"motion", "drivers"};
-    for (const char* folder : {"runtime/time", "runtime/tick", "runtime/words", "runtime/meshes",
-                               "runtime/files", "runtime/devices", "runtime/command", "runtime/run",
-                               "runtime/import", "runtime/prompt", "runtime/cli"}) {
+    for (const char* folder :
+         {"runtime/time", "runtime/tick", "runtime/words", "runtime/meshes", "runtime/files",
+          "runtime/devices", "runtime/command", "runtime/run", "runtime/pictures",
+          "runtime/record", "runtime/import", "runtime/prompt", "runtime/cli"}) {
       made.push_back({folder, runtime});
       runtime.push_back(folder);
       if (made.back().folder == "runtime/tick") runtime.push_back("lang");

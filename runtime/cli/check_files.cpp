@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/cli/pictures.h"
 #include "runtime/cli/program_files.h"
+#include "runtime/files/files.h"
 #include "runtime/files/path_file.h"
 #include "runtime/run/console.h"
 #include "runtime/run/foretell.h"
@@ -27,7 +29,8 @@ std::optional<PathFile> open_path(const Options& options, const LoadedProgram& p
   return std::optional<PathFile>(std::in_place, options.path, program.robot);
 }
 
-RunResult check_one(LoadedProgram& program, const Options& options, const SignalScript& script) {
+RunResult check_one(LoadedProgram& program, const Options& options, const SignalScript& script,
+                    Pictures& pictures) {
   if (!script.diagnostics.has_errors()) machine_for(program, options);  // its limits count
   const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) return refused(program, robot);
@@ -39,6 +42,7 @@ RunResult check_one(LoadedProgram& program, const Options& options, const Signal
   how.date = options.date.value_or(WallTime{});
   Progress progress(options.longest);
   how.progress = [&](double time) { progress.show(time); };
+  how.row = pictures.listener(robot);
   RunResult result = foretell(program, robot, how);
   progress.clear();
   if (path) path->save();
@@ -58,14 +62,17 @@ ExitCode check_files(const Options& options) {
     put_error("--path: under Paul's law no path is planned ahead; use --law lookahead");
     return ExitCode::Usage;
   }
+  Pictures pictures(options, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
-    RunResult result = check_one(programs[i], options, scripts[i]);
+    RunResult result = check_one(programs[i], options, scripts[i], pictures);
     if (result.exit_code != ExitCode::Done) result.exit_code = ExitCode::ProgramError;
     put_message(problems_text(result, programs[i], scripts[i]));
     worst = worse(worst, result.exit_code);
+    if (!scripts[i].diagnostics.has_errors()) pictures.save(result, programs[i]);
     if (options.json) {
       results.push_back(std::move(result));
-    } else if (programs[i].runnable() && !scripts[i].diagnostics.has_errors()) {
+    } else if (programs[i].runnable() && !scripts[i].diagnostics.has_errors() &&
+               options.svg != kStandardInput) {
       put_check_table(result, Pieces().put());
     }
   }

@@ -8,6 +8,7 @@
 #include "runtime/cli/format_files.h"
 #include "runtime/cli/import_files.h"
 #include "runtime/cli/list_machines.h"
+#include "runtime/cli/records.h"
 #include "runtime/cli/run_files.h"
 #include "runtime/cli/test_files.h"
 #include "runtime/cli/vars.h"
@@ -42,7 +43,7 @@ ExitCode carry_out(const Options& options) {
     case Options::Command::Prompt:
       return run_prompt(prompt_options(options));
     case Options::Command::Run:
-      return run_files(options);
+      return options.replay.empty() ? run_files(options) : replay_record(options);
     case Options::Command::Check:
       return check_files(options);
     case Options::Command::Test:

@@ -16,12 +16,11 @@
 #include "runtime/files/files.h"
 #include "runtime/run/machine.h"
 #include "runtime/words/arguments.h"
+#include "runtime/words/version.h"
 
 namespace rob::runtime {
 
 namespace {
-
-constexpr const char* kVersion = "rob 0.1.0";
 
 std::string check_override(const std::string& text) {
   if (override_of(text)) return "";
@@ -129,6 +128,12 @@ struct Parser {
     command.add_option("--override", override_text, "share of the programmed speed, such as 50%")
         ->check(check_override);
   }
+  void add_report(CLI::App& command) {
+    command
+        .add_option("--report", options.report,
+                    "write a page that shows it: way, curves, lines; of one program")
+        ->check(check_name);
+  }
   void add_json(CLI::App& command) {
     command.add_flag("--json", options.json, "print one JSON document, and nothing else");
   }
@@ -175,6 +180,15 @@ void Parser::add_run() {
   add_signals(run);
   add_data(run);
   add_motion(run);
+  add_report(run);
+  run.get_option("FILE")->required(false);  // --replay has its own
+  run.add_option("--mcap", options.mcap,
+                 "record joints, signals, prints and the program in this file; of one program")
+      ->check(check_name);
+  run.add_option("--replay", options.replay,
+                 "repeat the run of this record in virtual time, and compare (the statement REPLAY"
+                 " is another thing: rob help REPLAY)")
+      ->check(check_name);
 }
 
 void Parser::add_check() {
@@ -189,6 +203,12 @@ void Parser::add_check() {
   add_signals(check);
   add_data(check);
   add_backend(check);
+  add_report(check);
+  check
+      .add_option("--svg", options.svg,
+                  "draw the way with its lines and corners to this file, or to - as the output")
+      ->check(check_name);
+  check.add_flag("--plot", options.plot, "draw the way on the terminal");
   check
       .add_option("--path", options.path,
                   "write the path that the look-ahead law plans to this file")
@@ -400,6 +420,12 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
   if (!parser.law.empty())
     parser.options.law = parser.law == "paul" ? motion::Law::Paul : motion::Law::LookAhead;
   if (parser.options.command == Options::Command::Help) return help_on(parser);
+  if (parser.options.command == Options::Command::Run) {
+    const bool files = !parser.options.files.empty();
+    if (!files && parser.options.replay.empty()) return usage_error("FILE is required");
+    if (files && !parser.options.replay.empty())
+      return usage_error("--replay takes the program out of the record; leave FILE out");
+  }
   const bool simulated = backend_of(parser.options.backend)->simulated();
   if (parser.options.fast && !simulated)
     return usage_error("--fast is for the simulation; a machine moves in real time");
@@ -413,6 +439,14 @@ std::variant<Options, CommandLineEnd> parse_command_line(int argc, const char* c
   if (!parser.options.path.empty() && parser.options.files.size() > 1) {
     return usage_error("--path is of one program; check the others without it");
   }
+  if (!parser.options.report.empty() && parser.options.files.size() > 1)
+    return usage_error("--report is of one program; the others need reports of their own");
+  if (!parser.options.mcap.empty() && parser.options.files.size() > 1)
+    return usage_error("--mcap records one program; run the others without it");
+  if (!parser.options.svg.empty() && parser.options.files.size() > 1)
+    return usage_error("--svg is of one program; draw the others one by one");
+  if (parser.options.json && (parser.options.svg == kStandardInput || parser.options.plot))
+    return usage_error("--json prints one document alone; write the picture with --svg FILE");
   return parser.options;
 }
 

@@ -37,6 +37,11 @@ struct Options {
   std::optional<motion::Law> law;  ///< without it the program's or the robot's own
   std::string trace;
   std::string path;             ///< of Check: what the planned path is written to
+  std::string report;           ///< of Run and Check: the page that tells of the program
+  std::string mcap;             ///< of Run: the record
+  std::string replay;           ///< of Run: the record that is repeated and compared
+  std::string svg;              ///< of Check: the picture of its way; "-": standard output
+  bool plot = false;            ///< of Check: the same on the terminal
   std::string signals;          ///< a signal script
   std::string data;             ///< the folder of the programs' files; empty: their own
   std::string reset;            ///< of Vars: the variable that loses its value

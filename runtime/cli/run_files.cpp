@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/cli/pictures.h"
 #include "runtime/cli/program_files.h"
+#include "runtime/cli/records.h"
 #include "runtime/files/atomic_file.h"
 #include "runtime/files/files.h"
 #include "runtime/files/points_file.h"
@@ -40,6 +42,21 @@ RunListener listener_of(const Options& options, Progress& progress) {
   };
   listener.progress = [&](const Position& position) { progress.show(position); };
   return listener;
+}
+
+/// Pictures and record (null: none) see the run as it goes on.
+void show_to(Pictures& pictures, const motion::RobotModel& robot, RunRecord* record,
+             RunListener& listener) {
+  listener.row = pictures.listener(robot);
+  if (record == nullptr) return;
+  listener.row = [record, draw = std::move(listener.row)](const Snapshot& snapshot) {
+    if (draw) draw(snapshot);
+    record->row(snapshot);
+  };
+  listener.signal = [record](const SignalChange& change) { record->signal(change); };
+  listener.said = [record](const std::string& text, double time, int line) {
+    record->print(time, line, text);
+  };
 }
 
 /// Motion in real time leaves a mark as long as it lasts.
@@ -77,12 +94,22 @@ ForetellOptions foretell_options(const Options& options, const SignalScript& scr
   return how;
 }
 
-RunResult run_one(LoadedProgram& program, const Options& options, const SignalScript& script) {
+void close_record(RunRecord& record, const Options& options, RunResult& result) {
+  const bool whole = record.finish(result);
+  if (whole && result.lost_rows == 0) return;
+  if (result.exit_code == ExitCode::Done) result.exit_code = ExitCode::InputOutput;
+  put_error(fmt::format("the record '{}' is incomplete; {}", options.mcap,
+                        whole ? "the computer was too busy to write it" : "is the disk full?"));
+}
+
+RunResult run_one(LoadedProgram& program, const Options& options, const SignalScript& script,
+                  Pictures& pictures) {
   const motion::RobotModel& robot = program.robot;
   if (!program.runnable()) return refused(program, robot);
   if (script.diagnostics.has_errors()) return refused(script, robot);
   find_out_whether_points_can_be_kept(program);
   ProgramStores stores(program, options.data, !options.fast);
+  std::optional<RunRecord> record = open_record(options, program);
   OpenMachine machine = machine_for(program, options);
   if (!program.runnable()) return refused(program, robot);
   put_source_away(program);
@@ -99,35 +126,58 @@ RunResult run_one(LoadedProgram& program, const Options& options, const SignalSc
       options.fast, options.override_share, options.trace, options.seed,
       &script,      options.data,           &terminal,     foretold ? &*foretold : nullptr,
       options.date};
-  const RunListener listener = listener_of(options, progress);
+  RunListener listener = listener_of(options, progress);
+  show_to(pictures, robot, record ? &*record : nullptr, listener);
   StopRequests before_motion;
   const Interruption interruption(before_motion);  // from here on the mark must be taken back
   std::optional<RunMark> running;
   if (!options.fast) mark(running, program, listener);
   RunResult result = run(program, std::move(machine), stores, run_options, listener);
   progress.clear();
+  if (record) close_record(*record, options, result);
   return result;
 }
 
-}  // namespace
-
-ExitCode run_files(const Options& options) {
-  ExitCode worst = ExitCode::Done;
-  std::vector<RunResult> results;
-  if (!options.fast) tell_unclean_ends();
+/// The programs of a command line, checked as far as that goes before anything moves.
+std::vector<LoadedProgram> runnable_programs(const Options& options) {
   std::vector<LoadedProgram> programs = load_programs(options);
   for (LoadedProgram& program : programs) {
     refuse_missing_points(program);
     refuse_what_an_arm_cannot(program);
   }
-  const std::vector<SignalScript> scripts = load_scripts(options, programs);
   refuse_overwriting_inputs("--trace", options.trace, options, programs);
+  refuse_overwriting_inputs("--mcap", options.mcap, options, programs);
+  return programs;
+}
+
+}  // namespace
+
+ExitCode run_silently(const Options& options) {
+  std::vector<LoadedProgram> programs = runnable_programs(options);
+  const std::vector<SignalScript> scripts = load_scripts(options, programs);
+  Pictures pictures(options, programs);
+  const RunResult result = run_one(programs.front(), options, scripts.front(), pictures);
+  put_message(problems_text(result, programs.front(), scripts.front()));
+  return result.exit_code;
+}
+
+ExitCode run_files(const Options& asked) {
+  Options options = asked;
+  // A record has to say when NOW() began.
+  if (!options.mcap.empty() && !options.fast && !options.date) options.date = wall_time_now();
+  ExitCode worst = ExitCode::Done;
+  std::vector<RunResult> results;
+  if (!options.fast) tell_unclean_ends();
+  std::vector<LoadedProgram> programs = runnable_programs(options);
+  const std::vector<SignalScript> scripts = load_scripts(options, programs);
+  Pictures pictures(options, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
     LoadedProgram& program = programs[i];
-    RunResult result = run_one(program, options, scripts[i]);
+    RunResult result = run_one(program, options, scripts[i], pictures);
     const ExitCode exit_code = result.exit_code;
     const bool starts = program.runnable() && !scripts[i].diagnostics.has_errors();
     put_message(problems_text(result, program, scripts[i]));
+    if (starts) pictures.save(result, program);
     if (options.json) {
       results.push_back(std::move(result));
     } else if (starts) {

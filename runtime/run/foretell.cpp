@@ -130,6 +130,7 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
            [&](const Snapshot& snapshot) {
              if (cell != nullptr) contacts.hold(cell->scene().below_tip());
              contacts.take(snapshot);
+             if (options.row) options.row(snapshot);
            },
        .write = [&](const Note& note, double time) { hand_over(note, time, files, devices); },
        .begin = [&](const LoggedSegment& motion, double time) { contacts.begin(motion, time); },

@@ -9,6 +9,7 @@
 #include "runtime/files/signal_script.h"
 #include "runtime/run/load.h"
 #include "runtime/run/run_result.h"
+#include "runtime/tick/channels.h"
 #include "runtime/time/wall_time.h"
 
 namespace rob::runtime {
@@ -25,8 +26,9 @@ struct ForetellOptions {
   double longest = 3600;
   /// Motions that are foretold to end early will do so in the run: its inputs are simulated.
   bool ends_known = true;
-  WallTime date{};                              ///< when it begins
-  std::function<void(double time)> progress{};  ///< in every cycle: how far it is, s
+  WallTime date{};                                      ///< when it begins
+  std::function<void(double time)> progress{};          ///< in every cycle: how far it is, s
+  std::function<void(const Snapshot& snapshot)> row{};  ///< a reference period, for pictures
 };
 
 /// Runs a program in virtual time to learn what it will do: per line start, duration, decision

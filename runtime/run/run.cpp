@@ -132,11 +132,16 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   RunRecorder recorder(
       robot, options.override_share, controller.channels(), controller.log(),
       names_in(program, robot),
-      {listener.print,
-       [&](const Snapshot& snapshot) {
-         if (trace) trace->write(snapshot);
-       },
-       listener.consult, [&](const Note& note, double time) { stores.take(note, time); }});
+      {.print = listener.print,
+       .snapshot =
+           [&](const Snapshot& snapshot) {
+             if (trace) trace->write(snapshot);
+             if (listener.row) listener.row(snapshot);
+           },
+       .consult = listener.consult,
+       .write = [&](const Note& note, double time) { stores.take(note, time); },
+       .signal = listener.signal,
+       .said = listener.said});
 
   if (robot.law == motion::Law::LookAhead) recorder.expect(std::move(foretold.lines));
   Channels& channels = controller.channels();

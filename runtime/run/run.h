@@ -15,6 +15,7 @@
 #include "runtime/run/machine.h"
 #include "runtime/run/program_stores.h"
 #include "runtime/run/run_result.h"
+#include "runtime/tick/channels.h"
 #include "runtime/tick/operator_panel.h"
 #include "runtime/time/wall_time.h"
 
@@ -58,6 +59,9 @@ struct RunListener {
   std::function<void(const Position& position)> progress;
   std::function<void(const std::string& message)> warn;       ///< a line for the user about the run
   std::function<void(const Note& note, int line)> consult{};  ///< see RunRecorder::Listener
+  std::function<void(const Snapshot& snapshot)> row{};        ///< a reference period, for pictures
+  std::function<void(const SignalChange& change)> signal{};   ///< see RunRecorder::Listener
+  std::function<void(const std::string& text, double time, int line)> said{};  ///< the same
   std::function<bool()> abandoned{};  ///< nobody waits for the results: the run stops on its path
 };
 

@@ -45,11 +45,16 @@ void RunJournal::take_output(const MotionEvent& event) {
                                                           : names_.output(effect.channel)));
 }
 
+void RunJournal::add_signal(SignalChange change) {
+  if (signal_listener_) signal_listener_(change);
+  signals_.push_back(std::move(change));
+}
+
 void RunJournal::add_digital(const MotionEvent& event, bool value) {
-  signals_.push_back({.time = event.time,
-                      .name = names_.output(event.effect.channel),
-                      .value = value,
-                      .line = static_cast<int>(event.tag)});
+  add_signal({.time = event.time,
+              .name = names_.output(event.effect.channel),
+              .value = value,
+              .line = static_cast<int>(event.tag)});
 }
 
 void RunJournal::add_analog(const MotionEvent& event) {
@@ -59,11 +64,11 @@ void RunJournal::add_analog(const MotionEvent& event) {
   const double volts = motion::within_analog_range(event.effect.volts);
   const std::string name = names_.analog_output(channel);
   const SignalNames::Quantity carried = names_.quantity(channel, volts);
-  signals_.push_back({.time = event.time,
-                      .name = name,
-                      .number = carried.number,
-                      .unit = carried.unit,
-                      .line = line});
+  add_signal({.time = event.time,
+              .name = name,
+              .number = carried.number,
+              .unit = carried.unit,
+              .line = line});
   if (std::abs(event.effect.volts - volts) <= kSame) return;
   warn(event.time, line,
        {code::kAnalogCut,

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "motion/generate/motion_event.h"
 #include "motion/robots/robot_model.h"
@@ -19,6 +21,10 @@ class RunJournal {
  public:
   RunJournal(const motion::RobotModel& robot, ProgramLog& log, SignalNames names);
 
+  /// Calls it for each change of an output; empty: nobody.
+  void tell_signals(std::function<void(const SignalChange&)> listener) {
+    signal_listener_ = std::move(listener);
+  }
   /// Where the references are when what follows happens.
   void stand_at(const motion::JointVector& q) { joints_ = q; }
 
@@ -45,6 +51,7 @@ class RunJournal {
   void put_into(RunResult& result);
 
  private:
+  void add_signal(SignalChange change);
   void add_digital(const motion::MotionEvent& event, bool value);
   void add_analog(const motion::MotionEvent& event);
 
@@ -54,6 +61,7 @@ class RunJournal {
   motion::JointVector joints_;
   KeptEnds<std::string> output_;
   KeptEnds<SignalChange> signals_;
+  std::function<void(const SignalChange&)> signal_listener_;
   KeptEnds<RunEvent> events_;
   std::optional<Problem> error_;
   bool interrupted_ = false;

@@ -30,6 +30,7 @@ RunRecorder::RunRecorder(const motion::RobotModel& robot, double override_share,
       slow_(robot),
       peaks_(robot),
       reached_(robot.start) {
+  journal_.tell_signals(listener_.signal);
   result_.robot = robot.name;
   result_.law = motion::law_name(robot.law);
 }
@@ -316,6 +317,7 @@ void RunRecorder::take_note(const MotionEvent& event, Note note) {
   switch (note.kind) {
     case Note::Kind::Print:
       if (listener_.print) listener_.print(note.text);
+      if (listener_.said) listener_.said(note.text, event.time, line);
       journal_.print(std::move(note.text));
       return;
     case Note::Kind::Write:

@@ -39,6 +39,9 @@ class RunRecorder {
     std::function<void(const LoggedSegment& motion, double time)> begin{};
     /// It is over; early: it has not come to its end.
     std::function<void(const LoggedSegment& motion, bool early)> end{};
+    /// An output has changed; a PRINT of a line has come.
+    std::function<void(const SignalChange& change)> signal{};
+    std::function<void(const std::string& text, double time, int line)> said{};
   };
 
   RunRecorder(const motion::RobotModel& robot, double override_share, Channels& channels,

@@ -51,7 +51,11 @@ struct Output {
   const char* command;
   const char* option;
 };
-constexpr Output kOutputs[] = {{"run", "--trace"}, {"check", "--path"}};
+constexpr Output kOutputs[] = {{"run", "--trace"},
+                               {"run", "--report"},
+                               {"check", "--path"},
+                               {"check", "--report"},
+                               {"check", "--svg"}};
 
 }  // namespace
 
