@@ -43,6 +43,7 @@ RunResult check_one(LoadedProgram& program, const Options& options, const Signal
   Progress progress(options.longest);
   how.progress = [&](double time) { progress.show(time); };
   how.row = pictures.listener(robot);
+  how.target = pictures.target_listener();
   RunResult result = foretell(program, robot, how);
   progress.clear();
   if (path) path->save();

@@ -58,6 +58,11 @@ std::function<void(const Snapshot&)> Pictures::listener(const motion::RobotModel
   };
 }
 
+std::function<void(const motion::JointVector&, int)> Pictures::target_listener() {
+  if (!way_) return {};
+  return [this](const motion::JointVector& target, int line) { way_->aim(target, line); };
+}
+
 void Pictures::save_report(const RunResult& result, const LoadedProgram& program) const {
   std::set<std::uint32_t> lines;
   for (const LineResult& line : result.lines) lines.insert(lang::tagged_place(line.line).line);

@@ -21,6 +21,8 @@ class Pictures {
 
   /// What the run or its foretelling calls for each reference period; empty if nothing is drawn.
   std::function<void(const Snapshot&)> listener(const motion::RobotModel& robot);
+  /// The same for the targets of motions; after listener().
+  std::function<void(const motion::JointVector&, int)> target_listener();
   /// The program has run, or was foretold: saves and prints the pictures. Throws FileError.
   void save(const RunResult& result, const LoadedProgram& program) const;
 

@@ -138,26 +138,25 @@ std::string paths(const RunResult& result, const Sheet& sheet,
   return text + "</g>\n";
 }
 
-/// Where a line ends in a corner, a circle as large as the corner is missed by.
-std::string zones(const RunResult& result, const Sheet& sheet,
-                  const std::vector<Stretch>& stretches) {
+/// Around a target that a corner misses, a circle as large as it is missed by.
+std::string zones(const RunResult& result, const Sheet& sheet, const ToolWay& way) {
   std::map<int, double> misses;
   for (const LineResult& line : result.lines)
     if (line.miss_planned.value_or(0) > 0) misses[line.line] = *line.miss_planned;
   std::string text =
       "<g class=\"zones\" fill=\"#f59e0b\" fill-opacity=\"0.25\" "
       "stroke=\"#b45309\" stroke-width=\"0.7\">\n";
-  std::set<std::pair<int, std::string>> drawn;
-  for (const Stretch& stretch : stretches) {
-    const auto miss = misses.find(stretch.line);
+  std::set<std::string> drawn;
+  for (const ToolWay::Target& target : way.targets()) {
+    const auto miss = misses.find(target.line);
     if (miss == misses.end()) continue;
-    const auto [across, up] = sheet.view.seen(stretch.points.back());
+    const auto [across, up] = sheet.view.seen(target.place);
     std::string circle = fmt::format(
         "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"><title>line {}: the corner is missed by "
         "{} mm</title></circle>\n",
         sheet.x(across), sheet.y(up), std::max(1.5, miss->second * sheet.scale),
-        escaped(line_text(result, stretch.line)), shown(miss->second, 2));
-    if (drawn.emplace(stretch.line, circle).second) text += circle;
+        escaped(line_text(result, target.line)), shown(miss->second, 2));
+    if (drawn.insert(circle).second) text += circle;
   }
   return text + "</g>\n";
 }
@@ -232,8 +231,9 @@ std::string path_svg(const RunResult& result, const motion::RobotModel& robot, c
   std::string content;
   double bottom = kHeading;
   for (const PathView& view : views_of(robot, stretches)) {
-    const Sheet sheet{view, bottom + 24, scale_for(view)};
-    content += grid(sheet) + paths(result, sheet, stretches) + zones(result, sheet, stretches) +
+    const double scale = scale_for(view);
+    const Sheet sheet{view, bottom + 24, scale, (kWidth - view.width() * scale) / 2};
+    content += grid(sheet) + paths(result, sheet, stretches) + zones(result, sheet, way) +
                labels(result, sheet, stretches);
     bottom = sheet.top + sheet.height() + 40;
   }

@@ -183,7 +183,7 @@ const shown = (value) => Number(value.toPrecision(4)).toString();
 function drawCurve(curve) {
   const { ctx, width, height } = pen(curve.canvas);
   const [low, high] = curve.extent;
-  const left = 8, right = width - 8, top = 20, bottom = height - 8;
+  const left = 8, right = width - 8, top = 36, bottom = height - 8;
   const x = (time) => left + (duration ? time / duration : 0) * (right - left);
   const y = (value) => bottom - ((value - low) / (high - low)) * (bottom - top);
   ctx.font = "12px system-ui, sans-serif";
@@ -219,12 +219,12 @@ function drawCurve(curve) {
   ctx.moveTo(now, top);
   ctx.lineTo(now, bottom);
   ctx.stroke();
-  let at = right;
-  for (const line of [...curve.lines].reverse()) {
+  let at = left;
+  for (const line of curve.lines) {
     const text = `${line.name} ${shown(line.values[state.row])}`;
-    at -= ctx.measureText(text).width + 10;
     ctx.fillStyle = line.colour;
-    ctx.fillText(text, at, 14);
+    ctx.fillText(text, at, 30);
+    at += ctx.measureText(text).width + 12;
   }
 }
 

@@ -25,8 +25,19 @@ class ToolWay {
 
   explicit ToolWay(const motion::RobotModel& robot) : robot_(robot) {}
 
+  /// The place that a motion was programmed to go to.
+  struct Target {
+    int line = 0;
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  };
+
   /// The next reference of the run.
   void take(const Snapshot& snapshot);
+  /// A motion has begun that was programmed to go to these axis values.
+  void aim(const motion::JointVector& target, int line) {
+    targets_.push_back({line, place_at(target)});
+  }
+  const std::vector<Target>& targets() const { return targets_; }
   /// All of it so far, in the order of time. A motion that is shorter than a period may have none.
   const std::vector<Stretch>& stretches() const { return stretches_; }
   /// Where the flange was at a time, s; at the start before the run.
@@ -48,6 +59,7 @@ class ToolWay {
   std::optional<motion::JointReference> last_;
   Place place_ = Place::Zero();  ///< of last_
   std::vector<Stretch> stretches_;
+  std::vector<Target> targets_;
   std::vector<Place> between_;  ///< the last corner of the polyline, and what came after it
 };
 

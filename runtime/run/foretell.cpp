@@ -133,7 +133,12 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
              if (options.row) options.row(snapshot);
            },
        .write = [&](const Note& note, double time) { hand_over(note, time, files, devices); },
-       .begin = [&](const LoggedSegment& motion, double time) { contacts.begin(motion, time); },
+       .write = [&](const Note& note, double time) { hand_over(note, time, files, devices); },
+       .begin =
+           [&](const LoggedSegment& motion, double time) {
+             contacts.begin(motion, time);
+             if (options.target) options.target(motion.target, static_cast<int>(motion.tag));
+           },
        .end = [&](const LoggedSegment& motion, bool early) { contacts.end(motion, early); }});
 
   RunLimits limits = limits_of(options.longest);

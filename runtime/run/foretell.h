@@ -29,6 +29,8 @@ struct ForetellOptions {
   WallTime date{};                                      ///< when it begins
   std::function<void(double time)> progress{};          ///< in every cycle: how far it is, s
   std::function<void(const Snapshot& snapshot)> row{};  ///< a reference period, for pictures
+  /// A motion begins that was programmed to go there.
+  std::function<void(const motion::JointVector& target, int line)> target{};
 };
 
 /// Runs a program in virtual time to learn what it will do: per line start, duration, decision

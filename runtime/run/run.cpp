@@ -129,19 +129,18 @@ RunResult run_on(const LoadedProgram& program, motion::RobotModel robot, OpenMac
   controller.connect(&stores.devices());
   ProgramTask task(*program.compilation.chunk, controller.machine(), options.seed);
   if (stores.saved() != nullptr) task.start_from(*stores.saved());
-  RunRecorder recorder(
-      robot, options.override_share, controller.channels(), controller.log(),
-      names_in(program, robot),
-      {.print = listener.print,
-       .snapshot =
-           [&](const Snapshot& snapshot) {
-             if (trace) trace->write(snapshot);
-             if (listener.row) listener.row(snapshot);
-           },
-       .consult = listener.consult,
-       .write = [&](const Note& note, double time) { stores.take(note, time); },
-       .signal = listener.signal,
-       .said = listener.said});
+  RunRecorder recorder(robot, options.override_share, controller.channels(), controller.log(),
+                       names_in(program, robot),
+                       {.print = listener.print,
+                        .snapshot =
+                            [&](const Snapshot& snapshot) {
+                              if (trace) trace->write(snapshot);
+                              if (listener.row) listener.row(snapshot);
+                            },
+                        .consult = listener.consult,
+                        .write = [&](const Note& note, double time) { stores.take(note, time); },
+                        .signal = listener.signal,
+                        .said = listener.said});
 
   if (robot.law == motion::Law::LookAhead) recorder.expect(std::move(foretold.lines));
   Channels& channels = controller.channels();

@@ -23,9 +23,9 @@ namespace rob::runtime {
 
 /// The result of foretell() for a run that comes later.
 struct Foretold {
-  double planned = 0;     ///< s
-  std::size_t count = 0;  ///< of its lines
-  LineTotals lines{};     ///< as LineTotals::expect() leaves them
+  double planned = 0;                            ///< s
+  std::size_t count = 0;                         ///< of its lines
+  LineTotals lines{};                            ///< as LineTotals::expect() leaves them
   std::shared_ptr<const ClearedWays> cleared{};  ///< as in RunResult
 };
 Foretold foretold_by(RunResult result);

@@ -46,6 +46,9 @@ struct Drawn {
       const auto pose = program.robot.kinematics->forward(snapshot.sample.reference.q);
       places.emplace_back(pose.position * 1000);
     };
+    options.target = [this](const rob::motion::JointVector& target, int line) {
+      way.aim(target, line);
+    };
     result = rob::runtime::foretell(program, program.robot, options);
   }
   std::string svg() const { return path_svg(result, program.robot, way); }
@@ -131,6 +134,27 @@ TEST_CASE("every reference lies within 0.01 mm of the picture, on the triangle a
     worst = std::max(
         {worst, distance(place.x(), place.y(), above), distance(place.x(), place.z(), side)});
   CHECK(worst <= 0.01);
+}
+
+TEST_CASE("circles stand around the corners, as large as these are missed") {
+  const std::string svg = Drawn(kTriangle).svg();
+  static const std::regex scale(
+      "<g id=\"plan\" transform=\"matrix\\(([0-9.]+) 0 0 -[0-9.]+ ([0-9.]+) ");
+  static const std::regex circle("<circle cx=\"([0-9.]+)\" cy=\"[0-9.]+\" r=\"([0-9.]+)\"");
+  std::smatch matrix;
+  REQUIRE(std::regex_search(svg, matrix, scale));
+  const double per_mm = std::stod(matrix[1]);
+  std::vector<std::pair<double, double>> found;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), circle), end; at != end; ++at)
+    found.emplace_back((std::stod((*at)[1]) - std::stod(matrix[2])) / per_mm,
+                       std::stod((*at)[2]) / per_mm);
+  // x of the published targets; by how much S1's law misses them (README).
+  REQUIRE(found.size() == 3);
+  const double expected[3][2] = {{40, 4.0}, {140, 9.6}, {90, 10.3}};
+  for (int i = 0; i < 3; ++i) {
+    CHECK(std::abs(found[static_cast<std::size_t>(i)].first - expected[i][0]) < 0.05);
+    CHECK(std::abs(found[static_cast<std::size_t>(i)].second - expected[i][1]) < 0.06);
+  }
 }
 
 TEST_CASE("a loop draws its way once, and a motion within a period has a place all the same") {

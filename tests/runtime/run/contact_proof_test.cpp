@@ -127,7 +127,7 @@ TEST_CASE("where a run leaves what was foretold its motions are proved") {
   const auto aside = rob::runtime::compile_program("t.rob", begins + "MOVE(100,150,0)", robot);
   const RunResult through =
       run_after(robot, begins + "MOVE(200,100,0)",
-               rob::runtime::foretold_by(rob::runtime::foretell(aside, robot)));
+                rob::runtime::foretold_by(rob::runtime::foretell(aside, robot)));
   REQUIRE(through.error.has_value());
   CHECK(through.error->code == "E580");
   CHECK(through.final_joints.at(0) == doctest::Approx(100));
