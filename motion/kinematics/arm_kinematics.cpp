@@ -5,8 +5,12 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
+
+#include "motion/kinematics/chain_descent.h"
 
 namespace rob::motion {
 
@@ -59,6 +63,30 @@ void check(const ArmParameters& p) {
     throw std::invalid_argument("ArmKinematics: a sign is neither 1 nor -1");
 }
 
+/// The frame of an axis that lies as `lying` turns z, and counts as the robot does.
+Eigen::Quaterniond counted(const Eigen::Quaterniond& lying, double sign, double offset) {
+  const Eigen::Quaterniond over(0, 1, 0, 0);  // half a turn about x
+  return sign > 0 ? lying * about_z(offset) : lying * about_z(offset) * over;
+}
+
+/// The arm as a chain, one axis after the other.
+JointChain chain_of(const ArmParameters& p, const ArmLimits& limits) {
+  const Eigen::Quaterniond up = Eigen::Quaterniond::Identity();
+  const Eigen::Quaterniond across(
+      Eigen::AngleAxisd(-kPi / 2, Eigen::Vector3d::UnitX()));  // along y
+  const std::array<Pose, ArmParameters::kAxes> steps{
+      Pose{{0, 0, 0}, up},   {{p.a1, p.b, p.c1}, across}, {{0, 0, p.c2}, across},
+      {{p.a2, 0, p.c3}, up}, {{0, 0, 0}, across},         {{0, 0, 0}, up}};
+  std::vector<ChainJoint> joints;
+  Eigen::Quaterniond back = up;  // from the frame of the axis before to the picture's
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Eigen::Quaterniond own = counted(steps[i].orientation, p.sign[i], p.offset[i]);
+    joints.push_back({{back * steps[i].position, back * own}, false, limits.min[i], limits.max[i]});
+    back = counted(steps[i].orientation, p.sign[i], 0).conjugate();
+  }
+  return JointChain(std::move(joints), {back * Eigen::Vector3d(0, 0, p.c4), back});
+}
+
 /// The wrist's three angles for the hand's rotation seen from the forearm,
 /// Rz(θ4)·Ry(θ5)·Rz(θ6); θ4 comes in as what it keeps in the singular place.
 void turn_hand(const Eigen::Matrix3d& r, Eigen::Matrix<double, 6, 1>& theta) {
@@ -80,7 +108,8 @@ struct ArmKinematics::Wrist {
   double ahead = 0;   // of axis 1 in the arm's plane, which is b beside the axis
 };
 
-ArmKinematics::ArmKinematics(const ArmParameters& parameters) : p_(parameters) {
+ArmKinematics::ArmKinematics(const ArmParameters& parameters, const ArmLimits& limits)
+    : p_(parameters), chain_(chain_of(parameters, limits)) {
   check(p_);
   k_ = std::hypot(p_.a2, p_.c3);
   psi_ = std::atan2(p_.a2, p_.c3);
@@ -240,6 +269,14 @@ double ArmKinematics::square_of_way(const Angles& theta, const JointVector& near
     sum += apart * apart;
   }
   return sum;
+}
+
+std::optional<JointVector> ArmKinematics::closest(const Pose& pose,
+                                                  const JointVector& near) const noexcept {
+  constexpr int kSteps = 40;
+  JointVector q = near;
+  ChainDescent(chain_).within_limits().approach(pose, kSteps, q);
+  return q;
 }
 
 Shortfall ArmKinematics::shortfall(const Pose& pose) const noexcept {

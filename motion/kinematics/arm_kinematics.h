@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include <Eigen/Core>
 
+#include "motion/kinematics/joint_chain.h"
 #include "motion/kinematics/kinematics.h"
 
 namespace rob::motion {
@@ -35,6 +37,17 @@ struct ArmParameters {
   std::array<double, kAxes> offset{};                ///< rad
 };
 
+/// rad: of the axes, as the robot counts them.
+struct ArmLimits {
+  std::array<double, ArmParameters::kAxes> min = all(-std::numeric_limits<double>::infinity());
+  std::array<double, ArmParameters::kAxes> max = all(std::numeric_limits<double>::infinity());
+
+ private:
+  static constexpr std::array<double, ArmParameters::kAxes> all(double value) {
+    return {value, value, value, value, value, value};
+  }
+};
+
 /// Which of the eight solutions a posture is. Where it is singular either is right.
 struct ArmBranch {
   bool behind = false;          ///< the wrist is behind axis 1: the arm leans back over itself
@@ -60,8 +73,8 @@ struct SingularityDistances {
 /// arm stretched or folded.
 class ArmKinematics final : public Kinematics {
  public:
-  /// Throws std::invalid_argument for measures that are no arm's.
-  explicit ArmKinematics(const ArmParameters& parameters);
+  /// Throws std::invalid_argument for measures that are no arm's. Only closest() asks for limits.
+  explicit ArmKinematics(const ArmParameters& parameters, const ArmLimits& limits = {});
 
   int axes() const noexcept override { return ArmParameters::kAxes; }
   Pose forward(const JointVector& q) const noexcept override;
@@ -69,6 +82,8 @@ class ArmKinematics final : public Kinematics {
   /// In singular places some are the same posture.
   InverseSolutions solutions(const Pose& pose, const JointVector& near) const noexcept override;
   std::optional<JointVector> inverse(const Pose& pose,
+                                     const JointVector& near) const noexcept override;
+  std::optional<JointVector> closest(const Pose& pose,
                                      const JointVector& near) const noexcept override;
   Shortfall shortfall(const Pose& pose) const noexcept override;
   double lever(int axis, const Eigen::Vector3d& tip) const noexcept override;
@@ -107,8 +122,9 @@ class ArmKinematics final : public Kinematics {
   double square_of_way(const Angles& theta, const JointVector& near, int axes) const noexcept;
 
   ArmParameters p_;
-  double k_ = 0;    // from axis 3 to the wrist
-  double psi_ = 0;  // from the forearm's c3 to that line
+  JointChain chain_;  // the same arm
+  double k_ = 0;      // from axis 3 to the wrist
+  double psi_ = 0;    // from the forearm's c3 to that line
 };
 
 }  // namespace rob::motion

@@ -153,6 +153,10 @@ void ChainKinematics::search(const Pose& pose, const JointVector& near,
     JointVector q = start(k, near);
     if (descent().within_limits().run(pose, kSteps, q)) add(q, near, found);
   }
+  for (int k = kStarts + 1; k <= kMoreStarts && found.count == 0; ++k) {
+    JointVector q = start(k, near);
+    if (descent().within_limits().run(pose, kSteps, q)) add(q, near, found);
+  }
   for (int k = 0; k <= kPatientStarts && found.count == 0; ++k) {
     JointVector q = start(k, near);
     if (descent().within_limits().patiently().run(pose, kPatientSteps, q)) add(q, near, found);

@@ -64,9 +64,10 @@ class ChainKinematics final : public Kinematics {
  private:
   static constexpr int kStarts = 24;
   static constexpr int kSteps = 40;
-  /// Where these lead nowhere, more starts go on for longer, to the first that arrives. [choice] of
-  /// the poses that can be reached one in 1000 needs it, near singular places; of a pose out of
-  /// reach it takes a few milliseconds.
+  /// Where these lead nowhere, more starts follow, and then such that go on for longer, to the
+  /// first that arrives. [choice] of the poses that can be reached one in 100 to 1000 needs it,
+  /// near singular places and limits; of a pose out of reach it takes ten milliseconds.
+  static constexpr int kMoreStarts = 768;
   static constexpr int kPatientStarts = 96;
   static constexpr int kPatientSteps = 160;
 

@@ -23,7 +23,8 @@ constexpr double kShortest = 1e-3;
 
 }  // namespace
 
-std::shared_ptr<const ArmKinematics> read_arm(const TableReader& file) {
+std::shared_ptr<const ArmKinematics> read_arm(const TableReader& file,
+                                              const std::vector<Axis>& axes) {
   const TableReader arm =
       file.table("arm", {"a1", "a2", "b", "c1", "c2", "c3", "c4", "signs", "offsets"});
   ArmParameters p;
@@ -39,7 +40,10 @@ std::shared_ptr<const ArmKinematics> read_arm(const TableReader& file) {
   std::ranges::copy(arm.signs("signs", p.sign.size()), p.sign.begin());
   std::ranges::copy(arm.quantities("offsets", Quantity::Angle, kOffset, p.offset.size()),
                     p.offset.begin());
-  return std::make_shared<const ArmKinematics>(p);
+  ArmLimits limits;
+  std::ranges::transform(axes, limits.min.begin(), [](const Axis& axis) { return axis.min; });
+  std::ranges::transform(axes, limits.max.begin(), [](const Axis& axis) { return axis.max; });
+  return std::make_shared<const ArmKinematics>(p, limits);
 }
 
 }  // namespace rob::motion

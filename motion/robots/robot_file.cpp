@@ -269,7 +269,7 @@ void choose_kinematics(const TableReader& file, const std::vector<TableReader>& 
       file.fail("kinematics", "an arm has six rotary axes");
     robot.tool_coordinates = true;
     robot.coordinates = {0, 1, 2, 3, 4, 5};
-    robot.kinematics = read_arm(file);
+    robot.kinematics = read_arm(file, robot.axes);
     return;
   }
   const auto first_rotary = std::ranges::find_if(robot.axes, rotary);

@@ -7,6 +7,7 @@
 #include <kdl/chainiksolverpos_lma.hpp>
 #include <kdl/chainjnttojacsolver.hpp>
 
+#include "motion/kinematics/joint_chain.h"
 #include "motion/space/joint_vector.h"
 #include "motion/space/pose.h"
 
@@ -67,6 +68,25 @@ class KdlChain {
     chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), frame(rows.front())));
     for (std::size_t i = 1; i < rows.size(); ++i)
       chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::RotZ), frame(rows[i])));
+    return KdlChain(chain);
+  }
+
+  /// The same frames and axes as a chain of Rob's.
+  static KdlChain of(const motion::JointChain& joints) {
+    KDL::Chain chain;
+    const auto frame = [](const motion::Pose& pose) {
+      const Eigen::Quaterniond& turn = pose.orientation;
+      return KDL::Frame(KDL::Rotation::Quaternion(turn.x(), turn.y(), turn.z(), turn.w()),
+                        KDL::Vector(pose.position.x(), pose.position.y(), pose.position.z()));
+    };
+    for (int i = 0; i < joints.size(); ++i) {
+      const auto& joint = joints.joint(i);
+      chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), frame(joint.place)));
+      chain.addSegment(
+          KDL::Segment(KDL::Joint(joint.linear ? KDL::Joint::TransZ : KDL::Joint::RotZ),
+                       KDL::Frame::Identity()));
+    }
+    chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), frame(joints.flange())));
     return KdlChain(chain);
   }
 

@@ -120,6 +120,8 @@ TEST_CASE("a place out of an arm's reach is refused beforehand, with how much is
     CHECK(result.exit_code == 65);
     CHECK(contains(result.err, "test.rob:3:5: error[E333]: lwa4p cannot bring its tool to"));
     CHECK(contains(result.err, "its wrist would have to be 65 mm farther out than it reaches"));
+    CHECK(contains(result.err,
+                   "the nearest that it reaches is POSE(0mm, 0mm, 935mm, 0deg, 0deg, 0deg)"));
   }
 }
 

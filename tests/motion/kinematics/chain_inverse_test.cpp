@@ -142,6 +142,29 @@ TEST_CASE("nearly every reachable pose of a chain is found, and KDL confirms all
   check(chain_of(fr3), KdlChain::craig(fr3_table()));
 }
 
+TEST_CASE("nearly every reachable pose of six axes in whatever places is found, KDL confirms it") {
+  for (const unsigned number : {1U, 2U}) {
+    std::mt19937 random(number);
+    std::uniform_real_distribution<double> length(-0.3, 0.3);
+    std::uniform_real_distribution<double> half(100, 170);
+    std::normal_distribution<double> any;
+    const auto place = [&] {
+      const Eigen::Quaterniond turn(any(random), any(random), any(random), any(random));
+      return Pose{{length(random), length(random), length(random)}, turn.normalized()};
+    };
+    std::vector<ChainJoint> joints;
+    for (int i = 0; i < 6; ++i) {
+      const double limit = half(random) * kDegree;
+      joints.push_back({place(), false, -limit, limit});
+    }
+    const ChainKinematics kinematics = chain_kinematics(JointChain(joints, place()));
+    CHECK_FALSE(kinematics.closed());
+    const Found found = search_all(kinematics, KdlChain::of(kinematics.chain()), kPoses / 3);
+    CHECK(found.poses >= 0.999 * (kPoses / 3));
+    CHECK(found.worst < 1e-8);
+  }
+}
+
 TEST_CASE("a PUMA as a chain has the solutions of the closed form of [arm]") {
   const ChainKinematics chain = chain_kinematics(puma());
   const auto closed = arm("puma560");
