@@ -53,6 +53,10 @@ bool needs_unit(const Expr& value) {
 
 bool ClauseChecker::check(const Clauses& clauses, Place place) {
   bool sound = check(clauses.surroundings);
+  if (clauses.near != nullptr) {
+    sound = expressions_.check_as(clauses.near, expressions_.joints(), "NEAR needs") &&
+            clauses.near->type.known() && sound;
+  }
   for (std::size_t i = 0; i < kClauses; ++i) {
     if (clauses.values[i] == nullptr) continue;
     expressions_.check(clauses.values[i]);
@@ -75,6 +79,8 @@ void ClauseChecker::check_defaults(const Clauses& clauses, std::string_view word
                                 : clauses[Clause::Jerk] != nullptr      ? "JERK"
                                 : clauses[Clause::For] != nullptr       ? "FOR"
                                 : clauses.euler                         ? "EULER"
+                                : clauses.near != nullptr               ? "NEAR"
+                                : clauses.free != FreeTurn::None        ? "FREE"
                                 : fixed && around.tool != nullptr       ? "WITH"
                                 : fixed && around.has_frame()           ? "IN"
                                                                         : nullptr;

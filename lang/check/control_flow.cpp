@@ -227,6 +227,7 @@ class Walk {
   void visit(const Move& move) {
     for (const ExprPtr& point : move.via) look(point);
     look(move.target);
+    look(move.clauses.near);
     for (const ExprPtr& value : move.clauses.values)  // AT LIVE is read while it moves
       if (!move.clauses.live || &value != &move.clauses[Clause::At]) look(value);
     const ExprPtr& zone = move.clauses[Clause::Zone];

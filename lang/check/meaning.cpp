@@ -8,6 +8,7 @@
 #include "lang/text/ascii.h"
 #include "lang/values/arithmetic.h"
 #include "lang/values/number_text.h"
+#include "lang/values/pose_slots.h"
 #include "lang/values/units.h"
 
 namespace rob::lang {
@@ -228,10 +229,19 @@ std::optional<MoveCommand::Zone> zone_of(const Type& type) {
 
 const Symbol* bare_point(const Move& move) {
   if (move.kind != MotionKind::Joint || move.by || move.axis != nullptr) return nullptr;
+  if (move.clauses.near != nullptr || move.clauses.free != FreeTurn::None) return nullptr;
   const auto* const name = std::get_if<Name>(&move.target->node);
   const bool point =
       name != nullptr && name->symbol != nullptr && name->symbol->kind == Symbol::Kind::Point;
   return point ? name->symbol : nullptr;
+}
+
+std::optional<Vector3> frame_axis(const Move& move) {
+  const Expr& target = *move.target;
+  if (move.by || !target.type.is_place() || is_free(as_pose(target.type))) return std::nullopt;
+  const Symbol* const frame = target.moved_from;
+  if (frame == nullptr) return Vector3{0, 0, 1};
+  return pose_math::rotate(load_pose(to_slots(frame->value).data()).rotation, {0, 0, 1});
 }
 
 bool alike(const std::vector<RobotSignature::Coordinate>& axes) {

@@ -143,8 +143,13 @@ std::optional<MoveCommand::Bound> jerk_of(const Type& type);
 std::optional<MoveCommand::Zone> zone_of(const Type& type);
 
 /// The POINT that is by itself the target of a MOVE, which goes to where the joints stood when it
-/// was taught, if they still bring the tool to it; null for all other motions.
+/// was taught, if they still bring the tool to it; null for all other motions. With NEAR or FREE
+/// the pose counts.
 const Symbol* bare_point(const Move& move);
+
+/// z, in the world, of the frame that the target of a motion says it is in; none where IN, or the
+/// world without it, says that.
+std::optional<Vector3> frame_axis(const Move& move);
 
 /// Whether axes all have one dimension.
 bool alike(const std::vector<RobotSignature::Coordinate>& axes);

@@ -456,6 +456,7 @@ bool MoveChecker::check_clauses_of(const Move& move) {
     return refuse_clause("EULER", clauses.euler_place, "stands after MOVEL alone",
                          "on a line the angles a, b, c can change evenly");
   }
+  if (!check_choice(move)) return false;
   if (move.kind == MotionKind::Jog) return check_clauses_of_jog(move);
   const ExprPtr& lasts = clauses[Clause::For];
   const ExprPtr& jerk = clauses[Clause::Jerk];
@@ -466,6 +467,26 @@ bool MoveChecker::check_clauses_of(const Move& move) {
          refuse_clause("JERK", jerk->place,
                        "cannot be kept by PROFILE RECTANGULAR, whose acceleration comes at once",
                        "TRAPEZOIDAL, PARABOLIC and COSINE keep one");
+}
+
+/// NEAR and FREE choose among the joints that bring the tool to a pose.
+bool MoveChecker::check_choice(const Move& move) {
+  const Clauses& clauses = move.clauses;
+  const bool near = clauses.near != nullptr;
+  if (!near && clauses.free == FreeTurn::None) return true;
+  const std::string_view word = near ? "NEAR" : "FREE";
+  const Place place = near ? clauses.near_place : clauses.free_place;
+  const bool pose = move.kind <= MotionKind::Spline && move.axis == nullptr;
+  if (!pose)
+    return refuse_clause(word, place, "stands after MOVE, MOVEL, MOVEC and MOVES to a pose alone",
+                         "only there is anything to choose");
+  if (move.target != nullptr && move.target->type.is(Type::Kind::Joints))
+    return refuse_clause(word, place, "does not stand after joints, which leave nothing to choose",
+                         "MOVE FORWARD(j) goes to the pose that the joints j bring the tool to");
+  if (clauses.euler && clauses.free != FreeTurn::None)
+    return refuse_clause("FREE", clauses.free_place, "does not stand with EULER",
+                         "EULER says how a, b and c change; leave one of the two out");
+  return true;
 }
 
 bool MoveChecker::check_clauses_of_jog(const Move& move) {
@@ -504,6 +525,11 @@ void MoveChecker::remember_features(const Move& move, Place place) {
   const ExprPtr& jerk = clauses[Clause::Jerk];
   if (accel) checked_.features.push_back({accel->place, MotionFeature::Accel});
   if (jerk) checked_.features.push_back({jerk->place, MotionFeature::Jerk});
+  if (clauses.near) checked_.features.push_back({clauses.near_place, MotionFeature::Lead});
+  if (clauses.free != FreeTurn::None)
+    checked_.features.push_back({clauses.free_place, clauses.free == FreeTurn::C
+                                                         ? MotionFeature::FreeC
+                                                         : MotionFeature::FreeSpin});
 }
 
 void MoveChecker::warn_of_zones(const Block& block) {
@@ -562,8 +588,11 @@ void MoveChecker::judge_constants(const Move& move) {
   if (!places_are_known() || !move.clauses.surroundings.none()) return;
   if (move.by || move.target == nullptr || move.kind == MotionKind::Jog) return;
   if (move.axis == nullptr) {
-    for (const ExprPtr& point : move.via) judge_target(*point, nullptr);
-    return judge_target(*move.target, bare_point(move));
+    MoveCommand asked;
+    asked.free = move.clauses.free;
+    if (asked.free == FreeTurn::C) asked.free_axis = frame_axis(move);
+    for (const ExprPtr& point : move.via) judge_target(asked, *point, nullptr);
+    return judge_target(asked, *move.target, bare_point(move));
   }
   const auto number = constant_number(*move.axis);
   if (!number) return;
@@ -575,10 +604,10 @@ void MoveChecker::judge_constants(const Move& move) {
   if (command.given != 0) judge(command, move.target->place);
 }
 
-void MoveChecker::judge_target(const Expr& target, const Symbol* point) {
+/// `command`: what it says beside its target.
+void MoveChecker::judge_target(MoveCommand command, const Expr& target, const Symbol* point) {
   const auto* const tuple = std::get_if<Tuple>(&target.node);
-  if (tuple == nullptr) return judge_value(target, point);
-  MoveCommand command;
+  if (tuple == nullptr) return judge_value(command, target, point);
   const auto elements = by_coordinate(*tuple, elements_);
   command.count = static_cast<int>(elements.size());
   for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -589,12 +618,11 @@ void MoveChecker::judge_target(const Expr& target, const Symbol* point) {
 }
 
 /// `point`: where the target is a bare POINT.
-void MoveChecker::judge_value(const Expr& target, const Symbol* point) {
+void MoveChecker::judge_value(MoveCommand command, const Expr& target, const Symbol* point) {
   const bool by_joints = point != nullptr && known(point->value) && point->flange_joints;
   const Constant value = by_joints ? Constant(point->joints) : known_value(target);
   const auto* const slots = std::get_if<std::vector<double>>(&value);
   if (slots == nullptr) return;
-  MoveCommand command;
   const bool axes = by_joints || target.type.is(Type::Kind::Joints);
   command.means = axes ? MoveCommand::Target::Axes : MoveCommand::Target::Pose;
   command.count = static_cast<int>(slots->size());
@@ -626,6 +654,8 @@ void PathChecker::check_clauses(const Clauses& clauses, Place place) {
   const char* const word = clauses.profile != Profile::Unspecified ? "PROFILE"
                            : clauses[Clause::For] != nullptr       ? "FOR"
                            : clauses.euler                         ? "EULER"
+                           : clauses.near != nullptr               ? "NEAR"
+                           : clauses.free != FreeTurn::None        ? "FREE"
                                                                    : nullptr;
   if (word == nullptr) return;
   diagnostics_.error(code::kClauseMisplaced, place,
@@ -670,6 +700,7 @@ void PathChecker::check(const Move& move, Place place) {
   note(move.target);
   for (const ExprPtr& point : move.via) note(point);
   for (const ExprPtr& value : move.clauses.values) note(value);
+  note(move.clauses.near);
   const bool jog = move.kind == MotionKind::Jog;
   if (jog || move.clauses.profile != Profile::Unspecified) {
     diagnostics_.error(code::kNotInPath, place,

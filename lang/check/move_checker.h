@@ -95,6 +95,7 @@ class MoveChecker {
 
   // Clauses that not every motion takes, features that not every robot has
   bool check_clauses_of(const Move& move);
+  bool check_choice(const Move& move);
   bool check_clauses_of_jog(const Move& move);
   bool refuse_clause(std::string_view clause, Place place, std::string message, std::string help);
   void warn_of_last_zone(const PlainMotions& motions, const Statement& next);
@@ -104,8 +105,8 @@ class MoveChecker {
   // Whether the robot can go there
   bool places_are_known() const;
   void judge_constants(const Move& move);
-  void judge_target(const Expr& target, const Symbol* point);
-  void judge_value(const Expr& target, const Symbol* point);
+  void judge_target(MoveCommand command, const Expr& target, const Symbol* point);
+  void judge_value(MoveCommand command, const Expr& target, const Symbol* point);
   void keep_component(MoveCommand& command, std::size_t i, const Expr& value,
                       Dimension dimension) const;
   void judge(const MoveCommand& command, Place place);

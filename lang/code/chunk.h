@@ -80,7 +80,7 @@ inline constexpr std::size_t kTextStack = 1024;
 
 /// The contents of the registers from A on of a `move` instruction: the number of the axis where it
 /// is computed, the given components in order or radius and turns of a spiral, then the values of
-/// AT, OVER, ACCEL, JERK, ZONE, FINE and FOR. A `via` finds components alone.
+/// AT, OVER, ACCEL, JERK, ZONE, FINE, FOR and NEAR. A `via` finds components alone.
 struct MoveForm {
   MotionKind kind = MotionKind::Joint;
   MoveCommand::Target means = MoveCommand::Target::Coordinates;
@@ -101,6 +101,10 @@ struct MoveForm {
   bool lasts = false;  ///< FOR
   bool fine = false;
   bool euler = false;
+  FreeTurn free = FreeTurn::None;
+  std::optional<Vector3> free_axis{};  ///< as in MoveCommand
+  std::uint8_t near = 0;               ///< NEAR: so many joints, after all other values
+  std::uint8_t near_lengths = 0;       ///< bit i: joint i is a length
   bool fine_within = false;
   bool live = false;  ///< AT LIVE has said the pace before
   Profile profile = Profile::Unspecified;

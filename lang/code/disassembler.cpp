@@ -190,6 +190,10 @@ void Line::add_move(std::size_t index) {
   if (form.lasts) remark("FOR");
   if (form.fine) remark(form.fine_within ? "FINE, distance" : "FINE");
   if (form.euler) remark("EULER");
+  if (form.free != FreeTurn::None) {
+    remark(fmt::format("FREE {}", kFreeWords[static_cast<std::size_t>(form.free) - 1]));
+  }
+  if (form.near > 0) remark("NEAR");
   if (form.profile != Profile::Unspecified) remark("PROFILE");
 }
 

@@ -73,6 +73,7 @@ void MotionCompiler::compile_to(const Move& move, const Symbol* taught, Place pl
   const Register first =
       taught != nullptr ? compile_taught(*taught, form, place) : compile_way(move, form);
   compile_clauses(move.clauses, form);
+  if (move.clauses.free == FreeTurn::C) form.free_axis = frame_axis(move);
   code_.move(first, form, place);
   frame_.release(mark);
 }
@@ -252,6 +253,7 @@ void MotionCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) {
   };
   form.profile = clauses.profile;
   form.euler = clauses.euler;
+  form.free = clauses.free;
   form.live = live_pace(clauses) != nullptr;
   std::array<const Expr*, kClauses> settled{};
   for (std::size_t i = 0; i < kClauses; ++i) {
@@ -276,6 +278,16 @@ void MotionCompiler::compile_clauses(const Clauses& clauses, MoveForm& form) {
   form.zone_angle = of(Clause::ZoneAngle) != nullptr;
   form.fine_within = of(Clause::Fine) != nullptr;
   form.lasts = of(Clause::For) != nullptr;
+  if (clauses.near != nullptr) compile_near(*clauses.near, form);
+}
+
+/// Its registers are those after all others.
+void MotionCompiler::compile_near(const Expr& joints, MoveForm& form) {
+  MoveForm axes;
+  name_dimensions(robot_.axes, axes);
+  form.near_lengths = axes.lengths;
+  form.near = static_cast<std::uint8_t>(robot_.axes.size());
+  expressions_.value_into(joints, frame_.number_registers(form.near));
 }
 
 /// AT LIVE: set up before the motion that it belongs to.

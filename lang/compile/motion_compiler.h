@@ -64,6 +64,7 @@ class MotionCompiler {
   const Expr* live_pace(const Clauses& clauses) const;
   void compile_live(const Expr& pace);
   void compile_clauses(const Clauses& clauses, MoveForm& form);
+  void compile_near(const Expr& joints, MoveForm& form);
   void emit_defaults(Opcode opcode, const Clauses& clauses, Place place);
   void compile_clause(Clause clause, const Expr& said, Register target);
 

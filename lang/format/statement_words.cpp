@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kEventWords{"AFTER", "BEFORE"};
 
 /// Clauses without a value.
-constexpr std::array<std::string_view, 2> kWholeClauses{"FINE", "EULER"};
+constexpr std::array<std::string_view, 3> kWholeClauses{"FINE", "EULER", "SPIN"};
 
 /// Words that stand after a value: no expression goes on with a name there.
 constexpr auto kClauseWords = std::to_array<std::string_view>(
@@ -122,7 +122,15 @@ bool StatementWords::begins_as_keyword(const Token& word, TokenKind behind) cons
          behind != TokenKind::LeftParen;
 }
 
+/// NEAR and FREE after a value, and what FREE names: `c` stays as it is written.
+bool StatementWords::is_choice(const Token& word, TokenKind behind) const {
+  if (follows_clause("FREE")) return same_word(word.text, "SPIN");
+  const bool near = same_word(word.text, "NEAR") && behind != TokenKind::EndOfLine;
+  return behind_value_ && (near || (same_word(word.text, "FREE") && behind == TokenKind::Word));
+}
+
 bool StatementWords::is_clause(const Token& word, TokenKind behind) const {
+  if (is_choice(word, behind)) return true;
   const bool header = follows_clause("PATH") || follows_clause("DEFAULT") ||
                       (with_block_ && follows(Keyword::With));
   if (behind_value_ || header) return is_among(kClauseWords, word.text);

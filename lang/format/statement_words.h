@@ -44,6 +44,7 @@ class StatementWords {
   WordUse use_of(std::span<const Token> rest);
   WordUse use_of_word(const Token& word, TokenKind behind);
   bool begins_as_keyword(const Token& word, TokenKind behind) const;
+  bool is_choice(const Token& word, TokenKind behind) const;
   bool is_clause(const Token& word, TokenKind behind) const;
   bool is_unary(const Token& token) const;
   bool blank_before(const Token& token, WordUse use) const;

@@ -51,8 +51,25 @@ inline std::optional<Profile> find_profile(std::string_view word) {
   return std::nullopt;
 }
 
+/// FREE: the turn through the tip that a motion leaves to the robot.
+enum class FreeTurn : std::uint8_t {
+  None,
+  C,    ///< about z of the frame that the target is in
+  Spin  ///< about the tool's own z
+};
+
+inline constexpr std::array<std::string_view, 2> kFreeWords{"c", "SPIN"};
+
+/// The turn of that name, in any case.
+inline std::optional<FreeTurn> find_free_turn(std::string_view word) {
+  for (std::size_t i = 0; i < kFreeWords.size(); ++i) {
+    if (same_word(kFreeWords[i], word)) return static_cast<FreeTurn>(i + 1);
+  }
+  return std::nullopt;
+}
+
 /// Abilities that not every robot has, so that each must say whether it has them.
-enum class MotionFeature : std::uint8_t { Accel, Jerk, Path, Press, Lead };
+enum class MotionFeature : std::uint8_t { Accel, Jerk, Path, Press, Lead, FreeC, FreeSpin };
 
 /// LAW: how motions are joined.
 enum class TransitionLaw : std::uint8_t { Paul, LookAhead };

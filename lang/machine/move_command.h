@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "base/motion_clauses.h"
 #include "lang/machine/motion_words.h"
 #include "lang/machine/robot_signature.h"
+#include "lang/values/pose_math.h"
 
 namespace rob::lang {
 
@@ -47,6 +49,12 @@ struct MoveCommand {
   Bound jerk = Bound::Unspecified;
   double jerk_value = 0;
   Profile profile = Profile::Unspecified;
+  FreeTurn free = FreeTurn::None;  ///< FREE: of the target and of the points of VIA
+  /// Of FREE c: z, in the world, of the frame that the target says it is in; none: of the
+  /// Setting's.
+  std::optional<Vector3> free_axis{};
+  /// NEAR: joints of the branch, m or rad, one for each axis.
+  std::optional<std::array<double, kMaxCoordinates>> near{};
   bool live = false;  ///< AT LIVE has said its pace before (Motions::live_pace)
   /// Lines (line_tag) of the WITH or DEFAULT that a clause is of; 0 where it is the motion's own.
   int pace_line = 0;

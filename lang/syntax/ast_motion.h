@@ -40,6 +40,10 @@ struct Clauses {
   bool fine = false;
   bool euler = false;  ///< EULER: of MOVEL
   Place euler_place{};
+  FreeTurn free = FreeTurn::None;  ///< FREE
+  Place free_place{};
+  ExprPtr near;  ///< NEAR: of JOINTS; null where left out
+  Place near_place{};
   bool live = false;  ///< AT LIVE: computed anew in every control cycle
   Place live_place{};
 

@@ -19,6 +19,15 @@ namespace {
 /// By Clause.
 constexpr std::array<std::string_view, 5> kValuedClauses{"AT", "OVER", "ACCEL", "JERK", "ZONE"};
 
+/// Whether `word` is NEAR or FREE, and `after` makes a clause of it. In MOVE near NEAR j the first
+/// is a name.
+bool begins_choice(const Token& word, const Token& after) {
+  if (word.kind != TokenKind::Word || after.kind != TokenKind::Word) return false;
+  if (same_word(word.text, "FREE")) return find_free_turn(after.text).has_value();
+  const bool name = same_word(after.text, "NEAR") || same_word(after.text, "FREE");
+  return same_word(word.text, "NEAR") && clause_word(after).empty() && !name;
+}
+
 }  // namespace
 
 std::string_view clause_word(const Token& token) {
@@ -55,7 +64,8 @@ bool goes_on(const Token& token) {
 
 // clause = "AT" [ "LIVE" ] expr | "OVER" expr | "ACCEL" expr | "JERK" expr | "PROFILE" IDENT
 //        | "ZONE" expr [ NUMBER | QUANTITY | NAME ] | "FINE" [ NUMBER | QUANTITY | NAME ]
-//        | "EULER" | "IN" refframe | "WITH" IDENT | "FOR" expr .
+//        | "NEAR" expr | "FREE" ( "c" | "SPIN" ) | "EULER" | "IN" refframe | "WITH" IDENT | "FOR"
+//        expr .
 void ClauseParser::clauses(Clauses& clauses) {
   while (!tokens_.at_line_end() && !tokens_.at(Keyword::Else) && !tokens_.at(Keyword::Until) &&
          !tokens_.at(Keyword::Do)) {
@@ -73,6 +83,10 @@ void ClauseParser::clauses(Clauses& clauses) {
       clauses.euler = true;
       clauses.euler_place = tokens_.place();
       tokens_.advance();
+    } else if (tokens_.at_word("NEAR")) {
+      near(clauses);
+    } else if (tokens_.at_word("FREE")) {
+      free(clauses);
     } else if (tokens_.at_word("PROFILE")) {
       profile(clauses);
     } else if (tokens_.at(Keyword::For)) {
@@ -115,8 +129,32 @@ bool ClauseParser::at_live() const { return at_clause_word("LIVE"); }
 /// a slip.
 bool ClauseParser::at_further_value() const {
   const bool name = tokens_.at(TokenKind::Word) && clause_word(tokens_.current()).empty() &&
+                    !(at_choice_word() && !value_ends_at_next()) &&
                     suggest(tokens_.text(), kMotionClauseWords).empty();
   return name || tokens_.at(TokenKind::Number);
+}
+
+void ClauseParser::near(Clauses& clauses) {
+  if (clauses.near != nullptr) report_twice("NEAR");
+  clauses.near_place = tokens_.place();
+  tokens_.advance();
+  ExprPtr joints = expressions_.expression();
+  if (clauses.near == nullptr) clauses.near = std::move(joints);
+}
+
+void ClauseParser::free(Clauses& clauses) {
+  if (clauses.free != FreeTurn::None) report_twice("FREE");
+  clauses.free_place = tokens_.place();
+  tokens_.advance();
+  const auto known = tokens_.at(TokenKind::Word) ? find_free_turn(tokens_.text()) : std::nullopt;
+  if (!known) {
+    tokens_.fail_here(
+        code::kNoFreeTurn,
+        fmt::format("FREE leaves c or SPIN open, not {}", described(tokens_.current())),
+        "FREE c: any turn about z of the target's frame; FREE SPIN: any about the tool's own z");
+  }
+  clauses.free = *known;
+  tokens_.advance();
 }
 
 void ClauseParser::profile(Clauses& clauses) {
@@ -178,10 +216,17 @@ ExprPtr ClauseParser::name_behind(std::string_view word, std::string_view exampl
 /// Whether the current word is a whole value, or the beginning of one that goes on: then it is a
 /// name, whatever it means elsewhere. A sign may belong to the value of a clause.
 bool ClauseParser::at_name_of_value() const {
-  const bool ends = tokens_.next().kind == TokenKind::EndOfLine ||
-                    tokens_.next().kind == TokenKind::Comma || begins_statement(tokens_.next()) ||
-                    !clause_word(tokens_.next()).empty();
-  return ends || (goes_on(tokens_.next()) && tokens_.next().kind != TokenKind::Minus);
+  return value_ends_at_next() || begins_choice(tokens_.next(), tokens_.ahead().next()) ||
+         (goes_on(tokens_.next()) && tokens_.next().kind != TokenKind::Minus);
+}
+
+bool ClauseParser::value_ends_at_next() const {
+  return tokens_.next().kind == TokenKind::EndOfLine || tokens_.next().kind == TokenKind::Comma ||
+         begins_statement(tokens_.next()) || !clause_word(tokens_.next()).empty();
+}
+
+bool ClauseParser::at_choice_word() const {
+  return tokens_.at_word("NEAR") || tokens_.at_word("FREE");
 }
 
 /// A word after MOVE that is not the name of what stands there.
@@ -189,13 +234,17 @@ bool ClauseParser::at_clause_word(std::string_view word) const {
   return tokens_.at_word(word) && !at_name_of_value();
 }
 
+bool ClauseParser::at_choice() const { return begins_choice(tokens_.current(), tokens_.next()); }
+
 void ClauseParser::report_twice(std::string_view word) {
   tokens_.report(code::kDuplicateClause, tokens_.place(), fmt::format("{} is given twice", word),
                  "keep one of the two");
 }
 
 void ClauseParser::fail_clause() {
-  const std::string meant = did_you_mean(suggest(tokens_.text(), kMotionClauseWords));
+  const std::string_view near = suggest(tokens_.text(), kMotionClauseWords);
+  const std::string meant =
+      did_you_mean(near.empty() ? suggest(tokens_.text(), kChoiceWords) : near);
   const bool word = tokens_.at(TokenKind::Word);
   if (!word || (meant.empty() && !tokens_.remedy().empty())) tokens_.end_of_line();
   tokens_.fail_here(code::kUnknownClause,

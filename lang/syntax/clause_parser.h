@@ -30,8 +30,14 @@ class ClauseParser {
 
   bool at_name_of_value() const;
   bool at_clause_word(std::string_view word) const;
+  /// NEAR or FREE with what follows it: two words in a row.
+  bool at_choice() const;
 
  private:
+  bool value_ends_at_next() const;
+  bool at_choice_word() const;
+  void near(Clauses& clauses);
+  void free(Clauses& clauses);
   void with_tool(Surroundings& surroundings);
   void clause(Clauses& clauses, Clause which, std::string_view word);
   bool at_live() const;

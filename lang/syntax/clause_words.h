@@ -9,6 +9,9 @@ namespace rob::lang {
 inline constexpr std::array<std::string_view, 8> kMotionClauseWords{
     "AT", "OVER", "ACCEL", "JERK", "ZONE", "FINE", "PROFILE", "EULER"};
 
+/// The same, known by what stands after them: elsewhere they are names.
+inline constexpr std::array<std::string_view, 2> kChoiceWords{"NEAR", "FREE"};
+
 /// Words that begin a statement by their place at the beginning of a line. They are not reserved.
 inline constexpr std::array<std::string_view, 13> kPlacedWords{
     "DEFAULT", "ENUM",  "FRAME", "LAW",  "LOAD",  "OVERRIDE", "PATH",

@@ -176,6 +176,7 @@ ExprPtr MotionParser::target(std::string_view motion, bool in_list) {
 /// A token that an expression may begin with, and no clause.
 bool MotionParser::at_value() const {
   if (tokens_.at(TokenKind::Word)) {
+    if (clauses_.at_choice()) return false;
     return clause_word(tokens_.current()).empty() || clauses_.at_name_of_value();
   }
   if (tokens_.at(TokenKind::Reserved)) return role(tokens_.current().keyword) == KeywordRole::Value;

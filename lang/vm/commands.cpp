@@ -109,6 +109,8 @@ void take_clauses(const MoveForm& form, MoveValues& values, MoveCommand& command
   command.fine = form.fine;
   command.live = form.live;
   command.euler = form.euler;
+  command.free = form.free;
+  command.free_axis = form.free_axis;
   command.profile = form.profile;
   command.pace = form.pace;
   if (form.pace != MoveCommand::Pace::Unspecified) {
@@ -123,6 +125,10 @@ void take_clauses(const MoveForm& form, MoveValues& values, MoveCommand& command
   if (form.zone_angle) command.zone_angle = values.positive("the angle of ZONE", kAngle);
   if (form.fine_within) command.fine_within = values.positive("FINE", kLength);
   if (form.lasts) command.lasts = values.positive("FOR", kTime);
+  if (form.near == 0) return;
+  command.near.emplace();
+  for (std::size_t i = 0; i < form.near; ++i)
+    (*command.near)[i] = values.any((form.near_lengths >> i & 1U) != 0 ? kLength : kAngle);
 }
 
 Objection check_override(double share) {

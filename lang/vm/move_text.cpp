@@ -56,6 +56,11 @@ std::string profile_text(Profile profile) {
   return text;
 }
 
+std::string free_text(FreeTurn free) {
+  if (free == FreeTurn::None) return "";
+  return free == FreeTurn::C ? " free c" : " free spin";
+}
+
 /// In mm or deg, without the unit.
 std::string plain(double value, Dimension dimension) {
   const std::string number = si_text(value, dimension);
@@ -74,6 +79,14 @@ std::string components_text(const std::vector<RobotSignature::Coordinate>& compo
     const auto index = static_cast<std::size_t>(i);
     text += plain(command.target[index], components[index].dimension);
   }
+  return text;
+}
+
+std::string near_text(const RobotSignature& robot, const MoveCommand& command) {
+  if (!command.near) return "";
+  std::string text = " near";
+  for (std::size_t i = 0; i < robot.axes.size(); ++i)
+    text += plain((*command.near)[i], robot.axes[i].dimension);
   return text;
 }
 
@@ -144,6 +157,7 @@ std::string move_text(const RobotSignature& robot, const MoveCommand& command) {
   if (command.fine) text += " fine";
   if (command.fine_within > 0) text += ' ' + si_text(command.fine_within, kLength);
   if (command.euler) text += " euler";
+  text += free_text(command.free) + near_text(robot, command);
   return text + profile_text(command.profile);
 }
 

@@ -2,6 +2,18 @@
 
 namespace rob::motion {
 
+namespace {
+
+/// Of a robot whose coordinates are its axes.
+bool turns_about_z(const RobotModel& robot) noexcept {
+  constexpr int kC = 5;  // of x, y, z, a, b, c
+  for (int i = 0; i < robot.axis_count(); ++i)
+    if (robot.kinematics->coordinate(i) == kC) return true;
+  return false;
+}
+
+}  // namespace
+
 bool can(const RobotModel& robot, Capability capability) noexcept {
   switch (capability) {
     case Capability::AccelerationBound:
@@ -12,6 +24,8 @@ bool can(const RobotModel& robot, Capability capability) noexcept {
       return robot.force_sensor;
     case Capability::Lead:
       return robot.kinematics->inverts();
+    case Capability::TurnAboutZ:
+      return robot.tool_coordinates || turns_about_z(robot);
   }
   return false;
 }

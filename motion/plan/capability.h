@@ -10,9 +10,10 @@ namespace rob::motion {
 enum class Capability : std::uint8_t {
   AccelerationBound,  ///< of a single motion
   JerkBound,
-  Path,   ///< many motions planned as one
-  Force,  ///< a force kept along an axis
-  Lead    ///< its tool led along a way in space, or to a pose
+  Path,       ///< many motions planned as one
+  Force,      ///< a force kept along an axis
+  Lead,       ///< its tool led along a way in space, or to a pose
+  TurnAboutZ  ///< of its tool: what FREE leaves open
 };
 
 /// Whether motions of this robot have it, under its law. Under Paul's (S1) time alone says how fast

@@ -26,7 +26,8 @@ struct Refusal {
     PathBelowMinimum,  ///< axis, limit = the axis' minimum; `other` says whether the target itself
     PathAboveMaximum,  ///< can be reached in another posture; limit = the axis' maximum
     PathSingular,      ///< axis; it would have to turn too fast there
-    PathTooLong        ///< it takes more nodes than a path may have
+    PathTooLong,       ///< it takes more nodes than a path may have
+    OtherBranch        ///< NEAR is nearest to other axis values than those at the end, `q`
   };
 
   Kind kind = Kind::NotFinite;

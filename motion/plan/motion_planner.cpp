@@ -9,6 +9,7 @@
 #include "motion/path/paced_path.h"
 #include "motion/plan/ahead_judge.h"
 #include "motion/plan/ahead_leg.h"
+#include "motion/plan/reach.h"
 #include "motion/plan/whole_pose.h"
 #include "motion/plan/wishes.h"
 #include "motion/robots/time_scaling.h"
@@ -64,7 +65,7 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request) {
 }
 
 PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& path) {
-  const bool choose = request.free && request.free->kind != Freedom::None;
+  const bool choose = request.free && robot_.kinematics->freedom() == Freedom::None;
   if (!choose || path.axes() != nullptr) return plan_along(request, path);
   return plan_along(request, choose_turn(robot_, path, tip_.pose(), *request.free, last_.q));
 }
@@ -82,14 +83,21 @@ PlanOutcome MotionPlanner::plan_along(const MotionRequest& request, const ToolPa
     return take(request, std::move(draft));
   }
   bool chosen = false;
+  const auto other = request.free ? leaving(robot_, *request.free, tip_.pose()) : std::nullopt;
   const auto whole = request.whole ? upright_along(robot_, path) : std::nullopt;
-  Followed followed = path.axes() != nullptr ? led_by(*path.axes())
-                                             : follow_choosing(whole ? *whole : robot_, path,
-                                                               tip_.pose(), last_.q, chosen);
+  Followed followed =
+      path.axes() != nullptr ? led_by(*path.axes())
+      : other                ? motion::follow(*other, path, {}, last_.q)
+              : follow_choosing(whole ? *whole : robot_, path, tip_.pose(), last_.q, chosen);
   if (const auto refusal = paths_.judge(request, path, followed)) return *refusal;
   if (hand) followed.axes.bring(robot_.gripper, complete(request.given, wanted)[robot_.gripper]);
   draft.leg = std::make_shared<PlannedLeg>();
   draft.target = followed.axes.nodes().back().q;
+  if (request.near && !is_branch_of(robot_, draft.target, *request.near)) {
+    Refusal refusal{Refusal::Kind::OtherBranch};
+    refusal.q = draft.target;
+    return refusal;
+  }
   draft.demand = demand_along(path, followed.axes);
   const double paced = pace_time(robot_, draft.demand, request) / timing_.boost();
   draft.pace_cut = pace_cut(robot_, path, followed.axes, paced);
@@ -103,7 +111,8 @@ PlanOutcome MotionPlanner::plan_along(const MotionRequest& request, const ToolPa
     draft.leg->axes = std::move(followed.axes);
     draft.demand.path = &*draft.leg->axes;
     // Such lines may be joined to others; who follows one anew would choose anew.
-    const auto* const line = chosen || hand ? nullptr : dynamic_cast<const ToolLine*>(&path);
+    const bool alone = chosen || other || hand;
+    const auto* const line = alone ? nullptr : dynamic_cast<const ToolLine*>(&path);
     if (line != nullptr) draft.leg->line = *line;
   }
   return take(request, std::move(draft));

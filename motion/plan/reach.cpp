@@ -1,10 +1,13 @@
 #include "motion/plan/reach.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/unit_factors.h"
 #include "motion/path/goal_rung.h"
+#include "motion/path/way_cost.h"
 #include "motion/plan/feasibility.h"
 
 namespace rob::motion {
@@ -64,6 +67,51 @@ std::optional<JointVector> reach(const RobotModel& robot, const Pose& pose,
     nearest = q;
   }
   return nearest ? nearest : robot.kinematics->inverse(pose, near);
+}
+
+bool is_branch_of(const RobotModel& robot, const JointVector& q, const JointVector& near) noexcept {
+  constexpr double kSame = 1e-4;  // m, rad. [choice] far above rounding, far below a branch
+  const Pose flange = robot.kinematics->forward(q);
+  JointVector from = near;
+  const int spare = robot.kinematics->spare();
+  if (spare >= 0) from[spare] = q[spare];
+  const auto nearest =
+      spare >= 0 ? robot.kinematics->inverse(flange, from) : reach(robot, flange, near);
+  return nearest && (*nearest - q).cwiseAbs().maxCoeff() <= kSame;
+}
+
+std::optional<RobotModel> leaving(const RobotModel& robot, const FreeTurn& free, const Pose& tip) {
+  auto kinematics = robot.kinematics->leaving(free.kind, tip);
+  if (kinematics == nullptr) return std::nullopt;
+  RobotModel other = robot;
+  other.kinematics = std::move(kinematics);
+  return other;
+}
+
+std::optional<JointVector> reach_freely(const RobotModel& robot, const Pose& pose, const Pose& tip,
+                                        const FreeTurn& free, const JointVector& near) {
+  constexpr int kTurns = 72;
+  if (const auto other = leaving(robot, free, tip)) {
+    auto q = reach(*other, pose, near);
+    return q && within_limits(robot, *q) ? q : std::nullopt;
+  }
+  const Pose first =
+      nearest_turn(pose, free, composed(robot.kinematics->forward(near), tip).orientation);
+  const Pose flange = inverse(tip);
+  std::optional<JointVector> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kTurns; ++k) {
+    const Pose place = composed(turned(first, free, k * kFullTurn / kTurns), flange);
+    for (const JointVector& solution : robot.kinematics->solutions(place, near)) {
+      const JointVector q = turned_within(robot, solution);
+      if (!within_limits(robot, q)) continue;
+      const double cost = way_cost(robot, near, q) + limit_cost(robot, q);
+      if (!(cost < least)) continue;
+      least = cost;
+      best = q;
+    }
+  }
+  return best;
 }
 
 }  // namespace rob::motion

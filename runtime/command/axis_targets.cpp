@@ -22,9 +22,13 @@ lang::PoseValue tool_at(const motion::RobotModel& robot, const motion::JointVect
 
 std::optional<Words> axes_for(const motion::RobotModel& robot, const lang::PoseValue& pose,
                               const lang::Setting& setting, const motion::JointVector& near,
-                              std::span<double> joints) {
+                              std::span<double> joints,
+                              const std::optional<motion::FreeTurn>& free) {
   const motion::Pose flange = to_motion(lang::flange_for(pose, setting));
-  const auto q = motion::reach(robot, flange, near);
+  const auto q =
+      free ? motion::reach_freely(robot, to_motion(pose), to_motion(setting.tool.tip), *free, near)
+           : motion::reach(robot, flange, near);
+  if (!q && free) return words_for_unreachable(robot, pose, free->kind);
   if (!q) {
     std::optional<lang::PoseValue> nearest;
     if (const auto closest = robot.kinematics->closest(flange, near))
@@ -35,8 +39,19 @@ std::optional<Words> axes_for(const motion::RobotModel& robot, const lang::PoseV
   return std::nullopt;
 }
 
+std::optional<motion::FreeTurn> free_turn_of(const lang::MoveCommand& command,
+                                             const motion::Pose& frame) {
+  using lang::FreeTurn;
+  if (command.free == FreeTurn::None) return std::nullopt;
+  if (command.free == FreeTurn::Spin) return motion::FreeTurn{motion::Freedom::Spin};
+  motion::FreeTurn free{motion::Freedom::C, frame.orientation * Eigen::Vector3d::UnitZ()};
+  if (const auto& own = command.free_axis) free.axis = {own->x, own->y, own->z};
+  return free;
+}
+
 bool says_whole(const lang::MoveCommand& command) {
-  return command.means == lang::MoveCommand::Target::Pose && !command.relative;
+  return command.means == lang::MoveCommand::Target::Pose && !command.relative &&
+         command.free == lang::FreeTurn::None;
 }
 
 std::optional<Words> words_against_c(const motion::RobotModel& robot, const lang::PoseValue& pose,
@@ -48,14 +63,15 @@ std::optional<Words> words_against_c(const motion::RobotModel& robot, const lang
 
 std::optional<Words> settle_on_axes(const motion::RobotModel& robot, const lang::PoseValue& pose,
                                     const motion::JointVector& near, lang::MoveCommand& command,
-                                    const lang::Setting& setting) {
+                                    const lang::Setting& setting,
+                                    const std::optional<motion::FreeTurn>& free) {
   const bool whole = says_whole(command) && motion::leaves_open(robot);
   const motion::Pose flange = to_motion(lang::flange_for(pose, setting));
   std::optional<Words> words;
   if (const auto q = whole ? motion::reach_whole(robot, flange, near) : std::nullopt) {
     std::ranges::copy(*q, command.target.begin());
   } else {
-    words = axes_for(robot, pose, setting, near, command.target);
+    words = axes_for(robot, pose, setting, near, command.target, free);
     const auto axes = static_cast<std::size_t>(robot.axis_count());
     const motion::JointVector reached = joints_of(std::span(command.target).first(axes));
     if (whole && !words) words = words_against_c(robot, pose, tool_at(robot, reached, setting));

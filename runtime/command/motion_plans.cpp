@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lang/machine/move_pose.h"
+#include "motion/plan/reach.h"
 #include "motion/plan/whole_pose.h"
 #include "runtime/command/axis_targets.h"
 #include "runtime/command/gripper_elements.h"
@@ -95,27 +96,52 @@ std::optional<Words> MotionPlans::plan(int line, Commanded& commanded) {
 std::optional<Words> MotionPlans::plan_leg(int line, Commanded& commanded) {
   const MoveCommand& asked = *commanded.move;
   const GripperElements hand(asked, links_.signature);
-  motion::MotionRequest request = request_of(line, hand.any() ? hand.command() : asked);
+  motion::MotionRequest request =
+      request_for(line, hand.any() ? hand.command() : asked, commanded);
   if (!hand.any()) request.given = 0;  // the path has the target
-  if (commanded.live) request.live = commanded.live->means;
   request.whole = says_whole(asked) && motion::leaves_open(links_.robot);
   const bool led = !hand.alone() && asked.kind != MotionKind::Joint &&
                    (asked.kind != MotionKind::Line || links_.robot.tool_coordinates);
   return led ? plan_along(line, request, commanded) : plan_straight(line, commanded);
 }
 
+motion::MotionRequest MotionPlans::request_for(int line, const MoveCommand& command,
+                                               const Commanded& commanded) const {
+  motion::MotionRequest request = request_of(line, command);
+  if (commanded.live) request.live = commanded.live->means;
+  request.free = free_turn(command);
+  if (command.near) {
+    const auto axes = static_cast<std::size_t>(links_.robot.axis_count());
+    request.near = joints_of(std::span(*command.near).first(axes));
+  }
+  return request;
+}
+
 /// In the axes; but a MOVEL whose tip would swing beside its line is led along it.
 std::optional<Words> MotionPlans::plan_straight(int line, Commanded& commanded) {
   MoveCommand command = *commanded.move;
   if (auto words = settle_target(command)) return words;
-  motion::MotionRequest request = request_of(line, command);
-  if (commanded.live) request.live = commanded.live->means;
+  const motion::MotionRequest request = request_for(line, command, commanded);
   if (command.kind == MotionKind::Line && links_.planner.swing(request) > kStraight)
     return plan_along(line, request, commanded);
+  if (auto words = words_against_branch(request, command)) return words;
   commanded.way = links_.planner.way(request);
   commanded.along.reset();
   if (auto words = lay_events(commanded)) return words;
   return take(line, links_.planner.plan(request), commanded);
+}
+
+/// NEAR on a line says which branch is expected at its end.
+std::optional<Words> MotionPlans::words_against_branch(const motion::MotionRequest& request,
+                                                       const MoveCommand& command) const {
+  const bool said = command.kind == MotionKind::Line && request.near.has_value();
+  if (!said || command.means != MoveCommand::Target::Axes) return std::nullopt;
+  const auto axes = static_cast<std::size_t>(links_.robot.axis_count());
+  const motion::JointVector q = joints_of(std::span(command.target).first(axes));
+  if (motion::is_branch_of(links_.robot, q, *request.near)) return std::nullopt;
+  motion::Refusal refusal{motion::Refusal::Kind::OtherBranch};
+  refusal.q = q;
+  return words_for(refusal, links_.robot);
 }
 
 /// Along a path of the tool.
@@ -220,6 +246,11 @@ ToolPathOrWords MotionPlans::tool_path(const Commanded& commanded) const {
   std::vector<motion::Pose> points{from};
   for (const MoveCommand& point : commanded.via) points.push_back(target_of(point));
   points.push_back(target_of(asked));
+  // What is free goes on by the shortest turns; the points' own value of it means nothing.
+  if (const auto free = free_turn(asked)) {
+    for (std::size_t i = 1; i < points.size(); ++i)
+      points[i] = motion::nearest_turn(points[i], *free, points[i - 1].orientation);
+  }
   return path_through(asked.kind, points);
 }
 
@@ -230,7 +261,8 @@ std::optional<Words> MotionPlans::settle_target(MoveCommand& command) const {
   if (command.means == Target::Axes) return std::nullopt;
   const lang::Setting& setting = surroundings_.setting();
   const bool of_axes = command.means == Target::Coordinates && !links_.robot.tool_coordinates;
-  if (of_axes && lang::is_plain(setting)) return std::nullopt;
+  const auto free = free_turn(command);
+  if (of_axes && lang::is_plain(setting) && !free) return std::nullopt;
   const GripperElements hand(command, links_.signature);
   if (hand.alone()) {
     command = hand.command();
@@ -239,7 +271,7 @@ std::optional<Words> MotionPlans::settle_target(MoveCommand& command) const {
   const lang::PoseValue last = surroundings_.tool_at(links_.planner.commanded());
   lang::PoseValue pose = lang::target_pose(command, last, setting, links_.signature.coordinates);
   if (press_.present()) pose = to_lang(press_.across(to_motion(pose), command));
-  auto words = settle_on_axes(links_.robot, pose, near(command), command, setting);
+  auto words = settle_on_axes(links_.robot, pose, near(command), command, setting, free);
   if (hand.any()) hand.add_to(command, links_.planner.commanded());
   return words;
 }
@@ -250,7 +282,10 @@ motion::JointVector MotionPlans::near(const MoveCommand& command) const {
   const motion::RobotModel& robot = links_.robot;
   const lang::Setting& setting = surroundings_.setting();
   motion::JointVector q = links_.planner.commanded();
-  if (command.means != MoveCommand::Target::Coordinates || robot.tool_coordinates) return q;
+  if (command.near && command.kind == MotionKind::Joint)
+    q = joints_of(std::span(*command.near).first(static_cast<std::size_t>(q.size())));
+  const bool of_tuple = command.means == MoveCommand::Target::Coordinates;
+  if (!of_tuple || robot.tool_coordinates || command.free != lang::FreeTurn::None) return q;
   const double turned = lang::pose_math::to_fixed(setting.frame.rotation).c -
                         lang::pose_math::to_fixed(setting.tool.tip.rotation).c;
   const auto& coordinates = links_.signature.coordinates;

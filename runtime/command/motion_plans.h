@@ -44,12 +44,19 @@ class MotionPlans {
   std::optional<Words> plan_straight(int line, Commanded& commanded);
   std::optional<Words> plan_along(int line, const motion::MotionRequest& request,
                                   Commanded& commanded);
+  std::optional<Words> words_against_branch(const motion::MotionRequest& request,
+                                            const lang::MoveCommand& command) const;
   std::optional<Words> take(int line, const motion::PlanOutcome& outcome, Commanded& commanded);
   bool moves_against_press(const Commanded& commanded) const;
   motion::Pose target_of(const lang::MoveCommand& command) const;
   ToolPathOrWords tool_path(const Commanded& commanded) const;
   std::optional<Words> settle_target(lang::MoveCommand& command) const;
   motion::JointVector near(const lang::MoveCommand& command) const;
+  std::optional<motion::FreeTurn> free_turn(const lang::MoveCommand& command) const {
+    return free_turn_of(command, surroundings_.frame());
+  }
+  motion::MotionRequest request_for(int line, const lang::MoveCommand& command,
+                                    const Commanded& commanded) const;
 
   const RobotLinks& links_;
   const Surroundings& surroundings_;

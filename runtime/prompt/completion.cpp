@@ -236,6 +236,7 @@ void add_values(Choice& choice, const Vocabulary& known) {
 void add_followers(Choice& choice, bool motion) {
   if (motion) {
     choice.add_all(lang::kMotionClauseWords);
+    choice.add_all(lang::kChoiceWords);
     for (const Keyword word : {Keyword::With, Keyword::In, Keyword::Until, Keyword::Do})
       choice.add(lang::spelling(word));
     return;
@@ -272,12 +273,18 @@ Completions word_of_statement(std::string_view before, const Vocabulary& known) 
     return choice.taken(false);
   }
   const bool motion = is_motion(tokens.front());
-  if (tokens.size() > 1 && ends_value(last)) {
+  const bool chooses =
+      motion && tokens.size() > 2 && std::ranges::any_of(lang::kChoiceWords, [&](auto word) {
+        return lang::same_word(word, last.text);
+      });
+  if (tokens.size() > 1 && ends_value(last) && !chooses) {
     add_followers(choice, motion && depth_of(tokens) == 0);
     return choice.taken(true);
   }
   if (lang::same_word(last.text, "PROFILE")) {
     choice.add_all(lang::kProfileWords);
+  } else if (chooses && lang::same_word(last.text, "FREE")) {
+    choice.add_all(lang::kFreeWords);
   } else if (lang::same_word(last.text, "JOG")) {
     choice.add_all(lang::kJogWords);
   } else {

@@ -74,7 +74,8 @@ std::optional<Words> words_against_pose(lang::MoveCommand command, const motion:
   // The part that its targets leave open is the same everywhere.
   const lang::PoseValue pose =
       lang::target_pose(command, tool_at(robot, middle, {}), {}, coordinates);
-  if (auto words = settle_on_axes(robot, pose, middle, command)) return words;
+  const auto free = free_turn_of(command, {});
+  if (auto words = settle_on_axes(robot, pose, middle, command, {}, free)) return words;
   return words_against_axes(command, robot);
 }
 

@@ -38,6 +38,12 @@ Explained explained(MotionFeature feature) {
     case MotionFeature::Press:
       return {Capability::Force, "PRESS", "it has no force sensor",
               "MOVE … UNTIL touched stops where something is met"};
+    case MotionFeature::FreeC:
+      return {Capability::TurnAboutZ, "FREE c", "none of its axes turns the tool about z",
+              "leave FREE out: the tool keeps its turn on this robot"};
+    case MotionFeature::FreeSpin:
+      return {Capability::TurnAboutZ, "FREE SPIN", "none of its axes turns the tool about its z",
+              "leave FREE out: the tool keeps its turn on this robot"};
     case MotionFeature::Lead:
       break;
   }
@@ -51,7 +57,8 @@ Explained explained(MotionFeature feature) {
 
 Words words_for(MotionFeature feature, const motion::RobotModel& robot) {
   const Explained what = explained(feature);
-  return {code::kNotPossible,
+  const bool turn = what.capability == Capability::TurnAboutZ;
+  return {turn ? code::kNothingTurns : code::kNotPossible,
           fmt::format("{} is not possible on {}: {}", what.word, robot.name, what.reason),
           what.help};
 }

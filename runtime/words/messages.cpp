@@ -133,6 +133,7 @@ Words words_for(const Refusal& refusal, const motion::RobotModel& robot) {
     case Refusal::Kind::PathTooLong:
       return words_for_path(refusal, robot);
     case Refusal::Kind::TooHeavy:
+    case Refusal::Kind::OtherBranch:
       return words_for_path(refusal, robot);
     case Refusal::Kind::TooLong:
       return {code::kMotionTooLong,
@@ -205,6 +206,16 @@ Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseVal
           fmt::format("{} {}", robot.name, robot.kinematics->reach())};
 }
 
+Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose,
+                            motion::Freedom free) {
+  return {std::string(lang::code::kUnreachable),
+          fmt::format("{} cannot bring its tool to {}, whatever the turn that FREE {} leaves open",
+                      robot.name,
+                      lang::text_of(lang::constant_of(lang::from_si(pose)), lang::Type::pose()),
+                      free == motion::Freedom::C ? "c" : "SPIN"),
+          fmt::format("{} {}", robot.name, robot.kinematics->reach())};
+}
+
 Words words_for_other_c(const motion::RobotModel& robot, const lang::PoseValue& pose, double c) {
   constexpr int kDecimals = 2;
   const auto degrees = [](double value) { return shown(value / kDegree, kDecimals); };
@@ -212,7 +223,7 @@ Words words_for_other_c(const motion::RobotModel& robot, const lang::PoseValue& 
           fmt::format("{} cannot turn its tool to c = {}deg at this place: with its axes c is {}deg"
                       " there",
                       robot.name, degrees(lang::pose_math::to_fixed(pose.rotation).c), degrees(c)),
-          "write the target without c, as (x, y, z, a, b)"};
+          "write the target without c, as (x, y, z, a, b), or FREE c after it"};
 }
 
 Words words_for_many_simulations() {

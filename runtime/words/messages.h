@@ -24,6 +24,9 @@ Words words_for_condition(lang::ArithmeticError error);
 Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose,
                             const motion::Shortfall& shortfall,
                             const std::optional<lang::PoseValue>& nearest);
+/// The same where a turn is left open.
+Words words_for_unreachable(const motion::RobotModel& robot, const lang::PoseValue& pose,
+                            motion::Freedom free);
 /// A whole pose for a robot whose place decides c, which would be `c` there, rad.
 Words words_for_other_c(const motion::RobotModel& robot, const lang::PoseValue& pose, double c);
 /// More SIMULATEs wait for their time than there is room for.

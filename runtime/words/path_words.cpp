@@ -151,6 +151,30 @@ Words words_for_no_spiral() {
           "IN names a frame whose x axis lies across the tool, for example IN TOOL"};
 }
 
+namespace {
+
+/// "JOINTS(10deg, -80.2deg, …)", to 0.1 mm and 0.1°.
+std::string text_for_joints(const motion::JointVector& q, const motion::RobotModel& robot) {
+  std::string text;
+  for (int i = 0; i < robot.axis_count(); ++i) {
+    const bool linear = robot.axes[static_cast<std::size_t>(i)].kind == motion::AxisKind::Linear;
+    text += fmt::format("{}{}{}", text.empty() ? "" : ", ",
+                        shown(linear ? q[i] * 1e3 : q[i] / kDegree, 1), linear ? "mm" : "deg");
+  }
+  return fmt::format("JOINTS({})", text);
+}
+
+Words words_for_other_branch(const Refusal& refusal, const motion::RobotModel& robot) {
+  return {
+      code::kOtherBranch,
+      fmt::format("on this way the axes arrive at {}; NEAR is nearest to another posture at the"
+                  " target",
+                  text_for_joints(refusal.q, robot)),
+      "leave NEAR out, begin in that posture, or write MOVE p NEAR JOINTS(…), which goes to it"};
+}
+
+}  // namespace
+
 Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
   if (refusal.kind == Refusal::Kind::PathOutOfReach) {
     return {code::kPathOutOfReach,
@@ -159,6 +183,7 @@ Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
                         refusal.nearest ? text_for_nearest(to_lang(*refusal.nearest)) : ""),
             "choose a way that stays in reach, or write MOVE, which goes round"};
   }
+  if (refusal.kind == Refusal::Kind::OtherBranch) return words_for_other_branch(refusal, robot);
   if (refusal.kind == Refusal::Kind::TooHeavy) return words_for_weight(refusal, robot);
   if (refusal.kind == Refusal::Kind::PathTooLong) {
     return {code::kPathTooLong,
@@ -177,7 +202,9 @@ Words words_for_path(const Refusal& refusal, const motion::RobotModel& robot) {
       code::kPathSingular,
       fmt::format("axis {} would have to turn too fast at {}{}{}",
                   axis_of(robot, refusal.axis).name, place_on(refusal), *why == 0 ? "" : ": ", why),
-      "lead the way past that place, begin in another posture, or write MOVE"};
+      "lead the way past that place, leave a turn of the tool open with FREE c or FREE SPIN, begin "
+      "in"
+      " another posture (MOVE p NEAR JOINTS(…) goes to one), or write MOVE"};
 }
 
 }  // namespace rob::runtime

@@ -171,6 +171,14 @@ TEST_CASE("BY and JOINT after MOVE are names where a value goes on") {
         "MOVE by\nMOVE by + step\nMOVEL joint * 2\n");
 }
 
+TEST_CASE("NEAR and FREE are clauses behind a target, and names elsewhere") {
+  const std::string names = "VAR near = JOINTS()\nVAR free = POSE(1mm, 2mm, 0mm)\n";
+  CHECK(laid_out(names + "move free near near free spin\n") ==
+        names + "MOVE free NEAR near FREE SPIN\n");
+  CHECK(laid_out(names + "movel FREE free c at 5mm/s\n") == names + "MOVEL free FREE c AT 5mm/s\n");
+  CHECK(laid_out(names + "PRINT NEAR\n") == names + "PRINT near\n");
+}
+
 TEST_CASE("what lies around motions is laid out like clauses and blocks") {
   CHECK(
       laid_out(

@@ -55,6 +55,9 @@ TEST_CASE("behind the target of a motion: its clauses") {
   CHECK(!offers("MOVE(10 ", "AT"));
   CHECK(offers("MOVE(10 ", "DIV"));
   CHECK(offered("MOVE(10,0,0) PROFILE C") == Offers{"COSINE"});
+  CHECK(offered("MOVE pick NE") == Offers{"NEAR"});
+  CHECK(offered("MOVE pick FREE S") == Offers{"SPIN"});
+  CHECK(offers("MOVE pick NEAR ", "JOINTS"));
   CHECK(offered("JOG W") == Offers{"WORLD"});
 }
 
