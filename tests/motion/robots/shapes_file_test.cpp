@@ -122,8 +122,10 @@ TEST_CASE("what is wrong with a shape or an obstacle is refused where it stands"
 TEST_CASE("base and flange get another name where an axis has theirs") {
   std::string text;
   for (const EmbeddedRobot& robot : embedded_robots())
-    if (robot.name == "ur5e") text = robot.text;
-  REQUIRE(text.find("name = \"base\"") != std::string::npos);
+    if (robot.name == "irb120") text = robot.text;
+  const std::string first_axis = "name = \"j1\"";
+  REQUIRE(text.find(first_axis) != std::string::npos);
+  text.replace(text.find(first_axis), first_axis.size(), "name = \"base\"");
   const std::string capsule =
       "kind = \"capsule\"\nfrom = [\"0 mm\", \"0 mm\", \"0 mm\"]\n"
       "to = [\"0 mm\", \"0 mm\", \"80 mm\"]\nradius = \"20 mm\"\n";
@@ -151,4 +153,19 @@ TEST_CASE("meshes wait for who can read them, with the place where they are name
   CHECK(mesh.file == "rack.stl");
   CHECK(mesh.place.position.x() == 1);
   CHECK(mesh.where.starts_with("my.toml:"));
+}
+
+TEST_CASE("the arms in the box have shapes, and touch nothing at their start") {
+  for (const char* name : {"lwa4p", "lwa4p_urdf", "ur5e", "ur10e", "fr3", "t3"}) {
+    CAPTURE(name);
+    const RobotModel& robot = embedded_robot(name);
+    const Clearance clearance = clearance_of(robot);
+    CHECK(clearance.pairs().size() >= 3);
+    const LinkFrames at_start = clearance.frames(robot.start);
+    for (const Clearance::Pair& pair : clearance.pairs()) {
+      CAPTURE(clearance.name_of_body(pair));
+      CAPTURE(clearance.name_of_other(pair));
+      CHECK(clearance.distance(pair, at_start) > 0.005);
+    }
+  }
 }
