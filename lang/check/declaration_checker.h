@@ -20,9 +20,10 @@
 namespace rob::lang {
 
 template <typename Node>
-concept IsDeclaration = std::is_same_v<Node, Declaration> ||
-    std::is_same_v<Node, RecordDeclaration> || std::is_same_v<Node, EnumDeclaration> ||
-    std::is_same_v<Node, PointDeclaration> || std::is_same_v<Node, DeviceDeclaration>;
+concept IsDeclaration =
+    std::is_same_v<Node, Declaration> || std::is_same_v<Node, RecordDeclaration> ||
+    std::is_same_v<Node, EnumDeclaration> || std::is_same_v<Node, PointDeclaration> ||
+    std::is_same_v<Node, DeviceDeclaration> || std::is_same_v<Node, ObstacleDeclaration>;
 
 /// Checks VAR, CONST, FRAME, TOOL, RECORD and POINT, and TEACH, which changes a point.
 class DeclarationChecker {
@@ -46,6 +47,7 @@ class DeclarationChecker {
   void check(RecordDeclaration& record);
   void check(EnumDeclaration& enumeration);
   void check(DeviceDeclaration& device);
+  void check(ObstacleDeclaration& obstacle) { shapes_.check(obstacle); }
   void check(PointDeclaration& declaration);
   /// `surely`: the statement is executed before those after it.
   void check(Teach& teach, bool surely);

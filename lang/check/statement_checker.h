@@ -80,7 +80,6 @@ class StatementChecker {
   void check(Declared& declared) {
     declared_.check(declared);
   }
-  void check(ObstacleDeclaration& obstacle) { shapes_.check(obstacle); }
   void check(Teach& teach);
   void check(SignalDeclaration& signal) { signals_.check(signal); }
   void check(Pulse& pulse) { signals_.check(pulse); }

@@ -90,9 +90,10 @@ class CodeBuilder {
   void open_memory(Place place);
 
   void declare_safe(const SafeValue& value) { chunk_.safe_values.push_back(value); }
-  void name_tool(NamedTool tool) { chunk_.tools.push_back(std::move(tool)); }
-  void declare_obstacle(Obstacle obstacle) { chunk_.obstacles.push_back(std::move(obstacle)); }
-  void has_shaped_tool() { chunk_.shaped = true; }
+  void name_tool(NamedTool tool, bool shaped) {
+    chunk_.tools.push_back(std::move(tool));
+    chunk_.shaped = chunk_.shaped || shaped;
+  }
   /// ALLOW, up to an end_with.
   void allow(std::vector<std::string> bodies, Place place);
   /// Gives reports the program's name of a signal.

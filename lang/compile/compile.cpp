@@ -68,6 +68,16 @@ std::vector<Compilation::Definition> definitions_of(const Program& program) {
   return definitions;
 }
 
+/// Those of the files that it USEs, too.
+void add_obstacles(const Block& statements, std::vector<Obstacle>& obstacles) {
+  for (const Statement& statement : statements) {
+    if (const auto* const declared = std::get_if<ObstacleDeclaration>(&statement.node))
+      obstacles.push_back(declared->obstacle);
+    if (const auto* const use = std::get_if<Use>(&statement.node))
+      add_obstacles(use->declarations, obstacles);
+  }
+}
+
 /// Checks and generates; `rooms`: of an entry of the prompt.
 void compile(Program program, const RobotSignature& robot, const PointTable& points,
              const TargetJudge& judge, KnownNames known, const EntryRooms* rooms,
@@ -95,6 +105,7 @@ void compile(Program program, const RobotSignature& robot, const PointTable& poi
   }
   compilation.chunk = std::move(generated.chunk);
   compilation.chunk->type_table = checked.program.types;
+  add_obstacles(checked.program.statements, compilation.chunk->obstacles);
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ Location DeclarationCompiler::declare_in_registers(const Symbol& symbol) {
 void DeclarationCompiler::name_constant(const Symbol& symbol) {
   if (symbol.kind != Symbol::Kind::NamedConstant || !symbol.type.is(Type::Kind::Tool)) return;
   const std::vector<Slot> slots = to_slots(symbol.value);
-  code_.name_tool({symbol.name, to_si(lang::load_pose(slots.data()))});
-  if (lang::load_tool(slots.data()).shape.front().radius > 0) code_.has_shaped_tool();
+  code_.name_tool({symbol.name, to_si(lang::load_pose(slots.data()))},
+                  lang::load_tool(slots.data()).shape.front().radius > 0);
 }
 
 /// And a channel by that of its SIGNAL.
@@ -166,6 +166,14 @@ void DeclarationCompiler::keep_taught_joints(const Symbol& point, Register joint
   const Register known = frame_.number_registers();
   code_.load_integer(known, 1, place);
   variables_.store_variable(*point.has_taught, known, place);
+}
+
+void DeclarationCompiler::compile(const DeviceDeclaration& device) {
+  const auto* const ending =
+      device.ending == nullptr ? nullptr : std::get_if<std::string>(&device.ending->constant);
+  code_.declare_device(device.declared.symbol->device,
+                       {device.declared.name, std::get<std::string>(device.address->constant),
+                        ending == nullptr ? "\n" : *ending, device.declared.place});
 }
 
 }  // namespace rob::lang

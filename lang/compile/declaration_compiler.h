@@ -25,6 +25,7 @@ class DeclarationCompiler {
   /// `place`: of the statement.
   void compile(const Declaration& declaration, Place place);
   void compile(const SignalDeclaration& signal);
+  void compile(const DeviceDeclaration& device);
   void compile(const PointDeclaration& declaration, Place place);
   void compile(const Teach& teach, Place place);
   /// Takes over a name that an earlier entry of the prompt has declared.

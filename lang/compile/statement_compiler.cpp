@@ -216,14 +216,6 @@ void StatementCompiler::compile(const Write& write) {
   frame_.release(mark);
 }
 
-void StatementCompiler::compile(const DeviceDeclaration& device) {
-  const auto* const ending =
-      device.ending == nullptr ? nullptr : std::get_if<std::string>(&device.ending->constant);
-  code_.declare_device(device.declared.symbol->device,
-                       {device.declared.name, std::get<std::string>(device.address->constant),
-                        ending == nullptr ? "\n" : *ending, device.declared.place});
-}
-
 void StatementCompiler::compile(const Send& send) {
   const Place place = place_;
   const auto mark = frame_.mark();

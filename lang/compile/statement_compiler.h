@@ -17,9 +17,13 @@
 
 namespace rob::lang {
 
+/// It is no code.
 template <typename Node>
-concept IsTypeDeclaration =
-    std::is_same_v<Node, RecordDeclaration> || std::is_same_v<Node, EnumDeclaration>;
+concept IsTypeDeclaration = std::is_same_v<Node, RecordDeclaration> ||
+    std::is_same_v<Node, EnumDeclaration> || std::is_same_v<Node, ObstacleDeclaration>;
+template <typename Node>
+concept IsChannel =
+    std::is_same_v<Node, SignalDeclaration> || std::is_same_v<Node, DeviceDeclaration>;
 /// A statement that is one instruction.
 template <typename Node>
 concept IsWordAlone =
@@ -73,7 +77,10 @@ class StatementCompiler {
 
   // Names and values
   void compile(const Declaration& declaration) { declarations_.compile(declaration, place_); }
-  void compile(const SignalDeclaration& signal) { declarations_.compile(signal); }
+  template <IsChannel Node>
+  void compile(const Node& channel) {
+    declarations_.compile(channel);
+  }
   void compile(const PointDeclaration& points) { declarations_.compile(points, place_); }
   template <IsTypeDeclaration Node>
   void compile(const Node& /*type*/) {}
@@ -85,10 +92,6 @@ class StatementCompiler {
   void compile(const Pulse& pulse);
   void compile(const Print& print);
   void compile(const Write& write);
-  void compile(const DeviceDeclaration& device);
-  void compile(const ObstacleDeclaration& declaration) {
-    code_.declare_obstacle(declaration.obstacle);
-  }
   void compile(const Allow& allow);
   void compile(const Send& send);
   void compile(const Receive& receive);
