@@ -15,7 +15,7 @@ namespace rob::lang {
 struct MoveCommand {
   /// The kind of the components of a target.
   enum class Target : std::uint8_t {
-    Coordinates,  ///< of a tuple, as RobotSignature names them
+    Coordinates,  ///< of a tuple, as elements_of(robot) names them
     Axes,         ///< the axes themselves
     Pose          ///< of the tool in the world, x y z w i j k; BY: x y z added to its place
   };

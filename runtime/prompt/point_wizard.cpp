@@ -57,10 +57,9 @@ std::string PointWizard::question() const {
 std::string PointWizard::found() const {
   const auto fit = lang::fit_tool(flanges_);
   if (!fit) return "turned by less than 10deg, or about one axis only";
-  return fmt::format(
-      "the tip is at ({:.2f}, {:.2f}, {:.2f}) mm from the flange, missed by {:.3f} mm",
-      fit->tip.x / kMillimetre, fit->tip.y / kMillimetre, fit->tip.z / kMillimetre,
-      fit->miss / kMillimetre);
+  const auto mm = [](double metres, int decimals) { return shown(metres / kMillimetre, decimals); };
+  return fmt::format("the tip is at ({}, {}, {}) mm from the flange, missed by {} mm",
+                     mm(fit->tip.x, 2), mm(fit->tip.y, 2), mm(fit->tip.z, 2), mm(fit->miss, 3));
 }
 
 std::string PointWizard::declaration() const {

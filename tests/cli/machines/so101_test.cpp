@@ -74,8 +74,8 @@ double last_of(const std::string& trace, const std::string& column) {
 
 /// Where the references of a run end.
 Tips reached(const std::string& trace) {
-  const auto axis = [&](const char* name) { return last_of(trace, std::string("ref_") + name); };
-  return tips_of(axis("pan"), axis("lift"), axis("elbow"), axis("wrist"), axis("roll"));
+  const auto axis = [&](const char* name) { return last_of(trace, std::string(name)); };
+  return tips_of(axis("q1"), axis("q2"), axis("q3"), axis("q4"), axis("q5"));
 }
 
 }  // namespace
@@ -110,10 +110,10 @@ TEST_CASE("targets of five axes are reached within 0.01 mm, as plane geometry ha
 
 TEST_CASE("the gripper goes by its name: alone, on a line, and not with a pose") {
   const std::string say = "STOP\nj = JOINTS()\nPRINT ROUND(j[6], 0.1deg)\n";
-  const RobCommand rob(kArm + "VAR j = JOINTS()\nMOVE(200, 0, 80, 180, 0, gripper: 40deg)\n" +
-                       say + "VAR p = HERE\nMOVE(gripper: 20deg)\n" + say +
-                       "PRINT DIST(p, HERE) < 0.001mm\nMOVEL BY (z: -20mm, gripper: 15deg)\n" + say +
-                       "MOVE p\n" + say);
+  const RobCommand rob(kArm + "VAR j = JOINTS()\nMOVE(200, 0, 80, 180, 0, gripper: 40deg)\n" + say +
+                       "VAR p = HERE\nMOVE(gripper: 20deg)\n" + say +
+                       "PRINT DIST(p, HERE) < 0.001mm\nMOVEL BY (z: -20mm, gripper: 15deg)\n" +
+                       say + "MOVE p\n" + say);
   const ProcessResult result = rob("run", {"--fast"});
   REQUIRE_MESSAGE(result.exit_code == 0, result.err);
   CHECK(result.out.starts_with("40deg\n20deg\nTRUE\n35deg\n35deg\n"));

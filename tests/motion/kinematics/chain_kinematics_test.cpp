@@ -3,11 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <memory>
+#include <random>
 #include <vector>
 
 #include "motion/robots/robot_file.h"
 #include "motion/robots/robot_library.h"
 #include "tests/support/degrees.h"
+#include "tests/support/kdl_chain.h"
 
 namespace rob::motion {
 using test::kDegree;
@@ -51,6 +53,51 @@ TEST_CASE("its lift leans it forward") {
   const RobotModel robot = embedded_robot("so101");
   check_near(robot.kinematics->forward(joints(0, 90, 0, 0, 0, 0)).position,
              30.399 + (258.952 - 149.082), -0.396, 149.082 - (352.526 - 30.399));
+}
+
+// The numbers of so101_new_calib.urdf under KDL, which shares no code with Rob. Its base is 38.8353
+// mm behind axis 1, and its roll has another zero: 0.0486795 rad, in the rpy of that joint.
+TEST_CASE("its tips are where KDL brings those of the published model") {
+  struct Joint {
+    double x, y, z, roll, pitch, yaw;
+  };
+  constexpr double kHalf = 3.14159265358979324;
+  const Joint joints_of_model[] = {{0, 0, 0.094882, kHalf, 0, -kHalf},
+                                   {-0.0303992, -0.0182778, -0.0542, -kHalf / 2, -kHalf / 2, 0},
+                                   {-0.11257, -0.028, 0, 0, 0, kHalf / 2},
+                                   {-0.1349, 0.0052, 0, 0, 0, -kHalf / 2},
+                                   {0, -0.0611, 0.0181, kHalf / 2, 0.0486795, kHalf}};
+  KDL::Chain chain;
+  chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None)));
+  const auto place = [](const Joint& at) {
+    return KDL::Frame(KDL::Rotation::RPY(at.roll, at.pitch, at.yaw), KDL::Vector(at.x, at.y, at.z));
+  };
+  for (const Joint& joint : joints_of_model) {
+    chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), place(joint)));
+    chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::RotZ)));
+  }
+  const Joint tips{-0.0079, -0.000218121, -0.0981274, 0, kHalf, 0};
+  chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), place(tips)));
+  const RobotModel robot = embedded_robot("so101");
+  KDL::ChainFkSolverPos_recursive solver(chain);
+  std::mt19937 random(5);
+  for (int i = 0; i < 1000; ++i) {
+    JointVector q(6);
+    KDL::JntArray same(5);
+    for (int axis = 0; axis < 6; ++axis) {
+      const Axis& limits = robot.axes[static_cast<std::size_t>(axis)];
+      q[axis] = std::uniform_real_distribution<double>(limits.min, limits.max)(random);
+      if (axis < 5) same(static_cast<unsigned>(axis)) = q[axis];
+    }
+    same(4) += 0.0486795;
+    KDL::Frame there;
+    REQUIRE(solver.JntToCart(same, there) >= 0);
+    const Pose tool = robot.kinematics->forward(q);
+    CHECK((tool.position - Eigen::Vector3d(there.p.x(), there.p.y(), there.p.z())).norm() < 2e-6);
+    const KDL::Vector z = there.M.UnitZ();
+    CHECK((tool.orientation * Eigen::Vector3d::UnitZ() - Eigen::Vector3d(z.x(), z.y(), z.z()))
+              .norm() < 1e-6);
+  }
 }
 
 TEST_CASE("no axis moves the tips further than its lever says") {
