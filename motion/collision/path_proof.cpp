@@ -64,10 +64,22 @@ std::optional<PathProof::Contact> PathProof::follow(const JointVector& q) {
   const JointVector step = q - last_;
   const JointVector way = step.cwiseAbs();
   approached_ += clearance_->greatest_approach(way);
+  std::optional<LinkFrames> at_end;
+  // A pair that is so far apart at the end of the step was so all along it.
+  const auto is_free = [&](std::size_t i) {
+    if (!at_end) at_end = clearance_->frames(q);
+    const double distance = clearance_->distance(clearance_->pairs()[i], *at_end);
+    if (distance - clearance_->approach(i, way) <= enough(i)) return false;
+    watched_[i].distance = distance;
+    watched_[i].since = gone_ + way;
+    watched_[i].least = kContact;
+    due_[i] = approached_ + distance - enough(i);
+    return true;
+  };
   std::optional<Contact> first;
   double earliest = 1;
   for (std::size_t i = 0; i < watched_.size(); ++i) {
-    if (far(i, gone_ + way)) continue;
+    if (far(i, gone_ + way) || is_free(i)) continue;
     const Along along = look_along(i, step, earliest);
     if (!along.contact) continue;
     first = along.contact;
