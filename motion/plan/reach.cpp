@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/unit_factors.h"
+#include "motion/kinematics/chain_kinematics.h"
 #include "motion/path/goal_rung.h"
 #include "motion/path/way_cost.h"
 #include "motion/plan/feasibility.h"
@@ -41,6 +42,26 @@ double square_of_time(const RobotModel& robot, const JointVector& q,
     sum += time * time;
   }
   return sum;
+}
+
+constexpr int kTurns = 72;
+/// [choice] Where solutions are searched for, at every twelfth turn: 60 deg apart.
+constexpr int kApart = 12;
+
+/// Whether solutions() searches, which takes a thousand times as long as beside().
+bool searches(const RobotModel& robot) noexcept {
+  const auto* const chain = dynamic_cast<const ChainKinematics*>(robot.kinematics.get());
+  return chain != nullptr && !chain->closed();
+}
+
+/// The solutions for a pose that go on from those for one beside it.
+InverseSolutions beside(const Kinematics& kinematics, const Pose& pose,
+                        const InverseSolutions& from) noexcept {
+  InverseSolutions found;
+  for (const JointVector& near : from)
+    if (const auto q = kinematics.beside(pose, near))
+      found.q[static_cast<std::size_t>(found.count++)] = *q;
+  return found;
 }
 
 }  // namespace
@@ -90,19 +111,22 @@ std::optional<RobotModel> leaving(const RobotModel& robot, const FreeTurn& free,
 
 std::optional<JointVector> reach_freely(const RobotModel& robot, const Pose& pose, const Pose& tip,
                                         const FreeTurn& free, const JointVector& near) {
-  constexpr int kTurns = 72;
   if (const auto other = leaving(robot, free, tip)) {
     auto q = reach(*other, pose, near);
     return q && within_limits(robot, *q) ? q : std::nullopt;
   }
-  const Pose first =
-      nearest_turn(pose, free, composed(robot.kinematics->forward(near), tip).orientation);
+  const Pose now = composed(robot.kinematics->forward(near), tip);
+  const Pose first = nearest_turn(pose, free, now.orientation);
   const Pose flange = inverse(tip);
   std::optional<JointVector> best;
   double least = std::numeric_limits<double>::infinity();
+  const bool searching = searches(robot);
+  InverseSolutions found;
   for (int k = 0; k < kTurns; ++k) {
     const Pose place = composed(turned(first, free, k * kFullTurn / kTurns), flange);
-    for (const JointVector& solution : robot.kinematics->solutions(place, near)) {
+    found = k % kApart == 0 || !searching ? robot.kinematics->solutions(place, near)
+                                          : beside(*robot.kinematics, place, found);
+    for (const JointVector& solution : found) {
       const JointVector q = turned_within(robot, solution);
       if (!within_limits(robot, q)) continue;
       const double cost = way_cost(robot, near, q) + limit_cost(robot, q);
