@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -179,4 +180,19 @@ TEST_CASE("the part in the gripper of a simulated cell must not hit the table") 
   REQUIRE(hits.contact.has_value());
   CHECK(hits.contact->body == "part");
   CHECK(hits.contact->other == "table");
+}
+
+TEST_CASE("the seven-axis arm of the example would hit the wall if it did not go over it") {
+  std::ifstream file(ROB_SOURCE_DIR "/examples/26_cell.rob");
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  const std::size_t over = text.find("  MOVEL(z: 300mm)");
+  REQUIRE(over != std::string::npos);
+  text.erase(over, text.find('\n', over) + 1 - over);
+  const auto program = rob::runtime::compile_program("t.rob", text, embedded_robot("fr3"));
+  REQUIRE(program.runnable());
+  const RunResult result = rob::runtime::foretell(program, program.robot);
+  CHECK(code_of(result) == "E580");
+  REQUIRE(result.contact.has_value());
+  CHECK(result.contact->body == "gripper");
+  CHECK(result.contact->other == "wall");
 }
