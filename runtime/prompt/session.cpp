@@ -299,18 +299,12 @@ void Session::home() {
 
 /// An entry that moves nothing, such as a START, takes some cycles: who types a command at once
 /// after it need not know that.
-void Session::await_done() {
-  constexpr int kMostCycles = 20;  // [choice]
-  int cycles = 0;
-  wait_while(
-      [&] { return !robot_->idle() && !robot_->reports().moves() && cycles++ < kMostCycles; });
-}
-
 bool Session::stands(const char* command) {
   if (options_.waits) {
     finish();
   } else {
-    await_done();
+    int cycles = 20;  // [choice]
+    wait_while([&] { return !robot_->idle() && !robot_->reports().moves() && cycles-- > 0; });
   }
   if (robot_->over()) {
     fail("the robot has stopped for good", ":reset takes it up again");

@@ -153,7 +153,6 @@ class Session {
   void tell_held();
   void read_points();
   void begin_text(const motion::RobotModel& robot);
-  void await_done();
   void wait_while(const std::function<bool()>& waits);
   LiveReports::Listener listener();
   std::unique_ptr<LiveRobot> live(const motion::RobotModel& robot);
