@@ -70,6 +70,24 @@ PlanOutcome MotionPlanner::plan(const MotionRequest& request, const ToolPath& pa
   return plan_along(request, choose_turn(robot_, path, tip_.pose(), *request.free, last_.q));
 }
 
+/// The axes along a path of the tip. `alone`: set where who follows it anew would choose anew.
+Followed MotionPlanner::axes_along(const MotionRequest& request, const ToolPath& path,
+                                   bool& alone) const {
+  if (path.axes() != nullptr) return led_by(*path.axes());
+  const Pose& tip = tip_.pose();
+  const auto other = request.free ? leaving(robot_, *request.free, tip) : std::nullopt;
+  const auto whole = request.whole ? upright_along(robot_, path) : std::nullopt;
+  const auto tipped = other || whole ? other : tip_as_flange(robot_, tip);
+  if (!tipped) {
+    bool chosen = false;
+    Followed followed = follow_choosing(whole ? *whole : robot_, path, tip, last_.q, chosen);
+    alone = alone || chosen;
+    return followed;
+  }
+  alone = true;
+  return motion::follow(*tipped, path, {}, last_.q);
+}
+
 PlanOutcome MotionPlanner::plan_along(const MotionRequest& request, const ToolPath& path) {
   if (const auto refusal = check_wishes(request)) return *refusal;
   const bool hand = brings_gripper(request);
@@ -82,13 +100,8 @@ PlanOutcome MotionPlanner::plan_along(const MotionRequest& request, const ToolPa
     draft.demand = tip_.demand(last_.q, draft.target);
     return take(request, std::move(draft));
   }
-  bool chosen = false;
-  const auto other = request.free ? leaving(robot_, *request.free, tip_.pose()) : std::nullopt;
-  const auto whole = request.whole ? upright_along(robot_, path) : std::nullopt;
-  Followed followed =
-      path.axes() != nullptr ? led_by(*path.axes())
-      : other                ? motion::follow(*other, path, {}, last_.q)
-              : follow_choosing(whole ? *whole : robot_, path, tip_.pose(), last_.q, chosen);
+  bool alone = hand;
+  Followed followed = axes_along(request, path, alone);
   if (const auto refusal = paths_.judge(request, path, followed)) return *refusal;
   if (hand) followed.axes.bring(robot_.gripper, complete(request.given, wanted)[robot_.gripper]);
   draft.leg = std::make_shared<PlannedLeg>();
@@ -111,7 +124,6 @@ PlanOutcome MotionPlanner::plan_along(const MotionRequest& request, const ToolPa
     draft.leg->axes = std::move(followed.axes);
     draft.demand.path = &*draft.leg->axes;
     // Such lines may be joined to others; who follows one anew would choose anew.
-    const bool alone = chosen || other || hand;
     const auto* const line = alone ? nullptr : dynamic_cast<const ToolLine*>(&path);
     if (line != nullptr) draft.leg->line = *line;
   }

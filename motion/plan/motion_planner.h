@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "motion/path/follow.h"
 #include "motion/path/tool_path.h"
 #include "motion/plan/carrying_arms.h"
 #include "motion/plan/drive_fit.h"
@@ -122,6 +123,7 @@ class MotionPlanner {
   JointVector complete(std::uint8_t given,
                        const std::array<double, kMaxJoints>& wanted) const noexcept;
   PlanOutcome plan_along(const MotionRequest& request, const ToolPath& path);
+  Followed axes_along(const MotionRequest& request, const ToolPath& path, bool& alone) const;
   PlanOutcome take(const MotionRequest& request, MotionDraft draft);
   PlanOutcome take_timed(const MotionRequest& request, MotionDraft draft);
   PlanOutcome take_ahead(const MotionRequest& request, MotionDraft draft);

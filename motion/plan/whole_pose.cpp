@@ -10,12 +10,12 @@ namespace rob::motion {
 
 namespace {
 
-std::optional<RobotModel> with_nothing_open(const RobotModel& robot) {
-  auto kinematics = robot.kinematics->leaving(Freedom::None, {});
+std::optional<RobotModel> leaving_open(const RobotModel& robot, Freedom freedom, const Pose& tip) {
+  auto kinematics = robot.kinematics->leaving(freedom, tip);
   if (kinematics == nullptr) return std::nullopt;
-  RobotModel whole = robot;
-  whole.kinematics = std::move(kinematics);
-  return whole;
+  RobotModel other = robot;
+  other.kinematics = std::move(kinematics);
+  return other;
 }
 
 bool is_upright(const Pose& pose) {
@@ -31,7 +31,7 @@ bool leaves_open(const RobotModel& robot) noexcept {
 
 std::optional<JointVector> reach_whole(const RobotModel& robot, const Pose& pose,
                                        const JointVector& near) {
-  const auto whole = with_nothing_open(robot);
+  const auto whole = leaving_open(robot, Freedom::None, {});
   if (!whole) return std::nullopt;
   const auto q = reach(*whole, pose, near);
   return q && axes_within(robot, *q) ? q : std::nullopt;
@@ -44,7 +44,12 @@ std::optional<RobotModel> upright_along(const RobotModel& robot, const ToolPath&
     const double s = path.begin() + (path.end() - path.begin()) * k / kPlaces;
     if (!is_upright(path.at(s))) return std::nullopt;
   }
-  return with_nothing_open(robot);
+  return leaving_open(robot, Freedom::None, {});
+}
+
+std::optional<RobotModel> tip_as_flange(const RobotModel& robot, const Pose& tip) {
+  const bool flange = tip.position.isZero(0) && tip.orientation.vec().isZero(0);
+  return flange ? std::nullopt : leaving_open(robot, robot.kinematics->freedom(), tip);
 }
 
 }  // namespace rob::motion

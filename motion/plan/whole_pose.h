@@ -21,6 +21,11 @@ std::optional<JointVector> reach_whole(const RobotModel& robot, const Pose& pose
 /// None of other paths, and of robots whose axes leave nothing open.
 std::optional<RobotModel> upright_along(const RobotModel& robot, const ToolPath& path);
 
+/// The robot with the tip of a tool, seen from its flange, as its flange: what the axes leave to
+/// the place turns about the tip, not about the flange. None where the tip is the flange, and of
+/// robots whose axes leave nothing open.
+std::optional<RobotModel> tip_as_flange(const RobotModel& robot, const Pose& tip);
+
 /// Whether the axes leave a part of poses to the place, and by how much at most a whole pose may
 /// differ from what they make of it, rad.
 bool leaves_open(const RobotModel& robot) noexcept;

@@ -25,9 +25,11 @@ std::optional<Words> axes_for(const motion::RobotModel& robot, const lang::PoseV
                               std::span<double> joints,
                               const std::optional<motion::FreeTurn>& free) {
   const motion::Pose flange = to_motion(lang::flange_for(pose, setting));
+  const auto tipped = motion::tip_as_flange(robot, to_motion(setting.tool.tip));
   const auto q =
       free ? motion::reach_freely(robot, to_motion(pose), to_motion(setting.tool.tip), *free, near)
-           : motion::reach(robot, flange, near);
+      : tipped ? motion::reach(*tipped, to_motion(pose), near)
+               : motion::reach(robot, flange, near);
   if (!q && free) return words_for_unreachable(robot, pose, free->kind);
   if (!q) {
     std::optional<lang::PoseValue> nearest;

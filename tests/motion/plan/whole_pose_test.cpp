@@ -124,3 +124,35 @@ TEST_CASE("a line that passes beside the vertical is refused as singular on five
   REQUIRE(refused(outcome) != nullptr);
   CHECK(refused(outcome)->kind == Refusal::Kind::PathSingular);
 }
+
+TEST_CASE("what five axes leave to the place turns about the tip of a tool") {
+  const RobotModel robot = five_axes();
+  const Pose pen{{0.04, 0.01, 0.03}, Eigen::Quaterniond::Identity()};
+  JointVector q(5);
+  q << 0.3, 0, 0.3, 0.5, 0.35;
+  const auto tipped = tip_as_flange(robot, pen);
+  REQUIRE(tipped.has_value());
+  CHECK_FALSE(tip_as_flange(robot, {}).has_value());
+  CHECK_FALSE(tip_as_flange(embedded_robot("ur5e"), pen).has_value());
+  const Pose from = composed(five_forward(robot, q), pen);
+  Pose to = from;
+  to.position += Vector3d(0.01, 0.02, 0);
+  const auto there = reach(*tipped, to, q);
+  REQUIRE(there.has_value());
+  const Pose is = composed(five_forward(robot, *there), pen);
+  CHECK((is.position - to.position).norm() < 1e-8);
+  // The same but for a turn about z.
+  const Eigen::Quaterniond turn = is.orientation * to.orientation.conjugate();
+  CHECK(std::hypot(turn.x(), turn.y()) < 1e-7);
+  MotionPlanner planner(robot, q);
+  planner.set_tool(pen);
+  const auto line = ToolLine::between(from, to);
+  REQUIRE(line.has_value());
+  const PlanOutcome outcome = planner.plan({}, *line);
+  REQUIRE(refused(outcome) == nullptr);
+  const auto& planned = std::get<PlannedSegment>(outcome);
+  for (const double s : {0.3, 0.6, 1.0}) {
+    const Pose at = composed(five_forward(robot, planned.segment.path->at(s).q), pen);
+    CHECK((at.position - line->at(s).position).norm() < 1e-6);
+  }
+}
