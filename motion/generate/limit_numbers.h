@@ -13,7 +13,7 @@ inline constexpr std::uint8_t kAcceleration = 10;  ///< + axis
 inline constexpr std::uint8_t kEndOfBuffer = 20;
 inline constexpr std::uint8_t kOverride = 21;
 inline constexpr std::uint8_t kReach = 22;
-inline constexpr std::uint8_t kBody = 23;          ///< a jog would come too near to one
+inline constexpr std::uint8_t kBody = 23;       ///< a jog would come too near to one
 inline constexpr std::uint8_t kEndOfAxis = 30;  ///< + axis
 
 inline std::uint8_t of_axis(std::uint8_t first, int axis) noexcept {
