@@ -145,14 +145,14 @@ InverseSolutions ChainKinematics::solutions(const Pose& pose,
 
 void ChainKinematics::search(const Pose& pose, const JointVector& near,
                              InverseSolutions& found) const noexcept {
-  if (const unsigned kept = kept_for(pose); kept != 0) {
+  const unsigned kept = kept_for(pose);
+  if (kept != 0) {
     JointVector q = near;
     if (descent().within_limits().keep(kept).run(pose, kSteps, q)) add(q, near, found);
   }
-  for (int k = 0; k <= kStarts; ++k) {
-    JointVector q = start(k, near);
-    if (descent().within_limits().run(pose, kSteps, q)) add(q, near, found);
-  }
+  // Where the last of five axes would change nothing but c, it keeps its value if that can be.
+  if (freedom_ == Freedom::C && kept != 0) search_from_starts(pose, near, kept, found);
+  if (freedom_ != Freedom::C || found.count == 0) search_from_starts(pose, near, 0, found);
   for (int k = kStarts + 1; k <= kMoreStarts && found.count == 0; ++k) {
     JointVector q = start(k, near);
     if (descent().within_limits().run(pose, kSteps, q)) add(q, near, found);
@@ -160,6 +160,16 @@ void ChainKinematics::search(const Pose& pose, const JointVector& near,
   for (int k = 0; k <= kPatientStarts && found.count == 0; ++k) {
     JointVector q = start(k, near);
     if (descent().within_limits().patiently().run(pose, kPatientSteps, q)) add(q, near, found);
+  }
+}
+
+void ChainKinematics::search_from_starts(const Pose& pose, const JointVector& near, unsigned kept,
+                                         InverseSolutions& found) const noexcept {
+  for (int k = 0; k <= kStarts; ++k) {
+    JointVector q = start(k, near);
+    for (int i = 0; i < chain_.size(); ++i)
+      if ((kept >> i & 1U) != 0) q[i] = near[i];
+    if (descent().within_limits().keep(kept).run(pose, kSteps, q)) add(q, near, found);
   }
 }
 

@@ -74,6 +74,8 @@ class ChainKinematics final : public Kinematics {
   ChainDescent descent() const noexcept { return ChainDescent(chain_).leave(freedom_); }
   InverseSolutions nominal(const Pose& pose, const JointVector& near) const noexcept;
   void search(const Pose& pose, const JointVector& near, InverseSolutions& found) const noexcept;
+  void search_from_starts(const Pose& pose, const JointVector& near, unsigned kept,
+                          InverseSolutions& found) const noexcept;
   JointVector start(int number, const JointVector& near) const noexcept;
   void add(JointVector q, const JointVector& near, InverseSolutions& found) const noexcept;
   double least_singular(const JointVector& q, unsigned without) const noexcept;

@@ -119,6 +119,18 @@ TEST_CASE("the gripper goes by its name: alone, on a line, and not with a pose")
   CHECK(result.out.starts_with("40deg\n20deg\nTRUE\n35deg\n35deg\n"));
 }
 
+TEST_CASE("straight down axis 5 keeps its value with c left out, and gives c to a whole pose") {
+  const std::string roll = "STOP\nj = JOINTS()\nPRINT ROUND(j[5], 0.0001deg)\n";
+  const RobCommand rob(kArm +
+                       "VAR j = JOINTS()\nMOVE JOINT 5 TO 20deg\nMOVE(200, 0, 60, 180, 0)\n" +
+                       roll + "MOVEL(190, 60, 50, 180, 0)\n" + roll +
+                       "MOVE POSE(200mm, 30mm, 60mm, 180deg, 0deg, 40deg)\nSTOP\nPRINT "
+                       "ROUND(HERE.c, 0.001deg)\n");
+  const ProcessResult result = rob("run", {"--fast"});
+  REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+  CHECK_MESSAGE(result.out.starts_with("20deg\n20deg\n40deg\n"), result.out);
+}
+
 TEST_CASE("what a gripper cannot do is refused before anything moves") {
   for (const char* line : {"MOVE(gripper: 101deg)", "MOVEL(190, 60, 50, 180, 0, gripper: 101deg)",
                            "MOVE(x: 210mm, gripper: 101deg)"}) {
