@@ -3,7 +3,6 @@
 #include <array>
 #include <optional>
 
-#include "lang/values/builtins.h"
 #include "lang/values/pose_slots.h"
 #include "lang/values/tool_fit.h"
 
@@ -17,7 +16,7 @@ Error store_finite(const PoseValue& pose, Slot* result) {
 }
 
 std::optional<ToolFit> fit_of(Arguments a) {
-  std::array<PoseValue, kMostArguments> poses;
+  std::array<PoseValue, kMostToolPoses> poses;
   const std::size_t count = a.size() / kPoseSlots;
   for (std::size_t i = 0; i < count; ++i) poses[i] = load_pose(&a[i * kPoseSlots]);
   return fit_tool(std::span(poses).first(count));

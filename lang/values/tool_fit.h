@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -12,6 +13,8 @@ struct ToolFit {
   Vector3 tip;      ///< seen from the flange; the unit of the poses
   double miss = 0;  ///< root mean square of how far the tip is from the mean of its places
 };
+
+inline constexpr std::size_t kMostToolPoses = 16;
 
 /// By least squares. Nothing where the poses do not tell: the tool is turned by less than 10°
 /// between them, or about one axis only. Takes no memory.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kOfFrame = 3;
 constexpr std::size_t kLeastOfTool = 4;
-constexpr std::size_t kMostOfTool = 16;
+constexpr std::size_t kMostOfTool = lang::kMostToolPoses;
 
 /// 0.001 mm and 0.0001 deg: what a point has when it is saved.
 std::string position_text(const lang::PoseValue& pose) {

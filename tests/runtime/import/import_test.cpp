@@ -129,7 +129,7 @@ TEST_CASE("a SCARA is told from its axes, with targets x, y, z, c") {
   CHECK(imported("five.urdf", {"", "elbow", ""}).coordinates.empty());
 }
 
-TEST_CASE("five axes leave c to the place; a gripper's is named behind them") {
+TEST_CASE("five axes leave c to the place; a gripper's is named after them") {
   const motion::RobotModel five = imported("five.urdf", {"", "tip_link", "gripper"});
   CHECK(five.coordinates == std::vector<int>{0, 1, 2, 3, 4});
   CHECK(five.gripper == 5);
