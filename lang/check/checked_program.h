@@ -58,9 +58,10 @@ struct CheckedProgram {
   std::vector<Known> known{};
 };
 
-/// Whether TASKs use a variable of an earlier entry, as they did not before this one.
+/// Whether a variable of an earlier entry is shared with TASKs, as it was not before this one.
 inline bool newly_shared(const CheckedProgram::Known& known) {
-  return known.symbol->shared && !known.kept->symbol.shared;
+  const Symbol& before = known.kept->symbol;
+  return (known.symbol->shared && !before.shared) || (known.symbol->of_tasks && !before.of_tasks);
 }
 
 }  // namespace rob::lang

@@ -143,7 +143,9 @@ void ProgramChecker::settle_tasks() {
     const bool earlier = routine.task && routine.place.line < program_.entry;
     routine.outdated = earlier && uses_.uses_since(routine, program_.entry, program_.routines);
   }
-  for (const RoutineUses::Shared& one : uses_.shared()) scopes_.share(*one.symbol, one.observed);
+  if (program_.entry != 0) uses_.share_with_handlers(program_.routines);
+  for (const RoutineUses::Shared& one : uses_.shared())
+    scopes_.share(*one.symbol, one.observed, one.of_tasks);
   statements_.report_waits_and_paths();
   uses_.report_paths(program_.routines, diagnostics_);
 }

@@ -323,12 +323,22 @@ void RoutineUses::report_references(Diagnostics& diagnostics) const {
   }
 }
 
+void RoutineUses::share_with_handlers(const std::vector<Routine>& routines) {
+  for (const Routine& routine : routines) {
+    if (routine.handler) of_handlers_.merge(reached_from(routine.index));
+  }
+}
+
 std::vector<RoutineUses::Shared> RoutineUses::shared() const {
   std::vector<Shared> shared;
   for (const auto& [symbol, users] : users_) {
-    if (!any_in_task(users)) continue;
+    const bool of_tasks = any_in_task(users);
+    const bool of_handlers =
+        std::ranges::any_of(users, [&](std::size_t one) { return of_handlers_.contains(one); });
+    if (!of_tasks && !of_handlers) continue;
     const auto writers = writers_.find(symbol);
-    shared.push_back({symbol, writers != writers_.end() && any_in_task(writers->second)});
+    const bool written = writers != writers_.end() && any_in_task(writers->second);
+    shared.push_back({symbol, written || of_handlers, of_tasks});
   }
   std::ranges::sort(shared, {}, [](const Shared& one) { return one.symbol->id; });
   return shared;
@@ -341,7 +351,7 @@ void RoutineUses::report_paths(const std::vector<Routine>& routines,
                                Diagnostics& diagnostics) const {
   std::map<std::size_t, Place> robots = robots_;
   for (const Shared& one : shared()) {
-    if (!one.observed) continue;
+    if (!one.observed || !one.of_tasks) continue;
     for (const std::size_t user : users_.at(one.symbol)) robots.try_emplace(user, Place{});
   }
   const std::vector<std::vector<std::size_t>> called = callees();

@@ -70,8 +70,11 @@ class RoutineUses {
   bool in_task(const Routine* routine) const;
   struct Shared {
     const Symbol* symbol;
-    bool observed;  ///< a TASK gives it a value
+    bool observed;  ///< a TASK gives it a value, or may
+    bool of_tasks;  ///< a TASK uses it now
   };
+  /// At the prompt a TASK may come after a WHEN: what the handlers use is shared with it already.
+  void share_with_handlers(const std::vector<Routine>& routines);
   /// The globals that TASKs use, in the order of their declaration. After report_tasks().
   std::vector<Shared> shared() const;
 
@@ -121,6 +124,7 @@ class RoutineUses {
 
   std::map<std::size_t, Place> listed_;  ///< by routine: the first LIST that it uses
   std::map<std::size_t, Place> barred_;  ///< by routine: the first statement that no TASK can have
+  std::set<std::size_t> of_handlers_;    ///< routines that share what they use with later TASKs
   std::vector<const Routine*> task_of_;  ///< of each routine: a TASK that it is or that calls it
 
   std::map<std::size_t, Place> robots_;  ///< by routine: what no PATH can have in a routine

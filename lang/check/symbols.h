@@ -56,7 +56,8 @@ struct Symbol {
   bool global = false;                 ///< declared at the top level: routines see it
   bool by_reference = false;           ///< a REF parameter: stands for a variable of the caller
   const Routine* routine = nullptr;    ///< of Kind::Routine
-  bool shared = false;                 ///< a global that a TASK uses
+  bool shared = false;                 ///< a global that a TASK uses, or may at the prompt
+  bool of_tasks = false;               ///< and it does
   bool observed = false;               ///< and gives a value
   int device = -1;                     ///< of Kind::Device: its number among them
   int persist = -1;                    ///< of PERSIST: its number among them
@@ -112,9 +113,10 @@ class Scopes {
     symbols_[symbol.id].frame = detail;
     frames_[detail] = &symbol;
   }
-  void share(const Symbol& symbol, bool observed) {
+  void share(const Symbol& symbol, bool observed, bool of_tasks) {
     symbols_[symbol.id].shared = true;
     symbols_[symbol.id].observed = observed;
+    symbols_[symbol.id].of_tasks = of_tasks;
   }
   void persist(const Symbol& symbol) { symbols_[symbol.id].persist = persistent_++; }
   void device(const Symbol& symbol) { symbols_[symbol.id].device = devices_++; }

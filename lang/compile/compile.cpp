@@ -98,7 +98,7 @@ void compile(Program program, const RobotSignature& robot, const PointTable& poi
   if (rooms != nullptr) {
     compilation.names = names_of(checked, generated);
     for (const CheckedProgram::Known& one : checked.known)
-      if (newly_shared(one)) compilation.shared.push_back(one.kept);
+      if (newly_shared(one)) compilation.shared.push_back({one.kept, one.symbol->of_tasks});
     compilation.definitions = definitions_of(checked.program);
     compilation.room = generated.room;
     compilation.types = checked.program.types;

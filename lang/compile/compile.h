@@ -29,8 +29,12 @@ struct Compilation {
   std::vector<SourceFile> used;              ///< the files that it USEs, by Place::file from 1
   std::uint32_t begins = 0;  ///< asked for `from`: the line of the first statement; 0: none is left
   // For an entry of the prompt that has no errors:
-  std::vector<KeptName> names;            ///< that it declares
-  std::vector<const KeptName*> shared{};  ///< of those known before: TASKs use them from here on
+  std::vector<KeptName> names;  ///< that it declares
+  struct Shared {
+    const KeptName* name;
+    bool of_tasks;
+  };
+  std::vector<Shared> shared{};  ///< of those known before: shared with TASKs from here on
   /// Lines that later entries have to read again: of a routine, or a USE.
   struct Definition {
     std::uint32_t first = 0;

@@ -211,7 +211,7 @@ void Entries::keep(std::string_view entry, const Compilation& compiled) {
   const std::uint32_t begin = std::exchange(line_, line_ + count_lines(entry));
   if (!compiled.chunk) return;
   const Room before = std::exchange(room_, compiled.room);
-  if (compiled.names.empty() && compiled.definitions.empty()) return;
+  if (compiled.names.empty() && compiled.definitions.empty() && compiled.shared.empty()) return;
   Entry kept{before, {compiled.names.begin(), compiled.names.end()}, {}, {}};
   keep_shared(compiled, kept);
   for (const Compilation::Definition& one : compiled.definitions) {
@@ -227,11 +227,13 @@ void Entries::keep(std::string_view entry, const Compilation& compiled) {
 }
 
 void Entries::keep_shared(const Compilation& compiled, Entry& entry) {
-  for (const KeptName* const one : compiled.shared) {
-    const Known* const found = known(to_upper(one->symbol.name));
-    if (found == nullptr || found->name != one) continue;
-    found->name->symbol.shared = true;
-    entry.shared.push_back(found->name);
+  for (const Compilation::Shared& one : compiled.shared) {
+    const Known* const found = known(to_upper(one.name->symbol.name));
+    if (found == nullptr || found->name != one.name) continue;
+    Symbol& symbol = found->name->symbol;
+    entry.shared.push_back({found->name, symbol.shared, symbol.of_tasks});
+    symbol.shared = true;
+    symbol.of_tasks = one.of_tasks;
   }
 }
 
@@ -275,8 +277,13 @@ void Entries::forget(std::uint32_t first, std::uint32_t last) {
   if (begin == end) return;
   // The room is free again unless something lies after it.
   if (end == entries_.end()) room_ = begin->second.room;
-  for (auto entry = begin; entry != end; ++entry)
-    for (KeptName* const name : entry->second.shared) name->symbol.shared = false;
+  for (auto entry = end; entry != begin;) {
+    --entry;
+    for (const SharedBefore& before : entry->second.shared) {
+      before.name->symbol.shared = before.shared;
+      before.name->symbol.of_tasks = before.of_tasks;
+    }
+  }
   for (auto entry = begin; entry != end; ++entry) remove(entry->second);
   entries_.erase(begin, end);
 }

@@ -74,12 +74,17 @@ class Entries {
     Room room;                       ///< that was taken before it
     std::string routine;             ///< its name, in capitals; empty for a USE
   };
+  struct SharedBefore {
+    KeptName* name;
+    bool shared;
+    bool of_tasks;
+  };
   /// An entry that has declared something.
   struct Entry {
     Room room;  ///< that was taken before it
     std::list<KeptName> names;
     std::list<Definition> definitions;
-    std::vector<KeptName*> shared;  ///< names of earlier ones that TASKs use since then
+    std::vector<SharedBefore> shared;  ///< names of earlier ones that are shared since then
   };
   struct Known {
     KeptName* name = nullptr;

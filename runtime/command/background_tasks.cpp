@@ -41,8 +41,9 @@ BackgroundTasks::BackgroundTasks(const TaskSide& side, std::uint64_t seed)
       seed_(seed) {}
 
 void BackgroundTasks::go_on_with(Code entry) {
+  // The handlers of WHENs share what they use already, for TASKs that come later.
+  if (!entry->tasks.empty() || !entry->watches.empty()) memory_.open();
   if (entry->tasks.empty() && code_->tasks.empty()) return;
-  if (!entry->tasks.empty()) memory_.open();
   code_ = std::move(entry);
   std::erase_if(running_, [&](const Running& one) { return declared_anew(*one.code, one.task); });
   for (const lang::TaskCode& task : code_->tasks) {

@@ -238,6 +238,24 @@ TEST_CASE("a TASK ends where what it uses is declared anew, and that is told") {
   }
 }
 
+TEST_CASE("a WHEN that was armed before a TASK is declared shares its variables with it") {
+  Prompt prompt;
+  prompt.enter({"VAR n = 0", "VAR seen = 0", "SIGNAL go = DOUT[1]",
+                "WHEN go DO\n  n += 10\nENDWHEN", "n = 1", "go = ON", "WAIT 0.1s", "go = OFF"});
+  CHECK(prompt.enter({"PRINT n"}) == "11\n");
+  prompt.enter(
+      {"TASK look\n  LOOP\n    seen = n\n    IF n == 100 THEN n = 200\n    WAIT 0.01s\n"
+       "  ENDLOOP\nENDTASK",
+       "START look", "WAIT 0.1s"});
+  CHECK(prompt.enter({"PRINT seen"}) == "11\n");
+  prompt.enter({"go = ON", "WAIT 0.1s", "go = OFF", "WAIT 0.1s"});
+  CHECK(prompt.enter({"PRINT n, \" \", seen"}) == "21 21\n");
+  // And the other way: the handler counts on from what the TASK has made of it.
+  prompt.enter({"n = 100", "WAIT 0.1s", "go = ON", "WAIT 0.1s"});
+  CHECK(prompt.enter({"PRINT n, \" \", seen"}) == "210 210\n");
+  CHECK(prompt.session.errors() == 0);
+}
+
 TEST_CASE("one TASK may be declared anew as often as one likes, and 16 there can be") {
   Prompt prompt;
   for (int i = 0; i < 40; ++i)
