@@ -90,8 +90,8 @@ const std::vector<LayerRule>& layer_rules() {
     std::vector<std::string_view> runtime = {"motion", "drivers"};
     for (const char* folder :
          {"runtime/time", "runtime/tick", "runtime/words", "runtime/meshes", "runtime/files",
-          "runtime/devices", "runtime/command", "runtime/run", "runtime/pictures",
-          "runtime/record", "runtime/import", "runtime/prompt", "runtime/cli"}) {
+          "runtime/devices", "runtime/command", "runtime/run", "runtime/pictures", "runtime/record",
+          "runtime/import", "runtime/prompt", "runtime/cli"}) {
       made.push_back({folder, runtime});
       runtime.push_back(folder);
       if (made.back().folder == "runtime/tick") runtime.push_back("lang");

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "motion/collision/shapes.h"
 
 namespace rob::motion {
@@ -10,6 +13,8 @@ class ConvexBody {
   virtual ~ConvexBody() = default;
   /// As the distances of distance.h; m. From afar it may tell less than there is.
   virtual double distance(const Capsule& capsule) const noexcept = 0;
+  /// For pictures: both ends of each edge, m.
+  virtual std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> edges() const = 0;
 
  protected:
   ConvexBody() = default;

@@ -11,7 +11,7 @@ void ContactProof::watch(const Shared& clearance) {
   if (clearance == clearance_) return;
   clearance_ = clearance;
   clearance_mark_ = mark_of(*clearance);
-  proof_->emplace(*clearance_, 0);
+  proof_.emplace(*clearance_, 0);
 }
 
 std::optional<Words> ContactProof::hit(int line, const Shared& clearance,

@@ -96,8 +96,7 @@ std::optional<Words> MotionPlans::plan(int line, Commanded& commanded) {
 std::optional<Words> MotionPlans::plan_leg(int line, Commanded& commanded) {
   const MoveCommand& asked = *commanded.move;
   const GripperElements hand(asked, links_.signature);
-  motion::MotionRequest request =
-      request_for(line, hand.any() ? hand.command() : asked, commanded);
+  motion::MotionRequest request = request_for(line, hand.any() ? hand.command() : asked, commanded);
   if (!hand.any()) request.given = 0;  // the path has the target
   request.whole = says_whole(asked) && motion::leaves_open(links_.robot);
   const bool led = !hand.alone() && asked.kind != MotionKind::Joint &&
@@ -193,6 +192,7 @@ std::optional<Words> MotionPlans::plan_jog(int line, const MoveCommand& asked,
   const bool leads = asked.jog != JogFrame::Joint;  // of a program refused before, a pendant's here
   if (auto words = words_against(lang::MotionFeature::Lead, links_.robot); leads && words)
     return words;
+  links_.channels.jog_bodies.store(touching_.in(surroundings_.setting()));
   links_.channels.jog_room.want();
   const JogRates rates = rates_of(asked, surroundings_.setting().tool, links_.robot);
   if (press_.forbids(rates)) return words_for_motion_against_press();

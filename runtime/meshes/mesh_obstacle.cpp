@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,19 @@ std::vector<Face> faces_of(const Hull& hull, const Vector3d& within) {
   return faces;
 }
 
+/// Each edge once: two faces share it, and go round it in opposite directions.
+std::vector<std::pair<Vector3d, Vector3d>> edges_of(const Hull& hull) {
+  std::set<std::pair<int, int>> known;
+  for (const auto& [a, b, c] : hull.faces)
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      known.insert(std::minmax(from, to));
+  std::vector<std::pair<Vector3d, Vector3d>> edges;
+  for (const auto& [from, to] : known)
+    edges.emplace_back(hull.vertices[static_cast<std::size_t>(from)],
+                       hull.vertices[static_cast<std::size_t>(to)]);
+  return edges;
+}
+
 fcl::Convexd convex_of(const Hull& hull) {
   std::vector<int> faces;
   for (const auto& [a, b, c] : hull.faces) faces.insert(faces.end(), {3, a, b, c});
@@ -74,7 +88,10 @@ fcl::Convexd convex_of(const Hull& hull) {
 class MeshBody final : public motion::ConvexBody {
  public:
   explicit MeshBody(const Hull& hull)
-      : middle_(middle_of(hull)), faces_(faces_of(hull, middle_)), convex_(convex_of(hull)) {
+      : middle_(middle_of(hull)),
+        faces_(faces_of(hull, middle_)),
+        edges_(edges_of(hull)),
+        convex_(convex_of(hull)) {
     for (const Vector3d& vertex : hull.vertices)
       radius_ = std::max(radius_, (vertex - middle_).norm());
   }
@@ -90,6 +107,8 @@ class MeshBody final : public motion::ConvexBody {
     }
     return std::min(depth(capsule), 0.0);
   }
+
+  std::vector<std::pair<Vector3d, Vector3d>> edges() const override { return edges_; }
 
  private:
   /// Below 0 where they touch.
@@ -120,6 +139,7 @@ class MeshBody final : public motion::ConvexBody {
   Vector3d middle_;
   double radius_ = 0;  // m, of the sphere around middle_ that holds it
   std::vector<Face> faces_;
+  std::vector<std::pair<Vector3d, Vector3d>> edges_;
   fcl::Convexd convex_;
 };
 

@@ -66,6 +66,11 @@ struct ObstacleLines {
   Lines operator()(const motion::Capsule& capsule) const {
     return {{capsule.from, capsule.to, capsule.radius}};
   }
+  Lines operator()(const std::shared_ptr<const motion::ConvexBody>& body) const {
+    Lines lines;
+    for (const auto& [from, to] : body->edges()) lines.push_back({from, to, 0});
+    return lines;
+  }
   Lines operator()(const motion::HalfSpace& table) const {
     constexpr double kHalf = 0.5;  // m [choice] of the square that stands for the plane
     Lines lines;

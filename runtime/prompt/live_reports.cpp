@@ -75,7 +75,9 @@ std::string LiveReports::state_text() const {
 /// Once, however often it is tried again there.
 void LiveReports::tell_jog_stopped(const MotionEvent& event) {
   const bool again = jog_stopped_ && jog_stopped_->axis == event.axis;
-  if (!again) tell(text_for_stopped_jog(event.axis, event.value, controller_.robot()));
+  if (!again)
+    tell(text_for_stopped_jog(event.axis, event.value, controller_.robot(),
+                              controller_.channels().jog_bodies.load().get()));
   if (last_) jog_stopped_ = {event.axis, last_->sample.reference.q};
 }
 

@@ -133,7 +133,6 @@ RunResult foretell(const LoadedProgram& program, const motion::RobotModel& robot
              if (options.row) options.row(snapshot);
            },
        .write = [&](const Note& note, double time) { hand_over(note, time, files, devices); },
-       .write = [&](const Note& note, double time) { hand_over(note, time, files, devices); },
        .begin =
            [&](const LoggedSegment& motion, double time) {
              contacts.begin(motion, time);

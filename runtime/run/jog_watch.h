@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "motion/collision/clearance.h"
@@ -16,8 +17,8 @@ class JogWatch {
  public:
   JogWatch(const motion::RobotModel& robot, Channels& channels);
 
-  /// Whether there is anything that could be hit.
-  bool used() const { return !clearance_.pairs().empty(); }
+  /// Whether the robot's file names anything that could be hit.
+  bool used() const { return channels_.jog_room.used(); }
   /// Measures, once a jog has been commanded.
   void look();
 
@@ -29,6 +30,9 @@ class JogWatch {
     double now = 0;            // m that it is apart at least
   };
 
+  using Shared = std::shared_ptr<const motion::Clearance>;
+
+  void watch(const Shared& clearance);
   void go_on_to(const motion::JointVector& q);
   void measure(const motion::JointVector& q);
   motion::JogRoom::Near near_at(std::size_t pair, const motion::JointVector& q) const;
@@ -36,7 +40,7 @@ class JogWatch {
 
   const double period_;
   Channels& channels_;
-  const motion::Clearance clearance_;
+  Shared clearance_;
   std::vector<Measured> pairs_;
   std::vector<std::size_t> order_;  ///< the nearest first, as far as they are looked at
   std::size_t turn_ = 0;

@@ -103,8 +103,9 @@ void RunRecorder::take(const MotionEvent& event) {
     case MotionEvent::Kind::NoWayBack:
       break;
     case MotionEvent::Kind::JogStopped:
-      journal_.add_event(event.time, "limit", static_cast<int>(event.tag),
-                         text_for_stopped_jog(event.axis, event.value, robot_));
+      journal_.add_event(
+          event.time, "limit", static_cast<int>(event.tag),
+          text_for_stopped_jog(event.axis, event.value, robot_, channels_.jog_bodies.load().get()));
       break;
     case MotionEvent::Kind::Overrun:
       fail(event.time, "overrun", words_for_overrun(event.value));

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
+#include "motion/collision/clearance.h"
 #include "motion/collision/jog_room.h"
 #include "motion/generate/trajectory_generator.h"
 #include "motion/servo/following_supervisor.h"
@@ -146,7 +148,9 @@ struct Channels {
   std::atomic<const motion::CarriedLoad*> carried{nullptr};
   std::atomic<std::int64_t> cycle{0};  ///< motion → program: number of the current one
   motion::JogRoom jog_room;            ///< thread that measures distances → motion
-  LatestValues joints;                 ///< motion → program: the references of the current cycle
+  /// program → thread that measures distances: what jogs must not hit; null: all of the robot's
+  std::atomic<std::shared_ptr<const motion::Clearance>> jog_bodies{};
+  LatestValues joints;  ///< motion → program: the references of the current cycle
   LatestValues wrench;  ///< motion → program: N, then Nm, as CycleView; none without a sensor
   std::atomic<std::int64_t> simulations_done{0};  ///< motion → program: SIMULATEs that have acted
   OperatorPanel panel;  ///< motion → program: what a signal script does in the operator's place

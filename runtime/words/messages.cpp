@@ -11,7 +11,6 @@
 #include "lang/values/pose_slots.h"
 #include "motion/generate/motion_event.h"
 #include "motion/plan/motion_planner.h"
-#include "motion/robots/robot_clearance.h"
 #include "motion/robots/robot_library.h"
 #include "runtime/tick/simulated_inputs.h"
 #include "runtime/words/codes.h"
@@ -258,18 +257,20 @@ Words words_for(const FollowingFinding& finding, const motion::RobotModel& robot
 namespace {
 
 /// `stops`: what JogRoom says.
-std::string text_for_jog_at_body(double stops, const motion::RobotModel& robot) {
-  if (stops < 0) return "the jog stops short of a body";
-  const motion::Clearance clearance = motion::clearance_of(robot);
-  const motion::Clearance::Pair& pair = clearance.pairs().at(static_cast<std::size_t>(stops));
-  return fmt::format("the jog stops: {} is near {}", clearance.name_of_body(pair),
-                     clearance.name_of_other(pair));
+std::string text_for_jog_at_body(double stops, const motion::Clearance* bodies) {
+  const bool known =
+      bodies != nullptr && stops >= 0 && stops < static_cast<double>(bodies->pairs().size());
+  if (!known) return "the jog stops short of a body";
+  const motion::Clearance::Pair& pair = bodies->pairs()[static_cast<std::size_t>(stops)];
+  return fmt::format("the jog stops: {} is near {}", bodies->name_of_body(pair),
+                     bodies->name_of_other(pair));
 }
 
 }  // namespace
 
-std::string text_for_stopped_jog(int axis, double place, const motion::RobotModel& robot) {
-  if (axis == motion::MotionEvent::kAtBody) return text_for_jog_at_body(place, robot);
+std::string text_for_stopped_jog(int axis, double place, const motion::RobotModel& robot,
+                                 const motion::Clearance* bodies) {
+  if (axis == motion::MotionEvent::kAtBody) return text_for_jog_at_body(place, bodies);
   if (axis < 0) return "the jog stops at a singular position, or at the end of the arm's reach";
   const motion::Axis& stopping = axis_of(robot, axis);
   const double end = place - stopping.min < stopping.max - place ? stopping.min : stopping.max;

@@ -4,6 +4,7 @@
 
 #include "lang/values/arithmetic.h"
 #include "lang/values/pose_math.h"
+#include "motion/collision/clearance.h"
 #include "motion/generate/position_error.h"
 #include "motion/plan/feasibility.h"
 #include "motion/robots/robot_model.h"
@@ -45,8 +46,10 @@ Words words_for_long_path(std::size_t most);
 /// remedy"; empty: nothing.
 Words words_for(const motion::FollowingFinding& finding, const motion::RobotModel& robot,
                 const std::string& of_machine = "");
-/// Why a jog goes no further: the axis that ends near `place`, m or rad; axis −1: none does.
-std::string text_for_stopped_jog(int axis, double place, const motion::RobotModel& robot);
+/// Why a jog goes no further: the axis that ends near `place`, m or rad; axis −1: none
+/// does. `bodies`: those that the jog heeds, or null.
+std::string text_for_stopped_jog(int axis, double place, const motion::RobotModel& robot,
+                                 const motion::Clearance* bodies);
 /// A path event that came too early by so many s; below 0: too late.
 std::string text_for_missed_lead(double error);
 /// `late`: s by which the event comes later than its LEAD asks for.

@@ -127,8 +127,7 @@ TEST_CASE("fault 31: a servo that restarts in motion is said to have restarted")
 TEST_CASE("six DYNAMIXEL servos at 57,600 baud: the cycle is what fits, and that is said") {
   ServoEmulator bus(Kind::Dynamixel, 6);
   bus.baud = 57600;
-  const RobCommand rob(
-      "MOVE JOINTS(20deg, 10deg, -10deg, 30deg, 0deg, 30deg)\nSTOP\n");
+  const RobCommand rob("MOVE JOINTS(20deg, 10deg, -10deg, 30deg, 0deg, 30deg)\nSTOP\n");
   std::string text = rob::test::read_whole_file(ROB_SOURCE_DIR "/motion/robots/so101.toml");
   text += "\n[wire]\nbaud = 57600\n";
   std::ofstream(rob.file("slow.toml")) << text;

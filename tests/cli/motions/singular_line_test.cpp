@@ -19,7 +19,7 @@ namespace {
 constexpr double kPeriod = 0.004;    // s: irb120's references
 constexpr double kFastest = 250;     // deg/s, of its axes 1 and 4, the slowest of those that move
 constexpr double kStrongest = 2750;  // deg/s²
-constexpr double kDegree = 3.14159265358979 / 180;
+constexpr double kOneDegree = 3.14159265358979 / 180;
 
 /// From y = −200 mm to 200 mm, `beside` mm from axis 1, about which the wrist turns by half a turn.
 std::string line_past_axis_1(double beside, double speed) {
@@ -37,7 +37,7 @@ std::string line_past_axis_1(double beside, double speed) {
 
 /// Axis 1 stands at atan(y/d), so it permits v = w·(d² + y²)/d; elsewhere the speed asked for.
 double least_time(double beside, double speed) {
-  const double w = kFastest * kDegree;
+  const double w = kFastest * kOneDegree;
   const double border = std::sqrt(speed * beside / w - beside * beside);
   return 2 * (std::atan(border / beside) / w + (200 - border) / speed);
 }
@@ -69,7 +69,7 @@ void check_limits(const std::vector<TraceRow>& rows) {
 TEST_CASE("a line past axis 1 is slow where the axis needs it, and as fast as AT elsewhere") {
   for (const double beside : {2.0, 10.0, 30.0}) {
     for (const double speed : {100.0, 250.0}) {
-      if (speed * beside / (kFastest * kDegree) <= beside * beside) continue;  // nothing is slow
+      if (speed * beside / (kFastest * kOneDegree) <= beside * beside) continue;  // nothing is slow
       CAPTURE(beside);
       CAPTURE(speed);
       const RobCommand rob(line_past_axis_1(beside, speed));

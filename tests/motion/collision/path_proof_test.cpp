@@ -73,7 +73,8 @@ double first_contact(const Clearance& clearance, const JointVector& from, const 
 
 TEST_CASE("bodies that hang together are no pairs, nor are those that may touch") {
   const JointVector travel = JointVector::Zero(6);
-  const Clearance clearance(arm(), travel, {beams(), things(), {{"ball", "upper_arm"}}});
+  const Clearance clearance(
+      arm(), travel, {.bodies = beams(), .obstacles = things(), .apart = {{"ball", "upper_arm"}}});
   std::vector<std::string> names;
   for (const Clearance::Pair& pair : clearance.pairs())
     names.push_back(clearance.name_of_body(pair) + " " + clearance.name_of_other(pair));

@@ -183,7 +183,7 @@ TEST_CASE("the part in the gripper of a simulated cell must not hit the table") 
 }
 
 TEST_CASE("the seven-axis arm of the example would hit the wall if it did not go over it") {
-  std::ifstream file(ROB_SOURCE_DIR "/examples/26_cell.rob");
+  std::ifstream file(ROB_SOURCE_DIR "/examples/27_cell.rob");
   std::string text(std::istreambuf_iterator<char>(file), {});
   const std::size_t over = text.find("  MOVEL(z: 300mm)");
   REQUIRE(over != std::string::npos);
